@@ -1,0 +1,251 @@
+"""The command line: one command per craft, its options made from the craft's Params."""
+
+from __future__ import annotations
+
+import time
+
+BEGAN = time.perf_counter()
+
+import sys  # noqa: E402
+import types  # noqa: E402
+from collections.abc import Callable  # noqa: E402
+from typing import Any, Literal, Union, get_args, get_origin  # noqa: E402
+
+import click  # noqa: E402
+
+from tambour import __version__  # noqa: E402
+from tambour.core.errors import TambourError  # noqa: E402
+from tambour.run import CRAFTS  # noqa: E402
+
+ISSUES = "please report it, with the command, the input and the lines above"
+
+
+class _Crafts(click.Group):
+    """Loads a craft only when its command is run or its help is asked for."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return [*CRAFTS, *sorted(self.commands)]
+
+    def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
+        return craft_command(name) if name in CRAFTS else super().get_command(ctx, name)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Crafts"):
+            formatter.write_dl([(name, line) for name, (_, line) in CRAFTS.items()])
+        with formatter.section("Commands"):
+            formatter.write_dl([(n, c.get_short_help_str(90)) for n, c in sorted(self.commands.items())])
+
+
+@click.group(cls=_Crafts, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.version_option(__version__, prog_name="tambour")
+def tambour() -> None:
+    """Turn a pattern, a picture or a seed into something to make with yarn, thread or ink, and see it first."""
+
+
+def options(params: Any) -> Callable[[Any], Any]:
+    """Decorate a click command with one option per field of a Params model.
+
+    Values arrive as texts and are judged by the model alone, so that the library, the command line and the studio
+    refuse the same things in the same words.
+    """
+
+    def option(name: str, f: Any) -> Any:
+        flag = "--" + name.replace("_", "-")
+        extra = f.json_schema_extra if isinstance(f.json_schema_extra, dict) else {}
+        kind, many = f.annotation, False
+        if get_origin(kind) in (Union, types.UnionType):
+            kind = next(k for k in get_args(kind) if k is not type(None))
+        if get_origin(kind) is tuple and get_args(kind)[-1] is Ellipsis:
+            kind, many = get_args(kind)[0], True
+        default = f.get_default(call_default_factory=True)
+        shown = f"  [default: {_plain(default)}]" if default not in (None, (), "", False, True) else ""
+        note = _bounds(f)
+        text = (f.description or "").strip().replace("\n", " ") + shown + (f" [{note}]" if note else "")
+        if kind is bool:
+            state = "" if default is None else f"  [default: {'on' if default else 'off'}]"
+            return click.option(f"{flag}/--no-{flag[2:]}", name, default=None, help=text + state)
+        if get_origin(kind) is Literal:
+            words = [str(w) for w in get_args(kind)]
+            return click.option(flag, name, type=click.Choice(words), default=None, help=text, multiple=many)
+        unit = extra.get("metavar") or _unit(f) or {int: "N", float: "X"}.get(kind, "TEXT")
+        metavar = "FILE" if "file" in extra else str(unit).upper()
+        return click.option(flag, name, type=str, default=None, help=text, metavar=metavar, multiple=many)
+
+    def decorate(command: Any) -> Any:
+        for name, f in reversed(list(params.model_fields.items())):
+            command = option(name, f)(command)
+        return command
+
+    return decorate
+
+
+def _plain(default: Any) -> str:
+    return ", ".join(map(str, default)) if isinstance(default, tuple) else str(default)
+
+
+def _unit(f: Any) -> str:
+    for m in f.metadata:
+        schema = getattr(m, "json_schema", None)
+        if isinstance(schema, dict) and "unit" in schema:
+            return str(schema["unit"])
+    extra = f.json_schema_extra if isinstance(f.json_schema_extra, dict) else {}
+    return str(extra.get("unit", ""))
+
+
+def _bounds(f: Any) -> str:
+    signs = {"ge": "≥", "gt": ">", "le": "≤", "lt": "<"}
+    return ", ".join(
+        f"{s} {getattr(m, k)}" for m in f.metadata for k, s in signs.items() if getattr(m, k, None) is not None
+    )
+
+
+def craft_command(name: str) -> click.Command:
+    """The command of one craft."""
+    from tambour.run import craft
+
+    what = craft(name)
+    views = "\n".join(
+        f"  {v:<10} {it.help}" + (f" ({' '.join(it.suffixes)})" if it.suffixes else "") for v, it in what.views.items()
+    )
+    text = f"{what.help}\n\n\b\nViews (-o name.VIEW.suffix; the suffixes in brackets take it by themselves):\n{views}"
+
+    @click.command(name, help=text)
+    @options(what.params)
+    @click.option("-o", "out", multiple=True, metavar="OUT", help="A file to write; may be given several times.")
+    @click.option("--report", metavar="FILE", help="Write what was measured as JSON.")
+    @click.option("--quiet", is_flag=True, help="No progress, no summary.")
+    def command(source: str | None = None, **given: Any) -> None:
+        run_craft(what, source, **given)
+
+    if what.reads:
+        command.params.insert(0, click.Argument(["source"], required=not what.optional_source))
+    return command
+
+
+def run_craft(
+    what: Any, source: str | None, out: tuple[str, ...], report: str | None, quiet: bool, **given: Any
+) -> None:
+    """Run one craft from the words of the command line."""
+    from pathlib import Path
+
+    from tambour.files.text import write_json
+    from tambour.run import run
+
+    values = {name: value for name, value in given.items() if value is not None and value != ()}
+    params = what.params.of(values)
+    if report and not Path(report).parent.exists():
+        raise TambourError("its folder does not exist", where=report)
+    with _bar(quiet) as progress:
+        made = run(what, source, params, out, progress, BEGAN)
+    for problem in progress.warnings:
+        click.echo(str(problem), err=True)
+    if report:
+        write_json(made, Path(report))
+    if not quiet:
+        summary(made)
+
+
+def summary(report: dict[str, Any]) -> None:
+    """Print what was made: the short facts, then the files."""
+    skip = {"craft", "version", "edition", "params", "source", "warnings", "files", "seconds"}
+    for key, value in report.items():
+        if key not in skip and isinstance(value, (int, float, str)) and not isinstance(value, bool):
+            shown = f"{value:.4g}" if isinstance(value, float) else str(value)
+            click.echo(f"{key.replace('_', ' ')}: {shown}")
+    for path in report["files"]:
+        click.echo(f"wrote {path}")
+
+
+def _bar(quiet: bool) -> Any:
+    """A context that gives a Progress: a bar on a terminal, silent elsewhere."""
+    from contextlib import contextmanager
+
+    from tambour.core.progress import Progress
+
+    @contextmanager
+    def shown() -> Any:
+        if quiet or not sys.stderr.isatty():
+            yield Progress()
+            return
+        from rich.console import Console
+        from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
+        from rich.progress import Progress as Bars
+
+        columns = (
+            TextColumn("{task.description:<18}"),
+            BarColumn(),
+            TextColumn("{task.fields[count]}"),
+            TimeElapsedColumn(),
+        )
+        with Bars(*columns, console=Console(stderr=True), transient=True) as bars:
+            task = bars.add_task("start", total=None, count="")
+
+            def show(stage: str, done: int, total: int) -> None:
+                count = f"{done:,} of {total:,}" if total else ""
+                bars.update(task, description=stage, completed=done, total=total or None, count=count)
+
+            yield Progress(show)
+
+    return shown()
+
+
+@tambour.command("run")
+@click.argument("report", type=click.Path(exists=True, dir_okay=False))
+@click.option("-o", "out", multiple=True, metavar="OUT", help="A file to write instead of the report's own.")
+def again(report: str, out: tuple[str, ...]) -> None:
+    """Make a piece again from its report."""
+    import json
+    from pathlib import Path
+
+    from tambour.run import craft, run
+
+    try:
+        told = json.loads(Path(report).read_text())
+        name, values, source = told["craft"], told["params"], (told["source"] or {}).get("path")
+    except (ValueError, KeyError, TypeError):
+        raise TambourError("this is not a report of tambour", where=report) from None
+    what = craft(name)
+    made = run(what, source, what.params.of(values), out or told.get("files", ()), began=BEGAN)
+    if told["source"] and made["source"]["sha256"] != told["source"]["sha256"]:
+        click.echo(f"{source}: warning: the source has changed since the report was written", err=True)
+    summary(made)
+
+
+@tambour.command("formats")
+def formats() -> None:
+    """List the file types that can be read and written."""
+    from tambour.files import READ, WRITE
+
+    click.echo("read   " + " ".join(sorted(READ)))
+    click.echo("write  " + " ".join(sorted({s for s, _ in WRITE})))
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Run the command line; leaves with 0, 2 for bad input, 1 for a fault of ours, 130 when interrupted."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")  # a terminal that cannot show "→" is no reason to stop
+    try:
+        code = tambour.main(arguments, prog_name="tambour", standalone_mode=False)
+    except TambourError as error:
+        for problem in error.problems:
+            click.echo(str(problem) if problem.warning else f"{problem}", err=True)
+        sys.exit(2)
+    except click.exceptions.Abort:
+        click.echo("interrupted; nothing was written", err=True)
+        sys.exit(130)
+    except KeyboardInterrupt:
+        click.echo("interrupted; nothing was written", err=True)
+        sys.exit(130)
+    except click.ClickException as error:
+        error.show()
+        sys.exit(2)
+    except BrokenPipeError:
+        sys.exit(1)
+    except Exception:  # noqa: BLE001 - the last line of defence: a traceback, and what to do with it
+        import traceback
+
+        traceback.print_exc()
+        click.echo(f"\nThis is a fault of tambour {__version__}: {ISSUES}.", err=True)
+        sys.exit(1)
+    sys.exit(code if isinstance(code, int) else 0)

@@ -1,0 +1,62 @@
+"""Colour: sRGB ↔ linear light ↔ Oklab, the nearest of a palette."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tambour.core.check import Array
+
+# B. Ottosson, "A perceptual color space for image processing" (2020): linear sRGB → LMS → Oklab.
+_LMS = np.array(
+    [
+        [0.4122214708, 0.5363325363, 0.0514459929],
+        [0.2119034982, 0.6806995451, 0.1073969566],
+        [0.0883024619, 0.2817188376, 0.6299787005],
+    ]
+)
+_LAB = np.array(
+    [
+        [0.2104542553, 0.7936177850, -0.0040720468],
+        [1.9779984951, -2.4285922050, 0.4505937099],
+        [0.0259040371, 0.7827717662, -0.8086757660],
+    ]
+)
+
+
+def linear(srgb: Array) -> Array:
+    """Linear light in 0…1 of sRGB code values in 0…1 (any shape)."""
+    srgb = np.asarray(srgb, np.float64)
+    return np.where(srgb <= 0.04045, srgb / 12.92, ((np.maximum(srgb, 0) + 0.055) / 1.055) ** 2.4)
+
+
+def coded(light: Array) -> Array:
+    """sRGB code values in 0…1 of linear light in 0…1 (any shape)."""
+    light = np.asarray(light, np.float64)
+    return np.where(light <= 0.0031308, light * 12.92, 1.055 * np.maximum(light, 0) ** (1 / 2.4) - 0.055)
+
+
+def oklab(rgb: Array) -> Array:
+    """Oklab (…, 3) of sRGB (…, 3): uint8, or floats in 0…1."""
+    rgb = np.asarray(rgb)
+    light = linear(rgb / 255.0 if rgb.dtype == np.uint8 else rgb)
+    return np.asarray(np.cbrt(light @ _LMS.T) @ _LAB.T)
+
+
+def from_oklab(lab: Array) -> Array:
+    """sRGB (…, 3) uint8 of Oklab (…, 3), clipped to the gamut."""
+    lms = (np.asarray(lab, np.float64) @ np.linalg.inv(_LAB).T) ** 3
+    return np.round(np.clip(coded(np.clip(lms @ np.linalg.inv(_LMS).T, 0, 1)), 0, 1) * 255).astype(np.uint8)
+
+
+def nearest(rgb: Array, palette: Array) -> Array:
+    """Index (…) of the palette colour (K, 3) uint8 nearest to each sRGB colour (…, 3), by distance in Oklab."""
+    from scipy.spatial import cKDTree
+
+    flat = oklab(rgb).reshape(-1, 3)
+    index = cKDTree(oklab(palette)).query(flat)[1]
+    return np.asarray(index, np.int32).reshape(np.shape(rgb)[:-1])
+
+
+def luminance(rgb: Array) -> Array:
+    """Relative luminance (…) in 0…1 of sRGB (…, 3) uint8 (WCAG 2 weights)."""
+    return np.asarray(linear(np.asarray(rgb) / 255.0) @ np.array([0.2126, 0.7152, 0.0722]))

@@ -1,0 +1,159 @@
+"""Drawing: a vector scene in painter's order, the middle value between the crafts and every flat file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from tambour.core.check import Array, array, put, within
+from tambour.core.errors import LawError
+from tambour.core.paths import Paths
+from tambour.core.picture import Picture
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Styles:
+    """A table of S styles.
+
+    fill, stroke : (S, 4) uint8 sRGB with alpha; alpha 0 means none
+    width : (S,) float64, width of the stroke in the drawing's units
+    evenodd : (S,) bool, fill rule (False: non-zero)
+    """
+
+    fill: Array
+    stroke: Array
+    width: Array
+    evenodd: Array
+
+    def __post_init__(self) -> None:
+        fill = array("Styles.fill", self.fill, np.uint8, (None, 4))
+        n = len(fill)
+        put(
+            self,
+            fill=fill,
+            stroke=array("Styles.stroke", self.stroke, np.uint8, (n, 4)),
+            width=array("Styles.width", self.width, np.float64, (n,)),
+            evenodd=array("Styles.evenodd", self.evenodd, np.bool_, (n,)),
+        )
+
+    def __len__(self) -> int:
+        return len(self.fill)
+
+    @classmethod
+    def of(cls, *styles: tuple[tuple[int, int, int, int] | None, tuple[int, int, int, int] | None, float]) -> Styles:
+        """A table from ``(fill, stroke, width)`` triples; None for no fill or no stroke."""
+        none = (0, 0, 0, 0)
+        return cls(
+            np.array([s[0] or none for s in styles], np.uint8).reshape(-1, 4),
+            np.array([s[1] or none for s in styles], np.uint8).reshape(-1, 4),
+            np.array([s[2] for s in styles], np.float64),
+            np.zeros(len(styles), np.bool_),
+        )
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Groups:
+    """G groups: ``ids`` (unique), ``names`` (for people), ``parent`` (G,) int32 (-1: top; a parent stands before its
+    children), ``layer`` (G,) bool (written as a layer where the format has them), ``data`` attributes per group."""
+
+    ids: tuple[str, ...] = ()
+    names: tuple[str, ...] = ()
+    parent: Array = field(default_factory=lambda: np.zeros(0, np.int32))
+    layer: Array = field(default_factory=lambda: np.zeros(0, np.bool_))
+    data: tuple[Mapping[str, str], ...] = ()
+
+    def __post_init__(self) -> None:
+        n = len(self.ids)
+        parent = array("Groups.parent", self.parent, np.int32, (n,))
+        if n and ((parent >= np.arange(n)).any() or (parent < -1).any()):
+            raise LawError("Groups.parent: a parent must stand before its children")
+        if len(set(self.ids)) != n or len(self.names) != n or len(self.data) not in (0, n):
+            raise LawError("Groups: ids must be unique, and names and data as many as ids")
+        layer = np.zeros(n, np.bool_) if len(self.layer) == 0 else self.layer
+        put(self, parent=parent, layer=array("Groups.layer", layer, np.bool_, (n,)))
+
+    def __len__(self) -> int:
+        return len(self.ids)
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A line of text: ``x, y`` is its baseline's start, middle or end (``anchor``); ``size`` the font size; both in the
+    drawing's units; ``angle`` in radians, counter-clockwise as seen."""
+
+    text: str
+    x: float
+    y: float
+    size: float
+    anchor: Literal["start", "middle", "end"] = "start"
+    angle: float = 0.0
+    color: tuple[int, int, int, int] = (0, 0, 0, 255)
+    bold: bool = False
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Placed:
+    """A picture stretched over a rectangle: left, top, width, height in the drawing's units."""
+
+    picture: Picture
+    x: float
+    y: float
+    width: float
+    height: float
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Drawing:
+    """A flat scene: pictures first, then shapes in painter's order, then labels; y down.
+
+    A shape is a polygon of ``paths.parts`` where there are parts, else a path.
+
+    paths : Paths of N shapes
+    style : (N,) int32 → styles
+    styles : Styles
+    size : (2,) float64 width and height of the sheet, in units
+    group : (N,) int32 → groups, -1 for none
+    groups : Groups
+    labels, images : tuples
+    origin : (2,) float64, the sheet's top left corner, in units
+    unit : mm per unit (1 for all but scrolls)
+    background : RGBA of the sheet or None
+    about : facts for the file's metadata (title, source, seed, …); no dates
+    """
+
+    paths: Paths
+    style: Array
+    styles: Styles
+    size: Array
+    group: Array | None = None
+    groups: Groups = field(default_factory=Groups)
+    labels: tuple[Label, ...] = ()
+    images: tuple[Placed, ...] = ()
+    origin: Array = field(default_factory=lambda: np.zeros(2))
+    unit: float = 1.0
+    background: tuple[int, int, int, int] | None = None
+    about: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        n = self.paths.shapes
+        style = array("Drawing.style", self.style, np.int32, (n,))
+        within("Drawing.style", style, 0, len(self.styles))
+        group = np.full(n, -1, np.int32) if self.group is None else array("Drawing.group", self.group, np.int32, (n,))
+        within("Drawing.group", group, -1, len(self.groups))
+        if self.paths.coords.shape[1] != 2:
+            raise LawError("Drawing.paths: a drawing is flat, coords must be (P, 2)")
+        if not self.unit > 0:
+            raise LawError("Drawing.unit: must be above 0")
+        put(
+            self,
+            style=style,
+            group=group,
+            size=array("Drawing.size", self.size, np.float64, (2,)),
+            origin=array("Drawing.origin", self.origin, np.float64, (2,)),
+        )
+
+    def __len__(self) -> int:
+        return self.paths.shapes

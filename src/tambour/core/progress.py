@@ -1,0 +1,56 @@
+"""Progress: how long work tells what it is doing, how long each stage took, and what it doubts."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from tambour.core.errors import Problem
+
+Show = Callable[[str, int, int], None]
+
+
+class Progress:
+    """Handed to every ``make``: names stages, counts, collects warnings.
+
+    ``show(stage, done, total)`` is called on every change: a bar in the terminal, an event in the studio, nothing in
+    batch. ``seconds`` holds the time spent in each stage, nested stages taken out of their surroundings.
+    """
+
+    def __init__(self, show: Show | None = None) -> None:
+        self.seconds: dict[str, float] = {}
+        self.warnings: list[Problem] = []
+        self._show = show or (lambda stage, done, total: None)
+        self._open: list[str] = []
+        self._since = 0.0
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[None]:
+        """Work done inside is counted as stage ``name``."""
+        self._switch()
+        self._open.append(name)
+        self._show(name, 0, 0)
+        try:
+            yield
+        finally:
+            self._switch()
+            self._open.pop()
+
+    def step(self, done: int, total: int) -> None:
+        """The open stage has done ``done`` of ``total``."""
+        self._show(self._open[-1] if self._open else "", done, total)
+
+    def warn(self, problem: Problem | str, hint: str = "", where: str = "") -> None:
+        """Note a doubt; it is printed, and stands in the report, but stops nothing."""
+        if isinstance(problem, str):
+            problem = Problem(problem, hint=hint, where=where)
+        self.warnings.append(
+            Problem(problem.message, problem.hint, problem.span, problem.source, problem.where, warning=True)
+        )
+
+    def _switch(self) -> None:
+        now = time.perf_counter()
+        if self._open:
+            self.seconds[self._open[-1]] = self.seconds.get(self._open[-1], 0.0) + now - self._since
+        self._since = now

@@ -1,0 +1,66 @@
+"""ThreadPlan: what an embroidery machine does, needle point by needle point."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from tambour.core.check import Array, array, put, within
+from tambour.core.errors import LawError
+
+STITCH: Final = 0
+JUMP: Final = 1
+TRIM: Final = 2
+STOP: Final = 3
+COLOR: Final = 4
+END: Final = 5
+COMMANDS: Final = ("stitch", "jump", "trim", "stop", "color", "end")
+
+
+@dataclass(frozen=True, slots=True)
+class Thread:
+    """A thread: sRGB colour, name, catalogue and code one can buy it by."""
+
+    rgb: tuple[int, int, int]
+    name: str = ""
+    catalogue: str = ""
+    code: str = ""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ThreadPlan:
+    """The needle's way.
+
+    xy : (N, 2) float64 mm, y down, origin at the hoop's centre; where the needle is after the command
+    command : (N,) uint8, one of STITCH, JUMP, TRIM, STOP, COLOR (change to ``thread``), END (last, and only there)
+    thread : (N,) int16 → threads
+    threads : Thread per needle colour, in order of use
+    limit : longest step that is not a jump, mm, or None when no machine has been chosen
+    """
+
+    xy: Array
+    command: Array
+    thread: Array
+    threads: tuple[Thread, ...]
+    limit: float | None = None
+
+    def __post_init__(self) -> None:
+        xy = array("ThreadPlan.xy", self.xy, np.float64, (None, 2))
+        n = len(xy)
+        command = array("ThreadPlan.command", self.command, np.uint8, (n,))
+        thread = array("ThreadPlan.thread", self.thread, np.int16, (n,))
+        within("ThreadPlan.command", command, 0, len(COMMANDS))
+        within("ThreadPlan.thread", thread, 0, max(1, len(self.threads)))
+        if n == 0 or command[-1] != END or (command[:-1] == END).any():
+            raise LawError("ThreadPlan.command: must end with END, and hold no other")
+        if self.limit is not None and n > 1:
+            step = np.hypot(*np.diff(xy, axis=0).T)
+            step[command[1:] != STITCH] = 0
+            if step.max() > self.limit + 1e-9:
+                raise LawError(f"ThreadPlan.xy: a stitch of {step.max():.2f} mm, the limit is {self.limit} mm")
+        put(self, xy=xy, command=command, thread=thread)
+
+    def __len__(self) -> int:
+        return len(self.xy)

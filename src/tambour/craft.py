@@ -1,0 +1,66 @@
+"""Craft: the record that every craft fills in, and all that the house knows of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from tambour.core.params import Params
+    from tambour.core.progress import Progress
+
+
+def _nothing() -> None:
+    pass
+
+
+def _no_facts(piece: Any) -> dict[str, Any]:
+    return {}
+
+
+def _plain_name(params: Params) -> str:
+    return ""
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """One way to look at a piece: ``make(piece)`` gives a value of type ``value``.
+
+    ``suffixes``: the file types whose default view this is. ``stage``: the stage of the report that its time counts to.
+    """
+
+    make: Callable[[Any], Any]
+    value: str
+    help: str
+    suffixes: tuple[str, ...] = ()
+    stage: str = "view"
+
+
+@dataclass(frozen=True, slots=True)
+class Craft:
+    """A craft.
+
+    name : the command, the folder of examples and goldens
+    help : one line
+    params : its Params
+    reads : value types a source may be read as, in order of preference; empty: it needs no source
+    make : ``make(source, params, progress) -> piece``; pure, deterministic
+    views : name → View
+    facts : piece → what the report says about it
+    warm : loads kernels by one call on tiny input, so that no other stage contains it
+    stem : params → name (without suffix) for files that were asked for by suffix alone; "" takes the source's
+    optional_source : the craft can also start from nothing
+    """
+
+    name: str
+    help: str
+    params: type[Params]
+    reads: tuple[str, ...]
+    make: Callable[[Any, Any, Progress], Any]
+    views: Mapping[str, View]
+    facts: Callable[[Any], dict[str, Any]] = _no_facts
+    warm: Callable[[], None] = _nothing
+    stem: Callable[[Any], str] = _plain_name
+    optional_source: bool = False
+    notes: Mapping[str, str] = field(default_factory=dict)

@@ -1,0 +1,78 @@
+"""Files: one small module per family of formats, and two tables.
+
+``READ[suffix][type]`` and ``WRITE[suffix, type]`` name functions as ``"module:function"``, so that a format's library
+is loaded only when the format is met. A reader is ``read(path) -> value``; a writer ``write(value, path)`` may put
+companions beside ``path``. Readers raise TambourError for a file that is not what its suffix says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from tambour.core.errors import TambourError, did_you_mean
+
+READ: dict[str, dict[str, str]] = {
+    ".acl": {"Text": "text:read_text"},
+    ".txt": {"Text": "text:read_text"},
+    ".md": {"Text": "text:read_text"},
+}
+
+WRITE: dict[tuple[str, str], str] = {
+    (".acl", "Text"): "text:write_text",
+    (".txt", "Text"): "text:write_text",
+    (".md", "Text"): "text:write_text",
+    (".html", "Text"): "text:write_text",
+    (".csv", "Text"): "text:write_text",
+    (".json", "dict"): "text:write_json",
+}
+
+
+def _load(name: str) -> Any:
+    module, function = name.split(":")
+    return getattr(import_module(f"tambour.files.{module}"), function)
+
+
+def read(path: str | Path, types: Iterable[str]) -> Any:
+    """The file's value, as the first of ``types`` that its suffix can be read as.
+
+    Raises TambourError when the file is missing, its suffix unknown, or its content not what the suffix says.
+    """
+    path, types = Path(path), tuple(types)
+    suffix = path.suffix.lower()
+    readers = READ.get(suffix, {})
+    for kind in types:
+        if kind in readers:
+            if not path.exists():
+                near = [p.name for p in path.parent.glob(f"*{suffix}")] if path.parent.is_dir() else []
+                raise TambourError("there is no such file", hint=did_you_mean(path.name, near), where=str(path))
+            if path.is_dir():
+                raise TambourError("this is a folder, a file is wanted", where=str(path))
+            try:
+                return _load(readers[kind])(path)
+            except OSError as error:
+                raise TambourError(f"cannot be read: {error.strerror or error}", where=str(path)) from None
+    known = sorted(s for s, kinds in READ.items() if set(types) & set(kinds))
+    raise TambourError(
+        f'"{suffix or path.name}" files cannot be read here', hint=f"these can: {' '.join(known)}", where=str(path)
+    )
+
+
+def can_write(suffix: str, kind: str) -> bool:
+    """Whether there is a writer for this suffix and value type."""
+    return (suffix, kind) in WRITE
+
+
+def write(value: Any, path: str | Path, kind: str | None = None) -> None:
+    """Write a value by the suffix of ``path``; ``kind`` names its type where the value cannot (a stream, a booklet)."""
+    path = Path(path)
+    kind = kind or type(value).__name__
+    name = WRITE.get((path.suffix.lower(), kind))
+    if name is None:
+        known = sorted(s for s, k in WRITE if k == kind)
+        raise TambourError(
+            f'a {kind} cannot be written as "{path.suffix}"', hint=f"these can: {' '.join(known)}", where=str(path)
+        )
+    _load(name)(value, path)

@@ -1,0 +1,46 @@
+"""Plain text and JSON."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from tambour.core.errors import TambourError, Text
+
+
+def read_text(path: Path) -> Text:
+    """A text file: UTF-8 (with or without mark) or, failing that, Windows-1252; any line ends."""
+    raw = path.read_bytes()
+    if b"\0" in raw:
+        raise TambourError("this is not a text file (it holds zero bytes)", where=str(path))
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = raw.decode("cp1252", errors="replace")
+    return Text(text.replace("\r\n", "\n").replace("\r", "\n"), str(path))
+
+
+def write_text(value: Text, path: Path) -> None:
+    """UTF-8, line ends as they are."""
+    path.write_bytes(value.text.encode())
+
+
+def write_json(value: Any, path: Path) -> None:
+    """JSON with arrays as lists: rows on one line each, so that it can be read and compared."""
+    path.write_bytes(dumps(value).encode())
+
+
+def dumps(value: Any, depth: int = 0) -> str:
+    """JSON text: mappings opened line by line, everything inside a list on one line; numpy arrays as lists."""
+    if isinstance(value, dict) and depth < 4 and value:
+        pad = "  " * (depth + 1)
+        inner = ",\n".join(f"{pad}{json.dumps(str(k))}: {dumps(v, depth + 1)}" for k, v in value.items())
+        return "{\n" + inner + "\n" + "  " * depth + "}" + ("\n" if depth == 0 else "")
+    return json.dumps(value, default=_plain, ensure_ascii=False, allow_nan=False)
+
+
+def _plain(value: Any) -> Any:
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"a {type(value).__name__} has no JSON form")

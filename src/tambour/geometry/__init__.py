@@ -1,0 +1,1 @@
+"""Geometry that two crafts share: polylines, polygons, hatching, tubes, surfaces."""

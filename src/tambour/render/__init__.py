@@ -1,0 +1,1 @@
+"""Render: drawings, strands and meshes become pictures; no display, no GPU."""
