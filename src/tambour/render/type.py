@@ -17,7 +17,8 @@ def typeface(bold: bool = False) -> Any:
     """The shipped face as a skia Typeface."""
     import skia
 
-    return skia.Typeface.MakeFromData(skia.Data.MakeWithCopy(font_bytes(bold)))
+    # An empty font manager: the system's would be asked for its fonts, and complain about its settings.
+    return skia.FontMgr.New_Custom_Empty().makeFromData(skia.Data.MakeWithCopy(font_bytes(bold)))
 
 
 def text_width(text: str, size: float, bold: bool = False) -> float:
