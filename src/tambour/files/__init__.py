@@ -14,10 +14,14 @@ from typing import Any
 
 from tambour.core.errors import TambourError, did_you_mean
 
+_PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".bmp", ".gif", ".ppm", ".pgm")
+_PIXELS = (".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".bmp")
+
 READ: dict[str, dict[str, str]] = {
     ".acl": {"Text": "text:read_text"},
     ".txt": {"Text": "text:read_text"},
     ".md": {"Text": "text:read_text"},
+    **{suffix: {"Picture": "picture:read_picture"} for suffix in _PICTURES},
 }
 
 WRITE: dict[tuple[str, str], str] = {
@@ -27,6 +31,10 @@ WRITE: dict[tuple[str, str], str] = {
     (".html", "Text"): "text:write_text",
     (".csv", "Text"): "text:write_text",
     (".json", "dict"): "text:write_json",
+    (".svg", "Drawing"): "svg:write_drawing",
+    (".pdf", "Drawing"): "pdf:write_drawing",
+    **{(suffix, "Drawing"): "picture:write_drawing" for suffix in _PIXELS},
+    **{(suffix, "Picture"): "picture:write_picture" for suffix in _PIXELS},
 }
 
 
