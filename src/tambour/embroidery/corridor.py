@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from tambour.core.kernels import kernel
 
 
 @kernel
-def neighbours(row, lo, hi):  # type: ignore[no-untyped-def]
+def neighbours(row: Any, lo: Any, hi: Any) -> Any:
     """Spans of the next and the previous row that overlap each span: (offsets (S + 1,), span). Spans sorted by row."""
     n = len(row)
     count = np.zeros(n + 1, np.int64)
@@ -48,7 +49,23 @@ def neighbours(row, lo, hi):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def find(offsets, near, row, v, lo, hi, rank, now, a, ua, b, ub, margin, over, most):  # type: ignore[no-untyped-def]
+def find(
+    offsets: Any,
+    near: Any,
+    row: Any,
+    v: Any,
+    lo: Any,
+    hi: Any,
+    rank: Any,
+    now: Any,
+    a: Any,
+    ua: Any,
+    b: Any,
+    ub: Any,
+    margin: Any,
+    over: Any,
+    most: Any,
+) -> Any:
     """Cheapest way from span ``a`` at ``ua`` to span ``b`` at ``ub``: (spans, cost), empty when dearer than ``most``.
 
     A millimetre below rows that come later (rank above ``now``) costs 1, on rows that are done ``over``. Dijkstra on
@@ -127,7 +144,7 @@ def find(offsets, near, row, v, lo, hi, rank, now, a, ua, b, ub, margin, over, m
 
 
 @kernel
-def straighten(path, row, v, lo, hi, ua, ub, margin):  # type: ignore[no-untyped-def]
+def straighten(path: Any, row: Any, v: Any, lo: Any, hi: Any, ua: Any, ub: Any, margin: Any) -> Any:
     """The way through the spans ``path`` with few corners: (n, 2) of (u, v), both ends included."""
     m = len(path)
     out = np.empty((m + 1, 2))
@@ -170,7 +187,7 @@ def straighten(path, row, v, lo, hi, ua, ub, margin):  # type: ignore[no-untyped
 
 
 @kernel
-def holds(points, offsets, x, y):  # type: ignore[no-untyped-def]
+def holds(points: Any, offsets: Any, x: Any, y: Any) -> Any:
     """Whether (x, y) is inside the rings (even-odd)."""
     inside = False
     for k in range(len(offsets) - 1):
@@ -185,7 +202,7 @@ def holds(points, offsets, x, y):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def leaves(points, offsets, way, slack):  # type: ignore[no-untyped-def]
+def leaves(points: Any, offsets: Any, way: Any, slack: Any) -> Any:
     """Whether the polyline ``way`` (n, 2) is anywhere outside the rings (even-odd), but for ``slack`` mm at its ends."""
     for i in range(len(way) - 1):
         px, py, qx, qy = way[i, 0], way[i, 1], way[i + 1, 0], way[i + 1, 1]

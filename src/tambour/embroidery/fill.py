@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -52,7 +53,7 @@ def rings(paths: Paths, angle: float = 0.0) -> Rings:
 
 
 @kernel
-def _rings(coords, ends):  # type: ignore[no-untyped-def]
+def _rings(coords: Any, ends: Any) -> Any:
     points = np.empty_like(coords)
     at = np.empty(len(coords))
     offsets = np.zeros(len(ends), np.int64)
@@ -79,7 +80,7 @@ def _rings(coords, ends):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def crossings(points, offsets, levels):  # type: ignore[no-untyped-def]
+def crossings(points: Any, offsets: Any, levels: Any) -> Any:
     """Where rings cross the lines v = level: (row offsets (R + 1,), u, vertex that the edge starts at, ±1 per crossing).
 
     points (V, 2), offsets (K + 1,) as in Rings; levels (R,) rising. Sorted by u in each row. Each edge takes the
@@ -127,7 +128,7 @@ def crossings(points, offsets, levels):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def inside_pairs(starts, sign, evenodd):  # type: ignore[no-untyped-def]
+def inside_pairs(starts: Any, sign: Any, evenodd: Any) -> Any:
     """Crossings that begin and end the inside: (row (S,), first crossing (S,), last crossing (S,)) by the fill rule."""
     most = len(sign) // 2 + 1
     row = np.empty(most, np.int64)

@@ -7,6 +7,8 @@ sections). Of that walk only the order of the lines is kept; between two lines t
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from tambour.core.kernels import kernel
@@ -17,7 +19,7 @@ LINK = 2
 
 
 @kernel
-def ring_edges(order, ring, at, base):  # type: ignore[no-untyped-def]
+def ring_edges(order: Any, ring: Any, at: Any, base: Any) -> Any:
     """Edges along rings between neighbouring nodes: (a, b, length), every other one doubled.
 
     order : nodes sorted by their way along the outlines; ring, at : per node; base : (K + 1,) see Rings. Of the two
@@ -59,7 +61,7 @@ def ring_edges(order, ring, at, base):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def adjacency(nodes, a, b):  # type: ignore[no-untyped-def]
+def adjacency(nodes: Any, a: Any, b: Any) -> Any:
     """Edges at each node: (offsets (nodes + 1,), edge). A loop stands twice at its node."""
     offsets = np.zeros(nodes + 1, np.int64)
     for e in range(len(a)):
@@ -77,7 +79,7 @@ def adjacency(nodes, a, b):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def euler(start, a, b, length, kind, offsets, edge):  # type: ignore[no-untyped-def]
+def euler(start: Any, a: Any, b: Any, length: Any, kind: Any, offsets: Any, edge: Any) -> Any:
     """An Eulerian walk from ``start`` (Hierholzer): edges in order, and the node each one begins at.
 
     All nodes reached must have even degree, or ``start`` and one other odd degree. At a node the walk takes a LINE
@@ -117,7 +119,7 @@ def euler(start, a, b, length, kind, offsets, edge):  # type: ignore[no-untyped-
 
 
 @kernel
-def ring_way(p, q, ring, at, base):  # type: ignore[no-untyped-def]
+def ring_way(p: Any, q: Any, ring: Any, at: Any, base: Any) -> Any:
     """Shorter signed way from node p to node q of one ring: positive along the ring."""
     perimeter = base[ring[p] + 1] - base[ring[p]]
     way = at[q] - at[p]
@@ -129,7 +131,7 @@ def ring_way(p, q, ring, at, base):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def row_tour(spans, order, ring, at, base, starts):  # type: ignore[no-untyped-def]
+def row_tour(spans: Any, order: Any, ring: Any, at: Any, base: Any, starts: Any) -> Any:
     """Best of several Eulerian tours over spans whose ends are nodes 2k and 2k + 1: (span (S,), reversed (S,), mm).
 
     starts : how many starting nodes are tried, evenly spread. mm is the way between spans, the longest left out.

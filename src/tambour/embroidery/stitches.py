@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -69,7 +70,7 @@ def join(parts: Iterable[Stitches]) -> Stitches:
 
 
 @kernel
-def walk(line, length, tolerance):  # type: ignore[no-untyped-def]
+def walk(line: Any, length: Any, tolerance: Any) -> Any:
     """Needle points along a polyline (n, 2): stitches of at most ``length`` that keep within ``tolerance`` of it.
 
     From each point on, the farthest place is taken that a straight stitch reaches so; the places left over at the end
@@ -148,7 +149,7 @@ def walk(line, length, tolerance):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def drop_short(xy, kind, run, least, slack):  # type: ignore[no-untyped-def]
+def drop_short(xy: Any, kind: Any, run: Any, least: Any, slack: Any) -> Any:
     """Which needle points stay when stitches shorter than ``least`` are joined with the next: (n,) bool.
 
     A point goes only when it lies within ``slack`` of the stitch that takes its place, so that outlines keep their

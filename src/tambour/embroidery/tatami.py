@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -22,7 +23,7 @@ STARTS = 16
 
 
 @kernel
-def put_line(xy, n, px, py, qx, qy, most):  # type: ignore[no-untyped-def]
+def put_line(xy: Any, n: Any, px: Any, py: Any, qx: Any, qy: Any, most: Any) -> Any:
     """Write the points of a straight way from p (left out) to q in equal stitches of at most ``most``; gives the new n."""
     parts = max(1, math.ceil(math.hypot(qx - px, qy - py) / most - 1e-9))
     for k in range(1, parts + 1):
@@ -32,7 +33,7 @@ def put_line(xy, n, px, py, qx, qy, most):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def simplify_into(xy, n, way, m, most, tolerance):  # type: ignore[no-untyped-def]
+def simplify_into(xy: Any, n: Any, way: Any, m: Any, most: Any, tolerance: Any) -> Any:
     """Write ``way[:m]`` (its first point left out) with as few stitches as keep within ``tolerance`` of it."""
     i = 0
     while i < m - 1:
@@ -58,7 +59,9 @@ def simplify_into(xy, n, way, m, most, tolerance):  # type: ignore[no-untyped-de
 
 
 @kernel
-def along_ring(points, at, offsets, base, ring, begin, way, first, last):  # type: ignore[no-untyped-def]
+def along_ring(
+    points: Any, at: Any, offsets: Any, base: Any, ring: Any, begin: Any, way: Any, first: Any, last: Any
+) -> Any:
     """The outline from place ``begin`` on for a signed ``way``: (n, 2), from point ``first`` to point ``last``."""
     lo, hi = offsets[ring], offsets[ring + 1]
     perimeter = base[ring + 1] - base[ring]
@@ -94,7 +97,9 @@ def along_ring(points, at, offsets, base, ring, begin, way, first, last):  # typ
 
 
 @kernel
-def tour_start(tour, turned, lo, hi, v, row, ring, at, base, u, w):  # type: ignore[no-untyped-def]
+def tour_start(
+    tour: Any, turned: Any, lo: Any, hi: Any, v: Any, row: Any, ring: Any, at: Any, base: Any, u: Any, w: Any
+) -> Any:
     """Where the closed tour is best cut open: near (u, w) if that is finite, and before a long way."""
     best, cut = np.inf, 0
     n = len(tour)
@@ -110,9 +115,27 @@ def tour_start(tour, turned, lo, hi, v, row, ring, at, base, u, w):  # type: ign
 
 
 @kernel
-def emit(  # type: ignore[no-untyped-def]
-    points, way_at, offsets, base, v, row, number, lo, hi, ring, at, tour, turned, length, stagger, least, jitter, key, hidden
-):
+def emit(
+    points: Any,
+    way_at: Any,
+    offsets: Any,
+    base: Any,
+    v: Any,
+    row: Any,
+    number: Any,
+    lo: Any,
+    hi: Any,
+    ring: Any,
+    at: Any,
+    tour: Any,
+    turned: Any,
+    length: Any,
+    stagger: Any,
+    least: Any,
+    jitter: Any,
+    key: Any,
+    hidden: Any,
+) -> Any:
     """Needle points of a tour over spans: (uv (n, 2), kind (n,), run (n,), mm of ways, mm of hidden ways, mm covered).
 
     v, row, lo, hi : heights, and the spans in them; number : (R,) the row's number from the origin, for the stagger
@@ -166,7 +189,7 @@ def emit(  # type: ignore[no-untyped-def]
             under = False
             if hidden and abs(step) > long:
                 margin = 0.5
-                path, cost = find(
+                path, _ = find(
                     near_at, near, row, v, lo, hi, rank, i - 1, z, begin[0], s, a, margin, OVER, EDGE * abs(step)
                 )
                 if len(path):
@@ -233,7 +256,9 @@ def emit(  # type: ignore[no-untyped-def]
         for j in range(k1 - k0 + 1):
             x = (k1 - j if b < a else k0 + j) * length + shift
             if jitter > 0:
-                x += min(jitter, 0.2 * length) * (uniform(np.uint64(key), np.uint64(k0 + j + 7919 * s + (1 << 40))) - 0.5)
+                x += min(jitter, 0.2 * length) * (
+                    uniform(np.uint64(key), np.uint64(k0 + j + 7919 * s + (1 << 40))) - 0.5
+                )
             xy[m, 0], xy[m, 1] = x, w
             m += 1
         if near_b > length:
@@ -295,4 +320,6 @@ def tatami(
     )  # fmt: skip
     if kind != FILL:
         kinds = np.where(kinds == FILL, kind, kinds).astype(np.uint8)
-    return Stitches(from_rows(uv, angle), kinds, run, {"connector_mm": ways, "hidden_mm": hidden, "covered_mm": covered})
+    return Stitches(
+        from_rows(uv, angle), kinds, run, {"connector_mm": ways, "hidden_mm": hidden, "covered_mm": covered}
+    )
