@@ -14,6 +14,14 @@ from typing import Any
 
 from tambour.core.errors import TambourError, did_you_mean
 
+# Machine files that pystitch reads and writes, and those it only reads.
+_MACHINE = (".pes", ".pec", ".jef", ".sew", ".vp3", ".xxx", ".u01", ".tbf")
+_MACHINE_READ = (
+    *(".100", ".10o", ".bro", ".dat", ".dsb", ".dsz", ".emd", ".e00", ".e01", ".e02", ".f00", ".f01", ".f02", ".gt"),
+    *(".hus", ".inb", ".jpx", ".ksm", ".max", ".mit", ".new", ".pcd", ".pcm", ".pcq", ".pcs", ".phb", ".phc"),
+    *(".shv", ".spx", ".stc", ".stx", ".tap", ".u00", ".u02", ".z00", ".z01", ".z02", ".zhs"),
+)
+
 READ: dict[str, dict[str, str]] = {
     ".acl": {"Text": "text:read_text"},
     ".txt": {"Text": "text:read_text"},
