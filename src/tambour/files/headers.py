@@ -77,7 +77,7 @@ def _jef(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
 
 def _sew(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
     stop = stream.tell()
-    if stop == len(raw) and raw[-2:] == b"\x80\x10" or raw[-4:-2] == b"\x80\x10":
+    if (stop == len(raw) and raw[-2:] == b"\x80\x10") or raw[-4:-2] == b"\x80\x10":
         return []
     return [f"the stitches end at byte {stop} of {len(raw)}, before their end mark"]
 
