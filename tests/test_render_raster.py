@@ -114,7 +114,7 @@ def test_what_is_hidden_from_the_lamp_is_darker() -> None:
         for p in ([0.0, 0.1, 0.0], [-48.0, 0.1, 48.0])
     ]
     above = int((made.direction[:, 1] > 0).sum())
-    assert lit[0] < 0.4 * lit[1] and lit[1] >= 0.8 * above
+    assert lit[0] < 0.5 * lit[1] and lit[1] >= 0.8 * above
     assert (raster.picture(one, width=60).rgba != raster.picture(two, width=60).rgba).any()
 
 
