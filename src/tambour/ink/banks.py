@@ -178,4 +178,18 @@ def group(
     if kind != PINES and rnd(rng) < 0.2 * hutted:
         count = pick(rng, 3) if rnd(rng) < people else 0
         a, b = along(rng, left, width), middle + 15.0
-        hut(table, rng, pts, marks, elems, n, a, b, between(rng, 70.0, 80.0), between(rng, 160.0, 200.0), rnd(rng), 4.0, count)
+        hut(
+            table,
+            rng,
+            pts,
+            marks,
+            elems,
+            n,
+            a,
+            b,
+            between(rng, 70.0, 80.0),
+            between(rng, 160.0, 200.0),
+            rnd(rng),
+            4.0,
+            count,
+        )

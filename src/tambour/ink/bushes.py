@@ -30,7 +30,14 @@ def shatter(
     todo = np.empty((64, 6))
     for k in range(1, len(ring) - 1):
         t = todo[0]
-        t[0], t[1], t[2], t[3], t[4], t[5] = ring[0, 0], ring[0, 1], ring[k, 0], ring[k, 1], ring[k + 1, 0], ring[k + 1, 1]
+        t[0], t[1], t[2], t[3], t[4], t[5] = (
+            ring[0, 0],
+            ring[0, 1],
+            ring[k, 0],
+            ring[k, 1],
+            ring[k + 1, 0],
+            ring[k + 1, 1],
+        )
         left = 1
         while left > 0:
             left -= 1
@@ -129,5 +136,3 @@ def reed(
                     t[4], t[5] = size * between(rng, 0.8, 0.9), bend
                     left += 1
     n[OPEN] = before
-
-

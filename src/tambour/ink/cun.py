@@ -51,7 +51,7 @@ def wrinkles(
             if i >= count:
                 break
             mid = int(place(rng, where) * columns)
-            half = int(math.floor(rnd(rng) * columns * reach))
+            half = math.floor(rnd(rng) * columns * reach)
             first, last = max(0, min(columns, mid - half)), max(0, min(columns, mid + half))
             layer = i / count * (layers - 1)
             low = int(layer)
@@ -111,5 +111,3 @@ def foot(table: Array, rng: Array, pts: Array, marks: Array, n: Array, grid: Arr
                     tone = 0.1 + 0.1 * value(table, 7.3 * i + s + phase, 0.5, 0.0)
                     stroke(rng, marks, n, 100.0, tone, 1.0, 0.5, SINE, 1.0)
             i = above
-
-

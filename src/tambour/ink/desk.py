@@ -48,7 +48,7 @@ class Desk:
             self.marks = np.concatenate([self.marks, np.empty_like(self.marks)])
             self.elems = np.concatenate([self.elems, np.empty_like(self.elems)])
 
-    def marks_of(self) -> Marks:
+    def inked(self) -> Marks:
         """All that was drawn, inked."""
         p, k, e = self.n[:3]
         pts, notes, elems = self.pts[:p], self.marks[:k], self.elems[:e]

@@ -130,9 +130,7 @@ def rail(
 
 
 @kernel
-def eave(
-    pts: Array, n: Array, ax: float, ay: float, bx: float, by: float, sag: float
-) -> None:
+def eave(pts: Array, n: Array, ax: float, ay: float, bx: float, by: float, sag: float) -> None:
     """Eleven points from a to b along an eave that hangs ``sag`` below the straight line."""
     for i in range(11):
         p = 0.1 * i
@@ -203,7 +201,15 @@ def spire(
         stroke(rng, marks, n, 100.0, 0.5, breadth, 1.0, EVEN, 1.0)
     for k in range(sides + 1):
         a = -1.0 + 2.0 * k / sides
-        eave(pts, n, x, y - height, x + half * a, y + depth * math.sqrt(max(0.0, 1.0 - a * a)), 0.2 * height * (1.0 - 0.3 * (1.0 - a * a)))
+        eave(
+            pts,
+            n,
+            x,
+            y - height,
+            x + half * a,
+            y + depth * math.sqrt(max(0.0, 1.0 - a * a)),
+            0.2 * height * (1.0 - 0.3 * (1.0 - a * a)),
+        )
         stroke(rng, marks, n, 100.0, 0.5, breadth, 1.0, EVEN, 1.0)
 
 
@@ -229,9 +235,9 @@ def thatch(
     at(pts, n, grid[0, 0, 0], grid[0, 0, 1] - 2.0)
     body(marks, n)
     for _ in range(straws):
-        i = 9.0 * rnd(rng)
-        low = int(i)
-        q = i - low
+        across = 9.0 * rnd(rng)
+        low = int(across)
+        q = across - low
         end = rnd(rng) ** (1.0 / 3.0) * 9.0
         begin = max(0.0, end - between(rng, 1.0, 5.0))
         for k in range(7):

@@ -21,7 +21,20 @@ def hut(
     box(rng, pts, marks, n, x, y, 0.55 * height, inner, turn, depth, 1.5, True, PLAIN)
     for k in range(people):
         where = x + between(rng, -0.3, 0.3) * inner
-        figure(table, rng, pts, marks, elems, n, where, y + 0.3 * depth, 0.42 * height / 75.0, side(rng), BUN, 1.6 if k else 0.0)
+        figure(
+            table,
+            rng,
+            pts,
+            marks,
+            elems,
+            n,
+            where,
+            y + 0.3 * depth,
+            0.3 * height / 75.0,
+            side(rng),
+            BUN,
+            1.6 if k else 0.0,
+        )
     rail(table, rng, pts, marks, n, x, y + 2.0, 0.17 * height, 0.8 * width, turn, depth + 4.0, 6, 0.8)
     thatch(table, rng, pts, marks, n, x, y - 0.45 * height, 0.55 * height, width, 300)
     n[OPEN] = before
@@ -110,5 +123,3 @@ def pylon(
             end = x + arm * (1.0 - 2.0 * s)
             run(rng, pts, marks, n, end, level, end, level + 0.035 * height, 0.5, 0.5)
     n[OPEN] = before
-
-

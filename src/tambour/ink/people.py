@@ -105,16 +105,14 @@ def figure(
 
 
 @kernel
-def crown(
-    rng: Array, pts: Array, marks: Array, n: Array, x: float, y: float, u: float, right: float, hat: int
-) -> None:
+def crown(rng: Array, pts: Array, marks: Array, n: Array, x: float, y: float, u: float, right: float, hat: int) -> None:
     """Hair or hat on a head whose middle is (x, y); u is 30 × scale."""
     if hat == STRAW:
         at(pts, n, x - 0.85 * u, y + 0.08 * u)
         for i in range(9):
             p = i / 8.0
             bulge = math.sin(PI * p)
-            at(pts, n, x - 0.85 * u + 1.7 * u * p, y + 0.08 * u - 0.52 * u * bulge ** 1.6 - 0.06 * u * (1.0 - bulge))
+            at(pts, n, x - 0.85 * u + 1.7 * u * p, y + 0.08 * u - 0.52 * u * bulge**1.6 - 0.06 * u * (1.0 - bulge))
         at(pts, n, x + 0.85 * u, y + 0.08 * u)
         at(pts, n, x, y + 0.16 * u)
         lift(marks, n, BODY, 100.0, 0.9, 100.0, 0.9, 0.5, 0.0, 0.0, 0.0, 0)
@@ -158,5 +156,3 @@ def boat(
         else:
             stroke(rng, marks, n, 100.0, 0.6, 1.2 * scale, 0.5, EVEN, 1.0)
     n[OPEN] = before
-
-

@@ -94,9 +94,7 @@ def pine(
         for i in range(NODES):
             if rnd(rng) < 0.2 or i == NODES - 1:
                 px, py = limbs[k, i, 0], limbs[k, i, 1]
-                twig(
-                    rng, pts, marks, n, px, py, 1, 0.5 * height / 300.0, angle, 1.0 if right else -1.0, True, 12.0
-                )
+                twig(rng, pts, marks, n, px, py, 1, 0.5 * height / 300.0, angle, 1.0 if right else -1.0, True, 12.0)
     n[OPEN] = before
 
 
@@ -140,7 +138,7 @@ def plum(
     above, joint = np.full(LIMBS, -1, np.int64), np.zeros(LIMBS, np.int64)
     lean, depth = np.zeros(LIMBS), np.zeros(LIMBS)
     lean[0] = -0.5 * PI
-    branch(table, rng, limbs[0], x, y, height, width, -0.5 * PI, 0.2 * PI)
+    branch(table, rng, limbs[0], x, y, 0.5 * height, width, -0.5 * PI, 0.2 * PI)
     count, k = 1, 0
     while k < count:
         for i in range(SIDES):
@@ -149,7 +147,7 @@ def plum(
                 spread = between(rng, 0.02, 0.1)
                 turn = spread * PI * (1.0 if i < NODES else -1.0)
                 lean[count], depth[count] = lean[k] + turn * 2.5, depth[k] + 1.0
-                length = height * between(rng, 0.7, 0.9) ** depth[count]
+                length = 0.5 * height * between(rng, 0.7, 0.9) ** depth[count]
                 thin = width * 0.6 ** depth[count]
                 count = grow(table, rng, limbs, above, joint, count, k, i, length, thin, lean[count], 0.55)
         k += 1

@@ -9,7 +9,22 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush import BEAD, BREADTH, DROP, EDGE_WIDTH, END, EVEN, FADE, KIND, LENS, NOISE, PUFF, ROW, SHAPE, SINE
+from tambour.ink.brush import (
+    BEAD,
+    BREADTH,
+    DROP,
+    EDGE_WIDTH,
+    END,
+    EVEN,
+    FADE,
+    KIND,
+    LENS,
+    NOISE,
+    PUFF,
+    ROW,
+    SHAPE,
+    SINE,
+)
 from tambour.ink.marks import BLOB, RING, STROKE
 from tambour.noise import close, lattice, value
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import DROP, HUE, LENS, OPEN, PI, at, bell, between, blob, lift, line, part, rnd, side
@@ -91,5 +90,3 @@ def fir(
             )  # fmt: skip
     n[HUE] = INK
     n[OPEN] = before
-
-
