@@ -115,7 +115,7 @@ class Drawing:
     style : (N,) int32 → styles
     styles : Styles
     size : (2,) float64 width and height of the sheet, in units
-    group : (N,) int32 → groups, -1 for none
+    group : (N,) int32 → groups, -1 for none; left empty, no shape has one
     groups : Groups
     labels, images : tuples
     origin : (2,) float64, the sheet's top left corner, in units
@@ -128,7 +128,7 @@ class Drawing:
     style: Array
     styles: Styles
     size: Array
-    group: Array | None = None
+    group: Array = field(default_factory=lambda: np.zeros(0, np.int32))
     groups: Groups = field(default_factory=Groups)
     labels: tuple[Label, ...] = ()
     images: tuple[Placed, ...] = ()
@@ -141,7 +141,7 @@ class Drawing:
         n = self.paths.shapes
         style = array("Drawing.style", self.style, np.int32, (n,))
         within("Drawing.style", style, 0, len(self.styles))
-        group = np.full(n, -1, np.int32) if self.group is None else array("Drawing.group", self.group, np.int32, (n,))
+        group = np.full(n, -1, np.int32) if len(self.group) == 0 else array("Drawing.group", self.group, np.int32, (n,))
         within("Drawing.group", group, -1, len(self.groups))
         if self.paths.coords.shape[1] != 2:
             raise LawError("Drawing.paths: a drawing is flat, coords must be (P, 2)")

@@ -1,0 +1,112 @@
+"""Pictures: every common pixel format, read upright and in sRGB; a Drawing rasterised on writing."""
+
+from __future__ import annotations
+
+import io
+import os
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tambour.core.drawing import Drawing
+from tambour.core.errors import TambourError
+from tambour.core.picture import Picture
+
+LARGEST = 200_000_000
+"""Pixels above which a file is refused: a small file can claim any size."""
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Silence the C libraries under Pillow, which write to the process's standard error by themselves."""
+    keep, null = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(null, 2)
+        yield
+    finally:
+        os.dup2(keep, 2)
+        os.close(keep)
+        os.close(null)
+
+
+def read_picture(path: Path) -> Picture:
+    """A Picture of the file's first frame, turned as its orientation tag says, converted to sRGB.
+
+    Raises TambourError when the file is broken, no picture, or above 200 million pixels.
+    """
+    from PIL import Image, ImageCms, ImageOps
+
+    Image.MAX_IMAGE_PIXELS = None  # the limit is ours, below
+    try:
+        with _quiet(), warnings.catch_warnings(), path.open("rb") as stream:
+            warnings.simplefilter("ignore")
+            image: Any = Image.open(stream)
+            if image.width * image.height > LARGEST:
+                size = f"{image.width} x {image.height}"
+                raise TambourError(f"a picture of {size} pixels is too large", hint="scale it down", where=str(path))
+            image.load()
+            dpi = image.info.get("dpi", (0, 0))[0]
+            profile = image.info.get("icc_profile")
+            image = ImageOps.exif_transpose(image)
+            if profile and image.mode in ("RGB", "CMYK", "L"):
+                try:
+                    source = ImageCms.ImageCmsProfile(io.BytesIO(profile))
+                    image = ImageCms.profileToProfile(image, source, ImageCms.createProfile("sRGB"), outputMode="RGB")
+                except ImageCms.PyCMSError:
+                    pass  # a broken profile: the pixels are taken as sRGB, as every viewer does
+            if image.mode.startswith("I") or image.mode == "F":
+                image = _eight_bits(image)
+            rgba = np.array(image.convert("RGBA"))
+    except TambourError:
+        raise
+    except Exception as error:  # noqa: BLE001 - Pillow's readers raise whatever a hostile file makes them raise
+        raise TambourError(
+            f"this is not a picture that can be read ({error or type(error).__name__})", where=str(path)
+        ) from None
+    if rgba.size == 0:
+        raise TambourError("the picture has no pixels", where=str(path))
+    return Picture(rgba, 25.4 / float(dpi) if 1 < float(dpi or 0) < 10_000 else None)
+
+
+def _eight_bits(image: Any) -> Any:
+    from PIL import Image
+
+    values = np.asarray(image).astype(np.float64)
+    top = 65535.0 if values.max(initial=0) > 255 else 255.0 if values.max(initial=0) > 1 else 1.0
+    return Image.fromarray(np.round(np.clip(values / top, 0, 1) * 255).astype(np.uint8))
+
+
+def write_picture(value: Picture, path: Path) -> None:
+    """The format of the suffix; formats without transparency get a white ground."""
+    from PIL import Image
+
+    image = Image.fromarray(value.rgba)
+    suffix = path.suffix.lower()
+    opaque = bool((value.rgba[..., 3] == 255).all())
+    if opaque:
+        image = image.convert("RGB")
+    elif suffix in (".jpg", ".jpeg", ".bmp"):
+        image = Image.alpha_composite(Image.new("RGBA", image.size, "white"), image).convert("RGB")
+    options: dict[str, Any] = {}
+    if value.pixel and suffix in (".png", ".jpg", ".jpeg", ".tif", ".tiff"):
+        options["dpi"] = (25.4 / value.pixel,) * 2
+    if suffix in (".jpg", ".jpeg"):
+        options |= {"quality": 92, "subsampling": 0}
+    elif suffix == ".webp":
+        options["lossless"] = True
+    image.save(path, **options)
+
+
+def write_drawing(value: Drawing | tuple[Drawing, ...], path: Path) -> None:
+    """A Drawing as pixels; the pages of a booklet, or the tiles of a stream, as name-1.png, name-2.png and so on."""
+    from tambour.render.flat import picture
+
+    if isinstance(value, Drawing):
+        write_picture(picture(value), path)
+        return
+    for number, page in enumerate(value, 1):
+        write_picture(picture(page), path.with_name(f"{path.stem}-{number}{path.suffix}"))

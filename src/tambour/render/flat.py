@@ -1,0 +1,131 @@
+"""Drawing → Picture, and Drawing → any skia canvas (the PDF writer's page is one too)."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from tambour.core.drawing import Drawing
+from tambour.core.errors import TambourError
+from tambour.core.picture import Picture
+from tambour.render.type import typeface
+
+LARGEST = 400_000_000
+"""Pixels above which a picture is refused rather than the machine's memory filled."""
+
+
+def picture(drawing: Drawing, pixels_per_mm: float | None = None, width: int | None = None) -> Picture:
+    """Rasterise a drawing.
+
+    pixels_per_mm : resolution; or
+    width : width in pixels; by default the larger of 1600 pixels and 96 dpi, at most 4000 pixels
+
+    Raises TambourError when the picture would hold more than 400 million pixels.
+    """
+    import skia
+
+    size = drawing.size * drawing.unit
+    if width is not None:
+        scale = width / size[0]
+    elif pixels_per_mm is not None:
+        scale = pixels_per_mm
+    else:
+        scale = min(max(1600 / max(size), 96 / 25.4), 4000 / max(size))
+    w, h = max(1, round(size[0] * scale)), max(1, round(size[1] * scale))
+    if w * h > LARGEST:
+        raise TambourError(f"a picture of {w} x {h} pixels is too large", hint="ask for a smaller one, or for .svg")
+    pixels = np.zeros((h, w, 4), np.uint8)
+    surface = skia.Surface.MakeRasterDirect(
+        skia.ImageInfo.Make(w, h, skia.kRGBA_8888_ColorType, skia.kPremul_AlphaType), pixels, 4 * w
+    )
+    canvas = surface.getCanvas()
+    canvas.scale(w / drawing.size[0], h / drawing.size[1])
+    draw(canvas, drawing)
+    surface.flushAndSubmit()
+    alpha = pixels[..., 3:].astype(np.uint16)
+    if alpha.min(initial=255) < 255:
+        straight = (pixels[..., :3].astype(np.uint16) * 255 + alpha // 2) // np.maximum(alpha, 1)
+        pixels[..., :3] = np.minimum(straight, 255)
+    return Picture(pixels, pixel=1 / scale)
+
+
+def draw(canvas: Any, drawing: Drawing) -> None:
+    """Draw onto a skia canvas whose unit is the drawing's; the sheet's top left corner comes to (0, 0)."""
+    import skia
+
+    canvas.save()
+    canvas.translate(-float(drawing.origin[0]), -float(drawing.origin[1]))
+    sheet = skia.Rect.MakeXYWH(*map(float, (*drawing.origin, *drawing.size)))
+    canvas.clipRect(sheet)
+    if drawing.background is not None:
+        canvas.drawRect(sheet, skia.Paint(Color=_argb(drawing.background)))
+    for placed in drawing.images:
+        rgba = np.ascontiguousarray(placed.picture.rgba)
+        image = skia.Image.fromarray(rgba, skia.kRGBA_8888_ColorType, skia.kUnpremul_AlphaType)
+        where = skia.Rect.MakeXYWH(placed.x, placed.y, placed.width, placed.height)
+        canvas.drawImageRect(image, where, skia.SamplingOptions(skia.FilterMode.kLinear))
+    _shapes(canvas, drawing)
+    for label in drawing.labels:
+        # The font is set at 100 and scaled: tiny sizes in mm would otherwise lose their spacing to rounding.
+        font = skia.Font(typeface(label.bold), 100)
+        font.setSubpixel(True)
+        font.setHinting(skia.FontHinting.kNone)
+        shift = {"start": 0.0, "middle": 0.5, "end": 1.0}[label.anchor] * font.measureText(label.text)
+        canvas.save()
+        canvas.translate(label.x, label.y)
+        canvas.rotate(-math.degrees(label.angle))
+        canvas.scale(label.size / 100, label.size / 100)
+        canvas.drawString(label.text, -shift, 0, font, skia.Paint(Color=_argb(label.color), AntiAlias=True))
+        canvas.restore()
+    canvas.restore()
+
+
+def _shapes(canvas: Any, drawing: Drawing) -> None:
+    import skia
+
+    styles, paths = drawing.styles, drawing.paths
+    fills = [
+        skia.Paint(Color=_argb(f), AntiAlias=True, Style=skia.Paint.kFill_Style) if f[3] else None
+        for f in styles.fill.tolist()
+    ]
+    strokes = [
+        skia.Paint(
+            Color=_argb(s),
+            AntiAlias=True,
+            Style=skia.Paint.kStroke_Style,
+            StrokeWidth=w,
+            StrokeJoin=skia.Paint.kRound_Join,
+            StrokeCap=skia.Paint.kRound_Cap,
+        )
+        if s[3] and w > 0
+        else None
+        for s, w in zip(styles.stroke.tolist(), styles.width.tolist())
+    ]
+    rules = [skia.PathFillType.kEvenOdd if e else skia.PathFillType.kWinding for e in styles.evenodd.tolist()]
+    points = list(map(tuple, paths.coords.tolist()))
+    offsets = paths.offsets.tolist()
+    parts = list(range(len(offsets))) if paths.parts is None else paths.parts.tolist()
+    for shape, style in enumerate(drawing.style.tolist()):
+        first, last = parts[shape], parts[shape + 1]
+        if last == first:
+            continue
+        rings = [points[offsets[i] : offsets[i + 1]] for i in range(first, last)]
+        path = skia.Path.Polygon(rings[0], _closed(rings[0]), rules[style])
+        for ring in rings[1:]:
+            path.addPath(skia.Path.Polygon(ring, _closed(ring)))
+        if fills[style]:
+            canvas.drawPath(path, fills[style])
+        if strokes[style]:
+            canvas.drawPath(path, strokes[style])
+
+
+def _closed(ring: list[Any]) -> bool:
+    return len(ring) > 2 and ring[0] == ring[-1]
+
+
+def _argb(rgba: Any) -> int:
+    import skia
+
+    return int(skia.Color(*(int(c) for c in rgba)))
