@@ -29,10 +29,17 @@ READ: dict[str, dict[str, str]] = {
     ".acl": {"Text": "text:read_text"},
     ".txt": {"Text": "text:read_text"},
     ".md": {"Text": "text:read_text"},
+    ".svg": {"Drawing": "svg_read:read_drawing"},
+    ".svgz": {"Drawing": "svg_read:read_drawing"},
     **{suffix: {"Picture": "picture:read_picture"} for suffix in _PICTURES},
     ".dst": {"ThreadPlan": "dst:read_plan"},
     ".exp": {"ThreadPlan": "exp:read_plan"},
     **{suffix: {"ThreadPlan": "machine:read_plan"} for suffix in (*_MACHINE, *_MACHINE_READ)},
+    ".glb": {"Mesh": "glb:read_mesh"},
+    ".gltf": {"Mesh": "glb:read_mesh"},
+    ".obj": {"Mesh": "mesh:read_obj"},
+    ".ply": {"Mesh": "mesh:read_ply"},
+    ".stl": {"Mesh": "mesh:read_stl"},
 }
 
 WRITE: dict[tuple[str, str], str] = {
@@ -49,6 +56,11 @@ WRITE: dict[tuple[str, str], str] = {
     (".dst", "ThreadPlan"): "dst:write_plan",
     (".exp", "ThreadPlan"): "exp:write_plan",
     **{(suffix, "ThreadPlan"): "machine:write_plan" for suffix in _MACHINE},
+    (".glb", "Mesh"): "glb:write_mesh",
+    (".obj", "Mesh"): "mesh:write_obj",
+    (".ply", "Mesh"): "mesh:write_ply",
+    (".stl", "Mesh"): "mesh:write_stl",
+    **{(suffix, "Mesh"): "mesh:write_picture" for suffix in _PIXELS},
 }
 
 

@@ -81,7 +81,15 @@ def studio(azimuth: float, sky: int = 40, lamp: int = 10) -> tuple[Array, Array,
 
 
 def shine(
-    vertices: Array, faces: Array, directions: Array, weight: Array, key: Array, *, size: int, threads: int, closed: bool
+    vertices: Array,
+    faces: Array,
+    directions: Array,
+    weight: Array,
+    key: Array,
+    *,
+    size: int,
+    threads: int,
+    closed: bool,
 ) -> Lights:
     """The shadow maps of parallel lights over a mesh.
 
@@ -95,7 +103,7 @@ def shine(
     nothing = np.zeros((0, 0), np.int32)
 
     def draw(k: int) -> None:
-        x, y, z = turn(vertices, np.vstack([axes[k], directions[k]]))
+        x, y, z = turn(vertices if len(vertices) else np.zeros((1, 3)), np.vstack([axes[k], directions[k]]))
         low, high = np.array([x.min(), y.min()]), np.array([x.max(), y.max()])
         texel[k] = max(float((high - low).max()), 1e-9) / (size - 4)
         origin[k] = low - 2 * texel[k]
@@ -161,7 +169,7 @@ def _pool(
                     share[row, column, c] += lit / taps * weight[k, c] * direction[k, 1] / whole[c]
 
 
-def floor_light(lights: Lights, low: Array, high: Array, cells: int = 200, taps: int = 12) -> tuple[Array, Array]:
+def floor_light(lights: Lights, low: Array, high: Array, cells: int = 160, taps: int = 8) -> tuple[Array, Array]:
     """The shadow on the floor under a thing.
 
     low, high : (3,) the thing's box, mm; the floor lies at low[1]

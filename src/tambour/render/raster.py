@@ -81,7 +81,7 @@ def picture(
         threads=threads,
         closed=whole,
     )
-    pool, plot = floor_light(made, points.min(0), points.max(0)) if ground else (np.ones((1, 1, 3)), np.zeros(3))
+    patch, plot = floor_light(made, points.min(0), points.max(0)) if ground else (np.ones((1, 1, 3)), np.zeros(3))
 
     names = [name if name in MATERIALS else "" for name in mesh.group_names]
     table = np.array([MATERIALS[name] for name in names] or [MATERIALS[""]])
@@ -93,11 +93,11 @@ def picture(
         palette[color], np.zeros((0, 2)) if mesh.uv is None else mesh.uv, group, table, camera.eye, camera.axes,
         camera.scale, made.direction, made.weight, made.key, made.axes, made.origin, made.texel, made.depth,
         _backdrop(height, background), float(points[:, 1].min()) if ground else np.nan,
-        pool, plot,
+        patch, plot,
     )  # fmt: skip
     out = np.zeros((height, width, 4), np.float32)
     # Rows are dealt out in bands; every band writes its own, so their number changes no byte.
-    edges = np.linspace(0, height, 4 * threads + 1).astype(int)
+    edges = np.linspace(0, height, 4 * threads + 1).astype(int).tolist()
     with ThreadPoolExecutor(threads) as pool:
         list(pool.map(lambda k: shade(out, edges[k], edges[k + 1], samples, *arguments), range(4 * threads)))
     rgb = np.round(coded(_film(out[..., :3])) * 255).astype(np.uint8)

@@ -78,16 +78,16 @@ def shade(
                             s = (px - plot[0]) / plot[2] - 0.5
                             t = (pz - plot[1]) / plot[2] - 0.5
                             if s >= 0.0 and t >= 0.0 and s < cells - 1 and t < cells - 1:
-                                p, q = int(t), int(s)
-                                s, t = s - q, t - p
-                                r *= (1 - t) * ((1 - s) * pool[p, q, 0] + s * pool[p, q + 1, 0]) + t * (
-                                    (1 - s) * pool[p + 1, q, 0] + s * pool[p + 1, q + 1, 0]
+                                u0, v0 = int(s), int(t)
+                                s, t = s - u0, t - v0
+                                r *= (1 - t) * ((1 - s) * pool[v0, u0, 0] + s * pool[v0, u0 + 1, 0]) + t * (
+                                    (1 - s) * pool[v0 + 1, u0, 0] + s * pool[v0 + 1, u0 + 1, 0]
                                 )
-                                g *= (1 - t) * ((1 - s) * pool[p, q, 1] + s * pool[p, q + 1, 1]) + t * (
-                                    (1 - s) * pool[p + 1, q, 1] + s * pool[p + 1, q + 1, 1]
+                                g *= (1 - t) * ((1 - s) * pool[v0, u0, 1] + s * pool[v0, u0 + 1, 1]) + t * (
+                                    (1 - s) * pool[v0 + 1, u0, 1] + s * pool[v0 + 1, u0 + 1, 1]
                                 )
-                                b *= (1 - t) * ((1 - s) * pool[p, q, 2] + s * pool[p, q + 1, 2]) + t * (
-                                    (1 - s) * pool[p + 1, q, 2] + s * pool[p + 1, q + 1, 2]
+                                b *= (1 - t) * ((1 - s) * pool[v0, u0, 2] + s * pool[v0, u0 + 1, 2]) + t * (
+                                    (1 - s) * pool[v0 + 1, u0, 2] + s * pool[v0 + 1, u0 + 1, 2]
                                 )
                         total[0] += r
                         total[1] += g
@@ -135,8 +135,16 @@ def shade(
                         # Surface gradients of v and of the phase: a linear function's over a triangle.
                         pb, pc = pi * plies * (vb - ub - va + ua), pi * plies * (vc - uc - va + ua)
                         # Dual basis of the edges within the face's plane.
-                        bx, by, bz = (hy * gz - hz * gy) / twice, (hz * gx - hx * gz) / twice, (hx * gy - hy * gx) / twice
-                        cx, cy, cz = (gy * ez - gz * ey) / twice, (gz * ex - gx * ez) / twice, (gx * ey - gy * ex) / twice
+                        bx, by, bz = (
+                            (hy * gz - hz * gy) / twice,
+                            (hz * gx - hx * gz) / twice,
+                            (hx * gy - hy * gx) / twice,
+                        )
+                        cx, cy, cz = (
+                            (gy * ez - gz * ey) / twice,
+                            (gz * ex - gx * ez) / twice,
+                            (gx * ey - gy * ex) / twice,
+                        )
                         wx = (vb - va) * bx + (vc - va) * cx
                         wy = (vb - va) * by + (vc - va) * cy
                         wz = (vb - va) * bz + (vc - va) * cz
@@ -180,7 +188,9 @@ def shade(
                             if gloss > 0.0 and q > 0.0:
                                 sx_, sy_, sz_ = lx - dx, ly - dy, lz - dz
                                 length = sqrt(sx_ * sx_ + sy_ * sy_ + sz_ * sz_)
-                                shine += max(0.0, (nx * sx_ + ny * sy_ + nz * sz_) / length) ** sharp * dealt / key_total
+                                shine += (
+                                    max(0.0, (nx * sx_ + ny * sy_ + nz * sz_) / length) ** sharp * dealt / key_total
+                                )
                         else:
                             for c in range(3):
                                 open_sky[c] += d * dealt * weight[k, c]
@@ -196,6 +206,5 @@ def shade(
                         light = open_sky[c] * max(share, bounced) + lamp[c] * (0.4 + 0.6 * occlude)
                         total[c] += tone * light + rim * light * (0.35 * tone + 0.08) + gloss * shine
                     total[3] += 1.0
-            share = 1.0 / (samples * samples)
             for c in range(4):
-                out[row, column, c] = total[c] * share
+                out[row, column, c] = total[c] / dealt
