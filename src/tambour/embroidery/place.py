@@ -108,7 +108,9 @@ def _by_uv(mesh: Mesh, chosen: Array, turn: Array, offset: Array) -> Place:
     return Place(made, turn, middle + np.array([offset[0], -offset[1]]), np.zeros(3), None)
 
 
-def _foot(mesh: Mesh, chosen: Array, middle: Array, out: Array, at: tuple[float, float, float] | None) -> tuple[Array, Array]:
+def _foot(
+    mesh: Mesh, chosen: Array, middle: Array, out: Array, at: tuple[float, float, float] | None
+) -> tuple[Array, Array]:
     """The surface point nearest to ``at``, or where the ray through the middle falls, and the normal there."""
     faces = mesh.faces[chosen]
     reach = np.ptp(mesh.vertices, axis=0).max() * 2 + 1
@@ -210,7 +212,9 @@ def _wrap(mesh: Mesh, where: Place, plan: Array, height: Array, bound: Binding) 
     total = f"{int(lost.sum())} of {len(lost)} points of thread"
     if where.axes is None:
         raise TambourError(
-            f"the design lies beyond the cloth's uv: {total}", hint="move it with --offset or use --scale", where="--place"
+            f"the design lies beyond the cloth's uv: {total}",
+            hint="move it with --offset or use --scale",
+            where="--place",
         )
     faces = mesh.faces[np.unique(where.net.face)] if not closed(mesh.faces) else mesh.faces
     number = np.unique(where.net.face) if not closed(mesh.faces) else np.arange(len(mesh.faces))

@@ -33,7 +33,9 @@ class Curves:
 
 
 @kernel
-def _insets(length: Array, base: Array, r: float, sine: float, cosine: float, exact: bool, lift: Array, cut: Array) -> int:
+def _insets(
+    length: Array, base: Array, r: float, sine: float, cosine: float, exact: bool, lift: Array, cut: Array
+) -> int:
     """How high each stitch lies (``lift``) and how far its circles stand in from its needle points (``cut``); gives the
     number that stay. A stitch too short to climb over what lies below it lies as high as it can."""
     stays = 0
