@@ -62,7 +62,7 @@ def test_rays_hit_what_lies_below():
 
 def test_the_first_of_several_layers_is_hit():
     flat = sheet(40, 40)
-    v = np.vstack([flat.vertices, flat.vertices + [0, 0, 7.0], flat.vertices - [0, 0, 3.0]])
+    v = np.vstack([flat.vertices, flat.vertices + np.array([0, 0, 7.0]), flat.vertices - np.array([0, 0, 3.0])])
     n = len(flat.vertices)
     mesh = Mesh(v, np.vstack([flat.faces, flat.faces + n, flat.faces + 2 * n]))
     b = bind_ray(laid(mesh), np.random.default_rng(0).uniform(-20, 20, (500, 2)), np.zeros(500))

@@ -267,7 +267,7 @@ def bind_nearest(vertices: Array, faces: Array, normals: Array, points: Array) -
 
     points = np.asarray(points, np.float64)
     box = tree(vertices, faces)
-    face, uv, far = nearest(box, points)
+    face, uv, _ = nearest(box, points)
     lift = np.zeros(len(points))
     left = np.arange(len(points))
     for _ in range(6):
