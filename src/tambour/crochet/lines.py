@@ -99,7 +99,7 @@ def read_line(line: str, start: int, text: Text) -> tuple[Tree[Any] | None, list
             begin = token.start_pos or 0
             report(f'"{token}" does not fit here', _wanted(wanted), begin, begin + len(token))
     except UnexpectedCharacters as error:
-        begin = error.pos_in_stream
+        begin = int(error.pos_in_stream or 0)
         report(f'"{line[begin]}" does not fit here', _wanted(error.allowed or set()), begin, begin + 1)
     except UnexpectedInput as error:  # pragma: no cover - lark has no third kind for LALR
         report("this line is not understood", "", error.pos_in_stream or 0, len(line))
