@@ -201,7 +201,7 @@ def displacement(x, c, graph, stuffing, rest, made):
     if stuffing == "none":
         D += bend(x, straight(graph, n), 0.02)
     D += single_loop(x, graph, 0.05)
-    D += contact(x, graph.edges, 1.0, 0.7, 0.2 if cubic else 1.0)
+    D += contact(x, graph.edges, 1.2, 1.0, 0.2 if cubic else 1.0)
     return D - D[0], c
 
 
