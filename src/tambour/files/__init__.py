@@ -22,6 +22,11 @@ READ: dict[str, dict[str, str]] = {
     ".txt": {"Text": "text:read_text"},
     ".md": {"Text": "text:read_text"},
     **{suffix: {"Picture": "picture:read_picture"} for suffix in _PICTURES},
+    ".png": {"Picture": "picture:read_picture", "Chart": "chart:read_png"},
+    ".csv": {"Chart": "chart:read_csv"},
+    ".json": {"Chart": "chart:read_json"},
+    ".k": {"Chart": "knitout:read"},
+    ".knitout": {"Chart": "knitout:read"},
 }
 
 WRITE: dict[tuple[str, str], str] = {
@@ -31,6 +36,13 @@ WRITE: dict[tuple[str, str], str] = {
     (".html", "Text"): "text:write_text",
     (".csv", "Text"): "text:write_text",
     (".json", "dict"): "text:write_json",
+    (".png", "Chart"): "chart:write_png",
+    (".csv", "Chart"): "chart:write_csv",
+    (".json", "Chart"): "chart:write_json_chart",
+    (".k", "Chart"): "knitout:write",
+    (".knitout", "Chart"): "knitout:write",
+    (".dat", "Chart"): "brother:write_memory",
+    (".img", "Chart"): "brother:write_disk",
     (".svg", "Drawing"): "svg:write_drawing",
     (".pdf", "Drawing"): "pdf:write_drawing",
     **{(suffix, "Drawing"): "picture:write_drawing" for suffix in _PIXELS},
