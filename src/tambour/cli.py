@@ -14,7 +14,7 @@ from typing import Any, Literal, Union, get_args, get_origin  # noqa: E402
 import click  # noqa: E402
 
 from tambour import __version__  # noqa: E402
-from tambour.core.errors import TambourError  # noqa: E402
+from tambour.core.errors import TambourError, did_you_mean  # noqa: E402
 from tambour.run import CRAFTS  # noqa: E402
 
 ISSUES = "please report it, with the command, the input and the lines above"
@@ -28,6 +28,14 @@ class _Crafts(click.Group):
 
     def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
         return craft_command(name) if name in CRAFTS else super().get_command(ctx, name)
+
+    def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
+        known = self.list_commands(ctx)
+        if args and args[0] not in known and not args[0].startswith("-"):
+            raise TambourError(
+                f'there is no command "{args[0]}"', hint=did_you_mean(args[0], known) or f"known: {', '.join(known)}"
+            )
+        return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Crafts"):

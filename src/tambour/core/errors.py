@@ -103,5 +103,5 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     """The hint ``did you mean "x" or "y"?`` for a misspelt word, or an empty string when nothing is near."""
     import difflib
 
-    near = difflib.get_close_matches(word, list(known), n=2, cutoff=0.5)
+    near = difflib.get_close_matches(word, list(known), n=2, cutoff=0.65)
     return "did you mean " + " or ".join(f'"{w}"' for w in near) + "?" if near else ""

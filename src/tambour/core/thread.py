@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
@@ -38,6 +39,8 @@ class ThreadPlan:
     thread : (N,) int16 → threads
     threads : Thread per needle colour, in order of use
     limit : longest step that is not a jump, mm, or None when no machine has been chosen
+    about : facts for the file (``title``), wishes to a format (``pes`` "1" or "6", ``jef-trims`` "yes"), and what a
+        reader doubted (``doubts``, one to a line)
     """
 
     xy: Array
@@ -45,6 +48,7 @@ class ThreadPlan:
     thread: Array
     threads: tuple[Thread, ...]
     limit: float | None = None
+    about: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         xy = array("ThreadPlan.xy", self.xy, np.float64, (None, 2))

@@ -14,6 +14,14 @@ from typing import Any
 
 from tambour.core.errors import TambourError, did_you_mean
 
+# Machine files that pystitch reads and writes, and those it only reads.
+_MACHINE = (".pes", ".pec", ".jef", ".sew", ".vp3", ".xxx", ".u01", ".tbf")
+_MACHINE_READ = (
+    *(".100", ".10o", ".bro", ".dat", ".dsb", ".dsz", ".emd", ".e00", ".e01", ".e02", ".f00", ".f01", ".f02", ".gt"),
+    *(".hus", ".inb", ".jpx", ".ksm", ".max", ".mit", ".new", ".pcd", ".pcm", ".pcq", ".pcs", ".phb", ".phc"),
+    *(".shv", ".spx", ".stc", ".stx", ".tap", ".u00", ".u02", ".z00", ".z01", ".z02", ".zhs"),
+)
+
 _PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".bmp", ".gif", ".ppm", ".pgm")
 _PIXELS = (".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".bmp")
 
@@ -27,6 +35,14 @@ READ: dict[str, dict[str, str]] = {
     ".json": {"Chart": "chart:read_json"},
     ".k": {"Chart": "knitout:read"},
     ".knitout": {"Chart": "knitout:read"},
+    ".dst": {"ThreadPlan": "dst:read_plan"},
+    ".exp": {"ThreadPlan": "exp:read_plan"},
+    **{suffix: {"ThreadPlan": "machine:read_plan"} for suffix in (*_MACHINE, *_MACHINE_READ)},
+    ".glb": {"Mesh": "glb:read_mesh"},
+    ".gltf": {"Mesh": "glb:read_mesh"},
+    ".obj": {"Mesh": "mesh:read_obj"},
+    ".ply": {"Mesh": "mesh:read_ply"},
+    ".stl": {"Mesh": "mesh:read_stl"},
 }
 
 WRITE: dict[tuple[str, str], str] = {
@@ -47,6 +63,14 @@ WRITE: dict[tuple[str, str], str] = {
     (".pdf", "Drawing"): "pdf:write_drawing",
     **{(suffix, "Drawing"): "picture:write_drawing" for suffix in _PIXELS},
     **{(suffix, "Picture"): "picture:write_picture" for suffix in _PIXELS},
+    (".dst", "ThreadPlan"): "dst:write_plan",
+    (".exp", "ThreadPlan"): "exp:write_plan",
+    **{(suffix, "ThreadPlan"): "machine:write_plan" for suffix in _MACHINE},
+    (".glb", "Mesh"): "glb:write_mesh",
+    (".obj", "Mesh"): "mesh:write_obj",
+    (".ply", "Mesh"): "mesh:write_ply",
+    (".stl", "Mesh"): "mesh:write_stl",
+    **{(suffix, "Mesh"): "mesh:write_picture" for suffix in _PIXELS},
 }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -38,7 +39,8 @@ def write_drawing(value: Drawing | Iterable[Drawing], path: Path) -> None:
                 hint="ask for .svg",
                 where=str(path),
             )
-        canvas = document.beginPage(width, height)
+        # Pages are whole points (skia cuts fractions off): rounded up, so that nothing at the edge is lost.
+        canvas = document.beginPage(math.ceil(width), math.ceil(height))
         canvas.scale(page.unit * _POINTS, page.unit * _POINTS)
         draw(canvas, page)
         document.endPage()

@@ -42,9 +42,9 @@ def read_picture(path: Path) -> Picture:
 
     Image.MAX_IMAGE_PIXELS = None  # the limit is ours, below
     try:
-        with _quiet(), warnings.catch_warnings():
+        with _quiet(), warnings.catch_warnings(), path.open("rb") as stream:
             warnings.simplefilter("ignore")
-            image: Any = Image.open(path)
+            image: Any = Image.open(stream)
             if image.width * image.height > LARGEST:
                 size = f"{image.width} x {image.height}"
                 raise TambourError(f"a picture of {size} pixels is too large", hint="scale it down", where=str(path))

@@ -1,0 +1,185 @@
+"""What an embroidery can be told; every field but the files can also stand on a region as ``data-tambour-…``."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, WithJsonSchema, field_validator
+
+from tambour.core.params import Degrees, Length, Params, length
+
+FAMILIES = (
+    "tatami",
+    "contour",
+    "spiral",
+    "radial",
+    "guided",
+    "flow",
+    "meander",
+    "ripple",
+    "gradient",
+    "cross",
+    "satin",
+    "running",
+    "bean",
+    "motif",
+)
+Stitch = Literal[
+    "tatami",
+    "contour",
+    "spiral",
+    "radial",
+    "guided",
+    "flow",
+    "meander",
+    "ripple",
+    "gradient",
+    "cross",
+    "satin",
+    "running",
+    "bean",
+    "motif",
+]
+UNDERLAYS = ("auto", "none", "center", "edge", "zigzag", "tatami")
+
+
+def thread_width(value: Any) -> Any:
+    """A thread's width in mm from a length or a weight: ``40wt`` covers 0.4 mm, others as the root of their weight."""
+    found = re.fullmatch(r"\s*(\d+\.?\d*)\s*wt\s*", value) if isinstance(value, str) else None
+    if found and float(found[1]) > 0:
+        return 0.4 * math.sqrt(40 / float(found[1]))
+    return length(value)
+
+
+Thread = Annotated[
+    float, BeforeValidator(thread_width), Field(gt=0, le=5), WithJsonSchema({"type": "number", "unit": "mm"})
+]
+
+
+class EmbroideryParams(Params):
+    """Parameters of the embroidery craft."""
+
+    stitch: Stitch | None = None
+    """How areas and lines are stitched (by what the drawing says: areas tatami, lines running, or satin when wide)."""
+
+    angle: Degrees = 0.0
+    """Direction of the rows, counter-clockwise from +x."""
+
+    row_spacing: Length = Field(default=0.4, gt=0.02, le=50)
+    """Distance between rows, and between the stitches of a satin column."""
+
+    row_spacing_end: Length | None = Field(default=None, gt=0.02, le=50)
+    """Distance between the last rows of a gradient (three times the first when not given)."""
+
+    length: Length = Field(default=3.0, ge=0.3, le=12)
+    """Longest stitch of fills and running lines."""
+
+    min_length: Length = Field(default=0.3, ge=0, le=3)
+    """Stitches shorter than this are joined with the next."""
+
+    stagger: int = Field(default=4, ge=1, le=32)
+    """Rows after which the needle points of a tatami fill repeat."""
+
+    thread: Thread = 0.4
+    """Width that a thread covers, as a length or a weight (40wt is 0.4 mm)."""
+
+    jitter: Length = Field(default=0.0, ge=0, le=3)
+    """Ends of rows move along their row by up to this much, needle points in a row too."""
+
+    seed: str = "tambour"
+    """Any text: other seeds, other jitter and other meanders."""
+
+    underlay: str = "auto"
+    """What lies below: auto, none, or words joined by + (center, edge, zigzag, tatami)."""
+
+    pull: Length = Field(default=0.0, ge=-2, le=5)
+    """Fills and satins grow by this much on each side, against the cloth's drawing in."""
+
+    split: Length = Field(default=7.0, ge=1, le=12)
+    """Satin stitches longer than this are split."""
+
+    jagged: Length = Field(default=0.0, ge=0, le=10)
+    """Satin ends draw back by up to this much, at random, for a feathered edge."""
+
+    satin_from: Length = Field(default=1.0, ge=0, le=50)
+    """Lines of this width and more are stitched as satin columns, thinner ones as running stitch."""
+
+    motif: Literal["zigzag", "wave", "diamond", "cross", "leaf", "star"] = "diamond"
+    """The figure that motif stitch repeats along a line."""
+
+    motif_size: Length = Field(default=4.0, ge=0.5, le=100)
+    """Length of one figure of motif stitch, one cell of cross stitch (half of it), and the lanes of a meander."""
+
+    repeats: int = Field(default=3, ge=1, le=9)
+    """How often each stitch of a bean line is sewn (odd)."""
+
+    applique: bool = False
+    """Areas become patches: placement line, stop, tack-down, stop, satin cover."""
+
+    knockdown: bool = False
+    """A thin fill below everything, to press down a pile."""
+
+    baste: bool = False
+    """A basting box first, round the whole design."""
+
+    travel: Literal["hidden", "outline"] = "hidden"
+    """Where a fill's thread goes between rows: below rows that come later, or along the outline."""
+
+    locks: bool = True
+    """Small stitches that tie each thread's start and end."""
+
+    trim: Length = Field(default=2.0, ge=0)
+    """Thread is cut before jumps longer than this."""
+
+    order: Literal["auto", "file"] = "auto"
+    """Order of regions: fewest colour changes and short ways, keeping what lies on top; or as in the file."""
+
+    width: Length | None = Field(default=None, gt=0, le=5000)
+    """Width of the design (as the file says, when not given)."""
+
+    hoop: str | None = None
+    """The hoop's field, such as 100x100 (mm): the design must fit."""
+
+    colors: int = Field(default=6, ge=2, le=24)
+    """Colours that a picture is reduced to before its regions are traced."""
+
+    text: str | None = None
+    """Letters to embroider, instead of a drawing or below it."""
+
+    text_size: Length = Field(default=15.0, gt=1, le=500)
+    """Height of capital letters."""
+
+    # What follows is for thread in space: cut at cloth faces, ends, binding, cloths, frames.
+
+    ends: Literal["exact", "bleed"] = "exact"
+    """Round ends of threads: needle holes on the outline, or outside it by half the turn."""
+
+    theta: Degrees = Field(default=60.0, gt=0, le=90)
+    """Angle at which a thread dives into the cloth."""
+
+    @field_validator("underlay")
+    @classmethod
+    def _underlay(cls, value: str) -> str:
+        words = [w for w in re.split(r"[+,\s]+", value.strip().lower()) if w]
+        strange = [w for w in words if w not in UNDERLAYS]
+        if strange or not words or (len(words) > 1 and {"auto", "none"} & set(words)):
+            raise ValueError(f"{value!r} is not one of auto, none, or center, edge, zigzag, tatami joined by +")
+        return "+".join(words)
+
+    @field_validator("hoop")
+    @classmethod
+    def _hoop(cls, value: str | None) -> str | None:
+        if value is not None:
+            hoop_size(value)
+        return value
+
+
+def hoop_size(text: str) -> tuple[float, float]:
+    """Width and height in mm of a hoop such as ``100x100`` or ``5x7in``; ValueError when it is none."""
+    found = re.fullmatch(r"\s*(\d+\.?\d*)\s*[x×*]\s*(\d+\.?\d*)\s*(mm|cm|in)?\s*", text.lower())
+    if not found or float(found[1]) <= 0 or float(found[2]) <= 0:
+        raise ValueError(f"{text!r} is not a hoop such as 100x100 (mm)")
+    unit = {"in": 25.4, "cm": 10.0}.get(found[3] or "mm", 1.0)
+    return float(found[1]) * unit, float(found[2]) * unit

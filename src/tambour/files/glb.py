@@ -1,0 +1,321 @@
+"""glTF 2.0 (Khronos, 2021; ISO/IEC 12113): .glb written and read, .gltf read. Metres there, millimetres here."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+import struct
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
+
+import numpy as np
+
+from tambour.color import coded, linear
+from tambour.core.check import Array
+from tambour.core.errors import LawError, TambourError
+from tambour.core.mesh import Mesh
+from tambour.geometry.surface import closed, vertex_normals
+
+_TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
+_WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+_CODES = {np.dtype(kind): code for code, kind in _TYPES.items()}
+_VERTEX, _INDEX = 34962, 34963
+_ROUGH = {"thread": 0.55, "": 0.8}
+
+
+class Body:
+    """The binary chunk of a .glb as it grows, with the views and accessors into it."""
+
+    def __init__(self) -> None:
+        self.chunks: list[bytes] = []
+        self.size = 0
+        self.views: list[dict[str, Any]] = []
+        self.accessors: list[dict[str, Any]] = []
+
+    def add(self, values: Array, *, target: int | None = None, bounds: bool = False, normalized: bool = False) -> int:
+        """The accessor's index of an array (N,) or (N, 2…4) of a type that glTF knows."""
+        values = np.ascontiguousarray(values)
+        raw = values.tobytes()
+        view: dict[str, Any] = {"buffer": 0, "byteOffset": self.size, "byteLength": len(raw)}
+        if target:
+            view["target"] = target
+        raw += b"\0" * (-len(raw) % 4)
+        self.chunks.append(raw)
+        self.size += len(raw)
+        self.views.append(view)
+        accessor: dict[str, Any] = {
+            "bufferView": len(self.views) - 1,
+            "componentType": _CODES[values.dtype],
+            "count": len(values),
+            "type": "SCALAR" if values.ndim == 1 else f"VEC{values.shape[1]}",
+        }
+        if normalized:
+            accessor["normalized"] = True
+        if bounds and len(values):
+            low, high = values.min(0), values.max(0)
+            accessor |= {"min": np.atleast_1d(low).tolist(), "max": np.atleast_1d(high).tolist()}
+        self.accessors.append(accessor)
+        return len(self.accessors) - 1
+
+    def file(self, scene: dict[str, Any]) -> bytes:
+        """The whole .glb of a scene that refers to the accessors made so far."""
+        head = {"asset": {"version": "2.0", "generator": "tambour"}, **scene}
+        if self.views:
+            head |= {"buffers": [{"byteLength": self.size}], "bufferViews": self.views, "accessors": self.accessors}
+        text = json.dumps(head, separators=(",", ":")).encode()
+        text += b" " * (-len(text) % 4)
+        parts = [struct.pack("<II", len(text), 0x4E4F534A), text]
+        if self.views:
+            parts += [struct.pack("<II", self.size, 0x004E4942), *self.chunks]
+        return struct.pack("<III", 0x46546C67, 2, 12 + sum(map(len, parts))) + b"".join(parts)
+
+
+def primitives(mesh: Mesh, body: Body) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """The primitives (one per group of faces, sharing the vertices) and the materials of a mesh, added to ``body``."""
+    shared = {"POSITION": body.add((mesh.vertices / 1000).astype(np.float32), target=_VERTEX, bounds=True)}
+    if mesh.smooth:
+        normals = vertex_normals(mesh.vertices, mesh.faces).astype(np.float32)
+        shared["NORMAL"] = body.add(normals, target=_VERTEX)
+    if mesh.uv is not None:
+        shared["TEXCOORD_0"] = body.add(mesh.uv.astype(np.float32), target=_VERTEX)
+    if mesh.color is not None:
+        # Linear light as the specification asks, in 16 bits, which keep every one of the 256 codes apart.
+        light = np.round(linear(np.arange(256) / 255.0) * 65535).astype(np.uint16)
+        rgba = np.full((len(mesh.color), 4), 65535, np.uint16)
+        rgba[:, :3] = light[mesh.color]
+        shared["COLOR_0"] = body.add(rgba, target=_VERTEX, normalized=True)
+    group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
+    made: list[dict[str, Any]] = []
+    materials: list[dict[str, Any]] = []
+    kind = np.uint16 if len(mesh.vertices) < 65535 else np.uint32
+    for number, name in enumerate(mesh.group_names if mesh.face_group is not None else ("",)):
+        faces = mesh.faces[group == number]
+        if not len(faces):
+            continue
+        material: dict[str, Any] = {
+            "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": _ROUGH.get(name, 1.0)},
+        }
+        if name:
+            material["name"] = name
+        if not closed(faces):
+            material["doubleSided"] = True
+        indices = body.add(faces.ravel().astype(kind), target=_INDEX)
+        made.append({"attributes": shared, "indices": indices, "material": len(materials), "mode": 4})
+        materials.append(material)
+    return made, materials
+
+
+def write_mesh(value: Mesh, path: Path) -> None:
+    """A .glb: positions in metres, colours as linear light, a primitive and a material for every group of faces."""
+    body = Body()
+    if not len(value.faces):
+        path.write_bytes(body.file({"scene": 0, "scenes": [{}]}))
+        return
+    made, materials = primitives(value, body)
+    scene = {
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": made}],
+        "materials": materials,
+    }
+    path.write_bytes(body.file(scene))
+
+
+def read_mesh(path: Path) -> Mesh:
+    """The triangles of a glTF file's scene, in mm, with their colours, uv (of the first set) and materials' names.
+
+    Raises TambourError when the file is broken, holds no triangles, or needs an extension that is not read here.
+    """
+    try:
+        head, chunk = _open(path)
+        needs = head.get("extensionsRequired", [])
+        if needs:
+            raise TambourError(
+                f"this glTF file needs {', '.join(needs)}, which is not read here",
+                hint="export it without compression",
+                where=str(path),
+            )
+        return _scene(head, [_buffer(b, chunk, path) for b in head.get("buffers", [])], path)
+    except TambourError:
+        raise
+    except (KeyError, IndexError, ValueError, TypeError, AttributeError, struct.error, RecursionError, LawError) as bad:
+        raise TambourError(
+            f"this is not a glTF 2.0 file that can be read ({type(bad).__name__}: {bad})", where=str(path)
+        ) from None
+
+
+def _open(path: Path) -> tuple[dict[str, Any], bytes]:
+    raw = path.read_bytes()
+    if raw[:4] != b"glTF":
+        return json.loads(raw), b""
+    version, length = struct.unpack_from("<II", raw, 4)
+    if version != 2 or length > len(raw):
+        raise ValueError("wrong version or length in its header")
+    chunks: dict[int, bytes] = {}
+    at = 12
+    while at + 8 <= length:
+        size, kind = struct.unpack_from("<II", raw, at)
+        chunks.setdefault(kind, raw[at + 8 : at + 8 + size])
+        at += 8 + size
+    return json.loads(chunks[0x4E4F534A]), chunks.get(0x004E4942, b"")
+
+
+def _buffer(buffer: dict[str, Any], chunk: bytes, path: Path) -> bytes:
+    uri = buffer.get("uri")
+    if uri is None:
+        return chunk
+    if uri.startswith("data:"):
+        try:
+            return base64.b64decode(uri.split(",", 1)[1], validate=True)
+        except binascii.Error as error:
+            raise ValueError(f"embedded data: {error}") from None
+    beside = (path.parent / unquote(uri)).resolve()
+    if path.parent.resolve() not in beside.parents:
+        raise TambourError(f'its data "{uri}" lies outside its own folder', where=str(path))
+    if not beside.exists():
+        raise TambourError(f'its data file "{uri}" is missing', hint=f"put it beside {path.name}", where=str(path))
+    return beside.read_bytes()
+
+
+def _accessor(head: dict[str, Any], buffers: list[bytes], index: int) -> Array:
+    """Values (N, width) of an accessor, in its own type, or float64 in 0…1 (-1…1) when it is normalised."""
+    accessor = head["accessors"][index]
+    kind, width, count = np.dtype(_TYPES[accessor["componentType"]]), _WIDTHS[accessor["type"]], accessor["count"]
+    values = np.zeros((count, width), kind)
+    if "bufferView" in accessor:
+        values = _view(head, buffers, accessor["bufferView"], accessor.get("byteOffset", 0), kind, width, count)
+    if "sparse" in accessor:
+        sparse = accessor["sparse"]
+        at, new = sparse["indices"], sparse["values"]
+        rows = _view(
+            head,
+            buffers,
+            at["bufferView"],
+            at.get("byteOffset", 0),
+            np.dtype(_TYPES[at["componentType"]]),
+            1,
+            sparse["count"],
+        )
+        values = values.copy()
+        values[rows[:, 0]] = _view(
+            head, buffers, new["bufferView"], new.get("byteOffset", 0), kind, width, sparse["count"]
+        )
+    if accessor.get("normalized"):
+        return np.asarray(np.maximum(values.astype(np.float64) / np.iinfo(values.dtype.str).max, -1))
+    return values
+
+
+def _view(
+    head: dict[str, Any], buffers: list[bytes], index: int, offset: int, kind: np.dtype[Any], width: int, count: int
+) -> Array:
+    view = head["bufferViews"][index]
+    item = kind.itemsize * width
+    stride = view.get("byteStride", item)
+    start = view.get("byteOffset", 0) + offset
+    raw = buffers[view["buffer"]]
+    if count < 0 or stride < item or start < 0 or (count and start + stride * (count - 1) + item > len(raw)):
+        raise ValueError("an accessor reaches past the end of its data")
+    return np.ndarray((count, width), kind.newbyteorder("<"), raw, start, (stride, kind.itemsize)).astype(kind)
+
+
+def _matrix(node: dict[str, Any]) -> Array:
+    if "matrix" in node:
+        return np.array(node["matrix"], np.float64).reshape(4, 4).T
+    x, y, z, w = node.get("rotation", (0, 0, 0, 1))
+    made = np.eye(4)
+    made[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    made[:3, :3] *= np.array(node.get("scale", (1, 1, 1)))
+    made[:3, 3] = node.get("translation", (0, 0, 0))
+    return made
+
+
+def _scene(head: dict[str, Any], buffers: list[bytes], path: Path) -> Mesh:
+    nodes = head.get("nodes", [])
+    scenes = head.get("scenes")
+    roots = scenes[head.get("scene", 0)].get("nodes", []) if scenes else range(len(nodes))
+    stack = [(k, np.eye(4), 0) for k in reversed(list(roots))]
+    vertices, faces, colors, uvs, groups, names = [], [], [], [], [], []
+    total, drawn = 0, 0
+    while stack:
+        index, above, depth = stack.pop()
+        if depth > 500:
+            raise ValueError("its nodes contain each other")
+        node = nodes[index]
+        place = above @ _matrix(node)
+        stack += [(k, place, depth + 1) for k in reversed(node.get("children", []))]
+        if "mesh" not in node:
+            continue
+        for primitive in head["meshes"][node["mesh"]]["primitives"]:
+            drawn += 1
+            if drawn > 100_000:
+                raise ValueError("its nodes contain each other")
+            points = _accessor(head, buffers, primitive["attributes"]["POSITION"]).astype(np.float64)
+            index_of = primitive.get("indices")
+            order = (
+                np.arange(len(points))
+                if index_of is None
+                else _accessor(head, buffers, index_of)[:, 0].astype(np.int64)
+            )
+            triangles = _triangles(order, primitive.get("mode", 4))
+            if not len(triangles):
+                continue
+            if np.linalg.det(place[:3, :3]) < 0:
+                triangles = triangles[:, ::-1]
+            material = head.get("materials", [{}])[primitive.get("material", 0)] if "material" in primitive else {}
+            vertices.append((points @ place[:3, :3].T + place[:3, 3]) * 1000)
+            faces.append(triangles + total)
+            colors.append(_color(head, buffers, primitive["attributes"], material, len(points)))
+            uv = primitive["attributes"].get("TEXCOORD_0")
+            uvs.append(None if uv is None else _accessor(head, buffers, uv).astype(np.float64))
+            name = str(material.get("name", ""))
+            if name not in names:
+                names.append(name)
+            groups.append(np.full(len(triangles), names.index(name), np.int32))
+            total += len(points)
+    if not faces:
+        raise TambourError("there are no triangles in this file", where=str(path))
+    plain = all(c is None for c in colors)
+    white = [np.full((len(v), 3), 255, np.uint8) if c is None else c for v, c in zip(vertices, colors)]
+    mapped = all(u is not None for u in uvs)
+    return Mesh(
+        np.concatenate(vertices),
+        np.concatenate(faces),
+        color=None if plain else np.concatenate(white),
+        uv=np.concatenate([u for u in uvs if u is not None]) if mapped else None,
+        face_group=np.concatenate(groups),
+        group_names=tuple(names),
+    )
+
+
+def _triangles(order: Array, mode: int) -> Array:
+    if mode == 4:
+        return order[: len(order) // 3 * 3].reshape(-1, 3)
+    if mode == 5:
+        strip = np.stack([order[:-2], order[1:-1], order[2:]], axis=1) if len(order) > 2 else np.zeros((0, 3), np.int64)
+        strip[1::2] = strip[1::2, ::-1]
+        return strip
+    if mode == 6 and len(order) > 2:
+        return np.stack([np.full(len(order) - 2, order[0]), order[1:-1], order[2:]], axis=1)
+    return np.zeros((0, 3), np.int64)
+
+
+def _color(
+    head: dict[str, Any], buffers: list[bytes], attributes: dict[str, int], material: dict[str, Any], count: int
+) -> Array | None:
+    """sRGB (count, 3) uint8: the vertices' colours times the material's, or None when neither is given."""
+    factor = material.get("pbrMetallicRoughness", {}).get("baseColorFactor")
+    if factor is None and "COLOR_0" not in attributes:
+        return None
+    light = np.ones((count, 3))
+    if "COLOR_0" in attributes:
+        light = _accessor(head, buffers, attributes["COLOR_0"]).astype(np.float64)[:, :3]
+    if factor is not None:
+        light = light * np.array(factor[:3], np.float64)
+    return np.round(coded(np.clip(light, 0, 1)) * 255).astype(np.uint8)

@@ -1,0 +1,133 @@
+"""What the headers of machine files declare, against what their stitches hold.
+
+pystitch reads on past damage without a word: a record it does not know ends the design, and a header's counts are not
+looked at. Here they are, and each disagreement becomes a line for the reader's ``about["doubts"]``.
+"""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+from tambour.files.dst import fields
+
+
+class Watched(io.BytesIO):
+    """A stream that remembers where reading stood before the last jump to a given place."""
+
+    def __init__(self, raw: bytes) -> None:
+        super().__init__(raw)
+        self.before = 0
+
+    def seek(self, offset: int, whence: int = 0, /) -> int:
+        """As in BytesIO; a step back beyond the file's start stays at the start."""
+        if whence == 0:
+            self.before = self.tell()
+        return super().seek(max(0, offset) if whence == 0 else offset, whence)
+
+
+def _u32(raw: bytes, at: int, order: Any = "little", size: int = 4) -> int:
+    return int.from_bytes(raw[at : at + size], order)
+
+
+def doubts(kind: str, raw: bytes, stream: Watched, pattern: Any) -> list[str]:
+    """Lines on what does not agree in a file of this kind, after pystitch has read it."""
+    check = {"pes": _pec, "pec": _pec, "jef": _jef, "sew": _sew, "xxx": _xxx, "u01": _u01, "tbf": _tbf, "vp3": _vp3}
+    return check[kind](raw, stream, pattern) if kind in check else []
+
+
+def _pec(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
+    if not raw.startswith((b"#PES", b"#PEC")):
+        return ["the file does not begin with its mark (#PES or #PEC)"]
+    start = 8 if raw.startswith(b"#PEC") else _u32(raw, 8)
+    block = start + 512 + 2  # where the length of the stitch block stands
+    end = block - 2 + _u32(raw, block, size=3)
+    said = []
+    if end > len(raw):
+        said.append(f"the stitches should end at byte {end}, the file ends at byte {len(raw)}")
+    if raw[stream.before - 2 : stream.before - 1] != b"\xff":
+        said.append("the stitches end before their end mark")
+    elif abs(stream.before - end) > 2:
+        said.append(f"the stitches should end at byte {end}, their end mark stands at byte {stream.before - 2}")
+    return said + _size(pattern, _u32(raw, block + 6, size=2), _u32(raw, block + 8, size=2))
+
+
+def _size(pattern: Any, width: int, height: int) -> list[str]:
+    sewn = [s for s in pattern.stitches if s[2] & 0xFF == 0]
+    if not sewn:
+        return []
+    w = max(s[0] for s in sewn) - min(s[0] for s in sewn)
+    h = max(s[1] for s in sewn) - min(s[1] for s in sewn)
+    if abs(w - width) <= 10 and abs(h - height) <= 10:
+        return []
+    return [f"the header declares {width / 10:g} x {height / 10:g} mm, the stitches fill {w / 10:g} x {h / 10:g} mm"]
+
+
+def _jef(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
+    start, pairs = _u32(raw, 0), _u32(raw, 28)
+    stop = stream.tell()
+    said = []
+    if b"\x80\x10" not in (raw[stop - 2 : stop], raw[stop - 4 : stop - 2]):
+        said.append(f"the stitches end at byte {stop} of {len(raw)}, before their end mark")
+    held = (stop - start) // 2
+    if abs(held - pairs) > max(4, held // 50):
+        said.append(f"the header declares {pairs} records, the file holds {held}")
+    return said + _size(pattern, _u32(raw, 36) + _u32(raw, 44), _u32(raw, 40) + _u32(raw, 48))
+
+
+def _sew(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
+    stop = stream.tell()
+    if (stop == len(raw) and raw[-2:] == b"\x80\x10") or raw[-4:-2] == b"\x80\x10":
+        return []
+    return [f"the stitches end at byte {stop} of {len(raw)}, before their end mark"]
+
+
+def _xxx(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
+    count, end = _u32(raw, 0x17), _u32(raw, 0xFC)
+    said = []
+    if raw[end : end + 2] != b"\x7f\x7f":
+        said.append(f"the stitches should end at byte {end} of {len(raw)}, there is no end mark")
+    held = sum(1 for s in pattern.stitches if s[2] & 0xFF != 4)
+    if abs(held - count) > max(4, held // 20):
+        said.append(f"the header declares {count} records, the file holds {held}")
+    return said
+
+
+def _u01(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
+    stop = stream.tell()
+    said = []
+    if len(raw) < 3 or raw[stop - 3] & 0x1F != 0x18:
+        said.append(f"the stitches end at byte {stop} of {len(raw)}, before their end mark")
+    count, held = _u32(raw, 0x8C), (stop - 0x100) // 3
+    if abs(held - count) > 4:
+        said.append(f"the header declares {count} records, the file holds {held}")
+    return said
+
+
+def _tbf(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
+    stop = stream.tell()
+    said = []
+    if raw[stop - 1 : stop] != b"\x8f":
+        said.append(f"the stitches end at byte {stop} of {len(raw)}, before their end mark")
+    count = fields(raw[0x80:0x200]).get("ST")
+    held = sum(1 for s in pattern.stitches if s[2] & 0xFF == 0)
+    if count is not None and not held - 4 <= count <= len(pattern.stitches) + 4:
+        said.append(f"the header declares {count} stitches, the file holds {held}")
+    return said
+
+
+def _vp3(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
+    if not raw.startswith(b"%vsm%"):
+        return ["the file does not begin with its mark (%vsm%)"]
+    at = 8 + _u32(raw, 6, "big", 2) + 3  # past the producer's name and three bytes
+    end = at + 4 + _u32(raw, at, "big")
+    note = at + 6 + _u32(raw, at + 4, "big", 2)
+    sides = [_u32(raw, note + 4 * k, "big") for k in range(4)]
+    right, top, left, bottom = (v - (1 << 32) * (v >> 31) for v in sides)
+    said = []
+    if end > len(raw):
+        said.append(f"the design should end at byte {end}, the file ends at byte {len(raw)}")
+    count, held = _u32(raw, note + 16, "big"), sum(1 for s in pattern.stitches if s[2] & 0xFF == 0)
+    if not held - 4 <= count <= 3 * held + 100:
+        said.append(f"the header declares {count} records, the file holds {held} stitches")
+    return said + _size(pattern, abs(right - left) // 100, abs(top - bottom) // 100)

@@ -1,0 +1,197 @@
+"""What the knit craft can be told."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from tambour.core.params import Params, file, length
+
+
+def _limit(value: Any) -> Any:
+    text = str(value).strip()
+    if re.fullmatch(r"\d+", text):
+        if not 1 <= int(text) <= 1000:
+            raise ValueError("wanted 1 to 1000 stitches, or a length such as 2.5cm")
+        return text
+    if not re.search(r"[a-z\"]$", text):
+        raise ValueError("wanted a whole number of stitches, or a length such as 2.5cm")
+    if length(text) <= 0:
+        raise ValueError("wanted a length above 0")
+    return text
+
+
+def _tone(value: Any) -> Any:
+    text = str(value).strip()
+    if text in ("raw", "reachable"):
+        return text
+    try:
+        amount = float(text)
+    except ValueError:
+        raise ValueError("wanted raw, reachable, or a number from 0 (raw) to 1 (reachable)") from None
+    if not 0 <= amount <= 1:
+        raise ValueError("wanted raw, reachable, or a number from 0 (raw) to 1 (reachable)")
+    return text
+
+
+def _gauge(value: Any) -> Any:
+    text = str(value).strip().lower().replace("×", "x")
+    found = re.fullmatch(r"(\d+\.?\d*)\s*x\s*(\d+\.?\d*)", text)
+    if not found or not all(2 <= float(n) <= 400 for n in found.groups()):
+        raise ValueError("wanted stitches x rows in 10 cm, such as 24x32, each from 2 to 400")
+    return text
+
+
+def _box(value: Any) -> Any:
+    numbers = re.split(r"[,\s]+", str(value).strip())
+    if len(numbers) != 4 or not all(re.fullmatch(r"\d+", n) for n in numbers) or "0" in numbers[2:]:
+        raise ValueError("wanted left,top,width,height in whole pixels, such as 40,0,300,200")
+    return ",".join(numbers)
+
+
+def _repeat(value: Any) -> Any:
+    text = str(value).replace(" ", "")
+    found = re.fullmatch(r"(\d+)(?:\+(\d+))?", text)
+    if not found or not 2 <= int(found[1]) <= 20000 or int(found[2] or 0) >= int(found[1]):
+        raise ValueError("wanted a number of stitches such as 24, or 24+1 for a multiple of 24 plus 1")
+    return text
+
+
+def _turn(value: Any) -> Any:
+    text = str(value).strip()
+    if text != "auto":
+        try:
+            float(text.removesuffix("deg"))
+        except ValueError:
+            raise ValueError("wanted an angle in degrees, or auto") from None
+    return text
+
+
+Limit = Annotated[str, BeforeValidator(_limit)]
+Tone = Annotated[str, BeforeValidator(_tone)]
+Ratio = Annotated[str, BeforeValidator(_gauge)]
+Box = Annotated[str, BeforeValidator(_box)]
+Repeat = Annotated[str, BeforeValidator(_repeat)]
+Turn = Annotated[str, BeforeValidator(_turn)]
+
+
+class KnitParams(Params):
+    """Parameters of the knit craft."""
+
+    # --- from the picture to stitches
+    stitches: int | None = Field(default=None, ge=1, le=20000)
+    """Stitches in a row; without it the picture is taken stitch for stitch, a pixel each."""
+    rows: int | None = Field(default=None, ge=1, le=20000)
+    """Rows; without it they follow from the picture's shape and the gauge."""
+    gauge: Ratio | None = Field(default=None, json_schema_extra={"metavar": "STSxROWS"})
+    """Stitches x rows in 10 cm, such as 24x32: keeps proportions true in wool. Without it stitches count as square."""
+    crop: Box | None = Field(default=None, json_schema_extra={"metavar": "X,Y,W,H"})
+    """Part of the picture to use: left, top, width, height in its upright pixels."""
+    rotate: Turn = Field(default="0", json_schema_extra={"metavar": "DEGREES|auto"})
+    """Turn the picture counter-clockwise; auto finds the angle that lines its strokes up with the stitches."""
+    direction: Literal["horizontal", "vertical"] = "horizontal"
+    """Knitting direction: vertical knits the picture sideways (rows of knitting run down it)."""
+    brightness: float = Field(default=0.0, ge=-1, le=1)
+    """Added to every tone."""
+    contrast: float = Field(default=1.0, ge=0, le=10)
+    """Factor on the distance of every tone from middle grey."""
+    detail: float = Field(default=0.0, ge=0, le=4)
+    """Keep local detail while tones are compressed: how much of the fine layer is given back and more."""
+    sharpen: float = Field(default=0.0, ge=0, le=4)
+    """Enhance edges at the scale of stitches."""
+    tone: Tone = Field(default="reachable", json_schema_extra={"metavar": "raw|reachable|0…1"})
+    """How far tones are compressed into what lawful rows can show: 1/(f+1) to f/(f+1)."""
+    light: Literal["code", "linear"] = "code"
+    """What tone means: sRGB code values, as in the 2013 paper, or linear light, as yarns mix seen from afar."""
+
+    # --- the start assignment
+    start: Literal["threshold", "ordered", "floyd-steinberg", "atkinson", "patches"] | None = None
+    """First black and white version; without it, threshold for a line drawing and floyd-steinberg for a photograph."""
+    threshold: float = Field(default=0.5, ge=0, le=1)
+    """The tone above which a stitch is light: of threshold, and of the error-diffusing starts."""
+    patches: Literal["ready", "noise", "marked"] = "ready"
+    """Texture patches of --start patches: ready-made, made from noise, or taken from --patch-from."""
+    patch_from: Box | None = Field(default=None, json_schema_extra={"metavar": "X,Y,W,H"})
+    """Stitches (left, top, width, height) whose texture is repeated elsewhere at the same brightness."""
+
+    # --- the constraint
+    max_float: Limit = Field(default="4", json_schema_extra={"metavar": "N|LENGTH"})
+    """Longest run of one colour in a row, f: the other yarn floats behind it. Stitches, or a length with --gauge."""
+    edges: Literal["anchored", "free"] = "anchored"
+    """Anchored: both yarns reach both edges. Free: the first and the last run of a row may be longer."""
+    edge_run: int | None = Field(default=None, ge=1, le=20000)
+    """Longest first or last run with free edges; without it, any length."""
+    round: bool = False
+    """Knitted in the round: rows close upon themselves."""
+    repeat: Repeat | None = Field(default=None, json_schema_extra={"metavar": "N[+K]"})
+    """The motif is N stitches wide and repeats; the chart is a multiple of N, plus K. 24 fits a punch card."""
+    border: int = Field(default=0, ge=0, le=200)
+    """A frame of so many stitches in a check of both yarns."""
+    edge_stitches: int = Field(default=0, ge=0, le=50)
+    """Stitches at either end of each row knitted in the dark yarn."""
+    shape: Any = file("Picture", "Mask: dark cells are not knitted (a mitten, a yoke).")
+    relax: Any = file("Picture", "Mask: light cells are free of the limit; their long floats are listed for catching.")
+    lock: Any = file("Picture", "Mask: light cells keep their start assignment.")
+    weights: Any = file("Picture", "Grey picture: the lighter, the more a flip costs there.")
+    focus: Literal["none", "saliency", "faces"] = "none"
+    """Weights found in the picture itself: what stands out, or faces (needs scikit-image)."""
+    soft: float | None = Field(default=None, gt=0, le=1000)
+    """Soft limit: each stitch by which a run is too long costs so many flips, instead of being forbidden."""
+
+    # --- solving
+    method: Literal["none", "random-walk", "min-conflict", "gsat", "hybrid", "texture", "exact", "perceptual"] = (
+        "perceptual"
+    )
+    """How the start assignment is made lawful; the middle five are those of the 2013 paper."""
+    keep: float = Field(default=0.0, ge=0, le=10)
+    """Perceptual: cost of a flip, from 0 (best tone) to 1 and more (fewest flips)."""
+    seed: str = "knit"
+    """Any text: the random choices of the paper's methods, and of ties."""
+    walk_sample: int = Field(default=100, ge=1, le=1_000_000)
+    """Random walk: stitches looked at in a step, n."""
+    walk_stop: int = Field(default=20, ge=0, le=1_000_000)
+    """Random walk: stop when fewer than q of them are in conflict."""
+    walk_gain: int = Field(default=4, ge=1, le=10_000)
+    """Random walk: flip only when so many conflicts fewer remain, m."""
+    walk_steps: int = Field(default=100_000, ge=0, le=100_000_000)
+    """Random walk: the most steps."""
+    check: bool = False
+    """Report on an existing chart, one pixel per stitch, and change nothing."""
+
+    # --- yarns
+    yarns: int = Field(default=2, ge=2, le=8)
+    """Yarns in the whole piece; two in a row."""
+    colors: tuple[str, ...] = ()
+    """A yarn's colour as #rrggbb; give one for each yarn. Without them black and white, or the picture's own."""
+    card: Literal["none", "wool", "natural"] = "none"
+    """Choose the yarns from a shade card."""
+    stash: Any = file("Text", "Choose the yarns from a CSV file: name, colour, metres, grams.")
+    switch: float = Field(default=1.0, ge=0, le=1000)
+    """More than two yarns: cost of changing the pair from one row to the next."""
+    max_switches: int | None = Field(default=None, ge=0)
+    """More than two yarns: the most changes of pair."""
+    min_contrast: float = Field(default=1.5, ge=1, le=21)
+    """Least contrast of luminance (WCAG, 1 to 21) of two yarns that share a row; below it there is a warning."""
+
+    @model_validator(mode="after")
+    def _agree(self) -> KnitParams:
+        if re.search(r"[a-z\"]$", self.max_float) and self.gauge is None:
+            raise ValueError("--max-float as a length needs --gauge")
+        if self.round and self.edges == "free":
+            raise ValueError("--round has no edges to be --edges free")
+        if self.repeat and (self.border or self.edge_stitches):
+            raise ValueError("--repeat does not go with --border or --edge-stitches")
+        if self.repeat and self.edges == "free":
+            raise ValueError("--repeat closes upon itself: it does not go with --edges free")
+        if self.round and self.edge_stitches:
+            raise ValueError("--round has no edges for --edge-stitches")
+        if self.colors and len(self.colors) != self.yarns:
+            raise ValueError(f"--yarns {self.yarns} needs as many --colors (got {len(self.colors)})")
+        for color in self.colors:
+            if not re.fullmatch(r"#[0-9a-fA-F]{6}", color):
+                raise ValueError(f"--colors: wanted #rrggbb (got {color!r})")
+        if self.patches == "marked" and self.patch_from is None:
+            raise ValueError("--patches marked needs --patch-from")
+        return self

@@ -1,0 +1,192 @@
+"""Light: a sky and a soft key lamp as many parallel lights, each with its own shadow map.
+
+One mechanism gives the open shade of a sky (ambient occlusion), soft shadows and the contact shadow on the ground: the
+share of the lights that a point sees.
+"""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from math import cos, pi, sin, sqrt
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.render.cover import cover, turn
+
+GOLDEN = pi * (3 - sqrt(5))
+
+
+@dataclass(frozen=True, slots=True)
+class Lights:
+    """L parallel lights and what each of them sees.
+
+    direction : (L, 3), unit, towards the light
+    weight : (L, 3), linear light
+    key : (L,) bool, whether it belongs to the lamp (which gives highlights) or to the sky
+    axes : (L, 2, 3), right and up of each shadow map; origin : (L, 2), texel : (L,) mm
+    depth : (L, S, S) float32, the height towards the light of what it sees first, -inf for nothing
+    """
+
+    direction: Array
+    weight: Array
+    key: Array
+    axes: Array
+    origin: Array
+    texel: Array
+    depth: Array
+
+
+def directions(count: int, axis: Array | None = None, spread: float = pi) -> Array:
+    """``count`` unit vectors (count, 3) evenly over the cap within ``spread`` radians of ``axis`` (y when None).
+
+    A Fibonacci spiral: equal areas, successive points the golden angle apart.
+    """
+    k = np.arange(count) + 0.5
+    up = 1 - k / count * (1 - cos(spread))
+    flat = np.sqrt(np.maximum(0, 1 - up * up))
+    cap = np.stack([flat * np.cos(GOLDEN * k), up, flat * np.sin(GOLDEN * k)], axis=1)
+    if axis is None:
+        return cap
+    right, forward = basis(axis)
+    return np.asarray(cap[:, :1] * right + cap[:, 1:2] * axis + cap[:, 2:] * forward)
+
+
+def basis(axis: Array) -> tuple[Array, Array]:
+    """Two unit vectors across ``axis`` and each other."""
+    helper = np.array([0.0, 1.0, 0.0]) if abs(axis[1]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    right = np.cross(helper, axis)
+    right /= np.linalg.norm(right)
+    return right, np.cross(axis, right)
+
+
+def studio(azimuth: float, sky: int = 40, lamp: int = 10) -> tuple[Array, Array, Array]:
+    """A pale sky, its darker reflection from the ground, and a warm lamp to the left of and above the camera.
+
+    Returns direction (L, 3), weight (L, 3), key (L,). The weights are such that a white matte surface under the open
+    sky and lamp is just white.
+    """
+    dome = directions(sky)
+    height = dome[:, 1]
+    cool, warm = np.array([0.95, 0.99, 1.06]), np.array([1.05, 1.0, 0.93])
+    bright = np.where(height > 0, 0.75 + 0.5 * height, 0.34 - 0.1 * height)
+    sky_weight = bright[:, None] * np.where(height[:, None] > 0, cool, warm) * (2.35 / sky)
+    turn = azimuth - 0.75
+    towards = np.array([cos(0.82) * sin(turn), sin(0.82), cos(0.82) * cos(turn)])
+    lamps = directions(lamp, towards, 0.24)
+    lamp_weight = np.broadcast_to(np.array([1.06, 1.0, 0.92]) * (0.62 / lamp), (lamp, 3))
+    return np.vstack([dome, lamps]), np.vstack([sky_weight, lamp_weight]), np.arange(sky + lamp) >= sky
+
+
+def shine(
+    vertices: Array,
+    faces: Array,
+    directions: Array,
+    weight: Array,
+    key: Array,
+    *,
+    size: int,
+    threads: int,
+    closed: bool,
+) -> Lights:
+    """The shadow maps of parallel lights over a mesh.
+
+    vertices : (V, 3) mm; faces : (F, 3); directions, weight : (L, 3); key : (L,); size : texels along a map's side
+    closed : the mesh has no rim, so that the faces turned away from a light cast the same shadow as all of them
+    """
+    count = len(directions)
+    axes = np.array([np.stack(basis(d)) for d in directions])
+    depth = np.full((count, size, size), -np.inf, np.float32)
+    origin, texel = np.zeros((count, 2)), np.zeros(count)
+    nothing = np.zeros((0, 0), np.int32)
+
+    def draw(k: int) -> None:
+        x, y, z = turn(vertices if len(vertices) else np.zeros((1, 3)), np.vstack([axes[k], directions[k]]))
+        low, high = np.array([x.min(), y.min()]), np.array([x.max(), y.max()])
+        texel[k] = max(float((high - low).max()), 1e-9) / (size - 4)
+        origin[k] = low - 2 * texel[k]
+        x -= origin[k, 0]
+        x /= texel[k]
+        y -= origin[k, 1]
+        y /= texel[k]
+        # Rows of a map run up: faces turned to the light have positive area there.
+        cover(x, y, z, faces, depth[k], nothing, -1 if closed else 0)
+
+    with ThreadPoolExecutor(threads) as pool:
+        list(pool.map(draw, range(count)))
+    return Lights(directions, np.ascontiguousarray(weight), key, axes, origin, texel, depth)
+
+
+@kernel
+def seen(
+    k: int, px: float, py: float, pz: float, axes: Array, origin: Array, texel: Array, direction: Array, depth: Array,
+    slack: float,
+) -> float:  # fmt: skip
+    """1 when nothing stands between a point and light ``k``, else 0; ``slack`` texels in height count as nothing."""
+    size = depth.shape[1]
+    s = (px * axes[k, 0, 0] + py * axes[k, 0, 1] + pz * axes[k, 0, 2] - origin[k, 0]) / texel[k]
+    t = (px * axes[k, 1, 0] + py * axes[k, 1, 1] + pz * axes[k, 1, 2] - origin[k, 1]) / texel[k]
+    if s < 0.0 or t < 0.0 or s >= size or t >= size:
+        return 1.0
+    height = px * direction[k, 0] + py * direction[k, 1] + pz * direction[k, 2]
+    return 0.0 if depth[k, int(t), int(s)] > height + slack * texel[k] else 1.0
+
+
+@kernel
+def _pool(
+    share: Array, low_x: float, low_z: float, step: float, height: float, middle: Array, width: Array,
+    direction: Array, weight: Array, axes: Array, origin: Array, texel: Array, depth: Array, taps: int,
+) -> None:  # fmt: skip
+    """Fill ``share`` (G, G, 3): the part of the open light that reaches cells of the floor."""
+    whole = np.zeros(3)
+    for k in range(len(direction)):
+        if direction[k, 1] > 0.0:
+            for c in range(3):
+                whole[c] += weight[k, c] * direction[k, 1]
+    for row in range(share.shape[0]):
+        for column in range(share.shape[1]):
+            px, pz = low_x + (column + 0.5) * step, low_z + (row + 0.5) * step
+            for k in range(len(direction)):
+                if direction[k, 1] <= 0.0:
+                    continue
+                # A light stands for a patch of the sky: its shadow is blurred by the patch's size, as seen past the
+                # middle of the thing.
+                away = ((middle[0] - px) * direction[k, 0] + (middle[1] - height) * direction[k, 1]
+                        + (middle[2] - pz) * direction[k, 2])  # fmt: skip
+                blur = max(away, 0.0) * width[k]
+                lit = 0.0
+                for tap in range(taps):
+                    far = blur * sqrt((tap + 0.5) / taps)
+                    turn = 2.399963229728653 * tap
+                    u, v = far * cos(turn), far * sin(turn)
+                    lit += seen(
+                        k, px + u * axes[k, 0, 0] + v * axes[k, 1, 0], height + u * axes[k, 0, 1] + v * axes[k, 1, 1],
+                        pz + u * axes[k, 0, 2] + v * axes[k, 1, 2], axes, origin, texel, direction, depth, 0.5,
+                    )  # fmt: skip
+                for c in range(3):
+                    share[row, column, c] += lit / taps * weight[k, c] * direction[k, 1] / whole[c]
+
+
+def floor_light(lights: Lights, low: Array, high: Array, cells: int = 160, taps: int = 8) -> tuple[Array, Array]:
+    """The shadow on the floor under a thing.
+
+    low, high : (3,) the thing's box, mm; the floor lies at low[1]
+
+    Returns share (cells, cells, 3) of the open light, rows along z and columns along x, and (3,) the x and z of its
+    first corner and its cells' size, mm.
+    """
+    middle, reach = (low + high) / 2, float(np.linalg.norm(high - low)) * 1.1 + 1e-9
+    step = 2 * reach / cells
+    share = np.zeros((cells, cells, 3))
+    lamps, skies = max(1, int(lights.key.sum())), max(1, int((~lights.key).sum()))
+    width = np.where(lights.key, 0.24 / sqrt(lamps), 2 / sqrt(skies))
+    _pool(
+        share, middle[0] - reach, middle[2] - reach, step, low[1], middle, width, lights.direction, lights.weight,
+        lights.axes, lights.origin, lights.texel, lights.depth, taps,
+    )  # fmt: skip
+    # Towards the rim the floor fades into the open one.
+    t = np.abs(np.linspace(-1, 1, cells))
+    rim = np.clip((1 - np.maximum(t[:, None], t[None, :])) / 0.3, 0, 1)[..., None]
+    return 1 - (1 - share) * rim * rim * (3 - 2 * rim), np.array([middle[0] - reach, middle[2] - reach, step])

@@ -1,0 +1,118 @@
+"""Mesh → shaded Picture, by a rasteriser of our own: no display, no GPU, the same bytes every time."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from math import radians
+
+import numpy as np
+
+from tambour.color import coded, linear
+from tambour.core.check import Array
+from tambour.core.mesh import Mesh
+from tambour.core.picture import Picture
+from tambour.geometry.surface import closed, vertex_normals
+from tambour.render.camera import THREE_QUARTER, look
+from tambour.render.cover import cover, turn
+from tambour.render.light import floor_light, shine, studio
+from tambour.render.shade import shade
+
+# Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove (see shade).
+MATERIALS: dict[str, tuple[float, ...]] = {
+    "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0),
+    "yarn": (1.0, 0.25, 0.0, 1.0, 3.0, 0.34),
+    "plied": (1.0, 0.25, 0.0, 1.0, 0.0, 0.0),
+    "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2),
+    "cloth": (0.5, 0.15, 0.0, 1.0, 0.0, 0.0),
+    "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0),
+}
+
+PLAIN = (226, 221, 212)
+"""Colour of a mesh that has none."""
+
+
+def picture(
+    mesh: Mesh,
+    *,
+    width: int = 1200,
+    height: int | None = None,
+    azimuth: float = THREE_QUARTER[0],
+    elevation: float = THREE_QUARTER[1],
+    lens: float = radians(26.0),
+    samples: int = 2,
+    ground: bool = True,
+    background: tuple[int, int, int] | None = None,
+    lights: int = 50,
+) -> Picture:
+    """A shaded picture of a mesh that fills it, on a plain ground.
+
+    width, height : pixels; without a height it follows the mesh's shape
+    azimuth, elevation, lens : radians, see :func:`tambour.render.camera.look`
+    samples : along each side of a pixel (its square is the number of samples a pixel is averaged from)
+    ground : whether the mesh stands on a floor that takes its shadow
+    background : sRGB; None is a warm grey that lightens upwards
+    lights : parallel lights that sky and lamp are made of, at least 5
+
+    A face's group chooses its surface from MATERIALS ("yarn" and "thread" take ``uv`` as turns of their twist along
+    and turns around). Deterministic; raises nothing for any mesh that is one: an empty one gives the background.
+    """
+    points = mesh.vertices[np.unique(mesh.faces)] if len(mesh.faces) else np.zeros((1, 3))
+    camera = look(points, width=width, height=height, azimuth=azimuth, elevation=elevation, lens=lens)
+    height = camera.height
+    threads = min(os.cpu_count() or 1, 8)
+
+    x, y, z = turn(mesh.vertices - camera.eye, camera.axes)
+    z = 1.0 / np.maximum(-z, 1e-9)
+    x = (x * z * camera.scale + width / 2) * samples
+    y = (height / 2 - y * z * camera.scale) * samples
+    near = np.full((height * samples, width * samples), -np.inf, np.float32)
+    face = np.full(near.shape, -1, np.int32)
+    whole = closed(mesh.faces)
+    # Rows run down: faces that look here have negative area.
+    cover(x, y, z, mesh.faces, near, face, -1 if whole else 0)
+
+    lamp = max(1, lights // 5)
+    made = shine(
+        mesh.vertices,
+        mesh.faces,
+        *studio(azimuth, lights - lamp, lamp),
+        size=480,
+        threads=threads,
+        closed=whole,
+    )
+    patch, plot = floor_light(made, points.min(0), points.max(0)) if ground else (np.ones((1, 1, 3)), np.zeros(3))
+
+    names = [name if name in MATERIALS else "" for name in mesh.group_names]
+    table = np.array([MATERIALS[name] for name in names] or [MATERIALS[""]])
+    group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
+    palette = linear(np.arange(256) / 255.0)
+    color = np.broadcast_to(np.array(PLAIN, np.uint8), mesh.vertices.shape) if mesh.color is None else mesh.color
+    arguments = (
+        near, face, x, y, z, mesh.vertices, vertex_normals(mesh.vertices, mesh.faces), mesh.faces, mesh.smooth,
+        palette[color], np.zeros((0, 2)) if mesh.uv is None else mesh.uv, group, table, camera.eye, camera.axes,
+        camera.scale, made.direction, made.weight, made.key, made.axes, made.origin, made.texel, made.depth,
+        _backdrop(height, background), float(points[:, 1].min()) if ground else np.nan,
+        patch, plot,
+    )  # fmt: skip
+    out = np.zeros((height, width, 4), np.float32)
+    # Rows are dealt out in bands; every band writes its own, so their number changes no byte.
+    edges = np.linspace(0, height, 4 * threads + 1).astype(int).tolist()
+    with ThreadPoolExecutor(threads) as pool:
+        list(pool.map(lambda k: shade(out, edges[k], edges[k + 1], samples, *arguments), range(4 * threads)))
+    rgb = np.round(coded(_film(out[..., :3])) * 255).astype(np.uint8)
+    return Picture(np.dstack([rgb, np.full((height, width), 255, np.uint8)]))
+
+
+def _backdrop(height: int, color: tuple[int, int, int] | None) -> Array:
+    """Linear light (height, 3) behind everything, row by row."""
+    if color is not None:
+        return np.broadcast_to(linear(np.array(color) / 255.0), (height, 3)).copy()
+    t = np.linspace(0, 1, height)[:, None]
+    return np.asarray(linear(np.array([0.925, 0.915, 0.9]) * (1 - t) + np.array([0.855, 0.84, 0.82]) * t))
+
+
+def _film(light: Array) -> Array:
+    """Light with its brightest part rolled off smoothly below 1; what is darker than 0.8 stays as it is."""
+    over = np.maximum(light - 0.8, 0)
+    return np.asarray(np.where(light > 0.8, 0.8 + 0.2 * over / (over + 0.2), np.maximum(light, 0)))

@@ -1,0 +1,210 @@
+"""The colour of every pixel: lit samples of the triangles it sees, the ground's shadow, averaged."""
+
+from __future__ import annotations
+
+from math import cos, floor, pi, sin, sqrt
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.render.light import seen
+
+# Columns of a material: fuzz (light that fibres scatter at the rim), wrap (light that creeps round the edge), gloss,
+# highlight's sharpness, plies twisted together (0: none), depth of the groove between them in radii.
+FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE = range(6)
+
+
+@kernel
+def _noise(row: int, column: int) -> float:
+    """Interleaved gradient noise (Jimenez 2014) in [0, 1): neighbouring samples differ much, averages are even."""
+    f = 0.06711056 * column + 0.00583715 * row
+    f = 52.9829189 * (f - floor(f))
+    return f - floor(f)
+
+
+@kernel
+def shade(
+    out: Array, first: int, last: int, samples: int, near: Array, face: Array, x: Array, y: Array, z: Array,
+    vertices: Array, normals: Array, faces: Array, smooth: bool, color: Array, uv: Array, material: Array,
+    table: Array, eye: Array, axes: Array, scale: float, direction: Array, weight: Array, key: Array, maps: Array,
+    origin: Array, texel: Array, depth: Array, backdrop: Array, ground: float, pool: Array, plot: Array,
+) -> None:  # fmt: skip
+    """Fill rows ``first`` to ``last`` - 1 of ``out`` (H, W, 4) float32: linear light and coverage.
+
+    samples : along each side of a pixel; near, face : (H s, W s) of :func:`cover`; x, y, z : (V,) as given to it
+    vertices, normals, color (linear) : (V, 3); uv : (V, 2), or (0, 2) for none; material : (F,) rows of table (M, 6)
+    eye, axes, scale : the camera; direction … depth : the lights
+    backdrop : (H, 3) linear; ground : height of the floor in mm, or NaN for none; pool, plot : its light
+
+    The samples of a pixel share the lights out between them.
+    """
+    height, width = out.shape[0], out.shape[1]
+    lights = len(direction)
+    has_ground = ground == ground
+    cells = len(pool)
+    dealt = float(samples * samples)
+    key_total = 0.0
+    for k in range(lights):
+        if key[k]:
+            key_total += 1.0
+    n = np.zeros(3)
+    sky = np.zeros(3)
+    open_sky = np.zeros(3)
+    lamp = np.zeros(3)
+    albedo = np.zeros(3)
+    total = np.zeros(4)
+    for row in range(first, last):
+        for column in range(width):
+            total[:] = 0.0
+            for sy in range(samples):
+                for sx in range(samples):
+                    i, j = row * samples + sy, column * samples + sx
+                    rx = (j + 0.5) / samples - 0.5 * width
+                    ry = 0.5 * height - (i + 0.5) / samples
+                    # The ray from the eye through the sample.
+                    dx = rx * axes[0, 0] + ry * axes[1, 0] - scale * axes[2, 0]
+                    dy = rx * axes[0, 1] + ry * axes[1, 1] - scale * axes[2, 1]
+                    dz = rx * axes[0, 2] + ry * axes[1, 2] - scale * axes[2, 2]
+                    length = sqrt(dx * dx + dy * dy + dz * dz)
+                    dx, dy, dz = dx / length, dy / length, dz / length
+                    jitter = _noise(i, j)
+                    f = face[i, j]
+                    if f < 0:
+                        r, g, b = backdrop[row, 0], backdrop[row, 1], backdrop[row, 2]
+                        if has_ground and dy < -1e-6:
+                            away = (ground - eye[1]) / dy
+                            px, pz = eye[0] + away * dx, eye[2] + away * dz
+                            s = (px - plot[0]) / plot[2] - 0.5
+                            t = (pz - plot[1]) / plot[2] - 0.5
+                            if s >= 0.0 and t >= 0.0 and s < cells - 1 and t < cells - 1:
+                                u0, v0 = int(s), int(t)
+                                s, t = s - u0, t - v0
+                                r *= (1 - t) * ((1 - s) * pool[v0, u0, 0] + s * pool[v0, u0 + 1, 0]) + t * (
+                                    (1 - s) * pool[v0 + 1, u0, 0] + s * pool[v0 + 1, u0 + 1, 0]
+                                )
+                                g *= (1 - t) * ((1 - s) * pool[v0, u0, 1] + s * pool[v0, u0 + 1, 1]) + t * (
+                                    (1 - s) * pool[v0 + 1, u0, 1] + s * pool[v0 + 1, u0 + 1, 1]
+                                )
+                                b *= (1 - t) * ((1 - s) * pool[v0, u0, 2] + s * pool[v0, u0 + 1, 2]) + t * (
+                                    (1 - s) * pool[v0 + 1, u0, 2] + s * pool[v0 + 1, u0 + 1, 2]
+                                )
+                        total[0] += r
+                        total[1] += g
+                        total[2] += b
+                        continue
+                    a0, b0, c0 = faces[f, 0], faces[f, 1], faces[f, 2]
+                    ax, ay = x[a0], y[a0]
+                    ux, uy, vx, vy = x[b0] - ax, y[b0] - ay, x[c0] - ax, y[c0] - ay
+                    area = ux * vy - uy * vx
+                    qx, qy = j + 0.5 - ax, i + 0.5 - ay
+                    wb = (qx * vy - qy * vx) / area * z[b0]
+                    wc = (ux * qy - uy * qx) / area * z[c0]
+                    wa = z[a0] * (1.0 - wb / z[b0] - wc / z[c0])
+                    whole = wa + wb + wc
+                    wa, wb, wc = wa / whole, wb / whole, wc / whole
+                    px = wa * vertices[a0, 0] + wb * vertices[b0, 0] + wc * vertices[c0, 0]
+                    py = wa * vertices[a0, 1] + wb * vertices[b0, 1] + wc * vertices[c0, 1]
+                    pz = wa * vertices[a0, 2] + wb * vertices[b0, 2] + wc * vertices[c0, 2]
+                    ex, ey, ez = (vertices[b0, 0] - vertices[a0, 0], vertices[b0, 1] - vertices[a0, 1],
+                                  vertices[b0, 2] - vertices[a0, 2])  # fmt: skip
+                    hx, hy, hz = (vertices[c0, 0] - vertices[a0, 0], vertices[c0, 1] - vertices[a0, 1],
+                                  vertices[c0, 2] - vertices[a0, 2])  # fmt: skip
+                    gx, gy, gz = ey * hz - ez * hy, ez * hx - ex * hz, ex * hy - ey * hx
+                    twice = sqrt(gx * gx + gy * gy + gz * gz)
+                    if twice == 0.0:
+                        twice = 1e-300
+                    gx, gy, gz = gx / twice, gy / twice, gz / twice
+                    if smooth:
+                        for c in range(3):
+                            n[c] = wa * normals[a0, c] + wb * normals[b0, c] + wc * normals[c0, c]
+                    else:
+                        n[0], n[1], n[2] = gx, gy, gz
+                    m = material[f]
+                    occlude = 1.0
+                    for c in range(3):
+                        albedo[c] = wa * color[a0, c] + wb * color[b0, c] + wc * color[c0, c]
+                    plies = table[m, PLIES]
+                    if plies > 0.0 and len(uv) > 0:
+                        # u: turns of the twist along the yarn, v: turns around it (it wraps).
+                        ua, ub, uc = uv[a0, 0], uv[b0, 0], uv[c0, 0]
+                        va, vb, vc = uv[a0, 1], uv[b0, 1], uv[c0, 1]
+                        vb += floor(va - vb + 0.5)
+                        vc += floor(va - vc + 0.5)
+                        phase = pi * plies * (wa * (va - ua) + wb * (vb - ub) + wc * (vc - uc))
+                        # Surface gradients of v and of the phase: a linear function's over a triangle.
+                        pb, pc = pi * plies * (vb - ub - va + ua), pi * plies * (vc - uc - va + ua)
+                        # Dual basis of the edges within the face's plane.
+                        bx, by, bz = (
+                            (hy * gz - hz * gy) / twice,
+                            (hz * gx - hx * gz) / twice,
+                            (hx * gy - hy * gx) / twice,
+                        )
+                        cx, cy, cz = (
+                            (gy * ez - gz * ey) / twice,
+                            (gz * ex - gx * ez) / twice,
+                            (gx * ey - gy * ex) / twice,
+                        )
+                        wx = (vb - va) * bx + (vc - va) * cx
+                        wy = (vb - va) * by + (vc - va) * cy
+                        wz = (vb - va) * bz + (vc - va) * cz
+                        around = sqrt(wx * wx + wy * wy + wz * wz)
+                        if around > 0.0:
+                            # Height |cos phase|: round plies with a crease between them; its steepness is held back.
+                            depth_mm = table[m, GROOVE] / (2.0 * pi * around)
+                            ripple = cos(phase)
+                            sign = 1.0 if ripple >= 0.0 else -1.0
+                            steep = -depth_mm * sign * sin(phase)
+                            sx_, sy_, sz_ = pb * bx + pc * cx, pb * by + pc * cy, pb * bz + pc * cz
+                            n[0] -= steep * sx_
+                            n[1] -= steep * sy_
+                            n[2] -= steep * sz_
+                            crease = 1.0 - abs(ripple)
+                            occlude = 1.0 - 0.55 * crease * crease
+                    length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
+                    if length == 0.0:
+                        length = 1.0
+                    facing = 1.0 if gx * dx + gy * dy + gz * dz <= 0.0 else -1.0
+                    gx, gy, gz = facing * gx, facing * gy, facing * gz
+                    nx, ny, nz = facing * n[0] / length, facing * n[1] / length, facing * n[2] / length
+                    wrap = table[m, WRAP]
+                    gloss, sharp = table[m, GLOSS], table[m, SHARP]
+                    view = max(0.0, -(nx * dx + ny * dy + nz * dz))
+                    sky[:] = 0.0
+                    open_sky[:] = 0.0
+                    lamp[:] = 0.0
+                    shine = 0.0
+                    for k in range(sy * samples + sx, lights, samples * samples):
+                        lx, ly, lz = direction[k, 0], direction[k, 1], direction[k, 2]
+                        d = (nx * lx + ny * ly + nz * lz + wrap) / (1.0 + wrap)
+                        if d <= 0.0:
+                            continue
+                        off = (1.0 + jitter) * texel[k]
+                        q = seen(k, px + off * gx, py + off * gy, pz + off * gz, maps, origin, texel, direction,
+                                  depth, 0.6)  # fmt: skip
+                        if key[k]:
+                            for c in range(3):
+                                lamp[c] += q * d * dealt * weight[k, c]
+                            if gloss > 0.0 and q > 0.0:
+                                sx_, sy_, sz_ = lx - dx, ly - dy, lz - dz
+                                length = sqrt(sx_ * sx_ + sy_ * sy_ + sz_ * sz_)
+                                shine += (
+                                    max(0.0, (nx * sx_ + ny * sy_ + nz * sz_) / length) ** sharp * dealt / key_total
+                                )
+                        else:
+                            for c in range(3):
+                                open_sky[c] += d * dealt * weight[k, c]
+                                sky[c] += q * d * dealt * weight[k, c]
+                    rim = table[m, FUZZ] * (1.0 - view) ** 3
+                    for c in range(3):
+                        tone = albedo[c]
+                        share = sky[c] / open_sky[c] if open_sky[c] > 0.0 else 0.0
+                        share *= occlude
+                        # Light that bounces in a hollow keeps the hollow's colour (Jimenez et al. 2016, multi-bounce).
+                        bounced = ((share * (2.0404 * tone - 0.3324) - 4.7951 * tone + 0.6417) * share
+                                   + 2.7552 * tone + 0.6903) * share  # fmt: skip
+                        light = open_sky[c] * max(share, bounced) + lamp[c] * (0.4 + 0.6 * occlude)
+                        total[c] += tone * light + rim * light * (0.35 * tone + 0.08) + gloss * shine
+                    total[3] += 1.0
+            for c in range(4):
+                out[row, column, c] = total[c] / dealt

@@ -1,0 +1,36 @@
+"""Colour against an independent library."""
+
+from __future__ import annotations
+
+import numpy as np
+from coloraide import Color
+
+from tambour import color
+
+
+def test_oklab_agrees_with_coloraide() -> None:
+    rng = np.random.default_rng(1)
+    for rgb in rng.integers(0, 256, (40, 3)).astype(np.uint8):
+        oracle = Color("srgb", (rgb / 255).tolist()).convert("oklab").coords()
+        assert np.abs(color.oklab(rgb) - oracle).max() < 2e-4
+
+
+def test_there_and_back() -> None:
+    rgb = np.random.default_rng(2).integers(0, 256, (500, 3)).astype(np.uint8)
+    assert np.array_equal(color.from_oklab(color.oklab(rgb)), rgb)
+    x = np.linspace(0, 1, 1001)
+    assert np.abs(color.coded(color.linear(x)) - x).max() < 1e-7
+
+
+def test_nearest_is_nearest() -> None:
+    rng = np.random.default_rng(3)
+    palette = rng.integers(0, 256, (20, 3)).astype(np.uint8)
+    picture = rng.integers(0, 256, (6, 7, 3)).astype(np.uint8)
+    found = color.nearest(picture, palette)
+    distance = ((color.oklab(picture)[..., None, :] - color.oklab(palette)) ** 2).sum(-1)
+    assert found.shape == (6, 7)
+    assert np.array_equal(found, distance.argmin(-1))
+
+
+def test_luminance_of_black_and_white() -> None:
+    assert np.allclose(color.luminance(np.array([[0, 0, 0], [255, 255, 255]], np.uint8)), [0, 1])

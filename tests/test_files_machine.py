@@ -1,0 +1,245 @@
+"""Machine files: what is written is read back, what is damaged is said."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tambour import files
+from tambour.core.errors import TambourError
+from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
+from tambour.files.dst import LIMIT, decode, encode, trims_from_jumps
+from tambour.files.records import Records, needle_points, records, split
+
+NINE = ("dst", "pes", "pec", "exp", "jef", "vp3", "xxx", "u01", "tbf")
+ALL = (*NINE, "sew")
+THREADS = (Thread((200, 30, 40), "Red", "House", "12"), Thread((20, 30, 140), "Blue"), Thread((240, 230, 220), "Cream"))
+
+
+def design(seed: int = 0, n: int = 600, trims: int = 4, stop: bool = True) -> ThreadPlan:
+    """A random walk in three colours with trims, jumps, a stop, and steps far above every format's limit."""
+    rng = np.random.default_rng(seed)
+    xy = np.cumsum(rng.uniform(-3, 3, (n, 2)), axis=0)
+    xy *= 60 / np.ptp(xy, axis=0).max()
+    xy[n // 2 :] += [100.0, 0.0]  # a step of 100 mm
+    xy[n // 4 :] += [-12.8, 0.0]
+    xy[n // 4 + 1 :] += [13.0, 13.0]
+    command, thread = np.zeros(n, np.uint8), np.zeros(n, np.int16)
+    thread[n // 3 :], thread[2 * n // 3 :] = 1, 2
+    command[[n // 3, 2 * n // 3]] = COLOR
+    for k in (np.linspace(0.1, 0.9, trims) * n).astype(int) + 7:
+        command[k : k + 2] = TRIM, JUMP
+    if stop:
+        command[n // 5] = STOP
+    for k in np.flatnonzero(command >= TRIM):
+        xy[k] = xy[k - 1]
+    command[-1], xy[-1] = END, xy[-2]
+    low, high = xy.min(axis=0), xy.max(axis=0)
+    return ThreadPlan(xy - (low + high) / 2, command, thread, THREADS, None, {"title": "test piece"})
+
+
+def seen(plan: ThreadPlan) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    return needle_points(np.rint(plan.xy * 10).astype(int), plan.command)
+
+
+@pytest.mark.parametrize("suffix", ALL)
+@pytest.mark.parametrize("seed", range(3))
+def test_what_is_written_is_read_back(tmp_path, suffix, seed):
+    plan = design(seed)
+    path = tmp_path / f"a.{suffix}"
+    files.write(plan, path)
+    back = files.read(path, ("ThreadPlan",))
+    (p, c, t), (q, d, u) = seen(plan), seen(back)
+    if suffix in ("pes", "pec"):  # they hold no origin: the machine centres the design
+        q = q - q[0] + p[0]
+    assert np.array_equal(p, q)
+    assert np.array_equal(c, d)
+    assert suffix in ("jef", "sew") or not (t & ~u).any()
+    assert "doubts" not in back.about
+
+
+@pytest.mark.parametrize("suffix", ALL)
+def test_same_design_same_bytes(tmp_path, suffix):
+    for name in ("a", "b"):
+        files.write(design(), tmp_path / f"{name}.{suffix}")
+    assert (tmp_path / f"a.{suffix}").read_bytes() == (tmp_path / f"b.{suffix}").read_bytes()
+
+
+@pytest.mark.parametrize("suffix", ["vp3", "xxx", "tbf"])
+def test_colors_survive(tmp_path, suffix):
+    plan = design(stop=False)
+    files.write(plan, tmp_path / f"a.{suffix}")
+    back = files.read(tmp_path / f"a.{suffix}", ("ThreadPlan",))
+    assert [t.rgb for t in back.threads] == [t.rgb for t in THREADS]
+
+
+def test_pes_six_carries_threads_and_pes_one_three_of_the_screen(tmp_path):
+    plan = design(stop=False)
+    six = ThreadPlan(plan.xy, plan.command, plan.thread, plan.threads, None, {"pes": "6"})
+    files.write(six, tmp_path / "six.pes")
+    files.write(plan, tmp_path / "one.pes")
+    back = files.read(tmp_path / "six.pes", ("ThreadPlan",)).threads
+    assert [(t.rgb, t.name) for t in back] == [(t.rgb, t.name) for t in THREADS]
+    assert (tmp_path / "one.pes").read_bytes()[:8] == b"#PES0001"
+    assert len({t.rgb for t in files.read(tmp_path / "one.pes", ("ThreadPlan",)).threads}) == 3
+
+
+@pytest.mark.parametrize(("suffix", "version"), [("pes", "1"), ("pes", "6"), ("pec", "1")])
+def test_a_second_reader_agrees(tmp_path, suffix, version):
+    pyembroidery = pytest.importorskip("pyembroidery")
+    plan = design(stop=False)
+    plan = ThreadPlan(plan.xy, plan.command, plan.thread, plan.threads, None, {"pes": version})
+    path = tmp_path / f"a.{suffix}"
+    files.write(plan, path)
+    theirs = pyembroidery.read(str(path)).stitches
+    sewn = np.array([s[:2] for s in theirs if s[2] & 0xFF == pyembroidery.STITCH])
+    wanted = seen(plan)[0]
+    assert np.array_equal(sewn - sewn[0], wanted - wanted[0])
+    assert sum(s[2] & 0xFF == pyembroidery.COLOR_CHANGE for s in theirs) == 2
+
+
+def test_dst_is_read_alike_by_pystitch(tmp_path):
+    import pystitch
+
+    plan = design(3)
+    files.write(plan, tmp_path / "a.dst")
+    theirs = pystitch.read(str(tmp_path / "a.dst")).stitches
+    sewn = np.array([s[:2] for s in theirs if s[2] & 0xFF == pystitch.STITCH])
+    assert np.array_equal(sewn, seen(plan)[0])
+
+
+def test_dst_steps_all_come_back():
+    d = np.arange(-LIMIT, LIMIT + 1)
+    steps = np.stack([np.r_[d, d[::-1]], np.r_[d[::-1], np.roll(d, 7)]], axis=1)
+    xy = np.cumsum(steps, axis=0)
+    made = Records(xy, np.full(len(xy), STITCH, np.uint8), np.zeros(len(xy), np.int16))
+    assert np.array_equal(decode(encode(made))[0], xy)
+
+
+def test_trims_are_three_jumps_in_dst(tmp_path):
+    plan = design(trims=7, stop=False)
+    files.write(plan, tmp_path / "a.dst")
+    xy, command, _, _ = decode((tmp_path / "a.dst").read_bytes()[512:])
+    assert (trims_from_jumps(xy, command)[1] == TRIM).sum() >= 7
+    assert (files.read(tmp_path / "a.dst", ("ThreadPlan",)).command == TRIM).sum() >= 7
+
+
+def test_jef_trims_only_when_asked(tmp_path):
+    plan = design(stop=False)
+    files.write(plan, tmp_path / "a.jef")
+    asked = ThreadPlan(plan.xy, plan.command, plan.thread, plan.threads, None, {"jef-trims": "yes"})
+    files.write(asked, tmp_path / "b.jef")
+    plain, trimmed = ((tmp_path / f"{n}.jef").read_bytes() for n in "ab")
+    assert trimmed.count(b"\x80\x02\x00\x00") >= 12 > plain.count(b"\x80\x02\x00\x00")
+
+
+@pytest.mark.parametrize(("size", "code"), [(40, 1), (50, 1), (105, 0), (112, 2), (160, 4)])
+def test_jef_names_the_hoop(tmp_path, size, code):
+    half = size / 2
+    xy = np.array([[-half, -half], [half, half], [0, 0], [0, 0]], float)
+    plan = ThreadPlan(xy, np.array([STITCH, STITCH, STITCH, END], np.uint8), np.zeros(4, np.int16), THREADS[:1])
+    files.write(plan, tmp_path / "a.jef")
+    assert (tmp_path / "a.jef").read_bytes()[32] == code
+
+
+def test_what_a_format_cannot_hold_is_refused(tmp_path):
+    xy = np.array([[-150, 0], [150, 0], [150, 0]], float)
+    wide = ThreadPlan(xy, np.array([STITCH, STITCH, END], np.uint8), np.zeros(3, np.int16), THREADS[:1])
+    with pytest.raises(TambourError, match="hoop"):
+        files.write(wide, tmp_path / "a.jef")
+    n = 40
+    many = ThreadPlan(
+        np.stack([np.arange(n), np.zeros(n)], axis=1) * 0.5,
+        np.r_[np.tile([STITCH, COLOR], n // 2 - 1), STITCH, END].astype(np.uint8),
+        np.r_[np.arange(n - 2) // 2 + np.arange(n - 2) % 2, n // 2 - 1, n // 2 - 1].astype(np.int16),
+        tuple(Thread((5 * k, 250 - 5 * k, 90)) for k in range(n // 2)),
+    )
+    for suffix in ("sew", "u01"):
+        with pytest.raises(TambourError, match="colours"):
+            files.write(many, tmp_path / f"a.{suffix}")
+    files.write(many, tmp_path / "a.pes")
+    bare = ThreadPlan(xy[:1], np.array([END], np.uint8), np.zeros(1, np.int16), THREADS[:1])
+    with pytest.raises(TambourError, match="no stitch"):
+        files.write(bare, tmp_path / "b.dst")
+
+
+def test_splitting_keeps_points_and_limits():
+    rng = np.random.default_rng(2)
+    xy = rng.integers(-900, 900, (300, 2))
+    made = Records(xy, np.full(300, STITCH, np.uint8), np.zeros(300, np.int16))
+    for limit in (121, 123, 127, 255):
+        r = split(made, limit)
+        assert np.abs(np.diff(r.xy, axis=0, prepend=np.zeros((1, 2), int))).max() <= limit
+        assert np.array_equal(r.xy[r.command == STITCH], xy)
+
+
+def test_records_put_commands_before_the_jump():
+    xy = np.array([[0, 0], [1, 0], [5, 5], [5, 5], [6, 5], [7, 5], [7, 5]], float)
+    command = np.array([STITCH, STITCH, JUMP, TRIM, JUMP, STITCH, END], np.uint8)
+    r = records(ThreadPlan(xy, command, np.zeros(7, np.int16), THREADS[:1]))
+    assert r.command.tolist() == [JUMP, STITCH, STITCH, TRIM, JUMP, STITCH, END]
+    assert r.xy.tolist() == [[0, 0], [0, 0], [10, 0], [10, 0], [70, 50], [70, 50], [70, 50]]
+
+
+def damaged(raw: bytes, rng: np.random.Generator, how: int) -> bytes:
+    data = bytearray(raw)
+    if how == 0:  # cut off
+        return bytes(data[: rng.integers(0, len(data))])
+    if how == 1:  # some bytes changed
+        for _ in range(rng.integers(1, 12)):
+            data[rng.integers(0, len(data))] = rng.integers(0, 256)
+    elif how == 2:  # a stretch of noise
+        at = rng.integers(0, len(data))
+        data[at : at + 40] = rng.integers(0, 256, 40, np.uint8).tobytes()
+    elif how == 3:  # a stretch lost
+        at = rng.integers(0, len(data))
+        del data[at : at + rng.integers(1, 60)]
+    else:  # the header spoilt
+        for _ in range(rng.integers(1, 8)):
+            data[rng.integers(0, min(80, len(data)))] = rng.integers(0, 256)
+    return bytes(data)
+
+
+@pytest.mark.parametrize("suffix", ALL)
+def test_damage_gives_a_design_or_one_line(tmp_path, suffix):
+    """200 mutations of each format: never a raw exception, and a file cut short never passes for whole."""
+    path, bad = tmp_path / f"a.{suffix}", tmp_path / f"b.{suffix}"
+    plan = design(n=160)
+    files.write(plan, path)
+    raw, rng = path.read_bytes(), np.random.default_rng(7)
+    full = len(seen(plan)[0])
+    designs = 0
+    for k in range(200):
+        hurt = damaged(raw, rng, k % 5)
+        bad.write_bytes(hurt)
+        try:
+            made = files.read(bad, ("ThreadPlan",))
+        except TambourError as error:
+            assert len(error.problems) == 1
+            assert "\n" not in error.problems[0].message
+            continue
+        designs += 1
+        if k % 5 == 0 and suffix != "exp":  # nothing in an EXP file says how long it should be
+            assert "doubts" in made.about or len(seen(made)[0]) == full
+    assert designs > 20
+
+
+@pytest.mark.parametrize("suffix", sorted(s[1:] for s, kinds in files.READ.items() if "ThreadPlan" in kinds))
+def test_what_is_no_machine_file_is_one_line(tmp_path, suffix):
+    path = tmp_path / f"a.{suffix}"
+    for raw in (b"", b"x", b"<svg xmlns='http://www.w3.org/2000/svg'/>", bytes(2000), b"\xff" * 700):
+        path.write_bytes(raw)
+        try:
+            files.read(path, ("ThreadPlan",))
+        except TambourError as error:
+            assert "\n" not in error.problems[0].message
+
+
+def test_header_and_stitches_that_disagree_are_said(tmp_path):
+    path = tmp_path / "a.dst"
+    files.write(design(), path)
+    raw = path.read_bytes()
+    path.write_bytes(raw.replace(b"ST:    ", b"ST:9999"))
+    assert "declares" in files.read(path, ("ThreadPlan",)).about["doubts"]
+    path.write_bytes(raw[: 512 + 300])
+    assert "end mark" in files.read(path, ("ThreadPlan",)).about["doubts"]

@@ -1,0 +1,179 @@
+"""Mesh files: what is written is read again, by us and as the formats say; broken files are told, not followed."""
+
+from __future__ import annotations
+
+import base64
+import json
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tambour import files
+from tambour.core.errors import TambourError
+from tambour.core.mesh import Mesh
+
+
+def tetrahedron(**more: object) -> Mesh:
+    """A corner of a cube, awkward numbers in it."""
+    points = np.array([[0, 0, 0], [1 / 3, 0, 0], [0, 123.456, 0], [0, 0, -7e-3]])
+    faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])[:, ::-1]
+    return Mesh(points, faces, **more)  # type: ignore[arg-type]
+
+
+def painted() -> Mesh:
+    return tetrahedron(
+        color=np.array([[0, 1, 255], [9, 10, 11], [128, 3, 77], [255, 255, 254]], np.uint8),
+        uv=np.array([[0, 0], [0.5, 2], [-1, 1 / 3], [7, 0]]),
+        face_group=np.array([0, 1, 1, 0]),
+        group_names=("yarn", "lining"),
+    )
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".obj", ".ply", ".stl"])
+@pytest.mark.parametrize("mesh", [tetrahedron(), painted()], ids=["plain", "painted"])
+def test_what_is_written_is_read_again(tmp_path: Path, mesh: Mesh, suffix: str) -> None:
+    path = tmp_path / f"m{suffix}"
+    files.write(mesh, path)
+    back = files.read(path, ["Mesh"])
+    np.testing.assert_allclose(corners(back), corners(mesh), atol=1e-5)
+    if mesh.color is not None and suffix != ".stl":
+        np.testing.assert_array_equal(spread(back, back.color), spread(mesh, mesh.color))
+    if mesh.uv is not None and suffix in (".glb", ".obj"):
+        np.testing.assert_allclose(spread(back, back.uv), spread(mesh, mesh.uv), atol=1e-5)
+        named = sorted(back.group_names[g] for g in back.face_group)
+        assert named == sorted(mesh.group_names[g] for g in mesh.face_group)
+
+
+def order(mesh: Mesh) -> np.ndarray:
+    """Faces begun at their least corner, in the order of their corners: equal for equal surfaces."""
+    ring = mesh.vertices[mesh.faces].round(4)
+    first = np.lexsort(ring.reshape(-1, 3).T[::-1]).argsort().reshape(-1, 3).argmin(1)
+    turned = (first[:, None] + np.arange(3)) % 3
+    flat = np.take_along_axis(ring, turned[..., None], axis=1).reshape(-1, 9)
+    sequence = np.lexsort(flat.T[::-1])
+    return np.take_along_axis(mesh.faces, turned, axis=1)[sequence]
+
+
+def corners(mesh: Mesh) -> np.ndarray:
+    return mesh.vertices[order(mesh)]
+
+
+def spread(mesh: Mesh, values: np.ndarray) -> np.ndarray:
+    return values[order(mesh)]
+
+
+def test_glb_is_laid_out_as_its_specification_asks(tmp_path: Path) -> None:
+    path = tmp_path / "m.glb"
+    files.write(painted(), path)
+    raw = path.read_bytes()
+    magic, version, length = struct.unpack_from("<4sII", raw)
+    assert (magic, version, length) == (b"glTF", 2, len(raw)) and length % 4 == 0
+    size, kind = struct.unpack_from("<I4s", raw, 12)
+    head = json.loads(raw[20 : 20 + size])
+    assert kind == b"JSON" and head["asset"]["version"] == "2.0"
+    body, kind = struct.unpack_from("<I4s", raw, 20 + size)
+    assert kind == b"BIN\0" and head["buffers"][0]["byteLength"] == body == len(raw) - 28 - size
+    attributes = head["meshes"][0]["primitives"][0]["attributes"]
+    position = head["accessors"][attributes["POSITION"]]
+    np.testing.assert_allclose(position["max"], [1 / 3000, 0.123456, 0], rtol=1e-6)
+    for accessor in head["accessors"]:
+        view = head["bufferViews"][accessor["bufferView"]]
+        assert view["byteOffset"] % 4 == 0
+    color = head["accessors"][attributes["COLOR_0"]]
+    assert color["normalized"] and color["type"] == "VEC4"
+    start = 28 + size + head["bufferViews"][color["bufferView"]]["byteOffset"]
+    light = np.frombuffer(raw, "<u2", 16, start).reshape(4, 4) / 65535
+    # IEC 61966-2-1: 128 of 255 is 0.2159 of the light.
+    assert abs(light[2, 0] - 0.21586) < 1e-4 and (light[:, 3] == 1).all()
+
+
+def test_same_mesh_same_bytes(tmp_path: Path) -> None:
+    for suffix in (".glb", ".obj", ".ply", ".stl"):
+        files.write(painted(), tmp_path / f"a{suffix}")
+        files.write(painted(), tmp_path / f"b{suffix}")
+        assert (tmp_path / f"a{suffix}").read_bytes() == (tmp_path / f"b{suffix}").read_bytes()
+
+
+def test_gltf_with_places_strips_and_data_within(tmp_path: Path) -> None:
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], "<f4").tobytes()
+    head = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0]}],
+        "nodes": [
+            {"children": [1], "translation": [0, 0, 2]},
+            {"mesh": 0, "scale": [1, 1, -1], "rotation": [0, 0, 1, 0]},
+        ],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 5, "material": 0}]}],
+        "materials": [{"name": "red", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48}],
+        "buffers": [{"byteLength": 48, "uri": "data:;base64," + base64.b64encode(points).decode()}],
+    }
+    path = tmp_path / "m.gltf"
+    path.write_text(json.dumps(head))
+    mesh = files.read(path, ["Mesh"])
+    np.testing.assert_allclose(mesh.vertices[3], [-1000, -1000, 2000])
+    assert mesh.group_names == ("red",) and (mesh.color == [255, 0, 0]).all()
+    a, b, c = mesh.vertices[mesh.faces[0]]
+    # A mirroring node turns the faces, so that outside stays outside.
+    assert np.cross(b - a, c - a)[2] < 0
+    head["buffers"] = [{"byteLength": 48, "uri": "../m.bin"}]
+    path.write_text(json.dumps(head))
+    with pytest.raises(TambourError, match="outside its own folder"):
+        files.read(path, ["Mesh"])
+
+
+def test_text_forms_and_polygons(tmp_path: Path) -> None:
+    (tmp_path / "m.ply").write_text(
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"
+    )
+    (tmp_path / "m.obj").write_text("o square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf -4 -3 -2 -1\n")
+    (tmp_path / "m.stl").write_text(
+        "solid s\n"
+        + "".join(
+            f"facet normal 0 0 1\nouter loop\nvertex {a}\nvertex {b}\nvertex {c}\nendloop\nendfacet\n"
+            for a, b, c in [("0 0 0", "1 0 0", "1 1 0"), ("0 0 0", "1 1 0", "0 1 0")]
+        )
+        + "endsolid s\n"
+    )
+    made = [files.read(tmp_path / name, ["Mesh"]) for name in ("m.ply", "m.obj", "m.stl")]
+    for mesh in made:
+        assert mesh.faces.shape == (2, 3) and len(mesh.vertices) == 4
+        np.testing.assert_allclose(corners(mesh), corners(made[0]))
+
+
+@pytest.mark.parametrize("suffix", [".glb", ".gltf", ".obj", ".ply", ".stl"])
+def test_what_is_no_mesh_is_told(tmp_path: Path, suffix: str) -> None:
+    path = tmp_path / f"m{suffix}"
+    for raw in (b"", b"hello", b"glTF\2\0\0\0\xff\xff\xff\xff", b"ply\nformat ascii 1.0\nelement vertex 9\nend_header\n",
+                b"f 1 2 3\n", b"v 1 2\n", b"{}", b'{"nodes": [{"children": [0]}], "scenes": [{"nodes": [0]}]}'):  # fmt: skip
+        path.write_bytes(raw)
+        with pytest.raises(TambourError):
+            files.read(path, ["Mesh"])
+
+
+@given(st.data())
+def test_damaged_files_give_a_mesh_or_an_error(tmp_path_factory: pytest.TempPathFactory, data: st.DataObject) -> None:
+    suffix = data.draw(st.sampled_from([".glb", ".obj", ".ply", ".stl"]))
+    path = tmp_path_factory.mktemp("damaged") / f"m{suffix}"
+    files.write(painted(), path)
+    raw = bytearray(path.read_bytes())
+    for _ in range(data.draw(st.integers(1, 4))):
+        raw[data.draw(st.integers(0, len(raw) - 1))] = data.draw(st.integers(0, 255))
+    path.write_bytes(raw[: data.draw(st.integers(0, len(raw)))] if data.draw(st.booleans()) else raw)
+    try:
+        mesh = files.read(path, ["Mesh"])
+    except TambourError:
+        return
+    assert np.isfinite(mesh.vertices).all()
+
+
+def test_empty_mesh_is_still_a_glb(tmp_path: Path) -> None:
+    files.write(Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), tmp_path / "m.glb")
+    with pytest.raises(TambourError, match="no triangles"):
+        files.read(tmp_path / "m.glb", ["Mesh"])

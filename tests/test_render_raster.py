@@ -1,0 +1,151 @@
+"""Meshes drawn: the kernels against plain NumPy, light where it belongs, the same bytes every time."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tambour.core.mesh import Mesh
+from tambour.geometry.surface import vertex_normals
+from tambour.render import light, raster
+from tambour.render.camera import look
+from tambour.render.cover import cover, turn
+
+
+def cover_plainly(x, y, z, faces, shape, side):  # type: ignore[no-untyped-def]
+    """The same as the kernel, a face at a time over the whole picture."""
+    near, face = np.full(shape, -np.inf), np.full(shape, -1)
+    row, column = np.mgrid[: shape[0], : shape[1]] + 0.5
+    for f, (a, b, c) in enumerate(faces):
+        area = (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a])
+        if area == 0 or area * side < 0:
+            continue
+        wb = ((column - x[a]) * (y[c] - y[a]) - (row - y[a]) * (x[c] - x[a])) / area
+        wc = ((row - y[a]) * (x[b] - x[a]) - (column - x[a]) * (y[b] - y[a])) / area
+        zed = z[a] + wb * (z[b] - z[a]) + wc * (z[c] - z[a])
+        over = (wb >= 0) & (wc >= 0) & (wb + wc <= 1) & (zed > near)
+        near[over], face[over] = zed[over], f
+    return near, face
+
+
+@pytest.mark.parametrize("side", [-1, 0, 1])
+def test_cover_is_its_plain_twin(side: int) -> None:
+    rng = np.random.default_rng(7)
+    x, y, z = rng.uniform(-20, 90, 120), rng.uniform(-20, 70, 120), rng.uniform(1, 2, 120)
+    faces = rng.integers(0, 120, (60, 3)).astype(np.int32)
+    near, face = np.full((50, 70), -np.inf, np.float32), np.full((50, 70), -1, np.int32)
+    cover(x, y, z, faces, near, face, side)
+    expected = cover_plainly(x, y, z, faces, (50, 70), side)
+    assert (face == expected[1]).mean() > 0.999  # a sample exactly on an edge may go either way
+    same = face == expected[1]
+    np.testing.assert_allclose(near[same], expected[0][same], rtol=1e-5)
+
+
+def test_cover_leaves_no_crack_and_no_face_out_of_sight() -> None:
+    # A fan of many thin triangles fills its square: each sample belongs to one of them.
+    angles = np.linspace(0, 2 * np.pi, 400)
+    x = np.concatenate([[50.0], 50 + 200 * np.cos(angles)])
+    y = np.concatenate([[50.0], 50 + 200 * np.sin(angles)])
+    k = np.arange(1, 400)
+    faces = np.stack([np.zeros(399), k, k + 1], axis=1).astype(np.int32)
+    near, face = np.full((100, 100), -np.inf, np.float32), np.full((100, 100), -1, np.int32)
+    cover(x, y, np.ones(401), faces, near, face, 0)
+    assert (face >= 0).all()
+
+
+def test_turn_is_a_matrix_product() -> None:
+    rng = np.random.default_rng(1)
+    points, axes = rng.normal(size=(40, 3)), rng.normal(size=(3, 3))
+    np.testing.assert_allclose(turn(points, axes), axes @ points.T, rtol=1e-12)
+
+
+@pytest.mark.parametrize(("azimuth", "elevation", "height"), [(0, 0, 300), (1, 0.5, None), (-2.5, 1.4, 90)])
+def test_camera_sees_every_point_and_fills_the_picture(azimuth: float, elevation: float, height: int | None) -> None:
+    rng = np.random.default_rng(3)
+    points = rng.normal(size=(500, 3)) * [30, 60, 20] + [100, -40, 7]
+    camera = look(points, width=200, height=height, azimuth=azimuth, elevation=elevation, lens=0.5)
+    x, y, z = camera.axes @ (points - camera.eye).T
+    assert (z < 0).all()
+    column, row = x / -z * camera.scale / (camera.width / 2), y / -z * camera.scale / (camera.height / 2)
+    reach = max(np.ptp(column), np.ptp(row)) / 2
+    assert np.abs([column, row]).max() <= 0.861 and reach > 0.859
+    np.testing.assert_allclose(camera.axes @ camera.axes.T, np.eye(3), atol=1e-12)
+
+
+def sphere(rows: int = 24, radius: float = 20.0) -> Mesh:
+    a, b = np.meshgrid(
+        np.linspace(0, np.pi, rows + 1), np.linspace(0, 2 * np.pi, 2 * rows, endpoint=False), indexing="ij"
+    )
+    points = np.stack([np.sin(a) * np.cos(b), np.cos(a), -np.sin(a) * np.sin(b)], axis=-1).reshape(-1, 3) * radius
+    i, j = np.mgrid[:rows, : 2 * rows]
+    across = (j + 1) % (2 * rows)
+    p, q, r, s = (
+        k.ravel()
+        for k in (i * 2 * rows + j, i * 2 * rows + across, (i + 1) * 2 * rows + across, (i + 1) * 2 * rows + j)
+    )
+    return Mesh(points, np.concatenate([np.stack([p, s, r], 1), np.stack([p, r, q], 1)]))
+
+
+def test_a_sphere_is_round_lit_from_above_and_stands_in_its_shadow() -> None:
+    mesh = sphere()
+    made = raster.picture(mesh, width=160, height=160, elevation=0.3)
+    bare = raster.picture(mesh, width=160, height=160, elevation=0.3, ground=False)
+    tone = made.rgba[..., :3].mean(-1)
+    assert tone[45, 70] > tone[115, 90] + 20
+    # Under it the floor is darker than without it; at the upper corners there is no difference.
+    assert (made.rgba[152, 90:120, :3].astype(int) < bare.rgba[152, 90:120, :3].astype(int) - 15).all()
+    np.testing.assert_array_equal(made.rgba[0], bare.rgba[0])
+    assert (made.rgba[..., 3] == 255).all()
+
+
+def test_what_is_hidden_from_the_lamp_is_darker() -> None:
+    floor = np.array([[-50, 0, -50], [-50, 0, 50], [50, 0, 50], [50, 0, -50]], float)
+    roof = floor * [0.5, 1, 0.5] + [0, 25, 0]
+    faces = np.array([[0, 1, 2], [0, 2, 3]])
+    one = Mesh(floor, faces, smooth=False)
+    two = Mesh(np.vstack([floor, roof]), np.vstack([faces, faces + 4]), smooth=False)
+    made = light.shine(two.vertices, two.faces, *light.studio(0.0), size=200, threads=1, closed=False)
+    lit = [
+        sum(
+            light.seen(k, *p, made.axes, made.origin, made.texel, made.direction, made.depth, 0.5)
+            for k in range(50)
+            if made.direction[k, 1] > 0
+        )
+        for p in ([0.0, 0.1, 0.0], [-48.0, 0.1, 48.0])
+    ]
+    above = int((made.direction[:, 1] > 0).sum())
+    assert lit[0] < 0.5 * lit[1] and lit[1] >= 0.8 * above
+    assert (raster.picture(one, width=60).rgba != raster.picture(two, width=60).rgba).any()
+
+
+def test_same_bytes_whatever_the_number_of_threads(monkeypatch: pytest.MonkeyPatch) -> None:
+    mesh = sphere(12)
+    made = []
+    for count in (1, 2, 5):
+        monkeypatch.setattr(raster.os, "cpu_count", lambda count=count: count)
+        made.append(raster.picture(mesh, width=90).rgba.tobytes())
+    assert made[0] == made[1] == made[2]
+
+
+def test_colours_are_the_meshes_own() -> None:
+    points = sphere(12)
+    for color in ((200, 40, 40), (40, 160, 60), (250, 250, 250), (12, 12, 14)):
+        mesh = Mesh(
+            points.vertices, points.faces, color=np.broadcast_to(np.array(color, np.uint8), points.vertices.shape)
+        )
+        pixel = raster.picture(mesh, width=80, height=80).rgba[40, 52, :3].astype(int)
+        assert np.abs(pixel - color).max() < 45, (color, pixel)
+
+
+def test_empty_and_flat_meshes_are_drawn() -> None:
+    empty = raster.picture(Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), width=40)
+    assert len(np.unique(empty.rgba[0], axis=0)) == 1
+    flat = Mesh(np.array([[0, 0, 0], [0, 0, 1], [1, 0, 0.0]]), np.array([[0, 1, 2], [1, 1, 2]]))
+    assert raster.picture(flat, width=40, elevation=1.2).rgba.std() > 1
+
+
+def test_normals_point_outward() -> None:
+    mesh = sphere()
+    inner = np.abs(mesh.vertices[:, 1]) < 19.9
+    normals = vertex_normals(mesh.vertices, mesh.faces)[inner]
+    np.testing.assert_allclose((normals * mesh.vertices[inner]).sum(1) / 20, 1, atol=0.01)

@@ -1,0 +1,203 @@
+"""Run, params and the command line, on a craft of the tests' own: what holds for every craft."""
+
+from __future__ import annotations
+
+import json
+import time
+from pathlib import Path
+from typing import Any, Literal
+
+import click
+import pytest
+from click.testing import CliRunner
+from pydantic import Field
+
+from tambour import cli
+from tambour import run as runner
+from tambour.core.drawing import Drawing, Styles
+from tambour.core.errors import TambourError, Text
+from tambour.core.params import Degrees, Duration, Length, Params, file
+from tambour.core.paths import Paths
+from tambour.core.progress import Progress
+from tambour.craft import Craft, View
+
+
+class WeaveParams(Params):
+    """Parameters of a craft that exists in the tests alone."""
+
+    width: Length = Field(default=100, gt=0, le=1000)
+    """Width of the cloth."""
+    angle: Degrees = 0
+    """Angle of the twill."""
+    ends: int = Field(default=10, ge=2)
+    """Warp ends."""
+    structure: Literal["plain", "twill"] = "plain"
+    """Weave structure."""
+    fringe: bool = False
+    """Leave a fringe."""
+    budget: Duration | None = None
+    """Longest time at the loom."""
+    draft: Any = file("Text", "A draft to follow.")
+    colors: tuple[str, ...] = ()
+    """Colours, in order."""
+
+
+def weave(source: Text | None, params: WeaveParams, progress: Progress) -> dict[str, Any]:
+    with progress.stage("weave"):
+        for k in range(params.ends):
+            progress.step(k, params.ends)
+        if params.ends == 13:
+            raise ZeroDivisionError("a fault of ours")
+        if params.ends == 12:
+            progress.warn("twelve ends are few", hint="take more")
+    return {"params": params, "text": source.text if source else ""}
+
+
+def cloth(piece: dict[str, Any]) -> Drawing:
+    width = piece["params"].width
+    return Drawing(Paths.of([[[0, 0], [width, width]]]), [0], Styles.of((None, (0, 0, 0, 255), 1)), [width, width])
+
+
+def bad_view(piece: dict[str, Any]) -> Drawing:
+    raise TambourError("this view cannot be made of it")
+
+
+WEAVE = Craft(
+    "weave",
+    "a draft becomes cloth",
+    WeaveParams,
+    ("Text",),
+    weave,
+    {
+        "cloth": View(cloth, "Drawing", "the cloth", (".svg", ".png")),
+        "back": View(cloth, "Drawing", "its back"),
+        "bad": View(bad_view, "Drawing", "never"),
+        "draft": View(lambda piece: Text(piece["text"]), "Text", "the draft", (".txt",)),
+    },
+    facts=lambda piece: {"ends": piece["params"].ends},
+    optional_source=True,
+)
+
+
+@pytest.fixture(autouse=True)
+def table(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(runner.CRAFTS, "weave", ("test_run:WEAVE", "a draft becomes cloth"))
+    monkeypatch.setattr(runner, "craft", lambda name: WEAVE)
+
+
+def call(*words: str | Path) -> tuple[int, str]:
+    said = CliRunner().invoke(click.Command("t", callback=lambda: cli.main([str(w) for w in words])), [])
+    return said.exit_code, said.output
+
+
+def test_units_are_understood_at_the_surface() -> None:
+    made = WeaveParams.of({"width": "2.5cm", "angle": "30deg", "budget": "3h"})
+    assert (made.width, made.angle, made.budget) == (25.0, 30.0, 10800.0)
+    assert WeaveParams.of({"width": "1in"}).width == pytest.approx(25.4)
+    assert WeaveParams.of({"width": 7}).width == 7
+
+
+def test_everything_wrong_is_said_at_once() -> None:
+    with pytest.raises(TambourError) as caught:
+        WeaveParams.of({"width": "2 miles", "ends": "1", "structure": "satin", "colour": "red"})
+    said = str(caught.value).split("\n")
+    assert len(said) == 4
+    assert said[0].startswith("--width: '2 miles' is not a number with one of the units mm, cm")
+    assert said[1] == "--ends: input should be greater than or equal to 2 (got '1')"
+    assert said[3] == "--colour: there is no such parameter"
+
+
+def test_infinite_and_missing_numbers_are_refused() -> None:
+    for word in ("inf", "nan", "1e999", ""):
+        with pytest.raises(TambourError):
+            WeaveParams.of({"width": word})
+
+
+def test_keys_depend_on_content_only() -> None:
+    a = WeaveParams(draft=Text("x", "a.txt"))
+    assert a.key() == WeaveParams(draft=Text("x", "a.txt")).key() != WeaveParams(draft=Text("y", "a.txt")).key()
+    assert WeaveParams(width=7).key() != WeaveParams(width=8).key()
+    assert hash(WeaveParams(width=7)) == hash(WeaveParams(width=7))
+
+
+def test_outputs_are_read_by_suffix_and_view() -> None:
+    def views(*names: str) -> list[tuple[str, str]]:
+        return [(o.path.name, o.view) for o in runner.outputs(WEAVE, names, "shawl")]
+
+    assert views("a.svg", "a.back.svg", "a.txt") == [("a.svg", "cloth"), ("a.back.svg", "back"), ("a.txt", "draft")]
+    assert views("v1.2.png", "my.front.svg") == [("v1.2.png", "cloth"), ("my.front.svg", "cloth")]
+    assert views(".svg") == [("shawl.svg", "cloth")]
+    with pytest.raises(TambourError) as caught:
+        runner.outputs(WEAVE, ["a.xyz", "nowhere/a.svg", "a.draft.svg"], "")
+    assert len(caught.value.problems) == 3
+
+
+def test_a_report_is_enough_to_make_the_piece_again(tmp_path: Path) -> None:
+    (tmp_path / "draft.txt").write_text("1 2 1 2")
+    out, report = tmp_path / "a.svg", tmp_path / "r.json"
+    code, said = call(
+        "weave", tmp_path / "draft.txt", "-o", out, "--report", report, "--width", "5cm", "--ends", 12, "--fringe"
+    )
+    assert code == 0, said
+    assert "warning: twelve ends are few" in said
+    told = json.loads(report.read_text())
+    assert list(told)[:5] == ["craft", "version", "edition", "params", "source"]
+    assert told["params"]["width"] == 50 and told["params"]["fringe"] is True
+    assert set(told["seconds"]) == {"start", "read", "weave", "view", "write"}
+    first = out.read_bytes()
+    out.unlink()
+    code, said = call("run", report)
+    assert code == 0 and out.read_bytes() == first, said
+
+
+def test_file_fields_are_read_for_make(tmp_path: Path) -> None:
+    (tmp_path / "d.txt").write_text("draft")
+    params = WeaveParams(draft=str(tmp_path / "d.txt"))
+    assert runner.load_files(params).draft.text == "draft"
+    made = runner.run(WEAVE, None, params)
+    assert made["params"]["draft"].endswith("d.txt")
+    code, said = call("weave", "--draft", tmp_path / "none.txt")
+    assert code == 2 and "no such file" in said
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [
+        (("--width", "-3"), 2, "--width: input should be greater than 0"),
+        (("--structure", "satin"), 2, "satin"),
+        (("--stucture", "plain"), 2, "Did you mean"),
+        (("none.txt",), 2, "there is no such file"),
+        (("--ends", "13"), 1, "This is a fault of tambour"),
+        (("-o", "x.xyz"), 2, "weave makes no"),
+    ],
+)
+def test_bad_input_has_one_word_and_a_code(words: tuple[str, ...], code: int, said: str) -> None:
+    left, text = call("weave", *words)
+    assert left == code, text
+    assert said in text
+    assert ("Traceback" in text) == (code == 1)
+
+
+def test_nothing_is_written_or_overwritten_when_one_view_fails(tmp_path: Path) -> None:
+    (tmp_path / "a.svg").write_text("old")
+    code, _ = call("weave", "-o", tmp_path / "a.svg", "-o", tmp_path / "a.bad.svg")
+    assert code == 2
+    assert {p.name: p.read_text() for p in tmp_path.iterdir()} == {"a.svg": "old"}
+
+
+def test_help_tells_units_bounds_and_views() -> None:
+    _, said = call("weave", "--help")
+    text = " ".join(said.split())
+    assert "--width MM" in text and "[default: 100] [> 0, ≤ 1000]" in text
+    assert "--fringe / --no-fringe" in text and "[plain|twill]" in text
+    assert "draft the draft (.txt)" in text
+
+
+def test_stages_do_not_count_twice() -> None:
+    progress = Progress()
+    with progress.stage("outer"):
+        time.sleep(0.01)
+        with progress.stage("inner"):
+            time.sleep(0.03)
+    assert progress.seconds["inner"] >= 0.03
+    assert 0.01 <= progress.seconds["outer"] < 0.03
