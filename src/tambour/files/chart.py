@@ -121,11 +121,14 @@ def read_csv(path: Path) -> Chart:
     source = read_text(path)
     head = source.text[:4096]
     mark = max(",;\t", key=head.count)
-    rows = [row for row in csv.reader(source.text.splitlines(), delimiter=mark) if row]
-    if not rows:
+    rows = list(csv.reader(source.text.splitlines(), delimiter=mark))
+    widths = [len(row) for row in rows if row]
+    if not rows or not widths:
         raise TambourError("the table is empty", where=str(path))
+    common = max(set(widths), key=lambda n: (widths.count(n), n))
+    # An empty line is a lone cell without stitch where there is one column, else it is nothing.
+    rows = [row or [""] for row in rows if row or common == 1]
     widths = [len(row) for row in rows]
-    common = max(set(widths), key=widths.count)
     problems = [
         Problem(f"row {i} of the table has {n} fields, the others {common}", where=str(path))
         for i, n in enumerate(widths, 1)
@@ -184,7 +187,7 @@ def _chart(
     cells: Array, palette: Palette, absent: Array, path: Path, circular: bool = False, gauge: Gauge | None = None
 ) -> Chart:
     """A Chart, or a TambourError that names the rows with more than two colours."""
-    problems = []
+    problems: list[Problem] = []
     for r, row in enumerate(cells):
         count = len(np.unique(row[~absent[r]]))
         if count > 2 and len(problems) < 20:
@@ -194,8 +197,6 @@ def _chart(
     if problems:
         raise TambourError(problems)
     try:
-        return Chart(
-            cells, palette, no_stitch=absent if absent.any() else None, circular=circular, gauge=gauge
-        )
+        return Chart(cells, palette, no_stitch=absent if absent.any() else None, circular=circular, gauge=gauge)
     except LawError as error:
         raise TambourError(f"this is not a chart: {error}", where=str(path)) from None

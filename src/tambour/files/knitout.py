@@ -61,15 +61,7 @@ def lines(chart: Chart) -> list[str]:
         out.append(f";yarn {k} {rgb} {chart.palette.names[color]}".rstrip())
     out += [f";{stitches} stitches, {rows} rows{', in the round' if chart.circular else ''}", "inhook 1"]
 
-    first = course(0, stitches, chart.circular)
-    if chart.circular:
-        back, rest = first[0::2], first[1::2]
-    else:
-        back, rest = first[0::2], [s for s in course(1, stitches, False) if (stitches - 1 - s.column) % 2]
-    out += [f"tuck {s.way} {s.needle} 1" for s in back + rest]
-    end = first[-1] if chart.circular else course(1, stitches, False)[-1]
-    if rest[-1].needle != end.needle:
-        out.append(f"miss {end.way} {end.needle} 1")
+    out += _cast_on(stitches, chart.circular)
     out.append("releasehook 1")
 
     use = [int(np.argmax((chart.cells == color).any(axis=1))) for color in used]
@@ -81,30 +73,58 @@ def lines(chart: Chart) -> list[str]:
         for k, color in enumerate(used, 1):
             if r < enter[k - 1]:
                 continue
-            here = [s for s in stops if chart.cells[r, s.column] == color]
-            knits = [f"knit {s.way} {s.needle} {k}" for s in here]
             if r == enter[k - 1]:
-                # The hook lets go when leftward stitches hold the yarn; where there are none, a tuck at the left does.
-                leftward = sum(s.way == "-" for s in here)
-                turn = [s for s in stops if s.way == "-"][-1]
-                held = knits[:leftward] or [f"tuck - {turn.needle} {k}"]
-                knits = [f"inhook {k}", *held, f"releasehook {k}", *knits[leftward:]]
-                if not here and turn == stops[-1]:
-                    out += knits
-                    continue
-            out += knits
-            if not here or here[-1].needle != stops[-1].needle:
-                out.append(f"miss {stops[-1].way} {stops[-1].needle} {k}")
+                out.append(f"inhook {k}")
+            for leg in [[s for s in stops if s.way == way] for way in "-+"]:
+                here = [s for s in leg if chart.cells[r, s.column] == color]
+                out += [f"knit {s.way} {s.needle} {k}" for s in here]
+                if r == enter[k - 1] and leg and leg[0].way == "-":
+                    # The hook lets go when a stitch holds the yarn; where there is none, a tuck at the left does.
+                    out += [] if here else [f"tuck - {leg[-1].needle} {k}"]
+                    out.append(f"releasehook {k}")
+                    here = here or leg[-1:]
+                out += _away(leg, here, stitches, chart.circular, k)
     out += [f"outhook {k}" for k in range(1, len(used) + 1)]
-    out += [f"drop {s.needle}" for s in sorted(first, key=lambda s: (s.needle[0] == "b", int(s.needle[1:])))]
+    out += [f"drop {s.needle}" for s in sorted(course(0, stitches, chart.circular), key=_place)]
     return out
+
+
+def _place(stop: Stop) -> tuple[bool, int]:
+    return stop.needle[0] == "b", int(stop.needle[1:])
+
+
+def _cast_on(stitches: int, circular: bool) -> list[str]:
+    """Tucks on every other needle, then on the others; each pass goes to its end, so that no carrier kicks back."""
+    out = []
+    for turn in (0, 1):
+        stops = course(0 if circular else turn, stitches, circular)
+        for way in ("-", "+"):
+            leg = [s for s in stops if s.way == way]
+            tucked = [s for s in leg if (stitches - 1 - s.column) % 2 == turn]
+            out += [f"tuck {way} {s.needle} 1" for s in tucked]
+            out += _away(leg, tucked, stitches, circular, 1)
+    return out
+
+
+def _away(leg: list[Stop], done: list[Stop], stitches: int, circular: bool, carrier: int) -> list[str]:
+    """The miss that takes a carrier to the end of its leg, unless its last loop is there; the back bed of an odd tube
+    ends one needle short of the front bed."""
+    if not leg:
+        return []
+    end = leg[-1].needle
+    if circular and leg[-1].way == "+":
+        end = f"f{(stitches + 1) // 2 - 1}"
+    there = done and done[-1].needle[1:] == end[1:]
+    return [] if there else [f"miss {leg[-1].way} {end} {carrier}"]
 
 
 def _check(chart: Chart, yarns: int) -> None:
     problems = []
     if yarns > 2:
         problems.append(
-            Problem(f"knitout is written for two carriers, this chart has {yarns} yarns", hint="solve it with --yarns 2")
+            Problem(
+                f"knitout is written for two carriers, this chart has {yarns} yarns", hint="solve it with --yarns 2"
+            )
         )
     if chart.no_stitch is not None and chart.no_stitch.any():
         problems.append(Problem("a shaped chart (cells without stitch) has no knitout", hint="use the written rows"))
@@ -128,9 +148,7 @@ def read(path: Path) -> Chart:
     text = source.text
     head = text.split("\n", 1)[0]
     if not re.match(r";!knitout-\d+", head):
-        raise TambourError(
-            'a knitout file begins with ";!knitout-2"', span=Span(0, max(1, len(head))), source=source
-        )
+        raise TambourError('a knitout file begins with ";!knitout-2"', span=Span(0, max(1, len(head))), source=source)
     loops: set[str] = set()
     stitches: dict[str, list[str]] = {}
     ways: set[tuple[str, str]] = set()
@@ -185,9 +203,7 @@ def _chart(stitches: dict[str, list[str]], ways: set[tuple[str, str]], yarns: di
         raise TambourError("the file knits no stitch", where=source.name)
     tube = len(beds) == 2
     if tube and len(ways) != 2:
-        raise TambourError(
-            "both beds knit in both directions: a rib or a double cloth, not a chart", where=source.name
-        )
+        raise TambourError("both beds knit in both directions: a rib or a double cloth, not a chart", where=source.name)
     rows = {needle: len(carriers) for needle, carriers in stitches.items()}
     usual = max(set(rows.values()), key=list(rows.values()).count)
     odd = [n for n, count in rows.items() if count != usual]

@@ -10,6 +10,7 @@ from tambour.color import luminance
 from tambour.core.chart import Chart
 from tambour.core.check import Array
 from tambour.core.drawing import Drawing
+from tambour.core.palette import Palette
 from tambour.knit.hand import catches, floats, longer, roles, wrong_side
 from tambour.knit.sheet import GREY, INK, RGB, Sheet
 from tambour.knit.written import color_name
@@ -78,6 +79,12 @@ def _rgb(chart: Chart, color: int) -> RGB:
     return r, g, b
 
 
+def _shown(chart: Chart, color: int) -> RGB:
+    """A colour as the chart shows it: a little paler, so that lines and signs are seen on black, and ink is spared."""
+    r, g, b = (255 - round((255 - v) * 0.86) for v in _rgb(chart, color))
+    return r, g, b
+
+
 def _against(chart: Chart, color: int, look: Look) -> RGB:
     """Ink that reads on a colour."""
     if look.cells == "symbol":
@@ -88,7 +95,7 @@ def _against(chart: Chart, color: int, look: Look) -> RGB:
 def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:
     """Draw part of a chart with its numbers; ``x, y`` is the top left corner of its cells."""
     w, h = look.cell
-    rows, width = chart.shape
+    _rows, width = chart.shape
     b, t, left, right = window
     cells = chart.cells[b:t, left:right]
     absent = np.zeros(cells.shape, np.bool_) if chart.no_stitch is None else chart.no_stitch[b:t, left:right]
@@ -97,7 +104,7 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
 
     if look.cells != "symbol":
         for color in roles(chart):
-            sheet.boxes(_run_boxes((cells == color) & ~absent, x, y, w, h), _rgb(chart, color))
+            sheet.boxes(_run_boxes((cells == color) & ~absent, x, y, w, h), _shown(chart, color))
     rule: RGB = (160, 160, 164)
     at = np.arange(wide + 1)
     column = width - left - at  # stitches that lie right of each vertical line
@@ -122,7 +129,9 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
                 sheet.rings(centre[:, None] + np.array(ring) * size, _against(chart, color, look))
     sheet.lines(np.concatenate([across(row % 10 == 5), down(column % 10 == 5)]), GREY, 2 * thin)
     heavy = max(0.3, 0.09 * w)
-    sheet.lines(np.concatenate([across(row % 10 == 0), down(column % 10 == 0)]), INK, heavy)
+    tens = np.concatenate([across(row % 10 == 0), down(column % 10 == 0)])
+    sheet.lines(tens, (255, 255, 255), 1.9 * heavy)  # a light halo: the line shows on dark yarn too
+    sheet.lines(tens, INK, heavy)
     if absent.any():
         sheet.boxes(_run_boxes(absent, x, y, w, h), PALE)
         sheet.lines(_outline(absent, x, y, w, h), INK, heavy)
@@ -138,7 +147,7 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
 
 def _run_boxes(mask: Array, x: float, y: float, w: float, h: float) -> Array:
     """Rectangles (N, 4) over the horizontal runs of a mask whose row 0 is the lowest."""
-    high, wide = mask.shape
+    high, _wide = mask.shape
     edge = np.diff(np.pad(mask, ((0, 0), (1, 1))).astype(np.int8), axis=1)
     row, start = np.nonzero(edge == 1)
     _, stop = np.nonzero(edge == -1)
@@ -189,7 +198,8 @@ def _numbers(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, loo
         else:
             sheet.text(str(number), x1 + 0.9, base, size, "start", number % 10 == 0)
     size = min(2.7, max(1.3, 0.55 * w))
-    step = 1 if w > 1.6 * size else 5 if 5 * w > 2.2 * size else 10
+    room = 0.62 * size * len(str(width - left)) + 0.5
+    step = 1 if w > room else 5 if 5 * w > room else 10
     for c in range(left, right):
         number = width - c
         if number == 1 or number % step == 0:
@@ -214,7 +224,7 @@ def key(sheet: Sheet, chart: Chart, x: float, y: float, look: Look, size: float 
         y += 1.25 * box
 
     for color, role, name in key_rows(chart, look):
-        fill = None if look.cells == "symbol" else _rgb(chart, color)
+        fill = None if look.cells == "symbol" else _shown(chart, color)
         sheet.boxes([(x, y, x + box, y + box)], fill, INK, 0.2)
         if look.cells != "colour" and sign(chart, color):
             for ring in _shape(sign(chart, color)):
@@ -251,3 +261,41 @@ def sheet_of(chart: Chart, look: Look, title: str = "", lines: tuple[str, ...] =
     y = key(sheet, chart, margin, head + rows * h + 9.0, look)
     sheet.paragraph(lines, margin, y + 3.0, 3.0)
     return sheet.drawing(title=title or "Stranded chart")
+
+
+def float_sheet(chart: Chart, look: Look, title: str = "") -> Drawing:
+    """The chart in pale colours with a bar for every float of three stitches or more, red where it is above the limit."""
+    w, h = look.cell
+    rows, width = chart.shape
+    limit = look.limit or 5
+    sheet = Sheet(max(2 * 14.0 + width * w, 110.0), 16 + rows * h + 40)
+    sheet.text(f"{title}: floats" if title else "Floats", 14, 10.0, 5.5, bold=True)
+    pale = np.round(255 - (255 - chart.palette.rgb.astype(np.float64)) * 0.45).astype(np.uint8)
+    light = Chart(
+        chart.cells,
+        Palette(pale, tuple(map(str, range(len(pale))))),
+        no_stitch=chart.no_stitch,
+        circular=chart.circular,
+        gauge=chart.gauge,
+    )
+    grid(sheet, light, Window(0, rows, 0, width), 14, 16, look._replace(cells="colour", limit=None))
+    found = floats(chart, look.anchored)
+    y = 16 + rows * h + 10
+    for name, pick, color in (
+        (f"3 to {limit} stitches", (found.length >= 3) & (found.length <= limit), (30, 110, 170)),
+        (f"above {limit}: to be caught", found.length > limit, RED),
+    ):
+        row, start, length = found.row[pick], found.start[pick], found.length[pick]
+        level = 16 + (rows - row - 0.5) * h
+        stop = np.minimum(start + length, width)
+        bars = np.stack([14 + (start + 0.3) * w, level, 14 + (stop - 0.3) * w, level], axis=1)
+        over = start + length > width  # round the seam: the rest begins at the left again
+        rest = np.stack(
+            [np.full(over.sum(), 14.0), level[over], 14 + (start + length - width - 0.3)[over] * w, level[over]], axis=1
+        )
+        sheet.lines(np.concatenate([bars, rest]), color, 0.22 * min(w, h))
+        sheet.lines([(14, y, 22, y)], color, 0.9)
+        sheet.text(f"{name}: {int(pick.sum())}", 25, y + 1.1, 3.0)
+        y += 6
+    sheet.text(f"longest {int(found.length.max(initial=0))} stitches", 25, y + 1.1, 3.0)
+    return sheet.drawing(title=title or "Floats")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import NamedTuple
 
 import numpy as np
@@ -70,7 +71,7 @@ def runs(chart: Chart, row: int) -> list[tuple[int, int]]:
         return []
     cut = np.flatnonzero(np.diff(cells)) + 1
     bounds = np.concatenate([[0], cut, [len(cells)]])
-    return [(int(cells[a]), int(b - a)) for a, b in zip(bounds[:-1], bounds[1:])]
+    return [(int(cells[a]), int(b - a)) for a, b in itertools.pairwise(bounds)]
 
 
 def floats(chart: Chart, anchored: bool = True) -> Floats:
@@ -79,7 +80,7 @@ def floats(chart: Chart, anchored: bool = True) -> Floats:
     anchored : both yarns go to both sides of flat knitting, so the runs at the sides have floats behind them too;
         otherwise they have none. In the round there are no sides.
     """
-    rows, width = chart.shape
+    rows, _width = chart.shape
     if chart.no_stitch is None or not chart.no_stitch.any():
         return _floats(chart.cells, chart.circular, anchored)
     found = []
@@ -156,7 +157,9 @@ def _places(columns: list[int], limit: int, below: set[int], again: set[int]) ->
         own = 0.0
         if p <= n:
             c = columns[p - 1]
-            own = _CATCH + _SAME * (c in below) + _BESIDE * ((c - 1 in below) + (c + 1 in below)) + _AGAIN * (c in again)
+            own = (
+                _CATCH + _SAME * (c in below) + _BESIDE * ((c - 1 in below) + (c + 1 in below)) + _AGAIN * (c in again)
+            )
         best = min(range(max(0, p - limit - 1), p), key=lambda q: (cost[q] + 0.01 * (p - q) ** 2, q))
         cost[p], back[p] = cost[best] + 0.01 * (p - best) ** 2 + own, best
     found, p = [], back[n + 1]

@@ -14,18 +14,6 @@ from tambour.knit.hand import roles, tally
 from tambour.knit.sheet import GREY, Sheet
 from tambour.knit.written import color_name
 
-Name = Literal[
-    "kh910-ayab",
-    "kh930-ayab",
-    "kh940-ayab",
-    "kh950-ayab",
-    "kh270-ayab",
-    "kh940-disk",
-    "brother-card",
-    "silver-reed-card",
-    "kniterate",
-]
-
 
 class Model(NamedTuple):
     """A machine: what it is, its needles, what it is fed with (a view and suffix of ours), stitches of its repeat (0:
@@ -58,7 +46,7 @@ MODELS: dict[str, Model] = {
 def check(chart: Chart, name: str) -> list[Problem]:
     """What of a chart the machine cannot knit; empty when all is well."""
     model = MODELS[name]
-    rows, width = chart.shape
+    _rows, width = chart.shape
     found = []
 
     def say(message: str, hint: str) -> None:

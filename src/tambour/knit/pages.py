@@ -13,6 +13,7 @@ from tambour.core.picture import Picture
 from tambour.knit.draw import RED, Look, Window, grid, key
 from tambour.knit.hand import roles
 from tambour.knit.sheet import GREY, INK, Sheet
+from tambour.knit.swatch import page as swatch_page
 from tambour.knit.written import color_name, float_list, ladder_list
 from tambour.knit.yarn import Amount, gauge_of
 
@@ -106,8 +107,9 @@ def booklet(
     fabric: Picture,
     page: Page = "a4",
     large: bool = False,
+    swatch: bool = False,
 ) -> tuple[Drawing, ...]:
-    """Cover, tiles, float list.
+    """Cover, swatch when asked for, tiles, float list.
 
     fabric : how the piece will look, for the cover; amounts : from :func:`tambour.knit.yarn.amounts`
     """
@@ -119,12 +121,16 @@ def booklet(
     listed = float_list(chart, catch, look.anchored)
     ladder = ladder_list(chart, catch, look.anchored) if listed else []
     texts = _columns(listed, ladder, catch, PAGES[page]) if listed else []
-    total = 1 + len(plan.windows) + len(texts)
-    pages = [_cover(chart, look, words, amounts, fabric, plan, PAGES[page], total, bool(listed))]
-    pages += [_tile(chart, look, words, plan, k, total) for k in range(len(plan.windows))]
+    first = 3 if swatch else 2  # the page of the first tile
+    total = first - 1 + len(plan.windows) + len(texts)
+    pages = [_cover(chart, look, words, amounts, fabric, plan, PAGES[page], first, total, bool(listed))]
+    if swatch:
+        pages.append(swatch_page(chart, look, words.title, words.weight, PAGES[page]))
+        page_number(pages[-1], 2, total)
+    pages += [_tile(chart, look, words, plan, k, first, total) for k in range(len(plan.windows))]
     for k, columns in enumerate(texts):
         sheet = Sheet(*PAGES[page])
-        _head(sheet, words.title, "floats to catch", 2 + len(plan.windows) + k, total)
+        _head(sheet, words.title, "floats to catch", first + len(plan.windows) + k, total)
         wide = (PAGES[page][0] - 2 * MARGIN) / 2
         for c, lines in enumerate(columns):
             sheet.paragraph(lines, MARGIN + c * wide, MARGIN + HEAD + 4, 2.6)
@@ -132,23 +138,29 @@ def booklet(
     return tuple(sheet.drawing(title=words.title) for sheet in pages)
 
 
-def _head(sheet: Sheet, title: str, what: str, number: int, total: int) -> None:
+def page_number(sheet: Sheet, number: int, total: int) -> None:
+    """The page's number at the foot."""
     width, height = sheet.size
-    sheet.text(title, MARGIN, MARGIN + 3.5, 3.6, bold=True)
-    sheet.text(what, width - MARGIN, MARGIN + 3.5, 3.2, "end", color=GREY)
-    sheet.lines([(MARGIN, MARGIN + 5.5, width - MARGIN, MARGIN + 5.5)], GREY, 0.15)
     sheet.text(f"{number} / {total}", width - MARGIN, height - MARGIN + 4, 2.8, "end", color=GREY)
 
 
-def _tile(chart: Chart, look: Look, words: Words, plan: Layout, k: int, total: int) -> Sheet:
+def _head(sheet: Sheet, title: str, what: str, number: int, total: int) -> None:
+    width = sheet.size[0]
+    sheet.text(title, MARGIN, MARGIN + 3.5, 3.6, bold=True)
+    sheet.text(what, width - MARGIN, MARGIN + 3.5, 3.2, "end", color=GREY)
+    sheet.lines([(MARGIN, MARGIN + 5.5, width - MARGIN, MARGIN + 5.5)], GREY, 0.15)
+    page_number(sheet, number, total)
+
+
+def _tile(chart: Chart, look: Look, words: Words, plan: Layout, k: int, first: int, total: int) -> Sheet:
     """One page of the chart."""
-    rows, width = chart.shape
+    _rows, width = chart.shape
     w, h = look.cell
     window = plan.windows[k]
     sheet = Sheet(*plan.page)
     word = "rounds" if chart.circular else "rows"
     where = f"{word} {window.bottom + 1}–{window.top}, stitches {width - window.right + 1}–{width - window.left}"
-    _head(sheet, words.title, where, 2 + k, total)
+    _head(sheet, words.title, where, first + k, total)
     wide, high = (window.right - window.left) * w, (window.top - window.bottom) * h
     x = (plan.page[0] - wide) / 2
     y = MARGIN + HEAD
@@ -157,18 +169,31 @@ def _tile(chart: Chart, look: Look, words: Words, plan: Layout, k: int, total: i
     band = 2.2
     if i + 1 < plan.across:
         sheet.boxes([(x, y - band - 0.4, x + OVERLAP * w, y - 0.4)], (255, 205, 120))
-        sheet.text(f"again on page {3 + k}", x + OVERLAP * w + 1, y - 0.9, 2.0, color=GREY)
+        sheet.text(f"again on page {first + 1 + k}", x + OVERLAP * w + 1, y - 0.9, 2.0, color=GREY)
     if i:
         sheet.boxes([(x + wide - OVERLAP * w, y - band - 0.4, x + wide, y - 0.4)], (255, 205, 120))
-        sheet.text(f"also on page {1 + k}", x + wide - OVERLAP * w - 1, y - 0.9, 2.0, "end", color=GREY)
+        sheet.text(f"also on page {first - 1 + k}", x + wide - OVERLAP * w - 1, y - 0.9, 2.0, "end", color=GREY)
     if j + 1 < plan.up:
         sheet.boxes([(x - band - 5.6, y, x - 5.6, y + OVERLAP * h)], (255, 205, 120))
         sheet.text(
-            f"again on page {2 + k + plan.across}", x - 5.9, y + OVERLAP * h + 1, 2.0, "end", color=GREY, angle=np.pi / 2
+            f"again on page {first + k + plan.across}",
+            x - 5.9,
+            y + OVERLAP * h + 1,
+            2.0,
+            "end",
+            color=GREY,
+            angle=np.pi / 2,
         )
     if j:
         sheet.boxes([(x - band - 5.6, y + high - OVERLAP * h, x - 5.6, y + high)], (255, 205, 120))
-        sheet.text(f"also on page {2 + k - plan.across}", x - 5.9, y + high - OVERLAP * h - 1, 2.0, color=GREY, angle=np.pi / 2)
+        sheet.text(
+            f"also on page {first + k - plan.across}",
+            x - 5.9,
+            y + high - OVERLAP * h - 1,
+            2.0,
+            color=GREY,
+            angle=np.pi / 2,
+        )
     grid(sheet, chart, window, x, y, look)
     if i + 1 < plan.across:
         sheet.dashes(x + OVERLAP * w, y, x + OVERLAP * w, y + high, RED, 0.35)
@@ -187,6 +212,7 @@ def _cover(
     fabric: Picture,
     plan: Layout,
     page: tuple[float, float],
+    first: int,
     total: int,
     listed: bool,
 ) -> Sheet:
@@ -201,7 +227,7 @@ def _cover(
         f"{size} ({width * gauge.width / 25.4:.1f} × {rows * gauge.height / 25.4:.1f} in)", MARGIN, MARGIN + 15, 3.6
     )
     high, wide = fabric.rgba.shape[:2]
-    room = (page[0] - 2 * MARGIN, page[1] * 0.42)
+    room = (page[0] - 2 * MARGIN, page[1] * 0.46)
     scale = min(room[0] / wide, room[1] / high)
     w, h = wide * scale, high * scale
     x, y = (page[0] - w) / 2, MARGIN + 20
@@ -218,21 +244,21 @@ def _cover(
             sheet.boxes([box], None, RED, 0.3)
             middle = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
             sheet.circles([middle], 3.2, (255, 255, 255), RED, 0.3)
-            sheet.text(str(2 + k), middle[0], middle[1] + 1.2, 3.4, "middle", True)
+            sheet.text(str(first + k), middle[0], middle[1] + 1.2, 3.4, "middle", True)
     y += h + 10
     left, right = MARGIN, page[0] / 2 + 4
     sheet.text("Key", left, y, 4.2, bold=True)
     below = key(sheet, chart, left, y + 3, look, 2.9)
-    sheet.text("Yarn", left, below + 5.5, 4.2, bold=True)
+    sheet.text("Yarn", left, below + 7, 4.2, bold=True)
     lines = [
         f"{roles(chart)[a.color]}: {a.metres:.0f} m / {a.yards:.0f} yd, {a.grams:.0f} g, "
         f"{a.skeins} skein{'s' if a.skeins > 1 else ''}"
         for a in amounts
     ]
-    sheet.paragraph([*lines, "Floats and a tenth to spare are counted."], left, below + 11, 2.9)
+    sheet.paragraph([*lines, "Floats and a tenth to spare are counted."], left, below + 12.5, 2.9)
     sheet.text("How to read it", right, y, 4.2, bold=True)
     sheet.paragraph(_reading(chart, look, words, plan, listed), right, y + 5.5, 2.9)
-    sheet.text(f"1 / {total}", page[0] - MARGIN, page[1] - MARGIN + 4, 2.8, "end", color=GREY)
+    page_number(sheet, 1, total)
     sheet.lines([(MARGIN, page[1] - MARGIN, page[0] - MARGIN, page[1] - MARGIN)], GREY, 0.15)
     sheet.text(f"Longest float {words.limit} stitches", MARGIN, page[1] - MARGIN + 4, 2.8, color=INK)
     return sheet
@@ -241,7 +267,9 @@ def _cover(
 def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool) -> list[str]:
     gauge = gauge_of(chart, words.weight)
     lines = [f"Gauge {gauge.stitches:g} stitches × {gauge.rows:g} rows in 10 cm"]
-    lines.append("in stranded knitting." if chart.gauge else f"(usual for {words.weight}; none was given: swatch first).")
+    lines.append(
+        "in stranded knitting." if chart.gauge else f"(usual for {words.weight}; none was given: swatch first)."
+    )
     lines.append("")
     if chart.circular:
         lines += ["Begin at the bottom right. Every round is knit and", "read from right to left."]
@@ -254,14 +282,20 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
     lines.append("")
     if look.dominant is not None and look.dominant in roles(chart):
         name = roles(chart)[look.dominant]
-        lines += [f"Hold {name} below the other yarn throughout: the yarn", "held below stands out (it is the dominant one)."]
+        lines += [
+            f"Hold {name} below the other yarn throughout: the yarn",
+            "held below stands out (it is the dominant one).",
+        ]
     lines += ["Strand loosely; spread the stitches on the needle."]
     if not chart.circular and words.anchored:
         lines += ["Carry both yarns to both ends of every row."]
     if listed:
         lines += ["Catch floats where a red wedge stands; the list is at", "the end."]
     if len(plan.windows) > 1:
-        lines += ["Pages overlap by 2 stitches and 2 rows: cut along", "the dashes and lay the page over its neighbour."]
+        lines += [
+            "Pages overlap by 2 stitches and 2 rows: cut along",
+            "the dashes and lay the page over its neighbour.",
+        ]
     return [*lines, *words.about]
 
 
@@ -273,7 +307,12 @@ def _columns(listed: list[str], ladder: list[str], catch: int, page: tuple[float
     for line in listed:
         lines += wrap(line, 58, subsequent_indent="   ")
     if ladder:
-        lines += ["", "Or ladder-back: cast on these extra stitches behind,", "purl them with the idle yarn, bind off where they end.", ""]
+        lines += [
+            "",
+            "Or ladder-back: cast on these extra stitches behind,",
+            "purl them with the idle yarn, bind off where they end.",
+            "",
+        ]
         lines += ladder
     per = int((page[1] - 2 * MARGIN - HEAD - 8) / (2.6 * 1.45))
     columns = [lines[i : i + per] for i in range(0, len(lines), per)]

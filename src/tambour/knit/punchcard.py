@@ -42,7 +42,7 @@ def holes(chart: Chart, mirror: bool = True) -> Array:
     mirror : as the purl side shows it, which faces the knitter
     Raises TambourError for a chart that does not repeat within 24 stitches, or of more than 200 rows.
     """
-    rows, width = chart.shape
+    rows, _width = chart.shape
     problems = check(chart, "brother-card")
     if problems:
         raise TambourError(problems)
@@ -70,11 +70,10 @@ def card(chart: Chart, brand: Brand = "brother", mirror: bool = True) -> Drawing
     x = FIRST + PITCH * np.arange(STITCHES)
     r, s = np.nonzero(punched)
     sheet.circles(np.stack([x[s], height - END - ROW * r], axis=1), HOLE / 2, None, CUT, 0.1)
-    for first in (END - ROW, height - END + ROW):  # the lap: two full rows beyond each end of the pattern
-        step = -ROW if first < height / 2 else ROW
-        y = first + step * np.arange(_LAP) if END > ROW * _LAP else np.array([first])
-        grid = np.stack(np.meshgrid(x, y[:_LAP]), axis=-1).reshape(-1, 2)
-        sheet.circles(grid, HOLE / 2, None, CUT, 0.1)
+    lap = END - ROW * np.arange(1, _LAP + 1)  # two full rows beyond either end of the pattern
+    sheet.circles(
+        np.stack(np.meshgrid(x, np.concatenate([lap, height - lap])), axis=-1).reshape(-1, 2), HOLE / 2, None, CUT, 0.1
+    )
     y = np.arange(ROW / 2, height, ROW)
     sides = np.array([_SPROCKET_X, WIDTH - _SPROCKET_X])
     sheet.circles(np.stack(np.meshgrid(sides, y), axis=-1).reshape(-1, 2), SPROCKET / 2, None, CUT, 0.1)

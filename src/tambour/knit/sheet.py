@@ -30,9 +30,7 @@ class Sheet:
         self._labels: list[Label] = []
         self._images: list[Placed] = []
 
-    def rings(
-        self, points: ArrayLike, fill: RGB | None = None, stroke: RGB | None = None, width: float = 0.0
-    ) -> None:
+    def rings(self, points: ArrayLike, fill: RGB | None = None, stroke: RGB | None = None, width: float = 0.0) -> None:
         """One shape of N rings with P points each, (N, P, 2); they are closed here."""
         points = np.asarray(points, np.float64)
         if points.size == 0:

@@ -8,13 +8,12 @@ import numpy as np
 
 from tambour.core.chart import Chart
 from tambour.core.check import Array
-from tambour.core.drawing import Drawing
 from tambour.knit.draw import Look, Window, grid
 from tambour.knit.hand import floats, roles
 from tambour.knit.sheet import Sheet
 from tambour.knit.yarn import gauge_of
 
-STITCHES, ROWS = 32, 36
+STITCHES, ROWS = 28, 34
 
 
 class Swatch(NamedTuple):
@@ -72,41 +71,50 @@ def cut(chart: Chart, window: Window) -> Chart:
     return Chart(chart.cells[pick], chart.palette, no_stitch=absent, gauge=chart.gauge)
 
 
-def page(chart: Chart, look: Look, title: str, weight: str, size: tuple[float, float]) -> Drawing:
-    """One page: both windows as small charts, and the card to fill in when they are knitted."""
+def page(chart: Chart, look: Look, title: str, weight: str, size: tuple[float, float]) -> Sheet:
+    """One page: both windows as small charts, and beside them the card to fill in when they are knitted."""
     sheet = Sheet(*size)
     gauge = gauge_of(chart, weight)
     aspect = gauge.width / gauge.height if chart.gauge else 1.0
     found = swatch(chart, look.anchored)
-    sheet.text(f"{title}: swatch", 12, 20, 6.0, bold=True)
-    sheet.text("Knit one or both. The first is like most of the piece, the second has its longest floats.", 12, 27, 3.2)
     high, wide = found.typical.top - found.typical.bottom, found.typical.right - found.typical.left
-    room = ((size[0] - 24 - 32) / 2, size[1] * 0.48)
-    w = min(room[0] / wide, room[1] / high * aspect)
-    for x, window, words in ((20.0, found.typical, "typical"), (size[0] / 2 + 12, found.worst, "longest floats")):
-        sheet.text(
-            f"{words}: stitches {chart.shape[1] - window.right + 1}–{chart.shape[1] - window.left}, "
-            f"rows {window.bottom + 1}–{window.top}",
-            x,
-            36,
-            2.9,
-            bold=True,
-        )
-        part = cut(chart, window)
+    sheet.text(f"{title}: swatch", 12, 20, 6.0, bold=True)
+    w = min((size[0] - 24) * 0.56 / wide, (size[1] - 80) / 2 / high * aspect)
+    step = high * w / aspect + 20
+    for k, (window, words) in enumerate(((found.typical, "typical"), (found.worst, "longest floats"))):
+        y = 38 + k * step
+        where = f"stitches {chart.shape[1] - window.right + 1}–{chart.shape[1] - window.left} of the chart"
+        sheet.text(f"{words}: {where}, rows {window.bottom + 1}–{window.top}", 18, y - 3, 2.9, bold=True)
         plain = look._replace(cell=(w, w / aspect), repeat=None)
-        grid(sheet, part, Window(0, high, 0, wide), x, 40, plain)
-    y = 40 + high * w / aspect + 16
-    sheet.text("Card", 12, y, 4.4, bold=True)
+        grid(sheet, cut(chart, window), Window(0, high, 0, wide), 18, y, plain)
     lines = [
-        f"1  Cast on {wide} stitches and two more at each side; knit the chart, the extra stitches in both yarns in turn.",
-        "2  Wash and dry it as you will the piece. Lay it flat, without stretching.",
-        "3  Measure the middle 20 stitches and 20 rows, in mm:",
-        "       20 stitches = ____________ mm          20 rows = ____________ mm",
-        "4  Gauge in 10 cm:  stitches = 2000 / mm,  rows = 2000 / mm:",
-        "       ____________ stitches  x  ____________ rows",
-        "5  Solve the piece again with what you measured:  --gauge STITCHESxROWS",
-        f"    (it was solved for {gauge.stitches:g}x{gauge.rows:g}{'' if chart.gauge else ', the usual one, as none was given'})",
-        "6  Do the floats lie flat? If the cloth puckers, strand more loosely, or ask for a shorter --max-float.",
+        "Knit one or both: the upper is like most of",
+        "the piece, the lower has its longest floats.",
+        "",
+        f"1  Cast on {wide} stitches and two more at each",
+        "    side; knit the chart, the extra stitches in",
+        "    both yarns in turn.",
+        "2  Wash and dry it as you will the piece. Lay",
+        "    it flat, without stretching.",
+        "3  Measure the middle 20 stitches and rows:",
+        "",
+        "    20 stitches = ___________ mm",
+        "",
+        "    20 rows = ___________ mm",
+        "",
+        "4  Gauge in 10 cm is 2000 / mm:",
+        "",
+        "    _________ stitches × _________ rows",
+        "",
+        "5  Solve the piece again with",
+        "    --gauge STITCHESxROWS",
+        f"    (it was solved for {gauge.stitches:g}x{gauge.rows:g}" + (")" if chart.gauge else ","),
+        *([] if chart.gauge else ["    the usual one, as none was given)"]),
+        "6  Do the floats lie flat? If the cloth puckers,",
+        "    strand more loosely, or ask for a shorter",
+        "    --max-float.",
     ]
-    sheet.paragraph(lines, 12, y + 7, 3.2, 1.75)
-    return sheet.drawing(title=f"{title}: swatch")
+    x = max(18 + wide * w + 14, size[0] - 76)
+    sheet.text("Card", x, 38, 4.4, bold=True)
+    sheet.paragraph(lines, x, 45, 3.0, 1.6)
+    return sheet

@@ -168,7 +168,9 @@ def float_list(chart: Chart, catch: int, anchored: bool = True) -> list[str]:
     long = longer(floats(chart, anchored), catch)
     marks = catches(chart, catch, anchored)
     by_row: dict[int, list[tuple[int, str]]] = {}
-    for row, start, length, yarn in zip(long.row.tolist(), long.start.tolist(), long.length.tolist(), long.yarn.tolist()):
+    for row, start, length, yarn in zip(
+        long.row.tolist(), long.start.tolist(), long.length.tolist(), long.yarn.tolist()
+    ):
         right, left = width - (start + length - 1) % width, width - start
         inside = {(start + k) % width for k in range(length)}
         at = sorted(width - c for c in marks[row] if c in inside)

@@ -46,7 +46,11 @@ def gauge_of(chart: Chart, weight: str) -> Gauge:
 
 
 def amounts(
-    chart: Chart, weight: str = "dk", skein_metres: float | None = None, skein_grams: float = 50.0, anchored: bool = True
+    chart: Chart,
+    weight: str = "dk",
+    skein_metres: float | None = None,
+    skein_grams: float = 50.0,
+    anchored: bool = True,
 ) -> list[Amount]:
     """The yarn that each colour takes: ``STITCH`` widths for a stitch, a width per stitch for what lies behind.
 
