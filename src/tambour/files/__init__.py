@@ -29,6 +29,8 @@ READ: dict[str, dict[str, str]] = {
     ".acl": {"Text": "text:read_text"},
     ".txt": {"Text": "text:read_text"},
     ".md": {"Text": "text:read_text"},
+    ".svg": {"Drawing": "svg_read:read_drawing"},
+    ".svgz": {"Drawing": "svg_read:read_drawing"},
     **{suffix: {"Picture": "picture:read_picture"} for suffix in _PICTURES},
     ".png": {"Picture": "picture:read_picture", "Chart": "chart:read_png"},
     ".csv": {"Chart": "chart:read_csv"},
