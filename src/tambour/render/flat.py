@@ -130,7 +130,7 @@ def _shapes(canvas: Any, drawing: Drawing) -> None:
         rings = [points[offsets[i] : offsets[i + 1]] for i in range(first, last)]
         path = skia.Path.Polygon(rings[0], _closed(rings[0]), rules[style])
         for ring in rings[1:]:
-            path.addPath(skia.Path.Polygon(ring, True))
+            path.addPath(skia.Path.Polygon(ring, _closed(ring)))
         if fills[style]:
             canvas.drawPath(path, fills[style])
         if strokes[style]:
