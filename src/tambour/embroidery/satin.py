@@ -75,10 +75,10 @@ def from_rails(lines: list[Array]) -> Column:
     right: list[Array] = []
     for (s0, t0), (s1, t1) in itertools.pairwise(good):
         n = max(2, math.ceil(max(s1 - s0, t1 - t0) / STEP) + 1)
-        s, t = np.linspace(s0, s1, n), np.linspace(t0, t1, n)
+        sa, ta = np.linspace(s0, s1, n), np.linspace(t0, t1, n)
         keep = slice(None) if not left else slice(1, None)
-        left.append(np.c_[np.interp(s, wa, a[:, 0]), np.interp(s, wa, a[:, 1])][keep])
-        right.append(np.c_[np.interp(t, wb, b[:, 0]), np.interp(t, wb, b[:, 1])][keep])
+        left.append(np.c_[np.interp(sa, wa, a[:, 0]), np.interp(sa, wa, a[:, 1])][keep])
+        right.append(np.c_[np.interp(ta, wb, b[:, 0]), np.interp(ta, wb, b[:, 1])][keep])
     return Column(np.concatenate(left), np.concatenate(right))
 
 
