@@ -41,6 +41,9 @@ def _group(source: Source, tree: Any, in_round: bool, bracket: bool) -> Item | N
             times, at = None, source.span(child.children[0])
         elif kind == "repeats":
             times, at = source.number(child.children[1])
+    numbers = [c for c in tree.children if getattr(c, "data", "") in ("before", "repeats")]
+    if len(numbers) == 2:
+        source.error("two numbers for one pair of brackets", "keep one of the two", at)
     if times == 0:
         source.error("brackets are repeated at least once", "leave the brackets out instead", at)
     if times is None and bracket:
