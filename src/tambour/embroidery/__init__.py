@@ -52,4 +52,5 @@ CRAFT = Craft(
     views=VIEWS,
     facts=_facts,
     warm=_warm,
+    optional_source=True,
 )

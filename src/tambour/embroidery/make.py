@@ -10,6 +10,7 @@ from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
 from tambour.core.thread import Thread
 from tambour.embroidery.families import Place, region_stitches
+from tambour.embroidery.lettering import lettered
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.regions import regions
@@ -20,6 +21,10 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     """A Piece of a Drawing: regions, order, stitches, plan. TambourError for drawings that cannot be embroidered."""
     with progress.stage("read"):
         drawing = source
+        if params.text is not None:
+            drawing = lettered(drawing, params.text, params.text_size, params.font, progress)
+        if drawing is None:
+            raise TambourError("there is nothing to embroider", hint="give a drawing, or --text")
         if drawing.about.get("ignored"):
             progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
         found = regions(drawing, params, progress)
@@ -45,6 +50,11 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if layout.here is None:
             raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: --width 100mm")
         plan, region_of, kind, rows = layout.plan()
+    wide = layout.facts.pop("not_satin_mm2", 0.0)
+    if wide > 0:
+        progress.warn(
+            f"{wide:.1f} mm² are too wide for satin and are tatami", hint="make --split longer, or the shape narrower"
+        )
     return Piece(drawing, found, params, plan, region_of, kind, np.zeros(len(plan)), rows, dict(layout.facts))
 
 

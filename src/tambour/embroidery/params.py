@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, WithJsonSchema, field_validator
 
-from tambour.core.params import Degrees, Length, Params, length
+from tambour.core.params import Degrees, Length, Params, file, length
 
 FAMILIES = (
     "tatami",
@@ -147,6 +147,8 @@ class EmbroideryParams(Params):
 
     text: str | None = None
     """Letters to embroider, instead of a drawing or below it."""
+
+    font: Any = file("Font", "A .ttf or .otf file for the letters of --text (the shipped one when not given).")
 
     text_size: Length = Field(default=15.0, gt=1, le=500)
     """Height of capital letters."""
