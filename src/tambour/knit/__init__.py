@@ -13,9 +13,16 @@ __all__ = ["CRAFT"]
 
 
 def _make(source: Any, params: Any, progress: Progress) -> Any:
-    from tambour.knit.solve import make
+    from tambour.core.chart import Chart
 
-    piece = make(source, params, progress)
+    if isinstance(source, Chart):
+        from tambour.knit.given import taken
+
+        piece = taken(source, params, progress)
+    else:
+        from tambour.knit.solve import make
+
+        piece = make(source, params, progress)
     if params.machine is not None:
         from tambour.core.errors import TambourError
         from tambour.knit.machine import check
@@ -36,7 +43,7 @@ CRAFT = Craft(
     name="knit",
     help="Knit: a picture becomes a stranded (Fair-Isle) chart that keeps its floats short.",
     params=KnitParams,
-    reads=("Picture",),
+    reads=("Picture", "Chart"),
     make=_make,
     views=VIEWS,
     facts=_facts,
