@@ -152,12 +152,13 @@ def _cloth(chart: Chart, width: int | None, back: bool) -> Array:
         color = yarn[1 + dr : 1 + dr + rows, 1 + dc : 1 + dc + columns] * there
         share = light.astype(np.float32)
         out += share[None, :, None, :, None] * color.astype(np.float32)[:, None, :, None, :]
-        cover += (share / np.maximum(whole, 1e-6))[None, :, None, :] * there[:, None].astype(np.float32)[..., 0][
-            ..., None
-        ]
+        part = np.where(whole > 0, light / np.where(whole > 0, whole, 1), 0.0).astype(np.float32)
+        cover += part[None, :, None, :] * there.astype(np.float32)[:, None, :, :]
     own = present[1:-1, 1:-1].astype(np.float32)[:, None, :, None]
     out += (one.gloss.astype(np.float32)[None, :, None, :] * own)[..., None]
-    out += ((1 - np.clip(cover, 0, 1)) * (1 - own) * GROUND)[..., None]
+    # Where a neighbour is missing the table shows; the small holes of the cloth itself stay dark.
+    cover = np.where(whole[None, :, None, :] > 0, np.clip(cover, 0, 1), own)
+    out += ((1 - cover) * GROUND)[..., None]
     return np.ascontiguousarray(out[::-1]).reshape(rows * height, columns * width, 3)
 
 

@@ -290,7 +290,7 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
     if not chart.circular and words.anchored:
         lines += ["Carry both yarns to both ends of every row."]
     if listed:
-        lines += ["Catch floats where a red wedge stands; the list is at", "the end."]
+        lines += ["Catch floats where a small wedge stands; the list is", "at the end."]
     if len(plan.windows) > 1:
         lines += [
             "Pages overlap by 2 stitches and 2 rows: cut along",
