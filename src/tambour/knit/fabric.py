@@ -168,6 +168,7 @@ def _lay_floats(light: Array, chart: Chart, anchored: bool, width: int) -> None:
     height = light.shape[0] // rows
     color = 0.012 + 0.90 * linear(chart.palette.rgb / 255.0)
     found = floats(chart, anchored)
+    bare = None if chart.no_stitch is None else chart.no_stitch[::-1, ::-1]  # as the picture lies
     for length in np.unique(found.length).tolist():
         alpha, shade, shadow = _strand(length, width, height)
         high, wide = alpha.shape
@@ -182,10 +183,11 @@ def _lay_floats(light: Array, chart: Chart, anchored: bool, width: int) -> None:
                 y = np.clip(y0[part, None, None] + np.arange(high)[None, :, None], 0, light.shape[0] - 1)
                 x = x0[part, None, None] + np.arange(wide)[None, None, :]
                 x = x % light.shape[1] if chart.circular else np.clip(x, 0, light.shape[1] - 1)
-                under = light[y, x] * (1 - 0.5 * shadow)[None, :, :, None]
-                a = alpha[None, :, :, None]
+                # Where nothing is knitted nothing hangs: a float round the seam of a shaped piece ends with the cloth.
+                on = 1.0 if bare is None else ~bare[y // height, x // width][..., None]
+                cover, cast = alpha[None, :, :, None] * on, 0.5 * shadow[None, :, :, None] * on
                 tint = color[yarn[part]][:, None, None, :] * shade[None, :, :, None]
-                light[y, x] = under * (1 - a) + tint * a
+                light[y, x] = light[y, x] * (1 - cast) * (1 - cover) + tint * cover
 
 
 def _strand(length: int, width: int, height: int) -> tuple[Array, Array, Array]:
