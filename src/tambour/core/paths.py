@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tambour.core.check import Array, array, offsets, put
-from tambour.core.errors import LawError
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -18,8 +17,8 @@ class Paths:
 
     coords : (P, 2) or (P, 3) float64, mm
     offsets : (N + 1,) int64; path i is ``coords[offsets[i]:offsets[i + 1]]``; rises from 0 to P
-    parts : (M + 1,) int64 or None; when given, polygon m is made of the rings ``parts[m]`` to ``parts[m + 1]``, the
-        outline and its holes; every ring repeats its first point
+    parts : (M + 1,) int64 or None; when given, shape m is made of the paths ``parts[m]`` to ``parts[m + 1]``: rings that
+        repeat their first point (a polygon's outline and holes), or open lines
     """
 
     coords: Array
@@ -30,11 +29,6 @@ class Paths:
         coords = array("Paths.coords", self.coords, np.float64, (None, (2, 3)))
         ends = offsets("Paths.offsets", self.offsets, len(coords))
         parts = None if self.parts is None else offsets("Paths.parts", self.parts, len(ends) - 1)
-        if parts is not None and len(ends) > 1:
-            first, last = ends[:-1], ends[1:] - 1
-            full = last > first
-            if (coords[first[full]] != coords[last[full]]).any():
-                raise LawError("Paths.parts: a ring does not repeat its first point")
         put(self, coords=coords, offsets=ends, parts=parts)
 
     def __len__(self) -> int:

@@ -1,0 +1,160 @@
+"""Arrange: pieces apart, and sewn parts where a maker would hold them: outside, at their seams."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import SEWN, Part, StitchGraph
+from tambour.geometry.surface import vertex_normals
+
+GAP = 2.0
+"""Stitches between pieces that are not joined, and between the two sides of a seam at first."""
+
+
+def labels(n: int, edges: Array) -> Array:
+    """The connected piece of every node (N,), numbered by first node."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    if not n:
+        return np.zeros(0, np.int64)
+    ones = np.ones(len(edges), np.int8)
+    _, label = connected_components(coo_matrix((ones, (edges[:, 0], edges[:, 1])), shape=(n, n)), False)
+    _, first, number = np.unique(label, return_index=True, return_inverse=True)
+    rank = np.empty(len(first), np.int64)
+    rank[np.argsort(first)] = np.arange(len(first))
+    return rank[number]
+
+
+def parts(graph: StitchGraph) -> list[Array]:
+    """The nodes of every body of fabric: a part, or several that are worked into one another; sewing aside."""
+    made = graph.edges[graph.edge_kind != SEWN]
+    whole = np.array([(p.start, p.end - 1) for p in graph.parts if p.end > p.start], int).reshape(-1, 2)
+    spans = [np.column_stack([np.full(b - a, a), np.arange(a + 1, b + 1)]) for a, b in whole]
+    label = labels(len(graph), np.concatenate([made, *spans]))
+    return [np.flatnonzero(label == k) for k in range(int(label.max(initial=-1)) + 1)]
+
+
+def clusters(graph: StitchGraph) -> Array:
+    """The number (N,) of the piece that every node belongs to, its part and all that is sewn to it."""
+    spans = [np.column_stack([np.full(p.end - p.start, p.start), np.arange(p.start, p.end)]) for p in graph.parts]
+    return labels(len(graph), np.concatenate([graph.edges, *spans]) if spans else graph.edges)
+
+
+def cut(graph: StitchGraph, nodes: Array) -> StitchGraph:
+    """The graph of ``nodes`` (rising) alone, with what lies between them."""
+    n = len(graph)
+    if len(nodes) == n:
+        return graph
+    new = np.full(n + 1, -1)
+    new[nodes] = np.arange(len(nodes))
+    inside = (new[graph.edges] >= 0).all(1)
+    faces = new[graph.faces]
+    lists = [graph.anchors[graph.anchor_offsets[i] : graph.anchor_offsets[i + 1]] for i in nodes]
+    lists = [new[a][new[a] >= 0] for a in lists]
+    own = np.unique(graph.part[nodes])
+    number = np.full(len(graph.parts), -1)
+    number[own] = np.arange(len(own))
+    kept = []
+    for p in own:
+        mine = np.flatnonzero(graph.part[nodes] == p)
+        kept.append(Part(graph.parts[p].name, int(mine[0]), int(mine[-1]) + 1, graph.parts[p].stuffing))
+    plane = new[graph.plane[nodes]]
+    plane[(plane < 0).any(1)] = -1
+    return replace(
+        graph,
+        kind=graph.kind[nodes],
+        part=number[graph.part[nodes]],
+        color=graph.color[nodes],
+        parent=new[graph.parent[nodes]],
+        round=graph.round[nodes],
+        loop=graph.loop[nodes],
+        direction=graph.direction[nodes],
+        height=graph.height[nodes],
+        peculiarity=graph.peculiarity[nodes],
+        plane=plane,
+        span=graph.span[nodes],
+        edges=new[graph.edges[inside]],
+        edge_kind=graph.edge_kind[inside],
+        rest=graph.rest[inside],
+        faces=faces[(faces >= 0).all(1)],
+        parts=tuple(kept),
+        anchors=np.concatenate(lists) if lists else np.zeros(0, int),
+        anchor_offsets=np.cumsum([0] + [len(a) for a in lists]),
+        previous=new[graph.previous[nodes]],
+    )
+
+
+def fit(moving: Array, fixed: Array, weight: Array) -> tuple[Array, Array]:
+    """The rotation R and shift t that bring ``moving`` nearest to ``fixed`` (both (K, 3)): x → R x + t.
+
+    Kabsch 1976, without reflections.
+    """
+    w = weight / weight.sum()
+    a, b = np.einsum("k,kj->j", w, moving), np.einsum("k,kj->j", w, fixed)
+    u, _, v = np.linalg.svd(np.einsum("k,ki,kj->ij", w, moving - a, fixed - b))
+    turn = v.T @ np.diag([1.0, 1.0, np.sign(np.linalg.det(v.T @ u.T)) or 1.0]) @ u.T
+    return turn, b - turn @ a
+
+
+def arrange(graph: StitchGraph, x: Array) -> Array:
+    """Positions (N, 3) in stitches with every part moved as a whole to where it belongs; x holds parts by themselves.
+
+    The largest part of a piece stays. A part sewn to one that has its place goes to its seam, out along the normal
+    there, turned so that its own seam faces the other and stitches meet. Pieces that are not joined stand in a row.
+    """
+    x = x.copy()
+    bodies = parts(graph)
+    owner = np.zeros(len(graph), int)
+    for k, nodes in enumerate(bodies):
+        owner[nodes] = k
+    sewn = graph.edges[graph.edge_kind == SEWN]
+    sewn = sewn[owner[sewn[:, 0]] != owner[sewn[:, 1]]]
+    outward = vertex_normals(x, graph.faces)
+    piece = clusters(graph)
+    right = None
+    for k in range(int(piece.max(initial=-1)) + 1):
+        mine = [b for b in range(len(bodies)) if piece[bodies[b][0]] == k]
+        mine.sort(key=lambda b: -len(bodies[b]))
+        placed = mine[:1]
+        while len(placed) < len(mine):
+            b = next((b for b in mine if b not in placed and len(_seam(sewn, owner, b, placed))), None)
+            if b is None:
+                break
+            seam = _seam(sewn, owner, b, placed)
+            x[bodies[b]], turn = _attach(x, outward, bodies[b], seam)
+            outward[bodies[b]] = outward[bodies[b]] @ turn.T
+            placed.append(b)
+        nodes = np.flatnonzero(piece == k)
+        if right is not None:
+            x[nodes, 0] += right + GAP - x[nodes, 0].min()
+        right = x[nodes, 0].max()
+    return x
+
+
+def _seam(sewn: Array, owner: Array, b: int, placed: list[int]) -> Array:
+    """Seam pairs (K, 2) between part b (first) and parts that have their place (second)."""
+    forward = sewn[(owner[sewn[:, 0]] == b) & np.isin(owner[sewn[:, 1]], placed)]
+    backward = sewn[(owner[sewn[:, 1]] == b) & np.isin(owner[sewn[:, 0]], placed)]
+    return np.concatenate([forward, backward[:, ::-1]])
+
+
+def _attach(x: Array, outward: Array, nodes: Array, seam: Array) -> tuple[Array, Array]:
+    """The part ``nodes`` brought to its seam: its positions and its rotation."""
+    own, other = x[seam[:, 0]], x[seam[:, 1]]
+    out = outward[seam[:, 1]].mean(0)
+    if np.sqrt((out**2).sum()) < 1e-6:
+        out = other.mean(0) - x[nodes].mean(0) + [0.0, 1e-3, 0.0]
+    out = out / np.sqrt((out**2).sum())
+    middle = x[nodes].mean(0)
+    deep = max(float(np.sqrt(((middle - own.mean(0)) ** 2).sum())), 0.5)
+    moving = np.vstack([own, middle])
+    fixed = np.vstack([other + 0.5 * GAP * out, other.mean(0) + (deep + 0.5 * GAP) * out])
+    turn, shift = fit(moving, fixed, np.append(np.ones(len(own)), float(len(own))))
+    moved = x[nodes] @ turn.T + shift
+    # No stitch of it may begin behind the fabric that it is sewn to.
+    behind = float(((other.mean(0) - moved) @ out).max())
+    return moved + max(behind + 0.5 * GAP, 0.0) * out, turn

@@ -1,0 +1,118 @@
+"""What the hook made, as a StitchGraph: arrays, edges with rest lengths, the planes of single-loop stitches."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import BLO, FLO, JOIN, SEWN, THROUGH, YARN, Part, StitchGraph
+from tambour.crochet.hook import Hook
+
+# Stitches sewn together lie side by side: nearer than neighbours in a round, not in the same place.
+SEWN_SHORT = 0.5
+
+
+def assemble(
+    hook: Hook, parts: list[Part], sewn: list[tuple[int, int]], stitch: tuple[float, float]
+) -> tuple[StitchGraph, Array]:
+    """The graph and, for each face, whether it bounds the outside.
+
+    stitch : width and height of a single crochet, mm
+    """
+    n = len(hook)
+    look = np.array(hook.style, np.int32)
+    kinds = tuple(dict.fromkeys(s[0] for s in hook.styles))
+    of = {kind: k for k, kind in enumerate(kinds)}
+    table: dict[str, Array] = {
+        "kind": np.array([of[s[0]] for s in hook.styles], np.uint8),
+        "height": np.array([s[1] for s in hook.styles], np.float64),
+        "part": np.array([s[2] for s in hook.styles], np.int32),
+        "color": np.array([s[3] for s in hook.styles], np.uint8).reshape(-1, 3),
+        "loop": np.array([s[4] for s in hook.styles], np.uint8),
+        "direction": np.array([s[5] for s in hook.styles], np.int8),
+        "peculiarity": np.array([s[6] for s in hook.styles], np.uint8),
+        "span": np.array([(s[7].start, s[7].end) for s in hook.styles], np.int32).reshape(-1, 2),
+    }
+    fields = {name: column[look] for name, column in table.items()}
+    anchors, ends = np.array(hook.anchors, np.int32), np.array(hook.ends, np.int64)
+    previous = np.array(hook.previous, np.int32)
+    edges, kind = _edges(n, anchors, ends, previous, hook.joins, sewn)
+    width, height = stitch
+    rest = np.where(kind == THROUGH, height * fields["height"][edges[:, 0]], width)
+    # A chain that only lifts the yarn to the next row is as long as the row is high; chains count as width otherwise.
+    rest[kind == SEWN] = SEWN_SHORT * width
+    faces = np.array(hook.faces, np.int32).reshape(-1, 3)
+    sheet = np.array(hook.face_sheet, np.int64)
+    for number, count in enumerate(np.bincount(sheet, minlength=len(hook.sheets.sheets))):
+        hook.sheets.sheets[number].faces = int(count)
+    outside = np.array(hook.sheets.shell(), np.bool_)
+    graph = StitchGraph(
+        kinds=kinds,
+        parent=np.array(hook.parent, np.int32),
+        round=np.array(hook.round, np.int32),
+        plane=_planes(hook, fields["peculiarity"], fields["direction"]),
+        edges=edges,
+        edge_kind=kind,
+        rest=rest,
+        faces=faces,
+        parts=tuple(parts),
+        anchors=anchors,
+        anchor_offsets=ends,
+        previous=previous,
+        **fields,
+    )
+    return graph, outside[sheet] if len(sheet) else np.zeros(0, np.bool_)
+
+
+def _edges(
+    n: int,
+    anchors: Array,
+    ends: Array,
+    previous: Array,
+    joins: list[tuple[int, int]],
+    sewn: list[tuple[int, int]],
+) -> tuple[Array, Array]:
+    """Edges (E, 2) with the later node first, sorted, none twice, and their kinds; a yarn edge outranks the others."""
+    own = np.arange(n, dtype=np.int32)
+    through = np.stack([np.repeat(own, np.diff(ends)), anchors], 1)
+    yarn = np.stack([own, previous], 1)[previous >= 0]
+    groups = [(YARN, yarn), (THROUGH, through)]
+    for kind, pairs in ((JOIN, joins), (SEWN, sewn)):
+        both = np.array(pairs, np.int32).reshape(-1, 2)
+        groups.append((kind, np.stack([both.max(1, initial=-1), both.min(1, initial=n)], 1)))
+    edges = np.concatenate([pairs for _, pairs in groups])
+    kinds = np.concatenate([np.full(len(pairs), kind, np.uint8) for kind, pairs in groups])
+    apart = edges[:, 0] != edges[:, 1]
+    edges, kinds = edges[apart], kinds[apart]
+    _, first = np.unique(edges[:, 0].astype(np.int64) * max(n, 1) + edges[:, 1], return_index=True)
+    return np.ascontiguousarray(edges[first], np.int32), kinds[first]
+
+
+def _planes(hook: Hook, peculiarity: Array, direction: Array) -> Array:
+    """Nodes p1, p2, p3 of each single-loop stitch's plane: its anchor, the one after that, the anchor's own anchor.
+
+    The normal (p1 - p2) x (p3 - p2) points inside: towards the back loop. Where the yarn does not lead from p1 to
+    p1 + 1 (after a goto or an attach, or at an edge's end), the node that it does lead to is taken, else the pair of p1
+    and the node before it, which spans the same plane on the same side (a corner case that the seed leaves open).
+    """
+    plane = np.full((len(hook), 3), -1, np.int32)
+    single = np.flatnonzero((peculiarity == FLO) | (peculiarity == BLO))
+    if not len(single):
+        return plane
+    after: dict[int, int] = {}
+    for node in range(len(hook) - 1, -1, -1):
+        if hook.previous[node] >= 0 and hook.ends[node + 1] > hook.ends[node]:
+            after[hook.previous[node]] = node
+    for n in single.tolist():
+        one = hook.parent[n]
+        three = hook.parent[one]
+        two = one + 1 if one + 1 < n and hook.previous[one + 1] == one else after.get(one, n)
+        if two < n:
+            pair = (one, two)
+        else:
+            pair = (hook.previous[one], one)
+        if direction[n] != direction[one]:
+            pair = (pair[1], pair[0])
+        if three >= 0 and pair[0] >= 0 and len({*pair, three}) == 3:
+            plane[n] = (*pair, three)
+    return plane

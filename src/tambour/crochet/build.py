@@ -1,0 +1,344 @@
+"""Build: a Pattern, worked by the hook, becomes a StitchGraph."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.errors import Problem, Span, TambourError
+from tambour.core.graph import BACK, BOTH, FRONT, Part, StitchGraph
+from tambour.crochet.assemble import assemble
+from tambour.crochet.attach import attach
+from tambour.crochet.hook import Hook, HookError, Round
+from tambour.crochet.stitches import RULES
+from tambour.crochet.syntax import Action, Group, Item, Line, Pattern, Section
+
+# Actions that make no node may be repeated this many times per node that a pattern may make.
+_IDLE = 4
+
+
+@dataclass(frozen=True, slots=True)
+class PartFacts:
+    """What a part's text asks for; None where it says nothing. ``section``: which part of the text it is, ``copy`` from 1."""
+
+    name: str
+    section: int
+    copy: int
+    centroids: int | None
+    stuffing: float | None
+    initializer: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """One thing the hook did, for writing the pattern back: ``what`` is a stitch or a key of RULES; "part" (section, copy)
+    begins a part, "round" or "line" a line, and "end" ends it, with the stitches on its edge as ``times``."""
+
+    what: str
+    times: int = 1
+    numbers: tuple[int, ...] = ()
+    labels: tuple[str, ...] = ()
+    span: Span | None = None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Built:
+    """A pattern worked.
+
+    graph : StitchGraph; its ``round`` indexes ``rounds``
+    warnings : doubts, those of the text among them
+    sewn : (S, 2) int32 pairs of nodes sewn together, as the pattern says them
+    rounds : the rounds (seed: round_spans); a node's ring root and tip count to the round beside them
+    marks : label → node
+    parts : what each part's text asks for, as many as graph.parts
+    shell : (F,) bool, the faces that bound the outside: of two sheets worked on one edge (goto), one
+    initializer : how the pattern wants to begin ("rounds", "one-by-one", None)
+    counts : stitch or action as written → how often it was worked
+    log : what the hook did, in order
+    pattern : where it comes from
+    """
+
+    graph: StitchGraph
+    warnings: tuple[Problem, ...]
+    sewn: Array
+    rounds: tuple[Round, ...]
+    marks: Mapping[str, int]
+    parts: tuple[PartFacts, ...]
+    shell: Array
+    initializer: str | None
+    counts: Mapping[str, int]
+    log: tuple[Done, ...]
+    pattern: Pattern
+
+
+def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict: bool = False) -> Built:
+    """Work ``pattern`` with the hook.
+
+    stitch : width and height of a single crochet, mm: the rest length of an edge along a round, and of one into the
+        round below (times the height of the stitch)
+    strict : a stated count that disagrees with what the round makes is an error
+
+    Raises TambourError with the first fault of every part.
+    """
+    worker = _Worker(pattern, strict)
+    worker.work()
+    errors = [p for p in worker.problems if not p.warning]
+    if errors:
+        raise TambourError(sorted(errors, key=lambda p: p.span.start if p.span else 0))
+    hook = worker.hook
+    graph, shell = assemble(hook, worker.parts, worker.sewn, stitch)
+    return Built(
+        graph,
+        tuple(sorted((*pattern.warnings, *worker.problems), key=lambda p: p.span.start if p.span else 0)),
+        np.array(worker.sewn, np.int32).reshape(-1, 2),
+        tuple(hook.rounds),
+        dict(hook.marks),
+        tuple(worker.facts),
+        shell,
+        next((f.initializer for f in worker.facts if f.initializer), None),
+        worker.counts,
+        tuple(worker.log),
+        pattern,
+    )
+
+
+class _Worker:
+    """Walks the pattern's tree and tells the hook what to do."""
+
+    def __init__(self, pattern: Pattern, strict: bool) -> None:
+        self.pattern, self.strict = pattern, strict
+        self.hook = Hook(pattern.text)
+        self.problems: list[Problem] = []
+        self.parts: list[Part] = []
+        self.facts: list[PartFacts] = []
+        self.sewn: list[tuple[int, int]] = []
+        self.counts: dict[str, int] = {}
+        self.log: list[Done] = []
+        self.steps = 0
+        self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
+        self.copy = 0  # the copy of a part under way, 0 when there is only one
+        self.own: set[str] = set()  # marks of the part under way
+        self.broken = False
+        self.rings = 0
+        self.tip = True
+        self._told: set[Span | None] = set()
+
+    def work(self) -> None:
+        for index, section in enumerate(self.pattern.parts):
+            if section.copies_span is not None:
+                self.numbers.append((section.copies, section.copies_span))
+            for copy in range(1, section.copies + 1):
+                if not self._part(index, section, copy):
+                    break
+            if section.copies_span is not None:
+                self.numbers.pop()
+
+    def _part(self, index: int, section: Section, copy: int) -> bool:
+        hook = self.hook
+        self.copy = copy if section.copies > 1 else 0
+        self.tip, self.rings = section.tip_from_fo, 0
+        self.own = {label for line in section.lines for label in _marks(line.items)}
+        start = len(hook)
+        hook.begin_part()
+        name = section.name or "piece"
+        name = f"{name} {copy}" if self.copy else name
+        self.facts.append(PartFacts(name, index, copy, section.centroids, section.stuffing, section.initializer))
+        self.log.append(Done("part", 1, (index, copy)))
+        fine = True
+        try:
+            for line in section.lines:
+                self._line(line)
+        except HookError as error:
+            self.problems.append(error.problem)
+            fine, self.broken = False, True
+        hook.end_part()
+        self.parts.append(Part(name, start, len(hook), 1.0 if section.stuffing is None else section.stuffing))
+        return fine
+
+    def _line(self, line: Line) -> None:
+        hook = self.hook
+        if line.times_span is not None:
+            self.numbers.append((line.times, line.times_span))
+        for _ in range(line.times):
+            begin = len(hook)
+            if line.in_round:
+                hook.now.loop = BOTH
+                hook.ahead, hook.joined = hook.now.count, 0
+                self.log.append(Done("round", 1, (), (), line.span))
+                self._step(1)
+            else:
+                self.log.append(Done("line", 1, (), (), line.span))
+            for item in line.items:
+                self._item(item)
+            self.log.append(Done("end", hook.now.count + hook.joined))
+        if line.times_span is not None:
+            self.numbers.pop()
+        if line.stated is not None and line.times:
+            self._check_count(line, len(hook) - begin)
+
+    def _check_count(self, line: Line, made: int) -> None:
+        """A stated count may mean the stitches made in the round or those on its edge; slip stitches count there."""
+        edge = self.hook.now.count + self.hook.joined
+        if line.stated in (edge, made) or line.stated is None:
+            return
+        shown = made if self.hook.now.left == self.hook.now.count else edge
+        self.problems.append(
+            Problem(
+                f"the pattern says {line.stated} stitches, the round makes {shown}",
+                "correct the number, or the stitches before it",
+                line.stated_span,
+                self.pattern.text,
+                warning=not self.strict,
+            )
+        )
+
+    def _item(self, item: Item) -> None:
+        if isinstance(item, Action):
+            self._action(item)
+            return
+        times = self._around(item) if item.times is None else item.times
+        if item.times is not None:
+            self.numbers.append((times, item.span))
+        for _ in range(times):
+            self._step(1)
+            for inner in item.items:
+                self._item(inner)
+        if item.times is not None:
+            self.numbers.pop()
+
+    def _around(self, group: Group) -> int:
+        """How often the group goes into what is left of the round."""
+        hook = self.hook
+        hook.span = group.span
+        takes = self._takes(group.items)
+        if takes == 0:
+            raise hook.fail("around never ends: these stitches use up none of the round", "give a number instead")
+        times, over = divmod(max(0, hook.ahead), takes)
+        if times == 0:
+            raise hook.fail(
+                f"around needs {takes} stitches, the round has {max(0, hook.ahead)} left", "give a number instead"
+            )
+        if over:
+            self._doubt(
+                f"{over} of the {hook.ahead} stitches of the round are left over",
+                f"the brackets use up {takes} each time",
+                group.span,
+            )
+        return times
+
+    def _takes(self, items: tuple[Item, ...]) -> int:
+        total = 0
+        for item in items:
+            if isinstance(item, Group):
+                total += (item.times or 0) * self._takes(item.items)
+            elif item.name in self.pattern.stitches:
+                total += item.times * self.pattern.stitches[item.name].takes
+        return total
+
+    def _doubt(self, message: str, hint: str, span: Span) -> None:
+        if span not in self._told:
+            self._told.add(span)
+            self.problems.append(Problem(message, hint, span, self.pattern.text, warning=True))
+
+    def _step(self, nodes: int, own: tuple[int, Span] | None = None) -> None:
+        """Stops a pattern that grows too large, before it does, at the count that is most to blame."""
+        self.steps += 1
+        most = self.pattern.max_stitches
+        if len(self.hook) + nodes <= most and self.steps <= _IDLE * most + 1000:
+            return
+        numbers = [*self.numbers, own] if own else self.numbers
+        worst = max(numbers, key=lambda n: n[0], default=None)
+        what = f"more than {most} stitches" if len(self.hook) + nodes > most else "too many repetitions of nothing"
+        raise self.hook.fail(
+            f"the pattern makes {what}", "--max-stitches sets the limit", worst[1] if worst else self.hook.span
+        )
+
+    def _action(self, action: Action) -> None:
+        hook = self.hook
+        hook.span = action.span
+        if action.name not in RULES:
+            stitch = self.pattern.stitches[action.name]
+            own = (action.times, action.times_span) if action.times_span else None
+            self._step(action.times * stitch.makes, own)
+            if action.times:
+                hook.stitch(stitch, action.times)
+                self._note(action)
+            hook.last_mark = None
+            return
+        self._step(
+            action.numbers[0] if action.name in ("mr", "attach") and action.numbers else 0,
+            (action.numbers[0], action.span) if action.name in ("mr", "attach") else None,
+        )
+        mark = hook.last_mark
+        labels = tuple(self._label(name) for name in action.labels)
+        if any(label not in hook.labels for label in labels) and action.name != "mark":
+            if self.broken:  # set in a part that stopped short: its own problem says so
+                return
+            raise hook.fail(f'the mark "{action.labels[0]}" is not set yet', "set it first")
+        match action.name:
+            case "mr":
+                self.rings += 1
+                if self.rings > 1 and not action.numbers[1]:
+                    self._doubt("a further magic ring in this part", "a part of its own: == name ==", action.span)
+                hook.magic_ring(action.numbers[0])
+            case "flo" | "blo" | "bl":
+                hook.loops({"flo": FRONT, "blo": BACK, "bl": BOTH}[action.name])
+            case "color":
+                red, green, blue = action.numbers
+                hook.color = (red, green, blue)
+            case "mark":
+                hook.mark(labels[0])
+            case "goto":
+                hook.goto(labels[0])
+            case "attach":
+                hook.last_mark = mark
+                attach(hook, labels[0], action.numbers[0])
+            case "sew":
+                self._sew(labels, action.span)
+            case "fo":
+                hook.fasten_off(self.tip)
+            case "turn":
+                hook.turn()
+            case "join":
+                hook.join_round()
+        if action.name != "mark":
+            hook.last_mark = None
+        self._note(action)
+
+    def _label(self, name: str) -> str:
+        """The label as the hook knows it: inside a part made several times, each copy has its own."""
+        if self.copy and name in self.own:
+            return f"{name}.{self.copy}"
+        base, _, copy = name.rpartition(".")
+        if base and copy == "1" and name not in self.hook.labels and base in self.hook.labels:
+            return base
+        return name
+
+    def _sew(self, labels: tuple[str, ...], span: Span) -> None:
+        one, other = (self.hook.marks[label] for label in labels)
+        if one == other:
+            self._doubt("both marks are on the same stitch: nothing is sewn", "mark two stitches", span)
+            return
+        self.sewn.append((max(one, other), min(one, other)))
+
+    def _note(self, action: Action) -> None:
+        self.counts[action.name] = self.counts.get(action.name, 0) + action.times
+        last = self.log[-1]
+        if action.name not in RULES and last.what == action.name:
+            self.log[-1] = Done(last.what, last.times + action.times, (), (), last.span)
+        else:
+            self.log.append(Done(action.name, action.times, action.numbers, action.labels, action.span))
+
+
+def _marks(items: tuple[Item, ...]) -> list[str]:
+    """The labels that marks among ``items`` set."""
+    found: list[str] = []
+    for item in items:
+        if isinstance(item, Group):
+            found += _marks(item.items)
+        elif item.name == "mark":
+            found += item.labels
+    return found

@@ -1,0 +1,114 @@
+"""Contact: fabric that is not joined does not pass through itself, nor parts through one another.
+
+Every two nodes without an edge between them push each other apart once nearer than a reach: that of fabric against
+fabric, or the smaller one of nodes two edges apart (a stitch's diagonal neighbours), which the fabric holds apart.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+
+
+@kernel
+def _between(offsets: Array, neighbours: Array, i: int, j: int) -> int:
+    """Edges between nodes i and j: 1, 2, or 3 for "more"; neighbours of a node rise, sewn ones stand as ~node."""
+    a, ea, b, eb = offsets[i], offsets[i + 1], offsets[j], offsets[j + 1]
+    for k in range(a, ea):
+        if neighbours[k] == j or neighbours[k] == ~j:
+            return 1
+    while a < ea and b < eb:
+        if neighbours[a] == neighbours[b] and neighbours[a] >= 0:
+            return 2
+        if neighbours[a] < neighbours[b]:
+            a += 1
+        else:
+            b += 1
+    return 3
+
+
+@kernel
+def pairs(
+    x: Array, offsets: Array, neighbours: Array, far: float, near: float, skin: float, out: Array, reach: Array
+) -> int:
+    """List the pairs i > j that may touch before anything has moved half the ``skin``; gives how many there are.
+
+    x : (N, 3); offsets, neighbours : the edges as ragged lists, each rising; far, near : the two reaches
+    out : (M, 2), reach : (M,) are filled as far as they go; a result above M asks for larger ones.
+    """
+    n = len(x)
+    cell = far + skin
+    low, high = np.empty(3), np.empty(3)
+    for q in range(3):
+        low[q], high[q] = x[:, q].min(), x[:, q].max()
+    # Far-flung nodes share cells rather than overflow a key.
+    while ((high - low) / cell).max() > 1e5:
+        cell *= 2.0
+    nx, ny = int((high[0] - low[0]) / cell) + 3, int((high[1] - low[1]) / cell) + 3
+    key = np.empty(n, np.int64)
+    for i in range(n):
+        u, v, w = (x[i, 0] - low[0]) / cell, (x[i, 1] - low[1]) / cell, (x[i, 2] - low[2]) / cell
+        key[i] = ((int(w) + 1) * ny + int(v) + 1) * nx + int(u) + 1
+    order = np.argsort(key, kind="mergesort")
+    ranked = key[order]
+    found = 0
+    for i in range(n):
+        for w in range(-1, 2):
+            for v in range(-1, 2):
+                base = key[i] + (w * ny + v) * nx
+                for k in range(np.searchsorted(ranked, base - 1), n):
+                    if ranked[k] > base + 1:
+                        break
+                    j = order[k]
+                    if j >= i:
+                        continue
+                    dx, dy, dz = x[i, 0] - x[j, 0], x[i, 1] - x[j, 1], x[i, 2] - x[j, 2]
+                    r2 = dx * dx + dy * dy + dz * dz
+                    if r2 >= (far + skin) ** 2:
+                        continue
+                    hops = _between(offsets, neighbours, i, j)
+                    h = near if hops == 2 else far
+                    if hops == 1 or r2 >= (h + skin) ** 2:
+                        continue
+                    if found < len(out):
+                        out[found, 0], out[found, 1], reach[found] = i, j, h
+                    found += 1
+    return found
+
+
+@kernel
+def contact(x: Array, pair: Array, reach: Array, stiffness: float, D: Array) -> None:
+    """Add the contact of listed pairs: stiffness * (reach - r) apart where r < reach."""
+    for k in range(len(pair)):
+        i, j = pair[k, 0], pair[k, 1]
+        dx, dy, dz = x[i, 0] - x[j, 0], x[i, 1] - x[j, 1], x[i, 2] - x[j, 2]
+        r2 = dx * dx + dy * dy + dz * dz
+        if r2 >= reach[k] * reach[k] or r2 == 0.0:
+            continue
+        r = math.sqrt(r2)
+        s = stiffness * (reach[k] - r) / r
+        dx, dy, dz = dx * s, dy * s, dz * s
+        D[i, 0] += dx
+        D[i, 1] += dy
+        D[i, 2] += dz
+        D[j, 0] -= dx
+        D[j, 1] -= dy
+        D[j, 2] -= dz
+
+
+def ragged(n: int, edges: Array, sewn: Array) -> tuple[Array, Array]:
+    """The edges (E, 2) as ragged lists of neighbours, each rising: offsets (n + 1,), neighbours (2E,).
+
+    sewn : (E,) bool; across a seam the neighbour stands as ~node: it is joined, but what is next to it is not.
+    """
+    far = np.where(np.concatenate([sewn, sewn]), ~np.concatenate([edges[:, 1], edges[:, 0]]), 0)
+    both = np.concatenate([edges, edges[:, ::-1]]).astype(np.int64)
+    both[:, 1] = np.where(far < 0, far, both[:, 1])
+    both = both[np.lexsort((both[:, 1], both[:, 0]))]
+    offsets = np.zeros(n + 1, np.int64)
+    np.cumsum(np.bincount(both[:, 0], minlength=n), out=offsets[1:])
+    return offsets, np.ascontiguousarray(both[:, 1], dtype=np.int32)

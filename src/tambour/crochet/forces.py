@@ -1,0 +1,81 @@
+"""Forces of the fabric itself: along its edges, and of stitches worked into one loop.
+
+Everything here is in stitches (the stitch's width is 1); forces are displacements per step, as the seed has them
+(section "Simulation overview"): each kernel adds to D, and positions move only when all of D is known.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+
+
+@kernel
+def link(x: Array, edges: Array, rest: Array, cubic: bool, D: Array) -> None:
+    """Add the link force of every edge to D (N, 3).
+
+    x : (N, 3) positions; edges : (E, 2); rest : (E,) the distance d at which the two nodes leave each other alone
+    cubic : the seed's law ((r - d) / (r/2 + d))³ (section "Link force"), else the spring r - d
+
+    Nodes in one place (r = 0) have no direction and leave each other alone.
+    """
+    for e in range(len(edges)):
+        i, j = edges[e, 0], edges[e, 1]
+        dx, dy, dz = x[i, 0] - x[j, 0], x[i, 1] - x[j, 1], x[i, 2] - x[j, 2]
+        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        if r == 0.0:
+            continue
+        t = r - rest[e]
+        if cubic:
+            t /= 0.5 * r + rest[e]
+            t = t * t * t
+        t /= r
+        dx, dy, dz = dx * t, dy * t, dz * t
+        D[i, 0] -= dx
+        D[i, 1] -= dy
+        D[i, 2] -= dz
+        D[j, 0] += dx
+        D[j, 1] += dy
+        D[j, 2] += dz
+
+
+@kernel
+def single_loop(x: Array, nodes: Array, planes: Array, strength: Array, D: Array) -> None:
+    """Push each node worked into one loop along its plane's normal (seed, "Handling front-loop-only …").
+
+    nodes : (L,); planes : (L, 3) nodes a, b, c with the normal (b - a) × (c - a); strength : (L,) signed
+    There is no reaction, and three points on one line push nothing.
+    """
+    for k in range(len(nodes)):
+        a, b, c = planes[k, 0], planes[k, 1], planes[k, 2]
+        ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
+        vx, vy, vz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
+        nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+        length = math.sqrt(nx * nx + ny * ny + nz * nz)
+        if length > 0.0:
+            s = strength[k] / length
+            i = nodes[k]
+            D[i, 0] += nx * s
+            D[i, 1] += ny * s
+            D[i, 2] += nz * s
+
+
+@kernel
+def bend(x: Array, triples: Array, stiffness: Array, D: Array) -> None:
+    """Keep a → b → c straight: energy ½ s |a - 2b + c|², with triples (T, 3) and stiffness s (T,)."""
+    for t in range(len(triples)):
+        a, b, c = triples[t, 0], triples[t, 1], triples[t, 2]
+        for q in range(3):
+            f = stiffness[t] * (x[a, q] - 2.0 * x[b, q] + x[c, q])
+            D[a, q] -= f
+            D[b, q] += 2.0 * f
+            D[c, q] -= f
+
+
+def lengths(x: Array, edges: Array) -> Array:
+    """The length of every edge (E,)."""
+    return np.sqrt(((x[edges[:, 0]] - x[edges[:, 1]]) ** 2).sum(1))

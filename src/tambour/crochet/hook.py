@@ -1,0 +1,397 @@
+"""The hook: works stitch after stitch into a graph and closes the fabric's faces as it goes (seed 000)."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from itertools import pairwise
+
+from tambour.core.errors import Problem, Span, Text
+from tambour.core.graph import BACK, BLO, BOTH, FLO, FRONT, PLAIN, ROOT, TIP
+from tambour.crochet.moment import Moment, Sheets
+from tambour.crochet.stitches import JOIN, NEXT, OVER, THROUGH, UNDYED, Stitch
+
+MOST_AT_TIP = 12
+
+
+class HookError(Exception):
+    """A step that the hook cannot do, with the Problem that says why."""
+
+    def __init__(self, problem: Problem) -> None:
+        super().__init__(problem.message)
+        self.problem = problem
+
+
+@dataclass(slots=True)
+class Round:
+    """Nodes ``first`` to ``last`` of one round (or, in rows, one row).
+
+    number : from 1 within its part; count : its stitches; span : the text of its first stitch
+    below : the round it is worked into (an index), -1 for a ring or a chain
+    whole : it used up the round below
+    """
+
+    part: int
+    number: int
+    first: int
+    last: int
+    count: int
+    span: Span
+    below: int
+    whole: bool
+
+
+class Hook:
+    """State of the hook: the seed's global state, and ``now``, its Moment.
+
+    Per node: ``parent``, ``previous``, ``style`` (an index into ``styles``: kind, height, part, colour, loop, direction,
+    peculiarity, span) and its anchors, ragged. ``faces`` are triangles, outside counter-clockwise for right-handed work
+    (along the round × up the fabric points inside).
+    """
+
+    def __init__(self, text: Text) -> None:
+        self.text = text
+        self.parent: list[int] = []
+        self.previous: list[int] = []
+        self.style: list[int] = []
+        self.anchors: list[int] = []
+        self.ends: list[int] = [0]
+        self.faces: list[tuple[int, int, int]] = []
+        self.face_sheet: list[int] = []
+        self.joins: list[tuple[int, int]] = []
+        self.styles: list[tuple[str, float, int, tuple[int, int, int], int, int, int, Span]] = []
+        self._style_of: dict[tuple[object, ...], int] = {}
+        self.rounds: list[Round] = []
+        self.round: list[int] = []
+        self.sheets = Sheets()
+        self.marks: dict[str, int] = {}
+        self.labels: dict[str, tuple[Moment, int]] = {}  # label → its moment and its edge
+        self.color: tuple[int, int, int] = UNDYED
+        self.part = -1
+        self.begun = False
+        self.ahead = 0  # anchors left to go once around, from where the line began
+        self.joined = 0  # anchors that slip stitches took in this line
+        self.now = Moment()
+        self.last_mark: str | None = None
+        self.span = Span(0, 0)
+        self._first = 0
+        self._number = 0
+
+    def fail(self, message: str, hint: str = "", span: Span | None = None) -> HookError:
+        """The error to raise at the action under way."""
+        return HookError(Problem(message, hint, span or self.span, self.text))
+
+    def __len__(self) -> int:
+        return len(self.parent)
+
+    # -- parts and rounds -------------------------------------------------------------------------------------------
+
+    def begin_part(self) -> None:
+        """A new part: fresh moment, loops both."""
+        self.part += 1
+        self.begun = False
+        self.now = Moment(sheet=self.sheets.begin())
+        self._first, self._number = len(self), 0
+
+    def end_part(self) -> None:
+        """Closes the round under way."""
+        self.end_round(False)
+
+    def end_round(self, whole: bool) -> None:
+        """The nodes since the last round's end become a round; anchors that lie ahead are the next round's."""
+        first, last = self._first, len(self) - 1
+        if first <= last:
+            while first <= last and self.styles[self.style[first]][6] == ROOT:
+                first += 1
+            top = last
+            while top >= first and self.styles[self.style[top]][6] == TIP:
+                top -= 1
+            if first <= top:
+                self._number += 1
+                at = self.ends[first]
+                under = self.anchors[at] if self.ends[first + 1] > at else self.previous[first]
+                below = self.round[under] if 0 <= under < len(self.round) else -1
+                self.rounds.append(
+                    Round(
+                        self.part,
+                        self._number,
+                        first,
+                        top,
+                        top - first + 1,
+                        self.styles[self.style[first]][7],
+                        below,
+                        whole,
+                    )
+                )
+            self.round += [len(self.rounds) - 1] * (len(self) - len(self.round))
+        self._first = len(self)
+        self.now.left = self.now.count
+
+    def _need_start(self) -> None:
+        if not self.begun:
+            raise self.fail("a part begins with a magic ring or a chain", "write MR(6) or ch(12) first")
+
+    # -- nodes ------------------------------------------------------------------------------------------------------
+
+    def look(self, kind: str, height: float, peculiarity: int = PLAIN) -> int:
+        """The style index of nodes made by the action under way."""
+        now = self.now
+        key = (kind, height, self.part, self.color, now.loop, now.direction, peculiarity, self.span)
+        found = self._style_of.get(key)
+        if found is None:
+            found = self._style_of[key] = len(self.styles)
+            self.styles.append((kind, height, self.part, self.color, now.loop, now.direction, peculiarity, self.span))
+        return found
+
+    def node(self, style: int, anchors: list[int], previous: int, parent: int) -> int:
+        """A new node; gives its index."""
+        self.parent.append(parent)
+        self.previous.append(previous)
+        self.style.append(style)
+        self.anchors += anchors
+        self.ends.append(len(self.anchors))
+        return len(self.parent) - 1
+
+    def face(self, a: int, b: int, c: int) -> None:
+        """A triangle of the fabric, unless it has no extent; turned rows are seen from their back."""
+        if a != b and b != c and a != c:
+            self.faces.append((a, b, c) if self.now.direction > 0 else (b, a, c))
+            self.face_sheet.append(self.now.sheet)
+
+    def fill(self, path: list[int]) -> None:
+        """The triangles between the hook's node ``path[0]`` and the rest of ``path``, a closed stretch of the edge."""
+        for a, b in pairwise(path[1:]):
+            self.face(b, a, path[0])
+
+    def magic_ring(self, size: int) -> None:
+        """A root and ``size`` stitches into it, a fan round it; the ring's end is joined by the next round."""
+        self.end_round(False)
+        self.begun = True
+        now = self.now = Moment(loop=self.now.loop, sheet=self.sheets.begin())
+        root = self.node(self.look("ring", 0.0, ROOT), [], -1, -1)
+        look = self.look("sc", 1.0)
+        first = len(self)
+        for k in range(size):
+            self.node(look, [root], first + k - 1 if k else -1, root)
+        for k in range(1, size):
+            self.face(root, first + k - 1, first + k)
+        self.face(root, first + size - 1, first)
+        now.front, now.count, now.spine = deque(range(first, first + size)), size, [first + size - 1]
+        self.joined = 0
+        self.end_round(True)
+        self.ahead = size
+
+    def stitch(self, stitch: Stitch, times: int) -> None:
+        """``stitch``, ``times`` in a row. Errors are raised at the action under way."""
+        if not self.begun and stitch.name == "ch":
+            self._foundation()
+        self._need_start()
+        now = self.now
+        front = now.front
+        if any(m.what in (THROUGH, JOIN) for m in stitch.moves):
+            self._begin_sheet()
+        faces, sheets, sheet, forward = self.faces, self.face_sheet, now.sheet, now.direction > 0
+        looks = [self.look(m.kind, m.height, self._single()) if m.what == OVER else -1 for m in stitch.moves]
+        for _ in range(times):
+            spine = now.spine
+            path = spine[::-1]
+            pulled: list[int] = []
+            touched = False
+            for move, look in zip(stitch.moves, looks):
+                what = move.what
+                if what == OVER:
+                    c = len(self.parent)
+                    if pulled:
+                        parent = pulled[-1]
+                        if now.loop != BOTH and self.parent[parent] < 0:
+                            raise self.fail(
+                                "a single loop needs two rounds below it",
+                                "work the first round after a ring into both loops",
+                            )
+                        self.node(look, pulled, path[0], parent)
+                        pulled = []
+                        a = path[0]
+                        for b in path[1:]:
+                            if a != b:
+                                faces.append((b, a, c) if forward else (a, b, c))
+                                sheets.append(sheet)
+                            a = b
+                        front.append(c)
+                        now.count += 1
+                        path = [c, a]
+                        now.starting = False
+                    else:
+                        self.node(look, [], path[0] if path else -1, -1)
+                        if not now.starting:
+                            front.append(c)
+                            now.count += 1
+                        elif now.ring:
+                            front.append(~c)
+                        path.insert(0, c)
+                    continue
+                while front and front[0] < 0:
+                    path.append(~front.popleft())
+                if not front:
+                    raise self.fail(
+                        "there is no stitch left to work into",
+                        "the edge is used up: begin with MR, or go back with goto",
+                    )
+                anchor = front[0]
+                if what == NEXT:
+                    front.popleft()
+                    self._used(1)
+                    if path[-1] != anchor:
+                        path.append(anchor)
+                    touched = False
+                    continue
+                if path[-1] != anchor:
+                    path.append(anchor)
+                touched = True
+                if what == THROUGH:
+                    pulled.append(anchor)
+                elif what == JOIN:
+                    self.fill(path)
+                    self.joins.append((path[0], anchor))
+                    path = [path[0], anchor]
+                    self.joined += 1
+            if touched:
+                front.popleft()
+                self._used(1)
+            path.reverse()
+            now.spine = path
+            if now.left <= 0 and touched:
+                self.end_round(True)
+
+    def _used(self, anchors: int) -> None:
+        self.now.count -= anchors
+        self.now.left -= anchors
+        self.ahead -= anchors
+
+    def _single(self) -> int:
+        return {BOTH: PLAIN, FRONT: FLO, BACK: BLO}[self.now.loop]
+
+    def _foundation(self) -> None:
+        """A chain begins a part."""
+        self.begun = True
+        self.now = Moment(loop=self.now.loop, sheet=self.sheets.begin(), chain=True)
+
+    def _begin_sheet(self) -> None:
+        self.now.chain = False
+        sheet = self.sheets.sheets[self.now.sheet]
+        if not sheet.begun:
+            sheet.begun, sheet.back = True, self.now.loop == BACK
+
+    # -- the edge ---------------------------------------------------------------------------------------------------
+
+    def fasten_off(self, closing: bool) -> None:
+        """Draws the edge together in a tip node; in rows, or where ``closing`` is off, only ends the yarn."""
+        self._need_start()
+        now = self.now
+        if not closing:
+            return
+        if now.ring:
+            if now.count < 2:
+                raise self.fail("FO needs at least two stitches to draw together", "the edge is used up already")
+            if now.count > MOST_AT_TIP:
+                raise self.fail(
+                    f"FO draws at most {MOST_AT_TIP} stitches together, here are {now.count}",
+                    "decrease further, or leave FO out: the end stays open",
+                )
+            self._begin_sheet()
+            edge = [n if n >= 0 else ~n for n in now.front]
+            anchors = [n for n in now.front if n >= 0]
+            self.fill([*now.spine[::-1], edge[0]])
+            tip = self.node(self.look("tip", 1.0, TIP), anchors, -1, -1)
+            for a, b in zip(edge, edge[1:] + edge[:1]):
+                self.face(b, a, tip)
+            self.sheets.sheets[now.sheet].shut = True
+        self.end_round(False)
+        self.now = Moment(sheet=now.sheet)
+
+    def turn(self) -> None:
+        """Work goes back along the edge, on the fabric's other side; chains just made are not worked into."""
+        self._need_start()
+        now = self.now
+        self.need_edge("turn")
+        self.end_round(False)
+        made = list(now.front)
+        spine = now.spine
+        # A chain at the hook only lifts the yarn; when there is nothing else, its last stitch does.
+        chains = 0
+        while made and chains < len(made) and self._is_chain(made[-1 - chains]):
+            chains += 1
+        lifted = 1 if chains == len(made) else chains
+        if lifted:
+            base = made[-1 - lifted] if lifted < len(made) else made[0]
+            spine = [base if base >= 0 else ~base, *[n for n in made[-lifted:] if n >= 0]]
+            made = made[:-lifted]
+            now.count -= lifted
+        else:
+            spine = spine[-1:]
+        if now.chain:
+            now.chain = now.ring = False
+        back = made[::-1]
+        if now.ring:
+            # The edge runs on past the round's start, up the side of this row, to the hook.
+            back += [~n for n in (now.spine[:1] if len(now.spine) > 1 else [])] + [~n for n in spine]
+        now.front, now.spine = deque(back), spine
+        now.direction, now.starting = -now.direction, True
+        self.end_round(False)
+        self.ahead = now.count
+
+    def _is_chain(self, n: int) -> bool:
+        return n >= 0 and self.ends[n + 1] == self.ends[n] and self.styles[self.style[n]][6] == PLAIN
+
+    def join_round(self) -> None:
+        """A slip stitch into the first stitch of the round just made, which stays to be worked into."""
+        self.need_edge("join")
+        now = self.now
+        path = now.spine[::-1]
+        while now.front[0] < 0:
+            path.append(~now.front.popleft())
+        first = now.front[0]
+        if first != path[0]:
+            path.append(first)
+            self.fill(path)
+            self.joins.append((path[0], first))
+        now.front.append(~first)
+        now.spine, now.starting = [first], True
+        self.end_round(True)
+        self.ahead = now.count
+
+    def loops(self, loop: int) -> None:
+        """The loops that stitches go into from here on."""
+        self._need_start()
+        self.now.loop = loop
+
+    def need_edge(self, word: str) -> None:
+        """HookError unless there is an edge that the action ``word`` can work on."""
+        self._need_start()
+        if self.now.count == 0:
+            raise self.fail(
+                f"there is no edge to {word}", "the work was fastened off: begin with MR, or go back with goto"
+            )
+
+    def mark(self, label: str) -> None:
+        """Keeps the moment, to come back to."""
+        self._need_start()
+        now = self.now
+        if now.count == 0:
+            raise self.fail("this mark is of no use: no stitch is left to work into", "mark before FO")
+        if label in self.labels:
+            raise self.fail(f'there is a mark "{label}" already', "a mark in a repeated round is set once too often")
+        edge = self.sheets.edge(now.sheet)
+        self.labels[label] = (now.copy(), edge)
+        self.marks[label] = now.spine[-1]
+        now.sheet = self.sheets.begin(edge)
+        self.last_mark = label
+
+    def goto(self, label: str) -> None:
+        """Back to a kept moment; the next stitch links to the one before the mark."""
+        self._need_start()
+        moment, edge = self.labels[label]
+        self.end_round(False)
+        self.now = moment.copy()
+        self.now.sheet = self.sheets.begin(edge)
+        self.end_round(False)
+        self.ahead, self.joined = self.now.count, 0

@@ -1,0 +1,187 @@
+"""Settle: the shape at rest under exactly the forces of the plain steps, by preconditioned quasi-Newton moves.
+
+The forces are not all a potential's (single loops push without reaction, centroids move after the nodes), so moves
+are judged by forces alone: L-BFGS (Liu & Nocedal 1989), its first guess the inverse of the fabric's graph Laplacian,
+which is what the springs look like to a long wave; a move is shortened when it carries past where the forces turn.
+Rigid motion of a piece is no change of shape and is left out. Sums run in a fixed order: same bytes for any threads.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.crochet.body import Body, State, displacement
+
+MEMORY = 10
+"""Moves remembered."""
+CAP = 0.5
+"""The farthest that a node moves at once, in stitches: less than would carry it through fabric."""
+SOFT = 1e-3
+"""Stiffness of the ground in the preconditioner, which makes it invertible."""
+SURE = 1e-3
+"""The rms length of the quasi-Newton move, in stitches, below which the shape is taken to be at rest."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """How settling ended: the largest residual force, the rms of the last move, both in stitches; evaluations."""
+
+    residual: float
+    move: float
+    evaluations: int
+    settled: bool
+
+
+def tolerance(n: int) -> float:
+    """The default residual for n nodes: longer waves are softer, so larger pieces need a smaller one."""
+    return 1e-4 * min(1.0, math.sqrt(5000.0 / max(n, 1)))
+
+
+def budget(n: int) -> int:
+    """The most evaluations for n nodes: enough for every piece that settles, bounded for those that do not."""
+    return int(min(max(3_000_000 / max(n, 1), 400), 2000))
+
+
+@kernel
+def dot(a: Array, b: Array) -> float:
+    """Sum of products in a fixed order; eight sums side by side for speed."""
+    n = len(a) - len(a) % 8
+    s0, s1, s2, s3, s4, s5, s6, s7 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    for i in range(0, n, 8):
+        s0 += a[i] * b[i]
+        s1 += a[i + 1] * b[i + 1]
+        s2 += a[i + 2] * b[i + 2]
+        s3 += a[i + 3] * b[i + 3]
+        s4 += a[i + 4] * b[i + 4]
+        s5 += a[i + 5] * b[i + 5]
+        s6 += a[i + 6] * b[i + 6]
+        s7 += a[i + 7] * b[i + 7]
+    for i in range(n, len(a)):
+        s0 += a[i] * b[i]
+    return ((s0 + s1) + (s2 + s3)) + ((s4 + s5) + (s6 + s7))
+
+
+@kernel
+def newest_first(S: Array, Y: Array, rho: Array, order: Array, q: Array, a: Array) -> None:
+    """The first half of the two-loop recursion, on q in place; a keeps its coefficients."""
+    for t in range(len(order) - 1, -1, -1):
+        k = order[t]
+        a[k] = rho[k] * dot(S[k], q)
+        for i in range(len(q)):
+            q[i] -= a[k] * Y[k, i]
+
+
+@kernel
+def oldest_first(S: Array, Y: Array, rho: Array, order: Array, z: Array, a: Array) -> None:
+    """The second half, on z in place."""
+    for t in range(len(order)):
+        k = order[t]
+        b = a[k] - rho[k] * dot(Y[k], z)
+        for i in range(len(z)):
+            z[i] += b * S[k, i]
+
+
+def rigid(x: Array, D: Array, label: Array) -> Array:
+    """D (N, 3) less the rigid motion, translation and small rotation, of every piece; label (N,) numbers them."""
+    out = D.copy()
+    for k in range(int(label.max(initial=-1)) + 1):
+        mine = slice(None) if label.max() == 0 else label == k
+        r = x[mine] - x[mine].mean(0)
+        d = D[mine] - D[mine].mean(0)
+        if len(r) > 2:
+            inertia = (r * r).sum() * np.eye(3) - np.einsum("ij,ik->jk", r, r)
+            spin = np.linalg.lstsq(inertia, np.cross(r, d).sum(0), rcond=1e-9)[0]
+            d -= np.cross(spin, r)
+        out[mine] = d
+    return out
+
+
+def laplacian(body: Body) -> Callable[[Array], Array]:
+    """The preconditioner: solves (L + soft) z = q for three columns, L the Laplacian of the fabric's edges."""
+    from scipy.sparse import coo_matrix, diags, eye
+    from scipy.sparse.linalg import splu
+
+    n = len(body)
+    i, j = body.edges[:, 0], body.edges[:, 1]
+    weight = 0.2 if body.cubic else 1.0
+    half = coo_matrix((np.full(len(i), weight), (i, j)), shape=(n, n))
+    W = (half + half.T).tocsr()
+    L = (diags(np.asarray(W.sum(1)).ravel()) - W + SOFT * eye(n)).tocsc()
+    factor = splu(L, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}, diag_pivot_thresh=0.0)
+    return lambda q: factor.solve(q.reshape(-1, 3)).ravel()
+
+
+def settle(
+    body: Body,
+    state: State,
+    goal: float | None = None,
+    most: int | None = None,
+    tell: Callable[[int, int], None] = lambda done, total: None,
+) -> Rest:
+    """Bring ``state`` to rest.
+
+    goal : largest residual force in stitches; None takes :func:`tolerance` and asks for a short last move as well
+    most : evaluations at the most; None takes :func:`budget`
+    """
+    n = len(body)
+    if n < 2:
+        return Rest(0.0, 0.0, 0, True)
+    wanted, limit = (tolerance(n) if goal is None else goal), (budget(n) if most is None else most)
+    _, label = np.unique(body.root, return_inverse=True)
+    solve = laplacian(body)
+    S, Y, rho, a = np.zeros((MEMORY, 3 * n)), np.zeros((MEMORY, 3 * n)), np.zeros(MEMORY), np.zeros(MEMORY)
+    order: list[int] = []
+    begun, scale, accepted = state.evaluations, 1.0, 0
+    G = rigid(state.x, displacement(body, state), label).ravel()
+    residual, move = _largest(G), math.inf
+    while True:
+        z = G.copy()
+        ranks = np.array(order, np.int64)
+        newest_first(S, Y, rho, ranks, z, a)
+        z = solve(z) * scale
+        oldest_first(S, Y, rho, ranks, z, a)
+        slope = dot(G, z)
+        if slope <= 0.0:
+            order = []
+            z = solve(G) * scale
+            slope = dot(G, z)
+        move = math.sqrt(dot(z, z) / n)
+        spent = state.evaluations - begun
+        settled = residual <= wanted and (goal is not None or move <= SURE)
+        if settled or spent >= limit or slope <= 0.0:
+            return Rest(residual, move, spent, settled)
+        longest = _largest(z)
+        if longest > CAP:
+            z *= CAP / longest
+            slope *= CAP / longest
+        x, c, volume, t = state.x, state.c, state.volume.copy(), 1.0
+        for _ in range(6):
+            state.x, state.c = x + t * z.reshape(-1, 3), c.copy()
+            new = rigid(state.x, displacement(body, state), label).ravel()
+            turned = dot(new, z)
+            if (state.volume >= 0.3 * volume).all() and turned > -0.9 * slope:
+                break
+            t *= min(max(slope / (slope - turned), 0.1), 0.7) if turned < slope else 0.5
+        z *= t
+        y = G - new
+        bent = dot(z, y)
+        if bent > 1e-10 * dot(z, z):
+            k = order.pop(0) if len(order) == MEMORY else len(order)
+            S[k], Y[k], rho[k] = z, y, 1.0 / bent
+            order.append(k)
+            if accepted % 4 == 0:
+                scale = bent / dot(y, solve(y))
+        accepted += 1
+        G = new
+        residual = _largest(G)
+        tell(min(spent, limit), limit)
+
+
+def _largest(v: Array) -> float:
+    return math.sqrt((v.reshape(-1, 3) ** 2).sum(1).max(initial=0.0))

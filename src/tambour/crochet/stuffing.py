@@ -1,0 +1,183 @@
+"""Stuffing: what presses the fabric outwards. Three ways: moving centroids, a skeleton of the rounds, pressure."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+
+
+@kernel
+def centroids(
+    x: Array,
+    owner: Array,
+    first: Array,
+    c: Array,
+    force: float,
+    cap: float,
+    b: float,
+    w: float,
+    amount: Array,
+    D: Array,
+) -> None:
+    """Push every node from every centroid of its part, then move the centroids (seed, "Centroid stuffing").
+
+    x : (N, 3); owner : (N,) part; first : (P + 1,) each part's centroids are c[first[p]:first[p + 1]]
+    c : (C, 3) centroids, moved in place to the weighted mean of the nodes that they are nearest to, with the weight
+        exp(-(ln r - b)² / w²)
+    force, cap : the push is amount * force * min(1 / r², cap), away from the centroid; amount : (P,)
+
+    A centroid that is nearest to no node, or whose weights are all zero, stays.
+    """
+    weight = np.zeros(len(c))
+    total = np.zeros((len(c), 3))
+    for i in range(len(x)):
+        p = owner[i]
+        nearest, best = -1, np.inf
+        for k in range(first[p], first[p + 1]):
+            dx, dy, dz = x[i, 0] - c[k, 0], x[i, 1] - c[k, 1], x[i, 2] - c[k, 2]
+            r2 = dx * dx + dy * dy + dz * dz
+            if r2 < best:
+                nearest, best = k, r2
+            if r2 > 0.0:
+                s = amount[p] * force * min(1.0 / r2, cap) / math.sqrt(r2)
+                D[i, 0] += dx * s
+                D[i, 1] += dy * s
+                D[i, 2] += dz * s
+        if nearest >= 0 and best > 0.0:
+            u = (0.5 * math.log(best) - b) / w
+            u = math.exp(-u * u)
+            weight[nearest] += u
+            for q in range(3):
+                total[nearest, q] += u * x[i, q]
+    for k in range(len(c)):
+        if weight[k] > 0.0:
+            for q in range(3):
+                c[k, q] = total[k, q] / weight[k]
+
+
+@kernel
+def sections(x: Array, offsets: Array, members: Array, neighbours: Array, passes: int, out: Array) -> None:
+    """Centres (S, 3) of the skeleton's sections: means of their nodes, then smoothed ``passes`` times.
+
+    offsets, members : ragged nodes of each section; neighbours : (S, 2) sections before and after, -1 for none
+    A section with both neighbours becomes half itself and a quarter of each; ends stay.
+    """
+    for s in range(len(out)):
+        out[s] = 0.0
+        for k in range(offsets[s], offsets[s + 1]):
+            for q in range(3):
+                out[s, q] += x[members[k], q]
+        for q in range(3):
+            out[s, q] /= offsets[s + 1] - offsets[s]
+    old = np.empty_like(out)
+    for _ in range(passes):
+        old[:] = out
+        for s in range(len(out)):
+            a, b = neighbours[s, 0], neighbours[s, 1]
+            if a >= 0 and b >= 0:
+                for q in range(3):
+                    out[s, q] = 0.5 * old[s, q] + 0.25 * (old[a, q] + old[b, q])
+
+
+@kernel
+def skeleton(
+    x: Array, section: Array, radius: Array, centres: Array, neighbours: Array, force: Array, cap: float, D: Array
+) -> None:
+    """Push every node from the nearest point of its own stretch of the skeleton.
+
+    section : (N,) the section of each node, -1 for none; radius : (S,) the radius R its round wants
+    neighbours : (S, 2); force : (N,) f of each node; the push is f / R * min((R / r)², cap)
+    """
+    for i in range(len(x)):
+        s = section[i]
+        if s < 0:
+            continue
+        best, bx, by, bz = np.inf, 0.0, 0.0, 0.0
+        for k in range(2):
+            t = neighbours[s, k]
+            ax, ay, az = centres[s, 0], centres[s, 1], centres[s, 2]
+            if t >= 0:
+                ux, uy, uz = centres[t, 0] - ax, centres[t, 1] - ay, centres[t, 2] - az
+                square = ux * ux + uy * uy + uz * uz
+                if square > 0.0:
+                    along = ((x[i, 0] - ax) * ux + (x[i, 1] - ay) * uy + (x[i, 2] - az) * uz) / square
+                    along = min(max(along, 0.0), 1.0)
+                    ax, ay, az = ax + along * ux, ay + along * uy, az + along * uz
+            dx, dy, dz = x[i, 0] - ax, x[i, 1] - ay, x[i, 2] - az
+            r2 = dx * dx + dy * dy + dz * dz
+            if r2 < best:
+                best, bx, by, bz = r2, dx, dy, dz
+        if best > 0.0:
+            R = radius[s]
+            g = force[i] / R * min(R * R / best, cap) / math.sqrt(best)
+            D[i, 0] += g * bx
+            D[i, 1] += g * by
+            D[i, 2] += g * bz
+
+
+@kernel
+def pressure(
+    x: Array,
+    faces: Array,
+    face_part: Array,
+    lid_offsets: Array,
+    lid_nodes: Array,
+    amount: Array,
+    least: Array,
+    volume: Array,
+    D: Array,
+) -> None:
+    """Press outwards: add amount / V * dV/dx, the force of the energy -amount ln V, part by part.
+
+    faces : (F, 3), counter-clockwise outside; a corner of index N + l is the middle of lid l's rim
+    lid_offsets, lid_nodes : ragged rims; lids close the volume and have no fabric
+    amount, least : (P,); where V is below ``least`` the pressure stays amount / least
+    volume : (P,) out
+    """
+    n, lids = len(x), len(lid_offsets) - 1
+    apex, pull = np.zeros((lids, 3)), np.zeros((lids, 3))
+    for m in range(lids):
+        for k in range(lid_offsets[m], lid_offsets[m + 1]):
+            for q in range(3):
+                apex[m, q] += x[lid_nodes[k], q]
+        for q in range(3):
+            apex[m, q] /= lid_offsets[m + 1] - lid_offsets[m]
+    volume[:] = 0.0
+    G = np.empty((3, 3))
+    p = np.empty((3, 3))
+    for way in range(2):
+        for f in range(len(faces)):
+            part = face_part[f]
+            if way == 1 and amount[part] == 0.0:
+                continue
+            for k in range(3):
+                v = faces[f, k]
+                for q in range(3):
+                    p[k, q] = x[v, q] if v < n else apex[v - n, q]
+            for k in range(3):
+                a, b = (k + 1) % 3, (k + 2) % 3
+                G[k, 0] = p[a, 1] * p[b, 2] - p[a, 2] * p[b, 1]
+                G[k, 1] = p[a, 2] * p[b, 0] - p[a, 0] * p[b, 2]
+                G[k, 2] = p[a, 0] * p[b, 1] - p[a, 1] * p[b, 0]
+                if way == 0:
+                    break
+            if way == 0:
+                volume[part] += (p[0, 0] * G[0, 0] + p[0, 1] * G[0, 1] + p[0, 2] * G[0, 2]) / 6.0
+                continue
+            s = amount[part] / max(volume[part], least[part]) / 6.0
+            for k in range(3):
+                v = faces[f, k]
+                for q in range(3):
+                    if v < n:
+                        D[v, q] += s * G[k, q]
+                    else:
+                        pull[v - n, q] += s * G[k, q]
+    for m in range(lids):
+        count = lid_offsets[m + 1] - lid_offsets[m]
+        for k in range(lid_offsets[m], lid_offsets[m + 1]):
+            for q in range(3):
+                D[lid_nodes[k], q] += pull[m, q] / count

@@ -1,0 +1,67 @@
+"""The craft's way from a drawing to a piece: regions, their order, their stitches, one plan."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tambour.core.errors import TambourError
+from tambour.core.progress import Progress
+from tambour.core.thread import Thread
+from tambour.embroidery.families import Place, region_stitches
+from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.piece import Piece, Region
+from tambour.embroidery.regions import regions
+from tambour.embroidery.sequence import Layout, order
+
+
+def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
+    """A Piece of a Drawing: regions, order, stitches, plan. TambourError for drawings that cannot be embroidered."""
+    with progress.stage("read"):
+        drawing = source
+        if drawing.about.get("ignored"):
+            progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
+        found = regions(drawing, params, progress)
+    with progress.stage("route"):
+        sequence = order(found, params.order)
+    layout = Layout(params)
+    for done, k in enumerate(sequence):
+        region = found[k]
+        progress.step(done, len(sequence))
+        start = region.start or _place(layout.here)
+        end = region.end or _ahead(found, sequence, done, params)
+        with progress.stage("fill"):
+            threads = region_stitches(region, start, end)
+        with progress.stage("sequence"):
+            layout.color(Thread(region.color))
+            for thread in threads:
+                layout.stitches(thread, k)
+            if "stop" in region.flags:
+                layout.stop()
+            elif "trim" in region.flags:
+                layout.finish(cut=True)
+    with progress.stage("sequence"):
+        if layout.here is None:
+            raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: --width 100mm")
+        plan, region_of, kind, rows = layout.plan()
+    return Piece(drawing, found, params, plan, region_of, kind, np.zeros(len(plan)), rows, dict(layout.facts))
+
+
+def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:
+    """Where the thread goes on after a region: a place of the next one, if it is of the same colour and near."""
+    if done + 1 >= len(sequence):
+        return None
+    this, next_one = found[sequence[done]], found[sequence[done + 1]]
+    if this.color != next_one.color:
+        return None
+    a, b = this.paths.coords, next_one.paths.coords
+    from scipy.spatial import cKDTree
+
+    far = np.asarray(cKDTree(a).query(b)[0])
+    k = int(np.argmin(far))
+    return (float(b[k, 0]), float(b[k, 1])) if far[k] < 30 else None
+
+
+def _place(here: Any) -> Place:
+    return None if here is None else (float(here[0]), float(here[1]))

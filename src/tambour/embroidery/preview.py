@@ -1,0 +1,263 @@
+"""The embroidery as one sees it: every stitch a twisted thread with sheen, on woven cloth, from straight above.
+
+Each stitch is painted into a height field with the direction of its fibres; then every pixel is lit. The sheen is that
+of fibres (J. Kajiya and T. Kay, "Rendering fur with three dimensional textures", SIGGRAPH 1989): light runs along
+them, so that a satin shines across its column and two fills of one colour part by their angle. The height field throws
+shadows between threads and on the cloth.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import prange
+
+from tambour.color import coded, linear
+from tambour.core.check import Array
+from tambour.core.kernels import kernel, parallel_kernel
+from tambour.core.picture import Picture
+from tambour.core.thread import JUMP, STITCH, ThreadPlan
+
+MARGIN = 6.0
+"""Cloth shown around the design, mm."""
+
+_SAMPLES = 2  # painted pixels along each side of one of the picture's
+# Light from the upper left, 40 degrees above the cloth, y down.
+_LIGHT = np.array([-0.50, -0.58, 0.64]) / np.linalg.norm([-0.50, -0.58, 0.64])
+
+
+def stitches(plan: ThreadPlan) -> Array:
+    """The plan's thread: (S,) indices k of needle points to which thread was laid from the point k - 1."""
+    command = plan.command
+    laid = (command == STITCH) & np.r_[False, command[:-1] != JUMP]
+    # Commands stand where the needle is: what lies before them is still the thread's way, unless it was cut.
+    cut = np.r_[False, (command[:-1] != STITCH) & (command[:-1] != 3)]
+    moved = np.r_[False, np.hypot(*np.diff(plan.xy, axis=0).T) > 1e-6]
+    return np.flatnonzero(laid & ~cut & moved)
+
+
+@kernel
+def _paint(
+    a: Array,
+    b: Array,
+    base: Array,
+    radius: float,
+    scale: float,
+    x0: float,
+    y0: float,
+    top: Array,
+    owner: Array,
+    along: Array,
+    across: Array,
+) -> None:
+    """Paint stitches a → b: the height of what is on top (mm), whose it is, mm along it, and -1…1 across it."""
+    rise = 2.2 * radius
+    for s in range(len(a)):
+        dx, dy = b[s, 0] - a[s, 0], b[s, 1] - a[s, 1]
+        length = np.sqrt(dx * dx + dy * dy)
+        if length <= 0.0:
+            continue
+        dx, dy = dx / length, dy / length
+        cap = 0.55 * radius
+        reach = radius + cap
+        i0 = max(0, int((min(a[s, 0], b[s, 0]) - reach - x0) * scale))
+        i1 = min(top.shape[1] - 1, int((max(a[s, 0], b[s, 0]) + reach - x0) * scale) + 1)
+        j0 = max(0, int((min(a[s, 1], b[s, 1]) - reach - y0) * scale))
+        j1 = min(top.shape[0] - 1, int((max(a[s, 1], b[s, 1]) + reach - y0) * scale) + 1)
+        for j in range(j0, j1 + 1):
+            py = y0 + (j + 0.5) / scale - a[s, 1]
+            # The columns of this row that the stitch can touch.
+            left, right = i0, i1
+            if abs(dy) > 1e-9:
+                m = py * dx / dy
+                w = reach / abs(dy)
+                left = max(i0, int((a[s, 0] + m - w - x0) * scale))
+                right = min(i1, int((a[s, 0] + m + w - x0) * scale) + 1)
+            for i in range(left, right + 1):
+                px = x0 + (i + 0.5) / scale - a[s, 0]
+                t, d = px * dx + py * dy, py * dx - px * dy
+                if t < -cap or t > length + cap:
+                    continue
+                end = min(t, length - t)
+                # How far the thread has come up from its needle hole: 0 at the hole, 1 on top.
+                up = min(1.0, max(0.0, (end + cap) / (min(rise, 0.5 * length) + cap)))
+                up = np.sqrt(up * (2.0 - up))
+                wide = radius * (0.62 + 0.38 * up)
+                if abs(d) >= wide:
+                    continue
+                v = d / wide
+                z = base[s] * up + radius * (1.7 * up - 1.0) + wide * np.sqrt(1.0 - v * v)
+                if z > top[j, i]:
+                    top[j, i], owner[j, i], along[j, i], across[j, i] = z, s, t, v
+
+
+@kernel
+def _hash(i: int, j: int) -> float:
+    """A value in 0…1 for a pair of whole numbers."""
+    z = np.uint64(i * 73856093 ^ j * 19349663)
+    z = (z ^ (z >> np.uint64(15))) * np.uint64(0x9E3779B97F4A7C15)
+    z = (z ^ (z >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
+    return float(z >> np.uint64(40)) / 16777216.0
+
+
+@parallel_kernel
+def _weave(top: Array, tint: Array, scale: float, pitch: float) -> None:
+    """The ground: a plain weave of ``pitch`` mm; its height (mm, at most 0) and its tone."""
+    for j in prange(top.shape[0]):
+        y = (j + 0.5) / scale / pitch
+        for i in range(top.shape[1]):
+            x = (i + 0.5) / scale / pitch
+            wobble = 0.12 * np.sin(0.9 * x + 0.35 * np.floor(y)) + 0.12 * np.sin(0.7 * y + 0.5 * np.floor(x))
+            cx, cy = int(np.floor(x + wobble)), int(np.floor(y + wobble))
+            u, v = x + wobble - cx - 0.5, y + wobble - cy - 0.5
+            warp = (cx + cy) % 2 == 0
+            bow, round_ = (v, u) if warp else (u, v)
+            h = np.cos(np.pi * bow) * np.cos(0.92 * np.pi * round_)
+            top[j, i] = pitch * (0.16 * h - 0.22)
+            line = cx if warp else cy + 7919
+            tint[j, i] = 0.95 + 0.06 * _hash(line, 3) + 0.02 * _hash(cx, cy)
+
+
+@parallel_kernel
+def _light(
+    top: Array,
+    owner: Array,
+    along: Array,
+    across: Array,
+    a: Array,
+    b: Array,
+    base: Array,
+    color: Array,
+    tint: Array,
+    ground: Array,
+    radius: float,
+    scale: float,
+    light: Array,
+    out: Array,
+) -> None:
+    """Linear light (H, W, 3) of the painted field."""
+    high, wide = top.shape
+    lx, ly, lz = light[0], light[1], light[2]
+    hx, hy, hz = lx, ly, lz + 1.0
+    hl = np.sqrt(hx * hx + hy * hy + hz * hz)
+    hx, hy, hz = hx / hl, hy / hl, hz / hl
+    rise = 2.2 * radius
+    for j in prange(high):
+        for i in range(wide):
+            z = top[j, i]
+            # Shadow: how far something towards the light stands above the ray; the nearest decides.
+            shade = 1.0
+            for k in range(1, 15):
+                step = 0.045 * k * (1.0 + 0.05 * k)
+                si, sj = int(i + lx * step * scale / 0.766), int(j + ly * step * scale / 0.766)
+                if si < 0 or sj < 0 or si >= wide or sj >= high:
+                    break
+                over = top[sj, si] - z - step * lz / 0.766
+                if over > 0.0:
+                    shade = min(shade, 1.0 - min(1.0, over / (0.05 + 0.25 * step)))
+            # Light from all round: what stands higher close by takes some.
+            open_ = 0.0
+            for k in range(8):
+                angle = 0.7853981633974483 * k + 0.4
+                for ring in range(2):
+                    step = (0.16 + 0.30 * ring) * scale
+                    si, sj = int(i + np.cos(angle) * step), int(j + np.sin(angle) * step)
+                    if 0 <= si < wide and 0 <= sj < high:
+                        open_ += min(1.0, max(0.0, (top[sj, si] - z) / (0.3 + 0.3 * ring)))
+            open_ = 1.0 - 0.72 * open_ / 16.0 * 2.0
+            open_ = max(0.12, open_)
+            s = owner[j, i]
+            if s < 0:
+                # Cloth: matt, lit by its own relief.
+                up, left = top[max(j - 1, 0), i], top[j, max(i - 1, 0)]
+                if owner[max(j - 1, 0), i] >= 0:
+                    up = z
+                if owner[j, max(i - 1, 0)] >= 0:
+                    left = z
+                sx, sy = (z - left) * scale, (z - up) * scale
+                n = 1.0 / np.sqrt(1.0 + sx * sx + sy * sy)
+                lit = max(0.0, (-sx * lx - sy * ly + lz) * n)
+                amount = tint[j, i] * (0.42 * open_ + 0.90 * lit * (0.25 + 0.75 * shade))
+                for c in range(3):
+                    out[j, i, c] = ground[c] * amount
+                continue
+            dx, dy = b[s, 0] - a[s, 0], b[s, 1] - a[s, 1]
+            length = np.sqrt(dx * dx + dy * dy)
+            dx, dy = dx / length, dy / length
+            t, v = along[j, i], across[j, i]
+            end = min(t, length - t)
+            # Slope of the thread as it comes up and goes down; a long stitch is a flat arch.
+            ramp = max(0.0, 1.0 - max(end, 0.0) / min(rise, 0.5 * length))
+            slope = 1.5 * ramp * ramp + 0.10 * (1.0 - 2.0 * end / length)
+            slope = slope if t < 0.5 * length else -slope
+            # Fibres wind about the thread: their direction turns with the twist.
+            turn = 2.0 * np.pi * (t / (5.2 * radius)) + 2.6 * v + 6.28 * _hash(s, 11)
+            ply = np.cos(turn)
+            lean = 0.24 * np.sqrt(1.0 - v * v) + 0.10 * ply * v
+            ax, ay = dx * np.cos(lean) - dy * np.sin(lean), dy * np.cos(lean) + dx * np.sin(lean)
+            tl = 1.0 / np.sqrt(1.0 + slope * slope)
+            tx, ty, tz = ax * tl, ay * tl, slope * tl
+            # Normal of the round, tipped by the ply's own roundness.
+            vv = min(0.98, max(-0.98, v + 0.16 * np.sin(turn)))
+            nx, ny, nz = -dy * vv, dx * vv, np.sqrt(1.0 - vv * vv)
+            lambert = max(0.0, nx * lx + ny * ly + nz * lz)
+            dot_l = tx * lx + ty * ly + tz * lz
+            dot_h = tx * hx + ty * hy + tz * hz
+            fibre = np.sqrt(max(0.0, 1.0 - dot_l * dot_l))
+            sheen = np.sqrt(max(0.0, 1.0 - dot_h * dot_h))
+            narrow, broad = sheen**70.0, sheen**14.0
+            groove = 0.88 + 0.12 * ply
+            face = nz * nz
+            tone = 0.96 + 0.08 * _hash(s, 5)
+            diffuse = tone * groove * ((0.30 + 0.10 * face) * open_ + (0.52 * lambert + 0.36 * fibre * face) * shade)
+            gloss = face * groove * (0.30 * narrow + 0.17 * broad) * (0.15 + 0.85 * shade) * open_
+            for c in range(3):
+                body = color[s, c]
+                # Dyed fibre colours most of its own shine.
+                out[j, i, c] = body * diffuse + gloss * (0.35 + 0.65 * np.sqrt(body)) * (0.25 + 0.75 * (body + 0.35))
+
+
+def picture(
+    plan: ThreadPlan,
+    base: Array | None = None,
+    *,
+    thread: float = 0.4,
+    ground: tuple[int, int, int] = (236, 231, 220),
+    pixels_per_mm: float | None = None,
+    bounds: tuple[float, float, float, float] | None = None,
+) -> Picture:
+    """The plan as thread on cloth.
+
+    base : (N,) mm of thread below the stitch that ends at each point · thread : its width, mm · ground : cloth, sRGB
+    pixels_per_mm : of the picture; by default 16, fewer where that made more than 2600 pixels
+    bounds : left, top, right, bottom in mm; by default the design and a margin
+    """
+    k = stitches(plan)
+    if bounds is None:
+        sewn = plan.xy[plan.command == STITCH] if (plan.command == STITCH).any() else np.zeros((1, 2))
+        low, high = sewn.min(axis=0) - MARGIN, sewn.max(axis=0) + MARGIN
+    else:
+        low, high = np.array(bounds[:2], np.float64), np.array(bounds[2:], np.float64)
+    size = high - low
+    density = pixels_per_mm or min(16.0, 2600 / float(size.max()))
+    width, height = max(1, int(np.ceil(size[0] * density))), max(1, int(np.ceil(size[1] * density)))
+    scale = density * _SAMPLES
+    shape = (height * _SAMPLES, width * _SAMPLES)
+    top, tint = np.empty(shape, np.float32), np.empty(shape, np.float32)
+    owner = np.full(shape, -1, np.int32)
+    along, across = np.zeros(shape, np.float32), np.zeros(shape, np.float32)
+    _weave(top, tint, scale, 0.42)
+    a, b = np.ascontiguousarray(plan.xy[k - 1]), np.ascontiguousarray(plan.xy[k])
+    below = np.zeros(len(k)) if base is None else np.ascontiguousarray(np.asarray(base, np.float64)[k])
+    radius = thread / 2 * 1.06  # threads spread a little under their tension
+    _paint(a, b, below, radius, scale, float(low[0]), float(low[1]), top, owner, along, across)
+    rgb = np.array([t.rgb for t in plan.threads] or [(0, 0, 0)], np.float64) / 255
+    color = np.ascontiguousarray(linear(rgb)[plan.thread[k]])
+    cloth = linear(np.array(ground) / 255.0)
+    out = np.empty((*shape, 3), np.float32)
+    _light(top, owner, along, across, a, b, below, color, tint, cloth, radius, scale, _LIGHT, out)
+    small = out.reshape(height, _SAMPLES, width, _SAMPLES, 3).mean(axis=(1, 3))
+    # Highlights roll off instead of clipping.
+    small = np.where(small > 0.7, 0.7 + 0.3 * (1 - np.exp(-(small - 0.7) / 0.3)), small)
+    rgba = np.full((height, width, 4), 255, np.uint8)
+    rgba[..., :3] = np.round(np.clip(coded(small), 0, 1) * 255)
+    return Picture(rgba, 1 / density)

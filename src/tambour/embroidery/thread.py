@@ -1,0 +1,155 @@
+"""Thread curves: every stitch as it lies on cloth, with its round ends (step 4 of the seed article).
+
+Put a circle of the thread's radius r at each end of a stitch. The thread runs flat at height r, rolls round the circle,
+and leaves it on the tangent of slope θ, which meets the cloth at distance r·cscθ from the circle's centre: there the
+needle went in. ``exact`` insets the circles so that these holes are the needle points; ``bleed`` puts the circles at
+the needle points, as the article prints it, and the holes lie r·cscθ outside. Below the cloth the way is mirrored at
+the hole, down to -r·cosθ. A stitch shorter than 2r·cscθ has no room for two ends and is removed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+
+ARC = 2
+"""Points on the round between the tangent and the top, at each end."""
+
+
+@dataclass(frozen=True, slots=True)
+class Curves:
+    """N stitches as curves over the plan: ``offsets`` (N + 1,), ``plan`` (P, 2) mm, ``height`` (P,) mm above the cloth,
+    ``u`` (P,) share of the curve's length, ``stitch`` (N,) which of the given stitches each is."""
+
+    offsets: Array
+    plan: Array
+    height: Array
+    u: Array
+    stitch: Array
+
+
+@kernel
+def _insets(
+    length: Array, base: Array, r: float, sine: float, cosine: float, exact: bool, lift: Array, cut: Array
+) -> int:
+    """How high each stitch lies (``lift``) and how far its circles stand in from its needle points (``cut``); gives the
+    number that stay. A stitch too short to climb over what lies below it lies as high as it can."""
+    stays = 0
+    for s in range(len(length)):
+        if length[s] < 2.0 * r / sine:
+            cut[s] = -1.0
+            continue
+        lift[s] = min(base[s], max(0.0, (0.5 * length[s] - r / sine) * sine / max(cosine, 1e-9)))
+        cut[s] = r / sine + lift[s] * cosine / sine if exact else 0.0
+        stays += 1
+    return stays
+
+
+@kernel
+def _lay(
+    start: Array,
+    end: Array,
+    length: Array,
+    lift: Array,
+    cut: Array,
+    offsets: Array,
+    t: Array,
+    r: float,
+    theta: float,
+    arc: int,
+    first: Array,
+    plan: Array,
+    height: Array,
+    u: Array,
+    stitch: Array,
+) -> int:
+    """Fill the curves; with an empty ``plan`` only ``first``. Gives the number of points."""
+    sine, cosine = np.sin(theta), np.cos(theta)
+    fill = len(plan) > 0
+    n = q = 0
+    for s in range(len(start)):
+        if cut[s] < 0.0:
+            continue
+        low, high = cut[s], length[s] - cut[s]
+        inside = 0
+        for k in range(offsets[s], offsets[s + 1]):
+            if low + 1e-6 < t[k] * length[s] < high - 1e-6:
+                inside += 1
+        count = 2 * (arc + 3) + inside
+        if fill:
+            dx, dy = (end[s, 0] - start[s, 0]) / length[s], (end[s, 1] - start[s, 1]) / length[s]
+            begin = q
+            # The foot of the tangent below the cloth: mirrored at the hole, further out by the climb over the base.
+            foot = (2.0 * r / sine - r * sine) + lift[s] * cosine / sine
+            for side in range(2):
+                base, way = (low, -1.0) if side == 0 else (high, 1.0)
+                if side == 1:
+                    for k in range(offsets[s], offsets[s + 1]):
+                        x = t[k] * length[s]
+                        if low + 1e-6 < x < high - 1e-6:
+                            u[q], height[q] = x, r + lift[s]
+                            q += 1
+                for step in range(arc + 3):
+                    k = step if side == 0 else arc + 2 - step
+                    if k == 0:
+                        u[q], height[q] = base + way * foot, -r * cosine
+                    else:
+                        angle = theta * (1.0 - (k - 1.0) / (arc + 1.0))
+                        u[q], height[q] = base + way * r * np.sin(angle), r * np.cos(angle) + lift[s]
+                    q += 1
+            for i in range(begin, q):
+                plan[i, 0], plan[i, 1] = start[s, 0] + dx * u[i], start[s, 1] + dy * u[i]
+            way = 0.0
+            last = 0.0
+            for i in range(begin, q):
+                if i > begin:
+                    way += np.sqrt((u[i] - last) ** 2 + (height[i] - height[i - 1]) ** 2)
+                last = u[i]
+                u[i] = way
+            for i in range(begin, q):
+                u[i] = u[i] / way
+            stitch[n] = s
+        else:
+            q += count
+        first[n + 1] = q
+        n += 1
+    return q
+
+
+def curves(
+    start: Array,
+    end: Array,
+    *,
+    radius: float,
+    theta: float = np.pi / 3,
+    ends: str = "exact",
+    base: Array | None = None,
+    cuts: tuple[Array, Array] | None = None,
+    arc: int = ARC,
+) -> Curves:
+    """Curves of straight stitches ``start`` → ``end`` (S, 2) mm.
+
+    radius : of the thread, mm · theta : entry angle, radians, 0 < θ ≤ π/2 · ends : "exact" or "bleed"
+    base : (S,) mm of thread below each stitch · cuts : offsets (S + 1,) and parameters in (0, 1) where the stitch crosses
+    edges of the cloth, from ``bind.crossings`` · arc : points on each round besides its two ends
+
+    Seed section 5: P0 = (s - (2r·cscθ - r·sinθ), -r·cosθ), P1 = (s - r·sinθ, r·cosθ), interior at height r.
+    """
+    start, end = np.ascontiguousarray(start, np.float64), np.ascontiguousarray(end, np.float64)
+    count = len(start)
+    length = np.hypot(*(end - start).T) if count else np.zeros(0)
+    lift, cut = np.zeros(count), np.zeros(count)
+    below = np.zeros(count) if base is None else np.ascontiguousarray(base, np.float64)
+    offsets, t = (np.zeros(count + 1, np.int64), np.zeros(0)) if cuts is None else cuts
+    stays = _insets(length, below, radius, np.sin(theta), np.cos(theta), ends == "exact", lift, cut)
+    first, stitch = np.zeros(stays + 1, np.int64), np.zeros(stays, np.int64)
+    given = (start, end, length, lift, cut, offsets, t, radius, theta, arc, first)
+    total = _lay(*given, np.zeros((0, 2)), np.zeros(0), np.zeros(0), stitch)
+    plan, height, u = np.empty((total, 2)), np.empty(total), np.empty(total)
+    if total:
+        _lay(*given, plan, height, u, stitch)
+    return Curves(first, plan, height, u, stitch)

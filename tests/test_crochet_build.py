@@ -1,0 +1,249 @@
+"""The hook: faces that close, edges, rounds, mistakes where they are made."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import TambourError, Text
+from tambour.core.graph import ROOT, SEWN, THROUGH, TIP, YARN
+from tambour.crochet.build import build
+from tambour.crochet.parse import parse
+
+
+def made(text, **options):
+    return build(parse(Text(text)), **options)
+
+
+def problems(text, **options):
+    with pytest.raises(TambourError) as caught:
+        made(text, **options)
+    return [(p.message, text[p.span.start : p.span.end]) for p in caught.value.problems]
+
+
+def ball(grow, plain):
+    """Increase to 6·grow stitches, ``plain`` rounds, decrease."""
+    rounds = [": MR(6)", "R2: 6 inc (12)"]
+    rounds += [f"R{k}: [{k - 2} sc, inc] x 6 ({6 * k})" for k in range(3, grow + 1)]
+    rounds += [f"R{grow + 1}-R{grow + plain}: {6 * grow} sc ({6 * grow})"] if plain > 1 else []
+    rounds += [f": [{k - 2} sc, dec] x 6 ({6 * k - 6})" for k in range(grow, 2, -1)]
+    return "\n".join([*rounds, ": 6 dec (6)", "FO", ""])
+
+
+def closed(faces):
+    """Euler characteristic, and directed edges that have no partner the other way round."""
+    edges = Counter((u, v) for a, b, c in faces.tolist() for u, v in ((a, b), (b, c), (c, a)))
+    loose = [e for e in edges if edges[e] != 1 or edges.get(e[::-1]) != 1]
+    return len(np.unique(faces)) - len({tuple(sorted(e)) for e in edges}) + len(faces), len(loose)
+
+
+@pytest.mark.parametrize("grow, plain", [(2, 0), (3, 3), (9, 9), (10, 7)])
+def test_a_ball_is_closed(grow, plain):
+    built = made(ball(grow, plain))
+    assert closed(built.graph.faces) == (2, 0) and built.shell.all() and not built.warnings
+
+
+MUSHROOM = """: MR(6)
+: 6 inc (12)
+3: 12 sc (12)
+mark(cap)
+: BLO, 6 dec (6)
+FO
+goto(cap), color(255, 255, 0)
+: FLO, 12 inc (24)
+2: 24 sc (24)
+: 12 dec (12)
+: 6 dec (6)
+FO
+"""
+
+
+def test_of_two_sheets_on_one_edge_the_front_one_is_outside():
+    built = made(MUSHROOM)
+    assert closed(built.graph.faces[built.shell]) == (2, 0)
+    inside = np.unique(built.graph.faces[~built.shell])
+    assert inside.max() == 61 and (~built.shell).sum() == 25  # the stem's own top, up to its tip
+
+
+Y = """: MR(6)
+: 6 inc (12)
+6: 12 sc (12)
+: mark(anchor), 6 sc, mark(split), attach(anchor, 3) (9)
+2: 9 sc (9)
+FO
+goto(split)
+3: 9 sc (9)
+FO
+"""
+HEART = """: MR(6)
+: 6 inc (12)
+2: 12 sc
+mark(one)
+: MR(6)
+: 6 inc (12)
+2: 12 sc
+mark(other)
+: attach(one), 12 sc, attach(other, merge), 12 sc (25)
+: [3 sc, dec] x 5 (20)
+2: 20 sc (20)
+: 10 dec (10)
+FO
+"""
+LEGS = """: MR(6)
+: 6 inc (12)
+2: 12 sc
+mark(leg)
+: MR(6)
+: 6 inc (12)
+2: 12 sc
+: attach(leg, 3), 30 sc (30)
+2: 30 sc
+: 15 dec
+: 7 dec, sc
+FO
+"""
+TURNED = """: MR(6)
+: 6 inc
+: 12 sc
+: 7 sc, turn, 6 sc, turn, 5 sc
+: 12 sc
+: 6 dec
+FO
+"""
+JOINED = """: MR(6), join
+: ch, 6 inc, join (12)
+: ch, 12 sc, join (12)
+: ch, 12 sc, slst
+: 5 dec
+FO
+"""
+TALL = """: MR(6)
+: 6 dcinc
+: [hdc, hdcinc] x 6
+: [tr, tr2tog] x 6 (12)
+: [dc, sc2tog] x 4
+FO
+"""
+
+
+@pytest.mark.parametrize(
+    "text", [Y, HEART, LEGS, TURNED, JOINED, TALL], ids=["y", "heart", "legs", "turned", "joined", "tall"]
+)
+def test_the_outside_is_closed(text):
+    built = made(text)
+    assert closed(built.graph.faces[built.shell]) == (2, 0)
+
+
+def test_edges_and_rest_lengths():
+    graph = made(": MR(6)\n: 6 hdc\n: 3 dec\n== B ==\n: MR(4)\n", stitch=(4.0, 6.0)).graph
+    lengths = {tuple(e): (k, r) for e, k, r in zip(graph.edges.tolist(), graph.edge_kind, graph.rest)}
+    assert lengths[1, 0] == (THROUGH, 6.0) and lengths[2, 1] == (YARN, 4.0)
+    assert lengths[7, 1] == (THROUGH, 9.0) and lengths[7, 6] == (YARN, 4.0)
+    assert lengths[13, 7] == lengths[13, 8] == (THROUGH, 6.0)
+    assert graph.peculiarity[0] == ROOT and [p.start for p in graph.parts] == [0, 16]
+    assert (graph.edges[:, 0] > graph.edges[:, 1]).all()
+
+
+def test_sewing():
+    built = made("== A ==\n: MR(6)\n: 6 sc, mark(a)\nFO\n== B ==\n: MR(6)\nmark(b)\nsew(a, b)\nsew(b, b)\n")
+    assert built.sewn.tolist() == [[20, 12]]
+    kind = {tuple(e): (k, r) for e, k, r in zip(built.graph.edges.tolist(), built.graph.edge_kind, built.graph.rest)}
+    assert kind[20, 12] == (SEWN, 2.5)
+    assert [w.message for w in built.warnings] == ["both marks are on the same stitch: nothing is sewn"]
+
+
+def test_rounds_are_level_whatever_the_lines_are():
+    built = made(": MR(6)\n: 3 inc\n: 3 inc, 2 sc\n: 10 sc\nFO\n")
+    assert [(r.number, r.first, r.last, r.count, r.below, r.whole) for r in built.rounds] == [
+        (1, 1, 6, 6, -1, True),
+        (2, 7, 18, 12, 0, True),
+        (3, 19, 30, 12, 1, True),
+    ]
+    assert built.graph.round[0] == 0 and built.graph.peculiarity[-1] == TIP and built.graph.round[-1] == 2
+
+
+@pytest.mark.parametrize(
+    "text, message, place",
+    [
+        (": 6 sc", "a part begins with a magic ring or a chain", "sc"),
+        (": MR(6)\nFO\n: sc", "there is no stitch left to work into", "sc"),
+        (": MR(6)\n: FLO, sc", None, None),
+        (": MR(6)\n: BLO, 6 inc\nFO\nmark(late)", "this mark is of no use: no stitch is left to work into", "mark"),
+        (": MR(6)\n2: 6 sc, mark(a)", 'there is a mark "a" already', "mark"),
+        (": MR(13)\nFO", "FO draws at most 12 stitches together, here are 13", "FO"),
+        (": MR(1)\nFO", "FO needs at least two stitches to draw together", "FO"),
+        (": MR(6)\nFO\n: turn", "there is no edge to turn", "turn"),
+        (": MR(6)\nmark(a)\n: attach(a, 3)", "the mark is right here: there is nothing to attach to", "attach"),
+        (": MR(6)\nmark(a)\n: 13 sc, attach(a, 3)", 'the mark "a" is on no edge any more', "attach"),
+        (": MR(6)\n: [7 sc] around", "around needs 7 stitches, the round has 6 left", "around"),
+        (": MR(6)\n: [ch] around", "around never ends: these stitches use up none of the round", "around"),
+        (": ch(4)\n: BLO, sc", "a single loop needs two rounds below it", "sc"),
+    ],
+)
+def test_mistakes_are_at_the_text_that_made_them(text, message, place):
+    if message is None:
+        made(text)
+    else:
+        assert problems(text) == [(message, place)]
+
+
+def test_every_part_tells_its_first_mistake():
+    assert [p for _, p in problems("== A ==\n: sc\n== B ==\n: MR(6)\n: 7 dec\n== C ==\n: inc\n")] == [
+        "sc",
+        "dec",
+        "inc",
+    ]
+
+
+def test_counts():
+    (warning,) = made(": MR(6)\n: 6 inc (13)\n").warnings
+    assert warning.message == "the pattern says 13 stitches, the round makes 12"
+    assert problems(": MR(6)\n: 6 inc (13)\n", strict=True) == [(warning.message, "13")]
+
+
+@pytest.mark.parametrize(
+    "text, place",
+    [
+        (": MR(6)\n999999: 6 sc\n", "999999"),
+        (": MR(6)\n: 999999 sc\n", "999999"),
+        (": MR(6)\n: [[6 sc] x 99] x 99999999\n", "99999999"),
+        (": MR(6)\n999999999: FLO\n", "999999999"),
+        ("== A (make 99999999) ==\n: MR(6)\n", "99999999"),
+        (": MR(999999)\n", "MR"),
+        (": MR(6)\n99: [inc] around\n", "99"),
+    ],
+)
+def test_too_many_stitches_is_said_at_the_count(text, place):
+    ((message, where),) = problems(text)
+    assert where == place and message.startswith("the pattern makes ")
+
+
+def test_copies_have_marks_of_their_own():
+    built = made("== Arm (make 3) ==\n: MR(5)\n: 5 sc, mark(tip)\n== Body ==\n: MR(6)\nmark(b)\nsew(tip.2, b)\n")
+    assert [p.name for p in built.graph.parts] == ["Arm 1", "Arm 2", "Arm 3", "Body"]
+    assert built.marks["tip.2"] == 21 and built.sewn.tolist() == [[39, 21]]
+
+
+def test_a_stitch_defined_in_the_pattern():
+    text = (
+        "define puff(height 2) = [pull through] x 3, pull over\ndefine fan = 3 dc, ch, sk\n: MR(6)\n: 2 puff, 2 fan\n"
+    )
+    graph = made(text).graph
+    kinds = [graph.kinds[k] for k in graph.kind[7:]]
+    assert kinds == ["puff", "puff", "dc", "dc", "dc", "ch", "dc", "dc", "dc", "ch"]
+    assert graph.height[7] == 2 and graph.parent[9:12].tolist() == [3, 3, 3] and graph.parent[13] == 4
+
+
+def test_twenty_thousand_stitches_in_time():
+    import time
+
+    text = Text(ball(40, 50))
+    made(": MR(6)\n")
+    best = min(_seconds(text, time.perf_counter) for _ in range(3))
+    assert best < 1.5  # 0.3 s is what a quiet machine is asked for (bench); this catches a wrong order of growth
+
+
+def _seconds(text, clock):
+    begin = clock()
+    build(parse(text))
+    return clock() - begin

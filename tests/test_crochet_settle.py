@@ -1,0 +1,134 @@
+"""Steps against the plain transcription; settling against much tighter settling; what settled shapes promise."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import crochet_plain as plain
+import crochet_toys as toys
+from tambour.crochet.arrange import fit
+from tambour.crochet.body import centroid_counts, grown
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.settle import tolerance
+from tambour.crochet.simulate import Shape, Task, first_positions, simulate
+
+
+def task(toy, stuffing: str, start: str = "rounds", **options) -> Task:
+    params = CrochetParams(**options)
+    return Task(toy, params, 5.0, stuffing, start, centroid_counts(toy, params))
+
+
+def apart(a: np.ndarray, b: np.ndarray) -> float:
+    """RMS distance after the best motion, without reflection."""
+    turn, shift = fit(a, b, np.ones(len(a)))
+    return float(np.sqrt(((a @ turn.T + shift - b) ** 2).sum(1).mean()))
+
+
+STUFFINGS = ["pressure", "centroid", "skeleton", "none"]
+
+
+@pytest.mark.parametrize("stuffing", STUFFINGS)
+@pytest.mark.parametrize("count", [0, 1, 10])
+def test_steps_from_rounds_are_the_formulas(stuffing: str, count: int) -> None:
+    toy = toys.ball(3, 3)
+    what = task(toy, stuffing, solver="steps", steps=count)
+    made = simulate(what)
+    x, c = first_positions(what)
+    x, c = plain.steps(x, c, count, toy, stuffing, toy.rest / 5.0, what.body(toy, what.used))
+    np.testing.assert_allclose(made.x, x, rtol=1e-9, atol=1e-9 * abs(x).max())
+    if stuffing == "centroid":
+        np.testing.assert_allclose(made.c, c, rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("stuffing", STUFFINGS)
+@pytest.mark.parametrize("count", [0, 1, 10, 60])
+def test_steps_one_by_one_are_the_formulas(stuffing: str, count: int) -> None:
+    toy = toys.ball(2, 3)
+    what = task(toy, stuffing, "one-by-one", solver="steps", steps=count)
+    made = simulate(what)
+    whole = what.body(toy, what.used)
+    x, _ = plain.building(count, toy, stuffing, toy.rest / 5.0, lambda m: grown(whole, m))
+    x = x[: len(made.x)]
+    assert count == 0 or made.worked == len(x)
+    np.testing.assert_allclose(made.x[: len(x)], x, rtol=1e-9, atol=1e-9 * max(1.0, abs(x).max()))
+
+
+def test_many_steps_come_to_the_settled_shape() -> None:
+    toy = toys.ball(3, 3)
+    for stuffing in ("pressure", "centroid", "skeleton"):
+        rest = simulate(task(toy, stuffing))
+        steps = simulate(task(toy, stuffing, solver="steps", steps=8000))
+        assert apart(steps.x, rest.x) < 0.02, stuffing
+
+
+SHAPES = {
+    "ball100": lambda: toys.ball(3, 3),
+    "ball1k": lambda: toys.ball(9, 9),
+    "tube1k": lambda: toys.tube(24, 39),
+    "ball5k": lambda: toys.ball(20, 22),
+    "tube5k": lambda: toys.tube(24, 206),
+}
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_settled_is_settled(name: str) -> None:
+    toy = SHAPES[name]()
+    made = simulate(task(toy, "pressure"))
+    deep = simulate(task(toy, "pressure", tolerance=tolerance(len(toy)) / 100))
+    assert made.settled and made.residual <= tolerance(len(toy))
+    assert apart(made.x, deep.x) <= 0.1
+    assert made.volume[0] > 0
+
+
+@pytest.mark.parametrize("stuffing", ["centroid", "skeleton"])
+def test_the_other_stuffings_settle(stuffing: str) -> None:
+    toy = toys.ball(9, 9)
+    made = simulate(task(toy, stuffing))
+    deep = simulate(task(toy, stuffing, tolerance=1e-6))
+    assert made.settled and apart(made.x, deep.x) <= 0.1 and made.volume[0] > 0
+
+
+def test_a_ball_is_round() -> None:
+    made = simulate(task(toys.ball(9, 9), "pressure"))
+    size = np.ptp(made.x, axis=0)
+    radius = np.linalg.norm(made.x - made.x.mean(0), axis=1)
+    assert size.max() / size.min() <= 1.15
+    assert radius.std() / radius.mean() <= 0.055
+
+
+def test_from_one_by_one_the_same_ball() -> None:
+    toy = toys.ball(3, 3)
+    assert apart(simulate(task(toy, "pressure", "one-by-one")).x, simulate(task(toy, "pressure")).x) < 0.02
+
+
+def test_a_goal_out_of_reach_is_told() -> None:
+    made = simulate(task(toys.ball(3, 3), "pressure", tolerance=1e-300))
+    assert not made.settled and made.residual < 1e-6 and np.isfinite(made.x).all()
+
+
+def test_bytes_do_not_depend_on_threads() -> None:
+    code = (
+        "import crochet_toys as t, hashlib\n"
+        "from tambour.crochet.params import CrochetParams\n"
+        "from tambour.crochet.simulate import Task, simulate\n"
+        "import numpy as np\n"
+        "for s in ('pressure', 'centroid'):\n"
+        "    made = simulate(Task(t.ball(9, 9), CrochetParams(), 5.0, s, 'rounds', np.array([17])))\n"
+        "    print(hashlib.sha256(made.x.tobytes()).hexdigest())\n"
+    )
+    said = []
+    for threads in "12":
+        env = dict(os.environ, OMP_NUM_THREADS=threads, OPENBLAS_NUM_THREADS=threads, NUMBA_NUM_THREADS=threads)
+        env["PYTHONPATH"] = os.pathsep.join([os.path.dirname(__file__), *sys.path])
+        said.append(subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, check=True).stdout)
+    assert said[0] == said[1]
+
+
+def test_no_nodes_no_shape() -> None:
+    made = simulate(task(toys.ball(3, 3), "pressure", solver="none"))
+    assert isinstance(made, Shape) and made.evaluations == 0

@@ -1,0 +1,91 @@
+"""Stuffing: kernels against plain twins, lids, and what the volume promises."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import crochet_plain as plain
+import crochet_toys as toys
+from tambour import noise
+from tambour.crochet import body, layout, stuffing
+from tambour.crochet.lids import lids
+from tambour.crochet.params import CrochetParams
+
+
+def shape(toy, shake: float = 0.1) -> np.ndarray:
+    x = layout.rounds(toy, toy.rest / 5.0)
+    return x + noise.stream("stuffing", len(toy)).normal(size=x.shape) * shake
+
+
+def test_centroids_push_and_move_as_written() -> None:
+    toy = toys.ball(3, 2)
+    x = shape(toy)
+    part = np.zeros(len(x), np.int32)
+    part[50:] = 1
+    c = np.array([[0.0, 2.0, 0.0], [0.5, 4.0, 0.2], [0.0, 3.0, 0.0], [90.0, 0.0, 0.0]])
+    c[2] = x[60]  # on a node: it is not pushed, and has no weight
+    amount, D, moved = np.array([1.0, 0.4]), np.zeros_like(x), c.copy()
+    stuffing.centroids(x, part, np.array([0, 2, 4]), moved, 0.05, 3.0, 1.0, 1.4, amount, D)
+    want, places = plain.centroids(x, part, [0, 0, 1, 1], c, 0.05, 3.0, 1.0, 1.4, amount)
+    np.testing.assert_allclose(D, want, rtol=1e-11, atol=1e-14)
+    np.testing.assert_allclose(moved, places, rtol=1e-11)
+    assert (moved[3] == c[3]).all(), "a centroid that is nearest to nothing stays"
+
+
+def test_pressure_is_the_gradient_of_the_volume() -> None:
+    for toy in (toys.ball(3, 3), toys.make(toys.ball_rows(3, 4), closed=False)):
+        x = shape(toy)
+        made = body.build(toy, CrochetParams(), 5.0, "pressure")
+        volume, D = np.zeros(1), np.zeros_like(x)
+        stuffing.pressure(
+            x, made.faces, made.face_part, made.lid_offsets, made.lid_nodes, made.pressure, made.least, volume, D
+        )
+        assert abs(volume[0] - plain.volume_of(x, toy.faces)) < 1e-9
+        np.testing.assert_allclose(
+            D, plain.pressure(x, toy.faces, made.pressure[0], made.least[0]), rtol=1e-9, atol=1e-12
+        )
+        np.testing.assert_allclose(D.sum(0), 0.0, atol=1e-10)
+        step = 1e-6 * noise.stream("gradient").normal(size=x.shape)
+        rise = plain.volume_of(x + step, toy.faces) - plain.volume_of(x - step, toy.faces)
+        assert abs(made.pressure[0] / volume[0] * rise / 2 - (D * step).sum()) < 1e-9
+        assert abs(plain.volume_of(x + np.array([3.0, -7.0, 11.0]), toy.faces) - volume[0]) < 1e-8, "no origin matters"
+
+
+def test_lids_close_whatever_is_open() -> None:
+    toy = toys.make(toys.ball_rows(3, 4), closed=False)
+    hole = toy.faces[np.setdiff1d(np.arange(len(toy.faces)), [40, 41, 60])]
+    faces, _, offsets, rim = lids(hole, np.zeros(len(hole), np.int32), len(toy))
+    assert len(offsets) - 1 >= 2 and len(rim) == offsets[-1]
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    seen = set(map(tuple, edges.tolist()))
+    assert len(seen) == len(edges) and all((b, a) in seen for a, b in seen)
+
+
+def test_pressure_has_a_floor_under_flat_pieces() -> None:
+    toy = toys.make(toys.ball_rows(3, 0), closed=False)
+    x = layout.rounds(toy, toy.rest / 5.0) * [1.0, 0.0, 1.0]
+    made = body.build(toy, CrochetParams(), 5.0, "pressure")
+    D = body.displacement(made, body.State(x, np.zeros((0, 3)), np.zeros(1)))
+    assert np.isfinite(D).all() and abs(D).max() < 5.0
+
+
+def test_skeleton_pushes_from_the_nearest_point_of_its_stretch() -> None:
+    toy = toys.tube(12, 14)
+    x = shape(toy)
+    made = body.build(toy, CrochetParams(contact=False), 5.0, "skeleton")
+    D = np.zeros_like(x)
+    centres = np.zeros((len(made.radius), 3))
+    stuffing.sections(x, made.section_offsets, made.members, made.section_neighbours, body.SMOOTHING, centres)
+    stuffing.skeleton(
+        x, made.section, made.radius, centres, made.section_neighbours, made.skeleton_force, made.centroid[1], D
+    )
+    np.testing.assert_allclose(D, plain.skeleton(x, made), rtol=1e-10, atol=1e-14)
+
+
+def test_the_bones_of_a_ball_are_a_point_and_those_of_a_tube_a_line() -> None:
+    ball = body.build(toys.ball(9, 9), CrochetParams(), 5.0, "skeleton")
+    assert len(ball.radius) == 1 and (ball.section == 0).all()
+    tube = body.build(toys.tube(12, 30), CrochetParams(), 5.0, "skeleton")
+    assert len(tube.radius) > 20
+    ends = (tube.section_neighbours < 0).sum()
+    assert ends == 2, "one chain"

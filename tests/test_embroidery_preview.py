@@ -1,0 +1,53 @@
+"""The preview: thread where thread is, its sheen by its direction, the same picture every time."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
+from tambour.embroidery.preview import picture, stitches
+
+
+def patch(angle: float, size: float = 8.0) -> ThreadPlan:
+    """Rows of one stitch at an angle, side by side."""
+    c, s = np.cos(angle), np.sin(angle)
+    rows = []
+    for k, y in enumerate(np.arange(-size / 2, size / 2, 0.4)):
+        ends = [(-size / 2, y), (size / 2, y)]
+        rows += ends if k % 2 == 0 else ends[::-1]
+    xy = np.array(rows) @ np.array([[c, -s], [s, c]])
+    command = np.zeros(len(xy) + 1, np.uint8)
+    command[0], command[-1] = JUMP, END
+    return ThreadPlan(np.vstack([xy, xy[-1:]]), command, np.zeros(len(command), np.int16), (Thread((30, 60, 150)),))
+
+
+def test_only_laid_thread_is_drawn():
+    xy = np.array([[0, 0], [1, 0], [2, 0], [2, 0], [5, 0], [6, 0], [6, 0], [7, 0], [7, 0], [8, 0], [8, 0]], float)
+    command = np.array([JUMP, STITCH, STITCH, TRIM, JUMP, STITCH, STOP, STITCH, COLOR, STITCH, END], np.uint8)
+    plan = ThreadPlan(xy, command, np.zeros(11, np.int16), (Thread((0, 0, 0)),))
+    assert stitches(plan).tolist() == [2, 7]
+
+
+def test_thread_covers_its_patch_and_nothing_else():
+    made = picture(patch(0.0), pixels_per_mm=12).rgba.astype(int)
+    h, w = made.shape[:2]
+    blue = made[..., 2] - made[..., 0] > 12
+    inside = np.zeros((h, w), bool)
+    m = 6 * 12
+    inside[m + 6 : h - m - 6, m + 6 : w - m - 6] = True
+    assert blue[inside].mean() > 0.97
+    margin = np.ones((h, w), bool)
+    margin[m - 12 : h - m + 12, m - 12 : w - m + 12] = False
+    assert blue[margin].mean() == 0
+
+
+def test_sheen_parts_directions():
+    """Two fills of one colour shine differently when they lie across each other."""
+    made = [picture(patch(a), pixels_per_mm=12).rgba[90:150, 90:150, :3].mean() for a in (0.0, 0.9, 2.3)]
+    assert max(made) - min(made) > 4
+
+
+def test_same_bytes():
+    a, b = picture(patch(0.4), pixels_per_mm=10), picture(patch(0.4), pixels_per_mm=10)
+    assert a.rgba.tobytes() == b.rgba.tobytes()
+    assert a.pixel == 0.1
