@@ -60,3 +60,15 @@ def nearest(rgb: Array, palette: Array) -> Array:
 def luminance(rgb: Array) -> Array:
     """Relative luminance (…) in 0…1 of sRGB (…, 3) uint8 (WCAG 2 weights)."""
     return np.asarray(linear(np.asarray(rgb) / 255.0) @ np.array([0.2126, 0.7152, 0.0722]))
+
+
+def nearest_distinct(rgb: Array, palette: Array) -> Array:
+    """As :func:`nearest` for colours (N, 3), but no entry is taken twice while some are free: two colours stay two."""
+    lab, wanted = oklab(palette), oklab(np.asarray(rgb).reshape(-1, 3))
+    free = np.ones(len(lab), np.bool_)
+    chosen = np.zeros(len(wanted), np.int32)
+    for k, w in enumerate(wanted):
+        far = ((lab - w) ** 2).sum(axis=1)
+        chosen[k] = int(np.where(free, far, np.inf).argmin()) if free.any() else int(far.argmin())
+        free[chosen[k]] = False
+    return chosen

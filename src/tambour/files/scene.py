@@ -39,20 +39,15 @@ def positions(thing: Mesh | Strands) -> Iterator[Array]:
 def tubes(strands: Strands, sides: int) -> tuple[Mesh, Any]:
     """Strands as tubes without the ends that lie below the cloth, and a function from a frame's points to its tubes."""
     coords, offsets = strands.paths.coords, np.asarray(strands.paths.offsets)
-    height = strands.point_data.get("height")
-    keep = np.ones(len(coords), np.bool_)
-    if height is not None:
+    hole, share = np.arange(len(coords)), np.zeros(len(coords))
+    if "height" in strands.point_data:
         # The end below the cloth is drawn back to the needle hole.
         count = np.diff(offsets)
         first, last = offsets[:-1][count > 3], offsets[1:][count > 3] - 1
-        keep[:] = True
-        hole = np.arange(len(coords))
         hole[first], hole[last] = first + 1, last - 1
-        a = np.asarray(height, np.float64)
-        other = a[hole]
-        share = np.where((hole != np.arange(len(coords))) & (a < 0) & (other > a), -a / np.maximum(other - a, 1e-9), 0)
-    else:
-        hole, share = np.arange(len(coords)), np.zeros(len(coords))
+        a = np.asarray(strands.point_data["height"], np.float64)
+        below = (a < 0) & (a[hole] > a)
+        share[below] = -a[below] / (a[hole] - a)[below]
 
     def shape(points: Array) -> Mesh:
         drawn = points + share[:, None] * (points[hole] - points)
@@ -95,11 +90,17 @@ def write_glb(value: Scene, path: Path) -> None:
     if moving:
         sides = _affordable(value, path)
     body = Body()
-    nodes, meshes, materials, channels, samplers = [], [], [], [], []
+    nodes: list[dict[str, Any]] = []
+    meshes: list[dict[str, Any]] = []
+    materials: list[dict[str, Any]] = []
+    channels: list[dict[str, Any]] = []
+    samplers: list[dict[str, Any]] = []
     times = None
     for name, thing in zip(value.names, value.things):
         still, shape = (thing, None) if isinstance(thing, Mesh) else tubes(thing, sides)
-        frames = [still.vertices] if thing.frame_count == 1 and isinstance(thing, Mesh) and thing.frames is None else None
+        frames = (
+            [still.vertices] if thing.frame_count == 1 and isinstance(thing, Mesh) and thing.frames is None else None
+        )
         if frames is None:
             frames = [p if shape is None else shape(p).vertices for p in positions(thing)]
         kind = "cloth" if isinstance(thing, Mesh) else "thread"

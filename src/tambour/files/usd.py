@@ -159,7 +159,9 @@ def read_mesh(path: Path) -> Mesh:
     turned = geom.GetStageUpAxis(stage) == geom.Tokens.z
     times = sorted({t for p in prims for t in p.GetPointsAttr().GetTimeSamples()})
     if any(len(p.GetFaceVertexIndicesAttr().GetTimeSamples()) > 1 for p in prims):
-        raise TambourError("the faces of this mesh change over time", hint="thread needs faces that stay", where=str(path))
+        raise TambourError(
+            "the faces of this mesh change over time", hint="thread needs faces that stay", where=str(path)
+        )
 
     def at(time: Any) -> Array:
         parts = []
@@ -195,7 +197,7 @@ def read_mesh(path: Path) -> Mesh:
     return Mesh(
         at(usd.TimeCode.EarliestTime()),
         np.concatenate(faces),
-        uv=np.concatenate(uvs) if all(u is not None for u in uvs) else None,
+        uv=np.concatenate([u for u in uvs if u is not None]) if all(u is not None for u in uvs) else None,
         face_group=np.concatenate(group),
         group_names=tuple(p.GetPrim().GetName() for p in prims),
         frames=frames if moving else None,
@@ -208,5 +210,7 @@ def _fans(counts: Array, index: Array) -> Array:
     """Triangles (F, 3) of polygons with so many corners each."""
     start = np.r_[0, np.cumsum(counts)[:-1]]
     number = np.repeat(np.arange(len(counts)), np.maximum(counts - 2, 0))
-    k = np.arange(len(number)) - np.repeat(np.r_[0, np.cumsum(np.maximum(counts - 2, 0))[:-1]], np.maximum(counts - 2, 0))
+    k = np.arange(len(number)) - np.repeat(
+        np.r_[0, np.cumsum(np.maximum(counts - 2, 0))[:-1]], np.maximum(counts - 2, 0)
+    )
     return np.stack([index[start[number]], index[start[number] + k + 1], index[start[number] + k + 2]], axis=1)
