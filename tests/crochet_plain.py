@@ -129,6 +129,19 @@ def contact(x, edges, far, near, stiffness):
     return D
 
 
+def straight(graph, n):
+    """Stitch, the one before it, the one before that, along the yarn and down the rounds; not about root or tip."""
+    odd = (g.ROOT, g.TIP)
+    found = []
+    for i in range(n):
+        for before in (graph.previous, graph.parent):
+            j = before[i]
+            k = before[j] if j >= 0 else -1
+            if k >= 0 and graph.peculiarity[i] != g.TIP and graph.peculiarity[j] not in odd:
+                found.append((i, j, k))
+    return found
+
+
 def bend(x, triples, stiffness):
     D = np.zeros_like(x)
     for a, b, c in triples:
@@ -185,8 +198,10 @@ def displacement(x, c, graph, stuffing, rest, made):
         D += push
     elif stuffing == "skeleton":
         D += skeleton(x, made)
+    if stuffing == "none":
+        D += bend(x, straight(graph, n), 0.02)
     D += single_loop(x, graph, 0.05)
-    D += contact(x, graph.edges, 1.0, 0.7, 0.2 if cubic else 1.0)
+    D += contact(x, graph.edges, 1.2, 1.0, 0.2 if cubic else 1.0)
     return D - D[0], c
 
 

@@ -58,7 +58,7 @@ def options(params: Any) -> Callable[[Any], Any]:
     """
 
     def option(name: str, f: Any) -> Any:
-        flag = "--" + name.replace("_", "-")
+        flag = "--" + name.rstrip("_").replace("_", "-")  # "from_": a word that Python keeps for itself
         extra = f.json_schema_extra if isinstance(f.json_schema_extra, dict) else {}
         kind, many = f.annotation, False
         if get_origin(kind) in (Union, types.UnionType):

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from tambour.core.check import Array, array, put, within
 from tambour.core.errors import LawError
 from tambour.core.palette import Palette
+
+FORMAT = "tambour chart 1"
+DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"
+LONGEST = 20_000
+"""Stitches or rows above which a described chart is not believed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,3 +76,86 @@ class Chart:
                         f"Chart.cells: row {r} holds {len(np.unique(knitted))} colours, at most 2 can be knitted"
                     )
         put(self, cells=cells, **masks)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and stitches."""
+        return int(self.cells.shape[0]), int(self.cells.shape[1])
+
+    def plain(self) -> dict[str, Any]:
+        """All of the chart as plain JSON: rows by their number, the top row first; :meth:`of` is the way back."""
+        rows, stitches = self.shape
+        order = range(rows - 1, -1, -1)
+        masks = {
+            name: {str(r + 1): "".join("01"[int(v)] for v in mask[r]) for r in order if mask[r].any()}
+            for name, mask in (("no_stitch", self.no_stitch), ("relaxed", self.relaxed), ("locked", self.locked))
+            if mask is not None
+        }
+        return {
+            "format": FORMAT,
+            "stitches": stitches,
+            "rows": rows,
+            "circular": self.circular,
+            "gauge": None if self.gauge is None else [self.gauge.stitches, self.gauge.rows],
+            "palette": [
+                {"rgb": "#{:02x}{:02x}{:02x}".format(*rgb), "name": name, "code": code}
+                for rgb, name, code in zip(self.palette.rgb.tolist(), self.palette.names, self.palette.codes)
+            ],
+            "cells": {
+                str(r + 1): "".join(DIGITS[v] for v in self.cells[r])
+                if len(self.palette) <= len(DIGITS)
+                else self.cells[r].tolist()
+                for r in order
+            },
+            **masks,
+        }
+
+    @classmethod
+    def of(cls, told: Mapping[str, Any]) -> Chart:
+        """The chart that :meth:`plain` told; keys it does not know are left aside.
+
+        Raises ValueError naming the key that is missing or wrong.
+        """
+        if told.get("format") != FORMAT:
+            raise ValueError(f'"format" is {told.get("format")!r}, wanted {FORMAT!r}')
+        try:
+            rows, stitches = int(told["rows"]), int(told["stitches"])
+            if not (0 < rows <= LONGEST and 0 < stitches <= LONGEST):
+                raise ValueError(f"{stitches} stitches and {rows} rows: 1 to {LONGEST} of each can be read")
+            colours = told["palette"]
+            palette = Palette(
+                np.array([[int(c["rgb"][i : i + 2], 16) for i in (1, 3, 5)] for c in colours], np.uint8).reshape(-1, 3),
+                tuple(str(c.get("name", "")) for c in colours),
+                tuple(str(c.get("code", "")) for c in colours),
+            )
+            cells = np.zeros((rows, stitches), np.uint8)
+            if len(told["cells"]) != rows:
+                raise ValueError(f'"cells" holds {len(told["cells"])} rows, wanted {rows}')
+            _fill(cells, "cells", told["cells"])
+            masks: dict[str, Array] = {}
+            for name in ("no_stitch", "relaxed", "locked"):
+                if name in told:
+                    marks = np.zeros((rows, stitches), np.uint8)
+                    _fill(marks, name, told[name])
+                    masks[name] = marks > 0
+            gauge = None if told.get("gauge") is None else Gauge(*map(float, told["gauge"]))
+            return cls(cells, palette, circular=bool(told.get("circular", False)), gauge=gauge, **masks)
+        except KeyError as error:
+            raise ValueError(f"{error.args[0]!r} is missing") from None
+        except (TypeError, IndexError, AttributeError) as error:
+            raise ValueError(f"a value is of the wrong kind ({error})") from None
+
+
+def _fill(cells: Array, name: str, told: Mapping[str, Any]) -> None:
+    """Set the rows of ``cells`` from digits or lists, by row number."""
+    rows, stitches = cells.shape
+    for key, row in told.items():
+        r = int(key) - 1
+        if not 0 <= r < rows:
+            raise ValueError(f'"{name}" has a row {key}, there are {rows}')
+        if len(row) != stitches:
+            raise ValueError(f'"{name}" row {key} holds {len(row)} stitches, wanted {stitches}')
+        values = [DIGITS.index(v) for v in row] if isinstance(row, str) else [int(v) for v in row]
+        if min(values) < 0 or max(values) > 255:
+            raise ValueError(f'"{name}" row {key} holds {max(values)}')
+        cells[r] = values

@@ -96,18 +96,24 @@ class Label:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Placed:
-    """A picture stretched over a rectangle: left, top, width, height in the drawing's units."""
+    """A picture stretched over a rectangle: left, top, width, height in the drawing's units.
+
+    repeat : width and height of one copy, for a picture that is laid side by side from (0, 0) of the drawing on
+    glaze : it lies over the shapes (a paper's grain) instead of under them
+    """
 
     picture: Picture
     x: float
     y: float
     width: float
     height: float
+    repeat: tuple[float, float] | None = None
+    glaze: bool = False
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Drawing:
-    """A flat scene: pictures first, then shapes in painter's order, then labels; y down.
+    """A flat scene: pictures first, then shapes in painter's order, then labels, then glazes; y down.
 
     A shape is a polygon of ``paths.parts`` where there are parts, else a path.
 

@@ -102,7 +102,7 @@ class Params(BaseModel):
                 [
                     Problem(
                         _sentence(e),
-                        where=spell.format(str(e["loc"][0]).replace("_", "-")) if e["loc"] else "",
+                        where=spell.format(str(e["loc"][0]).rstrip("_").replace("_", "-")) if e["loc"] else "",
                     )
                     for e in error.errors()
                 ]

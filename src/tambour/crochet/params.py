@@ -68,9 +68,9 @@ class CrochetParams(Params):
     """How strongly stitches in one loop lean to its side."""
     bending: float = Field(default=0.02, ge=0)
     """How strongly fabric without stuffing resists bending, against 1 for stretching."""
-    contact_distance: float = Field(default=1.0, gt=0)
+    contact_distance: float = Field(default=1.2, gt=0)
     """Fabric pushes fabric that is nearer than this, in stitches."""
-    contact_near: float = Field(default=0.7, gt=0)
+    contact_near: float = Field(default=1.0, gt=0)
     """The same for two stitches with one stitch between them."""
     contact_stiffness: float | None = Field(default=None, gt=0)
     """Strength of contact against 1 for springs (else 1, and 0.2 with the seed's cubic links)."""

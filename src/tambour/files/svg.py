@@ -5,11 +5,12 @@ from __future__ import annotations
 import base64
 import io
 import math
+import zlib
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
 
-from tambour.core.drawing import Drawing
+from tambour.core.drawing import Drawing, Placed
 
 _HEAD = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
 
@@ -83,14 +84,8 @@ def _style(drawing: Drawing) -> list[str]:
 def body(drawing: Drawing, seen: set[str]) -> Iterator[str]:
     """Everything between the root's tags; ``seen`` holds the group ids already used (a second run goes without)."""
     for placed in drawing.images:
-        from PIL import Image
-
-        raw = io.BytesIO()
-        Image.fromarray(placed.picture.rgba).save(raw, "PNG")
-        box = " ".join(f'{k}="{number(v)}"' for k, v in zip("xy", (placed.x, placed.y)))
-        size = f'width="{number(placed.width)}" height="{number(placed.height)}"'
-        data = base64.b64encode(raw.getvalue()).decode()
-        yield f'<image {box} {size} preserveAspectRatio="none" href="data:image/png;base64,{data}"/>\n'
+        if not placed.glaze:
+            yield _image(placed)
     styles = _style(drawing)
     opened: list[int] = []
     chains = [_chain(drawing, g) for g in range(len(drawing.groups))]
@@ -111,6 +106,29 @@ def body(drawing: Drawing, seen: set[str]) -> Iterator[str]:
             else ""
         )
         yield f"<text {at} {look}{bold}{turn}{paint('fill', label.color)}>{escape(label.text)}</text>\n"
+    for placed in drawing.images:
+        if placed.glaze:
+            yield _image(placed)
+
+
+def _image(placed: Placed) -> str:
+    """An image, or a rectangle filled with copies of it."""
+    from PIL import Image
+
+    raw = io.BytesIO()
+    Image.fromarray(placed.picture.rgba).save(raw, "PNG", optimize=True)
+    data = base64.b64encode(raw.getvalue()).decode()
+    box = f'x="{number(placed.x)}" y="{number(placed.y)}"'
+    box += f' width="{number(placed.width)}" height="{number(placed.height)}"'
+    if placed.repeat is None:
+        return f'<image {box} preserveAspectRatio="none" href="data:image/png;base64,{data}"/>\n'
+    size = f'width="{number(placed.repeat[0])}" height="{number(placed.repeat[1])}"'
+    name = f"p{zlib.crc32(raw.getvalue()):08x}"
+    return (
+        f'<pattern id="{name}" patternUnits="userSpaceOnUse" {size}>'
+        f'<image {size} preserveAspectRatio="none" href="data:image/png;base64,{data}"/></pattern>\n'
+        f'<rect {box} fill="url(#{name})"/>\n'
+    )
 
 
 def _chain(drawing: Drawing, group: int) -> list[int]:

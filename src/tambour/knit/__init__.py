@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from tambour.core.progress import Progress
-from tambour.craft import Craft, View
+from tambour.craft import Craft
 from tambour.knit.params import KnitParams
+from tambour.knit.views import VIEWS
 
 __all__ = ["CRAFT"]
 
@@ -14,20 +15,21 @@ __all__ = ["CRAFT"]
 def _make(source: Any, params: Any, progress: Progress) -> Any:
     from tambour.knit.solve import make
 
-    return make(source, params, progress)
+    piece = make(source, params, progress)
+    if params.machine is not None:
+        from tambour.core.errors import TambourError
+        from tambour.knit.machine import check
 
-
-def _pixels(piece: Any) -> Any:
-    import numpy as np
-
-    from tambour.core.picture import Picture
-
-    rgb = piece.chart.palette.rgb[piece.chart.cells[::-1]]
-    return Picture(np.dstack([rgb, np.full(rgb.shape[:2], 255, np.uint8)]))
+        problems = check(piece.chart, params.machine)
+        if problems:
+            raise TambourError(problems)
+    return piece
 
 
 def _facts(piece: Any) -> dict[str, Any]:
-    return dict(piece.figures)
+    from tambour.knit.views import facts
+
+    return {**piece.figures, **facts(piece)}
 
 
 CRAFT = Craft(
@@ -36,6 +38,6 @@ CRAFT = Craft(
     params=KnitParams,
     reads=("Picture",),
     make=_make,
-    views={"stitches": View(_pixels, "Picture", "one pixel per stitch, upright", (".png",))},
+    views=VIEWS,
     facts=_facts,
 )

@@ -175,6 +175,45 @@ class KnitParams(Params):
     min_contrast: float = Field(default=1.5, ge=1, le=21)
     """Least contrast of luminance (WCAG, 1 to 21) of two yarns that share a row; below it there is a warning."""
 
+    # --- making and seeing
+    title: str = Field(default="", max_length=80)
+    """What the pattern is called, on its pages."""
+    page: Literal["a4", "a3", "letter"] = "a4"
+    """Paper of the printed pattern."""
+    large_cells: bool = False
+    """Draw the chart with large cells, on more pages."""
+    cells: Literal["both", "colour", "symbol"] = "both"
+    """How stitches are drawn: signs on colours, colours alone, or signs alone (saves ink)."""
+    catch: int | None = Field(default=None, ge=1, le=1000)
+    """Longest float that is left free behind; longer ones are listed for catching. Without it, the limit itself."""
+    swatch: bool = False
+    """Put a swatch into the printed pattern: the most typical part, the worst floats, and a card to measure them."""
+    yarn_weight: Literal["lace", "fingering", "sport", "dk", "worsted", "aran", "bulky"] = "dk"
+    """Weight of the yarn: metres per gram, and the gauge where none is given."""
+    skein_metres: float | None = Field(default=None, gt=0, le=100_000)
+    """Metres in a skein; without it, by the weight."""
+    skein_grams: float = Field(default=50.0, gt=0, le=10_000)
+    """Grams in a skein."""
+    machine: (
+        Literal[
+            "kh910-ayab",
+            "kh930-ayab",
+            "kh940-ayab",
+            "kh950-ayab",
+            "kh270-ayab",
+            "kh940-disk",
+            "brother-card",
+            "silver-reed-card",
+            "kniterate",
+        ]
+        | None
+    ) = None
+    """Knitting machine: its limits are checked, and -o name.card.pdf tells how to set it up."""
+    punch_card: Literal["brother", "silver-reed"] = "brother"
+    """Make of the punch card's reader: where its row numbers stand."""
+    mirror_card: bool = True
+    """Punch the card mirrored, as the purl side shows it, which faces the knitter."""
+
     @model_validator(mode="after")
     def _agree(self) -> KnitParams:
         if re.search(r"[a-z\"]$", self.max_float) and self.gauge is None:

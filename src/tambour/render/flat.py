@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tambour.core.drawing import Drawing
+from tambour.core.drawing import Drawing, Placed
 from tambour.core.errors import TambourError
 from tambour.core.picture import Picture
 from tambour.render.type import typeface
@@ -62,10 +62,8 @@ def draw(canvas: Any, drawing: Drawing) -> None:
     if drawing.background is not None:
         canvas.drawRect(sheet, skia.Paint(Color=_argb(drawing.background)))
     for placed in drawing.images:
-        rgba = np.ascontiguousarray(placed.picture.rgba)
-        image = skia.Image.fromarray(rgba, skia.kRGBA_8888_ColorType, skia.kUnpremul_AlphaType)
-        where = skia.Rect.MakeXYWH(placed.x, placed.y, placed.width, placed.height)
-        canvas.drawImageRect(image, where, skia.SamplingOptions(skia.FilterMode.kLinear))
+        if not placed.glaze:
+            _image(canvas, placed)
     _shapes(canvas, drawing)
     for label in drawing.labels:
         # The font is set at 100 and scaled: tiny sizes in mm would otherwise lose their spacing to rounding.
@@ -79,7 +77,25 @@ def draw(canvas: Any, drawing: Drawing) -> None:
         canvas.scale(label.size / 100, label.size / 100)
         canvas.drawString(label.text, -shift, 0, font, skia.Paint(Color=_argb(label.color), AntiAlias=True))
         canvas.restore()
+    for placed in drawing.images:
+        if placed.glaze:
+            _image(canvas, placed)
     canvas.restore()
+
+
+def _image(canvas: Any, placed: Placed) -> None:
+    import skia
+
+    rgba = np.ascontiguousarray(placed.picture.rgba)
+    image = skia.Image.fromarray(rgba, skia.kRGBA_8888_ColorType, skia.kUnpremul_AlphaType)
+    where = skia.Rect.MakeXYWH(placed.x, placed.y, placed.width, placed.height)
+    linear = skia.SamplingOptions(skia.FilterMode.kLinear)
+    if placed.repeat is None:
+        canvas.drawImageRect(image, where, linear)
+        return
+    scale = skia.Matrix.Scale(placed.repeat[0] / image.width(), placed.repeat[1] / image.height())
+    shader = image.makeShader(skia.TileMode.kRepeat, skia.TileMode.kRepeat, linear, scale)
+    canvas.drawRect(where, skia.Paint(Shader=shader))
 
 
 def _shapes(canvas: Any, drawing: Drawing) -> None:

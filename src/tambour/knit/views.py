@@ -1,0 +1,216 @@
+"""Views: what can be made of a solved piece, each a value for some file."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from tambour.core.chart import Chart
+from tambour.core.drawing import Drawing
+from tambour.core.errors import Text
+from tambour.core.picture import Picture
+from tambour.craft import View
+
+if TYPE_CHECKING:
+    from tambour.knit.draw import Look
+    from tambour.knit.piece import Piece
+    from tambour.knit.yarn import Amount
+
+
+def stitches(piece: Piece) -> Chart:
+    """The chart itself."""
+    return piece.chart
+
+
+def project(piece: Piece) -> dict[str, Any]:
+    """Chart, masks and params: enough to open it again, or to solve it anew."""
+    return {**piece.chart.plain(), "params": piece.params.plain()}
+
+
+def anchored(piece: Piece) -> bool:
+    """Both yarns go to both sides."""
+    return not piece.free_edges
+
+
+def title(piece: Piece) -> str:
+    """What the pattern is called."""
+    return piece.params.title or "Stranded chart"
+
+
+def look(piece: Piece, cell: float = 4.0) -> Look:
+    """How the piece's chart is drawn, ``cell`` mm to the smaller side of a stitch."""
+    from tambour.knit.draw import Look
+    from tambour.knit.fabric import aspect_of
+
+    aspect = aspect_of(piece.chart)
+    wide = cell * max(1.0, aspect)
+    return Look(
+        cells=piece.params.cells,
+        cell=(wide, wide / aspect),
+        limit=piece.params.catch or piece.limit,
+        anchored=anchored(piece),
+        repeat=piece.repeat[0] if piece.repeat else None,
+        dominant=piece.dominant,
+    )
+
+
+def yarn(piece: Piece) -> list[Amount]:
+    """What each colour takes."""
+    from tambour.knit.yarn import amounts
+
+    p = piece.params
+    return amounts(piece.chart, p.yarn_weight, p.skein_metres, p.skein_grams, anchored(piece))
+
+
+def chart(piece: Piece) -> Drawing:
+    """The whole chart on one sheet."""
+    from tambour.knit.draw import sheet_of
+
+    return sheet_of(piece.chart, look(piece, 6.5 if piece.params.large_cells else 4.0), title(piece))
+
+
+def pattern(piece: Piece) -> tuple[Drawing, ...]:
+    """The printed pattern; with ``swatch``, its page follows the cover."""
+    from tambour.knit.fabric import aspect_of, front, pixels
+    from tambour.knit.pages import Words, booklet
+
+    p = piece.params
+    words = Words(title(piece), piece.limit, p.yarn_weight, anchored(piece))
+    # The cover's picture is small: a quarter of the usual pixels will do.
+    shown = front(piece.chart, max(1, pixels(piece.chart, aspect_of(piece.chart)) // 2))
+    return booklet(piece.chart, look(piece), words, yarn(piece), shown, p.page, p.large_cells, p.swatch)
+
+
+def swatch(piece: Piece) -> Drawing:
+    """The swatch page."""
+    from tambour.knit.pages import PAGES
+    from tambour.knit.swatch import page
+
+    sheet = page(piece.chart, look(piece), title(piece), piece.params.yarn_weight, PAGES[piece.params.page])
+    return sheet.drawing(title=f"{title(piece)}: swatch")
+
+
+def written(piece: Piece) -> Text:
+    """Written rows."""
+    from tambour.knit.written import pattern as told
+
+    p = piece.params
+    return told(
+        piece.chart,
+        piece.limit,
+        yarn(piece),
+        p.yarn_weight,
+        title(piece),
+        anchored(piece),
+        piece.dominant,
+        piece.repeat[0] if piece.repeat else None,
+        p.catch,
+    )
+
+
+def fabric(piece: Piece) -> Picture:
+    """The right side of the cloth."""
+    from tambour.knit.fabric import front
+
+    return front(piece.chart)
+
+
+def back(piece: Piece) -> Picture:
+    """The wrong side with its floats."""
+    from tambour.knit.fabric import back as behind
+
+    return behind(piece.chart, anchored(piece))
+
+
+def distance(piece: Piece) -> Drawing:
+    """Source, target and cloth, as seen from afar."""
+    from tambour.knit.distance import distance as seen
+
+    return seen(piece.chart, piece.picture, piece.tone, piece.params.light == "linear")
+
+
+def floats(piece: Piece) -> Drawing:
+    """The floats behind the stitches, the longer the redder."""
+    from tambour.knit.draw import float_sheet
+
+    return float_sheet(piece.chart, look(piece), title(piece))
+
+
+def card(piece: Piece) -> Drawing:
+    """The machine's card. Raises TambourError without ``machine``."""
+    from tambour.core.errors import TambourError
+    from tambour.knit.machine import card as printed
+
+    if piece.params.machine is None:
+        raise TambourError("the card is for a machine: say which", hint="--machine kh930-ayab", where="--machine")
+    return printed(piece.chart, piece.params.machine, anchored(piece), title(piece))
+
+
+def punchcard(piece: Piece) -> Drawing:
+    """The 24-stitch card at true size."""
+    from tambour.knit.punchcard import card as punched
+
+    brand = piece.params.punch_card
+    if piece.params.machine in ("brother-card", "silver-reed-card"):
+        brand = "brother" if piece.params.machine == "brother-card" else "silver-reed"
+    return punched(piece.chart, brand, piece.params.mirror_card)
+
+
+def silverknit(piece: Piece) -> Text:
+    """SilverKnit text."""
+    from tambour.knit.interchange import silverknit as told
+
+    return told(piece.chart)
+
+
+def dak(piece: Piece) -> Text:
+    """DesignaKnit text."""
+    from tambour.knit.interchange import dak as told
+
+    return told(piece.chart, title(piece), piece.params.yarn_weight)
+
+
+VIEWS: dict[str, View] = {
+    "stitches": View(
+        stitches,
+        "Chart",
+        "one pixel per stitch, upright, unmirrored; knitout; a disk image",
+        (".png", ".csv", ".k", ".knitout", ".img", ".dat"),
+    ),
+    "project": View(project, "dict", "everything, lossless: can be read back", (".json",)),
+    "chart": View(chart, "Drawing", "the chart on one sheet, numbers and signs as knitters draw it", (".svg",)),
+    "pattern": View(pattern, "Drawing", "the printed pattern: cover, chart in tiles, floats to catch", (".pdf",)),
+    "written": View(written, "Text", "written rows", (".txt", ".md")),
+    "fabric": View(fabric, "Picture", "the knitted right side", (".jpg", ".jpeg", ".webp")),
+    "back": View(back, "Picture", "the wrong side with its floats"),
+    "distance": View(distance, "Drawing", "source and knitting side by side, as seen from afar"),
+    "floats": View(floats, "Drawing", "the floats marked on the chart"),
+    "swatch": View(swatch, "Drawing", "two windows to knit first, and the card to measure them"),
+    "card": View(card, "Drawing", "how to set up --machine"),
+    "punchcard": View(punchcard, "Drawing", "a 24-stitch punch card at true size"),
+    "silverknit": View(silverknit, "Text", "text for SilverKnit"),
+    "dak": View(dak, "Text", "text for DesignaKnit and Kniterate"),
+}
+
+
+def facts(piece: Piece) -> dict[str, Any]:
+    """Yarn per colour, catches and ladders, for the report."""
+    from tambour.knit.hand import catches, ladders, roles
+    from tambour.knit.written import color_name
+
+    names, catch = roles(piece.chart), piece.params.catch or piece.limit
+    return {
+        "yarn": [
+            {
+                "role": names[a.color],
+                "name": color_name(piece.chart, a.color),
+                "stitches": a.stitches,
+                "metres": round(a.metres, 1),
+                "yards": round(a.yards, 1),
+                "grams": round(a.grams, 1),
+                "skeins": a.skeins,
+            }
+            for a in yarn(piece)
+        ],
+        "catches": sum(map(len, catches(piece.chart, catch, anchored(piece)))),
+        "ladders": len(ladders(piece.chart, catch, anchored(piece))),
+    }

@@ -1,0 +1,227 @@
+"""Knitout: what is written is knitted again by a small machine here, and by knitout-interpreter."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass, field
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tambour import files
+from tambour.core.chart import Chart
+from tambour.core.errors import TambourError
+from tambour.core.palette import Palette
+from tambour.files.knitout import lines
+from tambour.knit.hand import floats
+
+WOOL = Palette(np.array([[240, 230, 210], [30, 40, 90]], np.uint8), ("natural", "indigo"))
+
+
+@dataclass
+class Machine:
+    """Two beds of needles, yarn carriers with one inserting hook; knits what it is told and complains aloud."""
+
+    loops: dict[str, list[str]] = field(default_factory=dict)  # needle → carriers of the loops it holds
+    made: dict[str, list[str]] = field(default_factory=dict)  # needle → carrier of every stitch
+    at: dict[str, float] = field(default_factory=dict)  # carrier → where it stands
+    inside: set[str] = field(default_factory=set)
+    hook: str | None = None
+    fresh: bool = False
+    ops: list[tuple[int, str, str, str]] = field(default_factory=list)  # pass, carrier, needle, direction of knits
+    dropped: list[str] = field(default_factory=list)
+    passes: int = 0
+    _last: tuple[str, str] = ("", "")
+
+    def run(self, text: list[str]) -> Machine:
+        assert text[0] == ";!knitout-2"
+        assert any(line.startswith(";;Carriers:") for line in text[:5])
+        for line in text[1:]:
+            if not line.startswith(";"):
+                word, *rest = line.split()
+                getattr(self, word)(*rest)
+        assert not self.inside and self.hook is None, "yarns left in"
+        return self
+
+    def inhook(self, carrier: str) -> None:
+        assert carrier not in self.inside and self.hook is None
+        self.inside.add(carrier)
+        self.hook, self.fresh = carrier, True
+
+    def releasehook(self, carrier: str) -> None:
+        assert self.hook == carrier and not self.fresh, "nothing holds the yarn"
+        self.hook = None
+
+    def outhook(self, carrier: str) -> None:
+        assert carrier in self.inside and self.hook is None
+        self.inside.remove(carrier)
+
+    def _carry(self, way: str, needle: str, carrier: str) -> None:
+        assert carrier in self.inside
+        place = int(needle[1:])
+        if self.hook == carrier and self.fresh:
+            assert way == "-", "the hook is on the right"
+        elif carrier in self.at:
+            # A carrier stands beside its last needle, on the side it was going to.
+            behind = self.at[carrier] <= place - 0.4 if way == "+" else self.at[carrier] >= place + 0.4
+            assert behind, f"carrier {carrier} at {self.at[carrier]} would have to kick back for {way}{needle}"
+        self.at[carrier] = place + (0.5 if way == "+" else -0.5)
+        if (way, carrier) != self._last:
+            self.passes += 1
+            self._last = (way, carrier)
+
+    def knit(self, way: str, needle: str, carrier: str) -> None:
+        self._carry(way, needle, carrier)
+        assert self.loops.get(needle), f"{needle} holds no loop"
+        self.loops[needle] = [carrier]
+        self.made.setdefault(needle, []).append(carrier)
+        self.ops.append((self.passes, carrier, needle, way))
+        self.fresh = False
+
+    def tuck(self, way: str, needle: str, carrier: str) -> None:
+        self._carry(way, needle, carrier)
+        self.loops.setdefault(needle, []).append(carrier)
+        self.fresh = False
+
+    def miss(self, way: str, needle: str, carrier: str) -> None:
+        self._carry(way, needle, carrier)
+
+    def drop(self, needle: str) -> None:
+        assert self.loops.pop(needle)
+        self.dropped.append(needle)
+
+
+def fabric(machine: Machine, circular: bool) -> np.ndarray:
+    front = sorted((n for n in machine.made if n[0] == "f"), key=lambda n: int(n[1:]))
+    back = sorted((n for n in machine.made if n[0] == "b"), key=lambda n: -int(n[1:]))
+    assert bool(back) == circular
+    return np.array([[int(c) for c in machine.made[n]] for n in back + front]).T
+
+
+@st.composite
+def charts(draw: st.DrawFn) -> Chart:
+    rows, stitches = draw(st.integers(1, 7)), draw(st.integers(4, 17))
+    rng = np.random.default_rng(draw(st.integers(0, 2**32)))
+    cells = rng.random((rows, stitches)) < draw(st.sampled_from([0.1, 0.5, 0.9]))
+    for r in range(rows):  # rows of one colour are the awkward ones
+        if rng.random() < 0.25:
+            cells[r] = rng.random() < 0.5
+    return Chart(cells.astype(np.uint8), WOOL, circular=draw(st.booleans()))
+
+
+@given(chart=charts())
+@settings(max_examples=150)
+def test_the_machine_knits_the_chart_again(chart: Chart) -> None:
+    machine = Machine().run(lines(chart))
+    used = np.unique(chart.cells)
+    assert (used[fabric(machine, chart.circular) - 1] == chart.cells).all()
+    # No loop fell while knitting; at the end every needle held one and let it go.
+    assert len(machine.dropped) == chart.shape[1] and not machine.loops
+
+
+@given(chart=charts())
+def test_floats_on_the_machine_are_the_charts(chart: Chart) -> None:
+    if chart.circular or chart.shape[1] < 4:
+        return
+    machine = Machine().run(lines(chart))
+    seen = []
+    for a, b in zip(machine.ops, machine.ops[1:]):
+        if a[:2] == b[:2] and abs(int(a[2][1:]) - int(b[2][1:])) > 1:
+            seen.append(abs(int(a[2][1:]) - int(b[2][1:])) - 1)
+    found = floats(chart, anchored=False)
+    assert sorted(seen) == sorted(found.length.tolist())
+
+
+@given(chart=charts())
+def test_own_files_are_read_back(chart: Chart, tmp_path_factory: pytest.TempPathFactory) -> None:
+    path = tmp_path_factory.mktemp("k") / "chart.k"
+    files.write(chart, path)
+    back = files.read(path, ("Chart",))
+    assert back.circular == chart.circular
+    assert (back.palette.rgb[back.cells] == chart.palette.rgb[chart.cells]).all()
+    assert set(back.palette.names) <= set(chart.palette.names)
+
+
+@pytest.mark.parametrize("circular", [False, True])
+@pytest.mark.parametrize("late", [0, 1, 2])
+def test_the_interpreter_runs_clean(tmp_path, circular: bool, late: int) -> None:
+    from knitout_interpreter.run_knitout import run_knitout
+
+    cells = np.random.default_rng(late).integers(0, 2, (6, 10)).astype(np.uint8)
+    cells[:late] = 0
+    chart = Chart(cells, WOOL, circular=circular)
+    files.write(chart, tmp_path / "chart.k")
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        _, _, graph = run_knitout(str(tmp_path / "chart.k"))
+    assert not [str(w.message) for w in caught if issubclass(w.category, RuntimeWarning | UserWarning)]
+    assert graph.loop_count >= chart.cells.size + chart.shape[1]  # the stitches and the cast-on
+
+
+PLAIN = """;!knitout-2
+;;Carriers: 1 2 3 4 5 6
+;;Machine: SWGN2
+;;Yarn-3: wool #1
+x-stitch-number 61
+inhook 3
+{tucks}
+miss + f4 3
+releasehook 3
+x-speed-number 100
+{rows}
+outhook 3
+"""
+
+
+def plain(rows: int = 2) -> str:
+    tucks = [f"tuck - f{n} 3" for n in (4, 2, 0)] + [f"tuck + f{n} 3" for n in (1, 3)]
+    made = []
+    for r in range(rows):
+        way, order = ("-", range(4, -1, -1)) if r % 2 == 0 else ("+", range(5))
+        made += [f"knit {way} f{n} 3  ; a comment" for n in order]
+    return PLAIN.format(tucks="\n".join(tucks), rows="\n".join(made))
+
+
+def test_other_peoples_plain_files_are_read(tmp_path) -> None:
+    (tmp_path / "sheet.knitout").write_text(plain(3))
+    chart = files.read(tmp_path / "sheet.knitout", ("Chart",))
+    assert chart.cells.tolist() == [[0] * 5] * 3 and chart.palette.names == ("wool #1",)
+    # A float caught by a tuck, as image-to-knitout programs do it, is no stitch.
+    caught = plain(2).replace("knit + f2 3", "tuck + f2 4\nknit + f2 3").replace("outhook 3", "outhook 3\nin 4")
+    (tmp_path / "caught.k").write_text(caught)
+    assert files.read(tmp_path / "caught.k", ("Chart",)).cells.shape == (2, 5)
+
+
+@pytest.mark.parametrize(
+    ("was", "now", "words"),
+    [
+        (";!knitout-2", "knitout", "begins with"),
+        ("outhook 3", "xfer f0 b0\nouthook 3", r":\d+:1: \"xfer\" is not plain"),
+        ("outhook 3", "knit + f0 3 4\nouthook 3", "plating"),
+        ("outhook 3", "knit + f0 3\nouthook 3", "shaped"),
+        ("outhook 3", "frog f0\nouthook 3", "no operation"),
+        ("outhook 3", "knit + g0 3\nouthook 3", "wants a direction"),
+        ("outhook 3", "rack 1\nouthook 3", "racked"),
+    ],
+)
+def test_what_is_not_plain_is_said_with_its_place(tmp_path, was: str, now: str, words: str) -> None:
+    (tmp_path / "odd.k").write_text(plain().replace(was, now))
+    with pytest.raises(TambourError, match=words):
+        files.read(tmp_path / "odd.k", ("Chart",))
+
+
+def test_a_rib_is_no_chart(tmp_path) -> None:
+    text = plain().replace("f1 3", "b1 3").replace("f3 3", "b3 3")
+    (tmp_path / "rib.k").write_text(text)
+    with pytest.raises(TambourError, match="rib"):
+        files.read(tmp_path / "rib.k", ("Chart",))
+
+
+def test_what_a_machine_cannot_knit_is_said_at_once() -> None:
+    wool = Palette(np.array([[0, 0, 0], [9, 9, 9], [99, 9, 9]], np.uint8))
+    chart = Chart(np.array([[0, 1, 0], [2, 1, 2]], np.uint8), wool, no_stitch=np.eye(2, 3, dtype=bool))
+    with pytest.raises(TambourError) as caught:
+        lines(chart)
+    assert len(caught.value.problems) == 3
