@@ -51,5 +51,7 @@ def piece_of(plan: ThreadPlan, params: EmbroideryParams, progress: Progress) -> 
     step = np.r_[0.0, np.hypot(*np.diff(plan.xy, axis=0).T)]
     kind = np.where((plan.command == JUMP) | (step < 1.0), RUNNING, FILL).astype(np.uint8)
     region = plan.thread.astype(np.int32) * 0 - 1
-    lies = elevation(plan, np.zeros(len(plan), np.uint8), plan.thread.astype(np.int32), params.thread)
+    # What was a layer to its digitiser is not in the file: each colour, and in it what is sewn within a minute.
+    layer = plan.thread.astype(np.int64) * 1_000_000 + np.cumsum(plan.command == STITCH) // 700
+    lies = elevation(plan, layer, params.thread)
     return Piece(None, (), params, plan, region, kind, lies, runs(plan))

@@ -64,7 +64,7 @@ def scene(piece: Piece) -> Scene:
     if isinstance(ground, str):
         wide, high = np.maximum(size * 1.5, size + 30)
         # A drape's middle lies on its sphere: only there is the design as it was drawn.
-        grown = 2.2 if ground == "drape" else 1.0
+        grown = 1.7 if ground == "drape" else 1.0
         side = max(wide, high) * grown if ground == "drape" else 0.0
         ground = cloth(ground, max(float(wide), side), max(float(high), side), params.frames or 1)
     elif params.frames is not None:
@@ -125,19 +125,20 @@ def chosen(mesh: Mesh, frames: int) -> Mesh:
     return replace(mesh, frames=some, frame_count=len(keep), seconds_per_frame=rate)
 
 
-# Thread per area, mm/mm²: colours from none to far too much, each at its density over that of a full cover.
+# Covers of thread (1: the cloth is just hidden) → colour.
 _SCALE = (
     (0.0, (246, 244, 238)),
-    (0.5, (150, 196, 222)),
+    (0.5, (158, 202, 222)),
     (1.0, (58, 140, 110)),
-    (1.6, (238, 196, 70)),
-    (2.4, (206, 62, 44)),
-    (4.0, (90, 10, 40)),
+    (2.0, (168, 186, 84)),
+    (3.0, (238, 190, 66)),
+    (4.5, (206, 62, 44)),
+    (7.0, (90, 10, 40)),
 )
 
 
 def density(piece: Piece) -> Picture:
-    """How much thread lies where, in cells of 1 mm: green is one full cover, yellow is thick, red breaks needles."""
+    """How much thread lies where, in cells of 1 mm: green is one full cover, yellow three, red four and more."""
     from tambour.embroidery.facts import density_map
 
     plan, cell, pixels = piece.plan, 1.0, 8

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
 from tambour.core.thread import Thread, ThreadPlan
@@ -50,7 +52,8 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
             raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: --width 100mm")
         plan, region_of, kind, rows = layout.plan()
         plan = with_catalogue(plan, params.catalogue)
-        lies = elevation(plan, kind, region_of, params.thread)
+    with progress.stage("bind"):
+        lies = elevation(plan, region_of.astype(int) * 64 + kind, params.thread)
     return Piece(drawing, found, params, plan, region_of, kind, lies, rows, dict(layout.facts))
 
 

@@ -254,8 +254,13 @@ def write_npz(value: Scene, path: Path) -> None:
 
 
 def write_picture(value: Scene, path: Path) -> None:
-    """The first frame, shaded."""
+    """The first frame, shaded; upright things are seen from the front, what lies from above."""
     from tambour.files.picture import write_picture
     from tambour.render.raster import picture
 
-    write_picture(picture(next(joined(value)), width=1400), path)
+    mesh = next(joined(value))
+    a, b, c = (mesh.vertices[mesh.faces[:, k]] for k in range(3))
+    out = np.cross(b - a, c - a).sum(axis=0)
+    lies = abs(out[1]) > 0.7 * np.linalg.norm(out) > 0
+    made = picture(mesh, width=1400, azimuth=np.radians(22), elevation=np.radians(48 if lies else 10))
+    write_picture(made, path)
