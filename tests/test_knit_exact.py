@@ -26,7 +26,7 @@ def oracle(task, y):
         flip = bit[k] if not task.start[y, x] else 1 - bit[k]
         if task.locked.size and task.locked[y, x]:
             model.Add(flip == 0)
-        price.append(int(round((task.weights[y, x] if task.weights.size else 1) * 1000)) * flip)
+        price.append(round(float(task.weights[y, x] if task.weights.size else 1) * 1000) * flip)
     starts = range(n) if task.ring and n > f else range(n - f)
     for s in starts:
         window = [(s + i) % n for i in range(f + 1)]
@@ -53,7 +53,7 @@ def oracle(task, y):
         if task.soft is not None:
             long = model.NewBoolVar("")
             escape.append(long)
-            price.append(int(round(task.soft * 1000)) * long)
+            price.append(round(task.soft * 1000) * long)
         model.Add(total + sum(escape) >= 1)
         model.Add(total - sum(escape) <= f)
     model.Minimize(sum(price))
