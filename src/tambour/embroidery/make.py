@@ -8,8 +8,11 @@ import numpy as np
 
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
-from tambour.core.thread import Thread
+from tambour.core.thread import Thread, ThreadPlan
+from tambour.embroidery.catalogue import with_catalogue
+from tambour.embroidery.design import piece_of
 from tambour.embroidery.families import Place, region_stitches
+from tambour.embroidery.layers import elevation
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.regions import regions
@@ -18,6 +21,9 @@ from tambour.embroidery.sequence import Layout, order
 
 def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     """A Piece of a Drawing: regions, order, stitches, plan. TambourError for drawings that cannot be embroidered."""
+    if isinstance(source, ThreadPlan):
+        with progress.stage("read"):
+            return piece_of(source, params, progress)
     with progress.stage("read"):
         drawing = source
         if drawing.about.get("ignored"):
@@ -45,7 +51,10 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if layout.here is None:
             raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: --width 100mm")
         plan, region_of, kind, rows = layout.plan()
-    return Piece(drawing, found, params, plan, region_of, kind, np.zeros(len(plan)), rows, dict(layout.facts))
+        plan = with_catalogue(plan, params.catalogue)
+    with progress.stage("bind"):
+        lies = elevation(plan, region_of.astype(int) * 64 + kind, params.thread)
+    return Piece(drawing, found, params, plan, region_of, kind, lies, rows, dict(layout.facts))
 
 
 def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:
