@@ -103,7 +103,8 @@ def pears() -> None:
         body = ball(p, (cx, 0.52, cz), 0.53)
         neck = ball(p, (cx + lean, 1.18, cz), 0.24)
         stalk = np.maximum(
-            np.hypot(p[..., 0] - cx - lean - 0.25 * (p[..., 1] - 1.4), p[..., 2] - cz) - 0.035, np.abs(p[..., 1] - 1.5) - 0.17
+            np.hypot(p[..., 0] - cx - lean - 0.25 * (p[..., 1] - 1.4), p[..., 2] - cz) - 0.035,
+            np.abs(p[..., 1] - 1.5) - 0.17,
         )
         return np.minimum(blend(body, neck, 0.42), stalk)
 
@@ -139,7 +140,10 @@ def pears() -> None:
     base = np.choose(what, [0.62, 0.80, 0.66, 0.20])
     speck = np.random.default_rng(3).random((high, wide))
     base = base * np.where((what > 0) & (what < 3) & (speck > 0.985), 0.7, 1)
-    value = base * (0.20 * (0.4 + 0.6 * normal[..., 1]) * close + 0.95 * lit) + np.choose(what, [0, 0.25, 0.2, 0.45]) * glance
+    value = (
+        base * (0.20 * (0.4 + 0.6 * normal[..., 1]) * close + 0.95 * lit)
+        + np.choose(what, [0, 0.25, 0.2, 0.45]) * glance
+    )
     wall = 0.10 + 0.16 * np.clip(1 - y / high * 1.2, 0, 1) + 0.10 * np.exp(-(((x / wide - 0.3) / 0.35) ** 2))
     far = np.clip((t - 7) / 4, 0, 1)
     value = value * (1 - far) + wall * far
@@ -192,7 +196,16 @@ def pines() -> None:
     high, wide = 40, 120
     grid = np.ones((high, wide), bool)  # True is light
     y = np.arange(high)[:, None]
-    for at, top, spread in ((8, 8, 8), (24, 14, 6), (37, 5, 9), (55, 16, 5), (68, 9, 8), (84, 15, 6), (98, 6, 9), (113, 15, 5)):
+    for at, top, spread in (
+        (8, 8, 8),
+        (24, 14, 6),
+        (37, 5, 9),
+        (55, 16, 5),
+        (68, 9, 8),
+        (84, 15, 6),
+        (98, 6, 9),
+        (113, 15, 5),
+    ):
         x = (np.arange(wide) - at + wide // 2) % wide - wide // 2
         depth = y - top
         tier = depth % 8

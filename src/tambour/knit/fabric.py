@@ -32,10 +32,12 @@ GROUND = 0.80
 
 
 class Cell(NamedTuple):
-    """One cell of cloth: neighbours ``(row, column)`` offsets, the light that each sends (K, h, w), gloss (h, w)."""
+    """One cell of cloth: neighbours ``(row, column)`` offsets, the light that each sends and the share of each pixel
+    that it covers (K, h, w), gloss (h, w)."""
 
     neighbours: list[tuple[int, int]]
     light: Array
+    share: Array
     gloss: Array
 
 
@@ -107,7 +109,8 @@ def cell(width: int, aspect: float, back: bool = False) -> Cell:
 
     seen = [k for k in range(len(near)) if (who == k).any()]
     light = np.stack([mean(np.where(who == k, shade, 0)) for k in seen])
-    return Cell([near[k] for k in seen], light, mean(gloss))
+    share = np.stack([mean((who == k).astype(np.float64)) for k in seen])
+    return Cell([near[k] for k in seen], light, share, mean(gloss))
 
 
 def front(chart: Chart, width: int | None = None) -> Picture:
@@ -146,19 +149,16 @@ def _cloth(chart: Chart, width: int | None, back: bool) -> Array:
     height = one.light.shape[1]
     out = np.zeros((rows, height, columns, width, 3), np.float32)
     cover = np.zeros((rows, height, columns, width), np.float32)
-    whole = one.light.sum(axis=0)
-    for (dr, dc), light in zip(one.neighbours, one.light):
+    for (dr, dc), light, share in zip(one.neighbours, one.light.astype(np.float32), one.share.astype(np.float32)):
         there = present[1 + dr : 1 + dr + rows, 1 + dc : 1 + dc + columns, None]
-        color = yarn[1 + dr : 1 + dr + rows, 1 + dc : 1 + dc + columns] * there
-        share = light.astype(np.float32)
-        out += share[None, :, None, :, None] * color.astype(np.float32)[:, None, :, None, :]
-        part = np.where(whole > 0, light / np.where(whole > 0, whole, 1), 0.0).astype(np.float32)
-        cover += part[None, :, None, :] * there.astype(np.float32)[:, None, :, :]
+        color = (yarn[1 + dr : 1 + dr + rows, 1 + dc : 1 + dc + columns] * there).astype(np.float32)
+        out += light[None, :, None, :, None] * color[:, None, :, None, :]
+        cover += share[None, :, None, :] * there.astype(np.float32)[:, None, :, :]
     own = present[1:-1, 1:-1].astype(np.float32)[:, None, :, None]
     out += (one.gloss.astype(np.float32)[None, :, None, :] * own)[..., None]
     # Where a neighbour is missing the table shows; the small holes of the cloth itself stay dark.
-    cover = np.where(whole[None, :, None, :] > 0, np.clip(cover, 0, 1), own)
-    out += ((1 - cover) * GROUND)[..., None]
+    cover += (1 - one.share.sum(axis=0).astype(np.float32))[None, :, None, :] * own
+    out += ((1 - np.clip(cover, 0, 1)) * GROUND)[..., None]
     return np.ascontiguousarray(out[::-1]).reshape(rows * height, columns * width, 3)
 
 
