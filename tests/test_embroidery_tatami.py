@@ -79,7 +79,7 @@ def test_needle_points_are_staggered_and_locked_to_the_plane():
     one = tatami(rings(Paths.of([square])), 0.0, 0.5, 2.0)
     two = tatami(rings(Paths.of([square + np.array([7.3, 0])])), 0.0, 0.5, 2.0)
     for made in (one, two):
-        inner = made.xy[(made.kind == FILL) & (made.xy[:, 0] > 8.5) & (made.xy[:, 0] < 19)]
+        inner = made.xy[(made.kind == FILL) & (made.xy[:, 0] > 9) & (made.xy[:, 0] < 18.6)]
         row = np.floor(inner[:, 1] / 0.5).astype(int)
         off = (inner[:, 0] - (row % 4) / 4 * 2.0) % 2.0
         assert len(inner) > 50 and np.allclose(np.minimum(off, 2.0 - off), 0, atol=1e-9)
