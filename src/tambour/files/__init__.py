@@ -35,7 +35,7 @@ READ: dict[str, dict[str, str]] = {
     ".svgz": {"Drawing": "svg_read:read_drawing"},
     **{suffix: {"Picture": "picture:read_picture"} for suffix in _PICTURES},
     ".png": {"Picture": "picture:read_picture", "Chart": "chart:read_png"},
-    ".csv": {"Chart": "chart:read_csv"},
+    ".csv": {"Chart": "chart:read_csv", "Text": "text:read_text"},
     ".json": {"Chart": "chart:read_json"},
     ".k": {"Chart": "knitout:read"},
     ".knitout": {"Chart": "knitout:read"},
