@@ -35,12 +35,20 @@ class Body:
         self.accessors: list[dict[str, Any]] = []
 
     def add(self, values: Array, *, target: int | None = None, bounds: bool = False, normalized: bool = False) -> int:
-        """The accessor's index of an array (N,) or (N, 2…4) of a type that glTF knows."""
+        """The accessor's index of an array (N,) or (N, 2…4) of a type that glTF knows; rows of a vertex attribute
+        whose bytes are no multiple of four are padded to one."""
         values = np.ascontiguousarray(values)
-        raw = values.tobytes()
+        raw, size = values.tobytes(), values.dtype.itemsize * (1 if values.ndim == 1 else values.shape[1])
+        stride = size + -size % 4
+        if target == _VERTEX and stride != size:
+            rows = np.zeros((len(values), stride), np.uint8)
+            rows[:, :size] = values.view(np.uint8).reshape(len(values), size)
+            raw = rows.tobytes()
         view: dict[str, Any] = {"buffer": 0, "byteOffset": self.size, "byteLength": len(raw)}
         if target:
             view["target"] = target
+        if target == _VERTEX and stride != size:
+            view["byteStride"] = stride
         raw += b"\0" * (-len(raw) % 4)
         self.chunks.append(raw)
         self.size += len(raw)
