@@ -31,6 +31,8 @@ READ: dict[str, dict[str, str]] = {
     ".acl": {"Text": "text:read_text"},
     ".txt": {"Text": "text:read_text"},
     ".md": {"Text": "text:read_text"},
+    ".ttf": {"Font": "font:read_font"},
+    ".otf": {"Font": "font:read_font"},
     ".svg": {"Drawing": "svg_read:read_drawing"},
     ".svgz": {"Drawing": "svg_read:read_drawing"},
     **{suffix: {"Picture": "picture:read_picture"} for suffix in _PICTURES},
