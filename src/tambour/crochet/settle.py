@@ -45,7 +45,7 @@ def tolerance(n: int) -> float:
 
 def budget(n: int) -> int:
     """The most evaluations for n nodes: enough for every piece that settles, bounded for those that do not."""
-    return int(min(max(3_000_000 / max(n, 1), 400), 2000))
+    return int(min(max(2_500_000 / max(n, 1), 400), 10_000))
 
 
 @kernel
@@ -202,7 +202,7 @@ def settle(
             state.x, state.c = x + t * z.reshape(-1, 3), c.copy()
             new = rigid(state.x, displacement(body, state), label).ravel()
             turned = dot(new, z)
-            if (state.volume >= 0.3 * volume).all() and turned > -0.9 * slope:
+            if (state.volume >= 0.3 * volume).all() and turned > -0.5 * slope:
                 break
             t *= min(max(slope / (slope - turned), 0.1), 0.7) if turned < slope else 0.5
         z *= t
