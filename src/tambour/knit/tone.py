@@ -31,21 +31,23 @@ def amount(tone: str) -> float:
 
 def brightness(rgb: Array, light: str) -> Array:
     """(R, C) float32 in 0…1 of (R, C, 3) uint8: luma of code values (BT.601), or luminance in linear light."""
+    codes = np.arange(256) / 255
     if light == "linear":
-        table = color.linear(np.arange(256) / 255).astype(np.float32)
-        weights = np.array([0.2126, 0.7152, 0.0722], np.float32)
-        out = np.zeros(rgb.shape[:2], np.float32)
-        for channel in range(3):
-            out += table[rgb[..., channel]] * weights[channel]
-        return np.clip(out, 0, 1)
+        table, weights = color.linear(codes), np.array([0.2126, 0.7152, 0.0722])
+    else:
+        table, weights = codes, LUMA.astype(np.float64)
+    tables = (table[:, None] * weights).astype(np.float32)
     out = np.zeros(rgb.shape[:2], np.float32)
-    for channel in range(3):
-        out += rgb[..., channel] * (LUMA[channel] / np.float32(255))
-    return np.clip(out, 0, 1)
+    block = max(1, (1 << 20) // max(1, rgb.shape[1]))
+    for low in range(0, len(rgb), block):
+        part = rgb[low : low + block]
+        shown = tables[:, 0][part[..., 0]] + tables[:, 1][part[..., 1]] + tables[:, 2][part[..., 2]]
+        np.clip(shown, 0, 1, out=out[low : low + block])
+    return out
 
 
 def toned(raw: Array, params: KnitParams, limit: int) -> Array:
-    """(R, C) float32: contrast and brightness, detail and edges, then the range compressed.
+    """(R, C) float32: contrast and brightness, detail and edges, then the range compressed. ``raw`` is used up.
 
     ``detail`` splits off a base layer (a guided filter of the tone by itself: He, Sun, Tang 2013) and compresses only
     that, giving the fine layer back times ``detail``. ``sharpen`` adds the difference to a blur of one stitch.
@@ -63,7 +65,7 @@ def toned(raw: Array, params: KnitParams, limit: int) -> Array:
         # With detail 1 the fine layer keeps its full contrast, while the base alone is compressed.
         t = np.clip(low + base * (high - low) + params.detail * (t - base), low, high).astype(np.float32)
     elif low > 0:
-        t = t * np.float32(high - low)
+        t *= np.float32(high - low)
         t += np.float32(low)
     return np.ascontiguousarray(t, np.float32)
 
