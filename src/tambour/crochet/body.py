@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import BLO, FLO, ROOT, TIP, StitchGraph
+from tambour.core.graph import BLO, FLO, ROOT, SEWN, TIP, StitchGraph
 
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
@@ -183,7 +183,7 @@ def build(
     loops = np.flatnonzero(np.isin(graph.peculiarity, (FLO, BLO)) & (graph.plane >= 0).all(1))
     loops = loops[np.argsort(np.maximum(loops, graph.plane[loops].max(1, initial=0)), kind="stable")]
     sign = np.where(graph.peculiarity[loops] == BLO, 1.0, -1.0)
-    offsets, neighbours = ragged(n, edges)
+    offsets, neighbours = ragged(n, edges, graph.edge_kind[order] == SEWN)
     section = sections(graph)
     mine, radius, section_offsets, members, beside = bones(graph, section, rise(graph, graph.rest / width))
     triples, stiff = _straight(graph, amount, params.bending) if not _cubic(stuffing) else (np.zeros((0, 3)), [])

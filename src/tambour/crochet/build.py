@@ -34,7 +34,8 @@ class PartFacts:
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """One thing the hook did, for writing the pattern back: ``what`` is a stitch, a key of RULES, "round" or "part"."""
+    """One thing the hook did, for writing the pattern back: ``what`` is a stitch or a key of RULES; "part" (section, copy)
+    begins a part, "round" or "line" a line, and "end" ends it, with the stitches on its edge as ``times``."""
 
     what: str
     times: int = 1
@@ -172,6 +173,7 @@ class _Worker:
                 self.log.append(Done("line", 1, (), (), line.span))
             for item in line.items:
                 self._item(item)
+            self.log.append(Done("end", hook.now.count + hook.joined))
         if line.times_span is not None:
             self.numbers.pop()
         if line.stated is not None and line.times:
@@ -304,7 +306,7 @@ class _Worker:
                 hook.join_round()
         if action.name != "mark":
             hook.last_mark = None
-        self._note(action, labels)
+        self._note(action)
 
     def _label(self, name: str) -> str:
         """The label as the hook knows it: inside a part made several times, each copy has its own."""
@@ -322,13 +324,13 @@ class _Worker:
             return
         self.sewn.append((max(one, other), min(one, other)))
 
-    def _note(self, action: Action, labels: tuple[str, ...] = ()) -> None:
+    def _note(self, action: Action) -> None:
         self.counts[action.name] = self.counts.get(action.name, 0) + action.times
         last = self.log[-1]
-        if not labels and not action.numbers and action.name not in RULES and last.what == action.name:
+        if action.name not in RULES and last.what == action.name:
             self.log[-1] = Done(last.what, last.times + action.times, (), (), last.span)
         else:
-            self.log.append(Done(action.name, action.times, action.numbers, labels, action.span))
+            self.log.append(Done(action.name, action.times, action.numbers, action.labels, action.span))
 
 
 def _marks(items: tuple[Item, ...]) -> list[str]:

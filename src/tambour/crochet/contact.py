@@ -16,13 +16,13 @@ from tambour.core.kernels import kernel
 
 @kernel
 def _between(offsets: Array, neighbours: Array, i: int, j: int) -> int:
-    """Edges between nodes i and j: 1, 2, or 3 for "more"; neighbours of a node rise."""
+    """Edges between nodes i and j: 1, 2, or 3 for "more"; neighbours of a node rise, sewn ones stand as ~node."""
     a, ea, b, eb = offsets[i], offsets[i + 1], offsets[j], offsets[j + 1]
     for k in range(a, ea):
-        if neighbours[k] == j:
+        if neighbours[k] == j or neighbours[k] == ~j:
             return 1
     while a < ea and b < eb:
-        if neighbours[a] == neighbours[b]:
+        if neighbours[a] == neighbours[b] and neighbours[a] >= 0:
             return 2
         if neighbours[a] < neighbours[b]:
             a += 1
@@ -100,9 +100,14 @@ def contact(x: Array, pair: Array, reach: Array, stiffness: float, D: Array) -> 
         D[j, 2] -= dz
 
 
-def ragged(n: int, edges: Array) -> tuple[Array, Array]:
-    """The edges (E, 2) as ragged lists of neighbours, each rising: offsets (n + 1,), neighbours (2E,)."""
+def ragged(n: int, edges: Array, sewn: Array) -> tuple[Array, Array]:
+    """The edges (E, 2) as ragged lists of neighbours, each rising: offsets (n + 1,), neighbours (2E,).
+
+    sewn : (E,) bool; across a seam the neighbour stands as ~node: it is joined, but what is next to it is not.
+    """
+    far = np.where(np.concatenate([sewn, sewn]), ~np.concatenate([edges[:, 1], edges[:, 0]]), 0)
     both = np.concatenate([edges, edges[:, ::-1]]).astype(np.int64)
+    both[:, 1] = np.where(far < 0, far, both[:, 1])
     both = both[np.lexsort((both[:, 1], both[:, 0]))]
     offsets = np.zeros(n + 1, np.int64)
     np.cumsum(np.bincount(both[:, 0], minlength=n), out=offsets[1:])

@@ -88,7 +88,7 @@ class Pattern:
     text : the source, for spans to point into
     parts : its parts in order
     stitches : every stitch it may use, its own definitions among them
-    own : names of its own definitions, in order
+    own : its own definitions → the text of each
     warnings : doubts
     max_stitches : the most nodes that it may make
     """
@@ -96,6 +96,6 @@ class Pattern:
     text: Text
     parts: tuple[Section, ...]
     stitches: Mapping[str, Stitch]
-    own: tuple[str, ...] = ()
+    own: Mapping[str, Span] = field(default_factory=dict)
     warnings: tuple[Problem, ...] = ()
     max_stitches: int = 200_000

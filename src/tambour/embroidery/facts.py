@@ -83,7 +83,7 @@ def outside(piece: Piece, slack: float = SLACK) -> int:
     region, kind = piece.region[end], piece.kind[end]
     count = 0
     for k, it in enumerate(piece.regions):
-        if it.role != "area":
+        if it.role != "area" or it.stitch == "cross":  # crosses stand on squares that lie inside by half
             continue
         mine = np.flatnonzero((region == k) & (kind <= 4))
         if not len(mine):

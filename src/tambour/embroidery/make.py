@@ -11,7 +11,7 @@ from tambour.core.progress import Progress
 from tambour.core.thread import Thread
 from tambour.embroidery.families import Place, region_stitches
 from tambour.embroidery.params import EmbroideryParams
-from tambour.embroidery.piece import Piece
+from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.regions import regions
 from tambour.embroidery.sequence import Layout, order
 
@@ -30,9 +30,9 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         region = found[k]
         progress.step(done, len(sequence))
         start = region.start or _place(layout.here)
-        end = region.end
+        end = region.end or _ahead(found, sequence, done, params)
         with progress.stage("fill"):
-            threads = region_stitches(region, start, end, progress)
+            threads = region_stitches(region, start, end)
         with progress.stage("sequence"):
             layout.color(Thread(region.color))
             for thread in threads:
@@ -46,6 +46,21 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
             raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: --width 100mm")
         plan, region_of, kind, rows = layout.plan()
     return Piece(drawing, found, params, plan, region_of, kind, np.zeros(len(plan)), rows, dict(layout.facts))
+
+
+def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:
+    """Where the thread goes on after a region: a place of the next one, if it is of the same colour and near."""
+    if done + 1 >= len(sequence):
+        return None
+    this, next_one = found[sequence[done]], found[sequence[done + 1]]
+    if this.color != next_one.color:
+        return None
+    a, b = this.paths.coords, next_one.paths.coords
+    from scipy.spatial import cKDTree
+
+    far = np.asarray(cKDTree(a).query(b)[0])
+    k = int(np.argmin(far))
+    return (float(b[k, 0]), float(b[k, 1])) if far[k] < 30 else None
 
 
 def _place(here: Any) -> Place:

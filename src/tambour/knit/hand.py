@@ -10,7 +10,7 @@ import numpy as np
 from tambour.core.chart import Chart
 from tambour.core.check import Array
 
-_CATCH, _SAME, _BESIDE, _AGAIN = 4.0, 10.0, 2.0, 1.0
+_CATCH, _SAME, _BESIDE, _AGAIN = 4.0, 100.0, 4.0, 1.0
 """Cost of a catch; of one over a catch of the row below, beside one, over one two rows below."""
 
 
