@@ -13,7 +13,7 @@ from tambour.core.drawing import Drawing, Label, Placed
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.ink import specimens
-from tambour.ink.draw import Manner, draw, join, within
+from tambour.ink.draw import Manner, draw, join
 from tambour.ink.kinds import NAMES
 from tambour.ink.marks import Marks
 from tambour.ink.params import Ink
@@ -79,8 +79,7 @@ def manner(params: Ink) -> Manner:
 def batches(params: Ink, planned: tuple[Planned, ...]) -> Iterator[Marks]:
     """Draw wholes in their order; what only might have reached into the window is left out."""
     for i in range(0, len(planned), BATCH):
-        marks = draw(planned[i : i + BATCH], manner(params), params.edition)
-        yield within(marks, params.from_, params.from_ + params.span)
+        yield draw(planned[i : i + BATCH], manner(params), params.edition, params.from_, params.from_ + params.span)
 
 
 def make(source: None, params: Ink, progress: Progress) -> Scroll:
@@ -150,8 +149,8 @@ def sheet(scroll: Scroll, marks: Marks, last: bool = True) -> Drawing:
     glaze: tuple[Placed, ...] = ()
     if last and p.paper:
         side = float(paper.SIDE)
-        box = (*scroll.origin.tolist(), *scroll.size.tolist())
-        glaze = (Placed(paper.grain(), *box, (side, side), glaze=True),)
+        (x, y), (width, height) = scroll.origin.tolist(), scroll.size.tolist()
+        glaze = (Placed(paper.grain(), x, y, width, height, (side, side), glaze=True),)
     white = (255, 255, 255) if not p.paper and p.time != "night" else None
     return paint.drawing(
         marks, scroll.origin, scroll.size, p.tall / HEIGHT, p.season, p.time, white, seals, glaze, about(p)
