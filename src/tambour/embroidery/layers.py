@@ -62,5 +62,16 @@ def elevation(plan: ThreadPlan, layer: Array, thread: float) -> Array:
     out = np.zeros(len(laid))
     ids = np.asarray(layer, np.int64)[laid]
     _pile(a, b, ids, thread, cell, float(low[0]), float(low[1]), np.zeros(shape), out)
-    made[laid] = out
+    made[laid] = _evened(out, ids)
     return made
+
+
+def _evened(high: Array, layer: Array, reach: int = 6) -> Array:
+    """Heights (S,) averaged over ``reach`` stitches before and after in the same layer: neighbours carry each other."""
+    run = np.r_[0, np.flatnonzero(np.diff(layer)) + 1, len(layer)]
+    begin = np.repeat(run[:-1], np.diff(run))
+    past = np.repeat(run[1:], np.diff(run))
+    at = np.arange(len(high))
+    low, top = np.maximum(begin, at - reach), np.minimum(past, at + reach + 1)
+    total = np.r_[0.0, np.cumsum(high)]
+    return np.asarray((total[top] - total[low]) / (top - low))

@@ -67,8 +67,9 @@ def scene(piece: Piece) -> Scene:
         grown = 1.7 if ground == "drape" else 1.0
         side = max(wide, high) * grown if ground == "drape" else 0.0
         ground = cloth(ground, max(float(wide), side), max(float(high), side), params.frames or 1)
-    elif params.frames is not None:
-        ground = chosen(ground, params.frames)
+    else:
+        ground = ground if params.place == "uv" else welded(ground)
+        ground = ground if params.frames is None else chosen(ground, params.frames)
     where = place(
         ground,
         params.place,
@@ -108,6 +109,29 @@ def scene(piece: Piece) -> Scene:
         else replace(ground, color=np.tile(np.array(rgb(params.ground), np.uint8), (len(ground.vertices), 1)))
     )
     return Scene((shown,), (strands,), ("cloth", "thread"))
+
+
+def welded(mesh: Mesh) -> Mesh:
+    """The mesh with corners that lie in one place made one (files part them where colours or uv change); without uv."""
+    _, first, which = np.unique(mesh.vertices.round(5), axis=0, return_index=True, return_inverse=True)
+    if len(first) == len(mesh.vertices):
+        return mesh
+    faces = which.ravel()[mesh.faces]
+    full = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+
+    def frames() -> Iterator[Array]:
+        for vertices in mesh.positions():
+            yield vertices[first]
+
+    return replace(
+        mesh,
+        vertices=mesh.vertices[first],
+        faces=faces[full],
+        color=None if mesh.color is None else mesh.color[first],
+        uv=None,
+        face_group=None if mesh.face_group is None else mesh.face_group[full],
+        frames=None if mesh.frames is None else frames,
+    )
 
 
 def chosen(mesh: Mesh, frames: int) -> Mesh:
