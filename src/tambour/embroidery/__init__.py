@@ -36,4 +36,5 @@ CRAFT = Craft(
     views=VIEWS,
     facts=_facts,
     warm=_warm,
+    optional_source=True,
 )

@@ -13,6 +13,7 @@ from tambour.embroidery.catalogue import with_catalogue
 from tambour.embroidery.design import piece_of
 from tambour.embroidery.families import Place, region_stitches
 from tambour.embroidery.layers import elevation
+from tambour.embroidery.lettering import lettered
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.regions import regions
@@ -26,6 +27,10 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
             return piece_of(source, params, progress)
     with progress.stage("read"):
         drawing = source
+        if params.text is not None:
+            drawing = lettered(drawing, params.text, params.text_size, params.font, progress)
+        if drawing is None:
+            raise TambourError("there is nothing to embroider", hint="give a drawing, or --text")
         if drawing.about.get("ignored"):
             progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
         found = regions(drawing, params, progress)
@@ -52,6 +57,11 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
             raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: --width 100mm")
         plan, region_of, kind, rows = layout.plan()
         plan = with_catalogue(plan, params.catalogue)
+    wide = layout.facts.pop("not_satin_mm2", 0.0)
+    if wide > 0:
+        progress.warn(
+            f"{wide:.1f} mm² are too wide for satin and are tatami", hint="make --split longer, or the shape narrower"
+        )
     with progress.stage("bind"):
         lies = elevation(plan, region_of.astype(int) * 64 + kind, params.thread)
     return Piece(drawing, found, params, plan, region_of, kind, lies, rows, dict(layout.facts))

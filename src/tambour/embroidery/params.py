@@ -148,6 +148,8 @@ class EmbroideryParams(Params):
     text: str | None = None
     """Letters to embroider, instead of a drawing or below it."""
 
+    font: Any = file("Font", "A .ttf or .otf file for the letters of --text (the shipped one when not given).")
+
     text_size: Length = Field(default=15.0, gt=1, le=500)
     """Height of capital letters."""
 

@@ -31,6 +31,8 @@ READ: dict[str, dict[str, str]] = {
     ".acl": {"Text": "text:read_text"},
     ".txt": {"Text": "text:read_text"},
     ".md": {"Text": "text:read_text"},
+    ".ttf": {"Font": "font:read_font"},
+    ".otf": {"Font": "font:read_font"},
     ".svg": {"Drawing": "svg_read:read_drawing"},
     ".svgz": {"Drawing": "svg_read:read_drawing"},
     **{suffix: {"Picture": "picture:read_picture"} for suffix in _PICTURES},
@@ -45,7 +47,8 @@ READ: dict[str, dict[str, str]] = {
     **{suffix: {"ThreadPlan": "machine:read_plan"} for suffix in (*_MACHINE, *_MACHINE_READ)},
     ".glb": {"Mesh": "glb:read_mesh"},
     ".gltf": {"Mesh": "glb:read_mesh"},
-    ".obj": {"Mesh": "mesh:read_obj"},
+    ".obj": {"Mesh": "sequence:read_obj"},
+    ".npz": {"Mesh": "sequence:read_npz"},
     ".ply": {"Mesh": "mesh:read_ply"},
     ".stl": {"Mesh": "mesh:read_stl"},
 }

@@ -13,9 +13,14 @@ __all__ = ["CRAFT"]
 
 
 def _make(source: Any, params: Any, progress: Progress) -> Any:
+    from dataclasses import replace
+
+    from tambour.core.chart import Chart
     from tambour.knit.solve import make
 
     piece = make(source, params, progress)
+    if isinstance(source, Chart) and piece.chart.gauge is None:
+        piece = replace(piece, chart=replace(piece.chart, gauge=source.gauge))
     if params.machine is not None:
         from tambour.core.errors import TambourError
         from tambour.knit.machine import check

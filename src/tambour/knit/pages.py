@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from math import ceil, floor
+from textwrap import wrap
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -77,15 +79,15 @@ def layout(chart: Chart, page: Page = "a4", aspect: float = 1.0, large: bool = F
 
 
 def _tiles(length: int, fits: int) -> tuple[int, int]:
-    """How many tiles cover ``length`` when ``fits`` are legible on a page, and their step: tens where there is room,
-    so that heavy lines begin a page."""
+    """How many tiles cover ``length`` when ``fits`` are legible on a page, and their step: fives where there is room,
+    so that a ruled line begins a page."""
     if length <= fits:
         return 1, length
     step = fits - OVERLAP
     count = ceil((length - OVERLAP) / step)
     even = ceil((length - OVERLAP) / count)
-    tens = ceil(even / 10) * 10
-    return (count, tens) if tens <= step else (count, even)
+    fives = ceil(even / 5) * 5
+    return (count, fives) if fives <= step else (count, even)
 
 
 class Words(NamedTuple):
@@ -286,11 +288,16 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
             f"Hold {name} below the other yarn throughout: the yarn",
             "held below stands out (it is the dominant one).",
         ]
+    elif len(roles(chart)) > 2:
+        lines += [
+            "In each row hold the yarn with fewer stitches below the",
+            "other: it stands out (it is the dominant one).",
+        ]
     lines += ["Strand loosely; spread the stitches on the needle."]
     if not chart.circular and words.anchored:
         lines += ["Carry both yarns to both ends of every row."]
     if listed:
-        lines += ["Catch floats where a red wedge stands; the list is at", "the end."]
+        lines += ["Catch floats where a small wedge stands; the list is", "at the end."]
     if len(plan.windows) > 1:
         lines += [
             "Pages overlap by 2 stitches and 2 rows: cut along",
@@ -301,11 +308,10 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
 
 def _columns(listed: list[str], ladder: list[str], catch: int, page: tuple[float, float]) -> list[list[list[str]]]:
     """The float list on pages of two columns."""
-    from textwrap import wrap
-
     lines = [f"Floats above {catch} stitches; stitches count from the right.", ""]
     for line in listed:
-        lines += wrap(line, 58, subsequent_indent="   ")
+        glued = re.sub(r"(CC\d?|MC) behind", "\\1\u00a0behind", line)
+        lines += [part.replace("\u00a0", " ") for part in wrap(glued, 66, subsequent_indent="   ")]
     if ladder:
         lines += [
             "",

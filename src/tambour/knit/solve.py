@@ -202,8 +202,8 @@ def assemble(
     tiled = layout.tiled if layout else (lambda cells: cells)
 
     def coloured(bits: Array) -> Array:
-        if len(palette) == 2:
-            return tiled(bits)
+        if len(palette) == 2 and (state.pairs[:, 1] > state.pairs[:, 0]).all():
+            return tiled(bits)  # a chart that was given may have its lighter yarn first
         return tiled(np.where(bits == 1, state.pairs[:, 1:], state.pairs[:, :1]).astype(np.uint8))
 
     def optional(mask: Array) -> Array | None:
