@@ -56,6 +56,7 @@ class Built:
     parts : what each part's text asks for, as many as graph.parts
     shell : (F,) bool, the faces that bound the outside: of two sheets worked on one edge (goto), one
     initializer : how the pattern wants to begin ("rounds", "one-by-one", None)
+    up : the end of the work that is on top ("start", "end")
     counts : stitch or action as written → how often it was worked
     log : what the hook did, in order
     pattern : where it comes from
@@ -69,6 +70,7 @@ class Built:
     parts: tuple[PartFacts, ...]
     shell: Array
     initializer: str | None
+    up: str
     counts: Mapping[str, int]
     log: tuple[Done, ...]
     pattern: Pattern
@@ -99,6 +101,7 @@ def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict:
         tuple(worker.facts),
         shell,
         next((f.initializer for f in worker.facts if f.initializer), None),
+        next((p.up for p in pattern.parts if p.up), "end"),
         worker.counts,
         tuple(worker.log),
         pattern,

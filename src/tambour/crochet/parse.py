@@ -150,6 +150,11 @@ def _section(source: Source, draft: _Draft) -> Section:
             else:
                 known = did_you_mean(word, STARTS) or "rounds or one-by-one"
                 source.error(f'"{value}" is no way to begin', known, at)
+        elif key == "up":
+            if word in ("start", "end"):
+                found[key] = word
+            else:
+                source.error(f'"{value}" is no end of the work', "start or end: the one that is on top", at)
         elif key == "tip_from_fo":
             if word in _TRUTH:
                 found[key] = _TRUTH[word]
@@ -157,7 +162,7 @@ def _section(source: Source, draft: _Draft) -> Section:
                 source.error(f'"{value}" is neither true nor false', "true: FO closes the edge; false: not", at)
         else:
             other[key] = value
-            source.doubt(f'the parameter "{key}" has no effect', "known: centroids, stuffing, initializer", name)
+            source.doubt(f'the parameter "{key}" has no effect', "known: centroids, stuffing, initializer, up", name)
     return replace(plain, other=other, **found)
 
 
