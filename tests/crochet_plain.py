@@ -199,7 +199,7 @@ def displacement(x, c, graph, stuffing, rest, made):
     elif stuffing == "skeleton":
         D += skeleton(x, made)
     if stuffing == "none":
-        D += bend(x, straight(graph, n), 0.02)
+        D += bend(x, straight(graph, n), 0.05)
     D += single_loop(x, graph, 0.05)
     D += contact(x, graph.edges, 1.2, 1.0, 0.2 if cubic else 1.0)
     return D - D[0], c

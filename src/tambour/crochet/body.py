@@ -146,7 +146,7 @@ def touching(body: Body, state: State) -> None:
 
     x = state.x
     known = state.listed
-    if known is not None and len(known) == len(x) and ((x - known) ** 2).sum(1).max() < (0.5 * SKIN) ** 2:
+    if known is not None and len(known) == len(x) and contact.strayed(x, known) < (0.5 * SKIN) ** 2:
         return
     out, reach = np.empty((max(256, 4 * len(x)), 2), np.int32), np.empty(max(256, 4 * len(x)))
     found = contact.pairs(x, body.offsets, body.neighbours, body.reach, body.near, SKIN, out, reach)

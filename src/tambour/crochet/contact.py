@@ -81,6 +81,16 @@ def pairs(
 
 
 @kernel
+def strayed(x: Array, before: Array) -> float:
+    """The square of the farthest that a node has moved since ``before``."""
+    most = 0.0
+    for i in range(len(x)):
+        dx, dy, dz = x[i, 0] - before[i, 0], x[i, 1] - before[i, 1], x[i, 2] - before[i, 2]
+        most = max(most, dx * dx + dy * dy + dz * dz)
+    return most
+
+
+@kernel
 def contact(x: Array, pair: Array, reach: Array, stiffness: float, D: Array) -> None:
     """Add the contact of listed pairs: stiffness * (reach - r) apart where r < reach."""
     for k in range(len(pair)):

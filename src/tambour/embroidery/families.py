@@ -10,7 +10,9 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.paths import Paths
 from tambour.embroidery import curves, grids
+from tambour.embroidery.branch import branched
 from tambour.embroidery.fill import Rings, rings
+from tambour.embroidery.flow import flow
 from tambour.embroidery.line import bean, from_nearest, motif, running
 from tambour.embroidery.net import polygon_of, weave
 from tambour.embroidery.params import EmbroideryParams
@@ -88,8 +90,28 @@ def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -
         start = (float(here[0]), float(here[1]))
     elif parts:
         start = (float(parts[-1].xy[-1, 0]), float(parts[-1].xy[-1, 1]))
+    if region.stitch == "satin":
+        satin, left = branched(polygon_of(area), p, region.id, start)
+        rest = _rest(left, region, parts, satin)
+        return linked([*rest, *satin], area, p.length)
     parts.append(fill(region, polygon, area, start))
     return linked(parts, area, p.length)
+
+
+def _rest(left: Any, region: Region, below: list[Stitches], satin: list[Stitches]) -> list[Stitches]:
+    """What satin leaves of an area, as tatami below it; the whole area's underlay only when it is all tatami."""
+    from tambour.embroidery.regions import of_shapely
+
+    rest = None if left.is_empty else of_shapely(left)
+    if rest is None:
+        return []
+    p = region.params
+    angle = math.radians(p.angle)
+    made = [] if satin else below
+    for piece in _split(rest):
+        fill = tatami(rings(piece, angle), angle, p.row_spacing, p.length, stagger=p.stagger, travel=p.travel)
+        made.append(Stitches(fill.xy, fill.kind, fill.run, {**fill.facts, "not_satin_mm2": float(left.area)}))
+    return made
 
 
 def fill(region: Region, polygon: Paths, area: Rings, start: Place) -> Stitches:
@@ -121,6 +143,8 @@ def fill(region: Region, polygon: Paths, area: Rings, start: Place) -> Stitches:
         lines = curves.radial(shape, p.row_spacing, p.seed)
     elif name == "guided":
         lines = curves.guided(shape, region.guide, p.row_spacing, angle)
+    elif name == "flow":
+        lines = flow(shape, p.row_spacing, region.guide, angle, f"{p.seed} {region.id}")
     elif name == "ripple":
         lines = curves.ripple(shape, max(2, round(math.sqrt(shape.area) / 4)))
     else:

@@ -8,8 +8,12 @@ import numpy as np
 
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
-from tambour.core.thread import Thread
+from tambour.core.thread import Thread, ThreadPlan
+from tambour.embroidery.catalogue import with_catalogue
+from tambour.embroidery.design import piece_of
 from tambour.embroidery.families import Place, region_stitches
+from tambour.embroidery.layers import elevation
+from tambour.embroidery.lettering import lettered
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.regions import regions
@@ -18,8 +22,15 @@ from tambour.embroidery.sequence import Layout, order
 
 def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     """A Piece of a Drawing: regions, order, stitches, plan. TambourError for drawings that cannot be embroidered."""
+    if isinstance(source, ThreadPlan):
+        with progress.stage("read"):
+            return piece_of(source, params, progress)
     with progress.stage("read"):
         drawing = source
+        if params.text is not None:
+            drawing = lettered(drawing, params.text, params.text_size, params.font, progress)
+        if drawing is None:
+            raise TambourError("there is nothing to embroider", hint="give a drawing, or --text")
         if drawing.about.get("ignored"):
             progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
         found = regions(drawing, params, progress)
@@ -45,7 +56,15 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if layout.here is None:
             raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: --width 100mm")
         plan, region_of, kind, rows = layout.plan()
-    return Piece(drawing, found, params, plan, region_of, kind, np.zeros(len(plan)), rows, dict(layout.facts))
+        plan = with_catalogue(plan, params.catalogue)
+    wide = layout.facts.pop("not_satin_mm2", 0.0)
+    if wide > 0:
+        progress.warn(
+            f"{wide:.1f} mm² are too wide for satin and are tatami", hint="make --split longer, or the shape narrower"
+        )
+    with progress.stage("bind"):
+        lies = elevation(plan, region_of.astype(int) * 64 + kind, params.thread)
+    return Piece(drawing, found, params, plan, region_of, kind, lies, rows, dict(layout.facts))
 
 
 def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:

@@ -85,7 +85,7 @@ def _paint(
                 if abs(d) >= wide:
                     continue
                 v = d / wide
-                z = base[s] * up + radius * (1.7 * up - 1.0) + wide * np.sqrt(1.0 - v * v)
+                z = base[s] * (0.35 + 0.65 * up) + radius * (1.4 * up - 0.7) + wide * np.sqrt(1.0 - v * v)
                 if z > top[j, i]:
                     top[j, i], owner[j, i], along[j, i], across[j, i] = z, s, t, v
 

@@ -12,12 +12,13 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.embroidery.params import EmbroideryParams
-from tambour.embroidery.piece import SATIN, UNDERLAY
+from tambour.embroidery.piece import SATIN, TRAVEL, UNDERLAY
 from tambour.embroidery.stitches import Stitches, join, line_stitches
 from tambour.noise import key, uniform
 
 CROWDED = 0.25  # mm: needle points closer than this on the inner side are drawn in, every other one
 DRAWN = 0.15  # share of the width that they are drawn in
+EDGE_INSET = 0.4  # mm that underlay keeps from a column's edges
 STEP = 0.1  # mm between samples of a column
 
 
@@ -275,6 +276,33 @@ def underlays(column: Column, asked: str) -> list[str]:
     return [] if asked == "none" else ["zigzag" if w == "tatami" else w for w in asked.split("+")]
 
 
+def edge_walk(column: Column, params: EmbroideryParams) -> list[Stitches]:
+    """Running stitch along both edges, drawn in, there and back."""
+    made = []
+    for side in (column, column.reversed()):
+        across = side.right - side.left
+        wide = np.hypot(*across.T)[:, None]
+        line = side.left + across * np.minimum(0.4, EDGE_INSET / np.maximum(wide, 1e-9))
+        made.append(line_stitches(line, min(params.length, 2.5), UNDERLAY, 0.1))
+    return made
+
+
+def center_walk(column: Column, params: EmbroideryParams, kind: int = UNDERLAY) -> Stitches:
+    """Running stitch along the middle."""
+    return line_stitches(column.middle, min(params.length, 2.5), kind, 0.1)
+
+
+def zigzag_walk(column: Column, params: EmbroideryParams) -> Stitches:
+    """Wide zigzag, drawn in."""
+    across = column.right - column.left
+    share = np.minimum(0.4, EDGE_INSET / np.maximum(np.hypot(*across.T)[:, None], 1e-9))
+    left, right = (
+        np.ascontiguousarray(column.left + share * across),
+        np.ascontiguousarray(column.right - share * across),
+    )
+    return Stitches.of(split(zigzag(left, right, 2.0, 0.0, 0.0, 0.0, 0.0, np.uint64(0)), params.split), UNDERLAY)
+
+
 def column_stitches(column: Column, params: EmbroideryParams, name: str, start: Any = None) -> Stitches:
     """Underlay and satin of one column, one thread: what runs one way is followed by what runs back."""
     if start is not None:
@@ -285,26 +313,20 @@ def column_stitches(column: Column, params: EmbroideryParams, name: str, start: 
     forward = True  # the next pass runs from start to end
     for word in underlays(column, params.underlay):
         it = column if forward else column.reversed()
-        if word == "center":
-            parts.append(line_stitches(it.middle, min(params.length, 2.5), UNDERLAY, 0.1))
-            forward = not forward
-        elif word == "edge":
-            inset = 0.4
-            for back in (False, True):
-                side = it if not back else it.reversed()
-                across = side.right - side.left
-                wide = np.hypot(*across.T)[:, None]
-                line = side.left + across * np.minimum(0.4, inset / np.maximum(wide, 1e-9))
-                parts.append(line_stitches(line, min(params.length, 2.5), UNDERLAY, 0.1))
+        if word == "edge":
+            parts += edge_walk(it, params)
         else:
-            across = it.right - it.left
-            wide = np.maximum(np.hypot(*across.T)[:, None], 1e-9)
-            share = np.minimum(0.4, 0.4 / wide)
-            inner = Column(
-                np.ascontiguousarray(it.left + share * across), np.ascontiguousarray(it.right - share * across)
-            )
-            xy = split(zigzag(inner.left, inner.right, 2.0, 0.0, 0.0, 0.0, 0.0, np.uint64(0)), params.split)
-            parts.append(Stitches.of(xy, UNDERLAY))
+            parts.append(center_walk(it, params) if word == "center" else zigzag_walk(it, params))
             forward = not forward
     parts.append(side_to_side(column if forward else column.reversed(), params, name))
     return join(parts)
+
+
+def there_and_back(column: Column, params: EmbroideryParams, name: str) -> tuple[Stitches, Stitches]:
+    """A limb of a branched satin: underlay that ends at its far end, and the satin that comes back over it."""
+    words = underlays(column, params.underlay)
+    parts = edge_walk(column, params) if "edge" in words else []
+    there = (
+        zigzag_walk(column, params) if "zigzag" in words else center_walk(column, params, UNDERLAY if words else TRAVEL)
+    )
+    return join([*parts, there]), side_to_side(column.reversed(), params, name)

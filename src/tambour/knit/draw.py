@@ -128,7 +128,7 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
             for ring in _shape(name):
                 sheet.rings(centre[:, None] + np.array(ring) * size, _against(chart, color, look))
     sheet.lines(np.concatenate([across(row % 10 == 5), down(column % 10 == 5)]), GREY, 2 * thin)
-    heavy = max(0.3, 0.09 * w)
+    heavy = min(0.45, max(0.3, 0.09 * w))
     tens = np.concatenate([across(row % 10 == 0), down(column % 10 == 0)])
     sheet.lines(tens, (255, 255, 255), 1.9 * heavy)  # a light halo: the line shows on dark yarn too
     sheet.lines(tens, INK, heavy)
@@ -139,10 +139,26 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
     if look.limit is not None:
         _catch_marks(sheet, chart, window, x, y, look)
     if look.repeat and 1 < look.repeat < width:
-        edge = min(max(x + (width - look.repeat - left) * w, x), x1)
-        if x <= edge < x1:
-            sheet.boxes([(edge, y, x1, y1)], None, RED, 1.6 * heavy)
+        _frame_repeat(sheet, chart, window, x, y, look, 2 * heavy)
     _numbers(sheet, chart, window, x, y, look)
+
+
+def _frame_repeat(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look, thick: float) -> None:
+    """The sides of the repeat, counted from the right, that lie in the window."""
+    w, h = look.cell
+    rows, width = chart.shape
+    b, t, left, right = window
+    first, last = max(left, width - (look.repeat or 0)), right
+    if first >= last:
+        return
+    x0, x1, y1 = x + (first - left) * w, x + (last - left) * w, y + (t - b) * h
+    sides = [
+        (first == width - (look.repeat or 0), (x0, y, x0, y1)),
+        (right == width, (x1, y, x1, y1)),
+        (t == rows, (x0, y, x1, y)),
+        (b == 0, (x0, y1, x1, y1)),
+    ]
+    sheet.lines([line for seen, line in sides if seen], RED, thick)
 
 
 def _run_boxes(mask: Array, x: float, y: float, w: float, h: float) -> Array:
@@ -176,8 +192,8 @@ def _catch_marks(sheet: Sheet, chart: Chart, window: Window, x: float, y: float,
         if left <= c < right
     ]
     if marks:
-        wedge = np.array([(0, -0.34 * h), (0.24 * w, -0.02 * h), (-0.24 * w, -0.02 * h)])
-        sheet.rings(np.array(marks)[:, None] + wedge, RED, (255, 255, 255), 0.04 * w)
+        wedge = np.array([(0, -0.40 * h), (0.27 * w, -0.03 * h), (-0.27 * w, -0.03 * h)])
+        sheet.rings(np.array(marks)[:, None] + wedge, INK, (255, 255, 255), 0.07 * w)
 
 
 def _numbers(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:
@@ -240,7 +256,7 @@ def key(sheet: Sheet, chart: Chart, x: float, y: float, look: Look, size: float 
         centre = np.array([x + 0.5 * box, y + box])
         wedge = np.array([(0, -0.4 * box), (0.3 * box, 0), (-0.3 * box, 0)])
         sheet.boxes([(x, y, x + box, y + box)], None, INK, 0.2)
-        sheet.rings((centre + wedge)[None], RED)
+        sheet.rings((centre + wedge)[None], INK)
         entry("catch the float behind this stitch")
     if look.repeat and 1 < look.repeat < chart.shape[1]:
         sheet.boxes([(x, y, x + box, y + box)], None, RED, 0.7)

@@ -170,13 +170,13 @@ def _places(columns: list[int], limit: int, below: set[int], again: set[int]) ->
 
 
 def ladders(chart: Chart, limit: int, anchored: bool = True, least: int | None = None) -> list[Ladder]:
-    """Ladder columns for the floats above ``least`` stitches (default: those that would want two catches or more).
+    """Ladder columns for the floats above ``least`` stitches (default: those that would want three catches or more).
 
     Columns stand ``limit`` + 1 apart, so between two of them no float lies free over more than ``limit`` stitches;
     their phase is the one that stands farthest from the floats' ends. A ladder begins at the first float that it
     carries and ends at the last; gaps of two rows and less are bridged.
     """
-    least = 2 * limit + 1 if least is None else least
+    least = 3 * limit + 2 if least is None else least
     long = longer(floats(chart, anchored), least)
     width, step = chart.shape[1], limit + 1
     if not len(long.row):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from math import ceil, floor
+from textwrap import wrap
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -290,7 +292,7 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
     if not chart.circular and words.anchored:
         lines += ["Carry both yarns to both ends of every row."]
     if listed:
-        lines += ["Catch floats where a red wedge stands; the list is at", "the end."]
+        lines += ["Catch floats where a small wedge stands; the list is", "at the end."]
     if len(plan.windows) > 1:
         lines += [
             "Pages overlap by 2 stitches and 2 rows: cut along",
@@ -301,11 +303,10 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
 
 def _columns(listed: list[str], ladder: list[str], catch: int, page: tuple[float, float]) -> list[list[list[str]]]:
     """The float list on pages of two columns."""
-    from textwrap import wrap
-
     lines = [f"Floats above {catch} stitches; stitches count from the right.", ""]
     for line in listed:
-        lines += wrap(line, 58, subsequent_indent="   ")
+        glued = re.sub(r"(CC\d?|MC) behind", "\\1\u00a0behind", line)
+        lines += [part.replace("\u00a0", " ") for part in wrap(glued, 66, subsequent_indent="   ")]
     if ladder:
         lines += [
             "",

@@ -1,6 +1,6 @@
 """Perceptual: the lawful chart that looks most like the picture from two distances, row by row exactly.
 
-The energy is the squared error seen through two Gaussian blurs, of 1.5 and of 0.7 stitches (the paper judges by a
+The energy is the squared error seen through two Gaussian blurs, of 2.3 and of 1.0 stitches (the paper judges by a
 blur; one blur alone is over-fitted by stripes that another distance shows), plus, if wished, a price for every flip:
 
     E(b) = Σ_s w_s |k_s * (b - t)|²  +  keep Σ weight [b ≠ start]
@@ -26,7 +26,7 @@ from tambour.knit.lanes import FORBIDDEN, LANES, best_rows
 from tambour.knit.task import Task, share
 from tambour.knit.tone import diffuse_floyd
 
-SCALES = ((1.5, 1.0), (0.7, 0.03))  # blur in stitches, weight
+SCALES = ((2.3, 1.0), (1.0, 0.4))  # blur in stitches, weight
 RADIUS = 4  # stitches at which the blurs are cut off: their products reach twice as far
 LARGEST = 11  # longest float that the trellis can tell apart
 

@@ -45,8 +45,12 @@ def sentence(chart: Chart, row: int, repeat: int | None = None) -> str:
     """
     sign, names = "p" if wrong_side(chart, row) else "k", roles(chart)
 
-    def say(part: list[Run]) -> str:
+    def plain(part: list[Run]) -> str:
         return ", ".join(f"{sign}{count} {names[color]}" for color, count in part)
+
+    def say(part: list[Run]) -> str:
+        told = groups(part)
+        return ", ".join(plain(one) if times == 1 else f"({plain(one)}) {times} times" for one, times in told)
 
     cells = chart.cells[row][worked(chart, row)]
     n = len(cells)
@@ -60,8 +64,8 @@ def sentence(chart: Chart, row: int, repeat: int | None = None) -> str:
         return f"*{say(part)}; rep from * {tail}".replace("last 1 sts", "last st")
     told = groups(runs(chart, row))
     if len(told) == 1 and told[0][1] > 1:
-        return f"*{say(told[0][0])}; rep from * to end"
-    return ", ".join(say(part) if times == 1 else f"({say(part)}) {times} times" for part, times in told)
+        return f"*{plain(told[0][0])}; rep from * to end"
+    return say(runs(chart, row))
 
 
 def _runs(cells: object) -> list[Run]:
