@@ -26,7 +26,7 @@ class HookError(Exception):
 class Round:
     """Nodes ``first`` to ``last`` of one round (or, in rows, one row).
 
-    number : from 1 within its part; count : its stitches; span : the text of its first stitch
+    number : from 1 within its part; count : its stitches, lifting chains aside; span : the text of its first stitch
     below : the round it is worked into (an index), -1 for a ring or a chain
     whole : it used up the round below
     """
@@ -118,7 +118,7 @@ class Hook:
                         self._number,
                         first,
                         top,
-                        top - first + 1,
+                        sum(n not in self.lifts for n in range(first, top + 1)),
                         self.styles[self.style[first]][7],
                         below,
                         whole,

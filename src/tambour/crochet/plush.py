@@ -69,15 +69,9 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
             "building one by one was cut short: the last nodes were placed at once", "--start rounds is faster"
         )
     x, c = shape.x * stitch[0], shape.c * stitch[0]
-    if params.solver == "settle":
-        x, c = _standing(x, built.up), _standing(c, built.up)
+    if params.solver == "settle" and built.up == "start":
+        x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
     return Plush(built, params, stitch, stuffing, start, shape, x, c)
-
-
-def _standing(x: Array, up: str) -> Array:
-    """Points turned so that the middle of a round, opposite its beginning, faces +z; ``up`` names the end on top."""
-    turned = x[:, [2, 1, 0]] * (1.0, 1.0, -1.0)
-    return turned * (-1.0, -1.0, 1.0) if up == "start" else turned
 
 
 def graph(piece: Plush) -> dict[str, Any]:
