@@ -119,7 +119,7 @@ def contact(x, edges, far, near, stiffness):
     D = np.zeros_like(x)
     for i in range(n):
         for j in range(i):
-            reach = near if beside[i] & beside[j] else far
+            reach = near if beside[i] & beside[j] or any(beside[k] & beside[j] for k in beside[i]) else far
             r = np.linalg.norm(x[i] - x[j])
             if j in beside[i] or r >= reach or r == 0:
                 continue
@@ -199,7 +199,7 @@ def displacement(x, c, graph, stuffing, rest, made):
     elif stuffing == "skeleton":
         D += skeleton(x, made)
     if stuffing == "none":
-        D += bend(x, straight(graph, n), 0.02)
+        D += bend(x, straight(graph, n), 0.05)
     D += single_loop(x, graph, 0.05)
     D += contact(x, graph.edges, 1.2, 1.0, 0.2 if cubic else 1.0)
     return D - D[0], c

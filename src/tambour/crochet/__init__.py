@@ -20,6 +20,18 @@ def _graph(piece: Any) -> Any:
     return graph(piece)
 
 
+def _pattern(piece: Any) -> Any:
+    from tambour.crochet.write import pattern
+
+    return pattern(piece.built)
+
+
+def _diagram(piece: Any) -> Any:
+    from tambour.crochet.diagram import diagram
+
+    return diagram(piece.built)
+
+
 def _facts(piece: Any) -> dict[str, Any]:
     from tambour.crochet.plush import facts
 
@@ -39,6 +51,8 @@ CRAFT = Craft(
     reads=("Text",),
     make=_make,
     views={
+        "diagram": View(_diagram, "Drawing", "a chart in the usual symbols", (".svg",)),
+        "pattern": View(_pattern, "Text", "the pattern written back in standard terms", (".acl", ".txt")),
         "graph": View(_graph, "dict", "the stitch graph and its shape as data", (".json",)),
     },
     facts=_facts,

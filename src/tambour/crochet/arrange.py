@@ -47,7 +47,7 @@ def clusters(graph: StitchGraph) -> Array:
 def cut(graph: StitchGraph, nodes: Array) -> StitchGraph:
     """The graph of ``nodes`` (rising) alone, with what lies between them."""
     n = len(graph)
-    if len(nodes) == n:
+    if len(nodes) == n and all(p.end > p.start for p in graph.parts):
         return graph
     new = np.full(n + 1, -1)
     new[nodes] = np.arange(len(nodes))
