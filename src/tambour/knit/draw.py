@@ -11,7 +11,7 @@ from tambour.core.chart import Chart
 from tambour.core.check import Array
 from tambour.core.drawing import Drawing
 from tambour.core.palette import Palette
-from tambour.knit.hand import catches, floats, longer, roles, wrong_side
+from tambour.knit.hand import catches, floats, roles, wrong_side
 from tambour.knit.sheet import GREY, INK, RGB, Sheet
 from tambour.knit.written import color_name
 
@@ -252,7 +252,7 @@ def key(sheet: Sheet, chart: Chart, x: float, y: float, look: Look, size: float 
     if chart.no_stitch is not None and chart.no_stitch.any():
         sheet.boxes([(x, y, x + box, y + box)], PALE, INK, 0.2)
         entry("no stitch: skip this square")
-    if look.limit is not None and len(longer(floats(chart, look.anchored), look.limit).row):
+    if look.limit is not None and len(floats(chart, look.anchored, look.limit).row):
         centre = np.array([x + 0.5 * box, y + box])
         wedge = np.array([(0, -0.4 * box), (0.3 * box, 0), (-0.3 * box, 0)])
         sheet.boxes([(x, y, x + box, y + box)], None, INK, 0.2)

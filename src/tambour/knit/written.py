@@ -10,7 +10,7 @@ import numpy as np
 from tambour.color import oklab
 from tambour.core.chart import Chart
 from tambour.core.errors import Text
-from tambour.knit.hand import catches, floats, ladders, longer, roles, runs, worked, wrong_side
+from tambour.knit.hand import catches, floats, ladders, roles, runs, worked, wrong_side
 from tambour.knit.yarn import Amount, gauge_of
 
 Run = tuple[int, int]
@@ -189,7 +189,7 @@ def float_list(chart: Chart, catch: int, anchored: bool = True) -> list[str]:
     Stitches are numbered from the right, as the chart's foot does.
     """
     names, width = roles(chart), chart.shape[1]
-    long = longer(floats(chart, anchored), catch)
+    long = floats(chart, anchored, catch)
     marks = catches(chart, catch, anchored)
     by_row: dict[int, list[tuple[int, str]]] = {}
     for row, start, length, yarn in zip(
