@@ -219,10 +219,8 @@ def _float_lines(chart: Chart, catch: int, anchored: bool) -> list[str]:
     listed = float_list(chart, catch, anchored)
     if not listed:
         return ["", f"No float is longer than {catch} stitches: none needs catching."]
-    out = [
-        "",
-        f"Floats above {catch} stitches: yarn, the stitches that it lies behind, counted from the right (how many): catch at",
-    ]
+    out = ["", f"Floats above {catch} stitches"]
+    out += ["  yarn, the stitches that it lies behind, counted from the right (how many): catch at"]
     for line in listed:
         out += _wrapped(line)
     plan = ladder_list(chart, catch, anchored)
