@@ -224,6 +224,14 @@ def test_copies_have_marks_of_their_own():
     assert built.marks["tip.2"] == 21 and built.sewn.tolist() == [[39, 21]]
 
 
+def test_a_part_made_several_times_is_sewn_once_all_copies_are_there():
+    text = (
+        "== B ==\n: MR(6)\n: sc, mark(a), sc, mark(b)\n== Arm (make 2) ==\n: MR(5)\nmark(t)\n"
+        "sew(t.1, a), sew(t.2, b), sew(t, a)\n"
+    )
+    assert made(text).sewn.tolist() == [[14, 7], [20, 8], [20, 7]]
+
+
 def test_a_stitch_defined_in_the_pattern():
     text = (
         "define puff(height 2) = [pull through] x 3, pull over\ndefine fan = 3 dc, ch, sk\n: MR(6)\n: 2 puff, 2 fan\n"

@@ -10,6 +10,8 @@ from tambour.crochet.hook import Hook
 
 # Stitches sewn together lie side by side: nearer than neighbours in a round, not in the same place.
 SEWN_SHORT = 0.5
+# A chain that lifts the yarn takes less room along the round than a stitch.
+BESIDE = 0.4
 
 
 def assemble(
@@ -39,7 +41,13 @@ def assemble(
     edges, kind = _edges(n, anchors, ends, previous, hook.joins, sewn)
     width, height = stitch
     rest = np.where(kind == THROUGH, height * fields["height"][edges[:, 0]], width)
-    # A chain that only lifts the yarn to the next row is as long as the row is high; chains count as width otherwise.
+    # A chain that lifts the yarn is a post: as high as a row, close beside the stitch that follows it.
+    lift = np.zeros(n, np.bool_)
+    lift[list(hook.lifts)] = True
+    yarn = kind == YARN
+    rest[yarn & lift[edges[:, 0]]] = height
+    rest[yarn & lift[edges[:, 1]] & ~lift[edges[:, 0]]] = BESIDE * width
+    rest[(kind == JOIN) & lift[edges].any(1)] = (1.0 - BESIDE) * width
     rest[kind == SEWN] = SEWN_SHORT * width
     faces = np.array(hook.faces, np.int32).reshape(-1, 3)
     sheet = np.array(hook.face_sheet, np.int64)
