@@ -122,6 +122,7 @@ def _header(source: Source, drafts: list[_Draft], tree: Any) -> None:
                 source.error("a part is made at least once", "leave the part out instead", draft.copies_span)
     source.copies, source.last_number = max(draft.copies, 1), None
     drafts.append(draft)
+    source.part += 1
 
 
 def _section(source: Source, draft: _Draft) -> Section:
@@ -149,6 +150,11 @@ def _section(source: Source, draft: _Draft) -> Section:
             else:
                 known = did_you_mean(word, STARTS) or "rounds or one-by-one"
                 source.error(f'"{value}" is no way to begin', known, at)
+        elif key == "up":
+            if word in ("start", "end"):
+                found[key] = word
+            else:
+                source.error(f'"{value}" is no end of the work', "start or end: the one that is on top", at)
         elif key == "tip_from_fo":
             if word in _TRUTH:
                 found[key] = _TRUTH[word]
@@ -156,7 +162,7 @@ def _section(source: Source, draft: _Draft) -> Section:
                 source.error(f'"{value}" is neither true nor false', "true: FO closes the edge; false: not", at)
         else:
             other[key] = value
-            source.doubt(f'the parameter "{key}" has no effect', "known: centroids, stuffing, initializer", name)
+            source.doubt(f'the parameter "{key}" has no effect', "known: centroids, stuffing, initializer, up", name)
     return replace(plain, other=other, **found)
 
 
@@ -196,7 +202,7 @@ def _range(source: Source, word: str, at: Span) -> tuple[int, int]:
         source.error(f"the range {word} does not rise", hint, at)
         return first, 1
     before, source.last_number = source.last_number, last
-    if before is not None and first != before + 1:
+    if before is not None and first not in (1, before + 1):
         said = "is there already" if first <= before else "leaves rounds out"
         source.doubt(f"round {first} {said}: the one before is {before}", f"{before + 1} would follow", at, True)
     return first, last - first + 1

@@ -15,8 +15,8 @@ class Source:
 
     offset : where the line under way begins; trees have places within it
     stitches, own : every stitch known so far; the text's own definitions → their text
-    labels : mark → how often its part is made
-    copies : how often the part under way is made
+    labels : mark → how often its part is made, and which part that is
+    part, copies : which part is under way, and how often it is made
     last_number : the number of the last numbered round, None at the start of a piece of work
     """
 
@@ -26,7 +26,8 @@ class Source:
     problems: list[Problem] = field(default_factory=list)
     stitches: dict[str, Stitch] = field(default_factory=lambda: dict(STITCHES))
     own: dict[str, Span] = field(default_factory=dict)
-    labels: dict[str, int] = field(default_factory=dict)
+    labels: dict[str, tuple[int, int]] = field(default_factory=dict)
+    part: int = 0
     copies: int = 1
     last_number: int | None = None
     told_of_bl: bool = False

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from tambour.embroidery.cloth import CLOTHS, cloth
 from tambour.embroidery.params import EmbroideryParams, numbers
 from tambour.embroidery.piece import Piece
 from tambour.embroidery.place import lay, place
-from tambour.embroidery.preview import picture, stitches
+from tambour.embroidery.preview import developed, field, paint, picture, stitches
 
 SPEED = 700 / 60
 """Stitches that a machine makes in a second."""
@@ -193,25 +194,16 @@ def simulate(piece: Piece, frames: int = 60, width: int = 640) -> Iterator[Pictu
     plan, params = piece.plan, piece.params
     middle, size = extent(plan)
     low, high = middle - size / 2 - 5, middle + size / 2 + 5
-    scale = min(16.0, width / float((high - low).max()))
-    done = np.flatnonzero(plan.command == STITCH)
-    for share in np.linspace(0, 1, frames + 1)[1:]:
-        last = int(done[max(1, round(share * (len(done) - 1)))])
-        command = plan.command.copy()
-        command[last + 1 : -1] = 1
-        part = replace(plan, command=command)
-        made = picture(
-            part,
-            piece.elevation,
-            thread=params.thread,
-            ground=rgb(params.ground),
-            pixels_per_mm=scale,
-            bounds=(float(low[0]), float(low[1]), float(high[0]), float(high[1])),
-        )
-        rgba = made.rgba.copy()
-        if share < 1:
-            _needle(rgba, (plan.xy[last] - low) * scale)
-        yield Picture(rgba, made.pixel)
+    density = min(16.0, width / float((high - low).max()))
+    ground = rgb(params.ground)
+    made = field(plan, piece.elevation, thread=params.thread, ground=ground, density=density, low=low, high=high)
+    done = np.unique(np.linspace(0, len(made.a), min(frames, max(1, len(made.a))) + 1).round().astype(int))
+    for first, past in pairwise(done.tolist()):
+        paint(made, first, past)
+        shown = developed(made)
+        if past < len(made.a):
+            _needle(shown.rgba, (made.b[past - 1] - low) * density)
+        yield shown
 
 
 def _needle(rgba: Array, at: Array) -> None:
