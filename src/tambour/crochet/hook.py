@@ -311,8 +311,9 @@ class Hook:
             anchors = [n for n in now.front if n >= 0]
             self.fill([*now.spine[::-1], edge[0]])
             tip = self.node(self.look("tip", 1.0, TIP), anchors, -1, -1)
-            for a, b in zip(edge, edge[1:] + edge[:1]):
-                self.face(b, a, tip)
+            if len(edge) > 2:  # two stitches lie against each other: nothing is open between them
+                for a, b in zip(edge, edge[1:] + edge[:1]):
+                    self.face(b, a, tip)
             self.sheets.sheets[now.sheet].shut = True
         self.end_round(False)
         self.now = Moment(sheet=now.sheet)
