@@ -12,8 +12,8 @@ from tambour.core.chart import Chart
 from tambour.core.check import Array
 
 _BLOCK = 1 << 19
-_CATCH, _SAME, _BESIDE, _AGAIN = 4.0, 100.0, 4.0, 1.0
-"""Cost of a catch; of one over a catch of the row below, beside one, over one two rows below."""
+_CATCH, _SAME, _BESIDE, _AGAIN, _IDLE = 4.0, 100.0, 4.0, 1.0, 3.0
+"""Cost of a catch; of one over a catch of the row below, beside one, over one two rows below; at a float's end."""
 
 
 class Floats(NamedTuple):
@@ -171,8 +171,12 @@ def _places(columns: list[int], limit: int, below: set[int], again: set[int]) ->
             own = (
                 _CATCH + _SAME * (c in below) + _BESIDE * ((c - 1 in below) + (c + 1 in below)) + _AGAIN * (c in again)
             )
-        best = min(range(max(0, p - limit - 1), p), key=lambda q: (cost[q] + 0.01 * (p - q) ** 2, q))
-        cost[p], back[p] = cost[best] + 0.01 * (p - best) ** 2 + own, best
+
+        def reach(q: int, p: int = p) -> float:  # long stretches are uneven, and a catch beside a stitch is none
+            return cost[q] + 0.01 * (p - q) ** 2 + _IDLE * (p - q == 1)
+
+        best = min(range(max(0, p - limit - 1), p), key=lambda q: (reach(q), q))
+        cost[p], back[p] = reach(best) + own, best
     found, p = [], back[n + 1]
     while p > 0:
         found.append(p - 1)
