@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import PurePath
 
@@ -102,13 +103,16 @@ def _chart(sheet: _Sheet, built: Built, chart: Chart, x: float, y: float) -> Non
             continue
         red, green, blue = colors[node]
         sheet.draw(_sector(chart, cell, x, y), (red, green, blue, 255), None)
+    # How many stitches of a round stand in each anchor.
+    rounds = graph.round.tolist()
+    shared = Counter((rounds[n], a) for n in chart.cells for a in anchors[cuts[n] : cuts[n + 1]])
     for node, cell in chart.cells.items():
         if node in chart.base:
             continue
         pen = _contrast(colors[node])
         height = cell.high - cell.low
         own = [a for a in anchors[cuts[node] : cuts[node + 1]] if a in chart.cells]
-        legs = _legs(chart, cell, own, node, anchors, cuts)
+        legs = _legs(chart, cell, own, rounds[node], shared)
         tall = kinds[node] in BARS
         for foot, head in legs:
             if tall:  # a slanted post stands for the leg
@@ -185,11 +189,10 @@ def _sector(chart: Chart, cell: Cell, x: float, y: float) -> list[tuple[float, f
 
 
 def _legs(
-    chart: Chart, cell: Cell, own: list[int], node: int, anchors: list[int], cuts: list[int]
+    chart: Chart, cell: Cell, own: list[int], this: int, shared: Counter[tuple[int, int]]
 ) -> list[tuple[tuple[float, float], tuple[float, float]]]:
     """The legs of increases and decreases: from each anchor's top to the foot of the stitch, as chart places."""
-    beside = [anchors[cuts[k] : cuts[k + 1]] for k in (node - 1, node + 1) if 0 <= k < len(cuts) - 1]
-    if len(own) == 1 and own not in beside:
+    if not own or (len(own) == 1 and shared[this, own[0]] < 2):
         return []
     head = (cell.at, cell.low + 0.3 * min(1.0, cell.high - cell.low))
     legs = []
