@@ -97,11 +97,11 @@ def _edges(
 
 
 def _planes(hook: Hook, peculiarity: Array, direction: Array) -> Array:
-    """Nodes p1, p2, p3 of each single-loop stitch's plane: its anchor, the one after that, the anchor's own anchor.
+    """Nodes a, b, c of each single-loop stitch's plane: the one after its anchor, its anchor, the anchor's own anchor.
 
-    The normal (p1 - p2) x (p3 - p2) points inside: towards the back loop. Where the yarn does not lead from p1 to
-    p1 + 1 (after a goto or an attach, or at an edge's end), the node that it does lead to is taken, else the pair of p1
-    and the node before it, which spans the same plane on the same side (a corner case that the seed leaves open).
+    The normal (b - a) x (c - a) points inside: towards the back loop. Where the yarn does not lead from the anchor b to
+    b + 1 (after a goto or an attach, or at an edge's end), a is the node that it does lead to, else a and b are the
+    anchor and the node before it, which span the same plane on the same side (the seed leaves this corner open).
     """
     plane = np.full((len(hook), 3), -1, np.int32)
     single = np.flatnonzero((peculiarity == FLO) | (peculiarity == BLO))
@@ -112,15 +112,14 @@ def _planes(hook: Hook, peculiarity: Array, direction: Array) -> Array:
         if hook.previous[node] >= 0 and hook.ends[node + 1] > hook.ends[node]:
             after[hook.previous[node]] = node
     for n in single.tolist():
-        one = hook.parent[n]
-        three = hook.parent[one]
-        two = one + 1 if one + 1 < n and hook.previous[one + 1] == one else after.get(one, n)
-        if two < n:
-            pair = (one, two)
-        else:
-            pair = (hook.previous[one], one)
-        if direction[n] != direction[one]:
-            pair = (pair[1], pair[0])
-        if three >= 0 and pair[0] >= 0 and len({*pair, three}) == 3:
-            plane[n] = (*pair, three)
+        anchor = hook.parent[n]
+        c = hook.parent[anchor]
+        follower = anchor + 1
+        if follower >= n or hook.previous[follower] != anchor:
+            follower = after.get(anchor, n)
+        a, b = (follower, anchor) if follower < n else (anchor, hook.previous[anchor])
+        if direction[n] != direction[anchor]:
+            a, b = b, a
+        if min(a, b, c) >= 0 and len({a, b, c}) == 3:
+            plane[n] = (a, b, c)
     return plane
