@@ -261,4 +261,6 @@ def warn_of_shortage(palette: Palette, needs: list[tuple[int, float]], params: K
         name = palette.names[k]
         have = held.get((name, (int(rgb[0]), int(rgb[1]), int(rgb[2]))))
         if have is not None and have < metres:
-            progress.warn(f"{name} will run out: about {metres:.0f} m are needed, there are {have:g} m", where="--stash")
+            progress.warn(
+                f"{name} will run out: about {metres:.0f} m are needed, there are {have:g} m", where="--stash"
+            )
