@@ -119,7 +119,7 @@ def contact(x, edges, far, near, stiffness):
     D = np.zeros_like(x)
     for i in range(n):
         for j in range(i):
-            reach = near if beside[i] & beside[j] else far
+            reach = near if beside[i] & beside[j] or any(beside[k] & beside[j] for k in beside[i]) else far
             r = np.linalg.norm(x[i] - x[j])
             if j in beside[i] or r >= reach or r == 0:
                 continue
@@ -127,6 +127,19 @@ def contact(x, edges, far, near, stiffness):
             D[i] += push
             D[j] -= push
     return D
+
+
+def straight(graph, n):
+    """Stitch, the one before it, the one before that, along the yarn and down the rounds; not about root or tip."""
+    odd = (g.ROOT, g.TIP)
+    found = []
+    for i in range(n):
+        for before in (graph.previous, graph.parent):
+            j = before[i]
+            k = before[j] if j >= 0 else -1
+            if k >= 0 and graph.peculiarity[i] != g.TIP and graph.peculiarity[j] not in odd:
+                found.append((i, j, k))
+    return found
 
 
 def bend(x, triples, stiffness):
@@ -185,8 +198,10 @@ def displacement(x, c, graph, stuffing, rest, made):
         D += push
     elif stuffing == "skeleton":
         D += skeleton(x, made)
+    if stuffing == "none":
+        D += bend(x, straight(graph, n), 0.05)
     D += single_loop(x, graph, 0.05)
-    D += contact(x, graph.edges, 1.0, 0.7, 0.2 if cubic else 1.0)
+    D += contact(x, graph.edges, 1.2, 1.0, 0.2 if cubic else 1.0)
     return D - D[0], c
 
 

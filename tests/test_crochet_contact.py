@@ -17,7 +17,7 @@ def test_every_pair_within_reach_is_listed_once(size: float) -> None:
     n = len(toy)
     x = noise.stream("contact", str(size)).normal(size=(n, 3)) * size
     x[0] = [1e7, 0.0, 0.0]  # far-flung nodes are no burden
-    offsets, neighbours = contact.ragged(n, toy.edges)
+    offsets, neighbours = contact.ragged(n, toy.edges, np.zeros(len(toy.edges), bool))
     out, reach = np.empty((n * n, 2), np.int32), np.empty(n * n)
     count = contact.pairs(x, offsets, neighbours, 1.0, 0.7, 0.5, out, reach)
     found = {(int(i), int(j)): h for (i, j), h in zip(out[:count], reach[:count])}
@@ -25,7 +25,7 @@ def test_every_pair_within_reach_is_listed_once(size: float) -> None:
     beside = [set(neighbours[offsets[i] : offsets[i + 1]].tolist()) for i in range(n)]
     for i in range(n):
         for j in range(i):
-            h = 0.7 if beside[i] & beside[j] else 1.0
+            h = 0.7 if beside[i] & beside[j] or any(beside[k] & beside[j] for k in beside[i]) else 1.0
             listed = j not in beside[i] and np.linalg.norm(x[i] - x[j]) < h + 0.5
             assert found.get((i, j), 0.0) == (h if listed else 0.0)
 
@@ -34,7 +34,7 @@ def test_contact_is_the_formula() -> None:
     toy = toys.ball(3, 3)
     n = len(toy)
     x = noise.stream("contact", "force").normal(size=(n, 3))
-    offsets, neighbours = contact.ragged(n, toy.edges)
+    offsets, neighbours = contact.ragged(n, toy.edges, np.zeros(len(toy.edges), bool))
     out, reach = np.empty((n * n, 2), np.int32), np.empty(n * n)
     count = contact.pairs(x, offsets, neighbours, 1.0, 0.7, 0.5, out, reach)
     D = np.zeros_like(x)
@@ -45,6 +45,17 @@ def test_contact_is_the_formula() -> None:
 
 def test_a_short_buffer_asks_for_more() -> None:
     x = noise.stream("contact", "short").normal(size=(40, 3)) * 0.3
-    offsets, neighbours = contact.ragged(40, np.zeros((0, 2), np.int32))
+    offsets, neighbours = contact.ragged(40, np.zeros((0, 2), np.int32), np.zeros(0, bool))
     few, room = np.empty((3, 2), np.int32), np.empty(3)
     assert contact.pairs(x, offsets, neighbours, 1.0, 0.7, 0.5, few, room) > 3
+
+
+def test_across_a_seam_only_the_stitches_sewn_are_joined() -> None:
+    edges, sewn = np.array([[1, 0], [2, 1], [3, 2], [4, 3]], np.int32), np.array([False, False, True, False])
+    offsets, neighbours = contact.ragged(5, edges, sewn)
+    x = np.zeros((5, 3))
+    x[:, 0] = np.arange(5) * 0.1
+    out, reach = np.empty((20, 2), np.int32), np.empty(20)
+    count = contact.pairs(x, offsets, neighbours, 1.2, 1.0, 0.5, out, reach)
+    found = {tuple(p): h for p, h in zip(out[:count].tolist(), reach[:count])}
+    assert found == {(2, 0): 1.0, (3, 0): 1.2, (3, 1): 1.2, (4, 0): 1.2, (4, 1): 1.2, (4, 2): 1.2}

@@ -20,7 +20,7 @@ from tambour.crochet.simulate import Shape, Task, first_positions, simulate
 
 def task(toy, stuffing: str, start: str = "rounds", **options) -> Task:
     params = CrochetParams(**options)
-    return Task(toy, params, 5.0, stuffing, start, centroid_counts(toy, params, {}))
+    return Task(toy, params, 5.0, stuffing, start, centroid_counts(toy, params))
 
 
 def apart(a: np.ndarray, b: np.ndarray) -> float:

@@ -317,3 +317,25 @@ def test_a_card_wants_a_repeat() -> None:
     with pytest.raises(TambourError, match="repeats every 24"):
         holes(random_chart(10, 50))
     assert holes(Chart(np.tile([[0, 1, 1, 0]], (9, 3)).astype(np.uint8), WOOL)).shape == (36, 24)
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("circular", [False, True])
+def test_a_lawful_chart_comes_out_as_it_went_in(tmp_path, seed: int, circular: bool) -> None:
+    from tambour.run import run
+
+    cells = np.random.default_rng(seed).integers(0, 2, (6, 12)).astype(np.uint8)
+    cells[:, 2::3] = 1 - cells[:, 1::3]  # no run above three, or four round the seam
+    chart = Chart(cells, WOOL, circular=circular, gauge=Gauge(24, 31))
+    files.write(chart, tmp_path / "in.json")
+    outs = [tmp_path / f"out{suffix}" for suffix in (".json", ".png", ".csv", ".k")]
+    report = run("knit", tmp_path / "in.json", out=outs)
+    assert report["flips"] == 0 and report["violations"] == 0
+    same(chart, files.read(outs[0], ("Chart",)))
+    for path in outs:
+        back = files.read(path, ("Chart",))
+        assert (back.palette.rgb[back.cells] == chart.palette.rgb[chart.cells]).all(), path.suffix
+        if path.suffix != ".csv":
+            assert back.circular == circular
+        if path.suffix in (".json", ".png"):
+            assert back.gauge == chart.gauge

@@ -58,7 +58,7 @@ def options(params: Any) -> Callable[[Any], Any]:
     """
 
     def option(name: str, f: Any) -> Any:
-        flag = "--" + name.replace("_", "-")
+        flag = "--" + name.rstrip("_").replace("_", "-")  # "from_": a word that Python keeps for itself
         extra = f.json_schema_extra if isinstance(f.json_schema_extra, dict) else {}
         kind, many = f.annotation, False
         if get_origin(kind) in (Union, types.UnionType):
@@ -76,7 +76,7 @@ def options(params: Any) -> Callable[[Any], Any]:
             words = [str(w) for w in get_args(kind)]
             return click.option(flag, name, type=click.Choice(words), default=None, help=text, multiple=many)
         unit = extra.get("metavar") or _unit(f) or {int: "N", float: "X"}.get(kind, "TEXT")
-        metavar = "FILE" if "file" in extra else str(unit).upper()
+        metavar = ("|".join([*extra.get("words", []), "FILE"])) if "file" in extra else str(unit).upper()
         return click.option(flag, name, type=str, default=None, help=text, metavar=metavar, multiple=many)
 
     def decorate(command: Any) -> Any:

@@ -60,3 +60,20 @@ def nearest(rgb: Array, palette: Array) -> Array:
 def luminance(rgb: Array) -> Array:
     """Relative luminance (…) in 0…1 of sRGB (…, 3) uint8 (WCAG 2 weights)."""
     return np.asarray(linear(np.asarray(rgb) / 255.0) @ np.array([0.2126, 0.7152, 0.0722]))
+
+
+def nearest_distinct(rgb: Array, palette: Array) -> Array:
+    """Index (N,) of the palette colour (K, 3) that stands best for each colour (N, 3) uint8 where the choice is small:
+    in Oklab, hue counts double and lightness half. No entry is taken twice while some are free: two colours stay two.
+    """
+    lab, wanted = oklab(palette), oklab(np.asarray(rgb).reshape(-1, 3))
+    chroma = np.hypot(lab[:, 1], lab[:, 2])
+    free = np.ones(len(lab), np.bool_)
+    chosen = np.zeros(len(wanted), np.int32)
+    for k, w in enumerate(wanted):
+        c = np.hypot(w[1], w[2])
+        hue = (lab[:, 1] - w[1]) ** 2 + (lab[:, 2] - w[2]) ** 2 - (chroma - c) ** 2
+        far = 0.25 * (lab[:, 0] - w[0]) ** 2 + (chroma - c) ** 2 + 4 * hue
+        chosen[k] = int(np.where(free, far, np.inf).argmin()) if free.any() else int(far.argmin())
+        free[chosen[k]] = False
+    return chosen

@@ -98,7 +98,7 @@ def load_files(params: Params) -> Params:
     problems: list[Problem] = []
     for name, kind in params.files().items():
         given = getattr(params, name)
-        if isinstance(given, (str, Path)):
+        if isinstance(given, (str, Path)) and str(given) not in params.words(name):
             try:
                 loaded[name] = files.read(given, (kind,))
             except TambourError as error:

@@ -96,18 +96,24 @@ class Label:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Placed:
-    """A picture stretched over a rectangle: left, top, width, height in the drawing's units."""
+    """A picture stretched over a rectangle: left, top, width, height in the drawing's units.
+
+    repeat : width and height of one copy, for a picture that is laid side by side from (0, 0) of the drawing on
+    glaze : it lies over the shapes (a paper's grain) instead of under them
+    """
 
     picture: Picture
     x: float
     y: float
     width: float
     height: float
+    repeat: tuple[float, float] | None = None
+    glaze: bool = False
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Drawing:
-    """A flat scene: pictures first, then shapes in painter's order, then labels; y down.
+    """A flat scene: pictures first, then shapes in painter's order, then labels, then glazes; y down.
 
     A shape is a polygon of ``paths.parts`` where there are parts, else a path.
 
@@ -122,6 +128,7 @@ class Drawing:
     unit : mm per unit (1 for all but scrolls)
     background : RGBA of the sheet or None
     about : facts for the file's metadata (title, source, seed, …); no dates
+    terse : None, or decimals (0…3) for text files that spell ways in short steps: for scenes of a million points
     """
 
     paths: Paths
@@ -136,6 +143,7 @@ class Drawing:
     unit: float = 1.0
     background: tuple[int, int, int, int] | None = None
     about: Mapping[str, str] = field(default_factory=dict)
+    terse: int | None = None
 
     def __post_init__(self) -> None:
         n = self.paths.shapes

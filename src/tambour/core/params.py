@@ -58,12 +58,13 @@ Degrees = Annotated[
 """An angle in degrees, 0 along +x, counter-clockwise as one sees it."""
 
 
-def file(value: str, help: str) -> Any:
-    """A field that names a file: ``run`` reads it as the value type ``value`` and ``make`` receives that value.
+def file(value: str, help: str, words: tuple[str, ...] = ()) -> Any:
+    """A field that names a file: ``run`` reads it as the value type ``value`` and ``make`` receives that value, or,
+    where one of ``words`` is given, the word.
 
     Annotate it as ``Any``; the default is None.
     """
-    return Field(default=None, description=help, json_schema_extra={"file": value})
+    return Field(default=None, description=help, json_schema_extra={"file": value, "words": list(words)})
 
 
 class Params(BaseModel):
@@ -85,6 +86,13 @@ class Params(BaseModel):
         return {name: str(e["file"]) for name, e in extras.items() if isinstance(e, dict) and "file" in e}
 
     @classmethod
+    def words(cls, name: str) -> tuple[str, ...]:
+        """The words that the file field ``name`` takes in a file's place."""
+        extra = cls.model_fields[name].json_schema_extra
+        listed = extra.get("words", []) if isinstance(extra, dict) else []
+        return tuple(map(str, listed)) if isinstance(listed, list) else ()
+
+    @classmethod
     def of(cls, values: dict[str, Any], spell: str = "--{}") -> Any:
         """Validated params; all that is wrong at once as a TambourError whose places are spelt as options."""
         try:
@@ -94,7 +102,7 @@ class Params(BaseModel):
                 [
                     Problem(
                         _sentence(e),
-                        where=spell.format(str(e["loc"][0]).replace("_", "-")) if e["loc"] else "",
+                        where=spell.format(str(e["loc"][0]).rstrip("_").replace("_", "-")) if e["loc"] else "",
                     )
                     for e in error.errors()
                 ]

@@ -1,1 +1,60 @@
-"""Not yet built."""
+"""Crochet: an amigurumi pattern becomes the stuffed plush in 3-D, its size, its yarn and its mistakes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tambour.craft import Craft, View
+from tambour.crochet.params import CrochetParams
+
+
+def _make(source: Any, params: Any, progress: Any) -> Any:
+    from tambour.crochet.plush import make
+
+    return make(source, params, progress)
+
+
+def _graph(piece: Any) -> Any:
+    from tambour.crochet.plush import graph
+
+    return graph(piece)
+
+
+def _pattern(piece: Any) -> Any:
+    from tambour.crochet.write import pattern
+
+    return pattern(piece.built)
+
+
+def _diagram(piece: Any) -> Any:
+    from tambour.crochet.diagram import diagram
+
+    return diagram(piece.built)
+
+
+def _facts(piece: Any) -> dict[str, Any]:
+    from tambour.crochet.plush import facts
+
+    return facts(piece)
+
+
+def _warm() -> None:
+    from tambour.crochet.plush import warm
+
+    warm()
+
+
+CRAFT = Craft(
+    name="crochet",
+    help="Turn an amigurumi pattern into the stuffed plush in 3-D, its size, its yarn and its mistakes.",
+    params=CrochetParams,
+    reads=("Text",),
+    make=_make,
+    views={
+        "diagram": View(_diagram, "Drawing", "a chart in the usual symbols", (".svg",)),
+        "pattern": View(_pattern, "Text", "the pattern written back in standard terms", (".acl", ".txt")),
+        "graph": View(_graph, "dict", "the stitch graph and its shape as data", (".json",)),
+    },
+    facts=_facts,
+    warm=_warm,
+)

@@ -8,6 +8,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import SEWN, Part, StitchGraph
+from tambour.geometry.surface import vertex_normals
 
 GAP = 2.0
 """Stitches between pieces that are not joined, and between the two sides of a seam at first."""
@@ -46,7 +47,7 @@ def clusters(graph: StitchGraph) -> Array:
 def cut(graph: StitchGraph, nodes: Array) -> StitchGraph:
     """The graph of ``nodes`` (rising) alone, with what lies between them."""
     n = len(graph)
-    if len(nodes) == n:
+    if len(nodes) == n and all(p.end > p.start for p in graph.parts):
         return graph
     new = np.full(n + 1, -1)
     new[nodes] = np.arange(len(nodes))
@@ -87,17 +88,6 @@ def cut(graph: StitchGraph, nodes: Array) -> StitchGraph:
     )
 
 
-def normals(x: Array, faces: Array) -> Array:
-    """Outward unit normals of the nodes (N, 3), by area; zero where there is no face."""
-    a, b, c = x[faces[:, 0]], x[faces[:, 1]], x[faces[:, 2]]
-    across = np.cross(b - a, c - a)
-    out = np.zeros_like(x)
-    for k in range(3):
-        np.add.at(out, faces[:, k], across)
-    size = np.sqrt((out * out).sum(1, keepdims=True))
-    return np.where(size > 1e-12, out / np.maximum(size, 1e-12), 0.0)
-
-
 def fit(moving: Array, fixed: Array, weight: Array) -> tuple[Array, Array]:
     """The rotation R and shift t that bring ``moving`` nearest to ``fixed`` (both (K, 3)): x → R x + t.
 
@@ -123,7 +113,7 @@ def arrange(graph: StitchGraph, x: Array) -> Array:
         owner[nodes] = k
     sewn = graph.edges[graph.edge_kind == SEWN]
     sewn = sewn[owner[sewn[:, 0]] != owner[sewn[:, 1]]]
-    outward = normals(x, graph.faces)
+    outward = vertex_normals(x, graph.faces)
     piece = clusters(graph)
     right = None
     for k in range(int(piece.max(initial=-1)) + 1):

@@ -6,13 +6,14 @@ Lengths are in stitches (the stitch's width is 1). `displacement` is the seed's 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import BLO, FLO, ROOT, TIP, StitchGraph
+from tambour.core.graph import BLO, FLO, ROOT, SEWN, TIP, StitchGraph
 
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
@@ -145,7 +146,7 @@ def touching(body: Body, state: State) -> None:
 
     x = state.x
     known = state.listed
-    if known is not None and len(known) == len(x) and ((x - known) ** 2).sum(1).max() < (0.5 * SKIN) ** 2:
+    if known is not None and len(known) == len(x) and contact.strayed(x, known) < (0.5 * SKIN) ** 2:
         return
     out, reach = np.empty((max(256, 4 * len(x)), 2), np.int32), np.empty(max(256, 4 * len(x)))
     found = contact.pairs(x, body.offsets, body.neighbours, body.reach, body.near, SKIN, out, reach)
@@ -177,12 +178,12 @@ def build(
     fabric = faces
     faces, face_part, rims, rim = lids(faces, face_part, n)
     inside = np.bincount(graph.part[edges[:, 0]], minlength=parts)
-    amount = np.array([p.stuffing for p in graph.parts], np.float64)
+    amount = np.array([0.0 if stuffing == "none" else p.stuffing for p in graph.parts], np.float64)
     area = np.array([p.end - p.start for p in graph.parts], np.float64)
     loops = np.flatnonzero(np.isin(graph.peculiarity, (FLO, BLO)) & (graph.plane >= 0).all(1))
     loops = loops[np.argsort(np.maximum(loops, graph.plane[loops].max(1, initial=0)), kind="stable")]
     sign = np.where(graph.peculiarity[loops] == BLO, 1.0, -1.0)
-    offsets, neighbours = ragged(n, edges)
+    offsets, neighbours = ragged(n, edges, graph.edge_kind[order] == SEWN)
     section = sections(graph)
     mine, radius, section_offsets, members, beside = bones(graph, section, rise(graph, graph.rest / width))
     triples, stiff = _straight(graph, amount, params.bending) if not _cubic(stuffing) else (np.zeros((0, 3)), [])
@@ -310,12 +311,13 @@ def _straight(graph: StitchGraph, amount: Array, stiffness: float) -> tuple[Arra
     return triples, np.full(len(triples), stiffness)
 
 
-def centroid_counts(graph: StitchGraph, params: CrochetParams, told: dict[str, int]) -> Array:
-    """How many centroids each part has (P,): the option's, else the pattern's own, else one per so many nodes."""
+def centroid_counts(graph: StitchGraph, params: CrochetParams, told: Sequence[int | None] = ()) -> Array:
+    """How many centroids each part has (P,): the option's, else what the pattern told, else one per so many nodes."""
     made = []
-    for part in graph.parts:
+    for k, part in enumerate(graph.parts):
         size = part.end - part.start
-        usual = math.ceil(size / params.nodes_per_centroid)
-        count = params.centroids if params.centroids is not None else told.get(part.name, usual)
-        made.append(min(count, size))
+        wanted = params.centroids
+        if wanted is None and k < len(told):
+            wanted = told[k]
+        made.append(min(size, math.ceil(size / params.nodes_per_centroid) if wanted is None else wanted))
     return np.array(made, np.int64)

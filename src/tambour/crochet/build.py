@@ -34,7 +34,8 @@ class PartFacts:
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """One thing the hook did, for writing the pattern back: ``what`` is a stitch, a key of RULES, "round" or "part"."""
+    """One thing the hook did, for writing the pattern back: ``what`` is a stitch or a key of RULES; "part" (section, copy)
+    begins a part, "round" or "line" a line, and "end" ends it, with the stitches on its edge as ``times``."""
 
     what: str
     times: int = 1
@@ -55,6 +56,7 @@ class Built:
     parts : what each part's text asks for, as many as graph.parts
     shell : (F,) bool, the faces that bound the outside: of two sheets worked on one edge (goto), one
     initializer : how the pattern wants to begin ("rounds", "one-by-one", None)
+    up : the end of the work that is on top ("start", "end")
     counts : stitch or action as written → how often it was worked
     log : what the hook did, in order
     pattern : where it comes from
@@ -68,6 +70,7 @@ class Built:
     parts: tuple[PartFacts, ...]
     shell: Array
     initializer: str | None
+    up: str
     counts: Mapping[str, int]
     log: tuple[Done, ...]
     pattern: Pattern
@@ -98,6 +101,7 @@ def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict:
         tuple(worker.facts),
         shell,
         next((f.initializer for f in worker.facts if f.initializer), None),
+        next((p.up for p in pattern.parts if p.up), "end"),
         worker.counts,
         tuple(worker.log),
         pattern,
@@ -114,12 +118,14 @@ class _Worker:
         self.parts: list[Part] = []
         self.facts: list[PartFacts] = []
         self.sewn: list[tuple[int, int]] = []
+        self.seams: dict[tuple[str, ...], Span] = {}
         self.counts: dict[str, int] = {}
         self.log: list[Done] = []
         self.steps = 0
         self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
         self.copy = 0  # the copy of a part under way, 0 when there is only one
         self.own: set[str] = set()  # marks of the part under way
+        self.single = {m for p in pattern.parts if p.copies == 1 for line in p.lines for m in _marks(line.items)}
         self.broken = False
         self.rings = 0
         self.tip = True
@@ -134,6 +140,7 @@ class _Worker:
                     break
             if section.copies_span is not None:
                 self.numbers.pop()
+        self._sew()
 
     def _part(self, index: int, section: Section, copy: int) -> bool:
         hook = self.hook
@@ -172,6 +179,7 @@ class _Worker:
                 self.log.append(Done("line", 1, (), (), line.span))
             for item in line.items:
                 self._item(item)
+            self.log.append(Done("end", hook.now.count + hook.joined))
         if line.times_span is not None:
             self.numbers.pop()
         if line.stated is not None and line.times:
@@ -272,7 +280,7 @@ class _Worker:
         )
         mark = hook.last_mark
         labels = tuple(self._label(name) for name in action.labels)
-        if any(label not in hook.labels for label in labels) and action.name != "mark":
+        if action.name not in ("mark", "sew") and labels and labels[0] not in hook.labels:
             if self.broken:  # set in a part that stopped short: its own problem says so
                 return
             raise hook.fail(f'the mark "{action.labels[0]}" is not set yet', "set it first")
@@ -295,7 +303,7 @@ class _Worker:
                 hook.last_mark = mark
                 attach(hook, labels[0], action.numbers[0])
             case "sew":
-                self._sew(labels, action.span)
+                self.seams.setdefault(labels, action.span)
             case "fo":
                 hook.fasten_off(self.tip)
             case "turn":
@@ -304,31 +312,34 @@ class _Worker:
                 hook.join_round()
         if action.name != "mark":
             hook.last_mark = None
-        self._note(action, labels)
+        self._note(action)
 
     def _label(self, name: str) -> str:
         """The label as the hook knows it: inside a part made several times, each copy has its own."""
         if self.copy and name in self.own:
             return f"{name}.{self.copy}"
         base, _, copy = name.rpartition(".")
-        if base and copy == "1" and name not in self.hook.labels and base in self.hook.labels:
-            return base
-        return name
+        return base if copy == "1" and base in self.single else name
 
-    def _sew(self, labels: tuple[str, ...], span: Span) -> None:
-        one, other = (self.hook.marks[label] for label in labels)
-        if one == other:
-            self._doubt("both marks are on the same stitch: nothing is sewn", "mark two stitches", span)
-            return
-        self.sewn.append((max(one, other), min(one, other)))
+    def _sew(self) -> None:
+        """Sews once everything is worked, so that all copies are there."""
+        marks = self.hook.marks
+        for (one, other), span in self.seams.items():
+            if one not in marks or other not in marks:
+                continue  # set in a part that stopped short: its own problem says so
+            if marks[one] == marks[other]:
+                self._doubt("both marks are on the same stitch: nothing is sewn", "mark two stitches", span)
+            else:
+                pair = sorted((marks[one], marks[other]))
+                self.sewn.append((pair[1], pair[0]))
 
-    def _note(self, action: Action, labels: tuple[str, ...] = ()) -> None:
+    def _note(self, action: Action) -> None:
         self.counts[action.name] = self.counts.get(action.name, 0) + action.times
         last = self.log[-1]
-        if not labels and not action.numbers and action.name not in RULES and last.what == action.name:
+        if action.name not in RULES and last.what == action.name:
             self.log[-1] = Done(last.what, last.times + action.times, (), (), last.span)
         else:
-            self.log.append(Done(action.name, action.times, action.numbers, labels, action.span))
+            self.log.append(Done(action.name, action.times, action.numbers, action.labels, action.span))
 
 
 def _marks(items: tuple[Item, ...]) -> list[str]:

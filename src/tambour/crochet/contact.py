@@ -1,7 +1,7 @@
 """Contact: fabric that is not joined does not pass through itself, nor parts through one another.
 
 Every two nodes without an edge between them push each other apart once nearer than a reach: that of fabric against
-fabric, or the smaller one of nodes two edges apart (a stitch's diagonal neighbours), which the fabric holds apart.
+fabric, or the smaller one of nodes two or three edges apart, which lie in the same stretch of fabric.
 """
 
 from __future__ import annotations
@@ -15,20 +15,31 @@ from tambour.core.kernels import kernel
 
 
 @kernel
-def _between(offsets: Array, neighbours: Array, i: int, j: int) -> int:
-    """Edges between nodes i and j: 1, 2, or 3 for "more"; neighbours of a node rise."""
+def _share(offsets: Array, neighbours: Array, i: int, j: int) -> bool:
+    """Whether nodes i and j have a neighbour in common."""
     a, ea, b, eb = offsets[i], offsets[i + 1], offsets[j], offsets[j + 1]
-    for k in range(a, ea):
-        if neighbours[k] == j:
-            return 1
     while a < ea and b < eb:
-        if neighbours[a] == neighbours[b]:
-            return 2
+        if neighbours[a] == neighbours[b] and neighbours[a] >= 0:
+            return True
         if neighbours[a] < neighbours[b]:
             a += 1
         else:
             b += 1
-    return 3
+    return False
+
+
+@kernel
+def _between(offsets: Array, neighbours: Array, i: int, j: int) -> int:
+    """Edges between nodes i and j: 1, 2, 3, or 4 for "more"; neighbours of a node rise, sewn ones stand as ~node."""
+    for k in range(offsets[i], offsets[i + 1]):
+        if neighbours[k] == j or neighbours[k] == ~j:
+            return 1
+    if _share(offsets, neighbours, i, j):
+        return 2
+    for k in range(offsets[i], offsets[i + 1]):
+        if neighbours[k] >= 0 and _share(offsets, neighbours, neighbours[k], j):
+            return 3
+    return 4
 
 
 @kernel
@@ -71,13 +82,23 @@ def pairs(
                     if r2 >= (far + skin) ** 2:
                         continue
                     hops = _between(offsets, neighbours, i, j)
-                    h = near if hops == 2 else far
+                    h = near if hops <= 3 else far
                     if hops == 1 or r2 >= (h + skin) ** 2:
                         continue
                     if found < len(out):
                         out[found, 0], out[found, 1], reach[found] = i, j, h
                     found += 1
     return found
+
+
+@kernel
+def strayed(x: Array, before: Array) -> float:
+    """The square of the farthest that a node has moved since ``before``."""
+    most = 0.0
+    for i in range(len(x)):
+        dx, dy, dz = x[i, 0] - before[i, 0], x[i, 1] - before[i, 1], x[i, 2] - before[i, 2]
+        most = max(most, dx * dx + dy * dy + dz * dz)
+    return most
 
 
 @kernel
@@ -100,9 +121,14 @@ def contact(x: Array, pair: Array, reach: Array, stiffness: float, D: Array) -> 
         D[j, 2] -= dz
 
 
-def ragged(n: int, edges: Array) -> tuple[Array, Array]:
-    """The edges (E, 2) as ragged lists of neighbours, each rising: offsets (n + 1,), neighbours (2E,)."""
+def ragged(n: int, edges: Array, sewn: Array) -> tuple[Array, Array]:
+    """The edges (E, 2) as ragged lists of neighbours, each rising: offsets (n + 1,), neighbours (2E,).
+
+    sewn : (E,) bool; across a seam the neighbour stands as ~node: it is joined, but what is next to it is not.
+    """
+    far = np.where(np.concatenate([sewn, sewn]), ~np.concatenate([edges[:, 1], edges[:, 0]]), 0)
     both = np.concatenate([edges, edges[:, ::-1]]).astype(np.int64)
+    both[:, 1] = np.where(far < 0, far, both[:, 1])
     both = both[np.lexsort((both[:, 1], both[:, 0]))]
     offsets = np.zeros(n + 1, np.int64)
     np.cumsum(np.bincount(both[:, 0], minlength=n), out=offsets[1:])

@@ -16,6 +16,12 @@ LEAST_RISE = 0.3
 """The share of a row's height that a round lies above the one before, however much wider it is."""
 
 
+BACK = -0.5 * math.pi
+"""Where a first round begins: at the back, so that its middle is in front, towards +z."""
+CLEAR = 1.0
+"""Stitches that rings of different branches of one part keep between them."""
+
+
 def sections(graph: StitchGraph) -> Array:
     """The section of every node (N,), rising: a stretch of work within one round; roots and tips stand alone."""
     if not len(graph):
@@ -57,7 +63,8 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     width = np.zeros(len(graph.parts))
     np.maximum.at(width, graph.part[starts], (ends - starts) / (2.0 * math.pi))
     begun = np.zeros(len(graph.parts), int)
-    for a, b in zip(starts, ends):
+    forks = Forks()
+    for k, (a, b) in enumerate(zip(starts.tolist(), ends.tolist())):
         part = int(graph.part[a])
         nodes = np.arange(a, b)
         below = [graph.anchors[graph.anchor_offsets[i] : graph.anchor_offsets[i + 1]] for i in nodes]
@@ -79,9 +86,58 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         up = math.sqrt(max(h * h - (radius - spread) ** 2, (LEAST_RISE * h) ** 2))
         angle = graph.direction[nodes] * np.arange(b - a) * (2.0 * math.pi / (b - a))
         turn = np.exp(1j * (np.arctan2(stand[:, 2] - centre[2], stand[:, 0] - centre[0]) - angle)).sum()
-        angle = angle + (math.atan2(turn.imag, turn.real) if abs(turn) > 1e-9 else 0.0)
-        x[nodes] = centre + np.column_stack([radius * np.cos(angle), np.full(b - a, up), radius * np.sin(angle)])
+        angle = angle + (math.atan2(turn.imag, turn.real) if abs(turn) > 1e-9 else BACK)
+        place = centre + np.array([0.0, up, 0.0])
+        if b - a > 1:
+            place = forks.clear(k, np.unique(section[under]), place, radius, part)
+        x[nodes] = place + np.column_stack([radius * np.cos(angle), np.zeros(b - a), radius * np.sin(angle)])
     return x
+
+
+class Forks:
+    """Rings placed so far, by the branch of the work that they belong to, so that branches keep clear of each other.
+
+    A branch ends where it is worked on twice, or together with another. ``upto`` says for every branch which of its
+    and of other branches' sections lie below: all up to a number.
+    """
+
+    def __init__(self) -> None:
+        self.branch: dict[int, int] = {}  # section → branch
+        self.upto: list[dict[int, int]] = []
+        self.worked: set[int] = set()
+        self.rings: dict[int, list[tuple[int, int, Array, float]]] = {}  # part → section, branch, place, radius
+        self.forked: set[int] = set()
+
+    def clear(self, k: int, below: Array, place: Array, radius: float, part: int) -> Array:
+        """Where ring ``k`` goes that is worked into the sections ``below``: beside rings of other branches, not in."""
+        known = [int(s) for s in below if int(s) in self.branch]
+        if len(known) == 1 and known[0] not in self.worked:
+            mine = self.branch[known[0]]
+        else:
+            mine = len(self.upto)
+            self.upto.append({})
+            for s in known:
+                for b, last in [*self.upto[self.branch[s]].items(), (self.branch[s], s)]:
+                    self.upto[mine][b] = max(last, self.upto[mine].get(b, -1))
+        self.worked.update(known)
+        self.branch[k] = mine
+        rings = self.rings.setdefault(part, [])
+        if rings and rings[0][1] != mine:
+            self.forked.add(part)
+        if part in self.forked:
+            for _ in range(8):
+                least, away = 0.0, place
+                for s, b, at, size in rings:
+                    if b == mine or s <= self.upto[mine].get(b, -1) or abs(at[1] - place[1]) >= 1.0:
+                        continue
+                    off = (place - at) * [1.0, 0.0, 1.0]
+                    far = float(np.sqrt((off**2).sum()))
+                    if far - size - radius - CLEAR < least:
+                        least = far - size - radius - CLEAR
+                        away = place - least * (off / far if far > 1e-9 else np.array([1.0, 0.0, 0.0]))
+                place = away
+        rings.append((k, mine, place, radius))
+        return place
 
 
 def _begin(graph: StitchGraph, x: Array, nodes: Array, width: float, begun: int, flat: bool) -> Array:
@@ -102,7 +158,7 @@ def _begin(graph: StitchGraph, x: Array, nodes: Array, width: float, begun: int,
         return origin[None]
     if flat:
         return origin + np.column_stack([np.arange(count) - 0.5 * (count - 1), np.zeros(count), np.zeros(count)])
-    angle = graph.direction[nodes] * np.arange(count) * (2.0 * math.pi / count)
+    angle = BACK + graph.direction[nodes] * np.arange(count) * (2.0 * math.pi / count)
     radius = count / (2.0 * math.pi)
     return origin + np.column_stack([radius * np.cos(angle), np.zeros(count), radius * np.sin(angle)])
 

@@ -12,6 +12,10 @@ from tambour.core.params import Length, Params
 _GAUGE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*[xX×]\s*(\d+(?:\.\d+)?)\s*$")
 
 
+ACROSS = 9.4
+"""Square stitches across a flat circle of five rounds, as it settles: 30 stitches round its edge."""
+
+
 class CrochetParams(Params):
     """Parameters of crochet. Where a pattern's ``@`` parameter can speak, None leaves it the word."""
 
@@ -29,8 +33,6 @@ class CrochetParams(Params):
     """Fabric that is not joined does not pass through itself, nor parts through one another."""
     detail: Literal["low", "medium", "high"] = "medium"
     """How finely the yarn is swept in 3-D files and pictures."""
-    photo: bool = False
-    """Path-trace the pictures with Mitsuba (the extra tambour[photo])."""
 
     stitch_width: Length = Field(default=5.0, gt=0)
     """Width of a single crochet."""
@@ -66,12 +68,12 @@ class CrochetParams(Params):
     """Skeleton stuffing: strength of the push f / R · min((R / r)², cap)."""
     single_loop_force: float = Field(default=0.05, ge=0)
     """How strongly stitches in one loop lean to its side."""
-    bending: float = Field(default=0.02, ge=0)
+    bending: float = Field(default=0.05, ge=0)
     """How strongly fabric without stuffing resists bending, against 1 for stretching."""
-    contact_distance: float = Field(default=1.0, gt=0)
+    contact_distance: float = Field(default=1.2, gt=0)
     """Fabric pushes fabric that is nearer than this, in stitches."""
-    contact_near: float = Field(default=0.7, gt=0)
-    """The same for two stitches with one stitch between them."""
+    contact_near: float = Field(default=1.0, gt=0)
+    """The same for two stitches with one or two stitches between them."""
     contact_stiffness: float | None = Field(default=None, gt=0)
     """Strength of contact against 1 for springs (else 1, and 0.2 with the seed's cubic links)."""
     wait_force: float = Field(default=0.03, ge=0)
@@ -91,8 +93,7 @@ class CrochetParams(Params):
     def stitch(self) -> tuple[float, float]:
         """Width and height of a single crochet in mm, by the gauge that was given."""
         if self.gauge_circle is not None:
-            # Five square stitches from the middle to the edge.
-            return self.gauge_circle / 10.0, self.gauge_circle / 10.0
+            return self.gauge_circle / ACROSS, self.gauge_circle / ACROSS
         found = _GAUGE.match(self.gauge) if self.gauge else None
         if found:
             return 100.0 / float(found[1]), 100.0 / float(found[2])

@@ -40,12 +40,12 @@ class Rest:
 
 def tolerance(n: int) -> float:
     """The default residual for n nodes: longer waves are softer, so larger pieces need a smaller one."""
-    return 1e-4 * min(1.0, math.sqrt(5000.0 / max(n, 1)))
+    return 3e-4 * min(1.0, math.sqrt(20000.0 / max(n, 1)))
 
 
 def budget(n: int) -> int:
     """The most evaluations for n nodes: enough for every piece that settles, bounded for those that do not."""
-    return int(min(max(3_000_000 / max(n, 1), 400), 2000))
+    return int(min(max(2_000_000 / max(n, 1), 400), 4000))
 
 
 @kernel
@@ -87,18 +87,55 @@ def oldest_first(S: Array, Y: Array, rho: Array, order: Array, z: Array, a: Arra
             z[i] += b * S[k, i]
 
 
+@kernel
+def _moments(x: Array, D: Array, label: Array, out: Array) -> None:
+    """Per piece: nodes, Σx, ΣD, then about the mean the six of Σ r rᵀ and the torque Σ r × D; out (K, 16)."""
+    out[:] = 0.0
+    for i in range(len(x)):
+        k = label[i]
+        out[k, 0] += 1.0
+        for q in range(3):
+            out[k, 1 + q] += x[i, q]
+            out[k, 4 + q] += D[i, q]
+    for i in range(len(x)):
+        k = label[i]
+        n = out[k, 0]
+        rx, ry, rz = x[i, 0] - out[k, 1] / n, x[i, 1] - out[k, 2] / n, x[i, 2] - out[k, 3] / n
+        dx, dy, dz = D[i, 0], D[i, 1], D[i, 2]
+        out[k, 7] += rx * rx
+        out[k, 8] += ry * ry
+        out[k, 9] += rz * rz
+        out[k, 10] += rx * ry
+        out[k, 11] += rx * rz
+        out[k, 12] += ry * rz
+        out[k, 13] += ry * dz - rz * dy
+        out[k, 14] += rz * dx - rx * dz
+        out[k, 15] += rx * dy - ry * dx
+
+
+@kernel
+def _still(x: Array, label: Array, moments: Array, spin: Array, D: Array) -> None:
+    """Take the pieces' mean motion and their spin (K, 3) out of D."""
+    for i in range(len(x)):
+        k = label[i]
+        n = moments[k, 0]
+        rx, ry, rz = x[i, 0] - moments[k, 1] / n, x[i, 1] - moments[k, 2] / n, x[i, 2] - moments[k, 3] / n
+        D[i, 0] -= moments[k, 4] / n + spin[k, 1] * rz - spin[k, 2] * ry
+        D[i, 1] -= moments[k, 5] / n + spin[k, 2] * rx - spin[k, 0] * rz
+        D[i, 2] -= moments[k, 6] / n + spin[k, 0] * ry - spin[k, 1] * rx
+
+
 def rigid(x: Array, D: Array, label: Array) -> Array:
     """D (N, 3) less the rigid motion, translation and small rotation, of every piece; label (N,) numbers them."""
     out = D.copy()
-    for k in range(int(label.max(initial=-1)) + 1):
-        mine = slice(None) if label.max() == 0 else label == k
-        r = x[mine] - x[mine].mean(0)
-        d = D[mine] - D[mine].mean(0)
-        if len(r) > 2:
-            inertia = (r * r).sum() * np.eye(3) - np.einsum("ij,ik->jk", r, r)
-            spin = np.linalg.lstsq(inertia, np.cross(r, d).sum(0), rcond=1e-9)[0]
-            d -= np.cross(spin, r)
-        out[mine] = d
+    moments = np.zeros((int(label.max(initial=-1)) + 1, 16))
+    _moments(x, D, label, moments)
+    spin = np.zeros((len(moments), 3))
+    for k, (n, xx, yy, zz, xy, xz, yz, *torque) in enumerate(moments[:, [0, *range(7, 16)]].tolist()):
+        if n > 2:
+            inertia = np.array([[yy + zz, -xy, -xz], [-xy, xx + zz, -yz], [-xz, -yz, xx + yy]])
+            spin[k] = np.linalg.lstsq(inertia, np.array(torque), rcond=1e-9)[0]
+    _still(x, label, moments, spin, out)
     return out
 
 
@@ -135,6 +172,7 @@ def settle(
     wanted, limit = (tolerance(n) if goal is None else goal), (budget(n) if most is None else most)
     _, label = np.unique(body.root, return_inverse=True)
     solve = laplacian(body)
+    full = (body.pressure > 0.0) & (body.stuffing == "pressure")
     S, Y, rho, a = np.zeros((MEMORY, 3 * n)), np.zeros((MEMORY, 3 * n)), np.zeros(MEMORY), np.zeros(MEMORY)
     order: list[int] = []
     begun, scale, accepted = state.evaluations, 1.0, 0
@@ -165,7 +203,8 @@ def settle(
             state.x, state.c = x + t * z.reshape(-1, 3), c.copy()
             new = rigid(state.x, displacement(body, state), label).ravel()
             turned = dot(new, z)
-            if (state.volume >= 0.3 * volume).all() and turned > -0.9 * slope:
+            burst = full & (volume > body.least) & (state.volume < 0.3 * volume)
+            if turned > -0.5 * slope and not burst.any():
                 break
             t *= min(max(slope / (slope - turned), 0.1), 0.7) if turned < slope else 0.5
         z *= t
@@ -183,5 +222,9 @@ def settle(
         tell(min(spent, limit), limit)
 
 
+@kernel
 def _largest(v: Array) -> float:
-    return math.sqrt((v.reshape(-1, 3) ** 2).sum(1).max(initial=0.0))
+    most = 0.0
+    for i in range(0, len(v), 3):
+        most = max(most, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2])
+    return math.sqrt(most)

@@ -65,7 +65,7 @@ class Section:
 
     name : "" for the one without a header
     copies : ``(make N)``
-    centroids, stuffing, initializer, tip_from_fo : the parameters that are understood (None: not given)
+    centroids, stuffing, initializer, up, tip_from_fo : the parameters that are understood (None: not given)
     other : every other parameter, as text
     """
 
@@ -77,6 +77,7 @@ class Section:
     centroids: int | None = None
     stuffing: float | None = None
     initializer: str | None = None
+    up: str | None = None
     tip_from_fo: bool = True
     other: Mapping[str, str] = field(default_factory=dict)
 
@@ -88,7 +89,7 @@ class Pattern:
     text : the source, for spans to point into
     parts : its parts in order
     stitches : every stitch it may use, its own definitions among them
-    own : names of its own definitions, in order
+    own : its own definitions → the text of each
     warnings : doubts
     max_stitches : the most nodes that it may make
     """
@@ -96,6 +97,6 @@ class Pattern:
     text: Text
     parts: tuple[Section, ...]
     stitches: Mapping[str, Stitch]
-    own: tuple[str, ...] = ()
+    own: Mapping[str, Span] = field(default_factory=dict)
     warnings: tuple[Problem, ...] = ()
     max_stitches: int = 200_000

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from tambour.craft import Craft, View
+from tambour.craft import Craft
 from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.views import VIEWS
 
 
 def _make(source: Any, params: Any, progress: Any) -> Any:
@@ -20,36 +21,20 @@ def _facts(piece: Any) -> dict[str, Any]:
     return facts(piece)
 
 
-def _lines(piece: Any) -> Any:
-    from tambour.embroidery.draw import stitch_lines
-
-    return stitch_lines(piece)
-
-
-def _table(piece: Any) -> Any:
-    from tambour.embroidery.draw import stitch_table
-
-    return stitch_table(piece)
-
-
 def _warm() -> None:
     from tambour.embroidery.warm import warm
 
     warm()
 
 
-VIEWS = {
-    "lines": View(_lines, "Drawing", "the needle's way as lines", (".svg",)),
-    "stitches": View(_table, "dict", "every needle point as data", (".json",)),
-}
-
 CRAFT = Craft(
     name="embroidery",
     help="A drawing becomes thread: for a machine, and lying on cloth that moves.",
     params=EmbroideryParams,
-    reads=("Drawing",),
+    reads=("Drawing", "ThreadPlan", "Picture"),
     make=_make,
     views=VIEWS,
     facts=_facts,
     warm=_warm,
+    optional_source=True,
 )

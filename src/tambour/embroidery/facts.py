@@ -10,6 +10,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.thread import COLOR, JUMP, STITCH, STOP, TRIM
+from tambour.embroidery.catalogue import screen
 from tambour.embroidery.piece import FILL, SATIN, Piece
 
 CELL = 2.0  # mm, the side of a density cell
@@ -83,7 +84,7 @@ def outside(piece: Piece, slack: float = SLACK) -> int:
     region, kind = piece.region[end], piece.kind[end]
     count = 0
     for k, it in enumerate(piece.regions):
-        if it.role != "area":
+        if it.role != "area" or it.stitch == "cross":  # crosses stand on squares that lie inside by half
             continue
         mine = np.flatnonzero((region == k) & (kind <= 4))
         if not len(mine):
@@ -148,7 +149,8 @@ def facts(piece: Piece) -> dict[str, Any]:
         "machine_seconds": round(seconds),
         "thread_m": round(thread_mm * 1.05 / 1000, 3),
         "threads": [
-            {"rgb": list(t.rgb), "name": t.name, "code": t.code, "metres": m} for t, m in zip(plan.threads, per_thread)
+            {"rgb": list(t.rgb), "name": t.name, "code": t.code, "metres": m, "pes": shown}
+            for t, m, shown in zip(plan.threads, per_thread, screen(plan.threads))
         ],
         "regions": len(piece.regions),
     }

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, WithJsonSchema, field_validator
 
-from tambour.core.params import Degrees, Length, Params, length
+from tambour.core.params import Degrees, Length, Params, file, length
 
 FAMILIES = (
     "tatami",
@@ -148,6 +148,8 @@ class EmbroideryParams(Params):
     text: str | None = None
     """Letters to embroider, instead of a drawing or below it."""
 
+    font: Any = file("Font", "A .ttf or .otf file for the letters of --text (the shipped one when not given).")
+
     text_size: Length = Field(default=15.0, gt=1, le=500)
     """Height of capital letters."""
 
@@ -159,6 +161,41 @@ class EmbroideryParams(Params):
     theta: Degrees = Field(default=60.0, gt=0, le=90)
     """Angle at which a thread dives into the cloth."""
 
+    cloth: Any = file("Mesh", "The cloth: a name or a mesh file, which may move.", ("flat", "wave", "flag", "drape"))
+
+    place: Literal["projector", "point", "uv"] = "projector"
+    """How the design comes onto the cloth: thrown along its mean normal, against the normal at a point, or by its uv."""
+
+    place_at: str | None = None
+    """For --place point: the place on the cloth, as X,Y,Z in mm."""
+
+    place_offset: str = "0,0"
+    """Moves the design on the cloth, right and down, as X,Y in mm."""
+
+    place_rotate: Degrees = 0.0
+    """Turns the design on the cloth, counter-clockwise."""
+
+    place_scale: float = Field(default=1.0, gt=0, le=1000)
+    """Size of the design on the cloth; thread keeps its width."""
+
+    place_group: str | None = None
+    """Only faces of this group (material, object) of the cloth take thread."""
+
+    frames: int | None = Field(default=None, ge=1, le=10_000)
+    """Frames of a built-in cloth (1 when not given), or so many of the file's, evenly chosen."""
+
+    ground: str = "#ece7dc"
+    """Colour of the cloth in pictures and in space."""
+
+    catalogue: Literal["brother", "janome", "husqvarna", "viking"] | None = None
+    """Take the nearest threads of this maker; the report and the worksheet give their numbers."""
+
+    pes: Literal["1", "6"] = "1"
+    """Version of PES files: 1 is read by every machine, 6 also carries the threads' own colours."""
+
+    jef_trims: bool = False
+    """Write trims into JEF files (as three jumps, which some machines cut at and others sew)."""
+
     @field_validator("underlay")
     @classmethod
     def _underlay(cls, value: str) -> str:
@@ -168,12 +205,44 @@ class EmbroideryParams(Params):
             raise ValueError(f"{value!r} is not one of auto, none, or center, edge, zigzag, tatami joined by +")
         return "+".join(words)
 
+    @field_validator("place_offset")
+    @classmethod
+    def _offset(cls, value: str) -> str:
+        numbers(value, 2)
+        return value
+
+    @field_validator("place_at")
+    @classmethod
+    def _at(cls, value: str | None) -> str | None:
+        if value is not None:
+            numbers(value, 3)
+        return value
+
+    @field_validator("ground")
+    @classmethod
+    def _ground(cls, value: str) -> str:
+        if not re.fullmatch(r"#[0-9a-fA-F]{6}", value.strip()):
+            raise ValueError(f"{value!r} is not a colour such as #ece7dc")
+        return value.strip().lower()
+
     @field_validator("hoop")
     @classmethod
     def _hoop(cls, value: str | None) -> str | None:
         if value is not None:
             hoop_size(value)
         return value
+
+
+def numbers(text: str, count: int) -> tuple[float, ...]:
+    """``count`` lengths in mm of a text such as ``10,-2.5`` or ``1cm,0``; ValueError when they are not."""
+    parts = [p for p in re.split(r"[,;\s]+", text.strip()) if p]
+    try:
+        made = tuple(float(length(p)) for p in parts)
+    except ValueError:
+        made = ()
+    if len(made) != count or not all(map(math.isfinite, made)):
+        raise ValueError(f"{text!r} is not {count} lengths such as {','.join(['10', '-2.5', '0'][:count])}")
+    return made
 
 
 def hoop_size(text: str) -> tuple[float, float]:

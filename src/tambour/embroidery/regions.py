@@ -115,7 +115,7 @@ def regions(drawing: Drawing, params: EmbroideryParams, progress: Progress) -> t
             family = str(own.stitch or "")
             if is_satin(data) and len(lines) >= 2:
                 role, family = "rails", "satin"
-            elif family not in (*LINES, "satin", "ripple"):
+            elif family not in (*LINES, "satin"):
                 satin = width >= own.satin_from and "inkstitch-stroke_method" not in data
                 family = "satin" if satin else "running"
             made = Paths.of([line for line in lines if len(line) > 1])

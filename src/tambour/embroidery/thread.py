@@ -5,6 +5,9 @@ and leaves it on the tangent of slope θ, which meets the cloth at distance r·c
 needle went in. ``exact`` insets the circles so that these holes are the needle points; ``bleed`` puts the circles at
 the needle points, as the article prints it, and the holes lie r·cscθ outside. Below the cloth the way is mirrored at
 the hole, down to -r·cosθ. A stitch shorter than 2r·cscθ has no room for two ends and is removed.
+
+Where thread lies below, flat and round are lifted by its height, and the last straight is steeper: it still goes through
+the hole.
 """
 
 from __future__ import annotations
@@ -33,29 +36,12 @@ class Curves:
 
 
 @kernel
-def _insets(
-    length: Array, base: Array, r: float, sine: float, cosine: float, exact: bool, lift: Array, cut: Array
-) -> int:
-    """How high each stitch lies (``lift``) and how far its circles stand in from its needle points (``cut``); gives the
-    number that stay. A stitch too short to climb over what lies below it lies as high as it can."""
-    stays = 0
-    for s in range(len(length)):
-        if length[s] < 2.0 * r / sine:
-            cut[s] = -1.0
-            continue
-        lift[s] = min(base[s], max(0.0, (0.5 * length[s] - r / sine) * sine / max(cosine, 1e-9)))
-        cut[s] = r / sine + lift[s] * cosine / sine if exact else 0.0
-        stays += 1
-    return stays
-
-
-@kernel
 def _lay(
     start: Array,
     end: Array,
     length: Array,
     lift: Array,
-    cut: Array,
+    exact: bool,
     offsets: Array,
     t: Array,
     r: float,
@@ -67,14 +53,16 @@ def _lay(
     u: Array,
     stitch: Array,
 ) -> int:
-    """Fill the curves; with an empty ``plan`` only ``first``. Gives the number of points."""
+    """Fill the curves; with an empty ``plan`` count points into ``first``. Gives the number of curves."""
     sine, cosine = np.sin(theta), np.cos(theta)
     fill = len(plan) > 0
+    hole = r / sine
+    inset = hole if exact else 0.0
     n = q = 0
     for s in range(len(start)):
-        if cut[s] < 0.0:
+        if length[s] < 2.0 * hole:
             continue
-        low, high = cut[s], length[s] - cut[s]
+        low, high = inset, length[s] - inset
         inside = 0
         for k in range(offsets[s], offsets[s + 1]):
             if low + 1e-6 < t[k] * length[s] < high - 1e-6:
@@ -83,8 +71,10 @@ def _lay(
         if fill:
             dx, dy = (end[s, 0] - start[s, 0]) / length[s], (end[s, 1] - start[s, 1]) / length[s]
             begin = q
-            # The foot of the tangent below the cloth: mirrored at the hole, further out by the climb over the base.
-            foot = (2.0 * r / sine - r * sine) + lift[s] * cosine / sine
+            # The way's end below the cloth: on the line from the round through the hole.
+            foot = hole
+            if cosine > 1e-9:
+                foot += (hole - r * sine) * r * cosine / (lift[s] + r * cosine)
             for side in range(2):
                 base, way = (low, -1.0) if side == 0 else (high, 1.0)
                 if side == 1:
@@ -117,7 +107,7 @@ def _lay(
             q += count
         first[n + 1] = q
         n += 1
-    return q
+    return n
 
 
 def curves(
@@ -142,14 +132,14 @@ def curves(
     start, end = np.ascontiguousarray(start, np.float64), np.ascontiguousarray(end, np.float64)
     count = len(start)
     length = np.hypot(*(end - start).T) if count else np.zeros(0)
-    lift, cut = np.zeros(count), np.zeros(count)
-    below = np.zeros(count) if base is None else np.ascontiguousarray(base, np.float64)
+    lift = np.zeros(count) if base is None else np.ascontiguousarray(base, np.float64)
     offsets, t = (np.zeros(count + 1, np.int64), np.zeros(0)) if cuts is None else cuts
-    stays = _insets(length, below, radius, np.sin(theta), np.cos(theta), ends == "exact", lift, cut)
-    first, stitch = np.zeros(stays + 1, np.int64), np.zeros(stays, np.int64)
-    given = (start, end, length, lift, cut, offsets, t, radius, theta, arc, first)
-    total = _lay(*given, np.zeros((0, 2)), np.zeros(0), np.zeros(0), stitch)
-    plan, height, u = np.empty((total, 2)), np.empty(total), np.empty(total)
+    first = np.zeros(count + 1, np.int64)
+    given = (start, end, length, lift, ends == "exact", offsets, t, radius, theta, arc, first)
+    stays = _lay(*given, np.zeros((0, 2)), np.zeros(0), np.zeros(0), np.zeros(0, np.int64))
+    first = first[: stays + 1]
+    total = int(first[-1])
+    plan, height, u, stitch = np.empty((total, 2)), np.empty(total), np.empty(total), np.zeros(stays, np.int64)
     if total:
         _lay(*given, plan, height, u, stitch)
-    return Curves(first, plan, height, u, stitch)
+    return Curves(first.copy(), plan, height, u, stitch)

@@ -25,24 +25,30 @@ _MACHINE_READ = (
 _PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".bmp", ".gif", ".ppm", ".pgm")
 _PIXELS = (".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".bmp")
 
+_USD = (".usd", ".usda", ".usdc", ".usdz")
+
 READ: dict[str, dict[str, str]] = {
     ".acl": {"Text": "text:read_text"},
     ".txt": {"Text": "text:read_text"},
     ".md": {"Text": "text:read_text"},
+    ".ttf": {"Font": "font:read_font"},
+    ".otf": {"Font": "font:read_font"},
     ".svg": {"Drawing": "svg_read:read_drawing"},
     ".svgz": {"Drawing": "svg_read:read_drawing"},
     **{suffix: {"Picture": "picture:read_picture"} for suffix in _PICTURES},
     ".png": {"Picture": "picture:read_picture", "Chart": "chart:read_png"},
-    ".csv": {"Chart": "chart:read_csv"},
+    ".csv": {"Chart": "chart:read_csv", "Text": "text:read_text"},
     ".json": {"Chart": "chart:read_json"},
     ".k": {"Chart": "knitout:read"},
     ".knitout": {"Chart": "knitout:read"},
     ".dst": {"ThreadPlan": "dst:read_plan"},
+    **{suffix: {"Mesh": "usd:read_mesh"} for suffix in _USD},
     ".exp": {"ThreadPlan": "exp:read_plan"},
     **{suffix: {"ThreadPlan": "machine:read_plan"} for suffix in (*_MACHINE, *_MACHINE_READ)},
     ".glb": {"Mesh": "glb:read_mesh"},
     ".gltf": {"Mesh": "glb:read_mesh"},
-    ".obj": {"Mesh": "mesh:read_obj"},
+    ".obj": {"Mesh": "sequence:read_obj"},
+    ".npz": {"Mesh": "sequence:read_npz"},
     ".ply": {"Mesh": "mesh:read_ply"},
     ".stl": {"Mesh": "mesh:read_stl"},
 }
@@ -68,6 +74,12 @@ WRITE: dict[tuple[str, str], str] = {
     (".dst", "ThreadPlan"): "dst:write_plan",
     (".exp", "ThreadPlan"): "exp:write_plan",
     **{(suffix, "ThreadPlan"): "machine:write_plan" for suffix in _MACHINE},
+    (".glb", "Scene"): "scene:write_glb",
+    (".obj", "Scene"): "scene:write_obj",
+    (".npz", "Scene"): "scene:write_npz",
+    **{(suffix, "Scene"): "usd:write_scene" for suffix in _USD[:3]},
+    **{(suffix, "Scene"): "scene:write_picture" for suffix in _PIXELS},
+    (".gif", "Pictures"): "animation:write_gif",
     (".glb", "Mesh"): "glb:write_mesh",
     (".obj", "Mesh"): "mesh:write_obj",
     (".ply", "Mesh"): "mesh:write_ply",

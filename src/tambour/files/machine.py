@@ -71,21 +71,12 @@ def table(name: str) -> list[Any]:
 def matched(threads: list[Thread], name: str) -> list[int]:
     """For each thread the entry of the palette that stands for it: nearest in Oklab, one entry per thread while they
     last, so that two colours of a design stay two."""
-    from tambour.color import oklab
+    from tambour.color import nearest_distinct
 
     entries = [(k, t) for k, t in enumerate(table(name)) if t is not None]
-    lab = oklab(np.array([[t.get_red(), t.get_green(), t.get_blue()] for _, t in entries], np.uint8))
-    wanted = oklab(np.array([t.rgb for t in threads], np.uint8).reshape(-1, 3))
-    free = np.ones(len(entries), np.bool_)
-    chosen = []
-    for w in wanted:
-        far = ((lab - w) ** 2).sum(axis=1)
-        if free.any():
-            far = np.where(free, far, np.inf)
-        k = int(far.argmin())
-        free[k] = False
-        chosen.append(entries[k][0])
-    return chosen
+    palette = np.array([[t.get_red(), t.get_green(), t.get_blue()] for _, t in entries], np.uint8)
+    chosen = nearest_distinct(np.array([t.rgb for t in threads], np.uint8).reshape(-1, 3), palette)
+    return [entries[k][0] for k in chosen.tolist()]
 
 
 def write_plan(value: ThreadPlan, path: Path) -> None:

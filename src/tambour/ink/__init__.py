@@ -1,1 +1,76 @@
-"""Not yet built."""
+"""Ink: a seed → an endless shan-shui hand scroll, as vectors."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tambour.core.progress import Progress
+from tambour.craft import Craft, View
+from tambour.ink.params import Ink
+
+
+def make(source: None, params: Ink, progress: Progress) -> Any:
+    """The window or specimen that ``params`` ask for; see :mod:`tambour.ink.scroll`."""
+    from tambour.ink import scroll
+
+    return scroll.make(source, params, progress)
+
+
+def _scroll(piece: Any) -> Any:
+    from tambour.ink import scroll
+
+    return scroll.streamed(piece)
+
+
+def _sheet(piece: Any) -> Any:
+    from tambour.ink import scroll
+
+    return scroll.whole(piece)
+
+
+def _picture(piece: Any) -> Any:
+    from tambour.ink import scroll
+
+    return scroll.picture(piece)
+
+
+def _plan(piece: Any) -> Any:
+    from tambour.ink import scroll
+
+    return scroll.plan(piece)
+
+
+def _facts(piece: Any) -> dict[str, Any]:
+    from tambour.ink import scroll
+
+    return scroll.facts(piece)
+
+
+def _warm() -> None:
+    from tambour.ink import scroll
+
+    scroll.warm()
+
+
+def _stem(params: Ink) -> str:
+    from tambour.ink.params import stem
+
+    return stem(params)
+
+
+CRAFT = Craft(
+    name="ink",
+    help="A seed → an endless shan-shui hand scroll, as vectors.",
+    params=Ink,
+    reads=(),
+    make=make,
+    views={
+        "scroll": View(_scroll, "Drawing", "the painting, a group per element", (".svg",), "write"),
+        "sheet": View(_sheet, "Drawing", "the painting on one page", (".pdf",), "write"),
+        "picture": View(_picture, "Picture", "the painting in pixels", (".png", ".jpg", ".jpeg", ".webp"), "write"),
+        "plan": View(_plan, "dict", "what stands where", (".json",), "write"),
+    },
+    facts=_facts,
+    warm=_warm,
+    stem=_stem,
+)

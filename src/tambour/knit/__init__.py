@@ -13,9 +13,14 @@ __all__ = ["CRAFT"]
 
 
 def _make(source: Any, params: Any, progress: Progress) -> Any:
+    from dataclasses import replace
+
+    from tambour.core.chart import Chart
     from tambour.knit.solve import make
 
     piece = make(source, params, progress)
+    if isinstance(source, Chart) and piece.chart.gauge is None:
+        piece = replace(piece, chart=replace(piece.chart, gauge=source.gauge))
     if params.machine is not None:
         from tambour.core.errors import TambourError
         from tambour.knit.machine import check
@@ -27,17 +32,31 @@ def _make(source: Any, params: Any, progress: Progress) -> Any:
 
 
 def _facts(piece: Any) -> dict[str, Any]:
+    from tambour.knit import measure
     from tambour.knit.views import facts
 
-    return {**piece.figures, **facts(piece)}
+    return {**piece.figures, **measure.facts(piece), **facts(piece)}
+
+
+def _warm() -> None:
+    import numpy as np
+
+    from tambour.core.picture import Picture
+    from tambour.knit.solve import make
+
+    grey = np.tile(np.linspace(0, 255, 24).astype(np.uint8)[None, :, None], (12, 1, 4))
+    grey[..., 3] = 255
+    for method in ("exact", "perceptual"):
+        make(Picture(grey), KnitParams(method=method, start="floyd-steinberg"), Progress())
 
 
 CRAFT = Craft(
     name="knit",
     help="Knit: a picture becomes a stranded (Fair-Isle) chart that keeps its floats short.",
     params=KnitParams,
-    reads=("Picture",),
+    reads=("Picture", "Chart"),
     make=_make,
     views=VIEWS,
     facts=_facts,
+    warm=_warm,
 )

@@ -63,7 +63,7 @@ def _blurred(rgb: Array, sigma: float, light: bool, aspect: float) -> Array:
     from scipy.ndimage import gaussian_filter
 
     value = linear(rgb) if light else np.asarray(rgb, np.float64)
-    value = gaussian_filter(value, (sigma * aspect, sigma, 0), mode="nearest")
+    value = gaussian_filter(value, (sigma * aspect, sigma, 0), mode="mirror")
     value = coded(value) if light else value
     image = Image.fromarray(np.round(np.clip(value[::-1], 0, 1) * 255).astype(np.uint8))
     rows, width = rgb.shape[:2]

@@ -10,12 +10,15 @@ from tambour.color import luminance
 from tambour.core.chart import Chart
 from tambour.core.check import Array
 from tambour.core.drawing import Drawing
+from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
-from tambour.knit.hand import catches, floats, longer, roles, wrong_side
+from tambour.knit.hand import catches, floats, roles, wrong_side
 from tambour.knit.sheet import GREY, INK, RGB, Sheet
 from tambour.knit.written import color_name
 
 Cells = Literal["both", "colour", "symbol"]
+LARGEST = 1_000_000
+"""Stitches above which a chart is not drawn."""
 RED: RGB = (200, 30, 40)
 PALE: RGB = (226, 226, 230)
 
@@ -128,7 +131,7 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
             for ring in _shape(name):
                 sheet.rings(centre[:, None] + np.array(ring) * size, _against(chart, color, look))
     sheet.lines(np.concatenate([across(row % 10 == 5), down(column % 10 == 5)]), GREY, 2 * thin)
-    heavy = max(0.3, 0.09 * w)
+    heavy = min(0.45, max(0.3, 0.09 * w))
     tens = np.concatenate([across(row % 10 == 0), down(column % 10 == 0)])
     sheet.lines(tens, (255, 255, 255), 1.9 * heavy)  # a light halo: the line shows on dark yarn too
     sheet.lines(tens, INK, heavy)
@@ -139,10 +142,26 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
     if look.limit is not None:
         _catch_marks(sheet, chart, window, x, y, look)
     if look.repeat and 1 < look.repeat < width:
-        edge = min(max(x + (width - look.repeat - left) * w, x), x1)
-        if x <= edge < x1:
-            sheet.boxes([(edge, y, x1, y1)], None, RED, 1.6 * heavy)
+        _frame_repeat(sheet, chart, window, x, y, look, 2 * heavy)
     _numbers(sheet, chart, window, x, y, look)
+
+
+def _frame_repeat(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look, thick: float) -> None:
+    """The sides of the repeat, counted from the right, that lie in the window."""
+    w, h = look.cell
+    rows, width = chart.shape
+    b, t, left, right = window
+    first, last = max(left, width - (look.repeat or 0)), right
+    if first >= last:
+        return
+    x0, x1, y1 = x + (first - left) * w, x + (last - left) * w, y + (t - b) * h
+    sides = [
+        (first == width - (look.repeat or 0), (x0, y, x0, y1)),
+        (right == width, (x1, y, x1, y1)),
+        (t == rows, (x0, y, x1, y)),
+        (b == 0, (x0, y1, x1, y1)),
+    ]
+    sheet.lines([line for seen, line in sides if seen], RED, thick)
 
 
 def _run_boxes(mask: Array, x: float, y: float, w: float, h: float) -> Array:
@@ -176,8 +195,8 @@ def _catch_marks(sheet: Sheet, chart: Chart, window: Window, x: float, y: float,
         if left <= c < right
     ]
     if marks:
-        wedge = np.array([(0, -0.34 * h), (0.24 * w, -0.02 * h), (-0.24 * w, -0.02 * h)])
-        sheet.rings(np.array(marks)[:, None] + wedge, RED, (255, 255, 255), 0.04 * w)
+        wedge = np.array([(0, -0.40 * h), (0.27 * w, -0.03 * h), (-0.27 * w, -0.03 * h)])
+        sheet.rings(np.array(marks)[:, None] + wedge, INK, (255, 255, 255), 0.07 * w)
 
 
 def _numbers(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:
@@ -236,11 +255,11 @@ def key(sheet: Sheet, chart: Chart, x: float, y: float, look: Look, size: float 
     if chart.no_stitch is not None and chart.no_stitch.any():
         sheet.boxes([(x, y, x + box, y + box)], PALE, INK, 0.2)
         entry("no stitch: skip this square")
-    if look.limit is not None and len(longer(floats(chart, look.anchored), look.limit).row):
+    if look.limit is not None and len(floats(chart, look.anchored, look.limit).row):
         centre = np.array([x + 0.5 * box, y + box])
         wedge = np.array([(0, -0.4 * box), (0.3 * box, 0), (-0.3 * box, 0)])
         sheet.boxes([(x, y, x + box, y + box)], None, INK, 0.2)
-        sheet.rings((centre + wedge)[None], RED)
+        sheet.rings((centre + wedge)[None], INK)
         entry("catch the float behind this stitch")
     if look.repeat and 1 < look.repeat < chart.shape[1]:
         sheet.boxes([(x, y, x + box, y + box)], None, RED, 0.7)
@@ -248,8 +267,18 @@ def key(sheet: Sheet, chart: Chart, x: float, y: float, look: Look, size: float 
     return y
 
 
+def drawable(chart: Chart) -> None:
+    """Raise TambourError for a chart of more stitches than anyone prints."""
+    if chart.cells.size > LARGEST:
+        raise TambourError(
+            f"{chart.cells.size:,} stitches are too many to draw one by one",
+            hint="-o name.png has a pixel for each, -o name.fabric.jpg shows the cloth",
+        )
+
+
 def sheet_of(chart: Chart, look: Look, title: str = "", lines: tuple[str, ...] = ()) -> Drawing:
     """The whole chart on one sheet as large as it needs, with title and key."""
+    drawable(chart)
     w, h = look.cell
     rows, width = chart.shape
     margin, head = 14.0, 16.0 if title else 8.0
@@ -265,6 +294,7 @@ def sheet_of(chart: Chart, look: Look, title: str = "", lines: tuple[str, ...] =
 
 def float_sheet(chart: Chart, look: Look, title: str = "") -> Drawing:
     """The chart in pale colours with a bar for every float of three stitches or more, red where it is above the limit."""
+    drawable(chart)
     w, h = look.cell
     rows, width = chart.shape
     limit = look.limit or 5

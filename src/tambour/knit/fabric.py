@@ -32,10 +32,12 @@ GROUND = 0.80
 
 
 class Cell(NamedTuple):
-    """One cell of cloth: neighbours ``(row, column)`` offsets, the light that each sends (K, h, w), gloss (h, w)."""
+    """One cell of cloth: neighbours ``(row, column)`` offsets, the light that each sends and the share of each pixel
+    that it covers (K, h, w), gloss (h, w)."""
 
     neighbours: list[tuple[int, int]]
     light: Array
+    share: Array
     gloss: Array
 
 
@@ -107,7 +109,8 @@ def cell(width: int, aspect: float, back: bool = False) -> Cell:
 
     seen = [k for k in range(len(near)) if (who == k).any()]
     light = np.stack([mean(np.where(who == k, shade, 0)) for k in seen])
-    return Cell([near[k] for k in seen], light, mean(gloss))
+    share = np.stack([mean((who == k).astype(np.float64)) for k in seen])
+    return Cell([near[k] for k in seen], light, share, mean(gloss))
 
 
 def front(chart: Chart, width: int | None = None) -> Picture:
@@ -127,7 +130,7 @@ def _yarns(chart: Chart) -> Array:
     """Linear light (R, C, 3) of every stitch, a little uneven as wool is; no yarn is perfectly black or white."""
     color = 0.012 + 0.90 * linear(chart.palette.rgb / 255.0)
     uneven = stream("knit", "fabric").normal(1.0, 0.045, chart.shape)
-    return color[chart.cells] * np.clip(uneven, 0.8, 1.2)[..., None]
+    return color.astype(np.float32)[chart.cells] * np.clip(uneven, 0.8, 1.2).astype(np.float32)[..., None]
 
 
 def _cloth(chart: Chart, width: int | None, back: bool) -> Array:
@@ -146,18 +149,16 @@ def _cloth(chart: Chart, width: int | None, back: bool) -> Array:
     height = one.light.shape[1]
     out = np.zeros((rows, height, columns, width, 3), np.float32)
     cover = np.zeros((rows, height, columns, width), np.float32)
-    whole = one.light.sum(axis=0)
-    for (dr, dc), light in zip(one.neighbours, one.light):
+    for (dr, dc), light, share in zip(one.neighbours, one.light.astype(np.float32), one.share.astype(np.float32)):
         there = present[1 + dr : 1 + dr + rows, 1 + dc : 1 + dc + columns, None]
-        color = yarn[1 + dr : 1 + dr + rows, 1 + dc : 1 + dc + columns] * there
-        share = light.astype(np.float32)
-        out += share[None, :, None, :, None] * color.astype(np.float32)[:, None, :, None, :]
-        cover += (share / np.maximum(whole, 1e-6))[None, :, None, :] * there[:, None].astype(np.float32)[..., 0][
-            ..., None
-        ]
+        color = (yarn[1 + dr : 1 + dr + rows, 1 + dc : 1 + dc + columns] * there).astype(np.float32)
+        out += light[None, :, None, :, None] * color[:, None, :, None, :]
+        cover += share[None, :, None, :] * there.astype(np.float32)[:, None, :, :]
     own = present[1:-1, 1:-1].astype(np.float32)[:, None, :, None]
     out += (one.gloss.astype(np.float32)[None, :, None, :] * own)[..., None]
-    out += ((1 - np.clip(cover, 0, 1)) * (1 - own) * GROUND)[..., None]
+    # Where a neighbour is missing the table shows; the small holes of the cloth itself stay dark.
+    cover += (1 - one.share.sum(axis=0).astype(np.float32))[None, :, None, :] * own
+    out += ((1 - np.clip(cover, 0, 1)) * GROUND)[..., None]
     return np.ascontiguousarray(out[::-1]).reshape(rows * height, columns * width, 3)
 
 
@@ -167,6 +168,7 @@ def _lay_floats(light: Array, chart: Chart, anchored: bool, width: int) -> None:
     height = light.shape[0] // rows
     color = 0.012 + 0.90 * linear(chart.palette.rgb / 255.0)
     found = floats(chart, anchored)
+    bare = None if chart.no_stitch is None else chart.no_stitch[::-1, ::-1]  # as the picture lies
     for length in np.unique(found.length).tolist():
         alpha, shade, shadow = _strand(length, width, height)
         high, wide = alpha.shape
@@ -181,10 +183,11 @@ def _lay_floats(light: Array, chart: Chart, anchored: bool, width: int) -> None:
                 y = np.clip(y0[part, None, None] + np.arange(high)[None, :, None], 0, light.shape[0] - 1)
                 x = x0[part, None, None] + np.arange(wide)[None, None, :]
                 x = x % light.shape[1] if chart.circular else np.clip(x, 0, light.shape[1] - 1)
-                under = light[y, x] * (1 - 0.5 * shadow)[None, :, :, None]
-                a = alpha[None, :, :, None]
+                # Where nothing is knitted nothing hangs: a float round the seam of a shaped piece ends with the cloth.
+                on = 1.0 if bare is None else ~bare[y // height, x // width][..., None]
+                cover, cast = alpha[None, :, :, None] * on, 0.5 * shadow[None, :, :, None] * on
                 tint = color[yarn[part]][:, None, None, :] * shade[None, :, :, None]
-                light[y, x] = under * (1 - a) + tint * a
+                light[y, x] = light[y, x] * (1 - cast) * (1 - cover) + tint * cover
 
 
 def _strand(length: int, width: int, height: int) -> tuple[Array, Array, Array]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -10,8 +11,9 @@ import numpy as np
 from tambour.core.chart import Chart
 from tambour.core.check import Array
 
-_CATCH, _SAME, _BESIDE, _AGAIN = 4.0, 10.0, 2.0, 1.0
-"""Cost of a catch; of one over a catch of the row below, beside one, over one two rows below."""
+_BLOCK = 1 << 19
+_CATCH, _SAME, _BESIDE, _AGAIN, _IDLE = 4.0, 100.0, 4.0, 1.0, 3.0
+"""Cost of a catch; of one over a catch of the row below, beside one, over one two rows below; at a float's end."""
 
 
 class Floats(NamedTuple):
@@ -74,24 +76,39 @@ def runs(chart: Chart, row: int) -> list[tuple[int, int]]:
     return [(int(cells[a]), int(b - a)) for a, b in itertools.pairwise(bounds)]
 
 
-def floats(chart: Chart, anchored: bool = True) -> Floats:
-    """The floats of every row that holds two colours.
+def floats(chart: Chart, anchored: bool = True, above: int = 0) -> Floats:
+    """The floats of every row that holds two colours, those of more than ``above`` stitches.
 
     anchored : both yarns go to both sides of flat knitting, so the runs at the sides have floats behind them too;
         otherwise they have none. In the round there are no sides.
     """
-    rows, _width = chart.shape
+    found = [_floats(chart.cells[:0], False, anchored)]
+    found += [Floats(*(part[block.length > above] for part in block)) for block in _blocks(chart, anchored)]
+    return Floats(*(np.concatenate(parts) for parts in zip(*found)))
+
+
+def _blocks(chart: Chart, anchored: bool) -> Iterator[Floats]:
+    """The floats some rows at a time: those of a whole large chart would fill the memory."""
+    rows, width = chart.shape
     if chart.no_stitch is None or not chart.no_stitch.any():
-        return _floats(chart.cells, chart.circular, anchored)
-    found = []
+        step = max(1, _BLOCK // max(1, width))
+        for r in range(0, rows, step):
+            one = _floats(chart.cells[r : r + step], chart.circular, anchored)
+            yield one._replace(row=one.row + r)
+        return
     for r in range(rows):
         columns = np.flatnonzero(~chart.no_stitch[r])
         if len(columns):
             one = _floats(chart.cells[r : r + 1, columns], chart.circular, anchored)
-            found.append(one._replace(row=one.row + r, start=columns[one.start]))
-    if not found:
-        return _floats(chart.cells[:0], False, anchored)
-    return Floats(*(np.concatenate(parts) for parts in zip(*found)))
+            yield one._replace(row=one.row + r, start=columns[one.start])
+
+
+def carried(chart: Chart, anchored: bool = True) -> Array:
+    """Stitches (K,) that each colour crosses behind others."""
+    total = np.zeros(len(chart.palette))
+    for block in _blocks(chart, anchored):
+        total += np.bincount(block.yarn, block.length, len(total))
+    return np.round(total).astype(np.int64)
 
 
 def _floats(cells: Array, circular: bool, anchored: bool) -> Floats:
@@ -122,12 +139,6 @@ def _floats(cells: Array, circular: bool, anchored: bool) -> Floats:
     return Floats(row.astype(np.int64), start.astype(np.int64), length.astype(np.int64), yarn, edge)
 
 
-def longer(found: Floats, limit: int) -> Floats:
-    """The floats above ``limit`` stitches."""
-    keep = found.length > limit
-    return Floats(*(part[keep] for part in found))
-
-
 def catches(chart: Chart, limit: int, anchored: bool = True) -> list[list[int]]:
     """Columns, per row, at which to catch the floats above ``limit``, so that no more than ``limit`` stitches lie free.
 
@@ -136,7 +147,7 @@ def catches(chart: Chart, limit: int, anchored: bool = True) -> list[list[int]]:
     """
     rows, width = chart.shape
     marks: list[list[int]] = [[] for _ in range(rows)]
-    long = longer(floats(chart, anchored), limit)
+    long = floats(chart, anchored, limit)
     for row, start, length in sorted(zip(long.row.tolist(), long.start.tolist(), long.length.tolist())):
         columns = [(start + k) % width for k in range(length)]
         if chart.no_stitch is not None:
@@ -160,8 +171,12 @@ def _places(columns: list[int], limit: int, below: set[int], again: set[int]) ->
             own = (
                 _CATCH + _SAME * (c in below) + _BESIDE * ((c - 1 in below) + (c + 1 in below)) + _AGAIN * (c in again)
             )
-        best = min(range(max(0, p - limit - 1), p), key=lambda q: (cost[q] + 0.01 * (p - q) ** 2, q))
-        cost[p], back[p] = cost[best] + 0.01 * (p - best) ** 2 + own, best
+
+        def reach(q: int, p: int = p) -> float:  # long stretches are uneven, and a catch beside a stitch is none
+            return cost[q] + 0.01 * (p - q) ** 2 + _IDLE * (p - q == 1)
+
+        best = min(range(max(0, p - limit - 1), p), key=lambda q: (reach(q), q))
+        cost[p], back[p] = reach(best) + own, best
     found, p = [], back[n + 1]
     while p > 0:
         found.append(p - 1)
@@ -170,14 +185,14 @@ def _places(columns: list[int], limit: int, below: set[int], again: set[int]) ->
 
 
 def ladders(chart: Chart, limit: int, anchored: bool = True, least: int | None = None) -> list[Ladder]:
-    """Ladder columns for the floats above ``least`` stitches (default: those that would want two catches or more).
+    """Ladder columns for the floats above ``least`` stitches (default: those that would want three catches or more).
 
     Columns stand ``limit`` + 1 apart, so between two of them no float lies free over more than ``limit`` stitches;
     their phase is the one that stands farthest from the floats' ends. A ladder begins at the first float that it
     carries and ends at the last; gaps of two rows and less are bridged.
     """
-    least = 2 * limit + 1 if least is None else least
-    long = longer(floats(chart, anchored), least)
+    least = 3 * limit + 2 if least is None else least
+    long = floats(chart, anchored, least)
     width, step = chart.shape[1], limit + 1
     if not len(long.row):
         return []

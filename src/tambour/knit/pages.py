@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from math import ceil, floor
+from textwrap import wrap
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -10,7 +12,7 @@ import numpy as np
 from tambour.core.chart import Chart
 from tambour.core.drawing import Drawing
 from tambour.core.picture import Picture
-from tambour.knit.draw import RED, Look, Window, grid, key
+from tambour.knit.draw import RED, Look, Window, drawable, grid, key
 from tambour.knit.hand import roles
 from tambour.knit.sheet import GREY, INK, Sheet
 from tambour.knit.swatch import page as swatch_page
@@ -77,15 +79,15 @@ def layout(chart: Chart, page: Page = "a4", aspect: float = 1.0, large: bool = F
 
 
 def _tiles(length: int, fits: int) -> tuple[int, int]:
-    """How many tiles cover ``length`` when ``fits`` are legible on a page, and their step: tens where there is room,
-    so that heavy lines begin a page."""
+    """How many tiles cover ``length`` when ``fits`` are legible on a page, and their step: fives where there is room,
+    so that a ruled line begins a page."""
     if length <= fits:
         return 1, length
     step = fits - OVERLAP
     count = ceil((length - OVERLAP) / step)
     even = ceil((length - OVERLAP) / count)
-    tens = ceil(even / 10) * 10
-    return (count, tens) if tens <= step else (count, even)
+    fives = ceil(even / 5) * 5
+    return (count, fives) if fives <= step else (count, even)
 
 
 class Words(NamedTuple):
@@ -113,6 +115,7 @@ def booklet(
 
     fabric : how the piece will look, for the cover; amounts : from :func:`tambour.knit.yarn.amounts`
     """
+    drawable(chart)
     gauge = gauge_of(chart, words.weight)
     aspect = gauge.width / gauge.height if chart.gauge else 1.0
     plan = layout(chart, page, aspect, large)
@@ -286,11 +289,16 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
             f"Hold {name} below the other yarn throughout: the yarn",
             "held below stands out (it is the dominant one).",
         ]
+    elif len(roles(chart)) > 2:
+        lines += [
+            "In each row hold the yarn with fewer stitches below the",
+            "other: it stands out (it is the dominant one).",
+        ]
     lines += ["Strand loosely; spread the stitches on the needle."]
     if not chart.circular and words.anchored:
         lines += ["Carry both yarns to both ends of every row."]
     if listed:
-        lines += ["Catch floats where a red wedge stands; the list is at", "the end."]
+        lines += ["Catch floats where a small wedge stands; the list is", "at the end."]
     if len(plan.windows) > 1:
         lines += [
             "Pages overlap by 2 stitches and 2 rows: cut along",
@@ -301,11 +309,15 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
 
 def _columns(listed: list[str], ladder: list[str], catch: int, page: tuple[float, float]) -> list[list[list[str]]]:
     """The float list on pages of two columns."""
-    from textwrap import wrap
-
-    lines = [f"Floats above {catch} stitches; stitches count from the right.", ""]
+    lines = [
+        f"Floats above {catch} stitches: yarn, the stitches that it lies behind,",
+        "counted from the right (how many): catch at",
+        "",
+    ]
     for line in listed:
-        lines += wrap(line, 58, subsequent_indent="   ")
+        # A float's words stay together.
+        glued = re.sub(r"(CC\d?|MC) behind (\S+) (\S+) ", "\\1\u00a0behind\u00a0\\2\u00a0\\3\u00a0", line)
+        lines += [part.replace("\u00a0", " ") for part in wrap(glued, 66, subsequent_indent="   ")]
     if ladder:
         lines += [
             "",

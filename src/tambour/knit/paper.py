@@ -7,6 +7,8 @@ conflict (their caption, not their text). Texturing steps f + 1, the first illeg
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from tambour.core.check import Array
@@ -22,7 +24,9 @@ def solve(task: Task, method: str, params: KnitParams) -> Array:
     out = task.start.copy()
     law = (task.limit, task.free, task.cap, task.ring, task.knit, task.relaxed, task.locked)
     if method in ("random-walk", "hybrid"):
-        random_walk(out, *law, params.walk_sample, params.walk_stop, params.walk_gain, params.walk_steps, task.key)
+        # The paper leaves the duration to its user; by default each stitch is looked at about four times.
+        steps = 4 * out.size // params.walk_sample + 1 if params.walk_steps is None else params.walk_steps
+        random_walk(out, *law, params.walk_sample, params.walk_stop, params.walk_gain, steps, task.key)
     if method in ("gsat", "hybrid"):
         greedy(out, *law, task.key)
     if method == "min-conflict":
@@ -30,6 +34,12 @@ def solve(task: Task, method: str, params: KnitParams) -> Array:
     if method == "texture":
         texturing(out, *law, task.key)
     return out
+
+
+@kernel
+def pick_of(key: Any, draw: Any, count: int) -> Any:
+    """Number ``draw`` of the stream ``key``, in 0 … ``count`` - 1."""
+    return np.int64(mix(key, draw) % np.uint64(count))
 
 
 @kernel
@@ -139,7 +149,7 @@ def greedy(
             if ties == 0:
                 break
             draw += np.uint64(1)
-            pick = np.int64(mix(key, draw) % np.uint64(ties))
+            pick = pick_of(key, draw, ties)
             for x in range(n):
                 if bad[x] and not held[x] and gains[x] == best:
                     if pick == 0:
@@ -180,12 +190,12 @@ def random_walk(
         found = 0
         for _ in range(sample):
             draw += np.uint64(1)
-            y = int(mix(key, draw) % np.uint64(rows))
+            y = pick_of(key, draw, rows)
             n = load(cells, y, knit, relaxed, locked, columns, row, loose, held)
             if n == 0:
                 continue
             draw += np.uint64(1)
-            x = int(mix(key, draw) % np.uint64(n))
+            x = pick_of(key, draw, n)
             if stretch(row, loose, n, f, free, cap, ring, x)[2] == 0:
                 continue
             found += 1
@@ -217,7 +227,7 @@ def min_conflict(
         idle = 0
         while total > 0 and idle < 50 * n:
             draw += np.uint64(1)
-            pick = np.int64(mix(key, draw) % np.uint64(total))
+            pick = pick_of(key, draw, total)
             idle += 1
             for x in range(n):
                 if bad[x]:
@@ -259,7 +269,7 @@ def texturing(
             while end < n and bad[end] and row[end] == row[x]:
                 end += 1
             draw += np.uint64(1)
-            at = x + np.int64(mix(key, draw) % np.uint64(f))
+            at = x + pick_of(key, draw, f)
             while at < end:
                 if not held[at]:
                     cells[y, columns[at]] = 1 - row[at]

@@ -155,8 +155,8 @@ class KnitParams(Params):
     """Random walk: stop when fewer than q of them are in conflict."""
     walk_gain: int = Field(default=4, ge=1, le=10_000)
     """Random walk: flip only when so many conflicts fewer remain, m."""
-    walk_steps: int = Field(default=100_000, ge=0, le=100_000_000)
-    """Random walk: the most steps."""
+    walk_steps: int | None = Field(default=None, ge=0, le=100_000_000)
+    """Random walk: the most steps; without it, enough to look at each stitch about four times."""
     check: bool = False
     """Report on an existing chart, one pixel per stitch, and change nothing."""
 

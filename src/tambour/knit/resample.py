@@ -6,7 +6,7 @@ import numpy as np
 
 from tambour.core.chart import Gauge
 from tambour.core.check import Array
-from tambour.core.errors import Problem, TambourError
+from tambour.core.errors import TambourError
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
@@ -101,12 +101,15 @@ def straightening(rgb: Array) -> float:
     The mean direction of the gradients, taken four times (so that rows and columns count alike) and weighted by
     their squared lengths: a structure tensor with fourfold symmetry.
     """
+    from scipy.ndimage import gaussian_filter
+
     grey = rgb.astype(np.float32) @ LUMA
     step = max(1, min(grey.shape) // 800)
-    dy, dx = np.gradient(grey[::step, ::step]) if min(grey.shape) // step > 2 else (np.zeros(1), np.zeros(1))
-    z = (dx - 1j * dy) ** 4
-    strength = np.abs(dx) + np.abs(dy)
-    total = (z / np.maximum(strength, 1e-6) ** 2).sum()
+    small = gaussian_filter(grey, step)[::step, ::step] if step > 1 else grey
+    # Derivatives of a Gaussian: plain differences of hard edges lean towards the pixels' own directions.
+    dy, dx = gaussian_filter(small, 2.0, order=(1, 0)), gaussian_filter(small, 2.0, order=(0, 1))
+    z = dx - 1j * dy
+    total = (z**4 / np.maximum(np.abs(z), 1e-6) ** 2).sum()
     return 0.0 if abs(total) < 1e-9 else float(-np.degrees(np.angle(total)) / 4)
 
 
@@ -123,12 +126,17 @@ def resample(rgb: Array, rows: int, stitches: int) -> Array:
 
 
 def mask(
-    given: Picture | None, name: str, params: KnitParams, source: tuple[int, int], chart: tuple[int, int]
+    given: Picture | None,
+    name: str,
+    params: KnitParams,
+    source: tuple[int, int],
+    inner: tuple[int, int],
+    full: tuple[int, int],
 ) -> Array | None:
     """(R, C) float32 in 0…1 of a mask picture, row 0 the cast-on row; None for none.
 
-    A mask has the size of the chart in stitches, or that of the source picture (H, W) and then goes its way: cropped,
-    turned and resampled alike. Raises TambourError for any other size.
+    A mask has the size of the chart in stitches, ``full``, or that of the source picture (H, W) and then goes its way,
+    cropped, turned and resampled alike, to the ``inner`` part that the picture fills. TambourError for any other size.
     """
     if given is None:
         return None
@@ -137,7 +145,7 @@ def mask(
     # What is transparent is not selected: black, not the white that pictures are laid over.
     a = rgba[..., 3:].astype(np.float32) / 255
     rgb = np.round(rgba[..., :3] * a).astype(np.uint8)
-    if have != chart and have == source:
+    if have != full and have == source:
         if params.crop:
             left, top, wide, high = map(int, params.crop.split(","))
             rgb = rgb[top : top + high, left : left + wide]
@@ -147,16 +155,13 @@ def mask(
                 hint="give the angle, or a mask of the chart's size",
                 where=f"--{name}",
             )
+        # Turned with black about it, as nothing beyond the picture is selected.
         rgb = 255 - turned(255 - rgb, float(params.rotate.removesuffix("deg")))
-        rgb = resample(laid(rgb, params), *chart)
-    elif have != chart:
+        rgb = resample(laid(rgb, params), *inner)
+    elif have != full:
         raise TambourError(
-            [
-                Problem(
-                    f"the mask is {have[1]} x {have[0]}",
-                    f"wanted the chart's {chart[1]} x {chart[0]} stitches, or the picture's {source[1]} x {source[0]} pixels",
-                    where=f"--{name}",
-                )
-            ]
+            f"the mask is {have[1]} x {have[0]}",
+            hint=f"wanted the chart's {full[1]} x {full[0]} stitches, or the picture's {source[1]} x {source[0]} pixels",
+            where=f"--{name}",
         )
     return np.ascontiguousarray((rgb.astype(np.float32) @ LUMA / 255)[::-1])

@@ -1,0 +1,121 @@
+"""Crochet: settling against plain steps, both to the same shape; parsing and building; one table, taken in one run.
+
+python bench/crochet.py [--quick] [--cap SECONDS]
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+
+import numpy as np
+
+from tambour.core.errors import Text
+from tambour.crochet.arrange import fit
+from tambour.crochet.body import State, centroid_counts
+from tambour.crochet.build import build
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.parse import parse
+from tambour.crochet.plush import warm
+from tambour.crochet.settle import settle, tolerance
+from tambour.crochet.simulate import Task, first_positions
+from tambour.crochet.steps import step
+
+NEAR = 0.1
+
+
+def ball(k: int, m: int) -> str:
+    """k rounds outwards, m plain, k inwards."""
+    up = ["R1: MR(6)", "R2: 6 inc"] + [f": [{i - 2} sc, inc] x 6" for i in range(3, k + 1)]
+    down = [f": [{i - 2} sc, dec] x 6" for i in range(k, 2, -1)]
+    return "\n".join([*up, f"{m}: {6 * k} sc", *down, ": 6 dec", "FO", ""])
+
+
+SHAPES = {
+    "ball100": ball(3, 3),
+    "ball1k": ball(9, 9),
+    "tube1k": ball(4, 39),
+    "ball5k": ball(20, 22),
+    "tube5k": ball(4, 206),
+    "ball20k": ball(40, 42),
+}
+
+
+def apart(a: np.ndarray, b: np.ndarray) -> float:
+    """RMS distance in stitches after the best motion, without reflection."""
+    turn, shift = fit(a, b, np.ones(len(a)))
+    return float(np.sqrt(((a @ turn.T + shift - b) ** 2).sum(1).mean()))
+
+
+def compare(name: str, stuffing: str, cap: float) -> None:
+    """One row: settle by its own stop rule, and steps until they are as near the deep solve."""
+    built = build(parse(Text(SHAPES[name], name)))
+    graph, params = built.graph, CrochetParams()
+    task = Task(graph, params, 5.0, stuffing, "rounds", centroid_counts(graph, params))
+    body = task.body(graph, task.used)
+
+    def fresh() -> State:
+        return State(*first_positions(task), np.zeros(1))
+
+    best, rest, state = np.inf, None, fresh()
+    for _ in range(3):
+        state = fresh()
+        began = time.perf_counter()
+        rest = settle(body, state)
+        best = min(best, time.perf_counter() - began)
+        if best > 5:
+            break
+    assert rest is not None
+    deep = State(state.x.copy(), state.c.copy(), np.zeros(1))
+    end = settle(body, deep, goal=tolerance(len(graph)) / 100, most=6000)
+    error = apart(state.x, deep.x)
+
+    plain, spent, count, chunk = fresh(), 0.0, 0, 20
+    while spent < cap and apart(plain.x, deep.x) > NEAR:
+        began = time.perf_counter()
+        for _ in range(chunk):
+            step(body, plain)
+        spent += time.perf_counter() - began
+        count += chunk
+        chunk = max(20, count // 50)
+    off = apart(plain.x, deep.x)
+    if off > 1.0:  # perhaps another equilibrium: then it is steps' own that counts
+        own = State(plain.x.copy(), plain.c.copy(), np.zeros(1))
+        settle(body, own, goal=tolerance(len(graph)) / 100, most=6000)
+        other = f", steps head for another shape ({apart(own.x, deep.x):.1f} off)" if apart(own.x, deep.x) > 1 else ""
+    else:
+        other = ""
+    more = "" if off <= NEAR else "> "
+    print(
+        f"{name:<8} {stuffing:<9} {len(graph):>6} | {best:8.3f} s {rest.evaluations:>5} ev  rms {error:6.4f}"
+        f"{'' if rest.settled else ' (not at rest)'} | {more}{spent:7.2f} s {count:>7} steps  rms {off:6.3f}"
+        f" | {more}{spent / best:8.1f} x time {more}{count / rest.evaluations:8.1f} x evaluations{other}"
+        f"{'' if end.settled else f' (deep solve left {end.residual:.1e})'}",
+        flush=True,
+    )
+
+
+def main(arguments: list[str]) -> None:
+    """Print the table."""
+    quick = "--quick" in arguments
+    cap = float(arguments[arguments.index("--cap") + 1]) if "--cap" in arguments else 10.0 if quick else 60.0
+    began = time.perf_counter()
+    warm()
+    print(f"start (imports, kernels): {time.perf_counter() - began:.2f} s")
+    text = Text(SHAPES["ball20k"], "ball20k")
+    took = []
+    for _ in range(3):
+        began = time.perf_counter()
+        built = build(parse(text))
+        took.append(time.perf_counter() - began)
+    print(f"parse and build of {len(built.graph)} nodes: {min(took):.3f} s")
+    print(
+        "shape    stuffing   nodes | settle to its own goal, error to a 100 x deeper solve | steps to rms 0.1 | ratio"
+    )
+    for name in [n for n in SHAPES if not (quick and n.endswith(("5k", "20k")))]:
+        for stuffing in ("pressure", "centroid", "skeleton"):
+            compare(name, stuffing, cap)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

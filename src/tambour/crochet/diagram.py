@@ -1,0 +1,275 @@
+"""A pattern as a chart: rounds as rings, counter-clockwise from the centre, the usual symbols on the yarn's colours."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import PurePath
+
+import numpy as np
+
+from tambour.core.drawing import Drawing, Label, Styles
+from tambour.core.graph import BACK, FRONT, JOIN
+from tambour.core.paths import Paths
+from tambour.crochet.build import Built
+from tambour.crochet.chart import Cell, Chart, charts
+from tambour.crochet.symbols import BARS, NAMES, Line, loop_mark, post, ring_mark, solid, strokes
+
+CELL = 7.0  # mm, a single crochet on paper
+_PEN = 0.35  # mm
+_TEXT = 2.6  # mm
+_INK = (40, 38, 36, 255)
+_PALE = (250, 248, 244, 255)
+_GREY = (150, 146, 140, 255)
+_GAP = 0.06  # of a cell, between two
+_WIDEST = 3  # charts side by side
+
+
+@dataclass
+class _Sheet:
+    """Shapes as they are drawn: outlines, their styles, and the table of styles."""
+
+    lines: list[list[tuple[float, float]]] = field(default_factory=list)
+    style: list[int] = field(default_factory=list)
+    styles: dict[tuple[object, ...], int] = field(default_factory=dict)
+    labels: list[Label] = field(default_factory=list)
+
+    def draw(
+        self,
+        line: list[tuple[float, float]],
+        fill: tuple[int, int, int, int] | None,
+        pen: tuple[int, int, int, int] | None,
+        width: float = _PEN,
+    ) -> None:
+        """One shape, in mm."""
+        self.lines.append(line)
+        self.style.append(self.styles.setdefault((fill, pen, width), len(self.styles)))
+
+    def say(self, text: str, x: float, y: float, size: float = _TEXT, middle: bool = True, bold: bool = False) -> None:
+        """A line of text."""
+        self.labels.append(Label(text, x, y, size, "middle" if middle else "start", 0.0, _INK, bold))
+
+
+def diagram(built: Built) -> Drawing:
+    """The chart of a pattern: every piece a disc of rounds (flat pieces: rows), its counts, and a legend; mm."""
+    sheet = _Sheet()
+    found = charts(built)
+    margin, title = 8.0, 9.0
+    x = y = width = row = 0.0
+    for k, chart in enumerate(found):
+        if k and k % _WIDEST == 0:
+            x, y, row = 0.0, y + row, 0.0
+        left, right, up, down = _extent(chart)
+        _chart(sheet, built, chart, x + margin + left * CELL, y + margin + title + up * CELL)
+        _title(sheet, built, found, k, x + margin, y + margin)
+        x += (left + right) * CELL + 2 * margin
+        row = max(row, (up + down) * CELL + 2 * margin + title)
+        width = max(width, x)
+    height = _legend(sheet, built, margin, y + row)
+    labels = [*sheet.labels]
+    width = max(width, *(label.x + 0.6 * label.size * len(label.text) for label in labels), 60.0)
+    return Drawing(
+        Paths.of([np.array(line) for line in sheet.lines]),
+        np.array(sheet.style, np.int32),
+        Styles.of(*sheet.styles),  # type: ignore[arg-type]
+        np.array([width + margin, height + margin]),
+        labels=tuple(labels),
+        background=(255, 255, 255, 255),
+        about={"title": built.pattern.text.name},
+    )
+
+
+def _extent(chart: Chart) -> tuple[float, float, float, float]:
+    """Room to the left, right, above and below the chart's origin, in cells."""
+    if not chart.rows:
+        reach = max(chart.reach, 1.0) + 0.6
+        return reach, reach, reach, reach
+    xs = [cell.at for cell in chart.cells.values()] or [0.0]
+    return 2.2 - min(xs), max(xs) + 2.2, chart.reach + 0.5, 0.8
+
+
+def _chart(sheet: _Sheet, built: Built, chart: Chart, x: float, y: float) -> None:
+    """One chart with its origin at x, y mm."""
+    graph = built.graph
+    colors = graph.color.tolist()
+    anchors, cuts = graph.anchors.tolist(), graph.anchor_offsets.tolist()
+    kinds, loops = [graph.kinds[k] for k in graph.kind.tolist()], graph.loop.tolist()
+    for node, cell in chart.cells.items():
+        if node in chart.base:
+            sheet.draw(
+                _around(chart, cell, [(-0.09, 0.4), (0.09, 0.4), (0.09, 0.6), (-0.09, 0.6)], x, y, True), _GREY, None
+            )
+            continue
+        red, green, blue = colors[node]
+        sheet.draw(_sector(chart, cell, x, y), (red, green, blue, 255), None)
+    # How many stitches of a round stand in each anchor.
+    rounds = graph.round.tolist()
+    shared = Counter((rounds[n], a) for n in chart.cells for a in anchors[cuts[n] : cuts[n + 1]])
+    for node, cell in chart.cells.items():
+        if node in chart.base:
+            continue
+        pen = _contrast(colors[node])
+        height = cell.high - cell.low
+        own = [a for a in anchors[cuts[node] : cuts[node + 1]] if a in chart.cells]
+        legs = _legs(chart, cell, own, rounds[node], shared)
+        tall = kinds[node] in BARS
+        for foot, head in legs:
+            if tall:  # a slanted post stands for the leg
+                top = _to_page(chart, (cell.at, cell.high - 0.08), x, y)
+                foot = _to_page(chart, foot, x, y)
+                unit = [(foot[0] / CELL, foot[1] / CELL), (top[0] / CELL, top[1] / CELL)]
+                for line in post(unit[0], unit[1], BARS[kinds[node]]):
+                    sheet.draw([(CELL * u, CELL * v) for u, v in line], None, pen)
+            else:
+                sheet.draw([_to_page(chart, foot, x, y), _to_page(chart, head, x, y)], None, pen, 0.7 * _PEN)
+        if not (tall and legs):
+            for line in strokes(kinds[node], height):
+                sheet.draw(_around(chart, cell, line, x, y), None, pen)
+        dot = solid(kinds[node], height)
+        if dot:
+            sheet.draw(_around(chart, cell, dot, x, y, True), pen, None)
+        if loops[node] in (FRONT, BACK) and own:
+            sheet.draw(_around(chart, cell, loop_mark(loops[node] == FRONT), x, y), None, pen, 0.8 * _PEN)
+    for later, earlier in graph.edges[graph.edge_kind == JOIN].tolist():
+        # A slip stitch is a dot where the end of a round meets the stitch that it is joined to.
+        if earlier in chart.cells and later in chart.cells and not {later, earlier} & set(chart.base):
+            cell = chart.cells[earlier]
+            edge = Cell(cell.at - (0.0 if chart.rows else cell.half), cell.half, cell.low, cell.high)
+            sheet.draw(_around(chart, edge, solid("slst", cell.high - cell.low) or [], x, y, True), _INK, None)
+    if chart.root >= 0:
+        for line in ring_mark():
+            sheet.draw([(x + CELL * u, y - CELL * v) for u, v in line], None, _INK)
+    _numbers(sheet, chart, x, y)
+
+
+def _contrast(rgb: list[int]) -> tuple[int, int, int, int]:
+    """Ink or pale, whichever shows on a colour."""
+    red, green, blue = ((c / 255) ** 2.2 for c in rgb)
+    return _INK if 0.2126 * red + 0.7152 * green + 0.0722 * blue > 0.18 else _PALE
+
+
+def _to_page(chart: Chart, place: tuple[float, float], x: float, y: float) -> tuple[float, float]:
+    """A place (angle, radius) of a disc, or (x, height) of rows, on the page: mm, y down."""
+    at, up = place
+    if chart.rows:
+        return x + CELL * at, y - CELL * up
+    return x + CELL * up * math.cos(at), y - CELL * up * math.sin(at)
+
+
+def _around(
+    chart: Chart, cell: Cell, line: Line, x: float, y: float, closed: bool = False
+) -> list[tuple[float, float]]:
+    """A symbol's line, given along and up in cells, on the page: upright in the middle of its stitch."""
+    points = [*line, line[0]] if closed else line
+    if chart.rows:
+        return [(x + CELL * (cell.at + u), y - CELL * (cell.low + v)) for u, v in points]
+    # A chart's symbols stay upright along the radius; along the round they shrink where the round is crowded.
+    room = min(1.0, 2 * cell.half * (cell.low + cell.high) / 2 / _ROOM_OF_SYMBOL)
+    out = (math.cos(cell.at), math.sin(cell.at))
+    made = []
+    for u, v in points:
+        along, up = u * room, cell.low + v
+        made.append((x + CELL * (out[0] * up - out[1] * along), y - CELL * (out[1] * up + out[0] * along)))
+    return made
+
+
+_ROOM_OF_SYMBOL = 0.75
+
+
+def _sector(chart: Chart, cell: Cell, x: float, y: float) -> list[tuple[float, float]]:
+    """The patch of yarn colour under a stitch."""
+    low, high = cell.low + _GAP / 2, cell.high - _GAP / 2
+    gap = _GAP / 2 if chart.rows else _GAP / 2 / max(high, 0.3)
+    first, last = cell.at - cell.half + gap, cell.at + cell.half - gap
+    steps = 1 if chart.rows else max(1, min(12, int((last - first) * high * 3)))
+    along = [first + (last - first) * k / steps for k in range(steps + 1)]
+    ring = [(a, low) for a in along] + [(a, high) for a in reversed(along)]
+    return [_to_page(chart, p, x, y) for p in [*ring, ring[0]]]
+
+
+def _legs(
+    chart: Chart, cell: Cell, own: list[int], this: int, shared: Counter[tuple[int, int]]
+) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+    """The legs of increases and decreases: from each anchor's top to the foot of the stitch, as chart places."""
+    if not own or (len(own) == 1 and shared[this, own[0]] < 2):
+        return []
+    head = (cell.at, cell.low + 0.3 * min(1.0, cell.high - cell.low))
+    legs = []
+    for under in (chart.cells[a] for a in own):
+        at = under.at if chart.rows else cell.at + (under.at - cell.at + math.pi) % math.tau - math.pi
+        legs.append(((at, under.high - 0.12), head))
+    return legs
+
+
+def _numbers(sheet: _Sheet, chart: Chart, x: float, y: float) -> None:
+    """The number of each round where it begins."""
+    for this in chart.rounds:
+        cell = chart.cells[this.first]
+        if chart.rows:
+            forward = len(chart.cells) < 2 or this.first == this.last or cell.at <= chart.cells[this.last].at
+            at = cell.at + (-1.1 if forward else 1.1)
+            px, py = _to_page(chart, (at, (cell.low + cell.high) / 2 - 0.15), x, y)
+        else:
+            px, py = _to_page(chart, (cell.at - cell.half, (cell.low + cell.high) / 2), x, y)
+            py += 0.35 * 0.62 * _TEXT
+        if not chart.rows:
+            half = 0.3 * _TEXT * len(str(this.number)) + 0.4
+            box = [
+                (px - half, py - 0.62 * _TEXT),
+                (px + half, py - 0.62 * _TEXT),
+                (px + half, py + 0.2),
+                (px - half, py + 0.2),
+            ]
+            sheet.draw([*box, box[0]], (255, 255, 255, 230), None)
+        sheet.say(str(this.number), px, py, 0.72 * _TEXT)
+
+
+def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y: float) -> None:
+    """Name, copies, rounds and the way the piece ends."""
+    chart = found[k]
+    part = built.parts[chart.part]
+    section = built.pattern.parts[part.section]
+    same = [c for c in found if c.part == chart.part]
+    name = section.name or PurePath(built.pattern.text.name).stem
+    if len(same) > 1:
+        name += f", {'abcdefghijklmnopqrstuvwxyz'[same.index(chart) % 26]}"
+    copies = f", make {section.copies}" if section.copies > 1 else ""
+    first, last = chart.rounds[0].number, chart.rounds[-1].number
+    what = "row" if chart.rows else "round"
+    span = f"{what} {first}" if first == last else f"{what}s {first} to {last}"
+    below = chart.rounds[0].below
+    if chart.base and below >= 0:
+        span += f", worked on round {built.rounds[below].number}"
+    end = f"{span}; {chart.rounds[-1].count} stitches at its end" + (", drawn together (FO)" if chart.tip >= 0 else "")
+    sheet.say(name + copies, x, y + 1.0, 1.5 * _TEXT, False, True)
+    sheet.say(end, x, y + 5.2, _TEXT, False)
+
+
+def _legend(sheet: _Sheet, built: Built, x: float, y: float) -> float:
+    """The symbols that occur, with their names; the height that is used up."""
+    graph = built.graph
+    used = [graph.kinds[k] for k in sorted(set(graph.kind.tolist()))]
+    kinds = [k for k in used if k not in ("ring", "tip")]
+    entries: list[tuple[str, str]] = [(kind, NAMES.get(kind, kind)) for kind in kinds]
+    entries += [("slst", "slip stitch")] * bool((graph.edge_kind == JOIN).any())
+    loops = set(graph.loop[graph.parent >= 0].tolist())
+    entries += [("FLO", "in the front loop only")] * (FRONT in loops) + [("BLO", "in the back loop only")] * (
+        BACK in loops
+    )
+    chart = Chart(0, True)
+    for kind, name in entries:
+        height = {"hdc": 1.5, "dc": 1.5, "tr": 1.8}.get(kind, 1.0)
+        cell = Cell(0.0, 0.5, 0.0, height)
+        y += height * CELL + 1.0
+        px = x + 0.5 * CELL
+        if kind in ("FLO", "BLO"):
+            sheet.draw(_around(chart, cell, loop_mark(kind == "FLO"), px, y), None, _INK)
+        else:
+            for line in strokes(kind, height):
+                sheet.draw(_around(chart, cell, line, px, y), None, _INK)
+            dot = solid(kind, height)
+            if dot:
+                sheet.draw(_around(chart, cell, dot, px, y, True), _INK, None)
+        sheet.say(name, x + 1.4 * CELL, y - 0.5 * height * CELL + 0.35 * _TEXT, _TEXT, False)
+    return y + 4.0

@@ -1,0 +1,168 @@
+"""Plush: the piece that crochet makes, and its making."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from tambour.core.check import Array
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.params import CrochetParams
+
+if TYPE_CHECKING:
+    from tambour.crochet.build import Built
+    from tambour.crochet.simulate import Shape
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Plush:
+    """A pattern in its shape.
+
+    built : the pattern worked; params : what was asked for; stitch : width and height of a single crochet, mm
+    stuffing, start : what the options and the pattern together chose
+    shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm
+    """
+
+    built: Built
+    params: CrochetParams
+    stitch: tuple[float, float]
+    stuffing: str
+    start: str
+    shape: Shape
+    positions: Array
+    centroids: Array
+
+
+def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
+    """The plush of a pattern's text; TambourError with all that is wrong in it."""
+    from tambour.crochet.body import centroid_counts
+    from tambour.crochet.build import build
+    from tambour.crochet.parse import parse
+    from tambour.crochet.simulate import Task, simulate
+
+    stitch = params.stitch()
+    with progress.stage("parse"):
+        pattern = parse(source, max_stitches=params.max_stitches, strict=params.strict)
+    with progress.stage("build"):
+        built = build(pattern, stitch=stitch, strict=params.strict)
+    for warning in built.warnings:
+        progress.warn(warning)
+    with progress.stage("settle"):
+        start = params.start or built.initializer or "rounds"
+        stuffing = params.stuffing or "pressure"
+        # Sheets inside the piece are fabric, but do not bound its volume.
+        shell = replace(built.graph, faces=built.graph.faces[built.shell])
+        counts = centroid_counts(shell, params, [part.centroids for part in built.parts])
+        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts), progress.step)
+    if not shape.settled:
+        progress.warn(
+            f"the shape is not quite at rest: the largest force left is {shape.residual:.2g} stitches",
+            "it may still be good to look at; --tolerance sets the goal, --no-contact is easier to settle",
+        )
+    if shape.hurried and params.solver == "steps":
+        progress.warn(
+            f"{params.steps} steps do not finish the building", "the last nodes were placed at once; take more --steps"
+        )
+    elif shape.hurried:
+        progress.warn(
+            "building one by one was cut short: the last nodes were placed at once", "--start rounds is faster"
+        )
+    x, c = shape.x * stitch[0], shape.c * stitch[0]
+    if params.solver == "settle" and built.up == "start":
+        x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
+    return Plush(built, params, stitch, stuffing, start, shape, x, c)
+
+
+def graph(piece: Plush) -> dict[str, Any]:
+    """The graph and its shape as plain data, positions in mm."""
+    from tambour.core.graph import BACK, BLO, FLO, FRONT, ROOT, TIP
+
+    g = piece.built.graph
+    odd = {ROOT: "root", TIP: "tip", FLO: "FLO", BLO: "BLO"}
+    loops = {FRONT: "front", BACK: "back"}
+    return {
+        "craft": "crochet",
+        "parts": [{"name": p.name, "start": p.start, "end": p.end} for p in g.parts],
+        "nodes": {
+            "kind": [g.kinds[k] for k in g.kind],
+            "part": g.part.tolist(),
+            "color": g.color.tolist(),
+            "parent": g.parent.tolist(),
+            "round": g.round.tolist(),
+            "loop": [loops.get(int(k), "both") for k in g.loop],
+            "peculiarity": [odd.get(int(k)) for k in g.peculiarity],
+            "plane": [None if min(p) < 0 else p for p in g.plane.tolist()],
+            "span": g.span.tolist(),
+        },
+        "edges": g.edges.tolist(),
+        "sewn": piece.built.sewn.tolist(),
+        "centroids": piece.centroids.tolist(),
+        "positions": piece.positions.tolist(),
+        "faces": g.faces.tolist(),
+        "stitch_mm": list(piece.stitch),
+    }
+
+
+def facts(piece: Plush) -> dict[str, Any]:
+    """What the report says: counts, size, how the shape was reached, and where the fabric is tight."""
+    import numpy as np
+
+    from tambour.crochet.forces import lengths
+
+    built, g, shape = piece.built, piece.built.graph, piece.shape
+    x, width = piece.positions, piece.stitch[0]
+    kinds, counts = np.unique(g.kind, return_counts=True)
+
+    def size(points: Array) -> list[float]:
+        return [round(float(v), 2) for v in np.ptp(points, axis=0)] if len(points) else [0.0, 0.0, 0.0]
+
+    ml = shape.volume * width**3 / 1000.0
+    stretch = lengths(x, g.edges) / (g.rest * piece.params.link_distance) - 1.0 if len(g.edges) else np.zeros(0)
+    tension: dict[str, Any] = {"mean": 0.0, "worst": 0.0, "node": None, "at": None}
+    if len(stretch):
+        k = int(abs(stretch).argmax())
+        node = int(g.edges[k, 0])
+        line, column = built.pattern.text.place(int(g.span[node, 0]))
+        tension = {
+            "mean": round(float(stretch.mean()), 5),
+            "worst": round(float(stretch[k]), 5),
+            "node": node,
+            "at": f"{built.pattern.text.name}:{line}:{column}",
+        }
+    return {
+        "nodes": len(g),
+        "edges": len(g.edges),
+        "stitches": {g.kinds[k]: int(n) for k, n in zip(kinds, counts)},
+        "parts": [
+            {
+                "name": p.name,
+                "nodes": p.end - p.start,
+                "size_mm": size(x[p.start : p.end]),
+                "volume_ml": round(float(ml[k]), 3),
+                "stuffing": p.stuffing,
+            }
+            for k, p in enumerate(g.parts)
+        ],
+        "rounds": [{"part": r.part, "number": r.number, "stitches": r.count} for r in built.rounds],
+        "size_mm": size(x),
+        "size_in": [round(v / 25.4, 2) for v in size(x)],
+        "volume_ml": round(float(ml.sum()), 3),
+        "stitch_mm": list(piece.stitch),
+        "stuffing": piece.stuffing,
+        "start": piece.start,
+        "residual": shape.residual,
+        "settled": shape.settled,
+        "evaluations": shape.evaluations,
+        "tension": tension,
+    }
+
+
+def warm() -> None:
+    """Load every kernel by shaping a tiny piece in every way."""
+    text = Text(
+        "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
+    )
+    for stuffing in ("pressure", "centroid", "skeleton"):
+        piece = make(text, CrochetParams(stuffing=stuffing, tolerance=0.1), Progress())
+    facts(piece)

@@ -1,0 +1,142 @@
+"""Low growth: the washed bush and the fan of dry reeds (tree07 and tree08 of the seed's source)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.ink.brush import FADE, HUE, OPEN, PI, PUFF, at, bell, between, part, rnd, side, stroke, wash
+from tambour.ink.codes import BUSH, REED
+from tambour.ink.marks import INK, LEAF
+from tambour.ink.press import TOUCH, touch
+from tambour.noise import value
+
+
+@kernel
+def shatter(
+    table: Array, pts: Array, marks: Array, n: Array,
+    ring: Array, largest: float, grain: float, phase: float, low: float, range_: float, alpha: float, seam: float,
+) -> None:  # fmt: skip
+    """A wash: a polygon cut to a fan of triangles, each halved across its longest side until below ``largest``.
+
+    ring (k, 2), convex enough for a fan from its second point; each triangle takes the grey ``low + range_ × noise`` at
+    ``grain`` × its middle, so that the tone is mottled. ``seam`` > 0 strokes triangles in their own tone and hides the
+    joints. (The triangulation that the seed diary left for another day: dossier 1.3, 2.8.)
+    """
+    todo = np.empty((64, 6))
+    for k in range(1, len(ring) - 1):
+        t = todo[0]
+        t[0], t[1], t[2], t[3], t[4], t[5] = (
+            ring[0, 0],
+            ring[0, 1],
+            ring[k, 0],
+            ring[k, 1],
+            ring[k + 1, 0],
+            ring[k + 1, 1],
+        )
+        left = 1
+        while left > 0:
+            left -= 1
+            t = todo[left]
+            ax, ay, bx, by, cx, cy = t[0], t[1], t[2], t[3], t[4], t[5]
+            area = 0.5 * abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay))
+            if area < largest or left > 61:
+                if area < 0.01:
+                    continue
+                mx, my = (ax + bx + cx) / 3.0, (ay + by + cy) / 3.0
+                at(pts, n, ax, ay)
+                at(pts, n, bx, by)
+                at(pts, n, cx, cy)
+                at(pts, n, ax, ay)
+                grey = math.floor(low + range_ * value(table, grain * mx, grain * my, phase))
+                wash(marks, n, grey, alpha, seam)
+                continue
+            ab, bc = (bx - ax) ** 2 + (by - ay) ** 2, (cx - bx) ** 2 + (cy - by) ** 2
+            ca = (ax - cx) ** 2 + (ay - cy) ** 2
+            if bc >= ab and bc >= ca:
+                ax, ay, bx, by, cx, cy = bx, by, cx, cy, ax, ay
+            elif ca >= ab:
+                ax, ay, bx, by, cx, cy = cx, cy, ax, ay, bx, by
+            mx, my = 0.5 * (ax + bx), 0.5 * (ay + by)
+            t[0], t[1], t[2], t[3], t[4], t[5] = ax, ay, mx, my, cx, cy
+            t = todo[left + 1]
+            t[0], t[1], t[2], t[3], t[4], t[5] = mx, my, bx, by, cx, cy
+            left += 2
+
+
+@kernel
+def bush(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float, forms: Array, loops: Array,
+) -> None:  # fmt: skip
+    """A bush of slanting washes over a short stem; forms and loops are the press's tools."""
+    before = part(elems, n, BUSH, x, y)
+    n[HUE] = LEAF
+    phase = math.floor(4096.0 * rnd(rng)) + 0.5
+    axis, ring = np.empty((2, 2)), np.empty((TOUCH, 2))
+    for i in range(10):
+        bend = 20.0 * math.sqrt(0.1 * i)
+        cx, cy = x + bend, y - 0.1 * i * height
+        if i >= 3:
+            length, breadth = between(rng, 20.0, 70.0), between(rng, 12.0, 24.0)
+            angle = -rnd(rng) * PI / 6.0
+            cx += between(rng, -0.6, 0.6) * width * (10.0 - i)
+            dx, dy = 0.5 * length * math.cos(angle), 0.5 * length * math.sin(angle)
+            axis[0, 0], axis[0, 1], axis[1, 0], axis[1, 1] = cx - dx, cy - dy, cx + dx, cy + dy
+            touch(axis, breadth, 0.5, forms[PUFF], loops[int(rnd(rng) * len(loops))], ring)
+            shatter(table, pts, marks, n, ring, 50.0, 0.02, phase, 50.0, 200.0, 0.8, 0.0)
+    n[HUE] = INK
+    n[OPEN] = before
+
+
+@kernel
+def reed(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float,
+) -> None:  # fmt: skip
+    """A dry thorny fan: a leaning stem, with sprays of forked curved strokes along it (tree08)."""
+    before = part(elems, n, REED, x, y)
+    stem = np.empty((16, 2))
+    lean = between(rng, -0.2, 0.2) * PI
+    heading, a, b = -0.5 * PI + lean, x, y
+    for i in range(16):
+        stem[i, 0], stem[i, 1] = a, b
+        heading += 0.35 * bell(rng) + 0.1 * (-0.5 * PI + lean - heading)
+        a, b = a + math.cos(heading) * height / 15.0, b + math.sin(heading) * height / 15.0
+    for i in range(16):
+        at(pts, n, stem[i, 0], stem[i, 1])
+    stroke(rng, marks, n, 100.0, 0.6, 1.2 * width, 0.4, FADE, 1.0)
+    todo = np.empty((16, 6))
+    for i in range(1, 16):
+        if rnd(rng) > 0.35 and i < 15:
+            continue
+        t = todo[0]
+        t[0], t[1], t[2] = stem[i, 0], stem[i, 1], 1.0 + math.floor(3.0 * rnd(rng))
+        t[3], t[4], t[5] = -0.5 * PI + lean * rnd(rng) + side(rng) * between(rng, 0.2, 0.8), 0.2 * height, 1.0
+        left = 1
+        while left > 0:
+            left -= 1
+            t = todo[left]
+            sx, sy, depth, angle, size, thick = t[0], t[1], t[2], t[3], t[4], t[5]
+            bow = side(rng) * between(rng, 0.05, 0.2) * size
+            c, s = math.cos(angle), math.sin(angle)
+            for k in range(11):
+                p = 0.1 * k
+                off = bow * math.sin(PI * p)
+                at(pts, n, sx + c * size * p - s * off, sy + s * size * p + c * off)
+            stroke(rng, marks, n, 100.0, 0.6, 0.9 * width * thick, 0.5, FADE, 0.9)
+            if depth > 0 and left < 13:
+                ex, ey = sx + c * size, sy + s * size
+                fork = 2 if rnd(rng) < 0.5 else 1
+                for f in range(fork):
+                    t = todo[left]
+                    spread = (2.0 * f - 1.0) * between(rng, 0.2, 0.6) if fork == 2 else 0.35 * bell(rng)
+                    # Sprays turn upwards as they go.
+                    turn = angle + spread + 0.15 * (-0.5 * PI - angle)
+                    t[0], t[1], t[2], t[3] = ex, ey, depth - 1.0, turn
+                    t[4], t[5] = size * between(rng, 0.75, 0.95), 0.75 * thick
+                    left += 1
+    n[OPEN] = before

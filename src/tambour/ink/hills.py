@@ -1,0 +1,151 @@
+"""Hills: a cone of contours, wrinkled, with trees on its ridge and flanks and houses at its foot."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.ink.brush import OPEN, PI, between, part, pick, rnd
+from tambour.ink.codes import HILL
+from tambour.ink.cun import FLANKS, foot, slope, wrinkles
+from tambour.ink.houses import house, pagoda, pavilion, pylon
+from tambour.ink.rocks import rock
+from tambour.ink.sky import waterfall
+from tambour.ink.trees import fir, juniper, sapling
+from tambour.noise import value
+
+LAYERS, COLUMNS = 10, 50
+
+
+@kernel
+def ridge(table: Array, rng: Array, grid: Array, seed: float, y: float, height: float, width: float) -> None:
+    """Fill ``grid`` (LAYERS, COLUMNS, 2): contour 0 is the skyline, each next one smaller and lower (dossier 1.8)."""
+    drop = 0.0
+    layers, columns = grid.shape[0], grid.shape[1]
+    for j in range(layers):
+        drop += rnd(rng) * y / 100.0
+        p = 1.0 - j / layers
+        for i in range(columns):
+            t = (i / columns - 0.5) * PI
+            h = math.cos(t) * value(table, t + 10.0, 0.15 * j, seed)
+            grid[j, i, 0] = t / PI * width * p
+            grid[j, i, 1] = drop - h * height * p
+
+
+@kernel
+def hill(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float, wrinkled: int, planted: float, housed: float, falls: float,
+) -> None:  # fmt: skip
+    """A hill with its foot at (x, y).
+
+    height, width : units (its crest stands at about half of ``height``); wrinkled : strokes on its flanks
+    planted, housed : 0…1, how much of its trees and of its buildings is there (1: as in the original)
+    falls : 0…1, the chance of a waterfall on a high hill
+    Dossier 1.8, in its order: saplings behind the crest, body, outline, foot, wrinkles, saplings on the crest, groves of
+    juniper, firs at the foot, buildings, rocks.
+    """
+    before = part(elems, n, HILL, x, y)
+    seed = math.floor(4096.0 * rnd(rng))
+    grid = np.empty((LAYERS, COLUMNS, 2))
+    ridge(table, rng, grid, seed, y, height, width)
+    for j in range(COLUMNS):
+        if value(table, 0.1 * j, seed, 0.5) ** 3 < 0.1 * planted and -grid[0, j, 1] > 0.2 * height:
+            a, b = grid[0, j, 0] + x, grid[0, j, 1] + y - 5.0
+            sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 2, leaf(table, a, b))
+    slope(rng, pts, marks, n, grid, x, y, 40.0)
+    foot(table, rng, pts, marks, n, grid, x, y)
+    shade = 5.0 if pick(rng, 5) == 0 else 0.0
+    wrinkles(table, rng, pts, marks, n, grid, x, y, wrinkled, 1.5, 0.2, FLANKS, 100.0, 0.3, shade, 30.0)
+    chance, across, down = rnd(rng), between(rng, 0.36, 0.64), between(rng, 0.3, 0.55)
+    if chance < falls and height > 250.0:
+        i, j = int(down * LAYERS), int(across * COLUMNS)
+        a, b = grid[i, j, 0], grid[i, j, 1]
+        waterfall(table, rng, pts, marks, elems, n, x + a, y - 4.0, max(60.0, -b - 4.0), between(rng, 7.0, 13.0))
+    for i in range(LAYERS):
+        for j in range(COLUMNS):
+            if -grid[i, j, 1] > 0.5 * height and value(table, 0.1 * i, 0.1 * j, seed + 2.5) ** 3 < 0.1 * planted:
+                a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
+                sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 5, leaf(table, a, b))
+    grove(table, rng, pts, marks, elems, n, grid, x, y, height, seed, planted)
+    for i in range(LAYERS):
+        for s in range(2):
+            j = s * (COLUMNS - 1)
+            if value(table, 0.2 * i, 0.05 * j, seed) ** 4 < 0.012 * planted:
+                tall = (height + grid[i, j, 1]) / height * 120.0 * between(rng, 0.5, 1.0)
+                bend = 0.1 * rnd(rng)
+                a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
+                fir(table, rng, pts, marks, elems, n, a, b, tall, 5.0, bend, leaf(table, a, b))
+    settle(table, rng, pts, marks, elems, n, grid, x, y, seed, housed)
+    for i in range(LAYERS):
+        for s in range(2):
+            if rnd(rng) < 0.1:
+                j = s * (COLUMNS - 1)
+                a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
+                rock(
+                    table, rng, pts, marks, elems, n, a, b, between(rng, 20.0, 40.0), between(rng, 20.0, 40.0), 40, 2.0
+                )
+    n[OPEN] = before
+
+
+@kernel
+def leaf(table: Array, x: float, y: float) -> float:
+    """How dark the trees about (x, y) are: neighbours agree."""
+    return 0.5 + 0.15 * value(table, 0.02 * x, 0.02 * y, 0.0)
+
+
+@kernel
+def grove(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    grid: Array, x: float, y: float, height: float, seed: float, planted: float,
+) -> None:  # fmt: skip
+    """Junipers low on the flanks where the noise is low, but none that would stand alone."""
+    spots = np.empty((LAYERS * COLUMNS, 2))
+    k = 0
+    for i in range(LAYERS):
+        for j in range(1, COLUMNS, 2):
+            if -grid[i, j, 1] < 0.3 * height and value(table, 0.2 * i, 0.05 * j, seed) ** 4 < 0.012 * planted:
+                spots[k, 0], spots[k, 1] = grid[i, j, 0], grid[i, j, 1]
+                k += 1
+    for a in range(k):
+        near = 0
+        for b in range(k):
+            dx, dy = spots[a, 0] - spots[b, 0], spots[a, 1] - spots[b, 1]
+            if b != a and dx * dx + dy * dy < 900.0:
+                near += 1
+        if near > 2:
+            tall = (height + spots[a, 1]) / height * 70.0 * between(rng, 0.3, 1.0)
+            tx, ty = spots[a, 0] + x, spots[a, 1] + y
+            juniper(table, rng, pts, marks, elems, n, tx, ty, tall, between(rng, 1.0, 4.0), leaf(table, tx, ty))
+
+
+@kernel
+def settle(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    grid: Array, x: float, y: float, seed: float, housed: float,
+) -> None:  # fmt: skip
+    """Houses and pavilions at the feet of a hill, a pagoda on its crest, a pylon, where their noises are low (1.8)."""
+    for i in range(1, LAYERS):
+        for s in range(2):
+            j = 1 + s * (COLUMNS - 3)
+            a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
+            if value(table, 0.2 * i, 0.05 * j, seed + 10.5) ** 4 < 0.008 * housed:
+                choice, storeys, style = pick(rng, 6), 1 + pick(rng, 3), 1 + pick(rng, 3)
+                wide, turn = between(rng, 40.0, 70.0), rnd(rng)
+                if 2 <= choice <= 4:
+                    railed = rnd(rng) < 0.5
+                    house(table, rng, pts, marks, elems, n, a, b, 10.0, wide, turn, 3.0, storeys, style, railed)
+                elif choice == 5:
+                    pavilion(table, rng, pts, marks, elems, n, a, b, 15.0, 0.8 * wide, 1 + pick(rng, 2))
+    if rnd(rng) < 0.02 * housed:
+        a, b = grid[1, COLUMNS // 2, 0] + x, grid[1, COLUMNS // 2, 1] + y
+        pagoda(table, rng, pts, marks, elems, n, a, b, 10.0, between(rng, 40.0, 60.0), 5 + 2 * pick(rng, 2))
+    for i in range(0, LAYERS, 2):
+        for s in range(2):
+            j = 1 + s * (COLUMNS - 3)
+            if value(table, 0.2 * i, 0.05 * j, seed + 62.5) ** 4 < 0.002 * housed:
+                a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
+                pylon(table, rng, pts, marks, elems, n, a, b, 100.0, 20.0)

@@ -1,0 +1,113 @@
+"""Buildings: hut, storeyed house, pagoda, pavilion, pylon."""
+
+from __future__ import annotations
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.ink.brush import OPEN, between, part, side
+from tambour.ink.codes import HOUSE, HUT, PAGODA, PAVILION, PYLON
+from tambour.ink.frames import LATTICE, PLAIN, box, rail, roof, run, spire, thatch
+from tambour.ink.people import BUN, figure
+
+
+@kernel
+def hut(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float, turn: float, depth: float, people: int,
+) -> None:  # fmt: skip
+    """A thatched shelter on posts, with a railing and ``people`` in it (1.9 arch01)."""
+    before = part(elems, n, HUT, x, y)
+    inner = 0.58 * width
+    box(rng, pts, marks, n, x, y, 0.55 * height, inner, turn, depth, 1.5, True, PLAIN)
+    for k in range(people):
+        where = x + between(rng, -0.3, 0.3) * inner
+        staff, tall = 1.6 if k else 0.0, 0.33 * height / 75.0
+        figure(table, rng, pts, marks, elems, n, where, y + 0.5 * depth + 2.0, tall, side(rng), BUN, staff)
+    rail(table, rng, pts, marks, n, x, y + 2.0, 0.17 * height, 0.8 * width, turn, depth + 4.0, 6, 0.8)
+    thatch(table, rng, pts, marks, n, x, y - 0.45 * height, 0.55 * height, width, 150)
+    n[OPEN] = before
+
+
+@kernel
+def house(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float, turn: float, depth: float, storeys: int, style: int, railed: bool,
+) -> None:  # fmt: skip
+    """A house of ``storeys`` boxes under hip roofs, each narrower than the one below (1.9 arch02)."""
+    before = part(elems, n, HOUSE, x, y)
+    w = width
+    for i in range(storeys):
+        base = y - 1.5 * height * i
+        box(rng, pts, marks, n, x, base, height, w, turn, depth, 1.5, False, style)
+        if railed:
+            rail(table, rng, pts, marks, n, x, base, 0.5 * height, 1.1 * w, turn, 1.1 * depth, 4, 0.5)
+        roof(rng, pts, marks, n, x, base - height, 0.6 * height, 0.95 * w, turn, depth, 1.5, 5.0)
+        w *= 0.85
+    n[OPEN] = before
+
+
+@kernel
+def pagoda(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float, storeys: int,
+) -> None:  # fmt: skip
+    """A tower of ``storeys``, each ``height`` high under its own pointed roof (1.9 arch03)."""
+    before = part(elems, n, PAGODA, x, y)
+    w = width
+    for i in range(storeys):
+        base = y - 1.5 * height * i
+        box(rng, pts, marks, n, x, base, height, w, 0.7, 0.12 * w, 0.8, False, LATTICE if i % 2 else PLAIN)
+        rail(table, rng, pts, marks, n, x, base, 0.45 * height, 1.1 * w, 0.7, 0.14 * w, 3, 0.4)
+        top = 1.5 * height if i == storeys - 1 else 0.75 * height
+        spire(rng, pts, marks, n, x, base - height, top, w, 0.12 * w, 0.8, 4, 10.0 * w / 50.0)
+        w *= 0.85
+    tip = y - 1.5 * height * storeys - height
+    run(rng, pts, marks, n, x, tip + 0.4 * height, x, tip - 0.4 * height, 0.8, 0.6)
+    n[OPEN] = before
+
+
+@kernel
+def pavilion(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float, storeys: int,
+) -> None:  # fmt: skip
+    """An open pavilion: posts, railing, pointed roof (1.9 arch04)."""
+    before = part(elems, n, PAVILION, x, y)
+    w = width
+    for i in range(storeys):
+        base = y - 1.6 * height * i
+        box(rng, pts, marks, n, x, base, height, w, 0.7, 0.15 * w, 1.0, True, PLAIN)
+        rail(table, rng, pts, marks, n, x, base, 0.4 * height, 1.2 * w, 0.7, 0.18 * w, 4, 0.5)
+        spire(rng, pts, marks, n, x, base - height, 0.8 * height, w, 0.15 * w, 1.0, 3, 10.0 * w / 50.0)
+        w *= 0.85
+    n[OPEN] = before
+
+
+@kernel
+def pylon(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float,
+) -> None:  # fmt: skip
+    """The power line's pylon that stands now and then among the hills (1.9)."""
+    before = part(elems, n, PYLON, x, y)
+    half = 0.5 * width
+    levels = 8
+    for s in range(2):
+        f = 1.0 - 2.0 * s
+        run(rng, pts, marks, n, x - f * half, y, x - f * 0.12 * half, y - height, 0.7, 0.5)
+    for i in range(levels):
+        p, q = i / levels, (i + 1.0) / levels
+        a, b = half * (1.0 - 0.88 * p), half * (1.0 - 0.88 * q)
+        run(rng, pts, marks, n, x - a, y - height * p, x + b, y - height * q, 0.4, 0.4)
+        run(rng, pts, marks, n, x + a, y - height * p, x - b, y - height * q, 0.4, 0.4)
+        run(rng, pts, marks, n, x - b, y - height * q, x + b, y - height * q, 0.4, 0.4)
+    for i in range(3):
+        level = y - height * (0.68 + 0.13 * i)
+        arm = half * (1.9 - 0.3 * i)
+        run(rng, pts, marks, n, x - arm, level, x + arm, level, 0.6, 0.5)
+        run(rng, pts, marks, n, x - arm, level, x, level - 0.07 * height, 0.4, 0.4)
+        run(rng, pts, marks, n, x + arm, level, x, level - 0.07 * height, 0.4, 0.4)
+        for s in range(2):
+            end = x + arm * (1.0 - 2.0 * s)
+            run(rng, pts, marks, n, end, level, end, level + 0.035 * height, 0.5, 0.5)
+    n[OPEN] = before

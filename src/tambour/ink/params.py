@@ -1,0 +1,100 @@
+"""What a scroll can be told."""
+
+from __future__ import annotations
+
+from typing import ClassVar, Literal
+
+from pydantic import Field, field_validator
+
+from tambour.core.errors import did_you_mean
+from tambour.core.params import Length, Params
+from tambour.ink.kinds import SPECIMENS
+
+FARTHEST = 1e12
+"""How far from 0 the scroll is addressed: beyond it a coordinate's tenths are lost in a double."""
+LONGEST = 2_000_000.0
+
+
+class Ink(Params):
+    """A window of an endless scroll, or one of its elements."""
+
+    sources: ClassVar[tuple[str, ...]] = ()
+
+    seed: str = "1"
+    """Any text: the same text gives the same scroll."""
+
+    from_: float = Field(default=0.0, ge=-FARTHEST, le=FARTHEST)
+    """Where the window begins, in scroll units (the scroll is 700 high and has no ends)."""
+
+    span: float = Field(default=3000.0, ge=1.0, le=LONGEST)
+    """How long the window is, in scroll units."""
+
+    specimen: str | None = None
+    """One element by itself, or "all" for a sheet of every one with its name."""
+
+    density: float = Field(default=1.0, ge=0.0, le=3.0)
+    """How full the scroll is: hills, banks and boats; 1 leaves 30 to 70 % of the paper blank."""
+
+    height: float = Field(default=1.0, ge=0.2, le=2.0)
+    """How high the hills are, as a part of their own height."""
+
+    season: Literal["summer", "spring", "autumn", "winter"] = "summer"
+    """What the trees wear: summer is plain ink; spring blossoms, autumn colours, winter snows."""
+
+    time: Literal["ink", "dusk", "night"] = "ink"
+    """The light: ink on paper, dusk with a low sun, night with the moon."""
+
+    mist: float = Field(default=0.0, ge=0.0, le=1.0)
+    """How much mist lies between the hills."""
+
+    figures: bool = True
+    """People in the huts and boats."""
+
+    buildings: bool = True
+    """Houses, pagodas, pavilions, huts and pylons."""
+
+    boats: bool = True
+    """Boats on the open water."""
+
+    birds: bool = True
+    """Flocks of birds."""
+
+    waterfalls: bool = True
+    """Waterfalls on high hills."""
+
+    paper: bool = True
+    """The warm fibrous paper; without it the sheet is plain white."""
+
+    inscription: str = ""
+    """A text written down the upper right of the window."""
+
+    seal: str = ""
+    """One to four characters for the red seal under the inscription."""
+
+    tall: Length = Field(default=210.0, gt=0.0, le=5000.0)
+    """How tall the scroll is when it is printed."""
+
+    pixels: int = Field(default=2400, ge=16, le=60_000)
+    """Width of pictures (.png, .jpg, .webp) in pixels."""
+
+    @field_validator("specimen")
+    @classmethod
+    def _known(cls, value: str | None) -> str | None:
+        if value is not None and value not in SPECIMENS:
+            near = did_you_mean(value, SPECIMENS) or f"there are {', '.join(SPECIMENS)}"
+            raise ValueError(f'there is no specimen "{value}"; {near}')
+        return value
+
+    @field_validator("seal")
+    @classmethod
+    def _short(cls, value: str) -> str:
+        if len(value) > 4:
+            raise ValueError("a seal holds at most four characters")
+        return value
+
+
+def stem(params: Ink) -> str:
+    """The name of files that were asked for by suffix alone: seed, edition and window, in letters any disk takes."""
+    seed = "".join(c if c.isalnum() or c in "-_." else "_" for c in params.seed)[:60] or "_"
+    what = params.specimen or f"{params.from_:g}-{params.span:g}"
+    return f"ink-{seed}-e{params.edition}-{what}"

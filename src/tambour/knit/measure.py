@@ -1,0 +1,120 @@
+"""Measure: how like its target a chart looks, and how orderly its flips stand."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.knit.piece import Piece
+
+SIGMAS = (1.0, 1.5, 2.0, 3.0)
+SAMPLE = 1 << 20  # stitches; of larger charts evenly spread bands of rows are measured
+
+
+def lined_up(flips: Array, least: int = 3) -> float:
+    """Per 1000 flips (R, C) bool, those that stand in a column of ``least`` or more, row upon row."""
+    total = int(flips.sum())
+    if total == 0:
+        return 0.0
+    height = np.zeros(flips.shape[1], np.int32)
+    lined = 0
+    for row in flips:
+        height = np.where(row, height + 1, 0)
+        lined += int((height == least).sum()) * least + int((height > least).sum())
+    return 1000.0 * lined / total
+
+
+def blurred_error(cells: Array, tone: Array, sigma: float) -> float:
+    """Mean squared difference of ``cells`` and ``tone`` (R, C) after a Gaussian blur of ``sigma`` stitches each."""
+    from scipy.ndimage import gaussian_filter
+
+    return float(
+        (gaussian_filter(cells.astype(np.float32) - tone.astype(np.float32), sigma).astype(np.float64) ** 2).mean()
+    )
+
+
+def psnr(error: float) -> float:
+    """Decibels of a mean squared error, the range being 1; 120 at the most."""
+    return float(min(120.0, -10 * np.log10(max(error, 1e-12))))
+
+
+def ssim(a: Array, b: Array) -> float:
+    """Structural similarity (Wang, Bovik, Sheikh, Simoncelli 2004): Gaussian window of 1.5, range 1, mean of the map."""
+    from scipy.ndimage import gaussian_filter
+
+    a, b = a.astype(np.float64), b.astype(np.float64)
+    c1, c2 = 0.01**2, 0.03**2
+
+    def mean(v: Array) -> Array:
+        return np.asarray(gaussian_filter(v, 1.5, truncate=3.5))
+
+    ma, mb = mean(a), mean(b)
+    va, vb, vab = mean(a * a) - ma * ma, mean(b * b) - mb * mb, mean(a * b) - ma * mb
+    return float((((2 * ma * mb + c1) * (2 * vab + c2)) / ((ma * ma + mb * mb + c1) * (va + vb + c2))).mean())
+
+
+def seen(cells: Array, tone: Array) -> dict[str, dict[str, float]]:
+    """PSNR and SSIM of the blurred chart against the blurred target, by blur."""
+    from scipy.ndimage import gaussian_filter
+
+    found: dict[str, dict[str, float]] = {"psnr": {}, "ssim": {}}
+    for sigma in SIGMAS:
+        found["psnr"][f"{sigma:g}"] = round(psnr(blurred_error(cells, tone, sigma)), 2)
+        a, b = gaussian_filter(cells.astype(np.float32), sigma), gaussian_filter(tone.astype(np.float32), sigma)
+        found["ssim"][f"{sigma:g}"] = round(ssim(a, b), 4)
+    return found
+
+
+def bands(rows: int, stitches: int) -> list[slice]:
+    """All rows, or, of a large chart, eight evenly spread bands that hold SAMPLE stitches."""
+    if rows * stitches <= SAMPLE:
+        return [slice(0, rows)]
+    high = max(16, SAMPLE // (8 * stitches))
+    return [slice(k, k + high) for k in np.linspace(0, rows - high, 8).astype(int)]
+
+
+def anisotropy(cells: Array) -> float:
+    """How far a chart of one flat tone is from looking alike in all directions, 0 and up.
+
+    The variance over directions of the power spectrum, relative to its mean, ring by ring (Ulichney 1987), over
+    frequencies that the eye sees (below half a cycle in two stitches), as a mean of rings weighted by their power.
+    """
+    size = min(cells.shape)
+    v = cells[:size, :size].astype(np.float64)
+    power = np.abs(np.fft.fftshift(np.fft.fft2(v - v.mean()))) ** 2
+    f = np.fft.fftshift(np.fft.fftfreq(size))
+    radius = np.hypot(*np.meshgrid(f, f))
+    rings = np.clip((radius / 0.25 * 16).astype(int), 0, 16)
+    shares = []
+    for ring in range(1, 16):
+        p = power[rings == ring]
+        if len(p) > 8 and p.mean() > 0:
+            shares.append((p.mean(), p.var(ddof=1) / p.mean() ** 2))
+    return float(np.average([s for _, s in shares], weights=[w for w, _ in shares])) if shares else 0.0
+
+
+def facts(piece: Piece) -> dict[str, Any]:
+    """What the report says beside the piece's own figures: lined-up flips, and how like its target it looks."""
+    chart = piece.chart
+    out: dict[str, Any] = {}
+    flips = chart.cells != piece.start
+    if chart.no_stitch is not None:
+        flips &= ~chart.no_stitch
+    out["lined_up"] = round(lined_up(flips), 2)
+    if len(chart.palette) == 2:
+        parts = [
+            seen(masked(chart.cells[b], chart.no_stitch, b), masked(piece.tone[b], chart.no_stitch, b))
+            for b in bands(*chart.cells.shape)
+        ]
+        out["seen"] = {
+            kind: {sigma: round(float(np.mean([p[kind][sigma] for p in parts])), 4) for sigma in parts[0][kind]}
+            for kind in ("psnr", "ssim")
+        }
+    return out
+
+
+def masked(values: Array, no_stitch: Array | None, band: slice) -> Array:
+    """``values`` with nothing where nothing is knitted."""
+    return values if no_stitch is None else np.where(no_stitch[band], 0, values)

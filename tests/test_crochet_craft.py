@@ -1,0 +1,183 @@
+"""The craft from text to files: options, report, views, and that no pattern brings it down."""
+
+from __future__ import annotations
+
+import json
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from tambour.core.errors import TambourError, Text
+from tambour.core.progress import Progress
+from tambour.crochet import CRAFT
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import Plush, facts, graph, make
+from tambour.run import run
+
+BALL = "R1: MR(6)\nR2: 6 inc (12)\nR3: [sc, inc] x 6 (18)\n3: 18 sc (18)\n: [sc, dec] x 6 (12)\n: 6 dec (6)\nFO\n"
+SEWN = """== body ==
+color(120, 160, 80)
+: MR(6)
+: 6 inc
+: [sc, inc] x 6, mark(a)
+: 6 sc, mark(b), 12 sc
+: 18 sc
+: [sc, dec] x 6
+: 6 dec
+FO
+== ear (make 2) ==
+@stuffing = none
+: MR(6)
+: 6 inc
+: sc, mark(c), 11 sc, mark(d)
+== seams ==
+sew(c.1, a)
+sew(c.2, b)
+"""
+
+
+def made(text: str, **options) -> Plush:
+    return make(Text(text), CrochetParams(**options), Progress())
+
+
+def test_a_ball_from_text(tmp_path: Path) -> None:
+    source = tmp_path / "ball.acl"
+    source.write_text(BALL)
+    report = run("crochet", source, CrochetParams(), [tmp_path / "ball.json"])
+    assert {"nodes", "edges", "residual", "evaluations", "warnings", "seconds", "stitches", "parts", "rounds"} <= set(
+        report
+    )
+    assert {"size_mm", "size_in", "tension", "volume_ml"} <= set(report)
+    assert {"start", "parse", "build", "settle", "write"} <= set(report["seconds"])
+    assert report["nodes"] == 110 and report["warnings"] == [] and report["settled"]
+    data = json.loads((tmp_path / "ball.json").read_text())
+    assert list(data) == ["craft", "parts", "nodes", "edges", "sewn", "centroids", "positions", "faces", "stitch_mm"]
+    assert list(data["nodes"]) == [
+        "kind", "part", "color", "parent", "round", "loop", "peculiarity", "plane", "span",
+    ]  # fmt: skip
+    assert all(i > j for i, j in data["edges"]) and len(data["positions"]) == report["nodes"]
+    assert data["nodes"]["peculiarity"][0] == "root" and data["nodes"]["peculiarity"][-1] == "tip"
+    start, end = data["nodes"]["span"][20]
+    assert BALL[start:end] == "inc"
+    assert np.ptp(np.array(data["positions"]), axis=0).max() == pytest.approx(max(report["size_mm"]), abs=0.01)
+
+
+def test_the_same_report_again_is_the_same_piece() -> None:
+    one, two = made(BALL), made(BALL)
+    assert one.positions.tobytes() == two.positions.tobytes()
+    assert facts(one) == facts(two)
+
+
+def test_gauge_is_size() -> None:
+    base = facts(made(BALL))["size_mm"]
+    assert facts(made(BALL, stitch_width="10mm", stitch_height="1cm"))["size_mm"] == pytest.approx(
+        [2 * v for v in base], abs=0.05
+    )
+    assert CrochetParams(gauge="20x25").stitch() == (5.0, 4.0)
+    assert CrochetParams(gauge_circle="47mm").stitch() == pytest.approx((5.0, 5.0))
+    with pytest.raises(TambourError, match="such as 20x22"):
+        CrochetParams.of({"gauge": "many"})
+
+
+def test_a_gauge_circle_measures_what_it_says() -> None:
+    circle = "@stuffing = none\n: MR(6)\n: 6 inc\n" + "".join(f": [{k} sc, inc] x 6\n" for k in (1, 2, 3))
+    size = sorted(facts(made(circle, gauge_circle="51mm"))["size_mm"])
+    assert size[2] == pytest.approx(51, rel=0.05) and size[1] == pytest.approx(51, rel=0.05)
+
+
+def test_the_pattern_speaks_and_options_win() -> None:
+    assert made("@initializer = obo\n" + BALL, solver="none").start == "one-by-one"
+    assert made("@initializer = obo\n" + BALL, start="rounds", solver="none").start == "rounds"
+    assert len(made("@centroids = 3\n" + BALL, stuffing="centroid").centroids) == 3
+    assert len(made("@centroids = 3\n" + BALL, stuffing="centroid", centroids=1).centroids) == 1
+    light, firm = (made(f"@stuffing = {word}\n" + BALL).shape.volume[0] for word in ("light", "firm"))
+    assert firm > 1.1 * light
+
+
+def test_sewn_parts_end_outside_one_another_at_their_seams() -> None:
+    piece = made(SEWN)
+    g, x = piece.built.graph, piece.positions
+    assert [p.name for p in g.parts] == ["body", "ear 1", "ear 2", "seams"] and piece.shape.settled
+    for i, j in piece.built.sewn:
+        assert np.linalg.norm(x[i] - x[j]) < 1.2 * piece.stitch[0]
+    body = x[g.parts[0].start : g.parts[0].end]
+    for ear in g.parts[1:3]:
+        off = np.linalg.norm(x[ear.start : ear.end] - body.mean(0), axis=1)
+        assert off.min() > 0.5 * np.linalg.norm(body - body.mean(0), axis=1).min()
+
+
+def test_no_two_unconnected_stitches_are_nearer_than_half_a_stitch() -> None:
+    for text in (BALL, SEWN, "@stuffing = none\n: MR(6)\n: 6 inc\n3: [inc] around\n"):
+        piece = made(text)
+        g, x = piece.built.graph, piece.positions / piece.stitch[0]
+        joined = set(map(tuple, g.edges.tolist()))
+        far = np.linalg.norm(x[:, None] - x[None], axis=2)
+        near = [(i, j) for i, j in np.argwhere(np.tril(far < 0.5, -1)).tolist() if (i, j) not in joined]
+        assert not near, near[:5]
+
+
+def test_empty_and_tiny_patterns_have_shapes() -> None:
+    for text in ("", "# nothing\n", "MR(3)\n", ": ch(5)\n", "MR(1)\n", ": MR(2)\n: 2 sc\n", ": ch(1)\n"):
+        for stuffing in ("pressure", "centroid", "skeleton", "none"):
+            piece = made(text, stuffing=stuffing)
+            assert np.isfinite(piece.positions).all()
+            facts(piece)
+            graph(piece)
+
+
+def test_warnings_reach_the_report() -> None:
+    progress = Progress()
+    make(Text(BALL.replace("(18)", "(17)", 1)), CrochetParams(), progress)
+    assert any("17" in str(w) and "18" in str(w) for w in progress.warnings)
+    with pytest.raises(TambourError):
+        made(BALL.replace("(18)", "(17)", 1), strict=True)
+    progress = Progress()
+    make(Text(BALL), CrochetParams(tolerance=1e-300), progress)
+    assert any("not quite at rest" in str(w) for w in progress.warnings)
+
+
+def test_views_exist_for_their_suffixes() -> None:
+    piece = made(BALL, solver="none")
+    for name, view in CRAFT.views.items():
+        value = view.make(piece)
+        assert type(value).__name__ == view.value, name
+
+
+@st.composite
+def mutations(draw: st.DrawFn) -> str:
+    """A pattern with a few of its characters or lines dropped, doubled, swapped or replaced."""
+    text = draw(st.sampled_from([BALL, SEWN]))
+    for _ in range(draw(st.integers(1, 4))):
+        a = draw(st.integers(0, max(len(text) - 1, 0)))
+        b = min(len(text), a + draw(st.integers(0, 12)))
+        way = draw(st.integers(0, 3))
+        if way == 0:
+            text = text[:a] + text[b:]
+        elif way == 1:
+            text = text[:b] + text[a:b] + text[b:]
+        elif way == 2:
+            text = text[:a] + draw(st.sampled_from("0123456789():,[]x@=#\n sincdehftro")) + text[a + 1 :]
+        else:
+            lines = text.split("\n")
+            i, j = draw(st.integers(0, len(lines) - 1)), draw(st.integers(0, len(lines) - 1))
+            lines[i], lines[j] = lines[j], lines[i]
+            text = "\n".join(lines)
+    return text
+
+
+@settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@given(mutations(), st.sampled_from(["pressure", "centroid", "skeleton"]))
+def test_mutations_give_a_piece_or_a_located_error(text: str, stuffing: str) -> None:
+    began = time.perf_counter()
+    try:
+        piece = made(text, max_stitches=20_000, stuffing=stuffing)
+    except TambourError as error:
+        assert all(p.span is not None for p in error.problems)
+    else:
+        assert np.isfinite(piece.positions).all()
+        facts(piece)
+    assert time.perf_counter() - began < 10.0

@@ -1,0 +1,79 @@
+"""A pattern written back is in standard terms and makes the same graph."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from tambour.core.errors import TambourError, Text
+from tambour.crochet.build import build
+from tambour.crochet.parse import parse
+from tambour.crochet.write import pattern
+
+EXAMPLES = sorted((Path(__file__).resolve().parents[1] / "examples" / "crochet").glob("*.acl"))
+FIELDS = ("part", "color", "parent", "round", "loop", "direction", "height", "peculiarity", "plane", "edges")
+MORE = ("edge_kind", "rest", "faces", "anchors", "anchor_offsets", "previous")
+
+
+def same(text):
+    """Build, write, build again; the written text."""
+    one = build(parse(Text(text)))
+    again = pattern(one)
+    two = build(parse(again, strict=True), strict=True)  # what we state must be right
+    assert [one.graph.kinds[k] for k in one.graph.kind] == [two.graph.kinds[k] for k in two.graph.kind]
+    assert one.graph.parts == two.graph.parts and one.sewn.tolist() == two.sewn.tolist()
+    for name in FIELDS + MORE:
+        assert np.array_equal(getattr(one.graph, name), getattr(two.graph, name)), name
+    assert pattern(two).text == again.text
+    return again.text
+
+
+def test_standard_terms():
+    text = same(
+        "MR(6)\n:6inc\n# a tube\n: [sc, inc] around\n2: 9sc\n: 9 sc\ncolor(#ff0000)\n: 2 sc, 2 sc, dec, 4 sc, dec\n"
+    )
+    assert text == (
+        "R1: MR(6) (6)\nR2: 6 inc (12)\nR3: [sc, inc] x 6 (18)\nR4-R6: 9 sc (18)\n"
+        "color(255, 0, 0)\nR7: [4 sc, dec] x 2 (16)\n"
+    )
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "== Arm (make 3) ==\n@stuffing = light\n: MR(5)\n2: 5 sc, mark(t)\n".replace("2: 5", ": 5")
+        + "== Body ==\n@centroids = 2\n: MR(6), mark(b)\n: 6 sc\nFO\nsew(t.2, b)\n",
+        "define puff(height 2) = 3 pull through, pull over # round\n: MR(6)\n: [puff, ch] x 6\n",
+        ": ch 8, turn\n: 7 sc\n3: turn, ch, 7 sc\n: turn, ch 3, 7 dc\n",
+        ": MR(6), join\n: ch, 6 inc, join\n: ch, [FLO, sc, BLO, sc, color(blue)] x 6, join\n",
+        ": MR(6)\nmark(a)\n: MR(6)\nmark(b)\n: attach(a), 6 sc, attach(b, merge), 6 sc\n",
+        "@tip_from_fo = false\n: MR(6)\n: slst, FO, mark(h)\ngoto(h)\n: 5 sc\n",
+        ": MR(6)\n: 6 inc\n: mark(x), 6 sc, mark(y), attach(x, 3)\n: [sc, inc] around\ngoto(y)\n: sc around\n",
+    ],
+)
+def test_written_back(text):
+    same(text)
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda p: p.stem)
+def test_examples_written_back(path):
+    same(path.read_text(encoding="utf-8"))
+
+
+ITEM = st.sampled_from(["sc", "2 sc", "inc", "dec", "hdc", "3 dc", "ch", "sk", "slst", "BLO", "color(red)", "tr2tog"])
+ROUND = st.lists(ITEM, min_size=1, max_size=6).flatmap(
+    lambda items: st.sampled_from([f": {', '.join(items)}", f": [{', '.join(items)}] x 2", f"2: {', '.join(items)}"])
+)
+
+
+@settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
+@given(st.integers(3, 12), st.lists(ROUND, max_size=6))
+def test_whatever_builds_is_written_back(ring, rounds):
+    text = "\n".join([f": MR({ring})", *rounds])
+    try:
+        build(parse(Text(text)))
+    except TambourError:
+        return
+    same(text)
