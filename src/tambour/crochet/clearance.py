@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from tambour.core.check import Array
@@ -167,7 +169,7 @@ def push(coords: Array, pairs: Array, apart: float, rounds: int, move: Array, we
                     coords[i, c] += move[i, c] / max(1.0, weight[i])
 
 
-def _grid(coords: Array, ends: Array, reach: float) -> tuple[Array, ...]:
+def _grid(coords: Array, ends: Array, reach: float) -> Any:
     n = len(coords)
     strand, arc, middle, half = np.full(n, -1, np.int32), np.zeros(n), np.zeros((n, 3)), np.zeros(n)
     _segments(coords, ends, strand, arc, middle, half)

@@ -86,6 +86,7 @@ def mesh(graph: StitchGraph, positions: Array, *, yarn_radius: float | None = No
     yarn = sweep(made, sides=SIDES[detail])
     inner = lining(graph, positions, stitch_width(graph))
     v = len(yarn.vertices)
+    assert yarn.color is not None and inner.color is not None and yarn.uv is not None
     return Mesh(
         np.vstack([yarn.vertices, inner.vertices]),
         np.vstack([yarn.faces, inner.faces + v]),
