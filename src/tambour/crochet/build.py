@@ -12,7 +12,8 @@ from tambour.core.errors import Problem, Span, TambourError
 from tambour.core.graph import BACK, BOTH, FRONT, Part, StitchGraph
 from tambour.crochet.assemble import assemble
 from tambour.crochet.attach import attach
-from tambour.crochet.hook import Hook, HookError, Round
+from tambour.crochet.hook import Hook, HookError
+from tambour.crochet.moment import Round
 from tambour.crochet.stitches import RULES
 from tambour.crochet.syntax import Action, Group, Item, Line, Pattern, Section
 

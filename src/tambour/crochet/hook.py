@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass
 from itertools import pairwise
 
 from tambour.core.errors import Problem, Span, Text
 from tambour.core.graph import BACK, BLO, BOTH, FLO, FRONT, PLAIN, ROOT, TIP
-from tambour.crochet.moment import Moment, Sheets
+from tambour.crochet.moment import Moment, Round, Sheets
 from tambour.crochet.stitches import JOIN, NEXT, OVER, THROUGH, UNDYED, Stitch
 
 MOST_AT_TIP = 12
@@ -20,25 +19,6 @@ class HookError(Exception):
     def __init__(self, problem: Problem) -> None:
         super().__init__(problem.message)
         self.problem = problem
-
-
-@dataclass(slots=True)
-class Round:
-    """Nodes ``first`` to ``last`` of one round (or, in rows, one row).
-
-    number : from 1 within its part; count : its stitches, lifting chains aside; span : the text of its first stitch
-    below : the round it is worked into (an index), -1 for a ring or a chain
-    whole : it used up the round below
-    """
-
-    part: int
-    number: int
-    first: int
-    last: int
-    count: int
-    span: Span
-    below: int
-    whole: bool
 
 
 class Hook:

@@ -12,7 +12,7 @@ from tambour.crochet.items import items
 from tambour.crochet.lines import read_line, without_comment
 from tambour.crochet.source import Source
 from tambour.crochet.stitches import RULES, STARTS, STUFFING, standard
-from tambour.crochet.syntax import Item, Line, Pattern, Section
+from tambour.crochet.syntax import Action, Item, Line, Pattern, Section
 
 # The older dialect's blocks that say where a ring lies.
 _BLOCK = re.compile(r"[ \t]*[A-Za-z_]\w*[ \t]*\{[ \t]*$")
@@ -77,6 +77,11 @@ def _read(source: Source) -> tuple[Section, ...]:
     if block:
         end = len(source.text.text.rstrip())
         source.error("a block of places is not closed", "a line with } ends it", Span(max(0, end - 1), end))
+    if len(drafts) > 1 and all(isinstance(i, Action) and i.name == "color" for d in drafts[0].lines for i in d.items):
+        # Nothing is worked before the first header: what is set there holds for every part.
+        for draft in drafts[1:]:
+            draft.parameters = {**drafts[0].parameters, **draft.parameters}
+        drafts[0].parameters = {}
     full = [d for d in drafts if d.name or d.lines or d.parameters]
     return tuple(_section(source, draft) for draft in full or drafts)
 

@@ -34,11 +34,16 @@ class Source:
 
     def error(self, message: str, hint: str, span: Span) -> None:
         """Something wrong at ``span``."""
-        self.problems.append(Problem(message, hint, span, self.text))
+        self._tell(Problem(message, hint, span, self.text))
 
     def doubt(self, message: str, hint: str, span: Span, number: bool = False) -> None:
         """Something doubtful; doubts about stated numbers are errors when the reading is strict."""
-        self.problems.append(Problem(message, hint, span, self.text, warning=not (number and self.strict)))
+        self._tell(Problem(message, hint, span, self.text, warning=not (number and self.strict)))
+
+    def _tell(self, problem: Problem) -> None:
+        # A parameter that holds for several parts is told once.
+        if problem not in self.problems[-20:]:
+            self.problems.append(problem)
 
     def span(self, first: Any, last: Any = None) -> Span:
         """Where a token, or a run of tokens, stands in the text."""
