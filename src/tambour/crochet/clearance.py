@@ -190,10 +190,11 @@ def _grid(coords: Array, ends: Array, reach: float) -> Any:
 def _pairs(coords: Array, ends: Array, reach: float, along: float) -> Array:
     grid = _grid(coords, ends, reach)
     pairs = np.zeros((max(64, len(coords)), 2), np.int64)
-    count = close_pairs(coords, *grid, reach, along, pairs)
+    arguments: tuple[Any, ...] = (coords, *grid, reach, along, pairs)
+    count = int(close_pairs(*arguments))
     if count > len(pairs):
         pairs = np.zeros((count, 2), np.int64)
-        close_pairs(coords, *grid, reach, along, pairs)
+        close_pairs(*arguments[:-1], pairs)
     return pairs[:count]
 
 
