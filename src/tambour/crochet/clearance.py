@@ -194,7 +194,8 @@ def _pairs(coords: Array, ends: Array, reach: float, along: float) -> Array:
     count = int(close_pairs(*arguments))
     if count > len(pairs):
         pairs = np.zeros((count, 2), np.int64)
-        close_pairs(*arguments[:-1], pairs)
+        arguments = (*arguments[:-1], pairs)
+        close_pairs(*arguments)
     return pairs[:count]
 
 
