@@ -188,15 +188,11 @@ def _catch_marks(sheet: Sheet, chart: Chart, window: Window, x: float, y: float,
     assert look.limit is not None
     w, h = look.cell
     b, t, left, right = window
-    marks = [
-        (x + (c - left + 0.5) * w, y + (t - r) * h)
-        for r, row in enumerate(catches(chart, look.limit, look.anchored)[b:t], b)
-        for c in row
-        if left <= c < right
-    ]
-    if marks:
+    row, column = np.nonzero(catches(chart, look.limit, look.anchored)[b:t, left:right])
+    marks = np.stack([x + (column + 0.5) * w, y + (t - b - row) * h], axis=1)
+    if len(marks):
         wedge = np.array([(0, -0.40 * h), (0.27 * w, -0.03 * h), (-0.27 * w, -0.03 * h)])
-        sheet.rings(np.array(marks)[:, None] + wedge, INK, (255, 255, 255), 0.07 * w)
+        sheet.rings(marks[:, None] + wedge, INK, (255, 255, 255), 0.07 * w)
 
 
 def _numbers(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from tambour.color import oklab
 from tambour.core.chart import Chart
 from tambour.core.errors import Text
-from tambour.knit.hand import catches, floats, ladders, roles, runs, worked, wrong_side
+from tambour.knit.hand import catches, crossed, floats, ladders, roles, runs, worked, wrong_side
 from tambour.knit.yarn import Amount, gauge_of
 
 Run = tuple[int, int]
@@ -195,10 +195,9 @@ def float_list(chart: Chart, catch: int, anchored: bool = True) -> list[str]:
     for row, start, length, yarn in zip(
         long.row.tolist(), long.start.tolist(), long.length.tolist(), long.yarn.tolist()
     ):
-        right, left = width - (start + length - 1) % width, width - start
-        inside = {(start + k) % width for k in range(length)}
-        at = sorted(width - c for c in marks[row] if c in inside)
-        where = ", ".join(map(str, at))
+        columns = crossed(chart, row, start, length)
+        right, left = width - int(columns[-1]), width - start
+        where = ", ".join(str(width - c) for c in columns[::-1].tolist() if marks[row, c])
         text = f"{names[yarn]} behind {right}–{left} ({length}): {where}"
         by_row.setdefault(row, []).append((right, text))
     word = "Rnd" if chart.circular else "Row"
