@@ -23,7 +23,6 @@ _INK = (40, 38, 36, 255)
 _PALE = (250, 248, 244, 255)
 _GREY = (150, 146, 140, 255)
 _GAP = 0.06  # of a cell, between two
-_WIDEST = 3  # charts side by side
 
 
 @dataclass
@@ -56,17 +55,20 @@ def diagram(built: Built) -> Drawing:
     sheet = _Sheet()
     found = charts(built)
     margin, title = 8.0, 9.0
-    x = y = width = row = 0.0
-    for k, chart in enumerate(found):
-        if k and k % _WIDEST == 0:
-            x, y, row = 0.0, y + row, 0.0
-        left, right, up, down = _extent(chart)
+    sizes = [_extent(chart) for chart in found]
+    tall = max((up + down for _, _, up, down in sizes), default=0.0) * CELL + 2 * margin + title
+    # In columns as tall as the tallest chart.
+    x = y = width = 0.0
+    for k, (chart, (left, right, up, down)) in enumerate(zip(found, sizes)):
+        high = (up + down) * CELL + 2 * margin + title
+        if y and y + high > tall:
+            x, y, width = x + width, 0.0, 0.0
         _chart(sheet, built, chart, x + margin + left * CELL, y + margin + title + up * CELL)
-        _title(sheet, built, found, k, x + margin, y + margin)
-        x += (left + right) * CELL + 2 * margin
-        row = max(row, (up + down) * CELL + 2 * margin + title)
-        width = max(width, x)
-    height = _legend(sheet, built, margin, y + row)
+        said = _title(sheet, built, found, k, x + margin, y + margin)
+        y += high
+        width = max(width, (left + right) * CELL + 2 * margin, said + 2 * margin)
+    width += x
+    height = _legend(sheet, built, margin, tall)
     labels = [*sheet.labels]
     width = max(width, *(label.x + 0.6 * label.size * len(label.text) for label in labels), 60.0)
     return Drawing(
@@ -225,8 +227,8 @@ def _numbers(sheet: _Sheet, chart: Chart, x: float, y: float) -> None:
         sheet.say(str(this.number), px, py, 0.72 * _TEXT)
 
 
-def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y: float) -> None:
-    """Name, copies, rounds and the way the piece ends."""
+def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y: float) -> float:
+    """Name, copies, rounds and the way the piece ends; about how wide that is."""
     chart = found[k]
     part = built.parts[chart.part]
     section = built.pattern.parts[part.section]
@@ -244,6 +246,7 @@ def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y:
     end = f"{span}; {chart.rounds[-1].count} stitches at its end" + (", drawn together (FO)" if chart.tip >= 0 else "")
     sheet.say(name + copies, x, y + 1.0, 1.5 * _TEXT, False, True)
     sheet.say(end, x, y + 5.2, _TEXT, False)
+    return 0.55 * _TEXT * len(end)
 
 
 def _legend(sheet: _Sheet, built: Built, x: float, y: float) -> float:
