@@ -119,7 +119,7 @@ def contact(x, edges, far, near, stiffness):
     D = np.zeros_like(x)
     for i in range(n):
         for j in range(i):
-            reach = near if beside[i] & beside[j] else far
+            reach = near if beside[i] & beside[j] or any(beside[k] & beside[j] for k in beside[i]) else far
             r = np.linalg.norm(x[i] - x[j])
             if j in beside[i] or r >= reach or r == 0:
                 continue

@@ -62,7 +62,7 @@ def frames_plainly(points: np.ndarray) -> np.ndarray:
 def test_frames_do_not_twist() -> None:
     line = helix(2, 800)
     tangent, across = np.zeros_like(line), np.zeros_like(line)
-    tube.frames(line, np.array([0, 800]), tangent, across)
+    tube.frames(line, np.array([0, 800]), tangent, across, np.zeros((0, 3)))
     np.testing.assert_allclose((tangent * across).sum(1), 0, atol=1e-12)
     np.testing.assert_allclose(np.linalg.norm(across, axis=1), 1, atol=1e-12)
     np.testing.assert_allclose(across, frames_plainly(line), atol=2e-3)

@@ -33,6 +33,15 @@ def curve(points: list[tuple[float, float]], closed: bool = False) -> skia.Path:
     return path
 
 
+def sown(motif: Array) -> Array:
+    """A motif with lice on its ground, a stitch away from it; left and right, top and bottom meet."""
+    y, x = np.indices(motif.shape)
+    near = motif.copy()
+    for dy, dx in ((0, 1), (0, -1), (1, 0), (-1, 0)):
+        near |= np.roll(motif, (dy, dx), (0, 1))
+    return motif | (((x + 2 * y) % 4 == 0) & ~near)
+
+
 def cat() -> None:
     """A line drawing: a cat at the window, the moon, a plant."""
     pixels, c = canvas(900, 1000)
@@ -144,7 +153,7 @@ def pears() -> None:
         base * (0.20 * (0.4 + 0.6 * normal[..., 1]) * close + 0.95 * lit)
         + np.choose(what, [0, 0.25, 0.2, 0.45]) * glance
     )
-    wall = 0.10 + 0.16 * np.clip(1 - y / high * 1.2, 0, 1) + 0.10 * np.exp(-(((x / wide - 0.3) / 0.35) ** 2))
+    wall = 0.03 + 0.05 * np.clip(1 - y / high * 1.2, 0, 1) + 0.03 * np.exp(-(((x / wide - 0.3) / 0.35) ** 2))
     far = np.clip((t - 7) / 4, 0, 1)
     value = value * (1 - far) + wall * far
     grey = np.clip(value, 0, 1) ** (1 / 2.2) * 255
@@ -227,9 +236,7 @@ def mitten() -> None:
     near, far = np.minimum(u, v), np.maximum(u, v)
     petal = (near <= 7) & (far <= 18) & (far - near + far * 0.2 <= 12) & ((u + v) % 20 > 1) & (near > 0) & (u != v)
     frame = (u + v == 27) & (far <= 21)
-    lice = (x + 2 * y) % 4 == 0
-    inside = (u + v < 27) & (far <= 20)
-    dark = np.where(inside, petal | (lice & (far - near + far * 0.2 > 14)), frame | lice)
+    dark = sown(frame | petal)
     dark[-8:] = (x[-8:] // 2 + y[-8:]) % 2 == 0  # a braid of cuff
     side = np.minimum(x, wide - 1 - x)
     dark |= side == 0
@@ -250,7 +257,8 @@ def rose() -> None:
     leaf = (u + v == 13) | ((u + v == 11) & (far >= 10))
     band = ((y % 32 < 3) | (y % 32 > 28)) & ((x + np.abs(y - 0 + 3) % 32) % 4 < 2)
     seeds = ((x % 12 == 0) & (v == 11)) | ((u == 12) & (v <= 1))
-    dark = petal | leaf | band | seeds
+    vein = (near == 3) & (far > 3) & ((near + far) % 2 == 0)
+    dark = sown((petal & ~vein) | leaf | band | seeds)
     Image.fromarray(((~dark) * 255).astype(np.uint8)).convert("1").save(HERE / "rose.png", optimize=True)
 
 

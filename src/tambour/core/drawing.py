@@ -128,6 +128,7 @@ class Drawing:
     unit : mm per unit (1 for all but scrolls)
     background : RGBA of the sheet or None
     about : facts for the file's metadata (title, source, seed, …); no dates
+    terse : None, or decimals (0…3) for text files that spell ways in short steps: for scenes of a million points
     """
 
     paths: Paths
@@ -142,6 +143,7 @@ class Drawing:
     unit: float = 1.0
     background: tuple[int, int, int, int] | None = None
     about: Mapping[str, str] = field(default_factory=dict)
+    terse: int | None = None
 
     def __post_init__(self) -> None:
         n = self.paths.shapes

@@ -1,7 +1,7 @@
 """Contact: fabric that is not joined does not pass through itself, nor parts through one another.
 
 Every two nodes without an edge between them push each other apart once nearer than a reach: that of fabric against
-fabric, or the smaller one of nodes two edges apart (a stitch's diagonal neighbours), which the fabric holds apart.
+fabric, or the smaller one of nodes two or three edges apart, which lie in the same stretch of fabric.
 """
 
 from __future__ import annotations
@@ -15,20 +15,31 @@ from tambour.core.kernels import kernel
 
 
 @kernel
-def _between(offsets: Array, neighbours: Array, i: int, j: int) -> int:
-    """Edges between nodes i and j: 1, 2, or 3 for "more"; neighbours of a node rise, sewn ones stand as ~node."""
+def _share(offsets: Array, neighbours: Array, i: int, j: int) -> bool:
+    """Whether nodes i and j have a neighbour in common."""
     a, ea, b, eb = offsets[i], offsets[i + 1], offsets[j], offsets[j + 1]
-    for k in range(a, ea):
-        if neighbours[k] == j or neighbours[k] == ~j:
-            return 1
     while a < ea and b < eb:
         if neighbours[a] == neighbours[b] and neighbours[a] >= 0:
-            return 2
+            return True
         if neighbours[a] < neighbours[b]:
             a += 1
         else:
             b += 1
-    return 3
+    return False
+
+
+@kernel
+def _between(offsets: Array, neighbours: Array, i: int, j: int) -> int:
+    """Edges between nodes i and j: 1, 2, 3, or 4 for "more"; neighbours of a node rise, sewn ones stand as ~node."""
+    for k in range(offsets[i], offsets[i + 1]):
+        if neighbours[k] == j or neighbours[k] == ~j:
+            return 1
+    if _share(offsets, neighbours, i, j):
+        return 2
+    for k in range(offsets[i], offsets[i + 1]):
+        if neighbours[k] >= 0 and _share(offsets, neighbours, neighbours[k], j):
+            return 3
+    return 4
 
 
 @kernel
@@ -71,7 +82,7 @@ def pairs(
                     if r2 >= (far + skin) ** 2:
                         continue
                     hops = _between(offsets, neighbours, i, j)
-                    h = near if hops == 2 else far
+                    h = near if hops <= 3 else far
                     if hops == 1 or r2 >= (h + skin) ** 2:
                         continue
                     if found < len(out):

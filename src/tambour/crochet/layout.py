@@ -16,6 +16,8 @@ LEAST_RISE = 0.3
 """The share of a row's height that a round lies above the one before, however much wider it is."""
 
 
+BACK = -0.5 * math.pi
+"""Where a first round begins: at the back, so that its middle is in front, towards +z."""
 CLEAR = 1.0
 """Stitches that rings of different branches of one part keep between them."""
 
@@ -84,7 +86,7 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         up = math.sqrt(max(h * h - (radius - spread) ** 2, (LEAST_RISE * h) ** 2))
         angle = graph.direction[nodes] * np.arange(b - a) * (2.0 * math.pi / (b - a))
         turn = np.exp(1j * (np.arctan2(stand[:, 2] - centre[2], stand[:, 0] - centre[0]) - angle)).sum()
-        angle = angle + (math.atan2(turn.imag, turn.real) if abs(turn) > 1e-9 else 0.0)
+        angle = angle + (math.atan2(turn.imag, turn.real) if abs(turn) > 1e-9 else BACK)
         place = centre + np.array([0.0, up, 0.0])
         if b - a > 1:
             place = forks.clear(k, np.unique(section[under]), place, radius, part)
@@ -156,7 +158,7 @@ def _begin(graph: StitchGraph, x: Array, nodes: Array, width: float, begun: int,
         return origin[None]
     if flat:
         return origin + np.column_stack([np.arange(count) - 0.5 * (count - 1), np.zeros(count), np.zeros(count)])
-    angle = graph.direction[nodes] * np.arange(count) * (2.0 * math.pi / count)
+    angle = BACK + graph.direction[nodes] * np.arange(count) * (2.0 * math.pi / count)
     radius = count / (2.0 * math.pi)
     return origin + np.column_stack([radius * np.cos(angle), np.zeros(count), radius * np.sin(angle)])
 

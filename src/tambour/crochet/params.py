@@ -73,7 +73,7 @@ class CrochetParams(Params):
     contact_distance: float = Field(default=1.2, gt=0)
     """Fabric pushes fabric that is nearer than this, in stitches."""
     contact_near: float = Field(default=1.0, gt=0)
-    """The same for two stitches with one stitch between them."""
+    """The same for two stitches with one or two stitches between them."""
     contact_stiffness: float | None = Field(default=None, gt=0)
     """Strength of contact against 1 for springs (else 1, and 0.2 with the seed's cubic links)."""
     wait_force: float = Field(default=0.03, ge=0)

@@ -45,7 +45,7 @@ def tolerance(n: int) -> float:
 
 def budget(n: int) -> int:
     """The most evaluations for n nodes: enough for every piece that settles, bounded for those that do not."""
-    return int(min(max(2_500_000 / max(n, 1), 400), 10_000))
+    return int(min(max(2_000_000 / max(n, 1), 400), 4000))
 
 
 @kernel
@@ -172,6 +172,7 @@ def settle(
     wanted, limit = (tolerance(n) if goal is None else goal), (budget(n) if most is None else most)
     _, label = np.unique(body.root, return_inverse=True)
     solve = laplacian(body)
+    full = (body.pressure > 0.0) & (body.stuffing == "pressure")
     S, Y, rho, a = np.zeros((MEMORY, 3 * n)), np.zeros((MEMORY, 3 * n)), np.zeros(MEMORY), np.zeros(MEMORY)
     order: list[int] = []
     begun, scale, accepted = state.evaluations, 1.0, 0
@@ -202,7 +203,8 @@ def settle(
             state.x, state.c = x + t * z.reshape(-1, 3), c.copy()
             new = rigid(state.x, displacement(body, state), label).ravel()
             turned = dot(new, z)
-            if (state.volume >= 0.3 * volume).all() and turned > -0.5 * slope:
+            burst = full & (volume > body.least) & (state.volume < 0.3 * volume)
+            if turned > -0.5 * slope and not burst.any():
                 break
             t *= min(max(slope / (slope - turned), 0.1), 0.7) if turned < slope else 0.5
         z *= t

@@ -10,6 +10,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.thread import COLOR, JUMP, STITCH, STOP, TRIM
+from tambour.embroidery.catalogue import screen
 from tambour.embroidery.piece import FILL, SATIN, Piece
 
 CELL = 2.0  # mm, the side of a density cell
@@ -148,7 +149,8 @@ def facts(piece: Piece) -> dict[str, Any]:
         "machine_seconds": round(seconds),
         "thread_m": round(thread_mm * 1.05 / 1000, 3),
         "threads": [
-            {"rgb": list(t.rgb), "name": t.name, "code": t.code, "metres": m} for t, m in zip(plan.threads, per_thread)
+            {"rgb": list(t.rgb), "name": t.name, "code": t.code, "metres": m, "pes": shown}
+            for t, m, shown in zip(plan.threads, per_thread, screen(plan.threads))
         ],
         "regions": len(piece.regions),
     }

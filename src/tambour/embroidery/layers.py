@@ -29,14 +29,20 @@ def _pile(
             r, c = int((y - y0) / cell), int((x - x0) / cell)
             if whose[r, c] < 0:
                 continue
-            # The sine of 25 degrees: what turns further than that crosses.
-            if whose[r, c] != layer[s] or abs(np.sin(angle - way[r, c])) > 0.4226:
+            # In one layer only the middle of a stitch can lie across another (the sine of 25 degrees): its ends meet
+            # the ends of its neighbours.
+            end = min(i + 0.5, n - i - 0.5) * cell
+            across = end > 2.5 * cell and abs(np.sin(angle - way[r, c])) > 0.4226
+            if whose[r, c] != layer[s] or across:
                 total += top[r, c]
                 most = max(most, top[r, c])
         # Thread is stiff: it bridges between what holds it up.
         out[s] = 0.5 * (total / n + most)
-        for i in range(n):
-            x, y = a[s, 0] + dx * (i + 0.5) / n, a[s, 1] + dy * (i + 0.5) / n
+        # Marked a quarter of its width to either side: half as wide as it is, so that it does not lift its neighbour.
+        wx, wy = -np.sin(angle) * 0.5 * cell, np.cos(angle) * 0.5 * cell
+        for i in range(2 * n):
+            side = 1.0 if i % 2 == 0 else -1.0
+            x, y = a[s, 0] + dx * (i // 2 + 0.5) / n + side * wx, a[s, 1] + dy * (i // 2 + 0.5) / n + side * wy
             r, c = int((y - y0) / cell), int((x - x0) / cell)
             top[r, c] = max(top[r, c], out[s] + PRESSED * thread)
             whose[r, c], way[r, c] = layer[s], angle
@@ -62,5 +68,16 @@ def elevation(plan: ThreadPlan, layer: Array, thread: float) -> Array:
     out = np.zeros(len(laid))
     ids = np.asarray(layer, np.int64)[laid]
     _pile(a, b, ids, thread, cell, float(low[0]), float(low[1]), np.zeros(shape), out)
-    made[laid] = out
+    made[laid] = _evened(out, ids)
     return made
+
+
+def _evened(high: Array, layer: Array, reach: int = 6) -> Array:
+    """Heights (S,) averaged over ``reach`` stitches before and after in the same layer: neighbours carry each other."""
+    run = np.r_[0, np.flatnonzero(np.diff(layer)) + 1, len(layer)]
+    begin = np.repeat(run[:-1], np.diff(run))
+    past = np.repeat(run[1:], np.diff(run))
+    at = np.arange(len(high))
+    low, top = np.maximum(begin, at - reach), np.minimum(past, at + reach + 1)
+    total = np.r_[0.0, np.cumsum(high)]
+    return np.asarray((total[top] - total[low]) / (top - low))

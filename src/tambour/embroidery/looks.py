@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from tambour.embroidery.cloth import CLOTHS, cloth
 from tambour.embroidery.params import EmbroideryParams, numbers
 from tambour.embroidery.piece import Piece
 from tambour.embroidery.place import lay, place
-from tambour.embroidery.preview import picture, stitches
+from tambour.embroidery.preview import developed, field, paint, picture, stitches
 
 SPEED = 700 / 60
 """Stitches that a machine makes in a second."""
@@ -67,8 +68,9 @@ def scene(piece: Piece) -> Scene:
         grown = 1.7 if ground == "drape" else 1.0
         side = max(wide, high) * grown if ground == "drape" else 0.0
         ground = cloth(ground, max(float(wide), side), max(float(high), side), params.frames or 1)
-    elif params.frames is not None:
-        ground = chosen(ground, params.frames)
+    else:
+        ground = ground if params.place == "uv" else welded(ground)
+        ground = ground if params.frames is None else chosen(ground, params.frames)
     where = place(
         ground,
         params.place,
@@ -108,6 +110,29 @@ def scene(piece: Piece) -> Scene:
         else replace(ground, color=np.tile(np.array(rgb(params.ground), np.uint8), (len(ground.vertices), 1)))
     )
     return Scene((shown,), (strands,), ("cloth", "thread"))
+
+
+def welded(mesh: Mesh) -> Mesh:
+    """The mesh with corners that lie in one place made one (files part them where colours or uv change); without uv."""
+    _, first, which = np.unique(mesh.vertices.round(5), axis=0, return_index=True, return_inverse=True)
+    if len(first) == len(mesh.vertices):
+        return mesh
+    faces = which.ravel()[mesh.faces]
+    full = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+
+    def frames() -> Iterator[Array]:
+        for vertices in mesh.positions():
+            yield vertices[first]
+
+    return replace(
+        mesh,
+        vertices=mesh.vertices[first],
+        faces=faces[full],
+        color=None if mesh.color is None else mesh.color[first],
+        uv=None,
+        face_group=None if mesh.face_group is None else mesh.face_group[full],
+        frames=None if mesh.frames is None else frames,
+    )
 
 
 def chosen(mesh: Mesh, frames: int) -> Mesh:
@@ -169,25 +194,16 @@ def simulate(piece: Piece, frames: int = 60, width: int = 640) -> Iterator[Pictu
     plan, params = piece.plan, piece.params
     middle, size = extent(plan)
     low, high = middle - size / 2 - 5, middle + size / 2 + 5
-    scale = min(16.0, width / float((high - low).max()))
-    done = np.flatnonzero(plan.command == STITCH)
-    for share in np.linspace(0, 1, frames + 1)[1:]:
-        last = int(done[max(1, round(share * (len(done) - 1)))])
-        command = plan.command.copy()
-        command[last + 1 : -1] = 1
-        part = replace(plan, command=command)
-        made = picture(
-            part,
-            piece.elevation,
-            thread=params.thread,
-            ground=rgb(params.ground),
-            pixels_per_mm=scale,
-            bounds=(float(low[0]), float(low[1]), float(high[0]), float(high[1])),
-        )
-        rgba = made.rgba.copy()
-        if share < 1:
-            _needle(rgba, (plan.xy[last] - low) * scale)
-        yield Picture(rgba, made.pixel)
+    density = min(16.0, width / float((high - low).max()))
+    ground = rgb(params.ground)
+    made = field(plan, piece.elevation, thread=params.thread, ground=ground, density=density, low=low, high=high)
+    done = np.unique(np.linspace(0, len(made.a), min(frames, max(1, len(made.a))) + 1).round().astype(int))
+    for first, past in pairwise(done.tolist()):
+        paint(made, first, past)
+        shown = developed(made)
+        if past < len(made.a):
+            _needle(shown.rgba, (made.b[past - 1] - low) * density)
+        yield shown
 
 
 def _needle(rgba: Array, at: Array) -> None:

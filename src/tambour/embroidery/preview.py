@@ -8,6 +8,8 @@ shadows between threads and on the cloth.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numba import prange
 
@@ -44,14 +46,16 @@ def _paint(
     scale: float,
     x0: float,
     y0: float,
+    first: int,
+    past: int,
     top: Array,
     owner: Array,
     along: Array,
     across: Array,
 ) -> None:
-    """Paint stitches a → b: the height of what is on top (mm), whose it is, mm along it, and -1…1 across it."""
+    """Paint stitches ``first`` … ``past`` - 1 of a → b: the height of what is on top (mm), whose it is, mm along it, and -1…1 across it."""
     rise = 2.2 * radius
-    for s in range(len(a)):
+    for s in range(first, past):
         dx, dy = b[s, 0] - a[s, 0], b[s, 1] - a[s, 1]
         length = np.sqrt(dx * dx + dy * dy)
         if length <= 0.0:
@@ -132,17 +136,21 @@ def _light(
     radius: float,
     scale: float,
     light: Array,
+    r0: int,
+    c0: int,
+    r1: int,
+    c1: int,
     out: Array,
 ) -> None:
-    """Linear light (H, W, 3) of the painted field."""
+    """Linear light (H, W, 3) of the painted field, from row and column (r0, c0) to (r1, c1)."""
     high, wide = top.shape
     lx, ly, lz = light[0], light[1], light[2]
     hx, hy, hz = lx, ly, lz + 1.0
     hl = np.sqrt(hx * hx + hy * hy + hz * hz)
     hx, hy, hz = hx / hl, hy / hl, hz / hl
     rise = 2.2 * radius
-    for j in prange(high):
-        for i in range(wide):
+    for j in prange(r0, r1):
+        for i in range(c0, c1):
             z = top[j, i]
             # Shadow: how far something towards the light stands above the ray; the nearest decides.
             shade = 1.0
@@ -216,6 +224,126 @@ def _light(
                 out[j, i, c] = body * diffuse + gloss * (0.35 + 0.65 * np.sqrt(body)) * (0.25 + 0.75 * (body + 0.35))
 
 
+@dataclass(frozen=True, slots=True)
+class Field:
+    """A picture as it is painted: the stitches a → b (S, 2) with what lies below them and their colours, and per painted
+    pixel (H, W) what is on top, whose it is, where on it; ``light`` (H, W, 3) is its linear light."""
+
+    a: Array
+    b: Array
+    below: Array
+    color: Array
+    radius: float
+    ground: Array
+    low: Array
+    density: float
+    top: Array
+    owner: Array
+    along: Array
+    across: Array
+    tint: Array
+    light: Array
+
+
+def field(
+    plan: ThreadPlan,
+    base: Array | None,
+    *,
+    thread: float,
+    ground: tuple[int, int, int],
+    density: float,
+    low: Array,
+    high: Array,
+) -> Field:
+    """Bare cloth from ``low`` to ``high`` (mm) for the stitches of a plan, ``density`` pixels to the mm."""
+    size = high - low
+    width, height = max(1, int(np.ceil(size[0] * density))), max(1, int(np.ceil(size[1] * density)))
+    shape = (height * _SAMPLES, width * _SAMPLES)
+    top, tint = np.empty(shape, np.float32), np.empty(shape, np.float32)
+    _weave(top, tint, density * _SAMPLES, 0.42)
+    k = stitches(plan)
+    rgb = np.array([t.rgb for t in plan.threads] or [(0, 0, 0)], np.float64) / 255
+    made = Field(
+        np.ascontiguousarray(plan.xy[k - 1]),
+        np.ascontiguousarray(plan.xy[k]),
+        np.zeros(len(k)) if base is None else np.ascontiguousarray(np.asarray(base, np.float64)[k]),
+        np.ascontiguousarray(linear(rgb)[plan.thread[k]]),
+        thread / 2 * 1.06,  # threads spread a little under their tension
+        linear(np.array(ground) / 255.0),
+        low,
+        density,
+        top,
+        np.full(shape, -1, np.int32),
+        np.zeros(shape, np.float32),
+        np.zeros(shape, np.float32),
+        tint,
+        np.empty((*shape, 3), np.float32),
+    )
+    relight(made, (0, 0, shape[0], shape[1]))
+    return made
+
+
+def paint(f: Field, first: int, past: int) -> None:
+    """Paint and light the stitches ``first`` … ``past`` - 1."""
+    if past <= first:
+        return
+    scale = f.density * _SAMPLES
+    spot = (float(f.low[0]), float(f.low[1]))
+    _paint(f.a, f.b, f.below, f.radius, scale, *spot, first, past, f.top, f.owner, f.along, f.across)
+    ends = np.concatenate([f.a[first:past], f.b[first:past]]) - f.low
+    # Shadows and shade reach a little over a millimetre.
+    low, high = ends.min(axis=0) - 1.5, ends.max(axis=0) + 1.5
+    high_, wide = f.top.shape
+    window = (
+        max(0, int(low[1] * scale)),
+        max(0, int(low[0] * scale)),
+        min(high_, int(high[1] * scale) + 1),
+        min(wide, int(high[0] * scale) + 1),
+    )
+    relight(f, window)
+
+
+def relight(f: Field, window: tuple[int, int, int, int]) -> None:
+    """Light the painted pixels from (row, column) to (row, column), as if the whole were lit."""
+    r0, c0, r1, c1 = window
+    scale = f.density * _SAMPLES
+    edge = int(2.0 * scale) + 1
+    y0, x0, y1, x1 = (
+        max(0, r0 - edge),
+        max(0, c0 - edge),
+        min(f.top.shape[0], r1 + edge),
+        min(f.top.shape[1], c1 + edge),
+    )
+    if y1 <= y0 or x1 <= x0 or r1 <= r0 or c1 <= c0:
+        return
+    cut = (slice(y0, y1), slice(x0, x1))
+    top, owner, along, across, tint = (
+        np.ascontiguousarray(g[cut]) for g in (f.top, f.owner, f.along, f.across, f.tint)
+    )
+    out = np.empty((*top.shape, 3), np.float32)
+    _light(
+        top, owner, along, across, f.a, f.b, f.below, f.color, tint, f.ground, f.radius, scale, _LIGHT,
+        r0 - y0, c0 - x0, r1 - y0, c1 - x0, out,
+    )  # fmt: skip
+    f.light[r0:r1, c0:c1] = out[r0 - y0 : r1 - y0, c0 - x0 : c1 - x0]
+
+
+def developed(f: Field) -> Picture:
+    """The picture of a field: averaged over its samples, highlights rolled off instead of clipped."""
+    height, width = f.top.shape[0] // _SAMPLES, f.top.shape[1] // _SAMPLES
+    small = f.light.reshape(height, _SAMPLES, width, _SAMPLES, 3).mean(axis=(1, 3))
+    small = np.where(small > 0.7, 0.7 + 0.3 * (1 - np.exp(-(small - 0.7) / 0.3)), small)
+    rgba = np.full((height, width, 4), 255, np.uint8)
+    rgba[..., :3] = np.round(np.clip(coded(small), 0, 1) * 255)
+    return Picture(rgba, 1 / f.density)
+
+
+def extent(plan: ThreadPlan) -> tuple[Array, Array]:
+    """The lowest and highest needle points (2,), mm."""
+    sewn = plan.xy[plan.command == STITCH] if (plan.command == STITCH).any() else np.zeros((1, 2))
+    return sewn.min(axis=0), sewn.max(axis=0)
+
+
 def picture(
     plan: ThreadPlan,
     base: Array | None = None,
@@ -223,41 +351,15 @@ def picture(
     thread: float = 0.4,
     ground: tuple[int, int, int] = (236, 231, 220),
     pixels_per_mm: float | None = None,
-    bounds: tuple[float, float, float, float] | None = None,
 ) -> Picture:
-    """The plan as thread on cloth.
+    """The plan as thread on cloth, with MARGIN of cloth around it.
 
     base : (N,) mm of thread below the stitch that ends at each point · thread : its width, mm · ground : cloth, sRGB
     pixels_per_mm : of the picture; by default 16, fewer where that made more than 2600 pixels
-    bounds : left, top, right, bottom in mm; by default the design and a margin
     """
-    k = stitches(plan)
-    if bounds is None:
-        sewn = plan.xy[plan.command == STITCH] if (plan.command == STITCH).any() else np.zeros((1, 2))
-        low, high = sewn.min(axis=0) - MARGIN, sewn.max(axis=0) + MARGIN
-    else:
-        low, high = np.array(bounds[:2], np.float64), np.array(bounds[2:], np.float64)
-    size = high - low
-    density = pixels_per_mm or min(16.0, 2600 / float(size.max()))
-    width, height = max(1, int(np.ceil(size[0] * density))), max(1, int(np.ceil(size[1] * density)))
-    scale = density * _SAMPLES
-    shape = (height * _SAMPLES, width * _SAMPLES)
-    top, tint = np.empty(shape, np.float32), np.empty(shape, np.float32)
-    owner = np.full(shape, -1, np.int32)
-    along, across = np.zeros(shape, np.float32), np.zeros(shape, np.float32)
-    _weave(top, tint, scale, 0.42)
-    a, b = np.ascontiguousarray(plan.xy[k - 1]), np.ascontiguousarray(plan.xy[k])
-    below = np.zeros(len(k)) if base is None else np.ascontiguousarray(np.asarray(base, np.float64)[k])
-    radius = thread / 2 * 1.06  # threads spread a little under their tension
-    _paint(a, b, below, radius, scale, float(low[0]), float(low[1]), top, owner, along, across)
-    rgb = np.array([t.rgb for t in plan.threads] or [(0, 0, 0)], np.float64) / 255
-    color = np.ascontiguousarray(linear(rgb)[plan.thread[k]])
-    cloth = linear(np.array(ground) / 255.0)
-    out = np.empty((*shape, 3), np.float32)
-    _light(top, owner, along, across, a, b, below, color, tint, cloth, radius, scale, _LIGHT, out)
-    small = out.reshape(height, _SAMPLES, width, _SAMPLES, 3).mean(axis=(1, 3))
-    # Highlights roll off instead of clipping.
-    small = np.where(small > 0.7, 0.7 + 0.3 * (1 - np.exp(-(small - 0.7) / 0.3)), small)
-    rgba = np.full((height, width, 4), 255, np.uint8)
-    rgba[..., :3] = np.round(np.clip(coded(small), 0, 1) * 255)
-    return Picture(rgba, 1 / density)
+    low, high = extent(plan)
+    low, high = low - MARGIN, high + MARGIN
+    density = pixels_per_mm or min(16.0, 2600 / float((high - low).max()))
+    made = field(plan, base, thread=thread, ground=ground, density=density, low=low, high=high)
+    paint(made, 0, len(made.a))
+    return developed(made)

@@ -47,7 +47,8 @@ READ: dict[str, dict[str, str]] = {
     **{suffix: {"ThreadPlan": "machine:read_plan"} for suffix in (*_MACHINE, *_MACHINE_READ)},
     ".glb": {"Mesh": "glb:read_mesh"},
     ".gltf": {"Mesh": "glb:read_mesh"},
-    ".obj": {"Mesh": "mesh:read_obj"},
+    ".obj": {"Mesh": "sequence:read_obj"},
+    ".npz": {"Mesh": "sequence:read_npz"},
     ".ply": {"Mesh": "mesh:read_ply"},
     ".stl": {"Mesh": "mesh:read_stl"},
 }

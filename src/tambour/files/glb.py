@@ -16,6 +16,7 @@ from tambour.color import coded, linear
 from tambour.core.check import Array
 from tambour.core.errors import LawError, TambourError
 from tambour.core.mesh import Mesh
+from tambour.files.gltf_motion import with_motion
 from tambour.geometry.surface import closed, vertex_normals
 
 _TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
@@ -133,20 +134,22 @@ def write_mesh(value: Mesh, path: Path) -> None:
 
 
 def read_mesh(path: Path) -> Mesh:
-    """The triangles of a glTF file's scene, in mm, with their colours, uv (of the first set) and materials' names.
+    """The triangles of a glTF file's scene, in mm, with their colours, uv (of the first set) and materials' names, and
+    the frames of its first animation (nodes, morph targets, skins).
 
     Raises TambourError when the file is broken, holds no triangles, or needs an extension that is not read here.
     """
     try:
         head, chunk = _open(path)
-        needs = head.get("extensionsRequired", [])
+        needs = [name for name in head.get("extensionsRequired", []) if name != "KHR_mesh_quantization"]
         if needs:
             raise TambourError(
                 f"this glTF file needs {', '.join(needs)}, which is not read here",
                 hint="export it without compression",
                 where=str(path),
             )
-        return _scene(head, [_buffer(b, chunk, path) for b in head.get("buffers", [])], path)
+        buffers = [_buffer(b, chunk, path) for b in head.get("buffers", [])]
+        return with_motion(_scene(head, buffers, path), head, lambda index: _accessor(head, buffers, index))
     except TambourError:
         raise
     except (KeyError, IndexError, ValueError, TypeError, AttributeError, struct.error, RecursionError, LawError) as bad:

@@ -52,9 +52,19 @@ def tubes(strands: Strands, sides: int) -> tuple[Mesh, Any]:
     def shape(points: Array) -> Mesh:
         drawn = points + share[:, None] * (points[hole] - points)
         at = Strands(Paths(drawn, offsets), strands.radius, strands.color)
-        return sweep(at, sides=sides, material="thread")
+        return sweep(at, sides=sides, material="thread", side=_bends(points, offsets))
 
     return shape(coords), shape
+
+
+def _bends(points: Array, offsets: Array) -> Array | None:
+    """Where strands bend first, the direction across that bend (N, 3): it moves with the cloth. None for strands of
+    fewer than four points."""
+    if len(offsets) < 2 or np.diff(offsets).min() < 4:
+        return None
+    first = offsets[:-1]
+    a, b, c = points[first], points[first + 1], points[first + 3]
+    return np.asarray(np.cross(b - a, c - b))
 
 
 def _material(name: str, color: Array | None, open_: bool) -> dict[str, Any]:

@@ -163,9 +163,11 @@ def read_mesh(path: Path) -> Mesh:
             "the faces of this mesh change over time", hint="thread needs faces that stay", where=str(path)
         )
 
+    places = [p.GetPath() for p in prims]
+
     def at(time: Any) -> Array:
         parts = []
-        for p in prims:
+        for p in (geom.Mesh(stage.GetPrimAtPath(place)) for place in places):  # prims live as long as their stage
             points = np.array(p.GetPointsAttr().Get(time), np.float64).reshape(-1, 3)
             matrix = np.array(geom.Imageable(p).ComputeLocalToWorldTransform(time))
             points = (points @ matrix[:3, :3] + matrix[3, :3]) * unit

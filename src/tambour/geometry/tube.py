@@ -13,10 +13,11 @@ from tambour.core.strands import Strands
 
 
 @kernel
-def frames(coords: Array, offsets: Array, tangent: Array, across: Array) -> None:
+def frames(coords: Array, offsets: Array, tangent: Array, across: Array, side: Array) -> None:
     """Unit tangents and rotation-minimising normals (P, 3) of polylines.
 
     coords : (P, 3); offsets : (N + 1,); tangent, across : (P, 3), filled
+    side : (N, 3) where each normal begins, or (0, 3)
 
     Wang, Jüttler, Zheng, Liu, "Computation of rotation minimizing frames" (2008): two reflections per step.
     """
@@ -36,6 +37,8 @@ def frames(coords: Array, offsets: Array, tangent: Array, across: Array) -> None
             tx, ty, tz = tangent[i, 0], tangent[i, 1], tangent[i, 2]
             if i == first:
                 rx, ry, rz = (0.0, 1.0, 0.0) if abs(ty) < 0.9 else (1.0, 0.0, 0.0)
+                if len(side) > 0:
+                    rx, ry, rz = side[s, 0], side[s, 1], side[s, 2]
             else:
                 rx, ry, rz = across[i - 1, 0], across[i - 1, 1], across[i - 1, 2]
                 ox, oy, oz = tangent[i - 1, 0], tangent[i - 1, 1], tangent[i - 1, 2]
@@ -121,7 +124,14 @@ def _rings(coords: Array, offsets: Array, radius: Array, tangent: Array, across:
 
 
 def sweep(
-    strands: Strands, *, sides: int = 6, lay: float = 6.0, plies: int = 0, groove: float = 0.3, material: str = "yarn"
+    strands: Strands,
+    *,
+    sides: int = 6,
+    lay: float = 6.0,
+    plies: int = 0,
+    groove: float = 0.3,
+    material: str = "yarn",
+    side: Array | None = None,
 ) -> Mesh:
     """Round tubes with rounded ends along strands.
 
@@ -130,6 +140,8 @@ def sweep(
     lay : length of one turn of the twist, in radii of the first point (uv counts turns)
     plies : 0 for a round tube, else lobes that wind about it, as plies twisted together; groove, their depth in radii
     material : the name of the faces' group, which tells the renderer what it looks at
+    side : (N, 3) the direction that each strand's first corner points to; given, tubes of strands that move do not
+        jump about their axis between frames
 
     Returns a closed mesh with a vertex colour (the strand's), uv = (turns of twist along, turns around), faces
     counter-clockwise outside. A point's radius scales its ring; the twist's phase starts anew on each strand.
@@ -139,7 +151,7 @@ def sweep(
     rings = np.where(count > 1, count + 2, 0)
     sizes = np.where(count > 1, rings * sides + 2, 0)
     tangent, across = np.zeros_like(coords), np.zeros_like(coords)
-    frames(coords, offsets, tangent, across)
+    frames(coords, offsets, tangent, across, np.zeros((0, 3)) if side is None else np.asarray(side, np.float64))
     vertices, uv = np.zeros((int(sizes.sum()), 3)), np.zeros((int(sizes.sum()), 2))
     faces = np.zeros((int((2 * sides * rings[count > 1]).sum()), 3), np.int32)
     turn = lay * (float(strands.radius[0]) if len(strands.radius) else 1.0)

@@ -8,9 +8,8 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush import FADE, HUE, OPEN, PI, PUFF, at, between, line, part, rnd, side, stroke, wash
+from tambour.ink.brush import FADE, HUE, OPEN, PI, PUFF, at, bell, between, part, rnd, side, stroke, wash
 from tambour.ink.kinds import BUSH, REED
-from tambour.ink.limbs import SIDES, branch
 from tambour.ink.marks import INK, LEAF
 from tambour.ink.press import TOUCH, touch
 from tambour.noise import value
@@ -98,41 +97,46 @@ def reed(
     table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
     x: float, y: float, height: float, width: float,
 ) -> None:  # fmt: skip
-    """Dry reeds: a thin leaning stem, with sprays of forked curved strokes along it."""
+    """A dry thorny fan: a leaning stem, with sprays of forked curved strokes along it (tree08)."""
     before = part(elems, n, REED, x, y)
-    limb = np.empty((SIDES, 2))
+    stem = np.empty((16, 2))
     lean = between(rng, -0.2, 0.2) * PI
-    branch(table, rng, limb, x, y, height, width, -0.5 * PI + lean, 0.2 * PI)
-    for i in range(SIDES):
-        at(pts, n, limb[i, 0], limb[i, 1])
-    line(marks, n, 100.0, 0.5, 0.8)
+    heading, a, b = -0.5 * PI + lean, x, y
+    for i in range(16):
+        stem[i, 0], stem[i, 1] = a, b
+        heading += 0.35 * bell(rng) + 0.1 * (-0.5 * PI + lean - heading)
+        a, b = a + math.cos(heading) * height / 15.0, b + math.sin(heading) * height / 15.0
+    for i in range(16):
+        at(pts, n, stem[i, 0], stem[i, 1])
+    stroke(rng, marks, n, 100.0, 0.6, 1.2 * width, 0.4, FADE, 1.0)
     todo = np.empty((16, 6))
-    for i in range(SIDES):
-        if rnd(rng) > 0.2:
+    for i in range(1, 16):
+        if rnd(rng) > 0.35 and i < 15:
             continue
         t = todo[0]
-        t[0], t[1], t[2], t[3] = limb[i, 0], limb[i, 1], math.floor(4.0 * rnd(rng)), -0.5 * PI - lean * rnd(rng)
-        t[4], t[5] = 15.0, 0.0
+        t[0], t[1], t[2] = stem[i, 0], stem[i, 1], 1.0 + math.floor(3.0 * rnd(rng))
+        t[3], t[4], t[5] = -0.5 * PI + lean * rnd(rng) + side(rng) * between(rng, 0.2, 0.8), 0.2 * height, 1.0
         left = 1
         while left > 0:
             left -= 1
             t = todo[left]
-            sx, sy, depth, angle, size, bend = t[0], t[1], t[2], t[3], t[4], t[5]
-            bow = side(rng)
+            sx, sy, depth, angle, size, thick = t[0], t[1], t[2], t[3], t[4], t[5]
+            bow = side(rng) * between(rng, 0.05, 0.2) * size
             c, s = math.cos(angle), math.sin(angle)
             for k in range(11):
                 p = 0.1 * k
-                off = bow * 2.0 * math.sin(PI * p)
+                off = bow * math.sin(PI * p)
                 at(pts, n, sx + c * size * p - s * off, sy + s * size * p + c * off)
-            stroke(rng, marks, n, 100.0, 0.5, 0.8, 0.5, FADE, 1.0)
+            stroke(rng, marks, n, 100.0, 0.6, 0.9 * width * thick, 0.5, FADE, 0.9)
             if depth > 0 and left < 13:
                 ex, ey = sx + c * size, sy + s * size
-                bend += side(rng) * PI * 0.001 * depth * depth
                 fork = 2 if rnd(rng) < 0.5 else 1
                 for f in range(fork):
                     t = todo[left]
-                    spread = (2.0 * f - 1.0) * between(rng, 0.1, 0.35) if fork == 2 else 0.0
-                    t[0], t[1], t[2], t[3] = ex, ey, depth - 1.0, angle + bend + spread
-                    t[4], t[5] = size * between(rng, 0.8, 0.9), bend
+                    spread = (2.0 * f - 1.0) * between(rng, 0.2, 0.6) if fork == 2 else 0.35 * bell(rng)
+                    # Sprays turn upwards as they go.
+                    turn = angle + spread + 0.15 * (-0.5 * PI - angle)
+                    t[0], t[1], t[2], t[3] = ex, ey, depth - 1.0, turn
+                    t[4], t[5] = size * between(rng, 0.75, 0.95), 0.75 * thick
                     left += 1
     n[OPEN] = before

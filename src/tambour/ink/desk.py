@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -15,22 +16,38 @@ from tambour.ink.kinds import NAMES
 from tambour.ink.marks import Elements, Marks
 from tambour.noise import key, lattice
 
+REACH = 12.0
+"""How far the edge of a mark may lie from the way of the brush, units (a blob's half breadth)."""
+
+
+@lru_cache(maxsize=4)
+def _lattice(*names: str | int) -> Array:
+    return lattice(*names)
+
 
 @dataclass(slots=True)
 class Desk:
-    """The six arrays of :mod:`tambour.ink.brush`, and the ids of the wholes drawn so far."""
+    """The six arrays of :mod:`tambour.ink.brush`, and the ids of the wholes drawn so far.
+
+    begin, end : what lies outside this stretch of the scroll is not kept
+
+    A whole lies in the stretch when the ways of its brush, widened by ``REACH``, meet it. This is decided before they are
+    inked, and by the whole alone.
+    """
 
     table: Array
-    pts: Array = field(default_factory=lambda: np.empty((65536, 2)))
-    marks: Array = field(default_factory=lambda: np.empty((4096, brush.COLUMNS)))
-    elems: Array = field(default_factory=lambda: np.empty((512, 4)))
+    begin: float = -np.inf
+    end: float = np.inf
+    pts: Array = field(default_factory=lambda: np.empty((1 << 20, 2)))
+    marks: Array = field(default_factory=lambda: np.empty((1 << 16, brush.COLUMNS)))
+    elems: Array = field(default_factory=lambda: np.empty((1 << 13, 4)))
     n: Array = field(default_factory=lambda: np.zeros(8, np.int64))
     names: list[str] = field(default_factory=list)
 
     @classmethod
-    def of(cls, *names: str | int) -> Desk:
-        """An empty desk; ``names`` name the lattice of its noise (a seed, an edition)."""
-        desk = cls(lattice(*names))
+    def of(cls, *names: str | int, begin: float = -np.inf, end: float = np.inf) -> Desk:
+        """An empty desk; ``names`` name the lattice of its noise (an edition)."""
+        desk = cls(_lattice(*names), begin, end)
         desk.n[brush.OPEN] = -1
         return desk
 
@@ -41,8 +58,10 @@ class Desk:
             n = self.n.copy()
             element(self.table, rng, self.pts, self.marks, self.elems, n, *how)
             if not n[brush.FULL]:
-                self.n = n
-                self.names.append(name)
+                x = self.pts[self.n[brush.POINTS] : n[brush.POINTS], 0]
+                if x.size and x.max() >= self.begin - REACH and x.min() < self.end + REACH:
+                    self.n = n
+                    self.names.append(name)
                 return
             self.pts = np.concatenate([self.pts, np.empty_like(self.pts)])
             self.marks = np.concatenate([self.marks, np.empty_like(self.marks)])
@@ -80,19 +99,16 @@ def _tone(notes: Array, column: int) -> Array:
 def _elements(elems: Array, names: list[str], coords: Array, ends: Array, notes: Array) -> Elements:
     """The table of elements: ids (a part's is its whole's, its kind and its number), and bounds."""
     kind, parent = elems[:, 0].astype(np.int64), elems[:, 1].astype(np.int64)
-    ids: list[str] = []
-    wholes = iter(names)
-    count = [0] * len(NAMES)
-    for k, above in zip(kind.tolist(), parent.tolist()):
-        if above < 0:
-            ids.append(next(wholes))
-            count = [0] * len(NAMES)
-        else:
-            count[k] += 1
-            root = above
-            while parent[root] >= 0:
-                root = int(parent[root])
-            ids.append(f"{ids[root]}-{NAMES[k]}{count[k]}")
+    whole = np.cumsum(parent < 0) - 1
+    # Among the elements sorted by whole and kind, a part's number is its distance from the first of its sort.
+    sort = whole * len(NAMES) + kind
+    order = np.argsort(sort, kind="stable")
+    number = np.empty(len(sort), np.int64)
+    number[order] = np.arange(len(sort)) - np.searchsorted(sort[order], sort[order]) + 1
+    ids = [
+        f"{names[w]}-{NAMES[k]}{i}" if above >= 0 else names[w]
+        for w, k, i, above in zip(whole.tolist(), kind.tolist(), number.tolist(), parent.tolist())
+    ]
     at = elems[:, 2:4]
     bounds = np.concatenate([at, at], 1)
     bound(coords, ends, notes[:, brush.ELEMENT].astype(np.int64), parent, bounds)

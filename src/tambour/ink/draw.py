@@ -25,9 +25,11 @@ class Manner:
     waterfalls: bool = True
 
 
-def draw(planned: Sequence[Planned], manner: Manner, edition: int = 1) -> Marks:
-    """The marks of wholes, in their order."""
-    desk = Desk.of("ink", edition)
+def draw(
+    planned: Sequence[Planned], manner: Manner, edition: int = 1, begin: float = -np.inf, end: float = np.inf
+) -> Marks:
+    """The marks of the wholes that lie in [begin, end), in their order."""
+    desk = Desk.of("ink", edition, begin=begin, end=end)
     for p in planned:
         element, how = _how(p, manner)
         desk.draw(element, p.stream, p.id, p.x, p.y, *how)
@@ -56,49 +58,12 @@ def _how(p: Planned, manner: Manner) -> tuple[Callable[..., None], tuple[Any, ..
     return kernels[p.kind], p.how
 
 
-def within(marks: Marks, begin: float, end: float) -> Marks:
-    """Without the wholes of which nothing lies in [begin, end)."""
-    e = marks.elements
-    meets = (e.bounds[:, 2] >= begin) & (e.bounds[:, 0] < end)
-    root = roots(e.parent)
-    keep = meets[root]
-    if keep.all():
-        return marks
-    return take(marks, keep)
-
-
 def roots(parent: Array) -> Array:
     """(E,) int64 the whole that each element belongs to."""
     root = np.where(parent < 0, np.arange(len(parent)), parent).astype(np.int64)
     while (parent[root] >= 0).any():
         root = np.where(parent[root] >= 0, parent[root], root)
     return root
-
-
-def take(marks: Marks, keep: Array) -> Marks:
-    """The marks of the elements in ``keep`` (E,) bool; wholes are kept with their parts or not at all."""
-    e = marks.elements
-    number = np.cumsum(keep) - 1
-    chosen = keep[marks.element]
-    elements = Elements(
-        tuple(name for name, k in zip(e.id, keep.tolist()) if k),
-        e.kind[keep],
-        e.names,
-        np.where(e.parent[keep] < 0, -1, number[e.parent[keep]]),
-        e.at[keep],
-        e.bounds[keep],
-    )
-    coords, offsets = _ragged(marks.coords, marks.offsets, chosen)
-    spine, spines = _ragged(marks.spine, marks.spines, chosen)
-    return Marks(
-        coords, offsets, spine, spines, marks.kind[chosen], marks.fill[chosen], marks.stroke[chosen],
-        marks.edge[chosen], marks.breadth[chosen], marks.tint[chosen], number[marks.element[chosen]], elements,
-    )  # fmt: skip
-
-
-def _ragged(coords: Array, ends: Array, keep: Array) -> tuple[Array, Array]:
-    sizes = np.diff(ends)
-    return coords[np.repeat(keep, sizes)], np.concatenate([[0], np.cumsum(sizes[keep])])
 
 
 def join(parts: Sequence[Marks]) -> Marks:

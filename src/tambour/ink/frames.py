@@ -12,7 +12,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush import EVEN, at, between, body, pick, rnd, stroke
+from tambour.ink.brush import EVEN, SINE, at, between, body, pick, rnd, stroke
 from tambour.noise import value
 
 PLAIN, SLATS, BARS, LATTICE = range(4)
@@ -249,4 +249,8 @@ def thatch(
             py = (1.0 - p) * ((1.0 - q) * grid[low, c, 1] + q * grid[low + 1, c, 1])
             py += p * ((1.0 - q) * grid[low, c + 1, 1] + q * grid[low + 1, c + 1, 1])
             at(pts, n, px, py)
-        stroke(rng, marks, n, 120.0, 0.1 + 0.3 * rnd(rng), 0.7, 0.6, EVEN, 0.5)
+        stroke(rng, marks, n, 100.0, 0.15 + 0.4 * rnd(rng), 1.2, 0.6, SINE, 0.7)
+    for s in range(2):
+        for j in range(10):
+            at(pts, n, grid[9 * s, j, 0], grid[9 * s, j, 1])
+        stroke(rng, marks, n, 100.0, 0.4, 1.5, 0.8, SINE, 1.0)

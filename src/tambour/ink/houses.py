@@ -21,22 +21,10 @@ def hut(
     box(rng, pts, marks, n, x, y, 0.55 * height, inner, turn, depth, 1.5, True, PLAIN)
     for k in range(people):
         where = x + between(rng, -0.3, 0.3) * inner
-        figure(
-            table,
-            rng,
-            pts,
-            marks,
-            elems,
-            n,
-            where,
-            y + 0.3 * depth,
-            0.3 * height / 75.0,
-            side(rng),
-            BUN,
-            1.6 if k else 0.0,
-        )
+        staff, tall = 1.6 if k else 0.0, 0.33 * height / 75.0
+        figure(table, rng, pts, marks, elems, n, where, y + 0.5 * depth + 2.0, tall, side(rng), BUN, staff)
     rail(table, rng, pts, marks, n, x, y + 2.0, 0.17 * height, 0.8 * width, turn, depth + 4.0, 6, 0.8)
-    thatch(table, rng, pts, marks, n, x, y - 0.45 * height, 0.55 * height, width, 300)
+    thatch(table, rng, pts, marks, n, x, y - 0.45 * height, 0.55 * height, width, 150)
     n[OPEN] = before
 
 

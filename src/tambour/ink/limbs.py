@@ -37,14 +37,26 @@ def branch(
     c, s = math.cos(turn), math.sin(turn)
     left, right = 4096.0 * rnd(rng), 4096.0 * rnd(rng)
     jitter = width * length / 80.0
+    knot = 0.0
     for i in range(NODES):
         k = min(i // 10, 2)
         p = i / 10.0 - k
         dx, dy = knee[k + 1, 0] - knee[k, 0], knee[k + 1, 1] - knee[k, 1]
         a, b = knee[k, 0] + p * dx, knee[k, 1] + p * dy
+        # Near a knee the way is rounded: a quadratic between points a third of a run from it.
+        j = k if p < 0.34 else k + 1
+        if (p < 0.34 or p > 0.66) and 0 < j < 3:
+            q = 0.5 + 1.5 * (p if p < 0.34 else p - 1.0)
+            ex, ey = knee[j, 0] - knee[j - 1, 0], knee[j, 1] - knee[j - 1, 1]
+            gx, gy = knee[j + 1, 0] - knee[j, 0], knee[j + 1, 1] - knee[j, 1]
+            a = knee[j, 0] + (q * q * gx - (1.0 - q) ** 2 * ex) / 3.0
+            b = knee[j, 1] + (q * q * gy - (1.0 - q) ** 2 * ey) / 3.0
+            dx, dy = (1.0 - q) * ex + q * gx, (1.0 - q) * ey + q * gy
         d = math.sqrt(dx * dx + dy * dy) + 1e-9
         nx, ny = -(s * dx + c * dy) / d, (c * dx - s * dy) / d
-        half = width * (1.0 - 0.5 * i / NODES) + (width * rnd(rng) if i % 10 == 0 else 0.0)
+        if i % 10 == 0:
+            knot = width * rnd(rng)
+        half = width * (1.0 - 0.5 * i / NODES) + knot * max(0.0, 1.0 - 0.55 * min(i % 10, 10 - i % 10))
         up = half + jitter * (value(table, 0.3 * i, left, 0.0) - 0.5)
         down = half + jitter * (value(table, 0.3 * i, right, 0.0) - 0.5)
         px, py = x + c * a - s * b, y + s * a + c * b
@@ -88,7 +100,7 @@ def scales(
         first = 0
         for i in range(1, NODES):
             if i == NODES - 1 or rnd(rng) < 0.15 + 0.35 * size * often:
-                phase, loose = 4096.0 * rnd(rng), size * (15.0 + 5.0 * bell(rng))
+                phase, loose = 4096.0 * rnd(rng), size * (10.0 + 5.0 * bell(rng))
                 for k in range(4 * (i - first) + 1):
                     j, p = first + k // 4, (k % 4) / 4.0
                     a, b = (j, min(j + 1, i)) if s == 0 else (SIDES - 1 - j, SIDES - 1 - min(j + 1, i))
@@ -97,7 +109,7 @@ def scales(
                     x += (value(table, 0.1 * k, phase, 0.0) - 0.5) * loose
                     y += (value(table, 0.1 * k, phase, 0.5) - 0.5) * loose
                     at(pts, n, x, y)
-                stroke(rng, marks, n, 100.0, 0.7, 0.5 + size, 0.5, SINE, 0.0)
+                stroke(rng, marks, n, 100.0, 0.5, 0.4 + 0.7 * size, 0.5, SINE, 0.0)
                 first = i
 
 

@@ -79,6 +79,7 @@ def drawing(
         labels=labels,
         images=images,
         about=about or {},
+        terse=1,
     )
 
 
@@ -86,7 +87,9 @@ def hues(marks: Marks, season: str) -> Array:
     """(K,) int64 index of each mark's ink in :func:`inks`: its tint, or the leaf that its element wears."""
     hue = marks.tint.astype(np.int64)
     # An element's colour hangs on its id, so that it is the same in every window.
-    turn = np.array([sum(name.encode()) * 7 % len(SEASONS[season]) for name in marks.elements.id], np.int64)
+    leaves = len(SEASONS[season])
+    turn = np.array([sum(name.encode()) * 7 % leaves for name in marks.elements.id] if leaves > 1 else 0, np.int64)
+    turn = np.broadcast_to(turn, len(marks.elements))
     leaf = marks.tint == LEAF
     hue[leaf] = len(TINTS) + turn[marks.element[leaf]]
     return hue

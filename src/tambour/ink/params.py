@@ -6,7 +6,9 @@ from typing import ClassVar, Literal
 
 from pydantic import Field, field_validator
 
+from tambour.core.errors import did_you_mean
 from tambour.core.params import Length, Params
+from tambour.ink.kinds import SPECIMENS
 
 FARTHEST = 1e12
 """How far from 0 the scroll is addressed: beyond it a coordinate's tenths are lost in a double."""
@@ -26,6 +28,9 @@ class Ink(Params):
 
     span: float = Field(default=3000.0, ge=1.0, le=LONGEST)
     """How long the window is, in scroll units."""
+
+    specimen: str | None = None
+    """One element by itself, or "all" for a sheet of every one with its name."""
 
     density: float = Field(default=1.0, ge=0.0, le=3.0)
     """How full the scroll is: hills, banks and boats; 1 leaves 30 to 70 % of the paper blank."""
@@ -72,6 +77,14 @@ class Ink(Params):
     pixels: int = Field(default=2400, ge=16, le=60_000)
     """Width of pictures (.png, .jpg, .webp) in pixels."""
 
+    @field_validator("specimen")
+    @classmethod
+    def _known(cls, value: str | None) -> str | None:
+        if value is not None and value not in SPECIMENS:
+            near = did_you_mean(value, SPECIMENS) or f"there are {', '.join(SPECIMENS)}"
+            raise ValueError(f'there is no specimen "{value}"; {near}')
+        return value
+
     @field_validator("seal")
     @classmethod
     def _short(cls, value: str) -> str:
@@ -83,5 +96,5 @@ class Ink(Params):
 def stem(params: Ink) -> str:
     """The name of files that were asked for by suffix alone: seed, edition and window, in letters any disk takes."""
     seed = "".join(c if c.isalnum() or c in "-_." else "_" for c in params.seed)[:60] or "_"
-    what = f"{params.from_:g}-{params.span:g}"
+    what = params.specimen or f"{params.from_:g}-{params.span:g}"
     return f"ink-{seed}-e{params.edition}-{what}"

@@ -10,7 +10,7 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import EVEN, OPEN, PI, SINE, at, between, body, lift, part, stroke
 from tambour.ink.kinds import BOAT, FIGURE
-from tambour.ink.marks import BODY
+from tambour.ink.marks import BODY, WASH
 
 BARE, BUN, STRAW = range(3)
 """What is on the head: a cap of hair, a bun with its band, a wide straw hat."""
@@ -33,29 +33,32 @@ def smooth(control: Array, way: Array) -> None:
 
 @kernel
 def cloth(
-    rng: Array, pts: Array, marks: Array, n: Array, control: Array, first: float, belly: float, last: float
-) -> None:
-    """A sleeve or robe round a smooth way: half widths ``first`` to ``last``, wider by ``belly`` between; paper, two lines."""
-    way, sides = np.empty((16, 2)), np.empty((2, 16, 2))
+    rng: Array, pts: Array, marks: Array, n: Array,
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, first: float, last: float,
+) -> None:  # fmt: skip
+    """A sleeve or a robe: a lobe from a over b to c, its half width ``first`` to ``last``, closed by a round hem."""
+    control, way, sides = np.empty((3, 2)), np.empty((16, 2)), np.empty((2, 16, 2))
+    control[0, 0], control[0, 1], control[1, 0], control[1, 1] = ax, ay, bx, by
+    control[2, 0], control[2, 1] = cx, cy
     smooth(control, way)
     for i in range(16):
         a, b = max(i - 1, 0), min(i + 1, 15)
         dx, dy = way[b, 0] - way[a, 0], way[b, 1] - way[a, 1]
         d = math.sqrt(dx * dx + dy * dy) + 1e-9
         p = i / 15.0
-        w = first + (last - first) * p + belly * math.sin(PI * p)
+        w = (first + (last - first) * p**0.7) * math.sqrt(max(0.0, 1.0 - p**9))
         for s in range(2):
             f = w * (1.0 - 2.0 * s) / d
             sides[s, i, 0], sides[s, i, 1] = way[i, 0] + f * dy, way[i, 1] - f * dx
-    for s in range(2):
-        for k in range(16):
-            i = k if s == 0 else 15 - k
-            at(pts, n, sides[s, i, 0], sides[s, i, 1])
-    body(marks, n)
-    for s in range(2):
-        for i in range(16):
-            at(pts, n, sides[s, i, 0], sides[s, i, 1])
-        stroke(rng, marks, n, 100.0, 0.6, 1.0, 0.5, SINE, 1.0)
+    for wet in range(2):
+        for s in range(2):
+            for k in range(s, 16):
+                i = k if s == 0 else 15 - k
+                at(pts, n, sides[s, i, 0], sides[s, i, 1])
+        if wet == 0:
+            body(marks, n)
+        else:
+            stroke(rng, marks, n, 100.0, 0.6, 0.5 + 0.04 * last, 0.5, EVEN, 0.8)
 
 
 @kernel
@@ -63,44 +66,40 @@ def figure(
     table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
     x: float, y: float, scale: float, right: float, hat: int, staff: float,
 ) -> None:  # fmt: skip
-    """A robed figure standing at (x, y), about 110 × ``scale`` tall, looking right (1) or left (-1).
+    """A robed figure whose hem touches (x, y), about 95 × ``scale`` tall, looking right (1) or left (-1).
 
-    staff : length of the rod it holds, in units of its arm; 0 for none (dossier 1.10)
+    hat : see above ; staff : length of the rod it holds, in units of 30 ``scale``; 0 for none (dossier 1.10)
     """
     before = part(elems, n, FIGURE, x, y)
     u = scale * 30.0
-    way = np.empty((3, 2))
-    sway = right * between(rng, -0.1, 0.25)
-    hip_x, hip_y = x, y - 1.0 * u
-    neck_x, neck_y = hip_x + sway * u, hip_y - 1.55 * u
-    reach, raise_ = between(rng, 0.5, 1.0), between(rng, -0.1, 0.6)
-    hand_x, hand_y = neck_x + right * reach * 1.35 * u, neck_y + (1.0 - raise_) * 0.9 * u
-    elbow_x, elbow_y = neck_x + right * 0.45 * u, neck_y + 0.95 * u
+    f = right * u
+    neck_x, neck_y = x - f * between(rng, 0.2, 0.7), y - 2.4 * u
+    hand_x, hand_y = neck_x + f * between(rng, 1.1, 1.6), neck_y + u * between(rng, 0.3, 0.9)
     if staff > 0.0:
-        tilt = between(rng, 0.15, 0.45)
+        tilt = between(rng, 0.2, 0.5)
         for i in range(13):
-            p = i / 12.0 - 0.3
-            bend = 0.12 * staff * u * (p + 0.3) ** 2
-            at(pts, n, hand_x + right * p * staff * u, hand_y - p * staff * u * tilt + bend)
-        stroke(rng, marks, n, 100.0, 0.5, 1.0, 0.5, SINE, 1.0)
-    # The far sleeve, the robe, the near sleeve: each hides what is behind.
-    way[0, 0], way[0, 1] = neck_x, neck_y + 0.15 * u
-    way[1, 0], way[1, 1] = elbow_x + right * 0.2 * u, elbow_y - 0.2 * u
-    way[2, 0], way[2, 1] = hand_x, hand_y - 0.1 * u
-    cloth(rng, pts, marks, n, way, 0.12 * u, 0.1 * u, 0.3 * u)
-    way[0, 0], way[0, 1] = neck_x, neck_y
-    way[1, 0], way[1, 1] = hip_x + 0.2 * sway * u - right * 0.25 * u, hip_y - 0.5 * u
-    way[2, 0], way[2, 1] = x - right * between(rng, 0.0, 0.3) * u, y
-    cloth(rng, pts, marks, n, way, 0.2 * u, 0.2 * u, 0.65 * u)
-    way[0, 0], way[0, 1] = neck_x - right * 0.12 * u, neck_y + 0.2 * u
-    way[1, 0], way[1, 1] = elbow_x - right * 0.3 * u, elbow_y + 0.1 * u
-    way[2, 0], way[2, 1] = hand_x - right * 0.1 * u, hand_y + 0.12 * u
-    cloth(rng, pts, marks, n, way, 0.15 * u, 0.12 * u, 0.4 * u)
-    way[0, 0], way[0, 1] = neck_x + right * 0.05 * u, neck_y - 0.72 * u
-    way[1, 0], way[1, 1] = neck_x + right * 0.1 * u, neck_y - 0.35 * u
-    way[2, 0], way[2, 1] = neck_x, neck_y + 0.05 * u
-    cloth(rng, pts, marks, n, way, 0.2 * u, 0.1 * u, 0.1 * u)
-    crown(rng, pts, marks, n, neck_x + right * 0.05 * u, neck_y - 0.6 * u, u, right, hat)
+            p = i / 12.0 - 0.08
+            at(pts, n, hand_x + f * p * staff, hand_y - 0.15 * u + u * staff * (0.06 * p * p - tilt * p))
+        stroke(rng, marks, n, 100.0, 0.5, 0.7, 0.5, SINE, 0.8)
+    # The sleeve that hangs behind, the robe, the sleeve in front: each hides what is behind it.
+    back = between(rng, 0.5, 0.9)
+    cloth(
+        rng, pts, marks, n, neck_x - 0.1 * f, neck_y + 0.1 * u, neck_x - back * f, neck_y + 0.6 * u,
+        neck_x - back * f, neck_y + 1.75 * u, 0.08 * u, 0.3 * u,
+    )  # fmt: skip
+    cloth(
+        rng, pts, marks, n, neck_x, neck_y - 0.1 * u, neck_x + 0.1 * f, neck_y + 1.0 * u,
+        x + 0.15 * f, y, 0.14 * u, 0.5 * u,
+    )  # fmt: skip
+    cloth(
+        rng, pts, marks, n, neck_x - 0.05 * f, neck_y + 0.05 * u, neck_x + 0.6 * f, neck_y + 0.35 * u,
+        hand_x, hand_y, 0.08 * u, 0.34 * u,
+    )  # fmt: skip
+    cloth(
+        rng, pts, marks, n, neck_x + 0.02 * f, neck_y - 0.62 * u, neck_x + 0.04 * f, neck_y - 0.3 * u,
+        neck_x, neck_y + 0.02 * u, 0.17 * u, 0.12 * u,
+    )  # fmt: skip
+    crown(rng, pts, marks, n, neck_x + 0.02 * f, neck_y - 0.55 * u, u, right, hat)
     n[OPEN] = before
 
 
@@ -108,13 +107,11 @@ def figure(
 def crown(rng: Array, pts: Array, marks: Array, n: Array, x: float, y: float, u: float, right: float, hat: int) -> None:
     """Hair or hat on a head whose middle is (x, y); u is 30 × scale."""
     if hat == STRAW:
-        at(pts, n, x - 0.85 * u, y + 0.08 * u)
-        for i in range(9):
-            p = i / 8.0
-            bulge = math.sin(PI * p)
-            at(pts, n, x - 0.85 * u + 1.7 * u * p, y + 0.08 * u - 0.52 * u * bulge**1.6 - 0.06 * u * (1.0 - bulge))
-        at(pts, n, x + 0.85 * u, y + 0.08 * u)
-        at(pts, n, x, y + 0.16 * u)
+        for i in range(25):
+            t = 2.0 * PI * i / 24.0
+            rim = math.cos(t)
+            dome = max(0.0, 1.0 - (rim / 0.35) ** 2) if math.sin(t) < 0.0 else 0.0
+            at(pts, n, x + 0.8 * u * rim, y - 0.06 * u + 0.09 * u * math.sin(t) - 0.28 * u * dome)
         lift(marks, n, BODY, 100.0, 0.9, 100.0, 0.9, 0.5, 0.0, 0.0, 0.0, 0)
         return
     for i in range(13):
@@ -129,7 +126,7 @@ def crown(rng: Array, pts: Array, marks: Array, n: Array, x: float, y: float, u:
         for i in range(9):
             p = i / 8.0
             at(pts, n, x - right * (0.15 + 0.5 * p) * u, y + (-0.3 + 0.65 * p * p) * u)
-        stroke(rng, marks, n, 100.0, 0.7, 1.0, 0.3, EVEN, 0.5)
+        stroke(rng, marks, n, 100.0, 0.7, 0.8, 0.3, EVEN, 0.5)
 
 
 @kernel
@@ -140,19 +137,19 @@ def boat(
     """A flat boat about (x, y), ``length`` × ``scale`` long, and a fisherman in a straw hat with his rod."""
     before = part(elems, n, BOAT, x, y)
     if manned:
-        where = x - right * 0.18 * length * scale
-        figure(table, rng, pts, marks, elems, n, where, y + 2.0 * scale, 0.5 * scale, right, STRAW, 5.0)
+        where = x + right * 0.38 * length * scale
+        figure(table, rng, pts, marks, elems, n, where, y + 2.5 * scale, 0.4 * scale, right, STRAW, 4.5)
     half = 0.5 * length * scale
-    top, bottom = 0.6 * scale, 6.0 * scale
+    top, bottom = 2.0 * scale, 3.0 * scale
     for wet in range(2):
         for s in range(2):
             for i in range(21):
                 p = i / 20.0
                 deep = math.sqrt(math.sin(PI * p)) if 0.0 < p < 1.0 else 0.0
                 q = p if s == 0 else 1.0 - p
-                at(pts, n, x - half + 2.0 * half * q, y + deep * (top if s == 0 else bottom + 2.0 * top))
+                at(pts, n, x - half + 2.0 * half * q, y + deep * (top if s == 0 else bottom + top))
         if wet == 0:
             body(marks, n)
         else:
-            stroke(rng, marks, n, 100.0, 0.6, 1.2 * scale, 0.5, EVEN, 1.0)
+            lift(marks, n, WASH, 100.0, 0.5, 100.0, 0.5, 1.0, 0.0, 0.0, 0.0, 0)
     n[OPEN] = before

@@ -138,7 +138,7 @@ def plum(
     above, joint = np.full(LIMBS, -1, np.int64), np.zeros(LIMBS, np.int64)
     lean, depth = np.zeros(LIMBS), np.zeros(LIMBS)
     lean[0] = -0.5 * PI
-    branch(table, rng, limbs[0], x, y, 0.5 * height, width, -0.5 * PI, 0.2 * PI)
+    branch(table, rng, limbs[0], x, y, 0.85 * height, width, -0.5 * PI, 0.1 * PI)
     count, k = 1, 0
     while k < count:
         for i in range(SIDES):
@@ -146,18 +146,16 @@ def plum(
             if depth[k] < 3 and count < LIMBS and (stray or i == NODES - 2 or i == NODES):
                 spread = between(rng, 0.02, 0.1)
                 turn = spread * PI * (1.0 if i < NODES else -1.0)
-                lean[count], depth[count] = lean[k] + turn * 2.5, depth[k] + 1.0
-                length = 0.5 * height * between(rng, 0.7, 0.9) ** depth[count]
+                lean[count], depth[count] = lean[k] + turn, depth[k] + 1.0
+                length = 0.85 * height * between(rng, 0.7, 0.9) ** depth[count]
                 thin = width * 0.6 ** depth[count]
                 count = grow(table, rng, limbs, above, joint, count, k, i, length, thin, lean[count], 0.55)
         k += 1
     bark(table, rng, pts, marks, n, limbs, above, joint, count, 2.0, 0.6)
     for k in range(count):
-        right = lean[k] > -0.5 * PI
-        angle = lean[k] if right else lean[k] + PI
-        for i in range(NODES):
-            if rnd(rng) < 0.03:
-                turn = angle * between(rng, 0.75, 1.25)
+        for i in range(4, SIDES - 4):
+            if rnd(rng) < 0.02 + 0.015 * depth[k]:
+                turn = between(rng, -0.1, 0.1) * PI
                 px, py = limbs[k, i, 0], limbs[k, i, 1]
-                twig(rng, pts, marks, n, px, py, 1, 0.3, turn, 1.0 if right else -1.0, False, 0.0)
+                twig(rng, pts, marks, n, px, py, 1, 0.3, turn, 1.0 if i < NODES else -1.0, False, 0.0)
     n[OPEN] = before

@@ -132,7 +132,7 @@ def hills(rules: Rules, k: int) -> tuple[Planned, ...]:
     high, rows, land = profile.T
     chance = stream("ink", rules.seed, rules.edition, "hills", k)
     made: list[Planned] = []
-    shore = 0.5 - 0.12 * (rules.density - 1.0)
+    shore = 0.46 - 0.12 * (rules.density - 1.0)
     for i in range(2, len(profile) - 1):
         if high[i] <= 0.7 or high[i] < high[i - 2 : i + 2].max() or land[i] < shore:
             continue
@@ -142,7 +142,7 @@ def hills(rules: Rules, k: int) -> tuple[Planned, ...]:
             if u[5] >= rules.density:
                 continue
             y = 300.0 + row
-            wide, tall = 400.0 + 200.0 * float(u[2]), (100.0 + 400.0 * float(u[1])) * (0.7 + 0.3 * row / 480)
+            wide, tall = 400.0 + 200.0 * float(u[2]), (100.0 + 400.0 * float(u[1])) * (0.9 + 0.25 * row / 480)
             tall *= rules.height
             at = x + 700.0 * (float(u[0]) - 0.5)
             made.append(
@@ -188,7 +188,7 @@ def ranges(rules: Rules, k: int) -> list[Planned]:
     made: list[Planned] = []
     for m in range(-(-k * TILE // 1000), -(-(k + 1) * TILE // 1000)):
         u = stream("ink", rules.seed, rules.edition, "ranges", m).random(3)
-        y, long = 280.0 - 50.0 * float(u[0]), (500.0, 1000.0, 1500.0)[int(3 * u[1])]
+        y, long = 280.0 - 50.0 * float(u[0]), (500.0, 1000.0, 1000.0, 1500.0)[int(4 * u[1])]
         made.append(_place(rules, kinds.RANGE, m, 0, 1000.0 * m, y, y, (150.0, long), 5.0, long + 5.0))
     return made
 
@@ -209,14 +209,20 @@ def _mist(rules: Rules, hill: Planned) -> Planned:
 
 @lru_cache(maxsize=512)
 def _moorings(rules: Rules, k: int) -> tuple[tuple[float, float, float], ...]:
-    """Places (x, rank, y) in tile k where a boat could lie: each step with one chance in five, 400 from other things."""
-    others = [p.x for j in range(k - 1, k + 2) for p in (*_near(rules, j, hills, 1), *_near(rules, j, banks, 2))]
-    feet = np.array(others)
+    """Places (x, rank, y) in tile k where a boat could lie: each step with one chance in five, 400 from hills' feet and 250
+    from banks'."""
+    around = range(k - 1, k + 2)
+    land = np.array([p.x for j in around for p in _near(rules, j, hills, 1)])
+    near = np.array([p.x for j in around for p in _near(rules, j, banks, 2)])
     u = stream("ink", rules.seed, rules.edition, "boats", k).random((TILE // STEP, 3))
     found = []
     for i, (a, b, c) in enumerate(u.tolist()):
         x = float(k * TILE + STEP * i)
-        if a < 0.2 * min(1.0, rules.density) and not (feet.size and abs(feet - x).min() < 400.0):
+        if (
+            a < 0.2 * min(1.0, rules.density)
+            and abs(land - x).min(initial=1e9) > 400.0
+            and abs(near - x).min(initial=1e9) > 250.0
+        ):
             found.append((x, b, 300.0 + 390.0 * c))
     return tuple(found)
 

@@ -8,10 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from tambour.core.check import Array
 from tambour.core.drawing import Drawing, Label, Placed
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.ink.draw import Manner, draw, join, within
+from tambour.ink import specimens
+from tambour.ink.draw import Manner, draw, join
 from tambour.ink.kinds import NAMES
 from tambour.ink.marks import Marks
 from tambour.ink.params import Ink
@@ -20,6 +22,8 @@ from tambour.ink.seal import written
 
 BATCH = 60
 """Wholes drawn at a time: about a tile's worth of marks."""
+MARGIN = 20.0
+"""Blank about a specimen, units."""
 KEPT = 6_000_000
 """Points up to which the marks of a window are kept; a longer window is drawn again for every file."""
 
@@ -32,6 +36,8 @@ class Scroll:
 
     planned : wholes in painter's order ; elements : how many of each kind lie in the window
     kept : the marks, or None where the window is too long to hold
+    origin, size : (2,) float64 the sheet in scroll units
+    names : what stands under the specimens
     """
 
     params: Ink
@@ -40,6 +46,9 @@ class Scroll:
     polygons: int
     points: int
     kept: Marks | None
+    origin: Array
+    size: Array
+    names: tuple[Label, ...] = ()
 
     def batches(self) -> Iterator[Marks]:
         """The marks in painter's order, a batch at a time."""
@@ -70,12 +79,13 @@ def manner(params: Ink) -> Manner:
 def batches(params: Ink, planned: tuple[Planned, ...]) -> Iterator[Marks]:
     """Draw wholes in their order; what only might have reached into the window is left out."""
     for i in range(0, len(planned), BATCH):
-        marks = draw(planned[i : i + BATCH], manner(params), params.edition)
-        yield within(marks, params.from_, params.from_ + params.span)
+        yield draw(planned[i : i + BATCH], manner(params), params.edition, params.from_, params.from_ + params.span)
 
 
 def make(source: None, params: Ink, progress: Progress) -> Scroll:
-    """Plan and draw the window that ``params`` ask for."""
+    """Plan and draw the window, or draw the specimen, that ``params`` ask for."""
+    if params.specimen:
+        return _specimen(params, progress)
     how = rules(params)
     with progress.stage("plan"):
         first, last = int(params.from_ // 512), int((params.from_ + params.span) // 512)
@@ -95,7 +105,24 @@ def make(source: None, params: Ink, progress: Progress) -> Scroll:
                 kept = [*kept, marks] if points <= KEPT else None
         whole = join(kept) if kept else None
     found = {name: int(c) for name, c in zip(NAMES, count) if c}
-    return Scroll(params, planned, found, polygons, points, whole)
+    origin, size = np.array([params.from_, 0.0]), np.array([params.span, HEIGHT])
+    return Scroll(params, planned, found, polygons, points, whole, origin, size)
+
+
+def _specimen(params: Ink, progress: Progress) -> Scroll:
+    """One element with a margin about it, or the sheet of all."""
+    name = str(params.specimen)
+    names: tuple[Label, ...] = ()
+    with progress.stage("plan"):
+        origin = np.zeros(2)
+    with progress.stage("draw"):
+        if name == "all":
+            marks, names, size = specimens.sheet(params.seed, params.edition)
+        else:
+            marks = specimens.specimen(name, params.seed, params.edition)
+            box = marks.elements.bounds[0]
+            origin, size = box[:2] - MARGIN, box[2:] - box[:2] + 2 * MARGIN
+    return Scroll(params, (), marks.elements.counts, len(marks), len(marks.coords), marks, origin, size, names)
 
 
 def about(params: Ink) -> dict[str, str]:
@@ -110,26 +137,29 @@ def about(params: Ink) -> dict[str, str]:
     }
 
 
-def sheet(scroll: Scroll, marks: Marks, *, first: bool, last: bool) -> Drawing:
+def sheet(scroll: Scroll, marks: Marks, last: bool = True) -> Drawing:
     """A Drawing of some of the scroll's marks; the sheet's own things come with the first and the last."""
     from tambour.ink import paint, paper
 
     p = scroll.params
-    origin, size = np.array([p.from_, 0.0]), np.array([p.span, HEIGHT])
-    seals: tuple[Label, ...] = ()
+    seals = scroll.names if last else ()
     if last and (p.inscription or p.seal):
-        marks, seals = written(marks, p.inscription, p.seal, p.from_ + p.span, paint.LIGHTS[p.time])
+        right = float(scroll.origin[0] + scroll.size[0])
+        marks, seals = written(marks, p.inscription, p.seal, right, paint.LIGHTS[p.time])
     glaze: tuple[Placed, ...] = ()
     if last and p.paper:
         side = float(paper.SIDE)
-        glaze = (Placed(paper.grain(), p.from_, 0.0, p.span, HEIGHT, (side, side), glaze=True),)
+        (x, y), (width, height) = scroll.origin.tolist(), scroll.size.tolist()
+        glaze = (Placed(paper.grain(), x, y, width, height, (side, side), glaze=True),)
     white = (255, 255, 255) if not p.paper and p.time != "night" else None
-    return paint.drawing(marks, origin, size, p.tall / HEIGHT, p.season, p.time, white, seals, glaze, about(p))
+    return paint.drawing(
+        marks, scroll.origin, scroll.size, p.tall / HEIGHT, p.season, p.time, white, seals, glaze, about(p)
+    )
 
 
 def whole(scroll: Scroll) -> Drawing:
     """The window as one Drawing."""
-    return sheet(scroll, scroll.marks(), first=True, last=True)
+    return sheet(scroll, scroll.marks())
 
 
 def streamed(scroll: Scroll) -> Iterator[Drawing]:
@@ -137,10 +167,10 @@ def streamed(scroll: Scroll) -> Iterator[Drawing]:
     waiting: Marks | None = None
     for marks in scroll.batches():
         if waiting is not None:
-            yield sheet(scroll, waiting, first=False, last=False)
+            yield sheet(scroll, waiting, last=False)
         waiting = marks
     if waiting is not None:
-        yield sheet(scroll, waiting, first=False, last=True)
+        yield sheet(scroll, waiting)
 
 
 def picture(scroll: Scroll) -> Picture:

@@ -27,5 +27,5 @@ def water(
         for j in range(count):
             wave = math.sin(0.2 * j) * height * value(table, 0.1 * j, phase, 0.0)
             at(pts, n, x - half + 5.0 * j, y + wave - 20.0 + level)
-        stroke(rng, marks, n, 100.0, between(rng, 0.3, 0.6), 1.0, 0.5, SINE, 1.0)
+        stroke(rng, marks, n, 100.0, between(rng, 0.25, 0.55), 0.9, 0.5, SINE, 1.0)
     n[OPEN] = before

@@ -79,15 +79,15 @@ def layout(chart: Chart, page: Page = "a4", aspect: float = 1.0, large: bool = F
 
 
 def _tiles(length: int, fits: int) -> tuple[int, int]:
-    """How many tiles cover ``length`` when ``fits`` are legible on a page, and their step: tens where there is room,
-    so that heavy lines begin a page."""
+    """How many tiles cover ``length`` when ``fits`` are legible on a page, and their step: fives where there is room,
+    so that a ruled line begins a page."""
     if length <= fits:
         return 1, length
     step = fits - OVERLAP
     count = ceil((length - OVERLAP) / step)
     even = ceil((length - OVERLAP) / count)
-    tens = ceil(even / 10) * 10
-    return (count, tens) if tens <= step else (count, even)
+    fives = ceil(even / 5) * 5
+    return (count, fives) if fives <= step else (count, even)
 
 
 class Words(NamedTuple):
@@ -287,6 +287,11 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
         lines += [
             f"Hold {name} below the other yarn throughout: the yarn",
             "held below stands out (it is the dominant one).",
+        ]
+    elif len(roles(chart)) > 2:
+        lines += [
+            "In each row hold the yarn with fewer stitches below the",
+            "other: it stands out (it is the dominant one).",
         ]
     lines += ["Strand loosely; spread the stitches on the needle."]
     if not chart.circular and words.anchored:

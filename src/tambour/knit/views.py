@@ -49,8 +49,15 @@ def look(piece: Piece, cell: float = 4.0) -> Look:
         limit=piece.params.catch or piece.limit,
         anchored=anchored(piece),
         repeat=piece.repeat[0] if piece.repeat else None,
-        dominant=piece.dominant,
+        dominant=dominant(piece),
     )
+
+
+def dominant(piece: Piece) -> int | None:
+    """The yarn held below throughout; with more than two it changes from row to row."""
+    from tambour.knit.hand import roles
+
+    return piece.dominant if len(roles(piece.chart)) == 2 else None
 
 
 def yarn(piece: Piece) -> list[Amount]:
@@ -101,7 +108,7 @@ def written(piece: Piece) -> Text:
         p.yarn_weight,
         title(piece),
         anchored(piece),
-        piece.dominant,
+        dominant(piece),
         piece.repeat[0] if piece.repeat else None,
         p.catch,
     )
