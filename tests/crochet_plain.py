@@ -153,7 +153,7 @@ def bend(x, triples, stiffness):
 
 
 def skeleton(x, made):
-    """made: the Body, for its sections. Every node is pushed from the nearest point of its stretch of the axis."""
+    """made: the Body, for its sections. Every node is pushed from every section's centre."""
     centres = []
     for s in range(len(made.radius)):
         members = made.members[made.section_offsets[s] : made.section_offsets[s + 1]]
@@ -164,20 +164,13 @@ def skeleton(x, made):
             if a >= 0 and b >= 0:
                 centres[s] = old[s] / 2 + (old[a] + old[b]) / 4
     D = np.zeros_like(x)
-    for i in range(len(x)):
-        s = made.section[i]
-        if s < 0:
-            continue
-        away = []
-        for t in made.section_neighbours[s]:
-            q = centres[s]
-            if t >= 0:
-                along = centres[t] - q
-                q = q + np.clip(((x[i] - q) @ along) / (along @ along), 0, 1) * along
-            away.append(x[i] - q)
-        v = min(away, key=lambda v: v @ v)
-        r, R = np.linalg.norm(v), made.radius[s]
-        D[i] = made.skeleton_force[i] / R * min((R / r) ** 2, made.centroid[1]) * v / r
+    for p in range(len(made.amount)):
+        for k in range(made.bone[p], made.bone[p + 1]):
+            R = made.radius[k]
+            for i in np.flatnonzero(made.part[: len(x)] == p):
+                v = x[i] - centres[k]
+                r = np.linalg.norm(v)
+                D[i] += made.amount[p] * made.skeleton / R * min((R / r) ** 2, made.centroid[1]) * v / r
     return D
 
 

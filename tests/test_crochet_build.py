@@ -4,6 +4,8 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from tambour.core.errors import TambourError, Text
 from tambour.core.graph import ROOT, SEWN, THROUGH, TIP, YARN
@@ -224,6 +226,14 @@ def test_copies_have_marks_of_their_own():
     assert built.marks["tip.2"] == 21 and built.sewn.tolist() == [[39, 21]]
 
 
+def test_a_part_made_several_times_is_sewn_once_all_copies_are_there():
+    text = (
+        "== B ==\n: MR(6)\n: sc, mark(a), sc, mark(b)\n== Arm (make 2) ==\n: MR(5)\nmark(t)\n"
+        "sew(t.1, a), sew(t.2, b), sew(t, a)\n"
+    )
+    assert made(text).sewn.tolist() == [[14, 7], [20, 8], [20, 7]]
+
+
 def test_a_stitch_defined_in_the_pattern():
     text = (
         "define puff(height 2) = [pull through] x 3, pull over\ndefine fan = 3 dc, ch, sk\n: MR(6)\n: 2 puff, 2 fan\n"
@@ -247,3 +257,56 @@ def _seconds(text, clock):
     begin = clock()
     build(parse(text))
     return clock() - begin
+
+
+def test_the_plane_of_a_single_loop_stitch_faces_inside():
+    built = made(": MR(6)\n: 6 inc\n: 12 sc\n: BLO, 12 sc\n: FLO, 3 sc, turn, BLO, 2 sc\n")
+    graph = built.graph
+    x = np.zeros((len(graph), 3))
+    for height, this in enumerate(built.rounds[:4]):
+        angle = np.arange(this.count) / this.count * 2 * np.pi
+        x[this.first : this.last + 1] = np.stack([np.cos(angle), 0 * angle + height, np.sin(angle)], 1)
+    for n in range(31, 43):  # the whole round in back loops
+        a, b, c = graph.plane[n]
+        assert graph.parent[n] == b and graph.parent[b] == c and abs(a - b) == 1
+        assert np.cross(x[b] - x[a], x[c] - x[a]) @ x[b] < 0
+    # Turned, the back loop is on the other side.
+    last = len(graph) - 1
+    assert graph.direction[last] == -1
+    a, b, c = graph.plane[last]
+    assert graph.parent[last] in (a, b) and a < b
+
+
+def test_the_plane_after_a_goto_takes_the_way_of_the_yarn():
+    # Node 12 is the last of its round; 13 follows it in the first sheet, 19 lies elsewhere.
+    graph = made(": MR(6)\n: 6 sc\nmark(a)\n: 6 sc\nFO\ngoto(a)\n: BLO, 6 sc\n").graph
+    assert graph.previous[20] == 12 and graph.parent[25] == 12
+    assert graph.plane[25].tolist() == [13, 12, 6] and graph.plane[20].tolist() == [8, 7, 1]
+    # A mark in the middle of a round: 10 leads on to 11 by the yarn of the second sheet only.
+    graph = made(": MR(6)\n: 4 sc\nmark(a)\nFO\ngoto(a)\n: 6 sc\n: BLO, 6 sc\n").graph
+    for n in np.flatnonzero(graph.loop):
+        a, b, c = graph.plane[n]
+        assert b == graph.parent[n] and (graph.previous[a] == b or graph.previous[b] == a) and c == graph.parent[b]
+
+
+STEP = st.sampled_from(["sc", "2 sc", "inc", "dec", "hdc", "dcinc", "ch", "sk", "slst", "dec3", "BLO", "inc3"])
+LINE = st.lists(STEP, min_size=1, max_size=8).map(lambda steps: ": " + ", ".join(steps))
+
+
+@settings(max_examples=200, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@given(st.integers(4, 12), st.lists(LINE, max_size=5), st.booleans())
+def test_whatever_is_drawn_together_is_closed(ring, lines, turning):
+    """Any stitches in a spiral, closed at the end: watertight, one orientation, a sphere."""
+    text = f": MR({ring})\n: {ring} sc\n: {2 * ring} sc\n" + "\n".join(lines)
+    if turning:
+        text += "\n: 3 sc, turn, 2 sc, turn"
+    for k in range(7):  # decreasing until FO can draw the rest together
+        whole = text + "\n: [dec] around" * k + "\nFO\n"
+        try:
+            built = made(whole)
+        except TambourError:
+            continue
+        # Rounds of one to three stitches lie flat: there may be no triangle between them.
+        if min(this.count for this in built.rounds if this.whole) >= 4:
+            assert closed(built.graph.faces[built.shell]) == (2, 0), whole
+        return

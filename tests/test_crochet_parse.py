@@ -179,3 +179,14 @@ def test_parameters_of_a_part():
     first, second = pattern.parts
     assert (first.centroids, first.stuffing, first.initializer) == (3, None, None)
     assert (second.centroids, second.stuffing, second.initializer) == (None, 0.4, "one-by-one")
+
+
+def test_parameters_before_the_first_part_hold_for_all():
+    pattern = parse(
+        Text("@stuffing = firm\n@wool = soft\ncolor(red)\n== A ==\n: MR(6)\n== B ==\n@stuffing = none\n: MR(6)\n")
+    )
+    assert [(p.name, p.stuffing) for p in pattern.parts] == [("", None), ("A", 2.5), ("B", 0.0)]
+    assert [w.message for w in pattern.warnings] == ['the parameter "wool" has no effect']
+    alone = parse(Text("@stuffing = firm\n: MR(6)\n== B ==\n: MR(6)\n"))
+    assert [p.stuffing for p in alone.parts] == [2.5, None]
+    assert [p.name for p in parse(Text("@up = start\n== A ==\n: MR(6)\n")).parts] == ["A"]

@@ -69,23 +69,21 @@ def test_pressure_has_a_floor_under_flat_pieces() -> None:
     assert np.isfinite(D).all() and abs(D).max() < 5.0
 
 
-def test_skeleton_pushes_from_the_nearest_point_of_its_stretch() -> None:
+def test_skeleton_pushes_from_the_middles_of_rounds() -> None:
     toy = toys.tube(12, 14)
     x = shape(toy)
-    made = body.build(toy, CrochetParams(contact=False), 5.0, "skeleton")
+    made = body.build(toy, CrochetParams(), 5.0, "skeleton")
     D = np.zeros_like(x)
     centres = np.zeros((len(made.radius), 3))
     stuffing.sections(x, made.section_offsets, made.members, made.section_neighbours, body.SMOOTHING, centres)
-    stuffing.skeleton(
-        x, made.section, made.radius, centres, made.section_neighbours, made.skeleton_force, made.centroid[1], D
-    )
+    force, cap = made.skeleton, made.centroid[1]
+    stuffing.skeleton(x, made.part, made.bone, centres, made.radius, force, cap, made.amount, D)
     np.testing.assert_allclose(D, plain.skeleton(x, made), rtol=1e-10, atol=1e-14)
 
 
 def test_the_bones_of_a_ball_are_a_point_and_those_of_a_tube_a_line() -> None:
     ball = body.build(toys.ball(9, 9), CrochetParams(), 5.0, "skeleton")
-    assert len(ball.radius) == 1 and (ball.section == 0).all()
+    assert len(ball.radius) == 1
     tube = body.build(toys.tube(12, 30), CrochetParams(), 5.0, "skeleton")
-    assert len(tube.radius) > 20
-    ends = (tube.section_neighbours < 0).sum()
-    assert ends == 2, "one chain"
+    assert 12 < len(tube.radius) < 20, "about one a radius"
+    assert (tube.section_neighbours < 0).sum() == 2, "one chain"

@@ -10,11 +10,11 @@ import numpy as np
 
 from tambour.core.progress import Progress
 from tambour.ink import scroll
+from tambour.ink.codes import HILL
 from tambour.ink.draw import roots
-from tambour.ink.kinds import HILL
 from tambour.ink.marks import Marks
 from tambour.ink.params import Ink
-from tambour.ink.plan import TILE, Rules, tile
+from tambour.ink.plan import TILE, Rules, hills, tile
 
 
 def _make(**given: object) -> scroll.Scroll:
@@ -66,11 +66,13 @@ def test_another_process_draws_the_same() -> None:
 
 def test_ten_thousand_tiles_hold_no_hill_twice() -> None:
     rules = Rules("endless")
-    hills = [p for k in range(-5000, 5000) for p in tile(rules, k) if p.kind == HILL]
-    assert len(hills) > 20_000
-    assert len({p.id for p in hills}) == len(hills)
-    assert len({p.stream for p in hills}) == len(hills)
-    assert len({p.how for p in hills}) == len(hills)
+    found = [p for k in range(-5000, 5000) for p in hills(rules, k)]
+    assert len(found) > 20_000
+    assert {p.kind for p in found} == {HILL}
+    for unlike in ({p.id for p in found}, {p.stream for p in found}, {p.how for p in found}):
+        assert len(unlike) == len(found)
+    # A hill stands in one tile only, whichever column raised it.
+    assert all(sum(p in tile(rules, k) for k in range(j - 2, j + 3)) == 1 for j in (-7, 0, 9) for p in hills(rules, j))
 
 
 def test_streamed_is_whole() -> None:

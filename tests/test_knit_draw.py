@@ -11,6 +11,7 @@ from tambour import files
 from tambour.color import luminance
 from tambour.core.chart import Chart, Gauge
 from tambour.core.drawing import Drawing
+from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
 from tambour.knit.draw import Look, float_sheet, sheet_of, sign
 from tambour.knit.fabric import front
@@ -124,7 +125,7 @@ def test_the_booklet_is_a_pdf_of_whole_pages(tmp_path) -> None:
     assert "swatch" in texts[1] and "--gauge" in texts[1]
     tiles = len(layout(chart, "a4", 30 / 22).windows)
     assert all("rows" in t and "stitches" in t for t in texts[2 : 2 + tiles]) and len(pages) > 2 + tiles
-    assert "catch at" in texts[-1]
+    assert "catch at" in texts[2 + tiles] and "behind" in texts[-1]
     files.write(pages, tmp_path / "again.pdf", "Drawing")
     assert (tmp_path / "book.pdf").read_bytes() == (tmp_path / "again.pdf").read_bytes()
 
@@ -147,3 +148,10 @@ def test_shaped_and_repeating_charts_are_drawn() -> None:
     drawing = sheet_of(chart, Look(repeat=24, limit=3))
     words = [label.text for label in drawing.labels]
     assert "no stitch: skip this square" in words and "repeat of 24 stitches" in words
+
+
+def test_what_nobody_prints_is_refused() -> None:
+    huge = Chart(np.zeros((1100, 1000), np.uint8), WOOL)
+    for draw in (lambda: sheet_of(huge, Look()), lambda: float_sheet(huge, Look()), lambda: book(huge)):
+        with pytest.raises(TambourError, match="too many to draw"):
+            draw()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -12,7 +13,8 @@ from hypothesis import strategies as st
 
 from tambour.core.chart import Chart, Gauge
 from tambour.core.palette import Palette
-from tambour.knit.hand import catches, floats, ladders, longer, roles, tally
+from tambour.knit.catch import AGAIN, BESIDE, CATCH, IDLE, SAME, UNEVEN
+from tambour.knit.hand import catches, floats, ladders, roles, tally
 from tambour.knit.swatch import cut, swatch
 from tambour.knit.written import float_list, pattern, rows, sentence
 from tambour.knit.yarn import SPARE, STITCH, amounts
@@ -90,28 +92,100 @@ def free_stretches(chart: Chart, marks: list[list[int]], anchored: bool, least: 
 
 @given(chart=charts(), limit=st.integers(1, 7), anchored=st.booleans())
 def test_catches_leave_no_float_longer_than_the_limit(chart: Chart, limit: int, anchored: bool) -> None:
-    marks = catches(chart, limit, anchored)
+    marks = [np.flatnonzero(row).tolist() for row in catches(chart, limit, anchored)]
     assert max(free_stretches(chart, marks, anchored, limit), default=0) <= limit
-    long = longer(floats(chart, anchored), limit)
+    long = floats(chart, anchored, limit)
     behind = {(r, c) for r, row in enumerate(marks) for c in row}
     rows_with = set(long.row.tolist())
     assert {r for r, _ in behind} == rows_with  # nothing else is caught
 
 
+def plain_places(columns: list[int], limit: int, below: set[int], again: set[int]) -> list[int]:
+    """The kernel's programme in plain Python: positions of the catches of one float."""
+    n = len(columns)
+    cost, back = [0.0] * (n + 2), [0] * (n + 2)
+    for p in range(1, n + 2):
+        own = 0.0
+        if p <= n:
+            c = columns[p - 1]
+            own = CATCH + SAME * (c in below) + BESIDE * ((c - 1 in below) + (c + 1 in below)) + AGAIN * (c in again)
+        reach = {q: cost[q] + UNEVEN * (p - q) ** 2 + IDLE * (p - q == 1) for q in range(max(0, p - limit - 1), p)}
+        back[p] = min(reach, key=lambda q: (round(reach[q], 9), q))
+        cost[p] = reach[back[p]] + own
+    found, p = [], back[n + 1]
+    while p > 0:
+        found.append(p - 1)
+        p = back[p]
+    return found[::-1]
+
+
+def brute_places(columns: list[int], limit: int, below: set[int], again: set[int]) -> float:
+    """The least cost over all sets of catches."""
+
+    def cost(chosen: tuple[int, ...]) -> float:
+        ends = [-1, *chosen, len(columns)]
+        gaps = np.diff(ends)
+        if (gaps > limit + 1).any():
+            return np.inf
+        total = UNEVEN * (gaps**2).sum() + IDLE * (gaps == 1).sum()
+        for k in chosen:
+            c = columns[k]
+            total += CATCH + SAME * (c in below) + BESIDE * ((c - 1 in below) + (c + 1 in below)) + AGAIN * (c in again)
+        return float(total)
+
+    n = len(columns)
+    return min(cost(s) for k in range(n + 1) for s in combinations(range(n), k))
+
+
+@given(chart=charts(), limit=st.integers(1, 6))
+@settings(max_examples=40)
+def test_the_kernel_is_its_plain_twin(chart: Chart, limit: int) -> None:
+    marks = catches(chart, limit)
+    mine: list[set[int]] = [set() for _ in range(chart.shape[0])]
+    for row, start, length, _ in sorted(counted(chart, True)):
+        if length <= limit:
+            continue
+        columns = [c for c in range(chart.shape[1]) if chart.no_stitch is None or not chart.no_stitch[row, c]]
+        at = columns.index(start)
+        columns = [columns[(at + k) % len(columns)] for k in range(length)]
+        below, again = (mine[row - k] if row >= k else set() for k in (1, 2))
+        mine[row] |= {columns[k] for k in plain_places(columns, limit, below, again)}
+    assert [set(np.flatnonzero(row).tolist()) for row in marks] == mine
+
+
+@given(n=st.integers(2, 10), limit=st.integers(1, 4), seed=st.integers(0, 10_000))
+@settings(max_examples=60)
+def test_catches_cost_least(n: int, limit: int, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    below, again = (set(np.flatnonzero(rng.random(n) < 0.3).tolist()) for _ in range(2))
+    columns = list(range(n))
+    found = plain_places(columns, limit, below, again)
+    gaps = np.diff([-1, *found, n])
+    cost = (
+        UNEVEN * (gaps**2).sum()
+        + IDLE * (gaps == 1).sum()
+        + sum(
+            CATCH + SAME * (c in below) + BESIDE * ((c - 1 in below) + (c + 1 in below)) + AGAIN * (c in again)
+            for c in found
+        )
+    )
+    assert cost == pytest.approx(brute_places(columns, limit, below, again))
+
+
 def test_catches_are_staggered() -> None:
     chart = Chart(np.pad(np.zeros((12, 40), np.uint8), ((0, 0), (1, 1)), constant_values=1), WOOL)
-    marks = catches(chart, 5)
+    marks = [np.flatnonzero(row).tolist() for row in catches(chart, 5)]
     for below, row in itertools.pairwise(marks):
         assert not set(below) & set(row)  # no two above each other, which would show as a line
         assert not {c + 1 for c in below} & set(row) and not {c - 1 for c in below} & set(row)
     assert all(6 <= len(row) <= 8 for row in marks)
 
 
-@given(chart=charts(shaped=False), limit=st.integers(1, 6))
+@given(chart=charts(), limit=st.integers(1, 6))
 def test_ladders_carry_every_very_long_float(chart: Chart, limit: int) -> None:
     plan = ladders(chart, limit)
     marks = [[it.column for it in plan if it.first <= r <= it.last] for r in range(chart.shape[0])]
-    if not chart.circular or chart.shape[1] % (limit + 1) == 0:
+    if chart.no_stitch is None and (not chart.circular or chart.shape[1] % (limit + 1) == 0):
         assert max(free_stretches(chart, marks, True, 3 * limit + 2), default=0) <= limit
     for it in plan:
         assert 0 <= it.first <= it.last < chart.shape[0]
@@ -203,9 +277,10 @@ def test_the_pattern_tells_yarn_gauge_and_floats() -> None:
 
 def test_the_float_list_counts_from_the_right() -> None:
     cells = np.array([[1, 1, 0, 0, 0, 0, 0, 0, 1, 0]], np.uint8)
-    assert float_list(Chart(cells, WOOL), 4) == ["Row 1: CC behind stitches 3–8 (6), catch at 6."] or float_list(
-        Chart(cells, WOOL), 4
-    ) == ["Row 1: CC behind stitches 3–8 (6), catch at 5."]
+    assert float_list(Chart(cells, WOOL), 4)[0] in (
+        "Row 1: CC behind 3–8 (6): 5.",
+        "Row 1: CC behind 3–8 (6): 6.",
+    )
 
 
 # --- yarn

@@ -194,6 +194,34 @@ def test_other_peoples_plain_files_are_read(tmp_path) -> None:
     assert files.read(tmp_path / "caught.k", ("Chart",)).cells.shape == (2, 5)
 
 
+def test_files_of_picture_programs_are_read(tmp_path) -> None:
+    """Plain rows in each yarn, then two passes a course with tucks that catch long floats, misses beyond the bed."""
+    cells = np.random.default_rng(7).integers(0, 2, (5, 20))
+    carriers, last = {1: "3", 0: "6"}, 19
+    out = [";!knitout-2", ";;Carriers: 1 2 3 4 5 6 7 8 9 10", "x-stitch-number 63", "inhook 3"]
+    out += [f"tuck - f{n} 3" for n in range(last, -1, -2)] + [f"tuck + f{n} 3" for n in range(0, last, 2)]
+    for carrier in ("3", "6"):
+        if carrier == "6":
+            out += ["releasehook 3", "inhook 6"]
+        out += [f"knit - f{n} {carrier}" for n in range(last, -1, -1)]
+        out += [f"knit + f{n} {carrier}" for n in range(last + 1)]
+    out.append("releasehook 6")
+    for r, row in enumerate(cells):
+        way, order = ("-", range(last, -1, -1)) if r % 2 == 0 else ("+", range(last + 1))
+        for color, carrier in carriers.items():
+            for n in order:
+                if row[n] == color:
+                    out.append(f"knit {way} f{n} {carrier}")
+                elif n % 8 == r:
+                    out.append(f"tuck {way} f{n} {carrier} ; catches the float")
+            out.append(f"miss {way} f{-2 if way == '-' else last + 2} {carrier}")
+    out += ["outhook 3", "outhook 6"]
+    (tmp_path / "picture.k").write_text("\n".join(out))
+    chart = files.read(tmp_path / "picture.k", ("Chart",))
+    assert chart.cells[:4].tolist() == [[0] * 20] * 2 + [[1] * 20] * 2
+    assert (chart.cells[4:] == 1 - cells).all()
+
+
 @pytest.mark.parametrize(
     ("was", "now", "words"),
     [

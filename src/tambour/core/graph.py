@@ -52,7 +52,8 @@ class StitchGraph:
     direction : (N,) int8: +1 worked in the first direction, -1 after a turn
     height : (N,) float64, in stitch heights (sc 1)
     peculiarity : (N,) uint8: PLAIN, ROOT, TIP, FLO, BLO
-    plane : (N, 3) int32, the nodes that span the plane of a single-loop stitch, -1 where there is none
+    plane : (N, 3) int32, nodes a, b, c that span the plane of a single-loop stitch, -1 where there is none; the normal
+        (b - a) x (c - a) points to the back loop's side
     span : (N, 2) int32, character offsets of the action's name in the pattern
     edges : (E, 2) int32, edges[:, 0] > edges[:, 1], no pair twice; edge_kind : (E,) uint8
     rest : (E,) float64, rest length in mm

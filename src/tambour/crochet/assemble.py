@@ -10,6 +10,8 @@ from tambour.crochet.hook import Hook
 
 # Stitches sewn together lie side by side: nearer than neighbours in a round, not in the same place.
 SEWN_SHORT = 0.5
+# A chain that lifts the yarn takes less room along the round than a stitch.
+BESIDE = 0.4
 
 
 def assemble(
@@ -39,7 +41,13 @@ def assemble(
     edges, kind = _edges(n, anchors, ends, previous, hook.joins, sewn)
     width, height = stitch
     rest = np.where(kind == THROUGH, height * fields["height"][edges[:, 0]], width)
-    # A chain that only lifts the yarn to the next row is as long as the row is high; chains count as width otherwise.
+    # A chain that lifts the yarn is a post: as high as a row, close beside the stitch that follows it.
+    lift = np.zeros(n, np.bool_)
+    lift[list(hook.lifts)] = True
+    yarn = kind == YARN
+    rest[yarn & lift[edges[:, 0]]] = height
+    rest[yarn & lift[edges[:, 1]] & ~lift[edges[:, 0]]] = BESIDE * width
+    rest[(kind == JOIN) & lift[edges].any(1)] = (1.0 - BESIDE) * width
     rest[kind == SEWN] = SEWN_SHORT * width
     faces = np.array(hook.faces, np.int32).reshape(-1, 3)
     sheet = np.array(hook.face_sheet, np.int64)
@@ -89,11 +97,11 @@ def _edges(
 
 
 def _planes(hook: Hook, peculiarity: Array, direction: Array) -> Array:
-    """Nodes p1, p2, p3 of each single-loop stitch's plane: its anchor, the one after that, the anchor's own anchor.
+    """Nodes a, b, c of each single-loop stitch's plane: the one after its anchor, its anchor, the anchor's own anchor.
 
-    The normal (p1 - p2) x (p3 - p2) points inside: towards the back loop. Where the yarn does not lead from p1 to
-    p1 + 1 (after a goto or an attach, or at an edge's end), the node that it does lead to is taken, else the pair of p1
-    and the node before it, which spans the same plane on the same side (a corner case that the seed leaves open).
+    The normal (b - a) x (c - a) points inside: towards the back loop. Where the yarn does not lead from the anchor b to
+    b + 1 (after a goto or an attach, or at an edge's end), a is the node that it does lead to, else a and b are the
+    anchor and the node before it, which span the same plane on the same side (the seed leaves this corner open).
     """
     plane = np.full((len(hook), 3), -1, np.int32)
     single = np.flatnonzero((peculiarity == FLO) | (peculiarity == BLO))
@@ -104,15 +112,14 @@ def _planes(hook: Hook, peculiarity: Array, direction: Array) -> Array:
         if hook.previous[node] >= 0 and hook.ends[node + 1] > hook.ends[node]:
             after[hook.previous[node]] = node
     for n in single.tolist():
-        one = hook.parent[n]
-        three = hook.parent[one]
-        two = one + 1 if one + 1 < n and hook.previous[one + 1] == one else after.get(one, n)
-        if two < n:
-            pair = (one, two)
-        else:
-            pair = (hook.previous[one], one)
-        if direction[n] != direction[one]:
-            pair = (pair[1], pair[0])
-        if three >= 0 and pair[0] >= 0 and len({*pair, three}) == 3:
-            plane[n] = (*pair, three)
+        anchor = hook.parent[n]
+        c = hook.parent[anchor]
+        follower = anchor + 1
+        if follower >= n or hook.previous[follower] != anchor:
+            follower = after.get(anchor, n)
+        a, b = (follower, anchor) if follower < n else (anchor, hook.previous[anchor])
+        if direction[n] != direction[anchor]:
+            a, b = b, a
+        if min(a, b, c) >= 0 and len({a, b, c}) == 3:
+            plane[n] = (a, b, c)
     return plane

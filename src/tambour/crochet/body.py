@@ -36,7 +36,7 @@ class Body:
     stuffing, per_edge and pressure (P,) its ln V energy per edge and in all, least (P,) volume;
     offsets, neighbours : the edges as ragged lists; reach, near, touch : contact's distances and stiffness (0: none)
     centroid : f, cap, b, c; first (P + 1,) each part's centroids
-    section (N,), radius, section_offsets, members, section_neighbours : the skeleton, see bones
+    radius (S,), section_offsets, members, section_neighbours : the skeleton, see bones; bone (P + 1,) each part's sections
     """
 
     stuffing: str
@@ -65,12 +65,12 @@ class Body:
     touch: float
     centroid: tuple[float, float, float, float]
     first: Array
-    section: Array
+    bone: Array
     radius: Array
     section_offsets: Array
     members: Array
     section_neighbours: Array
-    skeleton_force: Array
+    skeleton: float
 
     def __len__(self) -> int:
         return len(self.part)
@@ -127,9 +127,8 @@ def displacement(body: Body, state: State, move_centroids: bool = True) -> Array
     elif body.stuffing == "skeleton":
         centres = np.zeros((len(body.radius), 3))
         stuffing.sections(x, body.section_offsets, body.members, body.section_neighbours, SMOOTHING, centres)
-        stuffing.skeleton(
-            x, body.section, body.radius, centres, body.section_neighbours, body.skeleton_force, body.centroid[1], D
-        )
+        cap = body.centroid[1]
+        stuffing.skeleton(x, body.part, body.bone, centres, body.radius, body.skeleton, cap, body.amount, D)
         state.c = centres
     forces.single_loop(x, body.loop_nodes, body.loop_planes, body.loop_strength, D)
     if body.touch > 0.0:
@@ -184,8 +183,8 @@ def build(
     loops = loops[np.argsort(np.maximum(loops, graph.plane[loops].max(1, initial=0)), kind="stable")]
     sign = np.where(graph.peculiarity[loops] == BLO, 1.0, -1.0)
     offsets, neighbours = ragged(n, edges, graph.edge_kind[order] == SEWN)
-    section = sections(graph)
-    mine, radius, section_offsets, members, beside = bones(graph, section, rise(graph, graph.rest / width))
+    radius, section_offsets, members, beside = bones(graph, sections(graph), rise(graph, graph.rest / width))
+    bone = np.searchsorted(graph.part[members[section_offsets[:-1]]], np.arange(parts + 1)).astype(np.int64)
     triples, stiff = _straight(graph, amount, params.bending) if not _cubic(stuffing) else (np.zeros((0, 3)), [])
     first = np.zeros(parts + 1, np.int64)
     if centroids is not None:
@@ -218,12 +217,12 @@ def build(
         touch=stiffness if params.contact else 0.0,
         centroid=(params.centroid_force, params.centroid_cap, params.weight_peak, params.weight_width),
         first=first,
-        section=mine,
+        bone=bone,
         radius=radius,
         section_offsets=section_offsets,
         members=members,
         section_neighbours=beside,
-        skeleton_force=params.skeleton_force * amount[graph.part],
+        skeleton=params.skeleton_force,
     )
 
 
@@ -245,7 +244,7 @@ def grown(body: Body, m: int) -> Body:
     np.minimum.at(lowest, root, np.arange(m))
     kept = upto(body.members)
     sections = int(np.searchsorted(body.section_offsets[:-1], kept))
-    beside, mine = body.section_neighbours[:sections], body.section[:m]
+    beside = body.section_neighbours[:sections]
     return replace(
         body,
         part=part,
@@ -263,12 +262,11 @@ def grown(body: Body, m: int) -> Body:
         lid_offsets=rims,
         lid_nodes=rim,
         pressure=body.per_edge * np.bincount(part[edges[:, 0]], minlength=len(body.amount)),
-        section=np.where(mine < sections, mine, -1).astype(np.int32),
+        bone=np.minimum(body.bone, sections),
         radius=body.radius[:sections],
         section_offsets=np.minimum(body.section_offsets[: sections + 1], kept),
         members=body.members[:kept],
         section_neighbours=np.where(beside < sections, beside, -1).astype(np.int32),
-        skeleton_force=body.skeleton_force[:m],
     )
 
 

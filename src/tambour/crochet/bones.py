@@ -18,12 +18,12 @@ LEAST = 3
 """A section of fewer stitches is not a cross-section."""
 
 
-def bones(graph: StitchGraph, section: Array, heights: Array) -> tuple[Array, Array, Array, Array, Array]:
-    """The skeleton: which section pushes each node (N,), radius (S,), ragged nodes of sections, neighbours (S, 2).
+def bones(graph: StitchGraph, section: Array, heights: Array) -> tuple[Array, Array, Array, Array]:
+    """The skeleton: radius (S,) of its sections, their nodes as ragged lists, and their neighbours (S, 2).
 
     section : (N,) as of layout.sections; heights : (N,) row heights in stitches
-    A section is kept when it lies as deep, by 2/π of the way over the fabric, as it is wide (a half ball's pole is
-    π/2 radii from its rim). The others are pushed by the nearest that is kept; a part keeps at least one.
+    A section may serve when it lies as deep, by 2/π of the way over the fabric, as it is wide (a half ball's pole is
+    π/2 radii from its rim); the deepest of a part always may. Of those, one for each radius of the way is taken.
     """
     n = len(graph)
     count = int(section[-1]) + 1 if n else 0
@@ -47,46 +47,27 @@ def bones(graph: StitchGraph, section: Array, heights: Array) -> tuple[Array, Ar
         if below[s] >= 0:
             up[below[s]] = max(up[below[s]], up[s] + tall[s])
     depth = 2.0 / math.pi * np.minimum(down, up) - radius
-    keep = (depth >= 0.0) & (size >= LEAST)
+    able = (depth >= 0.0) & (size >= LEAST)
     for p in np.unique(part):
         mine = np.flatnonzero((part == p) & (size >= LEAST))
-        if len(mine) and not keep[mine].any():
-            keep[mine[depth[mine].argmax()]] = True
+        if len(mine) and not able[mine].any():
+            able[mine[depth[mine].argmax()]] = True
 
-    # Every section's keeper: the nearest kept one along the links from round to round.
-    links: list[list[int]] = [[] for _ in range(count)]
+    # Up every branch, the next that is a radius away from the last one taken.
+    keep, last = np.zeros(count, bool), np.full(count, -1)
     for s in range(count):
-        if below[s] >= 0:
-            links[s].append(int(below[s]))
-            links[below[s]].append(s)
-    keeper = np.where(keep, np.arange(count), -1)
-    edge = [int(s) for s in np.flatnonzero(keep)]
-    while edge:
-        further = []
-        for s in edge:
-            for t in links[s]:
-                if keeper[t] < 0:
-                    keeper[t] = keeper[s]
-                    further.append(t)
-        edge = further
+        last[s] = last[below[s]] if below[s] >= 0 else -1
+        if able[s] and (last[s] < 0 or down[s] - down[last[s]] >= radius[s]):
+            keep[s], last[s] = True, s
 
     number = np.cumsum(keep) - 1
     neighbours = np.full((int(keep.sum()), 2), -1)
     for s in np.flatnonzero(keep).tolist():
-        t = int(below[s])
-        while t >= 0 and not keep[t]:
-            t = int(below[t])
+        t = int(last[below[s]]) if below[s] >= 0 else -1
         if t >= 0:
             neighbours[number[s], 0] = number[t]
             if neighbours[number[t], 1] < 0:
                 neighbours[number[t], 1] = number[s]
     members = np.flatnonzero(keep[section]) if n else np.zeros(0, int)
     offsets = np.concatenate([[0], np.cumsum(size[keep])])
-    mine = np.where(keeper >= 0, number[keeper], -1)[section] if n else np.zeros(0, int)
-    return (
-        mine.astype(np.int32),
-        radius[keep],
-        offsets.astype(np.int64),
-        members.astype(np.int32),
-        neighbours.astype(np.int32),
-    )
+    return radius[keep], offsets.astype(np.int64), members.astype(np.int32), neighbours.astype(np.int32)

@@ -12,7 +12,8 @@ from tambour.core.errors import Problem, Span, TambourError
 from tambour.core.graph import BACK, BOTH, FRONT, Part, StitchGraph
 from tambour.crochet.assemble import assemble
 from tambour.crochet.attach import attach
-from tambour.crochet.hook import Hook, HookError, Round
+from tambour.crochet.hook import Hook, HookError
+from tambour.crochet.moment import Round
 from tambour.crochet.stitches import RULES
 from tambour.crochet.syntax import Action, Group, Item, Line, Pattern, Section
 
@@ -56,6 +57,7 @@ class Built:
     parts : what each part's text asks for, as many as graph.parts
     shell : (F,) bool, the faces that bound the outside: of two sheets worked on one edge (goto), one
     initializer : how the pattern wants to begin ("rounds", "one-by-one", None)
+    up : the end of the work that is on top ("start", "end")
     counts : stitch or action as written → how often it was worked
     log : what the hook did, in order
     pattern : where it comes from
@@ -69,6 +71,7 @@ class Built:
     parts: tuple[PartFacts, ...]
     shell: Array
     initializer: str | None
+    up: str
     counts: Mapping[str, int]
     log: tuple[Done, ...]
     pattern: Pattern
@@ -99,6 +102,7 @@ def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict:
         tuple(worker.facts),
         shell,
         next((f.initializer for f in worker.facts if f.initializer), None),
+        next((p.up for p in pattern.parts if p.up), "end"),
         worker.counts,
         tuple(worker.log),
         pattern,
@@ -115,12 +119,14 @@ class _Worker:
         self.parts: list[Part] = []
         self.facts: list[PartFacts] = []
         self.sewn: list[tuple[int, int]] = []
+        self.seams: dict[tuple[str, ...], Span] = {}
         self.counts: dict[str, int] = {}
         self.log: list[Done] = []
         self.steps = 0
         self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
         self.copy = 0  # the copy of a part under way, 0 when there is only one
         self.own: set[str] = set()  # marks of the part under way
+        self.single = {m for p in pattern.parts if p.copies == 1 for line in p.lines for m in _marks(line.items)}
         self.broken = False
         self.rings = 0
         self.tip = True
@@ -135,6 +141,7 @@ class _Worker:
                     break
             if section.copies_span is not None:
                 self.numbers.pop()
+        self._sew()
 
     def _part(self, index: int, section: Section, copy: int) -> bool:
         hook = self.hook
@@ -274,7 +281,7 @@ class _Worker:
         )
         mark = hook.last_mark
         labels = tuple(self._label(name) for name in action.labels)
-        if any(label not in hook.labels for label in labels) and action.name != "mark":
+        if action.name not in ("mark", "sew") and labels and labels[0] not in hook.labels:
             if self.broken:  # set in a part that stopped short: its own problem says so
                 return
             raise hook.fail(f'the mark "{action.labels[0]}" is not set yet', "set it first")
@@ -297,7 +304,7 @@ class _Worker:
                 hook.last_mark = mark
                 attach(hook, labels[0], action.numbers[0])
             case "sew":
-                self._sew(labels, action.span)
+                self.seams.setdefault(labels, action.span)
             case "fo":
                 hook.fasten_off(self.tip)
             case "turn":
@@ -313,16 +320,19 @@ class _Worker:
         if self.copy and name in self.own:
             return f"{name}.{self.copy}"
         base, _, copy = name.rpartition(".")
-        if base and copy == "1" and name not in self.hook.labels and base in self.hook.labels:
-            return base
-        return name
+        return base if copy == "1" and base in self.single else name
 
-    def _sew(self, labels: tuple[str, ...], span: Span) -> None:
-        one, other = (self.hook.marks[label] for label in labels)
-        if one == other:
-            self._doubt("both marks are on the same stitch: nothing is sewn", "mark two stitches", span)
-            return
-        self.sewn.append((max(one, other), min(one, other)))
+    def _sew(self) -> None:
+        """Sews once everything is worked, so that all copies are there."""
+        marks = self.hook.marks
+        for (one, other), span in self.seams.items():
+            if one not in marks or other not in marks:
+                continue  # set in a part that stopped short: its own problem says so
+            if marks[one] == marks[other]:
+                self._doubt("both marks are on the same stitch: nothing is sewn", "mark two stitches", span)
+            else:
+                pair = sorted((marks[one], marks[other]))
+                self.sewn.append((pair[1], pair[0]))
 
     def _note(self, action: Action) -> None:
         self.counts[action.name] = self.counts.get(action.name, 0) + action.times

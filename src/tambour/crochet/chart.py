@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from tambour.core.graph import ROOT, TIP
 from tambour.crochet.build import Built
-from tambour.crochet.hook import Round
+from tambour.crochet.moment import Round
 
 # A stitch's least room along its round, in cells.
 _ROOM = 0.86

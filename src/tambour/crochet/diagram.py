@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import PurePath
 
@@ -22,7 +23,6 @@ _INK = (40, 38, 36, 255)
 _PALE = (250, 248, 244, 255)
 _GREY = (150, 146, 140, 255)
 _GAP = 0.06  # of a cell, between two
-_WIDEST = 3  # charts side by side
 
 
 @dataclass
@@ -55,17 +55,20 @@ def diagram(built: Built) -> Drawing:
     sheet = _Sheet()
     found = charts(built)
     margin, title = 8.0, 9.0
-    x = y = width = row = 0.0
-    for k, chart in enumerate(found):
-        if k and k % _WIDEST == 0:
-            x, y, row = 0.0, y + row, 0.0
-        left, right, up, down = _extent(chart)
+    sizes = [_extent(chart) for chart in found]
+    tall = max((up + down for _, _, up, down in sizes), default=0.0) * CELL + 2 * margin + title
+    # In columns as tall as the tallest chart.
+    x = y = width = 0.0
+    for k, (chart, (left, right, up, down)) in enumerate(zip(found, sizes)):
+        high = (up + down) * CELL + 2 * margin + title
+        if y and y + high > tall:
+            x, y, width = x + width, 0.0, 0.0
         _chart(sheet, built, chart, x + margin + left * CELL, y + margin + title + up * CELL)
-        _title(sheet, built, found, k, x + margin, y + margin)
-        x += (left + right) * CELL + 2 * margin
-        row = max(row, (up + down) * CELL + 2 * margin + title)
-        width = max(width, x)
-    height = _legend(sheet, built, margin, y + row)
+        said = _title(sheet, built, found, k, x + margin, y + margin)
+        y += high
+        width = max(width, (left + right) * CELL + 2 * margin, said + 2 * margin)
+    width += x
+    height = _legend(sheet, built, margin, tall)
     labels = [*sheet.labels]
     width = max(width, *(label.x + 0.6 * label.size * len(label.text) for label in labels), 60.0)
     return Drawing(
@@ -102,13 +105,16 @@ def _chart(sheet: _Sheet, built: Built, chart: Chart, x: float, y: float) -> Non
             continue
         red, green, blue = colors[node]
         sheet.draw(_sector(chart, cell, x, y), (red, green, blue, 255), None)
+    # How many stitches of a round stand in each anchor.
+    rounds = graph.round.tolist()
+    shared = Counter((rounds[n], a) for n in chart.cells for a in anchors[cuts[n] : cuts[n + 1]])
     for node, cell in chart.cells.items():
         if node in chart.base:
             continue
         pen = _contrast(colors[node])
         height = cell.high - cell.low
         own = [a for a in anchors[cuts[node] : cuts[node + 1]] if a in chart.cells]
-        legs = _legs(chart, cell, own, node, anchors, cuts)
+        legs = _legs(chart, cell, own, rounds[node], shared)
         tall = kinds[node] in BARS
         for foot, head in legs:
             if tall:  # a slanted post stands for the leg
@@ -185,11 +191,10 @@ def _sector(chart: Chart, cell: Cell, x: float, y: float) -> list[tuple[float, f
 
 
 def _legs(
-    chart: Chart, cell: Cell, own: list[int], node: int, anchors: list[int], cuts: list[int]
+    chart: Chart, cell: Cell, own: list[int], this: int, shared: Counter[tuple[int, int]]
 ) -> list[tuple[tuple[float, float], tuple[float, float]]]:
     """The legs of increases and decreases: from each anchor's top to the foot of the stitch, as chart places."""
-    beside = [anchors[cuts[k] : cuts[k + 1]] for k in (node - 1, node + 1) if 0 <= k < len(cuts) - 1]
-    if len(own) == 1 and own not in beside:
+    if not own or (len(own) == 1 and shared[this, own[0]] < 2):
         return []
     head = (cell.at, cell.low + 0.3 * min(1.0, cell.high - cell.low))
     legs = []
@@ -222,8 +227,8 @@ def _numbers(sheet: _Sheet, chart: Chart, x: float, y: float) -> None:
         sheet.say(str(this.number), px, py, 0.72 * _TEXT)
 
 
-def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y: float) -> None:
-    """Name, copies, rounds and the way the piece ends."""
+def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y: float) -> float:
+    """Name, copies, rounds and the way the piece ends; about how wide that is."""
     chart = found[k]
     part = built.parts[chart.part]
     section = built.pattern.parts[part.section]
@@ -241,6 +246,7 @@ def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y:
     end = f"{span}; {chart.rounds[-1].count} stitches at its end" + (", drawn together (FO)" if chart.tip >= 0 else "")
     sheet.say(name + copies, x, y + 1.0, 1.5 * _TEXT, False, True)
     sheet.say(end, x, y + 5.2, _TEXT, False)
+    return 0.55 * _TEXT * len(end)
 
 
 def _legend(sheet: _Sheet, built: Built, x: float, y: float) -> float:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections import deque
-from dataclasses import dataclass
 from itertools import pairwise
 
 from tambour.core.errors import Problem, Span, Text
 from tambour.core.graph import BACK, BLO, BOTH, FLO, FRONT, PLAIN, ROOT, TIP
-from tambour.crochet.moment import Moment, Sheets
+from tambour.crochet.moment import Moment, Round, Sheets
 from tambour.crochet.stitches import JOIN, NEXT, OVER, THROUGH, UNDYED, Stitch
 
 MOST_AT_TIP = 12
@@ -20,25 +19,6 @@ class HookError(Exception):
     def __init__(self, problem: Problem) -> None:
         super().__init__(problem.message)
         self.problem = problem
-
-
-@dataclass(slots=True)
-class Round:
-    """Nodes ``first`` to ``last`` of one round (or, in rows, one row).
-
-    number : from 1 within its part; count : its stitches; span : the text of its first stitch
-    below : the round it is worked into (an index), -1 for a ring or a chain
-    whole : it used up the round below
-    """
-
-    part: int
-    number: int
-    first: int
-    last: int
-    count: int
-    span: Span
-    below: int
-    whole: bool
 
 
 class Hook:
@@ -59,6 +39,7 @@ class Hook:
         self.faces: list[tuple[int, int, int]] = []
         self.face_sheet: list[int] = []
         self.joins: list[tuple[int, int]] = []
+        self.lifts: dict[int, None] = {}  # chains that only lift the yarn to the next round or row
         self.styles: list[tuple[str, float, int, tuple[int, int, int], int, int, int, Span]] = []
         self._style_of: dict[tuple[object, ...], int] = {}
         self.rounds: list[Round] = []
@@ -117,7 +98,7 @@ class Hook:
                         self._number,
                         first,
                         top,
-                        top - first + 1,
+                        sum(n not in self.lifts for n in range(first, top + 1)),
                         self.styles[self.style[first]][7],
                         below,
                         whole,
@@ -222,11 +203,13 @@ class Hook:
                         now.starting = False
                     else:
                         self.node(look, [], path[0] if path else -1, -1)
-                        if not now.starting:
+                        if now.starting:
+                            self.lifts[c] = None
+                            if now.ring:
+                                front.append(~c)
+                        else:
                             front.append(c)
                             now.count += 1
-                        elif now.ring:
-                            front.append(~c)
                         path.insert(0, c)
                     continue
                 while front and front[0] < 0:
@@ -250,8 +233,7 @@ class Hook:
                 if what == THROUGH:
                     pulled.append(anchor)
                 elif what == JOIN:
-                    self.fill(path)
-                    self.joins.append((path[0], anchor))
+                    self._tie(path)
                     path = [path[0], anchor]
                     self.joined += 1
             if touched:
@@ -261,6 +243,13 @@ class Hook:
             now.spine = path
             if now.left <= 0 and touched:
                 self.end_round(True)
+
+    def _tie(self, path: list[int]) -> None:
+        """Joins the hook's node to the end of ``path`` and closes what is between; a chain that stands there is tied too."""
+        self.fill(path)
+        self.joins.append((path[0], path[-1]))
+        if len(path) > 2 and path[-2] in self.lifts:
+            self.joins.append((path[0], path[-2]))
 
     def _used(self, anchors: int) -> None:
         self.now.count -= anchors
@@ -302,8 +291,9 @@ class Hook:
             anchors = [n for n in now.front if n >= 0]
             self.fill([*now.spine[::-1], edge[0]])
             tip = self.node(self.look("tip", 1.0, TIP), anchors, -1, -1)
-            for a, b in zip(edge, edge[1:] + edge[:1]):
-                self.face(b, a, tip)
+            if len(edge) > 2:  # two stitches lie against each other: nothing is open between them
+                for a, b in zip(edge, edge[1:] + edge[:1]):
+                    self.face(b, a, tip)
             self.sheets.sheets[now.sheet].shut = True
         self.end_round(False)
         self.now = Moment(sheet=now.sheet)
@@ -352,8 +342,7 @@ class Hook:
         first = now.front[0]
         if first != path[0]:
             path.append(first)
-            self.fill(path)
-            self.joins.append((path[0], first))
+            self._tie(path)
         now.front.append(~first)
         now.spine, now.starting = [first], True
         self.end_round(True)

@@ -201,15 +201,15 @@ def _label_rules(source: Source, name: str, labels: tuple[str, ...], span: Span)
             source.error(f'there is a mark "{labels[0]}" already', "give each mark its own name", span)
         elif _COPY.match(labels[0]):
             source.error("a mark's name has no point", "copies of a part get .1, .2 … by themselves", span)
-        source.labels[labels[0]] = source.copies
+        source.labels[labels[0]] = (source.copies, source.part)
         return
     for label in labels:
         base = label if label in source.labels else (found[1] if (found := _COPY.match(label)) else label)
-        copies = source.labels.get(base)
-        if copies is None:
+        copies, part = source.labels.get(base, (0, 0))
+        if not copies:
             hint = did_you_mean(label, source.labels) or f"set it first: mark({label})"
             source.error(f'there is no mark "{label}" before this', hint, span)
-        elif base == label and copies > 1 and (name == "sew" or source.copies == 1):
+        elif base == label and copies > 1 and part != source.part:
             source.error(f'the mark "{label}" is in a part made {copies} times', f"{label}.1 is the first copy's", span)
         elif base != label and not 1 <= int(label.rsplit(".", 1)[1]) <= copies:
             source.error(f'"{label}" is not there: the part is made {copies} times', f"up to {base}.{copies}", span)

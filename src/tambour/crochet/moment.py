@@ -1,4 +1,4 @@
-"""Moment: the edge being worked and where on it the hook is (seed 000, "Moments"); and the sheets that fabric falls into.
+"""Moment: the edge being worked and where on it the hook is (seed 000, "Moments"); the rounds and sheets of fabric.
 
 The edge of the fabric is a walk ``spine → front → back to the hook``. ``front`` holds what lies ahead: anchors, and, as
 ``~node``, nodes on the edge that are not worked into. ``spine`` is the way from the last anchor worked into up to the
@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass, field
 
+from tambour.core.errors import Span
 from tambour.core.graph import BOTH
 
 
@@ -56,6 +57,25 @@ class Moment:
             self.starting,
             self.bridge,
         )
+
+
+@dataclass(slots=True)
+class Round:
+    """Nodes ``first`` to ``last`` of one round (or, in rows, one row).
+
+    number : from 1 within its part; count : its stitches, lifting chains aside; span : the text of its first stitch
+    below : the round it is worked into (an index), -1 for a ring or a chain
+    whole : it used up the round below
+    """
+
+    part: int
+    number: int
+    first: int
+    last: int
+    count: int
+    span: Span
+    below: int
+    whole: bool
 
 
 @dataclass(slots=True)

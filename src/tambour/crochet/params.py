@@ -64,7 +64,7 @@ class CrochetParams(Params):
     """Centroid stuffing, the seed's b: the weight is exp(-(ln r - b)² / c²)."""
     weight_width: float = Field(default=1.4, gt=0)
     """Centroid stuffing, the seed's c."""
-    skeleton_force: float = Field(default=0.002, ge=0)
+    skeleton_force: float = Field(default=0.02, ge=0)
     """Skeleton stuffing: strength of the push f / R · min((R / r)², cap)."""
     single_loop_force: float = Field(default=0.05, ge=0)
     """How strongly stitches in one loop lean to its side."""

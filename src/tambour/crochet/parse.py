@@ -12,7 +12,7 @@ from tambour.crochet.items import items
 from tambour.crochet.lines import read_line, without_comment
 from tambour.crochet.source import Source
 from tambour.crochet.stitches import RULES, STARTS, STUFFING, standard
-from tambour.crochet.syntax import Item, Line, Pattern, Section
+from tambour.crochet.syntax import Action, Item, Line, Pattern, Section
 
 # The older dialect's blocks that say where a ring lies.
 _BLOCK = re.compile(r"[ \t]*[A-Za-z_]\w*[ \t]*\{[ \t]*$")
@@ -77,6 +77,11 @@ def _read(source: Source) -> tuple[Section, ...]:
     if block:
         end = len(source.text.text.rstrip())
         source.error("a block of places is not closed", "a line with } ends it", Span(max(0, end - 1), end))
+    if len(drafts) > 1 and all(isinstance(i, Action) and i.name == "color" for d in drafts[0].lines for i in d.items):
+        # Nothing is worked before the first header: what is set there holds for every part.
+        for draft in drafts[1:]:
+            draft.parameters = {**drafts[0].parameters, **draft.parameters}
+        drafts[0].parameters = {}
     full = [d for d in drafts if d.name or d.lines or d.parameters]
     return tuple(_section(source, draft) for draft in full or drafts)
 
@@ -122,6 +127,7 @@ def _header(source: Source, drafts: list[_Draft], tree: Any) -> None:
                 source.error("a part is made at least once", "leave the part out instead", draft.copies_span)
     source.copies, source.last_number = max(draft.copies, 1), None
     drafts.append(draft)
+    source.part += 1
 
 
 def _section(source: Source, draft: _Draft) -> Section:
@@ -149,6 +155,11 @@ def _section(source: Source, draft: _Draft) -> Section:
             else:
                 known = did_you_mean(word, STARTS) or "rounds or one-by-one"
                 source.error(f'"{value}" is no way to begin', known, at)
+        elif key == "up":
+            if word in ("start", "end"):
+                found[key] = word
+            else:
+                source.error(f'"{value}" is no end of the work', "start or end: the one that is on top", at)
         elif key == "tip_from_fo":
             if word in _TRUTH:
                 found[key] = _TRUTH[word]
@@ -156,7 +167,7 @@ def _section(source: Source, draft: _Draft) -> Section:
                 source.error(f'"{value}" is neither true nor false', "true: FO closes the edge; false: not", at)
         else:
             other[key] = value
-            source.doubt(f'the parameter "{key}" has no effect', "known: centroids, stuffing, initializer", name)
+            source.doubt(f'the parameter "{key}" has no effect', "known: centroids, stuffing, initializer, up", name)
     return replace(plain, other=other, **found)
 
 
@@ -196,7 +207,7 @@ def _range(source: Source, word: str, at: Span) -> tuple[int, int]:
         source.error(f"the range {word} does not rise", hint, at)
         return first, 1
     before, source.last_number = source.last_number, last
-    if before is not None and first != before + 1:
+    if before is not None and first not in (1, before + 1):
         said = "is there already" if first <= before else "leaves rounds out"
         source.doubt(f"round {first} {said}: the one before is {before}", f"{before + 1} would follow", at, True)
     return first, last - first + 1

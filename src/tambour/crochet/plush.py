@@ -68,7 +68,10 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
         progress.warn(
             "building one by one was cut short: the last nodes were placed at once", "--start rounds is faster"
         )
-    return Plush(built, params, stitch, stuffing, start, shape, shape.x * stitch[0], shape.c * stitch[0])
+    x, c = shape.x * stitch[0], shape.c * stitch[0]
+    if params.solver == "settle" and built.up == "start":
+        x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
+    return Plush(built, params, stitch, stuffing, start, shape, x, c)
 
 
 def graph(piece: Plush) -> dict[str, Any]:

@@ -45,7 +45,8 @@ def tolerance(n: int) -> float:
 
 def budget(n: int) -> int:
     """The most evaluations for n nodes: enough for every piece that settles, bounded for those that do not."""
-    return int(min(max(2_000_000 / max(n, 1), 400), 4000))
+    n = max(n, 1)
+    return int(min(max(1_500_000 / n, min(300, 6_000_000 / n)), 3000))
 
 
 @kernel
@@ -164,12 +165,14 @@ def settle(
     """Bring ``state`` to rest.
 
     goal : largest residual force in stitches; None takes :func:`tolerance` and asks for a short last move as well
-    most : evaluations at the most; None takes :func:`budget`
+    most : evaluations at the most; None takes :func:`budget`, and four times it for a goal that was set
     """
     n = len(body)
     if n < 2:
         return Rest(0.0, 0.0, 0, True)
-    wanted, limit = (tolerance(n) if goal is None else goal), (budget(n) if most is None else most)
+    wanted, limit = (tolerance(n) if goal is None else goal), most
+    if limit is None:
+        limit = budget(n) * (1 if goal is None else 4)
     _, label = np.unique(body.root, return_inverse=True)
     solve = laplacian(body)
     full = (body.pressure > 0.0) & (body.stuffing == "pressure")

@@ -18,7 +18,7 @@ from tambour.crochet.layout import on_axis, rounds
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
 
-BUILDING = 4_000_000
+BUILDING = 2_000_000
 """Node-steps that building one by one may take before settling; what is left then comes at once."""
 
 
@@ -104,16 +104,14 @@ def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: 
                 if k % 64 == 0:
                     tell(k, params.steps)
             worked = len(work.body)
-            while not work.done:
-                work.grow()
+            work.finish()
             return replace(_measured(whole, work.state, worked < n), worked=worked)
         spent = 0
         while not work.done and spent < BUILDING:
             work.tick()
             spent += len(work.body) + 200
         hurried = not work.done
-        while not work.done:
-            work.grow()
+        work.finish()
         x, c, evaluations = work.state.x, work.state.c, work.state.evaluations
     else:
         (x, c), evaluations = first_positions(task), 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -31,13 +32,14 @@ def run(body: Body, state: State, count: int, tell: Step = lambda done, total: N
             tell(k, count)
 
 
-def first_place(graph: StitchGraph, x: Array, i: int, d: float) -> Array:
-    """Where node ``i`` appears (3,), from the nodes x (i, 3) that are there (seed, "One by one initializer").
+def first_place(starts: Array, joined: Array, x: Array, i: int, d: float) -> Array:
+    """Where node ``i`` appears (3,), from the nodes x that are there (seed, "One by one initializer").
+
+    starts : nodes joined to nothing earlier, rising; joined : the earlier nodes that node i is joined to
 
     The first of a part's nodes stands at the origin (later beginnings 10 d further along x each), the next two at
     (d, 0.1 d, 0) and (0, 0.2 d, d) from it, every other one d above the middle of the earlier nodes it is joined to.
     """
-    starts = _starts(graph)
     begin = int(starts[np.searchsorted(starts, i, side="right") - 1])
     if i == begin:
         return np.array([APART * d * int(np.searchsorted(starts, i)), 0.0, 0.0])
@@ -45,7 +47,7 @@ def first_place(graph: StitchGraph, x: Array, i: int, d: float) -> Array:
         return x[begin] + [d, 0.1 * d, 0.0]
     if i == begin + 2:
         return x[begin] + [0.0, 0.2 * d, d]
-    return x[_joined(graph, i)].mean(0) + np.array([0.0, d, 0.0])
+    return x[joined].mean(0) + np.array([0.0, d, 0.0])
 
 
 def _starts(graph: StitchGraph) -> Array:
@@ -53,10 +55,6 @@ def _starts(graph: StitchGraph) -> Array:
     bound = np.zeros(len(graph), bool)
     bound[graph.edges[graph.edge_kind != SEWN, 0]] = True
     return np.flatnonzero(~bound)
-
-
-def _joined(graph: StitchGraph, i: int) -> Array:
-    return graph.edges[(graph.edges[:, 0] == i) & (graph.edge_kind != SEWN), 1]
 
 
 class Building:
@@ -74,6 +72,34 @@ class Building:
         self.body = grown(body, 0)
         self.state = State(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(len(graph.parts)))
         self.last, self.waited = 0.0, 0
+        self._first = np.zeros(len(graph.parts) + 1, np.int64)
+        self._starts = _starts(graph)
+        made = graph.edges[graph.edge_kind != SEWN]
+        made = made[np.argsort(made[:, 0], kind="stable")]
+        self._ends = np.searchsorted(made[:, 0], np.arange(len(graph) + 1))
+        self._earlier = made[:, 1]
+
+    def _place(self, x: Array, i: int) -> Array:
+        return first_place(self._starts, self._earlier[self._ends[i] : self._ends[i + 1]], x, i, self.d)
+
+    def finish(self) -> None:
+        """Place all nodes that are still to come, without any step between."""
+        m, n = len(self.body), len(self.whole)
+        if m == n:
+            return
+        x = np.concatenate([self.state.x, np.zeros((n - m, 3))])
+        for i in range(m, n):
+            x[i] = self._place(x, i)
+        self.body, self.state.x, self.state.listed = self.whole, x, None
+        if self.whole.stuffing == "centroid":
+            first = np.concatenate([[0], np.cumsum(self.counts)])
+            c, had = np.zeros((int(first[-1]), 3)), self._first
+            for p, part in enumerate(self.graph.parts):
+                old = self.state.c[had[p] : had[p + 1]]
+                c[first[p] : first[p] + len(old)] = old
+                if part.end > part.start:
+                    c[first[p] + len(old) : first[p + 1]] = x[part.start : part.end].mean(0)
+            self.state.c = c
 
     @property
     def done(self) -> bool:
@@ -94,7 +120,7 @@ class Building:
         m = len(self.body)
         if m >= len(self.whole):
             return
-        x = np.vstack([self.state.x, first_place(self.graph, self.state.x, m, self.d)])
+        x = np.vstack([self.state.x, self._place(self.state.x, m)])
         self.state.x, self.state.listed = x, None
         body = grown(self.whole, m + 1)
         if body.stuffing == "centroid":
@@ -105,11 +131,6 @@ class Building:
             if first[-1] > len(self.state.c):
                 latest = np.flatnonzero(body.part == p)[-self.every :]
                 self.state.c = np.insert(self.state.c, first[p + 1] - 1, x[latest].mean(0), axis=0)
-            body = _with_first(body, first)
+            self._first = first
+            body = replace(body, first=first.astype(np.int64))
         self.body, self.waited = body, 0
-
-
-def _with_first(body: Body, first: Array) -> Body:
-    from dataclasses import replace
-
-    return replace(body, first=first.astype(np.int64))

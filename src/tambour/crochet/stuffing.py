@@ -85,38 +85,31 @@ def sections(x: Array, offsets: Array, members: Array, neighbours: Array, passes
 
 @kernel
 def skeleton(
-    x: Array, section: Array, radius: Array, centres: Array, neighbours: Array, force: Array, cap: float, D: Array
+    x: Array,
+    owner: Array,
+    first: Array,
+    centres: Array,
+    radius: Array,
+    force: float,
+    cap: float,
+    amount: Array,
+    D: Array,
 ) -> None:
-    """Push every node from the nearest point of its own stretch of the skeleton.
+    """Push every node from every section centre of its part: amount * force / R * min((R / r)², cap).
 
-    section : (N,) the section of each node, -1 for none; radius : (S,) the radius R its round wants
-    neighbours : (S, 2); force : (N,) f of each node; the push is f / R * min((R / r)², cap)
+    x : (N, 3); owner : (N,) part; first : (P + 1,) each part's sections; centres : (S, 3)
+    radius : (S,) the radius R that the section's round wants
     """
     for i in range(len(x)):
-        s = section[i]
-        if s < 0:
-            continue
-        best, bx, by, bz = np.inf, 0.0, 0.0, 0.0
-        for k in range(2):
-            t = neighbours[s, k]
-            ax, ay, az = centres[s, 0], centres[s, 1], centres[s, 2]
-            if t >= 0:
-                ux, uy, uz = centres[t, 0] - ax, centres[t, 1] - ay, centres[t, 2] - az
-                square = ux * ux + uy * uy + uz * uz
-                if square > 0.0:
-                    along = ((x[i, 0] - ax) * ux + (x[i, 1] - ay) * uy + (x[i, 2] - az) * uz) / square
-                    along = min(max(along, 0.0), 1.0)
-                    ax, ay, az = ax + along * ux, ay + along * uy, az + along * uz
-            dx, dy, dz = x[i, 0] - ax, x[i, 1] - ay, x[i, 2] - az
+        p = owner[i]
+        for k in range(first[p], first[p + 1]):
+            dx, dy, dz = x[i, 0] - centres[k, 0], x[i, 1] - centres[k, 1], x[i, 2] - centres[k, 2]
             r2 = dx * dx + dy * dy + dz * dz
-            if r2 < best:
-                best, bx, by, bz = r2, dx, dy, dz
-        if best > 0.0:
-            R = radius[s]
-            g = force[i] / R * min(R * R / best, cap) / math.sqrt(best)
-            D[i, 0] += g * bx
-            D[i, 1] += g * by
-            D[i, 2] += g * bz
+            if r2 > 0.0:
+                s = amount[p] * force / radius[k] * min(radius[k] * radius[k] / r2, cap) / math.sqrt(r2)
+                D[i, 0] += dx * s
+                D[i, 1] += dy * s
+                D[i, 2] += dz * s
 
 
 @kernel

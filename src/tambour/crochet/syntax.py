@@ -65,7 +65,7 @@ class Section:
 
     name : "" for the one without a header
     copies : ``(make N)``
-    centroids, stuffing, initializer, tip_from_fo : the parameters that are understood (None: not given)
+    centroids, stuffing, initializer, up, tip_from_fo : the parameters that are understood (None: not given)
     other : every other parameter, as text
     """
 
@@ -77,6 +77,7 @@ class Section:
     centroids: int | None = None
     stuffing: float | None = None
     initializer: str | None = None
+    up: str | None = None
     tip_from_fo: bool = True
     other: Mapping[str, str] = field(default_factory=dict)
 

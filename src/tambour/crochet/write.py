@@ -58,6 +58,8 @@ def _head(section: Section) -> list[str]:
         lines.append(f"@stuffing = {word}")
     if section.initializer is not None:
         lines.append(f"@initializer = {section.initializer}")
+    if section.up is not None:
+        lines.append(f"@up = {section.up}")
     if not section.tip_from_fo:
         lines.append("@tip_from_fo = false")
     return lines

@@ -256,29 +256,91 @@ def deform(binding: Binding, faces: Array, vertices: Array, normals: Array, out:
     return made
 
 
+@parallel_kernel
+def _settle(points: Array, faces: Array, both: Array, face: Array, uv: Array, lift: Array, left: Array) -> None:
+    """Newton steps on each point's face towards the foot from which the interpolated normal meets the point; ``left``
+    stays True where the foot lies beyond the face."""
+    for q in prange(len(points)):
+        f = face[q]
+        a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
+        u, v, h = uv[q, 0], uv[q, 1], 0.0
+        left[q] = True
+        for turn in range(6):
+            s = 1.0 - u - v
+            r = np.empty(3)
+            n = np.empty(3)
+            e = np.empty((3, 2))
+            m = np.empty((3, 2))
+            length = 0.0
+            for k in range(3):
+                n[k] = s * both[a, 3 + k] + u * both[b, 3 + k] + v * both[c, 3 + k]
+                length += n[k] * n[k]
+            length = np.sqrt(length)
+            for k in range(3):
+                n[k] /= length
+                r[k] = points[q, k] - s * both[a, k] - u * both[b, k] - v * both[c, k]
+            if turn == 0:
+                h = r[0] * n[0] + r[1] * n[1] + r[2] * n[2]
+            along0 = along1 = 0.0
+            for k in range(3):
+                r[k] -= h * n[k]
+                e[k, 0], e[k, 1] = both[b, k] - both[a, k], both[c, k] - both[a, k]
+                m[k, 0] = (both[b, 3 + k] - both[a, 3 + k]) / length
+                m[k, 1] = (both[c, 3 + k] - both[a, 3 + k]) / length
+                along0 += m[k, 0] * n[k]
+                along1 += m[k, 1] * n[k]
+            if r[0] * r[0] + r[1] * r[1] + r[2] * r[2] < 1e-14:
+                left[q] = False
+                break
+            # Columns of the derivative: along the face, with the normal's own turn, and along the normal.
+            for k in range(3):
+                e[k, 0] += h * (m[k, 0] - along0 * n[k])
+                e[k, 1] += h * (m[k, 1] - along1 * n[k])
+            x0 = e[1, 1] * n[2] - e[2, 1] * n[1]
+            x1 = e[2, 1] * n[0] - e[0, 1] * n[2]
+            x2 = e[0, 1] * n[1] - e[1, 1] * n[0]
+            det = e[0, 0] * x0 + e[1, 0] * x1 + e[2, 0] * x2
+            if det == 0.0:
+                break
+            du = (r[0] * x0 + r[1] * x1 + r[2] * x2) / det
+            y0 = n[1] * e[2, 0] - n[2] * e[1, 0]
+            y1 = n[2] * e[0, 0] - n[0] * e[2, 0]
+            y2 = n[0] * e[1, 0] - n[1] * e[0, 0]
+            dv = (r[0] * y0 + r[1] * y1 + r[2] * y2) / det
+            z0 = e[1, 0] * e[2, 1] - e[2, 0] * e[1, 1]
+            z1 = e[2, 0] * e[0, 1] - e[0, 0] * e[2, 1]
+            z2 = e[0, 0] * e[1, 1] - e[1, 0] * e[0, 1]
+            u, v, h = u + du, v + dv, h + (r[0] * z0 + r[1] * z1 + r[2] * z2) / det
+        if u < -_EDGE or v < -_EDGE or u + v > 1.0 + _EDGE:
+            left[q] = True
+        if not left[q]:
+            uv[q, 0], uv[q, 1], lift[q] = max(u, 0.0), max(v, 0.0), h
+
+
 def bind_nearest(vertices: Array, faces: Array, normals: Array, points: Array) -> Binding:
     """Points (P, 3) in space on a mesh, however it is folded, so that they come back where they were.
 
-    The foot of a point is where the interpolated normal meets it: the nearest point first, then the nearest to the foot
-    that its normal tells, until they agree to 1 µm (a few rounds; the bend of the cloth must be wider than the
-    elevation). The elevation is negative behind the surface.
+    The foot of a point is where the interpolated normal meets it: sought from the nearest point by Newton steps on its
+    face, and where it lies beyond that face, from the point nearest to where the normal tells, until they agree to
+    1 µm. The bend of the cloth must be wider than the elevation, which is negative behind the surface.
     """
     from tambour.geometry.closest import nearest, tree
 
-    points = np.asarray(points, np.float64)
+    points = np.ascontiguousarray(points, np.float64)
+    flat, both = np.ascontiguousarray(faces, np.int32), np.hstack([vertices, normals])
     box = tree(vertices, faces)
     face, uv, _ = nearest(box, points)
-    lift = np.zeros(len(points))
-    left = np.arange(len(points))
+    lift, wrong = np.zeros(len(points)), np.ones(len(points), np.bool_)
+    _settle(points, flat, both, face, uv, lift, wrong)
+    left = np.flatnonzero(wrong)
     for _ in range(6):
-        part = Binding(face[left], uv[left], np.zeros(len(left)))
-        on = deform(part, faces, vertices, normals)
-        up = deform(Binding(part.face, part.uv, np.ones(len(left))), faces, vertices, normals) - on
-        lift[left] = ((points[left] - on) * up).sum(axis=1)
-        foot = points[left] - lift[left, None] * up
-        wrong = np.linalg.norm(foot - on, axis=1) > 1e-3
-        left, foot = left[wrong], foot[wrong]
         if not len(left):
             break
-        face[left], uv[left], _ = nearest(box, foot)
+        on = deform(Binding(face[left], uv[left], np.zeros(len(left))), faces, vertices, normals)
+        up = deform(Binding(face[left], uv[left], np.ones(len(left))), faces, vertices, normals) - on
+        lift[left] = ((points[left] - on) * up).sum(axis=1)
+        foot = points[left] - lift[left, None] * up
+        off = np.linalg.norm(foot - on, axis=1) > 1e-3
+        left, foot = left[off], foot[off]
+        face[left], uv[left], _ = nearest(box, foot, face[left])
     return Binding(face, uv, lift)

@@ -97,9 +97,9 @@ def _wave(flat: Mesh, width: float, height: float, phase: float, settled: float)
 def _flag(flat: Mesh, width: float, height: float, phase: float, settled: float) -> Array:
     def angle(s: Array, y: Array) -> Array:
         free = 1 - np.exp(-4.0 * s / width)
-        slow = np.sin(2 * np.pi * (1.15 * s / width - 2 * phase) + 0.7 * y / height)
-        quick = np.sin(2 * np.pi * (2.3 * s / width - 3 * phase) - 1.1 * y / height + 1.0)
-        return free * (0.62 * slow + 0.24 * quick)
+        slow = np.sin(2 * np.pi * (1.4 * s / width - 2 * phase) + 0.7 * y / height)
+        quick = np.sin(2 * np.pi * (2.7 * s / width - 3 * phase) - 1.1 * y / height + 1.0)
+        return free * (0.72 * slow + 0.26 * quick)
 
     return _along(flat, angle, -width / 2)
 

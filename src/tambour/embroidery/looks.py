@@ -53,7 +53,7 @@ def extent(plan: ThreadPlan) -> tuple[Array, Array]:
 def scene(piece: Piece) -> Scene:
     """The thread as curves on its cloth, in all frames; a flat cloth when none was asked for.
 
-    Built-in cloths are made half as large again as the design. Raises TambourError when the design does not fit.
+    Built-in cloths are made two fifths larger than the design. Raises TambourError when the design does not fit.
     """
     params, plan = piece.params, piece.plan
     middle, size = extent(plan)
@@ -63,10 +63,12 @@ def scene(piece: Piece) -> Scene:
         size = np.full(2, np.linalg.norm(size)) + 2 * np.abs(offset)
     ground = params.cloth or "flat"
     if isinstance(ground, str):
-        wide, high = np.maximum(size * 1.5, size + 30)
+        wide, high = np.maximum(size * 1.4, size + 24)
         # A drape's middle lies on its sphere: only there is the design as it was drawn.
         grown = 1.7 if ground == "drape" else 1.0
         side = max(wide, high) * grown if ground == "drape" else 0.0
+        if ground == "flag":
+            wide = max(wide, 1.4 * high)
         ground = cloth(ground, max(float(wide), side), max(float(high), side), params.frames or 1)
     else:
         ground = ground if params.place == "uv" else welded(ground)

@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 
 from tambour.core.errors import TambourError
+from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.core.thread import Thread, ThreadPlan
+from tambour.embroidery.applique import applique, basting_box, knockdown
 from tambour.embroidery.catalogue import with_catalogue
 from tambour.embroidery.design import piece_of
 from tambour.embroidery.families import Place, region_stitches
@@ -18,6 +20,8 @@ from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.regions import regions
 from tambour.embroidery.sequence import Layout, order
+from tambour.embroidery.stitches import Stitches
+from tambour.embroidery.trace import traced
 
 
 def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
@@ -27,6 +31,9 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
             return piece_of(source, params, progress)
     with progress.stage("read"):
         drawing = source
+        if isinstance(drawing, Picture):
+            drawing = traced(drawing, params)
+            params = params.model_copy(update={"width": None})
         if params.text is not None:
             drawing = lettered(drawing, params.text, params.text_size, params.font, progress)
         if drawing is None:
@@ -37,17 +44,30 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     with progress.stage("route"):
         sequence = order(found, params.order)
     layout = Layout(params)
+    with progress.stage("fill"):
+        below = knockdown(found, params) if params.knockdown else []
+        box = _box(found) if params.baste else None
+    if below or box is not None:
+        layout.color(Thread(found[sequence[0]].color))
+    if box is not None:
+        layout.stitches(box, -1, tie=False)
+    for thread in below:
+        layout.stitches(thread, -1)
     for done, k in enumerate(sequence):
         region = found[k]
         progress.step(done, len(sequence))
         start = region.start or _place(layout.here)
         end = region.end or _ahead(found, sequence, done, params)
         with progress.stage("fill"):
-            threads = region_stitches(region, start, end)
+            patch = region.role == "area" and region.params.applique
+            stages = applique(region) if patch else [region_stitches(region, start, end)]
         with progress.stage("sequence"):
             layout.color(Thread(region.color))
-            for thread in threads:
-                layout.stitches(thread, k)
+            for number, threads in enumerate(stages):
+                if number:
+                    layout.stop()
+                for thread in threads:
+                    layout.stitches(thread, k)
             if "stop" in region.flags:
                 layout.stop()
             elif "trim" in region.flags:
@@ -65,6 +85,12 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     with progress.stage("bind"):
         lies = elevation(plan, region_of.astype(int) * 64 + kind, params.thread)
     return Piece(drawing, found, params, plan, region_of, kind, lies, rows, dict(layout.facts))
+
+
+def _box(found: tuple[Region, ...]) -> Stitches:
+    low = np.min([r.paths.coords.min(0) - r.width / 2 for r in found], axis=0)
+    high = np.max([r.paths.coords.max(0) + r.width / 2 for r in found], axis=0)
+    return basting_box(low, high)
 
 
 def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:

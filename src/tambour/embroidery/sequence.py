@@ -158,7 +158,7 @@ class Layout:
         if len(self.threads) > 1:
             self.act(COLOR)
 
-    def stitches(self, made: Stitches, region: int) -> None:
+    def stitches(self, made: Stitches, region: int, tie: bool = True) -> None:
         """One unbroken thread: stitched on to where the needle is when that is near, else jumped to, and tied."""
         made = tidy(made, self.params.min_length)
         n = len(made)
@@ -172,10 +172,13 @@ class Layout:
             self.finish(cut=away > self.params.trim)
             if away > 1e-9:
                 self.jump(first, region)
-            if self.params.locks and n > 1:
+            if self.params.locks and tie and n > 1:
                 self.lock(made.xy, region)
-            self.tied = True
-            self.put(made.xy[1:], STITCH, region, made.kind[1:], made.run[1:] - made.run[1])
+            else:
+                self.put(made.xy[:1], STITCH, region, made.kind[:1], 0)  # the needle goes in where the thread begins
+            self.tied = tie
+            if n > 1:
+                self.put(made.xy[1:], STITCH, region, made.kind[1:], made.run[1:] - made.run[1])
         else:
             self.put(made.xy[1:], STITCH, region, made.kind[1:], made.run[1:] - made.run[1])
         steps = np.flatnonzero(np.hypot(*(made.xy[:-1] - made.xy[-1]).T) > 0.1)

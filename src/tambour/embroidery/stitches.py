@@ -149,13 +149,16 @@ def walk(line: Any, length: Any, tolerance: Any) -> Any:
 
 
 @kernel
-def drop_short(xy: Any, kind: Any, run: Any, least: Any, slack: Any) -> Any:
+def drop_short(xy: Any, least: Any, slack: Any) -> Any:
     """Which needle points stay when stitches shorter than ``least`` are joined with the next: (n,) bool.
 
     A point goes only when it lies within ``slack`` of the stitch that takes its place, so that outlines keep their
-    shape; the first and the last stay.
+    shape, and when that stitch is no longer than the longest there was; the first and the last stay.
     """
     n = len(xy)
+    most = 0.0
+    for i in range(n - 1):
+        most = max(most, math.hypot(xy[i + 1, 0] - xy[i, 0], xy[i + 1, 1] - xy[i, 1]))
     keep = np.ones(n, np.bool_)
     p = 0
     for i in range(1, n - 1):
@@ -164,7 +167,7 @@ def drop_short(xy: Any, kind: Any, run: Any, least: Any, slack: Any) -> Any:
             qx, qy = xy[i + 1, 0] - xy[p, 0], xy[i + 1, 1] - xy[p, 1]
             span = qx * qx + qy * qy
             f = 0.0 if span == 0 else min(1.0, max(0.0, (x * qx + y * qy) / span))
-            if math.hypot(x - f * qx, y - f * qy) <= slack:
+            if math.hypot(x - f * qx, y - f * qy) <= slack and span <= most * most + 1e-12:
                 keep[i] = False
                 continue
         p = i
@@ -175,7 +178,7 @@ def tidy(stitches: Stitches, least: float) -> Stitches:
     """Without stitches shorter than ``least`` mm, where that moves the thread by no more than 0.05 mm."""
     if len(stitches) < 3 or least <= 0:
         return stitches
-    keep = drop_short(stitches.xy, stitches.kind, stitches.run, least, 0.05)
+    keep = drop_short(stitches.xy, least, 0.05)
     if keep.all():
         return stitches
     return Stitches(stitches.xy[keep], stitches.kind[keep], stitches.run[keep], stitches.facts)

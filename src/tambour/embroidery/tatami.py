@@ -18,7 +18,7 @@ from tambour.noise import uniform
 
 TOLERANCE = 0.04  # mm that a way along an outline may cut its bends
 OVER = 4.0  # what a millimetre of travel on finished rows counts, beside 1 below later ones
-EDGE = 3.0  # what a millimetre of travel along the outline counts
+EDGE = 1.5  # what a millimetre of travel along the outline counts
 STARTS = 16
 
 

@@ -129,7 +129,7 @@ def _check(chart: Chart, yarns: int) -> None:
     if chart.no_stitch is not None and chart.no_stitch.any():
         problems.append(Problem("a shaped chart (cells without stitch) has no knitout", hint="use the written rows"))
     if chart.shape[1] < 4:
-        problems.append(Problem(f"{chart.shape[1]} stitches are too few for a machine"))
+        problems.append(Problem(f"a width of {chart.shape[1]} is too few for a machine", hint="from 4 stitches on"))
     if problems:
         raise TambourError(problems)
 

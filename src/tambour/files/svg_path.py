@@ -241,12 +241,14 @@ def transform(text: str) -> Array:
 
 def after(a: Array, b: Array) -> Array:
     """The transform that does ``b`` first, then ``a``."""
-    return np.c_[a[:, :2] @ b[:, :2], a[:, :2] @ b[:, 2] + a[:, 2]]
+    with np.errstate(over="ignore", invalid="ignore"):  # the callers look at what comes out
+        return np.c_[a[:, :2] @ b[:, :2], a[:, :2] @ b[:, 2] + a[:, 2]]
 
 
 def apply(matrix: Array, points: Array) -> Array:
     """Points (n, 2) transformed."""
-    return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
 
 
 def _single(name: str, v: list[float]) -> Array:

@@ -28,7 +28,7 @@ from tambour.files.svg_path import (
 from tambour.files.svg_tree import Node, parse
 
 MM = 25.4 / 96  # per px
-CLOSE = 0.02  # mm that a chord may leave its curve
+CLOSE = 0.01  # mm that a chord may leave its curve
 LARGEST = 20_000.0  # mm: a place farther out is a mistake, and would be embroidered for years
 POINTS = 4_000_000
 COPIES = 20_000

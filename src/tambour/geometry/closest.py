@@ -113,7 +113,15 @@ def _apart(box: Array, node: int, x: float, y: float, z: float) -> float:
 
 @parallel_kernel
 def _nearest(
-    points: Array, box: Array, child: Array, order: Array, corner: Array, face: Array, uv: Array, far: Array
+    points: Array,
+    box: Array,
+    child: Array,
+    order: Array,
+    corner: Array,
+    near: Array,
+    face: Array,
+    uv: Array,
+    far: Array,
 ) -> None:
     runs = (len(points) + _RUN - 1) // _RUN
     for run in prange(runs):
@@ -122,6 +130,8 @@ def _nearest(
         guess = 0
         for q in range(run * _RUN, min(len(points), (run + 1) * _RUN)):
             x, y, z = points[q, 0], points[q, 1], points[q, 2]
+            if len(near) > 0:
+                guess = near[q]
             best, bu, bv = on_triangle(corner, guess, x, y, z)
             found = guess
             stack[0], keys[0], top = 0, _apart(box, 0, x, y, z), 1
@@ -152,10 +162,11 @@ def _nearest(
             face[q], uv[q, 0], uv[q, 1], far[q] = found, bu, bv, best
 
 
-def nearest(t: Tree, points: Array) -> tuple[Array, Array, Array]:
+def nearest(t: Tree, points: Array, near: Array | None = None) -> tuple[Array, Array, Array]:
     """For points (P, 3): the nearest face (P,) int32, the weights (P, 2) of its second and third corner there, and the
-    distance (P,) mm. Of faces equally near the first is taken."""
+    distance (P,) mm. Of faces equally near the first is taken. ``near`` (P,): faces that are close, to be quicker."""
     points = np.ascontiguousarray(points, np.float64)
     face, uv, far = np.empty(len(points), np.int32), np.empty((len(points), 2)), np.empty(len(points))
-    _nearest(points, t.box, t.child, t.order, t.corner, face, uv, far)
+    close = np.zeros(0, np.int32) if near is None else np.ascontiguousarray(near, np.int32)
+    _nearest(points, t.box, t.child, t.order, t.corner, close, face, uv, far)
     return face, uv, np.sqrt(far)

@@ -10,9 +10,9 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import OPEN, PI, SINE, at, bell, between, body, part, pick, rnd, stroke
 from tambour.ink.bushes import bush, reed
+from tambour.ink.codes import BANK
 from tambour.ink.cun import SHOULDERS, slope, wrinkles
 from tambour.ink.houses import hut
-from tambour.ink.kinds import BANK
 from tambour.ink.pines import cedar, pine, plum
 from tambour.ink.rocks import rock
 from tambour.ink.trees import sapling
@@ -80,12 +80,12 @@ def terrace(
 @kernel
 def bank(
     table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, cut: float, planted: float, hutted: float, people: float,
+    x: float, y: float, height: float, width: float, cut: float, planted: float, bloom: float, hutted: float, people: float,
     forms: Array, loops: Array,
 ) -> None:  # fmt: skip
     """A bank with its foot at (x, y), flat at 100 ``cut`` above it, and what grows on it.
 
-    planted, hutted, people : 0…1, how much of the groups, huts and figures is there
+    planted, bloom, hutted, people : 0…1, how much of the groups, blossoms, huts and figures is there
     """
     before = part(elems, n, BANK, x, y)
     seed = math.floor(4096.0 * rnd(rng))
@@ -106,7 +106,7 @@ def bank(
             high, low = min(high, top[i, 1]), max(low, top[i, 1])
         group(
             table, rng, pts, marks, elems, n, x + left, y + high, right - left, low - high,
-            planted, hutted, people, forms, loops,
+            planted, bloom, hutted, people, forms, loops,
         )  # fmt: skip
     n[OPEN] = before
 
@@ -121,7 +121,7 @@ def along(rng: Array, low: float, size: float) -> float:
 def group(
     table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
     left: float, high: float, width: float, depth: float,
-    planted: float, hutted: float, people: float, forms: Array, loops: Array,
+    planted: float, bloom: float, hutted: float, people: float, forms: Array, loops: Array,
 ) -> None:  # fmt: skip
     """What stands on a flat top that spans (left, high) and ``width`` × ``depth``: dossier 1.8, flatDec."""
     middle = high + 0.5 * depth
@@ -164,7 +164,7 @@ def group(
     elif kind == PLUMS:
         for _ in range(max(1, pick(rng, 7) - 3)):
             a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
-            plum(table, rng, pts, marks, elems, n, a, b, between(rng, 60.0, 120.0), 6.0)
+            plum(table, rng, pts, marks, elems, n, a, b, between(rng, 60.0, 120.0), 6.0, bloom)
     elif kind == BUSHES:
         first, last = 0.5 * rnd(rng), between(rng, 0.5, 1.0)
         a = left + width * first

@@ -21,6 +21,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
+from tambour.ink.codes import numbers
 from tambour.ink.marks import BLOB, BODY, INK, LINE, RING, STROKE, WASH
 from tambour.noise import uniform
 
@@ -30,9 +31,9 @@ COLUMNS = 13
 # Places of n.
 POINTS, MARKS, ELEMENTS, FULL, OPEN, HUE = range(6)
 # Tapers: how a stroke's breadth runs from its start to its end.
-SINE, EVEN, FADE, BEAD = range(4)
+SINE, EVEN, FADE, BEAD = numbers(4)
 # Forms of a blob: a lens; a drop, fat at its end; a puff, round at its start.
-LENS, DROP, PUFF = range(3)
+LENS, DROP, PUFF = numbers(3)
 
 PI = math.pi
 

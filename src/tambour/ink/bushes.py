@@ -9,7 +9,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import FADE, HUE, OPEN, PI, PUFF, at, bell, between, part, rnd, side, stroke, wash
-from tambour.ink.kinds import BUSH, REED
+from tambour.ink.codes import BUSH, REED
 from tambour.ink.marks import INK, LEAF
 from tambour.ink.press import TOUCH, touch
 from tambour.noise import value

@@ -7,9 +7,10 @@ import math
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import SINE, at, body, rnd, stroke
+from tambour.ink.codes import numbers
 from tambour.noise import value
 
-FLANKS, SHOULDERS, SIDES, SPREAD = range(4)
+FLANKS, SHOULDERS, SIDES, SPREAD = numbers(4)
 """Where wrinkles gather along a ridge: the outer thirds; broadly beside the middle; narrowly at the sides; more and
 more towards one end."""
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.ink import banks, hills, kinds, people, press, ranges, sky, water
+from tambour.ink import banks, codes, hills, people, press, ranges, sky, water
 from tambour.ink.desk import Desk
 from tambour.ink.marks import Elements, Marks
 from tambour.ink.plan import Planned
@@ -20,6 +20,7 @@ class Manner:
     """What the drawing of a whole depends on besides its plan; none of it moves anything else."""
 
     planted: float = 1.0
+    bloom: float = 0.0
     buildings: bool = True
     figures: bool = True
     waterfalls: bool = True
@@ -39,21 +40,21 @@ def draw(
 def _how(p: Planned, manner: Manner) -> tuple[Callable[..., None], tuple[Any, ...]]:
     """The kernel of a whole, and the numbers it is given after its place."""
     housed, peopled = float(manner.buildings), float(manner.figures)
-    if p.kind == kinds.HILL:
+    if p.kind == codes.HILL:
         return hills.hill, (*p.how, 200, manner.planted, housed, 0.1 * manner.waterfalls)
-    if p.kind == kinds.BANK:
+    if p.kind == codes.BANK:
         _, forms, _, loops = press.tools()
-        return banks.bank, (*p.how, manner.planted, housed, peopled, forms, loops)
-    if p.kind == kinds.BOAT:
+        return banks.bank, (*p.how, manner.planted, manner.bloom, housed, peopled, forms, loops)
+    if p.kind == codes.BOAT:
         return people.boat, (*p.how, manner.figures)
     kernels: dict[int, Callable[..., None]] = {
-        kinds.RANGE: ranges.distant,
-        kinds.WATER: water.water,
-        kinds.MIST: sky.mist,
-        kinds.BIRDS: sky.birds,
-        kinds.MOON: sky.moon,
-        kinds.SUN: sky.sun,
-        kinds.SKY: sky.snow_sky,
+        codes.RANGE: ranges.distant,
+        codes.WATER: water.water,
+        codes.MIST: sky.mist,
+        codes.BIRDS: sky.birds,
+        codes.MOON: sky.moon,
+        codes.SUN: sky.sun,
+        codes.SKY: sky.snow_sky,
     }
     return kernels[p.kind], p.how
 

@@ -13,9 +13,10 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import EVEN, SINE, at, between, body, pick, rnd, stroke
+from tambour.ink.codes import numbers
 from tambour.noise import value
 
-PLAIN, SLATS, BARS, LATTICE = range(4)
+PLAIN, SLATS, BARS, LATTICE = numbers(4)
 
 
 @kernel

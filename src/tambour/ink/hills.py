@@ -9,9 +9,9 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import OPEN, PI, between, part, pick, rnd
+from tambour.ink.codes import HILL
 from tambour.ink.cun import FLANKS, foot, slope, wrinkles
 from tambour.ink.houses import house, pagoda, pavilion, pylon
-from tambour.ink.kinds import HILL
 from tambour.ink.rocks import rock
 from tambour.ink.sky import waterfall
 from tambour.ink.trees import fir, juniper, sapling

@@ -5,8 +5,8 @@ from __future__ import annotations
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import OPEN, between, part, side
+from tambour.ink.codes import HOUSE, HUT, PAGODA, PAVILION, PYLON
 from tambour.ink.frames import LATTICE, PLAIN, box, rail, roof, run, spire, thatch
-from tambour.ink.kinds import HOUSE, HUT, PAGODA, PAVILION, PYLON
 from tambour.ink.people import BUN, figure
 
 

@@ -86,7 +86,7 @@ def scales(
         else:
             breadth = size * (5.0 - 10.0 * abs(p - 0.5))
             length = size * between(rng, 10.0, 20.0)
-            ring(rng, pts, marks, n, x, y, length, breadth, along, 100.0, 0.4, 0.8)
+            ring(rng, pts, marks, n, x, y, length, breadth, along, 100.0, 0.55, 1.0)
         if rnd(rng) < 0.05:
             edge = rnd(rng) < 0.5
             x, y = (lx, ly) if edge else (rx, ry)
@@ -96,18 +96,19 @@ def scales(
                 a, b = x + math.cos(along) * shift, y + math.sin(along) * shift
                 length, breadth = size * between(rng, 4.0, 10.0), size * between(rng, 4.0, 8.0)
                 blob(rng, pts, marks, n, a, b, length, breadth, along + 0.5 * PI, 100.0, 0.6, 0.5, LENS)
+    fine = 4 if size > 0.6 else 2
     for s in range(2):
         first = 0
         for i in range(1, NODES):
-            if i == NODES - 1 or rnd(rng) < 0.15 + 0.35 * size * often:
+            if i == NODES - 1 or rnd(rng) < 0.06 + 0.44 * size * often:
                 phase, loose = 4096.0 * rnd(rng), size * (10.0 + 5.0 * bell(rng))
-                for k in range(4 * (i - first) + 1):
-                    j, p = first + k // 4, (k % 4) / 4.0
+                for k in range(fine * (i - first) + 1):
+                    j, p = first + k // fine, (k % fine) / fine
                     a, b = (j, min(j + 1, i)) if s == 0 else (SIDES - 1 - j, SIDES - 1 - min(j + 1, i))
                     x = limb[a, 0] + p * (limb[b, 0] - limb[a, 0])
                     y = limb[a, 1] + p * (limb[b, 1] - limb[a, 1])
-                    x += (value(table, 0.1 * k, phase, 0.0) - 0.5) * loose
-                    y += (value(table, 0.1 * k, phase, 0.5) - 0.5) * loose
+                    x += (value(table, 0.4 * k / fine, phase, 0.0) - 0.5) * loose
+                    y += (value(table, 0.4 * k / fine, phase, 0.5) - 0.5) * loose
                     at(pts, n, x, y)
                 stroke(rng, marks, n, 100.0, 0.5, 0.4 + 0.7 * size, 0.5, SINE, 0.0)
                 first = i

@@ -8,14 +8,15 @@ import numpy as np
 
 from tambour.core.check import Array, array, offsets, put, within
 from tambour.core.errors import LawError
+from tambour.ink.codes import numbers
 
-BODY, VEIL, WASH, STROKE, BLOB, RING, LINE = range(7)
+BODY, VEIL, WASH, STROKE, BLOB, RING, LINE = numbers(7)
 KINDS = ("body", "veil", "wash", "stroke", "blob", "ring", "line")
 """What a mark is. ``body``: an opaque paper-coloured outline that hides what lies behind. ``veil``: translucent paper
 (mist, snow). ``wash``: a flat tone without a line. ``stroke``: a brush line. ``blob``: one touch of the brush (a leaf,
 a needle, a drop, a knot). ``ring``: the outline of a blob, drawn as a brush line (bark). ``line``: a thin open line."""
 
-INK, LEAF, BLOSSOM, SEAL, LIGHT = range(5)
+INK, LEAF, BLOSSOM, SEAL, LIGHT = numbers(5)
 TINTS = ("ink", "leaf", "blossom", "seal", "light")
 """Which colour a mark's grey is mixed with: the ink, what the season colours, the seal's vermilion, moon and lamps."""
 

@@ -9,10 +9,10 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import EVEN, OPEN, PI, SINE, at, between, body, lift, part, stroke
-from tambour.ink.kinds import BOAT, FIGURE
+from tambour.ink.codes import BOAT, FIGURE, numbers
 from tambour.ink.marks import BODY, WASH
 
-BARE, BUN, STRAW = range(3)
+BARE, BUN, STRAW = numbers(3)
 """What is on the head: a cap of hair, a bun with its band, a wide straw hat."""
 
 

@@ -8,9 +8,10 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush import EVEN, OPEN, PI, at, between, body, part, rnd, stroke
-from tambour.ink.kinds import CEDAR, PINE, PLUM
+from tambour.ink.brush import EVEN, HUE, LENS, OPEN, PI, at, bell, between, blob, body, part, rnd, stroke
+from tambour.ink.codes import CEDAR, PINE, PLUM
 from tambour.ink.limbs import NODES, SIDES, branch, scales, twig
+from tambour.ink.marks import BLOSSOM, INK
 
 LIMBS = 48
 """The most branches of a tree."""
@@ -37,7 +38,7 @@ def bark(
 ) -> None:  # fmt: skip
     """Body, outline and bark of a tree whose limbs grow out of one another: one outline goes round all of them.
 
-    breadth : of the outline; often : as in :func:`scales`, halved from each limb to the next
+    breadth : of the outline; often : as in :func:`scales`, a third of it from each limb to the next
     limbs (count, SIDES, 2); limb k leaves limb ``above[k]`` at its node ``joint[k]``; limbs of one parent stand in any
     order, and their parent before them.
     """
@@ -66,7 +67,7 @@ def bark(
         depth, j = 0, k
         while above[j] >= 0:
             depth, j = depth + 1, above[j]
-        scales(table, rng, pts, marks, n, limbs[k], size, often * 0.5**depth if often < 1.0 else 1.0)
+        scales(table, rng, pts, marks, n, limbs[k], size, often * 0.35**depth)
 
 
 @kernel
@@ -117,7 +118,7 @@ def cedar(
             length = height * max(0.02, 0.3 * p - 0.05 * rnd(rng))
             lean[min(count, LIMBS - 1)] = angle
             count = grow(table, rng, limbs, above, joint, count, 0, i, length, 0.5 * width, angle, 0.5)
-    bark(table, rng, pts, marks, n, limbs, above, joint, count, 2.5, 1.0)
+    bark(table, rng, pts, marks, n, limbs, above, joint, count, 2.5, 0.9)
     for k in range(1, count):
         right = lean[k] > -0.5 * PI
         angle = lean[k] if right else lean[k] + PI
@@ -130,9 +131,12 @@ def cedar(
 @kernel
 def plum(
     table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float,
+    x: float, y: float, height: float, width: float, bloom: float,
 ) -> None:  # fmt: skip
-    """A bare gnarled tree that forks three times near the tips of its branches (tree06)."""
+    """A bare gnarled tree that forks three times near the tips of its branches (tree06).
+
+    bloom : 0…1, how thick blossoms stand on its outer branches
+    """
     before = part(elems, n, PLUM, x, y)
     limbs = np.empty((LIMBS, SIDES, 2))
     above, joint = np.full(LIMBS, -1, np.int64), np.zeros(LIMBS, np.int64)
@@ -151,11 +155,33 @@ def plum(
                 thin = width * 0.6 ** depth[count]
                 count = grow(table, rng, limbs, above, joint, count, k, i, length, thin, lean[count], 0.55)
         k += 1
-    bark(table, rng, pts, marks, n, limbs, above, joint, count, 2.0, 0.6)
+    bark(table, rng, pts, marks, n, limbs, above, joint, count, 2.0, 0.5)
     for k in range(count):
         for i in range(4, SIDES - 4):
             if rnd(rng) < 0.02 + 0.015 * depth[k]:
                 turn = between(rng, -0.1, 0.1) * PI
                 px, py = limbs[k, i, 0], limbs[k, i, 1]
                 twig(rng, pts, marks, n, px, py, 1, 0.3, turn, 1.0 if i < NODES else -1.0, False, 0.0)
+    n[HUE] = BLOSSOM
+    for k in range(count):
+        for i in range(2, NODES):
+            if depth[k] > 1 and rnd(rng) < 0.5 * bloom:
+                px, py = limbs[k, i, 0] + 4.0 * bell(rng), limbs[k, i, 1] + 4.0 * bell(rng)
+                size = between(rng, 4.0, 7.0)
+                blob(
+                    rng,
+                    pts,
+                    marks,
+                    n,
+                    px,
+                    py,
+                    size,
+                    0.9 * size,
+                    PI * rnd(rng),
+                    120.0,
+                    between(rng, 0.4, 0.8),
+                    0.4,
+                    LENS,
+                )
+    n[HUE] = INK
     n[OPEN] = before

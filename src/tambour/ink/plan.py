@@ -14,7 +14,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink import kinds
+from tambour.ink import codes, kinds
 from tambour.noise import drift, key, stream
 
 TILE = 512
@@ -85,7 +85,7 @@ def tile(rules: Rules, k: int) -> tuple[Planned, ...]:
     for p in (*_near(rules, k, hills, 1), *_near(rules, k, banks, 2)):
         made.append(p)
     for p in list(made):
-        if p.kind == kinds.HILL:
+        if p.kind == codes.HILL:
             made.append(_water(rules, p))
             if rules.mist > 0:
                 made.append(_mist(rules, p))
@@ -146,7 +146,7 @@ def hills(rules: Rules, k: int) -> tuple[Planned, ...]:
             tall *= rules.height
             at = x + 700.0 * (float(u[0]) - 0.5)
             made.append(
-                _place(rules, kinds.HILL, k, len(made), at, y, y, (tall, wide), 0.5 * wide + 150.0, 0.5 * wide + 150.0)
+                _place(rules, codes.HILL, k, len(made), at, y, y, (tall, wide), 0.5 * wide + 150.0, 0.5 * wide + 150.0)
             )
     return tuple(made)
 
@@ -169,7 +169,7 @@ def banks(rules: Rules, k: int) -> tuple[Planned, ...]:
             made.append(
                 _place(
                     rules,
-                    kinds.BANK,
+                    codes.BANK,
                     k,
                     len(made),
                     at,
@@ -189,21 +189,21 @@ def ranges(rules: Rules, k: int) -> list[Planned]:
     for m in range(-(-k * TILE // 1000), -(-(k + 1) * TILE // 1000)):
         u = stream("ink", rules.seed, rules.edition, "ranges", m).random(3)
         y, long = 280.0 - 50.0 * float(u[0]), (500.0, 1000.0, 1000.0, 1500.0)[int(4 * u[1])]
-        made.append(_place(rules, kinds.RANGE, m, 0, 1000.0 * m, y, y, (150.0, long), 5.0, long + 5.0))
+        made.append(_place(rules, codes.RANGE, m, 0, 1000.0 * m, y, y, (150.0, long), 5.0, long + 5.0))
     return made
 
 
 def _water(rules: Rules, hill: Planned) -> Planned:
     k, number = int(hill.stream[4]), int(hill.stream[5])
     return _place(
-        rules, kinds.WATER, k, number, hill.x, hill.y, hill.y - 10_000.0, (2.0, 400.0, 9), 405.0, 405.0
+        rules, codes.WATER, k, number, hill.x, hill.y, hill.y - 10_000.0, (2.0, 400.0, 9), 405.0, 405.0
     )  # fmt: skip
 
 
 def _mist(rules: Rules, hill: Planned) -> Planned:
     k, number = int(hill.stream[4]), int(hill.stream[5])
     return _place(
-        rules, kinds.MIST, k, number, hill.x, hill.y, hill.y + 0.5, (rules.mist, hill.how[1]), 700.0, 700.0
+        rules, codes.MIST, k, number, hill.x, hill.y, hill.y + 0.5, (rules.mist, hill.how[1]), 700.0, 700.0
     )  # fmt: skip
 
 
@@ -234,7 +234,7 @@ def boats(rules: Rules, k: int) -> list[Planned]:
     for x, rank, y in _moorings(rules, k):
         if all(rank >= r for a, r, _ in around if abs(a - x) < 400.0):
             right = 1.0 if rank * 1e6 % 1.0 < 0.5 else -1.0
-            made.append(_place(rules, kinds.BOAT, k, len(made), x, y, y, (120.0, y / 800.0, right), 150.0, 150.0))
+            made.append(_place(rules, codes.BOAT, k, len(made), x, y, y, (120.0, y / 800.0, right), 150.0, 150.0))
     return made
 
 
@@ -243,19 +243,19 @@ def sky(rules: Rules, k: int) -> list[Planned]:
     made: list[Planned] = []
     if rules.snow:
         made.append(
-            _place(rules, kinds.SKY, k, 0, float(k * TILE), -200.0, -30_000.0, (TILE * 1.0, 1200.0), 1.0, TILE + 2.0)
+            _place(rules, codes.SKY, k, 0, float(k * TILE), -200.0, -30_000.0, (TILE * 1.0, 1200.0), 1.0, TILE + 2.0)
         )
     u = stream("ink", rules.seed, rules.edition, "sky", k).random(4)
     x = (k + float(u[1])) * TILE
     if rules.birds and u[0] < 0.12:
         y = 60.0 + 140.0 * float(u[2])
-        made.append(_place(rules, kinds.BIRDS, k, 0, x, y, 299.0, (3 + int(9 * u[3]),), 150.0, 150.0))
+        made.append(_place(rules, codes.BIRDS, k, 0, x, y, 299.0, (3 + int(9 * u[3]),), 150.0, 150.0))
     if rules.sky != "none":
         m = (k * TILE) // 4096
         v = stream("ink", rules.seed, rules.edition, "light", m).random(2)
         x = 4096.0 * (m + 0.25 + 0.5 * float(v[0]))
         if k * TILE <= x < (k + 1) * TILE:
-            kind = kinds.MOON if rules.sky == "moon" else kinds.SUN
-            y = 70.0 + 60.0 * float(v[1]) if kind == kinds.MOON else 190.0 + 40.0 * float(v[1])
+            kind = codes.MOON if rules.sky == "moon" else codes.SUN
+            y = 70.0 + 60.0 * float(v[1]) if kind == codes.MOON else 190.0 + 40.0 * float(v[1])
             made.append(_place(rules, kind, m, 0, x, y, -20_000.0, (32.0,), 80.0, 80.0))
     return made

@@ -10,7 +10,7 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import OPEN, PI, part, rnd
 from tambour.ink.bushes import shatter
-from tambour.ink.kinds import RANGE
+from tambour.ink.codes import RANGE
 from tambour.noise import value
 
 SPAN = 10.0
@@ -39,5 +39,5 @@ def distant(
                 quad[c, 1] = y - height * value(table, 0.05 * k, seed, 0.0) * math.sqrt(arch)
             else:
                 quad[c, 1] = y + 24.0 * value(table, 0.05 * k, 2.0, seed) * arch
-        shatter(table, pts, marks, n, quad, 100.0, 0.02, phase, 200.0, 55.0, 1.0, 1.0)
+        shatter(table, pts, marks, n, quad, 100.0, 0.012, phase, 200.0, 55.0, 1.0, 1.0)
     n[OPEN] = before

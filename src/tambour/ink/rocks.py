@@ -9,8 +9,8 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import OPEN, PI, part, rnd
+from tambour.ink.codes import ROCK
 from tambour.ink.cun import SIDES, slope, wrinkles
-from tambour.ink.kinds import ROCK
 from tambour.noise import close, value
 
 LAYERS, COLUMNS = 10, 50

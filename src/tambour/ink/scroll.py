@@ -73,7 +73,7 @@ def rules(params: Ink) -> Rules:
 def manner(params: Ink) -> Manner:
     """What of the params the drawing of each whole depends on."""
     planted = 0.75 if params.season == "winter" else 1.0
-    return Manner(planted, params.buildings, params.figures, params.waterfalls)
+    return Manner(planted, float(params.season == "spring"), params.buildings, params.figures, params.waterfalls)
 
 
 def batches(params: Ink, planned: tuple[Planned, ...]) -> Iterator[Marks]:
@@ -199,12 +199,12 @@ def facts(scroll: Scroll) -> dict[str, Any]:
 
 def warm() -> None:
     """Load all kernels: a tile with a little of everything."""
-    from tambour.ink import kinds
+    from tambour.ink import codes
 
     how: dict[int, tuple[Any, ...]] = {
-        kinds.HILL: (300.0, 400.0), kinds.BANK: (100.0, 600.0, 0.5), kinds.BOAT: (120.0, 0.5, 1.0),
-        kinds.RANGE: (150.0, 100.0), kinds.WATER: (2.0, 20.0, 1), kinds.MIST: (0.1, 400.0), kinds.BIRDS: (1,),
-        kinds.MOON: (9.0,), kinds.SUN: (9.0,), kinds.SKY: (512.0, 900.0),
+        codes.HILL: (300.0, 400.0), codes.BANK: (100.0, 600.0, 0.5), codes.BOAT: (120.0, 0.5, 1.0),
+        codes.RANGE: (150.0, 100.0), codes.WATER: (2.0, 20.0, 1), codes.MIST: (0.1, 400.0), codes.BIRDS: (1,),
+        codes.MOON: (9.0,), codes.SUN: (9.0,), codes.SKY: (512.0, 900.0),
     }  # fmt: skip
     draw([Planned(k, 0.0, 300.0, 0.0, f"{k}", (k,), h, 0.0, 0.0) for k, h in how.items()], Manner())
     window(Rules("warm"), 0.0, 1.0)

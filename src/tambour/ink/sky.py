@@ -24,7 +24,7 @@ from tambour.ink.brush import (
     side,
     stroke,
 )  # fmt: skip
-from tambour.ink.kinds import BIRDS, MIST, MOON, SKY, SUN, WATERFALL
+from tambour.ink.codes import BIRDS, MIST, MOON, SKY, SUN, WATERFALL
 from tambour.ink.marks import INK, LIGHT, SEAL, VEIL, WASH
 from tambour.noise import value
 
@@ -136,20 +136,28 @@ def waterfall(
     for s in range(2):
         for k in range(16):
             p = k / 15.0 if s == 0 else 1.0 - k / 15.0
-            half = width * (0.35 + 0.65 * p) + width * (value(table, 3.0 * p, phase + s, 0.0) - 0.47)
+            half = width * (0.7 + 0.3 * p + 0.5 * (value(table, 3.0 * p, phase + s, 0.0) - 0.47))
             at(pts, n, x + lean * (1.0 - p) ** 2 + (half if s else -half), y - height * (1.0 - p))
     body(marks, n)
-    for k in range(7):
-        f = (k - 3) / 3.0
-        edge = k in (0, 6)
-        first = 0.0 if edge else between(rng, 0.0, 0.3)
-        last = 1.0 if edge else between(rng, 0.6, 1.0)
+    for k in range(9):
+        f = (k - 4) / 4.0
+        edge = k in (0, 8)
+        first = 0.0 if edge else between(rng, 0.0, 0.4)
+        last = between(rng, 0.85, 1.0) if edge else between(rng, 0.5, 1.0)
         for i in range(16):
             p = first + (last - first) * i / 15.0
-            half = width * (0.35 + 0.65 * p)
-            half += width * (value(table, 3.0 * p, phase + (1.0 if f > 0 else 0.0), 0.0) - 0.47)
+            half = width * (0.7 + 0.3 * p)
+            half += 0.5 * width * (value(table, 3.0 * p, phase + (1.0 if f > 0 else 0.0), 0.0) - 0.47)
             at(pts, n, x + lean * (1.0 - p) ** 2 + f * half, y - height * (1.0 - p))
-        stroke(rng, marks, n, 100.0, 0.5 if edge else 0.2, 1.2 if edge else 0.6, 0.7, SINE, 0.8 if edge else 0.3)
+        stroke(rng, marks, n, 100.0, 0.45 if edge else 0.2, 1.2 if edge else 0.6, 0.7, SINE, 0.8 if edge else 0.3)
+    for s in range(2):
+        # The cleft that the water comes out of.
+        f = 1.0 - 2.0 * s
+        reach, rise = between(rng, 3.0, 8.0), between(rng, 6.0, 14.0)
+        for i in range(9):
+            p = i / 8.0
+            at(pts, n, x + lean + f * (0.65 * width + reach * p * p), y - height + 3.0 - rise * p)
+        stroke(rng, marks, n, 100.0, 0.45, 1.4, 0.8, SINE, 1.0)
     for _ in range(10):
         a, b = x + 1.6 * width * bell(rng), y + 4.0 * bell(rng)
         blob(

@@ -14,9 +14,9 @@ from tambour.core.kernels import kernel
 from tambour.ink import (
     banks,
     bushes,
+    codes,
     hills,
     houses,
-    kinds,
     limbs,
     people,
     pines,
@@ -65,7 +65,7 @@ def table() -> dict[str, Specimen]:
         "branch": Specimen(branch, (200.0, 8.0), 220, 90),
         "pine": Specimen(pines.pine, (300.0, 6.0), 320, 330),
         "cedar": Specimen(pines.cedar, (260.0, 5.0), 130, 330),
-        "plum": Specimen(pines.plum, (110.0, 6.0), 240, 330),
+        "plum": Specimen(pines.plum, (110.0, 6.0, 0.0), 240, 330),
         "hut": Specimen(houses.hut, (75.0, 180.0, 0.7, 4.0, 1), 220, 110),
         "house": Specimen(houses.house, (12.0, 70.0, 0.7, 4.0, 2, 2, True), 110, 110),
         "pagoda": Specimen(houses.pagoda, (10.0, 50.0, 7), 90, 160),
@@ -80,7 +80,7 @@ def table() -> dict[str, Specimen]:
         "mist": Specimen(sky.mist, (0.7, 160.0), 320, 100),
         "water": Specimen(water.water, (2.0, 180.0, 9), 380, 70),
         "hill": Specimen(hills.hill, (360.0, 480.0, 200, 1.0, 1.0, 1.0), 560, 330),
-        "bank": Specimen(banks.bank, (100.0, 700.0, 0.55, 1.0, 1.0, 1.0, forms, loops), 780, 330),
+        "bank": Specimen(banks.bank, (100.0, 700.0, 0.55, 1.0, 0.0, 1.0, 1.0, forms, loops), 780, 330),
         "range": Specimen(ranges.distant, (150.0, 700.0), 720, 150),
     }
 
@@ -136,7 +136,7 @@ def copse(
     table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array, x: float, y: float, width: float
 ) -> None:
     """A copse of the three small trees, as in the seed diary."""
-    before = part(elems, n, kinds.COPSE, x, y)
+    before = part(elems, n, codes.COPSE, x, y)
     for k in range(14):
         a = x + width * ((k + 0.5) / 14.0 - 0.5) + 6.0 * bell(rng)
         b = y - 12.0 * rnd(rng)
@@ -156,7 +156,7 @@ def branch(
     x: float, y: float, length: float, width: float,
 ) -> None:  # fmt: skip
     """A branch by itself, lying almost level, with its bark."""
-    before = part(elems, n, kinds.BRANCH, x, y)
+    before = part(elems, n, codes.BRANCH, x, y)
     limb = np.empty((SIDES, 2))
     limbs.branch(table, rng, limb, x, y, length, width, -0.12 * PI, 0.2 * PI)
     for i in range(SIDES):
@@ -171,7 +171,7 @@ def twig(
     table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array, x: float, y: float, scale: float
 ) -> None:
     """A twig with smaller twigs on it and needles."""
-    before = part(elems, n, kinds.TWIG, x, y)
+    before = part(elems, n, codes.TWIG, x, y)
     limbs.twig(rng, pts, marks, n, x, y, 2, scale, 0.0, 1.0, True, 12.0)
     n[OPEN] = before
 
@@ -182,6 +182,6 @@ def bark(
     x: float, y: float, length: float, breadth: float,
 ) -> None:  # fmt: skip
     """One scale of bark, large."""
-    before = part(elems, n, kinds.BARK, x, y)
+    before = part(elems, n, codes.BARK, x, y)
     ring(rng, pts, marks, n, x, y - 0.5 * length, length, breadth, -0.5 * PI, 100.0, 0.6, 1.6)
     n[OPEN] = before

@@ -7,7 +7,7 @@ import math
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import DROP, HUE, LENS, OPEN, PI, at, bell, between, blob, lift, line, part, rnd, side
-from tambour.ink.kinds import FIR, JUNIPER, SAPLING
+from tambour.ink.codes import FIR, JUNIPER, SAPLING
 from tambour.ink.marks import BODY, INK, LEAF
 from tambour.noise import value
 

@@ -7,7 +7,7 @@ import math
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import OPEN, SINE, at, between, part, rnd, stroke
-from tambour.ink.kinds import WATER
+from tambour.ink.codes import WATER
 from tambour.noise import value
 
 

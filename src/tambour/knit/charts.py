@@ -11,6 +11,8 @@ from tambour.core.palette import Palette
 from tambour.core.picture import Picture
 from tambour.knit.resample import LUMA
 
+MOST = 24  # colours in a chart; a picture with more is no chart
+
 
 def chart_of(picture: Picture) -> Chart:
     """The Chart of a picture of one pixel per stitch: its colours, dark to light, at most two in a row.
@@ -24,7 +26,7 @@ def chart_of(picture: Picture) -> Chart:
     hidden = rgba[..., 3] < 128
     packed = rgba[..., 0].astype(np.uint32) << 16 | rgba[..., 1].astype(np.uint32) << 8 | rgba[..., 2]
     colours = np.unique(packed[~hidden])
-    if len(colours) > 256:
+    if len(colours) > MOST:
         raise TambourError(
             f"this picture has {len(colours):,} colours, a chart has a few",
             hint="--check takes a chart of one pixel per stitch; make one of a picture without --check",

@@ -10,12 +10,15 @@ from tambour.color import luminance
 from tambour.core.chart import Chart
 from tambour.core.check import Array
 from tambour.core.drawing import Drawing
+from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
-from tambour.knit.hand import catches, floats, longer, roles, wrong_side
+from tambour.knit.hand import catches, floats, roles, wrong_side
 from tambour.knit.sheet import GREY, INK, RGB, Sheet
 from tambour.knit.written import color_name
 
 Cells = Literal["both", "colour", "symbol"]
+LARGEST = 1_000_000
+"""Stitches above which a chart is not drawn."""
 RED: RGB = (200, 30, 40)
 PALE: RGB = (226, 226, 230)
 
@@ -185,15 +188,11 @@ def _catch_marks(sheet: Sheet, chart: Chart, window: Window, x: float, y: float,
     assert look.limit is not None
     w, h = look.cell
     b, t, left, right = window
-    marks = [
-        (x + (c - left + 0.5) * w, y + (t - r) * h)
-        for r, row in enumerate(catches(chart, look.limit, look.anchored)[b:t], b)
-        for c in row
-        if left <= c < right
-    ]
-    if marks:
+    row, column = np.nonzero(catches(chart, look.limit, look.anchored)[b:t, left:right])
+    marks = np.stack([x + (column + 0.5) * w, y + (t - b - row) * h], axis=1)
+    if len(marks):
         wedge = np.array([(0, -0.40 * h), (0.27 * w, -0.03 * h), (-0.27 * w, -0.03 * h)])
-        sheet.rings(np.array(marks)[:, None] + wedge, INK, (255, 255, 255), 0.07 * w)
+        sheet.rings(marks[:, None] + wedge, INK, (255, 255, 255), 0.07 * w)
 
 
 def _numbers(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:
@@ -252,7 +251,7 @@ def key(sheet: Sheet, chart: Chart, x: float, y: float, look: Look, size: float 
     if chart.no_stitch is not None and chart.no_stitch.any():
         sheet.boxes([(x, y, x + box, y + box)], PALE, INK, 0.2)
         entry("no stitch: skip this square")
-    if look.limit is not None and len(longer(floats(chart, look.anchored), look.limit).row):
+    if look.limit is not None and len(floats(chart, look.anchored, look.limit).row):
         centre = np.array([x + 0.5 * box, y + box])
         wedge = np.array([(0, -0.4 * box), (0.3 * box, 0), (-0.3 * box, 0)])
         sheet.boxes([(x, y, x + box, y + box)], None, INK, 0.2)
@@ -264,8 +263,18 @@ def key(sheet: Sheet, chart: Chart, x: float, y: float, look: Look, size: float 
     return y
 
 
+def drawable(chart: Chart) -> None:
+    """Raise TambourError for a chart of more stitches than anyone prints."""
+    if chart.cells.size > LARGEST:
+        raise TambourError(
+            f"{chart.cells.size:,} stitches are too many to draw one by one",
+            hint="-o name.png has a pixel for each, -o name.fabric.jpg shows the cloth",
+        )
+
+
 def sheet_of(chart: Chart, look: Look, title: str = "", lines: tuple[str, ...] = ()) -> Drawing:
     """The whole chart on one sheet as large as it needs, with title and key."""
+    drawable(chart)
     w, h = look.cell
     rows, width = chart.shape
     margin, head = 14.0, 16.0 if title else 8.0
@@ -281,6 +290,7 @@ def sheet_of(chart: Chart, look: Look, title: str = "", lines: tuple[str, ...] =
 
 def float_sheet(chart: Chart, look: Look, title: str = "") -> Drawing:
     """The chart in pale colours with a bar for every float of three stitches or more, red where it is above the limit."""
+    drawable(chart)
     w, h = look.cell
     rows, width = chart.shape
     limit = look.limit or 5

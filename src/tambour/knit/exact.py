@@ -21,6 +21,7 @@ UNIT = 1000  # weights count to three decimals
 SCALE = np.int64(1) << 27  # one unit of weight outweighs all the preferences of a row
 INFINITE = np.int64(1) << 61
 BLOCK = 64
+LARGE = 1 << 22  # stitches; larger charts are gone through once
 
 
 def solve(task: Task, cells: Array | None = None) -> Array:
@@ -56,9 +57,10 @@ def solve(task: Task, cells: Array | None = None) -> Array:
                 failed,
             )
 
-    # Every second block first: a block sees the finished rows on both its sides, whoever works on it.
-    for phase in (0, 1):
-        first = phase * BLOCK
+    # Every second block first: a block sees the finished rows on both its sides, whoever works on it. Then all again:
+    # a row now knows where the flips above it came to stand.
+    for turn in range(4 if out.size <= LARGE else 2):
+        first = turn % 2 * BLOCK
         if first < rows:
             blocks = len(range(first, rows, 2 * BLOCK))
 
@@ -125,11 +127,16 @@ def break_runs(start: Array, f: int, low: int, high: int, key: np.uint64, out: A
             end = begin + 1
             while end < stitches and start[y, end] == start[y, begin]:
                 end += 1
+            for x in range(begin, end):
+                out[y, x] = start[y, x]
             q = (end - begin) // (f + 1)
             slack = f - (end - begin) % (f + 1)
             for j in range(q):
                 for lag in range(slack + 1):
                     x = begin + (j + 1) * (f + 1) - 1 - lag
+                    if slack == 0:
+                        best[j, 0], back[j, 0] = 0, 0  # there is but one way
+                        break
                     best[j, lag] = huge
                     # Both ends stay as they are: a flip there would lengthen the run beside it.
                     if x <= begin or x >= end - 1:

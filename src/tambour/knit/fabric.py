@@ -130,7 +130,7 @@ def _yarns(chart: Chart) -> Array:
     """Linear light (R, C, 3) of every stitch, a little uneven as wool is; no yarn is perfectly black or white."""
     color = 0.012 + 0.90 * linear(chart.palette.rgb / 255.0)
     uneven = stream("knit", "fabric").normal(1.0, 0.045, chart.shape)
-    return color[chart.cells] * np.clip(uneven, 0.8, 1.2)[..., None]
+    return color.astype(np.float32)[chart.cells] * np.clip(uneven, 0.8, 1.2).astype(np.float32)[..., None]
 
 
 def _cloth(chart: Chart, width: int | None, back: bool) -> Array:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -10,8 +11,7 @@ import numpy as np
 from tambour.core.chart import Chart
 from tambour.core.check import Array
 
-_CATCH, _SAME, _BESIDE, _AGAIN = 4.0, 100.0, 4.0, 1.0
-"""Cost of a catch; of one over a catch of the row below, beside one, over one two rows below."""
+_BLOCK = 1 << 19
 
 
 class Floats(NamedTuple):
@@ -74,24 +74,47 @@ def runs(chart: Chart, row: int) -> list[tuple[int, int]]:
     return [(int(cells[a]), int(b - a)) for a, b in itertools.pairwise(bounds)]
 
 
-def floats(chart: Chart, anchored: bool = True) -> Floats:
-    """The floats of every row that holds two colours.
+def floats(chart: Chart, anchored: bool = True, above: int = 0) -> Floats:
+    """The floats of every row that holds two colours, those of more than ``above`` stitches.
 
     anchored : both yarns go to both sides of flat knitting, so the runs at the sides have floats behind them too;
         otherwise they have none. In the round there are no sides.
     """
-    rows, _width = chart.shape
+    found = [_floats(chart.cells[:0], False, anchored)]
+    found += [Floats(*(part[block.length > above] for part in block)) for block in _blocks(chart, anchored)]
+    return Floats(*(np.concatenate(parts) for parts in zip(*found)))
+
+
+def _blocks(chart: Chart, anchored: bool) -> Iterator[Floats]:
+    """The floats some rows at a time: those of a whole large chart would fill the memory."""
+    rows, width = chart.shape
     if chart.no_stitch is None or not chart.no_stitch.any():
-        return _floats(chart.cells, chart.circular, anchored)
-    found = []
+        step = max(1, _BLOCK // max(1, width))
+        for r in range(0, rows, step):
+            one = _floats(chart.cells[r : r + step], chart.circular, anchored)
+            yield one._replace(row=one.row + r)
+        return
     for r in range(rows):
         columns = np.flatnonzero(~chart.no_stitch[r])
         if len(columns):
             one = _floats(chart.cells[r : r + 1, columns], chart.circular, anchored)
-            found.append(one._replace(row=one.row + r, start=columns[one.start]))
-    if not found:
-        return _floats(chart.cells[:0], False, anchored)
-    return Floats(*(np.concatenate(parts) for parts in zip(*found)))
+            yield one._replace(row=one.row + r, start=columns[one.start])
+
+
+def crossed(chart: Chart, row: int, start: int, length: int) -> Array:
+    """The columns (length,) of the stitches that a float lies behind, from its start rightwards."""
+    if chart.no_stitch is None:
+        return (start + np.arange(length)) % chart.shape[1]
+    knitted = np.flatnonzero(~chart.no_stitch[row])
+    return knitted[(np.searchsorted(knitted, start) + np.arange(length)) % len(knitted)]
+
+
+def carried(chart: Chart, anchored: bool = True) -> Array:
+    """Stitches (K,) that each colour crosses behind others."""
+    total = np.zeros(len(chart.palette))
+    for block in _blocks(chart, anchored):
+        total += np.bincount(block.yarn, block.length, len(total))
+    return np.round(total).astype(np.int64)
 
 
 def _floats(cells: Array, circular: bool, anchored: bool) -> Floats:
@@ -122,51 +145,20 @@ def _floats(cells: Array, circular: bool, anchored: bool) -> Floats:
     return Floats(row.astype(np.int64), start.astype(np.int64), length.astype(np.int64), yarn, edge)
 
 
-def longer(found: Floats, limit: int) -> Floats:
-    """The floats above ``limit`` stitches."""
-    keep = found.length > limit
-    return Floats(*(part[keep] for part in found))
+def catches(chart: Chart, limit: int, anchored: bool = True) -> Array:
+    """Where (R, C) bool to catch the floats above ``limit``, so that no more than ``limit`` stitches lie free.
 
-
-def catches(chart: Chart, limit: int, anchored: bool = True) -> list[list[int]]:
-    """Columns, per row, at which to catch the floats above ``limit``, so that no more than ``limit`` stitches lie free.
-
-    The cheapest places by dynamic programming over each float: few, even, never over a catch of the row below when
-    that can be helped (a column of catches shows on the right side), nor beside one.
+    Few, even, never over a catch of the row below when that can be helped (a column of catches shows on the right
+    side), nor beside one; see :mod:`tambour.knit.catch`.
     """
-    rows, width = chart.shape
-    marks: list[list[int]] = [[] for _ in range(rows)]
-    long = longer(floats(chart, anchored), limit)
-    for row, start, length in sorted(zip(long.row.tolist(), long.start.tolist(), long.length.tolist())):
-        columns = [(start + k) % width for k in range(length)]
-        if chart.no_stitch is not None:
-            free = np.flatnonzero(~chart.no_stitch[row])
-            at = int(np.searchsorted(free, start))
-            columns = [int(free[(at + k) % len(free)]) for k in range(length)]
-        below = set(marks[row - 1]) if row else set()
-        again = set(marks[row - 2]) if row > 1 else set()
-        marks[row] += [columns[k] for k in _places(columns, limit, below, again)]
-    return [sorted(row) for row in marks]
+    marks = np.zeros(chart.shape, np.bool_)
+    long = floats(chart, anchored, limit)
+    if len(long.row):
+        from tambour.knit.catch import mark
 
-
-def _places(columns: list[int], limit: int, below: set[int], again: set[int]) -> list[int]:
-    """Positions of the catches of one float (indices into ``columns``)."""
-    n = len(columns)
-    cost, back = [0.0] * (n + 2), [0] * (n + 2)  # position p + 1; 0 is the stitch before the float, n + 1 the one after
-    for p in range(1, n + 2):
-        own = 0.0
-        if p <= n:
-            c = columns[p - 1]
-            own = (
-                _CATCH + _SAME * (c in below) + _BESIDE * ((c - 1 in below) + (c + 1 in below)) + _AGAIN * (c in again)
-            )
-        best = min(range(max(0, p - limit - 1), p), key=lambda q: (cost[q] + 0.01 * (p - q) ** 2, q))
-        cost[p], back[p] = cost[best] + 0.01 * (p - best) ** 2 + own, best
-    found, p = [], back[n + 1]
-    while p > 0:
-        found.append(p - 1)
-        p = back[p]
-    return found[::-1]
+        absent = np.zeros((0, 0), np.bool_) if chart.no_stitch is None else chart.no_stitch
+        mark(long.row, long.start, long.length, absent, limit, marks)
+    return marks
 
 
 def ladders(chart: Chart, limit: int, anchored: bool = True, least: int | None = None) -> list[Ladder]:
@@ -177,25 +169,37 @@ def ladders(chart: Chart, limit: int, anchored: bool = True, least: int | None =
     carries and ends at the last; gaps of two rows and less are bridged.
     """
     least = 3 * limit + 2 if least is None else least
-    long = longer(floats(chart, anchored), least)
+    long = floats(chart, anchored, least)
     width, step = chart.shape[1], limit + 1
     if not len(long.row):
         return []
     ends = np.concatenate([long.start - 1, long.start + long.length]) % width
     near = [np.abs((ends - o + step // 2) % step - step // 2).sum() for o in range(step)]
     phase = int(np.argmax(near))
-    crossed: dict[int, list[int]] = {}
-    for row, start, length in zip(long.row.tolist(), long.start.tolist(), long.length.tolist()):
-        for k in range(length):
-            if (start + k) % width % step == phase:
-                crossed.setdefault((start + k) % width, []).append(row)
-    found = []
-    for column, at in sorted(crossed.items()):
-        first = last = at[0]
-        for row in at[1:]:
-            if row > last + 3:
-                found.append(Ladder(column, first, last))
-                first = row
-            last = row
-        found.append(Ladder(column, first, last))
-    return found
+    column, row = _standing(chart, long, phase, step)
+    order = np.lexsort((row, column))
+    column, row = column[order], row[order]
+    begin = np.ones(len(row), np.bool_)
+    begin[1:] = (column[1:] != column[:-1]) | (row[1:] > row[:-1] + 3)
+    first = np.flatnonzero(begin)
+    last = np.append(first[1:], len(row)) - 1
+    return [Ladder(*found) for found in zip(column[first].tolist(), row[first].tolist(), row[last].tolist())]
+
+
+def _standing(chart: Chart, long: Floats, phase: int, step: int) -> tuple[Array, Array]:
+    """Columns ≡ ``phase`` (mod ``step``) that each float crosses, and its row, (P,) each."""
+    width = chart.shape[1]
+    if chart.no_stitch is not None:
+        crossings = [crossed(chart, *one) for one in zip(long.row.tolist(), long.start.tolist(), long.length.tolist())]
+        column, row = np.concatenate(crossings), np.repeat(long.row, long.length)
+        keep = column % step == phase
+        return column[keep], row[keep]
+    # A float round the seam is two pieces.
+    over = np.maximum(long.start + long.length - width, 0)
+    row = np.concatenate([long.row, long.row[over > 0]])
+    start = np.concatenate([long.start, np.zeros(int((over > 0).sum()), np.int64)])
+    length = np.concatenate([long.length - over, over[over > 0]])
+    lead = (phase - start) % step
+    count = np.maximum(0, -(-(length - lead) // step))
+    place = np.arange(count.sum()) - np.repeat(count.cumsum() - count, count)
+    return np.repeat(start + lead, count) + step * place, np.repeat(row, count)

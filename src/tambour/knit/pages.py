@@ -12,7 +12,7 @@ import numpy as np
 from tambour.core.chart import Chart
 from tambour.core.drawing import Drawing
 from tambour.core.picture import Picture
-from tambour.knit.draw import RED, Look, Window, grid, key
+from tambour.knit.draw import RED, Look, Window, drawable, grid, key
 from tambour.knit.hand import roles
 from tambour.knit.sheet import GREY, INK, Sheet
 from tambour.knit.swatch import page as swatch_page
@@ -115,6 +115,7 @@ def booklet(
 
     fabric : how the piece will look, for the cover; amounts : from :func:`tambour.knit.yarn.amounts`
     """
+    drawable(chart)
     gauge = gauge_of(chart, words.weight)
     aspect = gauge.width / gauge.height if chart.gauge else 1.0
     plan = layout(chart, page, aspect, large)
@@ -308,9 +309,14 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
 
 def _columns(listed: list[str], ladder: list[str], catch: int, page: tuple[float, float]) -> list[list[list[str]]]:
     """The float list on pages of two columns."""
-    lines = [f"Floats above {catch} stitches; stitches count from the right.", ""]
+    lines = [
+        f"Floats above {catch} stitches: yarn, the stitches that it lies behind,",
+        "counted from the right (how many): catch at",
+        "",
+    ]
     for line in listed:
-        glued = re.sub(r"(CC\d?|MC) behind", "\\1\u00a0behind", line)
+        # A float's words stay together.
+        glued = re.sub(r"(CC\d?|MC) behind (\S+) (\S+) ", "\\1\u00a0behind\u00a0\\2\u00a0\\3\u00a0", line)
         lines += [part.replace("\u00a0", " ") for part in wrap(glued, 66, subsequent_indent="   ")]
     if ladder:
         lines += [

@@ -37,12 +37,14 @@ def terms(
                         z[s, x] += w * error[y + d, x, c]
         linear(z, across, columns, n, ring, rest[c])
         for s in range(down.shape[0]):
-            for x in range(stitches):
-                z[s, x] = down[s, 0] * aim[y, x, c]
+            z[s, :] = 0
+            for k in range(n):
+                z[s, columns[k]] = down[s, 0] * aim[y, columns[k], c]
         linear(z, across, columns, n, ring, goal[c])
     for s in range(down.shape[0]):
-        for x in range(stitches):
-            z[s, x] = down[s, 0]
+        z[s, :] = 0
+        for k in range(n):
+            z[s, columns[k]] = down[s, 0]
     linear(z, across, columns, n, ring, one)
 
 

@@ -256,25 +256,27 @@ def seen(y: int, cells: Array, tone: Array, down: Array, z: Array) -> None:
 
 @kernel
 def linear(z: Array, across: Array, columns: Array, n: int, ring: bool, u: Array) -> None:
-    """u (n,): twice the sum over scales of z at the knitted ``columns``, filtered along the row."""
+    """u (n,): twice the sum over scales of z (S, C) filtered along the row, at the ``n`` knitted columns."""
     reach = across.shape[1] - 1
-    padded = np.zeros(n + 2 * reach, np.float32)
-    for k in range(n):
-        u[k] = 0
+    stitches = z.shape[1]
+    padded = np.zeros(stitches + 2 * reach, np.float32)
+    found = np.zeros(stitches, np.float32)
     for s in range(z.shape[0]):
-        for k in range(n):
-            padded[reach + k] = z[s, columns[k]]
+        for x in range(stitches):
+            padded[reach + x] = z[s, x]
         if ring:
             for k in range(reach):
-                padded[reach - 1 - k] = z[s, columns[(n - 1 - k) % n]]
-                padded[reach + n + k] = z[s, columns[k % n]]
+                padded[reach - 1 - k] = z[s, (stitches - 1 - k) % stitches]
+                padded[reach + stitches + k] = z[s, k % stitches]
         for d in range(-reach, reach + 1):
             c = 2 * across[s, abs(d)]
             if c == 0:
                 continue
-            moved = padded[reach + d : reach + d + n]
-            for k in range(n):
-                u[k] += c * moved[k]
+            moved = padded[reach + d : reach + d + stitches]
+            for x in range(stitches):
+                found[x] += c * moved[x]
+    for k in range(n):
+        u[k] = found[columns[k]]
 
 
 @kernel

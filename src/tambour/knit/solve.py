@@ -153,7 +153,7 @@ def solved(task: Task, params: KnitParams, progress: Progress) -> Array:
 
 def sweeps_for(task: Task) -> int:
     """Sweeps over the rows: until nothing changes, but few over very large charts, whose first ones gain the most."""
-    return 8 if task.start.size <= 1 << 20 else 3
+    return 8 if task.start.size <= 1 << 20 else 3 if task.start.size <= 1 << 22 else 2
 
 
 def priced(task: Task, params: KnitParams) -> bool:
@@ -218,9 +218,8 @@ def assemble(
         circular=params.round,
         gauge=resample.gauge_of(params),
     )
-    counts = np.bincount(
-        chart.cells.ravel() if chart.no_stitch is None else chart.cells[~chart.no_stitch], minlength=len(palette)
-    )
+    knitted = chart.cells if chart.no_stitch is None else chart.cells[~chart.no_stitch]
+    counts = np.array([np.count_nonzero(knitted == k) for k in range(len(palette))])
     figures: dict[str, Any] = {
         "width": chart.cells.shape[1],
         "rows": chart.cells.shape[0],

@@ -13,7 +13,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
-from tambour.knit import exact, tone
+from tambour.knit import exact, percept, tone
 from tambour.knit.params import KnitParams
 from tambour.knit.task import Task
 from tambour.noise import stream
@@ -65,15 +65,18 @@ def ready(limit: int, params: KnitParams) -> list[Array]:
 
 
 def noise(limit: int, params: KnitParams) -> list[Array]:
-    """Smoothed noise, cut at the level's mean and made lawful with the fewest flips, closing upon itself."""
+    """Smoothed noise about the level's mean, solved as rounds, so that rows close upon themselves."""
     from scipy.ndimage import gaussian_filter
 
     field = stream("knit", params.seed, "patches").random((NOISE, NOISE))
     field = gaussian_filter(field, 0.6, mode="wrap") - gaussian_filter(field, 1.6, mode="wrap")
+    spread = 0.15 / max(float(field.std()), 1e-9)
     tiles = []
     for mean in levels(limit):
-        cut = (field > np.quantile(field, 1 - float(mean))).astype(np.uint8)
-        tiles.append(exact.solve(Task(np.zeros(cut.shape, np.float32), cut, limit, ring=True, seed=params.seed)))
+        aim = np.clip(float(mean) + spread * field, 0, 1).astype(np.float32)
+        within = min(limit, percept.LARGEST)
+        task = Task(aim, tone.assign(aim, "floyd-steinberg", 0.5), within, ring=True, seed=params.seed)
+        tiles.append(percept.solve(task, percept.eye(within)))
     return tiles
 
 

@@ -218,6 +218,6 @@ def facts(piece: Piece) -> dict[str, Any]:
             }
             for a in yarn(piece)
         ],
-        "catches": sum(map(len, catches(piece.chart, catch, anchored(piece)))),
+        "catches": int(catches(piece.chart, catch, anchored(piece)).sum()),
         "ladders": len(ladders(piece.chart, catch, anchored(piece))),
     }

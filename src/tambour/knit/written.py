@@ -10,7 +10,7 @@ import numpy as np
 from tambour.color import oklab
 from tambour.core.chart import Chart
 from tambour.core.errors import Text
-from tambour.knit.hand import catches, floats, ladders, longer, roles, runs, worked, wrong_side
+from tambour.knit.hand import catches, crossed, floats, ladders, roles, runs, worked, wrong_side
 from tambour.knit.yarn import Amount, gauge_of
 
 Run = tuple[int, int]
@@ -184,22 +184,21 @@ def color_name(chart: Chart, color: int) -> str:
 
 
 def float_list(chart: Chart, catch: int, anchored: bool = True) -> list[str]:
-    """A line per row that has floats above ``catch``: where they are, which yarn, at which stitches to catch it.
+    """A line per row that has floats above ``catch``: which yarn, behind which stitches, where to catch it.
 
     Stitches are numbered from the right, as the chart's foot does.
     """
     names, width = roles(chart), chart.shape[1]
-    long = longer(floats(chart, anchored), catch)
+    long = floats(chart, anchored, catch)
     marks = catches(chart, catch, anchored)
     by_row: dict[int, list[tuple[int, str]]] = {}
     for row, start, length, yarn in zip(
         long.row.tolist(), long.start.tolist(), long.length.tolist(), long.yarn.tolist()
     ):
-        right, left = width - (start + length - 1) % width, width - start
-        inside = {(start + k) % width for k in range(length)}
-        at = sorted(width - c for c in marks[row] if c in inside)
-        where = ", ".join(map(str, at))
-        text = f"{names[yarn]} behind stitches {right}–{left} ({length}), catch at {where}"
+        columns = crossed(chart, row, start, length)
+        right, left = width - int(columns[-1]), width - start
+        where = ", ".join(str(width - c) for c in columns[::-1].tolist() if marks[row, c])
+        text = f"{names[yarn]} behind {right}–{left} ({length}): {where}"
         by_row.setdefault(row, []).append((right, text))
     word = "Rnd" if chart.circular else "Row"
     return [f"{word} {r + 1}: {'; '.join(text for _, text in sorted(parts))}." for r, parts in sorted(by_row.items())]
@@ -219,7 +218,8 @@ def _float_lines(chart: Chart, catch: int, anchored: bool) -> list[str]:
     listed = float_list(chart, catch, anchored)
     if not listed:
         return ["", f"No float is longer than {catch} stitches: none needs catching."]
-    out = ["", f"Floats above {catch} stitches, and where to catch them (stitches counted from the right)"]
+    out = ["", f"Floats above {catch} stitches"]
+    out += ["  yarn, the stitches that it lies behind, counted from the right (how many): catch at"]
     for line in listed:
         out += _wrapped(line)
     plan = ladder_list(chart, catch, anchored)

@@ -6,7 +6,7 @@ from math import ceil
 from typing import Literal, NamedTuple
 
 from tambour.core.chart import Chart, Gauge
-from tambour.knit.hand import floats, tally
+from tambour.knit.hand import carried, tally
 
 Weight = Literal["lace", "fingering", "sport", "dk", "worsted", "aran", "bulky"]
 
@@ -59,14 +59,11 @@ def amounts(
     """
     width = gauge_of(chart, weight).width / 1000
     per_gram = skein_metres / skein_grams if skein_metres else WEIGHTS[weight][2] / 100
-    carried = dict.fromkeys(range(len(chart.palette)), 0)
-    found = floats(chart, anchored)
-    for color in carried:
-        carried[color] = int(found.length[found.yarn == color].sum())
+    behind = carried(chart, anchored)
     made = []
     for color, stitches in enumerate(tally(chart).tolist()):
         if stitches:
-            metres = (STITCH * stitches + carried[color]) * width * SPARE
+            metres = float(STITCH * stitches + behind[color]) * width * SPARE
             grams = metres / per_gram
             made.append(Amount(color, stitches, metres, metres / 0.9144, grams, max(1, ceil(grams / skein_grams))))
     return sorted(made, key=lambda a: (-a.stitches, a.color))

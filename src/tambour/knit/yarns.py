@@ -174,9 +174,9 @@ def choose(
 def over_rows(costs: Array, price: float, most: int | None) -> Array:
     """(R,) pair of each row of least total cost (R, N), with ``price`` a change and at most ``most`` changes."""
     rows, pairs = costs.shape
-    limit = rows - 1 if most is None else min(most, rows - 1)
     # Without a limit the number of changes need not be told apart.
-    kept = 1 if most is None or limit == rows - 1 else limit + 1
+    free = most is None or most >= rows - 1
+    kept = 1 if most is None or free else most + 1
     best = np.full((kept, pairs), np.inf)
     best[0] = costs[0]
     back = np.zeros((rows, kept, pairs, 2), np.int32)
@@ -185,7 +185,7 @@ def over_rows(costs: Array, price: float, most: int | None) -> Array:
         back[y, :, :, 0] = np.arange(pairs)
         back[y, :, :, 1] = np.arange(kept)[:, None]
         for used in range(kept):
-            source = used if kept == 1 else used - 1
+            source = used if free else used - 1
             if source < 0:
                 continue
             k = int(best[source].argmin())

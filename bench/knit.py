@@ -1,0 +1,258 @@
+"""Knit: flips, artefacts, likeness and time against the 2013 paper's methods, all in one run.
+
+    python bench/knit.py [--small] [--skip-bound]
+
+Pictures are those that scikit-image bundles (a development dependency); sizes are the paper's. Every figure printed
+comes from this run. "less" is how much less blurred error there is than with the best of the paper's 16 combinations
+(four starts, four solvers) by that very measure; "bound" the most that any lawful chart could have, by a convex
+relaxation whose gap is closed by Frank and Wolfe's method with the exact row solver as its oracle.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "src"))
+
+from tambour import color
+from tambour.core.errors import TambourError
+from tambour.core.picture import Picture
+from tambour.core.progress import Progress
+from tambour.knit import CRAFT, exact, floats, measure, paper, percept, tone
+from tambour.knit.edit import resolve
+from tambour.knit.params import KnitParams
+from tambour.knit.solve import make, sweeps_for
+from tambour.knit.task import Task
+
+CASES = [
+    ("horse", 120, 100),
+    ("text", 120, 100),
+    ("camera", 151, 155),
+    ("coins", 151, 155),
+    ("astronaut", 267, 186),
+    ("page", 267, 186),
+    ("camera", 363, 255),
+    ("coffee", 363, 255),
+    ("moon", 363, 255),
+    ("chelsea", 363, 255),
+    ("clock", 120, 100),
+    ("rocket", 151, 155),
+    ("logo", 151, 155),
+    ("colorwheel", 120, 100),
+]
+STARTS = ("threshold", "ordered", "floyd-steinberg", "atkinson")
+SOLVERS = ("gsat", "hybrid", "texture", "min-conflict")
+SIGMAS = (1.0, 1.5, 2.0, 3.0)
+LIMIT = 4
+
+
+def grey(name: str, width: int, height: int) -> np.ndarray:
+    """(height, width) float32 in 0…1, row 0 the lowest."""
+    from skimage import color as colour
+    from skimage import data, transform
+
+    picture = np.asarray(getattr(data, name)())
+    if picture.dtype == bool:
+        picture = picture.astype(float)
+    elif picture.ndim == 3:
+        picture = colour.rgb2gray(picture[..., :3])
+    else:
+        picture = picture / 255
+    small = transform.resize(picture, (height, width), anti_aliasing=True)
+    return np.ascontiguousarray(np.clip(small, 0, 1)[::-1], np.float32)
+
+
+def dB(cells: np.ndarray, aim: np.ndarray) -> list[float]:
+    return [measure.psnr(measure.blurred_error(cells, aim, s)) for s in SIGMAS]
+
+
+def less(ours: float, theirs: float) -> float:
+    """Percent less error, of two figures in dB."""
+    return 100 * (1 - 10 ** ((theirs - ours) / 10))
+
+
+def bound(aim: np.ndarray, sigma: float, begin: np.ndarray, steps: int) -> float:
+    """dB that no lawful chart exceeds at this blur (rows' convex hulls; a true bound whatever the steps)."""
+    from scipy.ndimage import gaussian_filter
+
+    b = begin.astype(np.float64)
+    best = 0.0
+    for _ in range(steps):
+        seen = gaussian_filter(b - aim, sigma)
+        slope = 2 * gaussian_filter(seen, sigma)
+        weights = np.abs(slope)
+        task = Task(
+            aim, (slope < 0).astype(np.uint8), LIMIT, weights=(weights / weights.max() * 1e4).astype(np.float32)
+        )
+        corner = exact.solve(task).astype(np.float64)
+        gap = float((slope * (b - corner)).sum())
+        best = max(best, float((seen**2).sum()) - gap)
+        way = corner - b
+        spread = gaussian_filter(way, sigma)
+        b += way * min(1.0, gap / (2 * float((spread**2).sum())))
+    return measure.psnr(best / aim.size)
+
+
+def pictures(small: bool, with_bound: bool) -> None:
+    for mode in ("raw", "reachable"):
+        rows, flips, lines = [], {}, {}
+        print(
+            f"\n{mode} tone, f = {LIMIT}, anchored: dB at blur 1, 1.5, 2, 3; blurred error less than the paper's best at 1.5"
+        )
+        for name, width, height in CASES[: 4 if small else None]:
+            aim = tone.toned(grey(name, width, height), KnitParams(tone=mode), LIMIT)
+            best = [0.0] * 4
+            for start in STARTS:
+                first = tone.assign(aim, start, 0.5)
+                task = Task(aim, first, LIMIT)
+                shortest = exact.solve(task)
+                assert (shortest != first).sum() == floats.fewest(first, LIMIT)
+                flips.setdefault(start, {}).setdefault("exact", []).append(int((shortest != first).sum()))
+                lines.setdefault(start, {}).setdefault("exact", []).append(measure.lined_up(shortest != first))
+                for solver in SOLVERS:
+                    cells = paper.solve(task, solver, KnitParams())
+                    flips[start].setdefault(solver, []).append(int((cells != first).sum()))
+                    lines[start].setdefault(solver, []).append(measure.lined_up(cells != first))
+                    best = [max(a, b) for a, b in zip(best, dB(cells, aim))]
+            first = tone.assign(aim, "floyd-steinberg", 0.5)
+            task = Task(aim, first, LIMIT)
+            seconds = 9.0
+            for _ in range(2):
+                since = time.perf_counter()
+                ours = percept.solve(task, percept.eye(LIMIT), sweeps=sweeps_for(task))
+                seconds = min(seconds, time.perf_counter() - since)
+            assert floats.measure(task, ours).violations == 0
+            mine, free = dB(ours, aim), dB(first, aim)
+            gain = less(mine[1], best[1])
+            cap = (
+                less(bound(aim, 1.5, ours, 60 if width > 200 else 150), best[1])
+                if with_bound and mode == "raw"
+                else float("nan")
+            )
+            rows.append((gain, cap, *(np.array(mine) - free)))
+            print(
+                f"{name:10} {width}x{height}  paper {' '.join(f'{v:5.1f}' for v in best)}  ours {' '.join(f'{v:5.1f}' for v in mine)}"
+                f"  less {gain:5.1f} % (bound {cap:5.1f} %)  over free Floyd-Steinberg {' '.join(f'{a - b:+5.1f}' for a, b in zip(mine, free))}  {seconds:.3f} s",
+                flush=True,
+            )
+        table = np.array(rows)
+        print(
+            f"median less {np.median(table[:, 0]):.1f} %, bound {np.median(table[:, 1]):.1f} %; first ten: {np.median(table[:10, 0]):.1f} %, bound {np.median(table[:10, 1]):.1f} %"
+        )
+        if mode == "reachable":
+            print(
+                "least over unconstrained Floyd-Steinberg, dB:",
+                table[:, 2:].min(0).round(2),
+                "below:",
+                (table[:, 2:] < 0).sum(0),
+            )
+        print(f"{'flips':16}" + "".join(f"{s:>14}" for s in ("exact", *SOLVERS)) + "   lined-up flips per 1000 (mean)")
+        for start in STARTS:
+            print(
+                f"{start:16}" + "".join(f"{sum(flips[start][s]):14}" for s in ("exact", *SOLVERS))
+                + "   " + "".join(f"{np.mean(lines[start][s]):9.1f}" for s in ("exact", *SOLVERS))
+            )  # fmt: skip
+
+
+def flat_greys() -> None:
+    print("\nanisotropy of visible frequencies on flat greys (1 is noise alike in all directions), 128 x 128")
+    levels = (0.25, 0.3, 0.35, 0.4, 0.45)
+    for what in ("free Floyd-Steinberg", "GSAT", "exact", "perceptual"):
+        found = []
+        for level in levels:
+            aim = np.full((128, 128), level, np.float32)
+            first = tone.assign(aim, "floyd-steinberg", 0.5)
+            task = Task(aim, first, LIMIT)
+            cells = {
+                "GSAT": lambda task=task: paper.solve(task, "gsat", KnitParams()),
+                "exact": lambda task=task: exact.solve(task),
+                "perceptual": lambda task=task: percept.solve(task, percept.eye(LIMIT)),
+            }.get(what, lambda first=first: first)()
+            found.append(measure.anisotropy(cells))
+        print(f"{what:22}" + " ".join(f"{v:6.2f}" for v in found))
+
+
+def linear_light() -> None:
+    print("\nlinear light, raw tone: dB at blur 1.5 (textiles-lab/knit-dithering as read in 2025: a peer's figures)")
+    peer = {
+        ("camera", 151): 15.0,
+        ("camera", 363): 15.4,
+        ("coffee", 363): 16.0,
+        ("moon", 363): 18.9,
+        ("page", 267): 16.5,
+    }
+    for name, width, height in CASES[:10]:
+        if (name, width) in peer:
+            aim = color.linear(grey(name, width, height)).astype(np.float32)
+            task = Task(aim, tone.assign(aim, "floyd-steinberg", 0.5), LIMIT)
+            seconds = 9.0
+            for _ in range(4):
+                since = time.perf_counter()
+                cells = percept.solve(task, percept.eye(LIMIT))
+                seconds = min(seconds, time.perf_counter() - since)
+            ours = dB(cells, aim)[1]
+            print(
+                f"{name:10} {width}x{height}  peer {peer[name, width]:.1f}  ours {ours:.1f}  {ours - peer[name, width]:+.1f} dB  {seconds:.3f} s"
+            )
+
+
+def picture(width: int, height: int) -> Picture:
+    from PIL import Image
+    from skimage import data
+
+    plane = np.asarray(Image.fromarray(data.camera()).resize((width, height), Image.Resampling.BICUBIC))
+    return Picture(np.dstack([plane, plane, plane, np.full_like(plane, 255)]))
+
+
+def peak() -> float:
+    """Highest resident size of this process so far, MB (Linux)."""
+    status = Path("/proc/self/status").read_text().split("\n")
+    return next(int(line.split()[1]) / 1024 for line in status if line.startswith("VmHWM"))
+
+
+def speed(small: bool) -> None:
+    print("\nseconds of stage solve")
+    CRAFT.warm()
+    page = picture(363, 255)
+    for method in ("exact", "perceptual"):
+        seconds = []
+        for _ in range(5):
+            told = Progress()
+            piece = make(page, KnitParams(method=method), told)
+            seconds.append(told.seconds["solve"])
+        edits = []
+        for x in range(60, 70):
+            since = time.perf_counter()
+            try:
+                resolve(piece, [(100, x, 1 - int(piece.chart.cells[100, x]))])
+            except TambourError:
+                continue
+            edits.append(time.perf_counter() - since)
+        print(f"363x255 {method:11} {min(seconds):.4f}   after one edited stitch {np.median(edits):.4f}")
+    if small:
+        return
+    big = picture(4000, 4000)
+    for mode in ("raw", "reachable"):
+        for method in ("exact", "perceptual"):
+            Path("/proc/self/clear_refs").write_text("5")
+            before = peak()
+            told = Progress()
+            piece = make(big, KnitParams(method=method, tone=mode), told)
+            extra = (peak() - before) * 2**20 / 16e6
+            assert piece.figures["violations"] == 0
+            print(
+                f"4000x4000 {mode:9} {method:11} {told.seconds['solve']:.2f}   {extra:.1f} bytes a stitch beside the picture"
+            )
+            del piece
+
+
+if __name__ == "__main__":
+    quick = "--small" in sys.argv
+    pictures(quick, "--skip-bound" not in sys.argv)
+    flat_greys()
+    linear_light()
+    speed(quick)

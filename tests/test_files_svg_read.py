@@ -1,0 +1,217 @@
+"""SVG as programs write it: geometry, style, units, notes; and hostile files."""
+
+from __future__ import annotations
+
+import gzip
+import math
+import time
+
+import numpy as np
+import pytest
+import shapely
+
+from tambour import files
+from tambour.core.errors import TambourError
+from tambour.files.svg_path import PathError, arc, flatten, transform
+
+HEAD = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" xmlns:inkstitch="http://inkstitch.org/namespace" width="100mm" height="50mm" viewBox="0 0 100 50">'
+
+
+def read(tmp_path, body, head=HEAD):
+    path = tmp_path / "a.svg"
+    path.write_text(head + body + "</svg>")
+    return files.read(path, ("Drawing",))
+
+
+def areas(drawing):
+    parts = drawing.paths.parts
+    return [
+        sum(shapely.Polygon(drawing.paths[i]).area for i in range(parts[m], parts[m + 1]) if len(drawing.paths[i]) > 3)
+        for m in range(len(drawing))
+    ]
+
+
+def test_shapes_have_their_areas_in_mm(tmp_path):
+    made = read(
+        tmp_path,
+        '<rect x="1" y="2" width="10" height="4"/><circle cx="50" cy="20" r="7"/><ellipse cx="20" cy="20" rx="5" ry="3"/>'
+        '<polygon points="0,0 4,0 4,3"/><rect width="10" height="10" rx="2"/><path d="M0 0h6v2h-6z"/>',
+    )
+    assert np.allclose(areas(made), [40, math.pi * 49, math.pi * 15, 6, 100 - (4 - math.pi) * 4, 12], rtol=5e-3)
+    assert np.allclose(made.size, [100, 50])
+
+
+def test_units_and_viewbox(tmp_path):
+    square = '<path d="M0 0h10v10h-10z"/>'
+    for head, mm in (
+        ('<svg width="100" height="100">', 10 * 25.4 / 96),
+        ('<svg width="2in" height="2in" viewBox="0 0 20 20">', 25.4),
+        ('<svg viewBox="0 0 96 96">', 10 * 25.4 / 96),
+        ('<svg width="10cm" height="5cm" viewBox="0 0 100 100">', 5),
+        ('<svg width="10cm" height="5cm" viewBox="0 0 100 100" preserveAspectRatio="xMinYMin slice">', 10),
+    ):
+        made = read(tmp_path, square, head)
+        assert np.isclose(np.ptp(made.paths.coords[:, 0]), mm), head
+
+
+def test_path_data_in_all_its_forms():
+    for data, points in {
+        "M1 2 3 4L5,6": [(1, 2), (3, 4), (5, 6)],
+        "m1-2.5.5l1 1": [(1, -2.5), (1.5, -2.5 + 1)] if False else None,
+        "M0,0h1v1H0Z": [(0, 0), (1, 0), (1, 1), (0, 1)],
+        "M0 0l1e1-1": [(0, 0), (10, -1)],
+        "M.5.5.7.7": [(0.5, 0.5), (0.7, 0.7)],
+    }.items():
+        if points is not None:
+            assert np.allclose(flatten(data, 0.01)[0][0], points)
+    flags = flatten("M0 0a5 5 0 1110 0", 0.01)[0][0]  # flags without spaces
+    assert np.allclose(flags[-1], (10, 0))
+    smooth = flatten("M0 0C0 5 5 5 5 0S10-5 10 0", 0.001)[0][0]
+    assert smooth[:, 1].min() == pytest.approx(-3.75, abs=0.01)
+    assert flatten("M0 0Q5 10 10 0T20 0", 0.001)[0][0][:, 1].min() == pytest.approx(-5, abs=0.01)
+    for broken in ("L1 1", "M0 0 X", "M0 0 L1", "M0 0 C1 2 3", "M1e999 0 1 1", "5 5", "M0 0 L nan 1"):
+        with pytest.raises(PathError):
+            flatten(broken, 0.01)
+
+
+def test_arcs_lie_on_their_ellipse():
+    points = np.array([(0.0, 0.0), *arc((0, 0), 5, 3, 30, True, False, (4, 1), 0.001)])
+    c, s = math.cos(math.radians(30)), math.sin(math.radians(30))
+    turned = points @ np.array([[c, -s], [s, c]])
+    scaled = turned / [5, 3]
+    a = np.c_[2 * scaled, np.ones(len(scaled))]
+    center = np.linalg.lstsq(a, (scaled**2).sum(1), rcond=None)[0]
+    assert np.allclose(np.hypot(*(scaled - center[:2]).T), 1, atol=1e-6)
+
+
+def test_transforms_are_done_from_right_to_left(tmp_path):
+    m = transform("translate(10,5) rotate(90) scale(2)")
+    assert np.allclose(m @ [1, 0, 1], [10, 7])
+    made = read(tmp_path, '<g transform="translate(10 0)"><rect width="2" height="1" transform="scale(3)"/></g>')
+    assert np.allclose(made.paths.coords.min(0), [10, 0]) and np.allclose(made.paths.coords.max(0), [16, 3])
+
+
+def test_style_comes_from_sheet_attribute_and_inheritance(tmp_path):
+    made = read(
+        tmp_path,
+        "<style>.a{fill:#f00} g > rect{stroke:blue} #x{fill:rgb(0,50%,0)!important}</style>"
+        '<g fill="yellow" stroke-width="2"><rect class="a" width="1" height="1"/><rect id="x" class="a" width="1" height="1"/>'
+        '<rect style="fill:hsl(240,100%,50%);stroke:none" width="1" height="1"/><rect width="1" height="1" opacity=".5"/></g>'
+        '<rect fill="none" width="1" height="1"/><rect display="none" width="1" height="1"/>',
+    )
+    styles = made.styles.fill[made.style].tolist()
+    assert styles == [[255, 0, 0, 255], [0, 128, 0, 255], [0, 0, 255, 255], [255, 255, 0, 128]]
+    assert made.styles.stroke[made.style][0].tolist() == [0, 0, 255, 255]
+    assert made.styles.width[made.style][0] == 2
+
+
+def test_use_symbol_and_nested_svg(tmp_path):
+    made = read(
+        tmp_path,
+        '<defs><rect id="r" width="2" height="2"/><symbol id="s" viewBox="0 0 10 10"><circle cx="5" cy="5" r="5"/></symbol></defs>'
+        '<use href="#r" x="20" y="3"/><use xlink:href="#s" x="40" width="20" height="20"/>'
+        '<svg x="70" width="10" height="10" viewBox="0 0 1 1"><rect width="1" height="1"/></svg>',
+    )
+    boxes = [made.paths[i].min(0).round(3).tolist() + made.paths[i].max(0).round(3).tolist() for i in range(len(made))]
+    assert np.allclose(boxes, [[20, 3, 22, 5], [40, 0, 60, 20], [70, 0, 80, 10]], atol=0.05)
+
+
+def test_text_becomes_outlines_in_the_shipped_face(tmp_path):
+    made = read(
+        tmp_path,
+        '<text x="50" y="40" font-size="20" text-anchor="middle" font-family="Comic Sans">H<tspan font-size="10">i</tspan></text>',
+    )
+    low, high = made.paths.coords.min(0), made.paths.coords.max(0)
+    assert abs((low[0] + high[0]) / 2 - 50) < 8 and 12 < high[1] - low[1] < 16 and abs(high[1] - 40) < 0.1
+    assert "Comic Sans" in made.about["ignored"]
+
+
+def test_notes_of_elements_and_commands(tmp_path):
+    made = read(
+        tmp_path,
+        '<g inkscape:label="Layer 1" inkscape:groupmode="layer" id="l"><path id="p" data-tambour-angle="45" inkstitch:row_spacing_mm="0.5" '
+        'd="M0 0h10v10z"/></g><use id="u" xlink:href="#inkstitch_trim" x="3" y="4"/>'
+        '<path inkscape:connection-start="#u" inkscape:connection-end="#p" d="M0 0 1 1"/>',
+    )
+    k = made.groups.ids.index("p")
+    assert made.groups.data[k] == {
+        "tambour-angle": "45",
+        "inkstitch-row_spacing_mm": "0.5",
+        "inkstitch-command-trim": "3.000000 4.000000",
+    }
+    assert made.groups.layer[made.groups.ids.index("l")] and len(made) == 1
+
+
+BOMB = '<?xml version="1.0"?><!DOCTYPE svg [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;"><!ENTITY c "&b;&b;&b;&b;">]><svg xmlns="http://www.w3.org/2000/svg"><text>&c;</text></svg>'
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("", "empty"),
+        ("hello", "well-formed"),
+        ("<svg", "well-formed"),
+        ("<html></html>", "not an SVG"),
+        (BOMB, "entity"),
+        ('<!DOCTYPE svg [<!ENTITY x SYSTEM "file:///etc/passwd">]><svg>&x;</svg>', "outside the file"),
+        ("<svg>" + "<g>" * 5000 + "</g>" * 5000 + "</svg>", "nested"),
+        (HEAD + '<path d="M0 0 L 5"/></svg>', ":1: "),
+        (HEAD + '<path d="M0 0 L nan 5"/></svg>', "no path command"),
+        (HEAD + '<g id="a"><use href="#a"/></g></svg>', "itself"),
+        (HEAD + '<rect width="1e30" height="1"/></svg>', "large"),
+        (HEAD + '<rect width="5" height="5" transform="scale(1e200) scale(1e200)"/></svg>', "large"),
+        (HEAD + '<rect width="x" height="1"/><circle r="1" fill="blurple"/></svg>', "blurple"),
+        (HEAD.replace('viewBox="0 0 100 50"', 'viewBox="0 0 0 0"') + "</svg>", "no area"),
+    ],
+)
+def test_hostile_files_get_one_clear_word(tmp_path, text, word):
+    path = tmp_path / "h.svg"
+    path.write_text(text)
+    with pytest.raises(TambourError) as error:
+        files.read(path, ("Drawing",))
+    assert word in str(error.value)
+
+
+def test_all_problems_at_once_with_their_lines(tmp_path):
+    with pytest.raises(TambourError) as error:
+        read(tmp_path, '\n<rect width="q" height="1"/>\n<path d="M1"/>\n<circle r="1" fill="no-such"/>')
+    assert [p.where.rsplit(":", 1)[1] for p in error.value.problems] == ["2", "3", "4"]
+
+
+def test_entities_of_illustrator_and_packed_files_are_read(tmp_path):
+    text = '<!DOCTYPE svg [<!ENTITY ns_svg "http://www.w3.org/2000/svg">]><svg xmlns="&ns_svg;" width="10mm" height="10mm" viewBox="0 0 10 10"><rect width="5" height="5"/></svg>'
+    (tmp_path / "a.svgz").write_bytes(gzip.compress(text.encode()))
+    assert np.allclose(areas(files.read(tmp_path / "a.svgz", ("Drawing",))), [25])
+
+
+def test_what_is_left_out_is_named(tmp_path):
+    made = read(
+        tmp_path,
+        '<script>x()</script><image href="http://x/y.png"/><use href="other.svg#a"/><rect width="1" height="1" clip-path="url(#c)"/>',
+    )
+    assert {"script", "image", "clip-path"} <= set(made.about["ignored"].replace(",", "").split())
+
+
+def test_many_copies_stop_soon(tmp_path):
+    body = '<defs><g id="g0"><rect width="1" height="1"/></g>'
+    body += (
+        "".join(f'<g id="g{k}">' + f'<use href="#g{k - 1}"/>' * 10 + "</g>" for k in range(1, 9))
+        + '</defs><use href="#g8"/>'
+    )
+    begin = time.perf_counter()
+    with pytest.raises(TambourError):
+        read(tmp_path, body)
+    assert time.perf_counter() - begin < 20
+
+
+def test_a_drawing_survives_writing_and_reading(tmp_path):
+    made = read(
+        tmp_path,
+        '<path id="p" fill-rule="evenodd" d="M0 0h10v10h-10z M2 2h3v3h-3z" data-note="x"/><path d="M0 20 l10 5" stroke="red" fill="none"/>',
+    )
+    files.write(made, tmp_path / "b.svg")
+    again = files.read(tmp_path / "b.svg", ("Drawing",))
+    assert np.allclose(again.paths.coords, made.paths.coords, atol=2e-3)
+    assert again.paths.parts.tolist() == made.paths.parts.tolist()
+    assert again.styles.evenodd[again.style].tolist() == made.styles.evenodd[made.style].tolist()
+    assert again.groups.data[again.groups.ids.index("p")] == {"note": "x"}
