@@ -29,6 +29,18 @@ def place(rng: Array, where: int) -> float:
 
 
 @kernel
+def grit(table: Array, place: int) -> float:
+    """A number spread as the value noise is, but without its smoothness: the lattice itself, four octaves of it.
+
+    The original samples its noise along a wrinkle at steps of several cells, where nothing is left of the smoothness.
+    """
+    return (
+        0.5 * table[place & 4095] + 0.25 * table[(place + 1619) & 4095]
+        + 0.125 * table[(place + 2971) & 4095] + 0.0625 * table[(place + 811) & 4095]
+    )  # fmt: skip
+
+
+@kernel
 def wrinkles(
     table: Array, rng: Array, pts: Array, marks: Array, n: Array,
     grid: Array, x: float, y: float, count: int, breadth: float, reach: float, where: int,
@@ -44,7 +56,6 @@ def wrinkles(
     lines leave gaps between bands (dossier 1.6).
     """
     layers, columns = grid.shape[0], grid.shape[1]
-    phase = 4096.0 * rnd(rng)
     for wet in range(0 if shade > 0.0 else 1, 2):
         step = 2.0 if wet == 0 else 1.0 + shade
         for k in range(int(count / step)):
@@ -58,11 +69,12 @@ def wrinkles(
             low = int(layer)
             high, p = min(low + 1, layers - 1), layer - low
             drift = tremble / (layer + 1.0)
+            spot = int(4096.0 * rnd(rng))
             for j in range(first, last):
                 a = p * grid[low, j, 0] + (1.0 - p) * grid[high, j, 0]
                 b = p * grid[low, j, 1] + (1.0 - p) * grid[high, j, 1]
-                a += drift * (value(table, a * 0.5 + phase, 0.5 * j, 0.0) - 0.5)
-                b += drift * (value(table, b * 0.5 + phase, 0.5 * j, 0.5) - 0.5)
+                a += drift * (grit(table, spot + 5 * j) - 0.5)
+                b += drift * (grit(table, spot + 5 * j + 2048) - 0.5)
                 at(pts, n, a + x, b + y)
             if wet == 0:
                 stroke(rng, marks, n, grey, 0.1, shade, 0.5, SINE, 1.0)

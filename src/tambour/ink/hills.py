@@ -53,7 +53,7 @@ def hill(
     grid = np.empty((LAYERS, COLUMNS, 2))
     ridge(table, rng, grid, seed, y, height, width)
     for j in range(COLUMNS):
-        if value(table, 0.1 * j, seed, 0.5) ** 3 < 0.1 * planted and -grid[0, j, 1] > 0.2 * height:
+        if value(table, 0.1 * j, seed + 5.0, 0.0) ** 3 < 0.1 * planted and -grid[0, j, 1] > 0.2 * height:
             a, b = grid[0, j, 0] + x, grid[0, j, 1] + y - 5.0
             sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 2, leaf(table, a, b))
     slope(rng, pts, marks, n, grid, x, y, 40.0)
@@ -61,13 +61,13 @@ def hill(
     shade = 5.0 if pick(rng, 5) == 0 else 0.0
     wrinkles(table, rng, pts, marks, n, grid, x, y, wrinkled, 1.5, 0.2, FLANKS, 100.0, 0.3, shade, 30.0)
     chance, across, down = rnd(rng), between(rng, 0.36, 0.64), between(rng, 0.3, 0.55)
-    if chance < falls and height > 250.0:
+    if chance < falls and height > 300.0:
         i, j = int(down * LAYERS), int(across * COLUMNS)
         a, b = grid[i, j, 0], grid[i, j, 1]
         waterfall(table, rng, pts, marks, elems, n, x + a, y - 4.0, max(60.0, -b - 4.0), between(rng, 7.0, 13.0))
     for i in range(LAYERS):
         for j in range(COLUMNS):
-            if -grid[i, j, 1] > 0.5 * height and value(table, 0.1 * i, 0.1 * j, seed + 2.5) ** 3 < 0.1 * planted:
+            if -grid[i, j, 1] > 0.5 * height and value(table, 0.1 * i, 0.1 * j, seed + 2.0) ** 3 < 0.1 * planted:
                 a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
                 sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 5, leaf(table, a, b))
     grove(table, rng, pts, marks, elems, n, grid, x, y, height, seed, planted)
@@ -132,7 +132,7 @@ def settle(
         for s in range(2):
             j = 1 + s * (COLUMNS - 3)
             a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
-            if value(table, 0.2 * i, 0.05 * j, seed + 10.5) ** 4 < 0.008 * housed:
+            if value(table, 0.2 * i, 0.05 * j, seed + 10.0) ** 4 < 0.005 * housed:
                 choice, storeys, style = pick(rng, 6), 1 + pick(rng, 3), 1 + pick(rng, 3)
                 wide, turn = between(rng, 40.0, 70.0), rnd(rng)
                 if 2 <= choice <= 4:
@@ -146,6 +146,6 @@ def settle(
     for i in range(0, LAYERS, 2):
         for s in range(2):
             j = 1 + s * (COLUMNS - 3)
-            if value(table, 0.2 * i, 0.05 * j, seed + 62.5) ** 4 < 0.002 * housed:
+            if value(table, 0.2 * i, 0.05 * j, seed + 62.0) ** 4 < 0.0006 * housed:
                 a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
                 pylon(table, rng, pts, marks, elems, n, a, b, 100.0, 20.0)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
+from collections import deque
 from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
@@ -77,9 +80,20 @@ def manner(params: Ink) -> Manner:
 
 
 def batches(params: Ink, planned: tuple[Planned, ...]) -> Iterator[Marks]:
-    """Draw wholes in their order; what only might have reached into the window is left out."""
-    for i in range(0, len(planned), BATCH):
-        yield draw(planned[i : i + BATCH], manner(params), params.edition, params.from_, params.from_ + params.span)
+    """Draw wholes in their order, on all cores; what only might have reached into the window is left out.
+
+    A batch is drawn by itself, so the marks do not depend on how many are drawn at once; as many wait as there are cores.
+    """
+    begin, end = params.from_, params.from_ + params.span
+    workers = os.cpu_count() or 1
+    waiting: deque[Future[Marks]] = deque()
+    with ThreadPoolExecutor(workers) as pool:
+        for i in range(0, len(planned), BATCH):
+            waiting.append(pool.submit(draw, planned[i : i + BATCH], manner(params), params.edition, begin, end))
+            if len(waiting) > workers:
+                yield waiting.popleft().result()
+        while waiting:
+            yield waiting.popleft().result()
 
 
 def make(source: None, params: Ink, progress: Progress) -> Scroll:

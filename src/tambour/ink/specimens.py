@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -77,7 +77,7 @@ def table() -> dict[str, Specimen]:
         "birds": Specimen(sky.birds, (7,), 160, 60),
         "moon": Specimen(sky.moon, (28.0,), 140, 140),
         "sun": Specimen(sky.sun, (28.0,), 90, 90),
-        "mist": Specimen(sky.mist, (0.7, 160.0), 320, 100),
+        "mist": Specimen(veiled, (0.7, 160.0), 340, 140),
         "water": Specimen(water.water, (2.0, 180.0, 9), 380, 70),
         "hill": Specimen(hills.hill, (360.0, 480.0, 200, 1.0, 1.0, 1.0), 560, 330),
         "bank": Specimen(banks.bank, (100.0, 700.0, 0.55, 1.0, 0.0, 1.0, 1.0, forms, loops), 780, 330),
@@ -87,7 +87,18 @@ def table() -> dict[str, Specimen]:
 
 def specimen(name: str, seed: str, edition: int = 1) -> Marks:
     """The marks of one element, its foot at (0, 0)."""
-    return _drawn(name, seed, edition, 0.0, 0.0)
+    desk = Desk.of("ink", edition)
+    s = table()[name]
+    desk.draw(s.kernel, ("specimen", seed, edition, name), f"specimen-{name}", 0.0, 0.0, *s.how)
+    return desk.inked()
+
+
+def moved(marks: Marks, x: float, y: float) -> Marks:
+    """The same marks elsewhere."""
+    by = np.array([x, y])
+    e = marks.elements
+    elements = replace(e, at=e.at + by, bounds=e.bounds + np.tile(by, 2))
+    return replace(marks, coords=marks.coords + by, spine=marks.spine + by, elements=elements)
 
 
 def sheet(seed: str, edition: int = 1) -> tuple[Marks, tuple[Label, ...], Array]:
@@ -116,19 +127,12 @@ def sheet(seed: str, edition: int = 1) -> tuple[Marks, tuple[Label, ...], Array]
     lay()
     drawn, labels = [], []
     for name, cx, base in placed:
-        marks = _drawn(name, seed, edition, 0.0, 0.0)
+        marks = specimen(name, seed, edition)
         left, _, right, low = marks.elements.bounds[0].tolist()
         # Each stands on its base line, in the middle of its room; the names stand below.
-        drawn.append(_drawn(name, seed, edition, cx - 0.5 * (left + right), base - max(0.0, low)))
+        drawn.append(moved(marks, cx - 0.5 * (left + right), base - max(0.0, low)))
         labels.append(Label(name, cx, base + 22.0, 13.0, "middle", 0.0, (110, 100, 88, 255)))
     return join(drawn), tuple(labels), np.array([width, y + MARGIN])
-
-
-def _drawn(name: str, seed: str, edition: int, x: float, y: float) -> Marks:
-    desk = Desk.of("ink", edition)
-    s = table()[name]
-    desk.draw(s.kernel, ("specimen", seed, edition, name), f"specimen-{name}", x, y, *s.how)
-    return desk.inked()
 
 
 @kernel
@@ -147,6 +151,18 @@ def copse(
             trees.fir(table, rng, pts, marks, elems, n, a, b, between(rng, 60.0, 110.0), 5.0, 0.05 * rnd(rng), 0.5)
         else:
             trees.sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 5, 0.55)
+    n[OPEN] = before
+
+
+@kernel
+def veiled(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, thickness: float, width: float,
+) -> None:  # fmt: skip
+    """Mist, and a range behind it: mist alone is paper."""
+    before = part(elems, n, codes.MIST, x, y)
+    ranges.distant(table, rng, pts, marks, elems, n, x - 0.75 * width, y, 150.0, 1.5 * width)
+    sky.mist(table, rng, pts, marks, elems, n, x, y, thickness, width)
     n[OPEN] = before
 
 

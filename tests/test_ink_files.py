@@ -1,0 +1,161 @@
+"""What leaves the house: SVG, pictures, plans, names, metadata, the light and the seasons, and bad input."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tambour.cli import main
+from tambour.core.progress import Progress
+from tambour.ink import scroll
+from tambour.ink.params import Ink, stem
+from tambour.render import flat
+
+
+def _tambour(*words: str) -> int:
+    with pytest.raises(SystemExit) as left:
+        main(["ink", *words])
+    return int(left.value.code or 0)
+
+
+def _groups(path: Path) -> dict[str, str]:
+    """Id of each whole → the bytes of its group."""
+    return {
+        m[1]: m[0]
+        for m in re.finditer(
+            r'(?ms)^<g id="([a-z]+-[0-9a-f]+)">.*?(?=^<g id="[a-z]+-[0-9a-f]+">|\Z)',
+            path.read_text().split("<pattern")[0].replace("</svg>\n", ""),
+        )
+    }
+
+
+def test_an_element_is_the_same_bytes_in_every_window(tmp_path: Path) -> None:
+    for name, begin, span in (("a", "-300", "1500"), ("b", "200", "700")):
+        assert (
+            _tambour("--seed", "w", "--from", begin, "--span", span, "--no-paper", "-o", str(tmp_path / f"{name}.svg"))
+            == 0
+        )
+    a, b = _groups(tmp_path / "a.svg"), _groups(tmp_path / "b.svg")
+    assert set(b) <= set(a)
+    assert len(b) > 3
+    assert all(a[name] == b[name] for name in b)
+    text = (tmp_path / "a.svg").read_text()
+    ids = re.findall(r'<g id="([^"]+)"', text)
+    assert len(ids) == len(set(ids))
+    assert text.count("<g ") == text.count("</g>")
+    assert 'viewBox="-300 0 1500 700"' in text
+    assert 'data-seed="w" data-edition="1" data-from="-300" data-span="1500"' in text
+
+
+def test_report_plan_and_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert (
+        _tambour(
+            "--seed", "a/b ü", "--span", "600", "-o", ".json", "-o", ".png", "--pixels", "300", "--report", "r.json"
+        )
+        == 0
+    )
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["ink-a_b_ü-e1-0-600.json", "ink-a_b_ü-e1-0-600.png", "r.json"]
+    report = json.loads(Path("r.json").read_text())
+    assert set(report["seconds"]) >= {"start", "plan", "draw", "write"}
+    assert report["polygons"] > 100
+    assert report["points"] > 10 * report["polygons"]
+    assert sum(report["elements"].values()) > 1
+    plan = json.loads(Path("ink-a_b_ü-e1-0-600.json").read_text())
+    assert plan["wholes"]
+    assert {"id", "kind", "x", "y", "depth"} == set(plan["wholes"][0])
+    depths = [w["depth"] for w in plan["wholes"]]
+    assert depths == sorted(depths)
+    with Image.open("ink-a_b_ü-e1-0-600.png") as image:
+        assert image.size == (300, 350)
+    assert stem(Ink(specimen="pine")) == "ink-1-e1-pine"
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--span", "-5"], "--span"),
+        (["--span", "1e9"], "--span"),
+        (["--span", "abc"], "--span"),
+        (["--from", "1e300"], "--from"),
+        (["--specimen", "pin"], 'did you mean "pine"'),
+        (["--season", "monsoon"], "season"),
+        (["--density", "-1"], "--density"),
+        (["--pixels", "0"], "--pixels"),
+        (["--seal", "abcde"], "--seal"),
+        (["--mist", "2"], "--mist"),
+    ],
+)
+def test_bad_input_is_told(words: list[str], told: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert _tambour(*words, "-o", str(tmp_path / "a.svg")) == 2
+    assert told in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_any_text_is_a_seed() -> None:
+    plans = [
+        scroll.make(None, Ink(seed=s, span=2000.0), Progress()).planned for s in ("", "0", " ", "山水", "x" * 5000)
+    ]
+    assert len({tuple(p.id for p in plan) for plan in plans}) == 5
+
+
+def _picture(**given: object) -> np.ndarray:  # type: ignore[type-arg]
+    made = scroll.make(None, Ink(**{"span": 2627.0, "pixels": 1000, **given}), Progress())
+    return np.asarray(flat.picture(scroll.whole(made), width=1000).rgba[..., :3], np.float64)
+
+
+def test_blank_paper_and_quiet_colours() -> None:
+    blanks = []
+    for seed in "12345":
+        rgb = _picture(seed=seed)
+        paper = np.median(rgb.reshape(-1, 3), 0)
+        blanks.append((np.abs(rgb - paper).max(-1) < 14).mean())
+        assert (rgb @ [0.3, 0.6, 0.1]).min() > 40, "nothing is blacker than overlapped leaves"
+        assert (rgb.max(-1) - rgb.min(-1)).max() < 60, "nothing is saturated"
+    assert 0.3 < np.mean(blanks) < 0.85, blanks
+
+
+def test_seasons_and_lights_change_colours_and_nothing_else() -> None:
+    plain = scroll.make(None, Ink(seed="4", span=1500.0), Progress())
+    for given in ({"season": "autumn"}, {"season": "spring"}, {"paper": False}):
+        other = scroll.make(None, Ink(seed="4", span=1500.0, **given), Progress())
+        assert [p.id for p in other.planned] == [p.id for p in plain.planned]
+    night = _picture(seed="4", time="night")
+    assert np.median(night) < 70 < night.max()
+    snow, summer = _picture(seed="4", season="winter"), _picture(seed="4")
+    assert np.median(snow[:60]) < np.median(summer[:60]) - 10
+
+
+def test_things_left_out_are_not_there() -> None:
+    given = {"seed": "8", "span": 4000.0}
+    full = scroll.make(None, Ink(**given), Progress()).elements
+    bare = scroll.make(
+        None, Ink(**given, buildings=False, figures=False, boats=False, birds=False, waterfalls=False), Progress()
+    ).elements
+    out = {"hut", "house", "pagoda", "pavilion", "pylon", "figure", "boat", "birds", "waterfall"}
+    assert not out & set(bare)
+    assert out & set(full)
+    assert full["hill"] == bare["hill"]
+    assert scroll.make(None, Ink(**given, density=0.0), Progress()).elements.keys() <= {"range", "birds"}
+
+
+def test_inscription_and_seal() -> None:
+    made = scroll.make(None, Ink(seed="1", span=800.0, inscription="far hills\nstill water", seal="山水"), Progress())
+    drawing = scroll.whole(made)
+    assert "".join(label.text for label in drawing.labels) == "farhillsstillwater山水"
+    assert "seal" in drawing.groups.ids
+
+
+def test_mist_lies_over_hills() -> None:
+    made = scroll.make(None, Ink(seed="2", span=2000.0, mist=0.8), Progress())
+    marks = made.marks()
+    veils = marks.kind == 1
+    assert made.elements["mist"] >= 1
+    assert veils.any()
+    assert (marks.fill[veils, 0] == 255).all()
+    assert (marks.fill[veils, 1] < 255).all()
