@@ -16,14 +16,12 @@ from PIL import Image
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parent / "examples"
 
-KNIT = (
-    "knit {x}/knit/rose.png --max-float 5 --repeat 24 --repeats 2 --round --gauge 28x32 -o {out}.fabric.png"
-)
+KNIT = "knit {x}/knit/rose.png --max-float 5 --repeat 24 --repeats 2 --round --gauge 28x32 -o {out}.fabric.png"
 PICTURES = [
     ("readme-frog.jpg", "crochet {x}/crochet/frog.acl -o {out}.png", 900),
     ("readme-knit.jpg", KNIT, 900),
     ("readme-scroll.jpg", "ink --seed 7 --span 3000 -o {out}.png", 1800),
-    ("readme-embroidery.jpg", "embroidery {x}/embroidery/botanical.svg -o {out}.png", 900),
+    ("readme-embroidery.jpg", "embroidery {x}/embroidery/logo.svg -o {out}.png", 900),
 ]
 
 
