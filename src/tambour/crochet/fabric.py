@@ -80,9 +80,9 @@ SIDES = {"low": 4, "medium": 6, "high": 10}
 """Detail → corners of the yarn's cross-section."""
 
 
-def mesh(graph: StitchGraph, positions: Array, *, yarn_radius: float | None = None, detail: str = "medium") -> Mesh:
-    """The piece as one sees it: the yarn swept to tubes over a dark lining. Arguments as in :func:`strands`."""
-    made = strands(graph, positions, yarn_radius=yarn_radius, detail=detail)
+def mesh(graph: StitchGraph, positions: Array, *, detail: str = "medium", made: Strands | None = None) -> Mesh:
+    """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, swept to tubes over a dark lining."""
+    made = strands(graph, positions, detail=detail) if made is None else made
     yarn = sweep(made, sides=SIDES[detail])
     inner = lining(graph, positions, stitch_width(graph))
     v = len(yarn.vertices)
