@@ -121,7 +121,7 @@ def _profile(line: np.uint64, begin: int, out: Array) -> None:
 
 @lru_cache(maxsize=512)
 def hills(rules: Rules, k: int) -> tuple[Planned, ...]:
-    """Hills that columns of tile ``k`` raise: at maxima of the noise, up to fifteen, each up to 350 to the side.
+    """Hills that columns of tile ``k`` raise: at maxima of the noise, up to twelve, each up to 350 to the side.
 
     Columns stand only where a slow noise says land: between massifs lie waters a thousand units wide. Far hills are
     lower, so that their crests stay on the paper.
@@ -137,7 +137,7 @@ def hills(rules: Rules, k: int) -> tuple[Planned, ...]:
         if high[i] <= 0.7 or high[i] < high[i - 2 : i + 2].max() or land[i] < shore:
             continue
         x = float(STEP * (first - 2 + i))
-        for row in range(0, int(480 * rows[i]), 30):
+        for row in range(0, int(480 * rows[i]), 40):
             u = chance.random(6)
             if u[5] >= rules.density:
                 continue
