@@ -29,7 +29,7 @@ def painted() -> Mesh:
         color=np.array([[0, 1, 255], [9, 10, 11], [128, 3, 77], [255, 255, 254]], np.uint8),
         uv=np.array([[0, 0], [0.5, 2], [-1, 1 / 3], [7, 0]]),
         face_group=np.array([0, 1, 1, 0]),
-        group_names=("yarn", "lining"),
+        group_names=("felt", "lining"),
     )
 
 

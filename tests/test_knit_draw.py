@@ -152,6 +152,11 @@ def test_shaped_and_repeating_charts_are_drawn() -> None:
 
 def test_what_nobody_prints_is_refused() -> None:
     huge = Chart(np.zeros((1100, 1000), np.uint8), WOOL)
-    for draw in (lambda: sheet_of(huge, Look()), lambda: float_sheet(huge, Look()), lambda: book(huge)):
+    shown, words = front(chart_of(2, 2)), Words("Huge", 4, "dk")
+    for draw in (
+        lambda: sheet_of(huge, Look()),
+        lambda: float_sheet(huge, Look()),
+        lambda: booklet(huge, Look(), words, [], shown),
+    ):
         with pytest.raises(TambourError, match="too many to draw"):
             draw()

@@ -7,7 +7,7 @@ import tempfile
 import time
 from collections.abc import Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -102,7 +102,10 @@ def load_files(params: Params) -> Params:
             try:
                 loaded[name] = files.read(given, (kind,))
             except TambourError as error:
-                problems += error.problems
+                words = params.words(name)
+                near = did_you_mean(str(given), words) if words and not Path(given).suffix else ""
+                hint = near or f"{', '.join(words)}, or a file"
+                problems += [replace(p, hint=hint) if words and not Path(given).suffix else p for p in error.problems]
     if problems:
         raise TambourError(problems)
     return params.model_copy(update=loaded) if loaded else params
@@ -169,7 +172,15 @@ def run(
                 value = cache[item.view]
                 if hasattr(value, "__next__"):
                     del cache[item.view]  # a stream can be written once
-                files.write(value, beside / item.path.name, view.value)
+                try:
+                    files.write(value, beside / item.path.name, view.value)
+                except TambourError as error:
+                    # Made beside its place: the place is what was asked for.
+                    hidden, shown = str(beside), str(item.path.parent)
+                    moved = [replace(p, where=p.where.replace(hidden, shown)) for p in error.problems]
+                    raise TambourError(
+                        [replace(p, where=os.path.normpath(p.where)) if p.where else p for p in moved]
+                    ) from None
             made += [(p, item.path.parent / p.name) for p in sorted(beside.iterdir())]
         for temporary, final in made:
             os.replace(temporary, final)

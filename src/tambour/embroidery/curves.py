@@ -61,12 +61,15 @@ def contour(area: Any, spacing: float) -> list[Array]:
 
 
 def center(area: Any) -> Array:
-    """The middle that spirals and rays start from: the centroid, or the place farthest from the outline."""
+    """The middle that spirals and rays start from: the outline's centroid (a hole may hold it), or, where that lies
+    outside, the place farthest from the outline.
+    """
     import shapely
 
-    middle = area.centroid
-    if not area.contains(middle):
-        middle = shapely.line_interpolate_point(shapely.maximum_inscribed_circle(area, tolerance=0.1), 0)
+    whole = shapely.Polygon(area.exterior)
+    middle = whole.centroid
+    if not whole.contains(middle):
+        middle = shapely.get_point(shapely.maximum_inscribed_circle(whole, tolerance=0.1), 0)
     return shapely.get_coordinates(middle)[0]
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.thread import COLOR, JUMP, STITCH, STOP, TRIM
+from tambour.embroidery.applique import COVER
 from tambour.embroidery.catalogue import screen
 from tambour.embroidery.piece import FILL, SATIN, Piece
 
@@ -89,7 +90,10 @@ def outside(piece: Piece, slack: float = SLACK) -> int:
         mine = np.flatnonzero((region == k) & (kind <= 4))
         if not len(mine):
             continue
-        area = shapely.union_all(to_shapely(it.paths)).buffer(max(0.0, it.params.pull) + slack, quad_segs=4)
+        grow = max(0.0, it.params.pull) + slack
+        if it.params.applique:
+            grow += COVER / 2  # the cover lies over the edge
+        area = shapely.union_all(to_shapely(it.paths)).buffer(grow, quad_segs=8)
         shapely.prepare(area)
         count += int((~shapely.contains(area, shapely.linestrings(xy[mine].reshape(-1, 2, 2)))).sum())
     return count

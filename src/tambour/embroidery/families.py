@@ -91,7 +91,8 @@ def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -
     elif parts:
         start = (float(parts[-1].xy[-1, 0]), float(parts[-1].xy[-1, 1]))
     if region.stitch == "satin":
-        satin, left = branched(polygon_of(area), p, region.id, start)
+        # The area is grown by the pull already.
+        satin, left = branched(polygon_of(area), p.model_copy(update={"pull": 0.0}), region.id, start)
         rest = _rest(left, region, parts, satin)
         return linked([*rest, *satin], area, p.length)
     parts.append(fill(region, polygon, area, start))
@@ -122,11 +123,13 @@ def fill(region: Region, polygon: Paths, area: Rings, start: Place) -> Stitches:
     if name in ("tatami", "gradient"):
         turned = rings(polygon, angle)
         at = None
+        # Thin rows hide nothing.
+        travel = "outline" if name == "gradient" or p.row_spacing > 1.75 * p.thread else p.travel
         if name == "gradient":
             v = turned.points[:, 1]
             at = gradient_levels(float(v.min()), float(v.max()), p.row_spacing, p.row_spacing_end or 3 * p.row_spacing)
         return tatami(
-            turned, angle, p.row_spacing, p.length, stagger=p.stagger, jitter=p.jitter, key=number, travel=p.travel,
+            turned, angle, p.row_spacing, p.length, stagger=p.stagger, jitter=p.jitter, key=number, travel=travel,
             start=start, at=at,
         )  # fmt: skip
     shape = polygon_of(area)

@@ -15,7 +15,7 @@ from tambour.core.picture import Picture
 from tambour.core.scene import Scene
 from tambour.core.thread import STITCH, ThreadPlan
 from tambour.embroidery.cloth import CLOTHS, cloth
-from tambour.embroidery.params import EmbroideryParams, numbers
+from tambour.embroidery.params import numbers
 from tambour.embroidery.piece import Piece
 from tambour.embroidery.place import lay, place
 from tambour.embroidery.preview import developed, field, paint, picture, stitches
@@ -63,6 +63,8 @@ def scene(piece: Piece) -> Scene:
         size = np.full(2, np.linalg.norm(size)) + 2 * np.abs(offset)
     ground = params.cloth or "flat"
     if isinstance(ground, str):
+        if ground not in CLOTHS:
+            raise TambourError(f'there is no cloth "{ground}"', hint=f"{', '.join(CLOTHS)}, or a mesh", where="--cloth")
         wide, high = np.maximum(size * 1.4, size + 24)
         # A drape's middle lies on its sphere: only there is the design as it was drawn.
         grown = 1.7 if ground == "drape" else 1.0
@@ -214,11 +216,3 @@ def _needle(rgba: Array, at: Array) -> None:
     far = np.hypot(x - at[0], y - at[1])
     rgba[(far > 4) & (far < 7), :3] = (20, 20, 20)
     rgba[far <= 1.5, :3] = (20, 20, 20)
-
-
-def check(params: EmbroideryParams) -> None:
-    """TambourError for a cloth that is neither a name nor a mesh (a library call; ``run`` reads files before)."""
-    if params.cloth is not None and not isinstance(params.cloth, Mesh) and params.cloth not in CLOTHS:
-        raise TambourError(
-            f'there is no cloth "{params.cloth}"', hint=f"{', '.join(CLOTHS)}, or a mesh file", where="--cloth"
-        )

@@ -7,6 +7,7 @@ itself, are hooked to a neighbour by a short way out and back. What has to be cr
 from __future__ import annotations
 
 import itertools
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -138,8 +139,13 @@ def _pairs(ends: Array, odd: Array, area: Rings) -> list[tuple[int, int]]:
     """
     from scipy.spatial import cKDTree
 
+    x, y = ends[:, 0].tolist(), ends[:, 1].tolist()
+
+    def far_of(a: int, b: int) -> float:
+        return math.hypot(x[a] - x[b], y[a] - y[b])
+
     def cost(a: int, b: int) -> float:
-        d = float(np.hypot(*(ends[a] - ends[b])))
+        d = far_of(a, b)
         if d > 0.3 and leaves(area.points, area.offsets, ends[[a, b]], 0.05):
             return 4 * d
         return d
@@ -165,27 +171,33 @@ def _pairs(ends: Array, odd: Array, area: Rings) -> list[tuple[int, int]]:
         return made
     mate = dict(made) | {b: a for a, b in made}
     tree = cKDTree(ends[odd])
-    median = float(np.median([np.hypot(*(ends[p] - ends[q])) for p, q in made]))
-    todo: list[int] = [p for p, q in made if np.hypot(*(ends[p] - ends[q])) > 3 * median]
-    todo.sort(key=lambda p: -cost(p, mate[p]))
+    median = float(np.median([far_of(p, q) for p, q in made]))
+    todo: list[int] = [p for p, q in made if far_of(p, q) > 3 * median]
+    paid = {p: far_of(p, q) for p, q in mate.items()}
+    for p in todo:
+        paid[p] = paid[mate[p]] = cost(p, mate[p])
+    todo.sort(key=lambda p: -paid[p])
     tries = 0
     while todo and tries < 4000:
         p = todo.pop(0)
         tries += 1
-        q, now = mate[p], cost(p, mate[p])
+        q, now = mate[p], paid[p]
         gain, swap = 1e-9, None
         for end, other in ((p, q), (q, p)):
             for i in np.atleast_1d(tree.query(ends[end], min(24, len(odd)))[1]).tolist():
                 c = int(odd[i])
-                if c in (p, q):
-                    continue
-                better = now + cost(c, mate[c]) - cost(end, c) - cost(other, mate[c])
+                f = mate[c]
+                if c in (p, q) or now + paid[c] - far_of(end, c) - far_of(other, f) <= gain:
+                    continue  # not even as the crow flies
+                better = now + paid[c] - cost(end, c) - cost(other, f)
                 if better > gain:
-                    gain, swap = better, (end, c, other, mate[c])
+                    gain, swap = better, (end, c, other, f)
         if swap is not None:
             e, c, o, f = swap
             mate[e], mate[c], mate[o], mate[f] = c, e, f, o
-            todo += [x for x, y in ((e, c), (o, f)) if np.hypot(*(ends[x] - ends[y])) > 3 * median]
+            paid[e] = paid[c] = cost(e, c)
+            paid[o] = paid[f] = cost(o, f)
+            todo += [x for x, y in ((e, c), (o, f)) if far_of(x, y) > 3 * median]
     return [(a, b) for a, b in sorted(mate.items()) if a < b]
 
 
@@ -289,7 +301,7 @@ def _joined(parts: list[Stitches]) -> list[Stitches]:
     """Each part without its first point where that is the last of the one before."""
     out: list[Stitches] = []
     for p in parts:
-        if out and len(p) > 1 and np.hypot(*(p.xy[0] - out[-1].xy[-1])) < 1e-6:
+        if out and len(p) > 1 and abs(p.xy[0] - out[-1].xy[-1]).max() < 1e-6:
             p = Stitches(p.xy[1:], p.kind[1:], p.run[1:], p.facts)
         out.append(p)
     return out

@@ -62,7 +62,9 @@ def place(
     if group is not None:
         if mesh.face_group is None or group not in mesh.group_names:
             known = ", ".join(n for n in mesh.group_names if n) or "none"
-            raise TambourError(f'the cloth has no group of faces "{group}"', hint=f"it has: {known}", where="--group")
+            raise TambourError(
+                f'the cloth has no group of faces "{group}"', hint=f"it has: {known}", where="--place-group"
+            )
         chosen = np.flatnonzero(mesh.face_group == mesh.group_names.index(group))
     cosine, sine = np.cos(rotate), np.sin(rotate)
     turn = scale * np.array([[cosine, sine], [sine, -cosine]])  # y down becomes y up
@@ -178,7 +180,9 @@ def lay(
     moving = mesh.frames is not None
 
     def frames() -> Iterator[Array]:
-        for vertices in mesh.positions():
+        for k, vertices in enumerate(mesh.positions()):
+            if vertices.shape != mesh.vertices.shape or not np.isfinite(vertices).all():
+                raise TambourError(f"frame {k + 1} of the cloth does not fit its first", where="--cloth")
             yield deform(bound, mesh.faces, vertices, vertex_normals(vertices, mesh.faces))
 
     if moving:
@@ -213,8 +217,14 @@ def _wrap(mesh: Mesh, where: Place, plan: Array, height: Array, bound: Binding) 
     if where.axes is None:
         raise TambourError(
             f"the design lies beyond the cloth's uv: {total}",
-            hint="move it with --offset or use --scale",
+            hint="move it with --place-offset or use --place-scale",
             where="--place",
+        )
+    if lost.mean() > 0.5:
+        raise TambourError(
+            f"the design lies beside the cloth: {total}",
+            hint="move it with --place-offset or --place-at",
+            where="--cloth",
         )
     faces = mesh.faces[np.unique(where.net.face)] if not closed(mesh.faces) else mesh.faces
     number = np.unique(where.net.face) if not closed(mesh.faces) else np.arange(len(mesh.faces))
@@ -227,7 +237,7 @@ def _wrap(mesh: Mesh, where: Place, plan: Array, height: Array, bound: Binding) 
     if not closed(mesh.faces) and np.hypot(*(back - plan[lost]).T).max() > 1.0:
         raise TambourError(
             f"the design lies beyond the cloth: {total}",
-            hint="make it smaller with --scale or --width, or move it with --offset",
+            hint="make it smaller with --place-scale or --width, or move it with --place-offset",
             where="--cloth",
         )
     out_face, out_uv = bound.face.copy(), bound.uv.copy()

@@ -4,16 +4,26 @@ from __future__ import annotations
 
 import numpy as np
 
-from tambour.core.drawing import Drawing, Styles
+from tambour.core.drawing import Drawing, Groups, Styles
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.embroidery.facts import facts
 from tambour.embroidery.make import make
 from tambour.embroidery.params import EmbroideryParams
 
+FAMILIES = ("tatami", "contour", "flow", "meander", "satin")
+
 
 def warm() -> None:
-    """Embroider a notched 12 mm square."""
+    """Embroider a notched 12 mm square with an edge, once in each way that has kernels of its own."""
     ring = np.array([[0, 0], [12, 0], [12, 12], [7, 12], [6, 3], [5, 12], [0, 12], [0, 0]], np.float64)
-    drawing = Drawing(Paths.of([ring]), np.zeros(1), Styles.of(((0, 0, 0, 255), None, 0.0)), np.array([12.0, 12.0]))
-    facts(make(drawing, EmbroideryParams(row_spacing=1), Progress()))
+    n = len(FAMILIES)
+    drawing = Drawing(
+        Paths.of([ring + np.array([20.0 * k, 0]) for k in range(n)]),
+        np.zeros(n),
+        Styles.of(((0, 0, 0, 255), (9, 9, 9, 255), 1.5)),
+        np.array([20.0 * n, 12.0]),
+        np.arange(n),
+        Groups(FAMILIES, FAMILIES, np.full(n, -1), np.zeros(n, bool), tuple({"tambour-stitch": f} for f in FAMILIES)),
+    )
+    facts(make(drawing, EmbroideryParams(row_spacing=1, motif_size=2), Progress()))

@@ -23,6 +23,8 @@ _TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: 
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 _CODES = {np.dtype(kind): code for code, kind in _TYPES.items()}
 _VERTEX, _INDEX = 34962, 34963
+# Groups whose uv are turns of a twist (see geometry.tube), not places on a texture.
+_TURNS = {"yarn", "plied", "thread"}
 _ROUGH = {"thread": 0.55, "": 0.8}
 
 
@@ -87,7 +89,7 @@ def primitives(mesh: Mesh, body: Body) -> tuple[list[dict[str, Any]], list[dict[
     if mesh.smooth:
         normals = vertex_normals(mesh.vertices, mesh.faces).astype(np.float32)
         shared["NORMAL"] = body.add(normals, target=_VERTEX)
-    if mesh.uv is not None:
+    if mesh.uv is not None and not _TURNS & set(mesh.group_names):
         shared["TEXCOORD_0"] = body.add(mesh.uv.astype(np.float32), target=_VERTEX)
     if mesh.color is not None:
         # Linear light as the specification asks, in 16 bits, which keep every one of the 256 codes apart.

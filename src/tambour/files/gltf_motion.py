@@ -90,6 +90,9 @@ def with_motion(mesh: Mesh, head: dict[str, Any], accessor: Accessor) -> Mesh:
             yield _pose(head, accessor, parts, {(k.node, k.path): k.at(float(t)) for k in tracks})
 
     rest = _pose(head, accessor, parts, {})
+    for t in (times[0], times[-1]):  # what is broken shall break here, not while frames are made
+        if not np.isfinite(_pose(head, accessor, parts, {(k.node, k.path): k.at(float(t)) for k in tracks})).all():
+            raise ValueError("its animation leads to no place")
     return replace(mesh, vertices=rest, frames=frames, frame_count=len(times), seconds_per_frame=step)
 
 

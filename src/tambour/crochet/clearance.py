@@ -1,0 +1,222 @@
+"""Room between strands: how near the yarn's centre lines come to each other, and pushing them apart."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+
+ALONG = 1.6
+"""Stretches of one strand nearer to each other along it than so many diameters are not two that touch: yarn that turns
+back on itself as tightly as it can is half a circle, π/2 diameters, away."""
+
+
+@kernel
+def _segments(coords: Array, ends: Array, strand: Array, arc: Array, middle: Array, half: Array) -> None:
+    """Per point, the segment to the next one: strand (-1 for none), arc length at its middle, middle, half its length."""
+    for s in range(len(ends) - 1):
+        run = 0.0
+        for i in range(ends[s], ends[s + 1]):
+            strand[i] = -1
+            if i + 1 < ends[s + 1]:
+                size = 0.0
+                for c in range(3):
+                    middle[i, c] = 0.5 * (coords[i, c] + coords[i + 1, c])
+                    size += (coords[i + 1, c] - coords[i, c]) ** 2
+                half[i] = 0.5 * size**0.5
+                strand[i] = s
+                arc[i] = run + half[i]
+                run += 2.0 * half[i]
+
+
+@kernel
+def nearest(coords: Array, i: int, j: int, found: Array) -> float:
+    """Squared distance of segments (i, i + 1) and (j, j + 1); found = (s, t), where on them, 0…1.
+
+    C. Ericson, "Real-Time Collision Detection" (2005), 5.1.9.
+    """
+    a = e = f = b = c = 0.0
+    for k in range(3):
+        d1, d2, r = coords[i + 1, k] - coords[i, k], coords[j + 1, k] - coords[j, k], coords[i, k] - coords[j, k]
+        a += d1 * d1
+        e += d2 * d2
+        b += d1 * d2
+        c += d1 * r
+        f += d2 * r
+    a, e = max(a, 1e-18), max(e, 1e-18)
+    whole = a * e - b * b
+    s = min(1.0, max(0.0, (b * f - c * e) / whole)) if whole > 1e-12 * a * e else 0.5
+    t = (b * s + f) / e
+    if t < 0.0:
+        t, s = 0.0, min(1.0, max(0.0, -c / a))
+    elif t > 1.0:
+        t, s = 1.0, min(1.0, max(0.0, (b - c) / a))
+    found[0], found[1] = s, t
+    size = 0.0
+    for k in range(3):
+        x = coords[i, k] + s * (coords[i + 1, k] - coords[i, k]) - coords[j, k] - t * (coords[j + 1, k] - coords[j, k])
+        size += x * x
+    return size
+
+
+@kernel
+def _bins(middle: Array, strand: Array, low: Array, cell: float, shape: Array, head: Array, order: Array) -> None:
+    """Segments by cell of a grid: those of cell k are order[head[k]:head[k + 1]]."""
+    n = len(strand)
+    where = np.empty(n, np.int64)
+    for i in range(n):
+        if strand[i] < 0:
+            where[i] = -1
+            continue
+        p, q, r = (int((middle[i, 0] - low[0]) / cell), int((middle[i, 1] - low[1]) / cell),
+                   int((middle[i, 2] - low[2]) / cell))  # fmt: skip
+        where[i] = (p * shape[1] + q) * shape[2] + r
+        head[where[i] + 1] += 1
+    for k in range(len(head) - 1):
+        head[k + 1] += head[k]
+    at = head[:-1].copy()
+    for i in range(n):
+        if where[i] >= 0:
+            order[at[where[i]]] = i
+            at[where[i]] += 1
+
+
+@kernel
+def close_pairs(
+    coords: Array, strand: Array, arc: Array, middle: Array, half: Array, low: Array, cell: float, shape: Array,
+    head: Array, order: Array, reach: float, along: float, pairs: Array,
+) -> int:  # fmt: skip
+    """Pairs (Q, 2) of segments nearer than ``reach``, and further apart than ``along`` on a common strand.
+
+    Returns how many there are; those that ``pairs`` has no room for are only counted.
+    """
+    count = 0
+    found = np.zeros(2)
+    for p in range(shape[0]):
+        for q in range(shape[1]):
+            for r in range(shape[2]):
+                here = (p * shape[1] + q) * shape[2] + r
+                if head[here] == head[here + 1]:
+                    continue
+                # This cell and half of those around it: every pair once.
+                for side in range(14):
+                    dp, dq, dr = side // 9, side // 3 % 3, side % 3
+                    if side < 9:
+                        dp, dq, dr = 1, dq - 1, dr - 1
+                    elif side < 12:
+                        dp, dq, dr = 0, 1, dr - 1
+                    elif side == 12:
+                        dp, dq, dr = 0, 0, 1
+                    else:
+                        dp, dq, dr = 0, 0, 0
+                    a, b, c = p + dp, q + dq, r + dr
+                    if a >= shape[0] or b < 0 or b >= shape[1] or c < 0 or c >= shape[2]:
+                        continue
+                    there = (a * shape[1] + b) * shape[2] + c
+                    for k in range(head[here], head[here + 1]):
+                        i = order[k]
+                        first = k + 1 if there == here else head[there]
+                        for m in range(first, head[there + 1]):
+                            j = order[m]
+                            most = reach + half[i] + half[j]
+                            x, y, z = (middle[i, 0] - middle[j, 0], middle[i, 1] - middle[j, 1],
+                                       middle[i, 2] - middle[j, 2])  # fmt: skip
+                            if x * x + y * y + z * z >= most * most:
+                                continue
+                            if strand[i] == strand[j] and abs(arc[i] - arc[j]) < along + half[i] + half[j]:
+                                continue
+                            if nearest(coords, i, j, found) < reach * reach:
+                                if count < len(pairs):
+                                    pairs[count, 0], pairs[count, 1] = i, j
+                                count += 1
+    return count
+
+
+@kernel
+def push(coords: Array, pairs: Array, apart: float, rounds: int, move: Array, weight: Array) -> None:
+    """Push pairs of segments ``apart``, ``rounds`` times: all pushes at once, each point's shared by what pushes it."""
+    found = np.zeros(2)
+    for _ in range(rounds):
+        move[:] = 0.0
+        weight[:] = 0.0
+        for k in range(len(pairs)):
+            i, j = pairs[k, 0], pairs[k, 1]
+            gap = nearest(coords, i, j, found)
+            if gap >= apart * apart:
+                continue
+            gap = max(gap**0.5, 1e-9)
+            s, t = found[0], found[1]
+            # The four ends move so that the nearest points part by what is missing.
+            share = 0.5 * (apart - gap) / gap
+            own, other = (1 - s) ** 2 + s * s, (1 - t) ** 2 + t * t
+            for c in range(3):
+                d = (coords[i, c] + s * (coords[i + 1, c] - coords[i, c]) - coords[j, c]
+                     - t * (coords[j + 1, c] - coords[j, c])) * share  # fmt: skip
+                move[i, c] += (1 - s) * d / own
+                move[i + 1, c] += s * d / own
+                move[j, c] -= (1 - t) * d / other
+                move[j + 1, c] -= t * d / other
+            weight[i] += 1 - s
+            weight[i + 1] += s
+            weight[j] += 1 - t
+            weight[j + 1] += t
+        for i in range(len(coords)):
+            if weight[i] > 0.0:
+                for c in range(3):
+                    coords[i, c] += move[i, c] / max(1.0, weight[i])
+
+
+def _grid(coords: Array, ends: Array, reach: float) -> Any:
+    n = len(coords)
+    strand, arc, middle, half = np.full(n, -1, np.int32), np.zeros(n), np.zeros((n, 3)), np.zeros(n)
+    _segments(coords, ends, strand, arc, middle, half)
+    own = strand >= 0
+    cell = reach + 2 * float(half.max(initial=0.0)) + 1e-9
+    low = middle[own].min(0) if own.any() else np.zeros(3)
+    high = middle[own].max(0) if own.any() else np.zeros(3)
+    # A few strands far apart must not ask for a grid of any size.
+    while np.prod(np.floor((high - low) / cell) + 1) > 4e6:
+        cell *= 1.5
+    shape = np.floor((high - low) / cell).astype(np.int64) + 1
+    head = np.zeros(int(shape.prod()) + 1, np.int64)
+    order = np.zeros(int(own.sum()), np.int64)
+    _bins(middle, strand, low, cell, shape, head, order)
+    return strand, arc, middle, half, low, np.float64(cell), shape, head, order
+
+
+def _pairs(coords: Array, ends: Array, reach: float, along: float) -> Array:
+    grid = _grid(coords, ends, reach)
+    pairs = np.zeros((max(64, len(coords)), 2), np.int64)
+    arguments: tuple[Any, ...] = (coords, *grid, reach, along, pairs)
+    count = int(close_pairs(*arguments))
+    if count > len(pairs):
+        pairs = np.zeros((count, 2), np.int64)
+        arguments = (*arguments[:-1], pairs)
+        close_pairs(*arguments)
+    return pairs[:count]
+
+
+def distances(coords: Array, ends: Array, diameter: float, reach: float) -> tuple[Array, Array]:
+    """Where centre lines are nearer than ``reach`` (mm): pairs (Q, 2) of segments (point i to i + 1), distances (Q,).
+
+    coords : (P, 3) mm; ends : (S + 1,) offsets of the strands; diameter : of the yarn, mm, see ALONG
+    """
+    pairs = _pairs(coords, ends, reach, ALONG * diameter)
+    found = np.zeros(2)
+    return pairs, np.array([nearest(coords, i, j, found) for i, j in pairs.tolist()]) ** 0.5
+
+
+def clear(coords: Array, ends: Array, diameter: float, *, looks: int = 3, rounds: int = 12) -> None:
+    """Move the points (P, 3) of strands so that their centre lines come to be a diameter apart, as far as they can.
+
+    looks : how often near pairs are searched anew; rounds : pushes in between
+    """
+    move, weight = np.zeros_like(coords), np.zeros(len(coords))
+    for _ in range(looks):
+        pairs = _pairs(coords, ends, 1.1 * diameter, ALONG * diameter)
+        if not len(pairs):
+            return
+        push(coords, pairs, diameter, rounds, move, weight)

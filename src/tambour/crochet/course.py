@@ -1,0 +1,230 @@
+"""The rows of the fabric as smooth courses, and the cells between them: where a point of a stitch lies in space."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import ROOT, TIP, StitchGraph
+from tambour.core.kernels import kernel
+from tambour.geometry.surface import vertex_normals
+
+RING = 0.55
+"""Stitches in a magic ring begin on a circle this share of their distance from its middle."""
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """What the cells are made of; all per node.
+
+    x : (N, 3) mm; normal : (N, 3) towards the outside; along : (N, 3) mm, to the next stitch; up : (N, 3) mm, one
+    stitch height up the fabric
+    after, before : (N,) neighbours along the yarn, -1 at its ends (a ring's first stitch follows its last)
+    foot : (N,) where on its anchor a stitch stands, in stitches along the anchor's row; pace : (N,) how far feet move
+    from stitch to stitch, negative in turned rows
+    """
+
+    x: Array
+    normal: Array
+    along: Array
+    up: Array
+    after: Array
+    before: Array
+    foot: Array
+    pace: Array
+
+
+def course(graph: StitchGraph, x: Array) -> Course:
+    """The courses of a graph at positions (N, 3) mm."""
+    n = len(graph)
+    normal = vertex_normals(x, graph.faces)
+    after, before = np.full(n, -1, np.int32), np.full(n, -1, np.int32)
+    plain = (graph.peculiarity != ROOT) & (graph.peculiarity != TIP)
+    along, up = np.zeros((n, 3)), np.zeros((n, 3))
+    foot, pace = np.zeros(n), np.zeros(n)
+    _neighbours(graph.previous, graph.part, plain, graph.parent, graph.peculiarity == ROOT, after, before)
+    width = float(graph.rest[graph.edge_kind == 0].mean()) if (graph.edge_kind == 0).any() else 5.0
+    _vectors(x, normal, after, before, graph.anchors, graph.anchor_offsets, graph.height, plain, width, along, up)
+    _feet(graph.anchors, graph.anchor_offsets, after, before, graph.direction, plain, foot, pace)
+    return Course(np.ascontiguousarray(x), normal, along, up, after, before, foot, pace)
+
+
+@kernel
+def _neighbours(
+    previous: Array, part: Array, plain: Array, parent: Array, root: Array, after: Array, before: Array
+) -> None:
+    for i in range(len(previous)):
+        p = previous[i]
+        if p >= 0 and plain[i] and plain[p] and part[i] == part[p]:
+            before[i] = p
+            if after[p] < 0:
+                after[p] = i
+    # A ring is round: its first stitch follows its last.
+    for i in range(len(previous)):
+        if plain[i] and before[i] < 0 and parent[i] >= 0 and root[parent[i]]:
+            last = i
+            while after[last] >= 0 and parent[after[last]] == parent[i]:
+                last = after[last]
+            if last != i:
+                before[i] = last
+
+
+@kernel
+def _vectors(
+    x: Array, normal: Array, after: Array, before: Array, anchors: Array, offsets: Array, height: Array, plain: Array,
+    width: float, along: Array, up: Array,
+) -> None:  # fmt: skip
+    n = len(x)
+    count = np.zeros(n)
+    for i in range(n):
+        if not plain[i]:
+            continue
+        a, b = before[i], after[i]
+        if a >= 0 and b >= 0:
+            along[i] = 0.5 * (x[b] - x[a])
+        elif b >= 0:
+            along[i] = x[b] - x[i]
+        elif a >= 0:
+            along[i] = x[i] - x[a]
+        else:
+            along[i, 0] = width
+        first, last = offsets[i], offsets[i + 1]
+        if last > first:
+            mean = np.zeros(3)
+            for k in range(first, last):
+                mean += x[anchors[k]]
+            rise = (x[i] - mean / (last - first)) / max(height[i], 0.5)
+            up[i] += rise
+            count[i] += 1.0
+            for k in range(first, last):
+                if plain[anchors[k]]:
+                    up[anchors[k]] += rise
+                    count[anchors[k]] += 1.0
+    for i in range(n):
+        if not plain[i]:
+            continue
+        if count[i] > 0.0:
+            up[i] /= count[i]
+        else:
+            # A free chain: across its own course, within the fabric.
+            up[i, 0] = along[i, 1] * normal[i, 2] - along[i, 2] * normal[i, 1]
+            up[i, 1] = along[i, 2] * normal[i, 0] - along[i, 0] * normal[i, 2]
+            up[i, 2] = along[i, 0] * normal[i, 1] - along[i, 1] * normal[i, 0]
+        size = (up[i, 0] ** 2 + up[i, 1] ** 2 + up[i, 2] ** 2) ** 0.5
+        if size < 0.3 * width:
+            if size > 0.0:
+                up[i] *= 0.3 * width / size
+            else:
+                up[i, 1] = width
+
+
+@kernel
+def _feet(
+    anchors: Array,
+    offsets: Array,
+    after: Array,
+    before: Array,
+    direction: Array,
+    plain: Array,
+    foot: Array,
+    pace: Array,
+) -> None:
+    n = len(foot)
+    i = 0
+    while i < n:
+        # Stitches in a row into the same single anchor share it out.
+        last = i + 1
+        if offsets[i + 1] - offsets[i] == 1 and plain[anchors[offsets[i]]]:
+            while last < n and offsets[last + 1] - offsets[last] == 1 and anchors[offsets[last]] == anchors[offsets[i]]:
+                last += 1
+        count = last - i
+        for k in range(i, last):
+            if offsets[k + 1] > offsets[k]:
+                a = anchors[offsets[k]]
+                turn = 1.0 if direction[k] == direction[a] else -1.0
+                foot[k] = turn * ((k - i + 0.5) / count - 0.5)
+                pace[k] = turn * max(1.0 / count, 0.5)
+        i = last
+
+
+@kernel
+def on_row(
+    j: int, u: float, x: Array, along: Array, normal: Array, up: Array, after: Array, before: Array, out: Array
+) -> None:
+    """Place (out[0]), normal (out[1]) and up (out[2]) at ``u`` stitches along the yarn from node ``j``."""
+    k = after[j]
+    for _ in range(4):
+        if u >= 1.0 and k >= 0 and after[k] >= 0:
+            j, u = k, u - 1.0
+            k = after[j]
+        elif u < 0.0 and before[j] >= 0:
+            j, k, u = before[j], j, u + 1.0
+        else:
+            break
+    if u < 0.0 or k < 0 or u > 1.5:
+        for c in range(3):
+            out[0, c] = x[j, c] + u * along[j, c]
+            out[1, c] = normal[j, c]
+            out[2, c] = up[j, c]
+        return
+    # Hermite's cubic: tangents as of a spline through the row.
+    s = u * u * (3.0 - 2.0 * u)
+    p, q = u * (1.0 - u) * (1.0 - u), -u * u * (1.0 - u)
+    for c in range(3):
+        out[0, c] = (1.0 - s) * x[j, c] + s * x[k, c] + p * along[j, c] + q * along[k, c]
+        out[1, c] = (1.0 - u) * normal[j, c] + u * normal[k, c]
+        out[2, c] = (1.0 - u) * up[j, c] + u * up[k, c]
+
+
+@kernel
+def place(
+    cell: Array, below: Array, at: Array, height: Array, direction: Array, thick: float, x: Array, along: Array,
+    normal: Array, up: Array, after: Array, before: Array, foot: Array, pace: Array, root: Array, out: Array,
+) -> None:  # fmt: skip
+    """Fill ``out`` (P, 3) with the places of points in stitches' cells.
+
+    cell : (P,) the stitch; below : (P,) the node its cell stands on, or -1 for a cell of its own; -2 - t for points
+    between the stitch (v = 0) and node t (v = 1)
+    at : (P, 3) u, v, w; v counts stitch heights from the foot; thick : mm of one unit of w
+    root : (N,) whether a node is the middle of a ring
+    """
+    low, top = np.zeros((3, 3)), np.zeros((3, 3))
+    for p in range(len(cell)):
+        i, a = cell[p], below[p]
+        u, v, w = at[p, 0], at[p, 1], at[p, 2]
+        w *= thick if direction[i] >= 0 else -thick
+        high = max(height[i], 0.5)
+        on_row(i, u, x, along, normal, up, after, before, top)
+        if a == -1:
+            for c in range(3):
+                out[p, c] = top[0, c] + (v - high) * top[2, c] + w * top[1, c]
+            continue
+        if a < -1:
+            for c in range(3):
+                low[0, c], low[1, c] = top[0, c], normal[-2 - a, c]
+                top[0, c] = x[-2 - a, c]
+            t, v, high = v, 0.5, 1.0
+            for c in range(3):
+                top[1, c], low[1, c] = low[1, c], top[1, c]
+        else:
+            if root[a]:
+                for c in range(3):
+                    low[0, c] = x[a, c] + RING * (top[0, c] - x[a, c])
+                    low[1, c] = 0.5 * (normal[a, c] + top[1, c])
+                    low[2, c] = 0.5 * (top[0, c] - x[a, c])
+            else:
+                on_row(a, foot[i] + pace[i] * u, x, along, normal, up, after, before, low)
+            t = min(1.0, max(0.0, v / high))
+        size = 0.0
+        for c in range(3):
+            low[1, c] = (1.0 - t) * low[1, c] + t * top[1, c]
+            size += low[1, c] * low[1, c]
+        size = w / max(size, 1e-9) ** 0.5
+        for c in range(3):
+            out[p, c] = (1.0 - t) * low[0, c] + t * top[0, c] + size * low[1, c]
+            if v < 0.0:
+                out[p, c] += v * low[2, c]
+            elif v > high:
+                out[p, c] += (v - high) * top[2, c]

@@ -1,0 +1,55 @@
+"""Splines through polylines, and polylines with fewer points."""
+
+from __future__ import annotations
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+
+
+@kernel
+def smooth(coords: Array, offsets: Array, times: int, out: Array) -> None:
+    """Catmull-Rom splines through polylines: every segment in ``times`` pieces; out (sum of (n - 1) times + 1, 3)."""
+    at = 0
+    for s in range(len(offsets) - 1):
+        first, last = offsets[s], offsets[s + 1] - 1
+        for i in range(first, last):
+            for k in range(times):
+                t = k / times
+                for c in range(3):
+                    b, d = coords[i, c], coords[i + 1, c]
+                    a = coords[i - 1, c] if i > first else 2 * b - d
+                    e = coords[i + 2, c] if i + 1 < last else 2 * d - b
+                    out[at, c] = 0.5 * (2 * b + (d - a) * t + (2 * a - 5 * b + 4 * d - e) * t * t
+                                        + (3 * b - a - 3 * d + e) * t * t * t)  # fmt: skip
+                at += 1
+        if last >= first:
+            out[at] = coords[last]
+            at += 1
+
+
+@kernel
+def thin(coords: Array, offsets: Array, tolerance: float, keep: Array) -> None:
+    """Mark in ``keep`` (P,) the points of polylines without which they would stray by more than ``tolerance``.
+
+    Walks along: a point may go while the straight line over all that went stays near them; at most five in a row go.
+    """
+    for s in range(len(offsets) - 1):
+        first, last = offsets[s], offsets[s + 1] - 1
+        if last < first:
+            continue
+        keep[first] = keep[last] = True
+        a = first
+        i = first + 1
+        while i < last:
+            b = i + 1
+            far = 0.0
+            dx, dy, dz = coords[b, 0] - coords[a, 0], coords[b, 1] - coords[a, 1], coords[b, 2] - coords[a, 2]
+            size = dx * dx + dy * dy + dz * dz + 1e-18
+            for k in range(a + 1, b):
+                px, py, pz = coords[k, 0] - coords[a, 0], coords[k, 1] - coords[a, 1], coords[k, 2] - coords[a, 2]
+                t = (px * dx + py * dy + pz * dz) / size
+                far = max(far, (px - t * dx) ** 2 + (py - t * dy) ** 2 + (pz - t * dz) ** 2)
+            if far > tolerance * tolerance or b - a > 6:
+                keep[i] = True
+                a = i
+            i += 1

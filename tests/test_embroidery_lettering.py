@@ -1,0 +1,105 @@
+"""Letters from a font, satin by their middle lines; pictures traced to areas."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+from tambour import files
+from tambour.core.errors import TambourError
+from tambour.core.picture import Picture
+from tambour.core.progress import Progress
+from tambour.embroidery.facts import facts
+from tambour.embroidery.make import make
+from tambour.embroidery.medial import limbs
+from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.piece import SATIN
+from tambour.embroidery.trace import outlines, traced
+from tambour.geometry.glyphs import capital_height, glyph
+from tambour.render.type import font_bytes
+
+
+def test_letters_are_satin_without_a_jump_inside_a_letter():
+    made = make(None, EmbroideryParams(text="nR", text_size=15.0), Progress())
+    told = facts(made)
+    assert [r.stitch for r in made.regions] == ["satin", "satin"]
+    assert told["jumps"] == 1  # from letter to letter
+    assert (made.kind == SATIN).mean() > 0.5
+    assert told["height_mm"] == pytest.approx(15, abs=0.5)
+
+
+def test_columns_cover_a_letter():
+    shape = glyph(font_bytes(True), "H")
+    area = shapely.Polygon(shape.rings[0] * 20)
+    found, left = limbs(area, 14.0)
+    quads = [shapely.Polygon([*m.column.left, *m.column.right[::-1]]).buffer(0.15) for m in found]
+    assert shapely.union_all(quads).intersection(area).area > 0.93 * area.area and left.area < 0.05 * area.area
+    assert 5 <= len(found) <= 6
+
+
+def test_a_ring_is_one_closed_column():
+    ring = shapely.Point(0, 0).buffer(10, quad_segs=32).difference(shapely.Point(0, 0).buffer(7, quad_segs=32))
+    found, _ = limbs(ring, 14.0)
+    assert len(found) == 1
+    column = found[0].column
+    assert np.allclose(np.hypot(*(column.left - column.right).T), 3, atol=0.15)
+
+
+def test_fonts_are_read_and_broken_ones_refused(tmp_path):
+    (tmp_path / "a.otf").write_bytes(font_bytes())
+    font = files.read(tmp_path / "a.otf", ("Font",))
+    assert 0.6 < capital_height(font.data) < 0.8
+    made = make(None, EmbroideryParams(text="i", text_size=10.0, font=font), Progress())
+    assert len(made.regions) == 1
+    for data in (b"hello", b"OTTO" + b"\0" * 100, font_bytes()[:5000]):
+        (tmp_path / "b.otf").write_bytes(data)
+        with pytest.raises(TambourError):
+            files.read(tmp_path / "b.otf", ("Font",))
+
+
+def test_missing_letters_are_said_and_no_letters_refused():
+    progress = Progress()
+    make(None, EmbroideryParams(text="a\u4e2d", text_size=10.0), progress)
+    assert "\u4e2d" in str(progress.warnings[0])
+    with pytest.raises(TambourError):
+        make(None, EmbroideryParams(text="  "), Progress())
+    with pytest.raises(TambourError):
+        make(None, EmbroideryParams(), Progress())
+
+
+def picture():
+    y, x = np.mgrid[0:120, 0:160] / 120.0
+    rgb = np.full((120, 160, 3), 250, np.uint8)
+    rgb[np.hypot(x - 0.6, y - 0.5) < 0.35] = (200, 60, 40)
+    rgb[np.hypot(x - 0.6, y - 0.5) < 0.12] = (20, 40, 120)
+    return Picture(np.dstack([rgb, np.full((120, 160), 255, np.uint8)]))
+
+
+def test_a_picture_becomes_its_areas_on_cloth():
+    made = traced(picture(), EmbroideryParams(width=80.0, colors=3))
+    colors = made.styles.fill[made.style][:, :3].astype(int)
+    assert len(made) == 2 and abs(colors - [[200, 60, 40], [20, 40, 120]]).max() < 12
+    parts = made.paths.parts
+    disc = shapely.Polygon(made.paths[int(parts[0])], [made.paths[i] for i in range(int(parts[0]) + 1, int(parts[1]))])
+    r = 80 / 160 * 120
+    assert disc.area == pytest.approx(np.pi * ((0.35 * r) ** 2 - (0.12 * r) ** 2), rel=0.05)
+    told = facts(make(picture(), EmbroideryParams(width=60.0, colors=3, row_spacing=1.0), Progress()))
+    assert told["color_changes"] == 1 and told["width_mm"] == pytest.approx(60 * 0.35 * 2 * 0.75, rel=0.05)
+
+
+def test_outlines_of_a_mask_enclose_its_cells():
+    mask = np.random.Generator(np.random.PCG64(3)).random((14, 17)) < 0.5
+    area = sum(
+        0.5 * float((p[:, 0] * np.roll(p[:, 1], -1) - np.roll(p[:, 0], -1) * p[:, 1]).sum()) for p in outlines(mask)
+    )
+    assert area == mask.sum()
+    assert sum(len(p) for p in outlines(mask)) == (
+        np.abs(np.diff(np.pad(mask, 1).astype(int), axis=0)).sum()
+        + np.abs(np.diff(np.pad(mask, 1).astype(int), axis=1)).sum()
+    )
+
+
+def test_a_see_through_picture_has_nothing_to_sew():
+    with pytest.raises(TambourError):
+        make(Picture(np.zeros((20, 20, 4), np.uint8)), EmbroideryParams(), Progress())
