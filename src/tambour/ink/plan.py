@@ -26,6 +26,10 @@ FAR = 4
 """Tiles to either side of a window whose elements may reach into it (a range is up to 1500 long)."""
 
 
+_LETTERS = str.maketrans("0123456789", "ghijklmnop")
+"""Ids are letters alone: a word such as 46e123 would be read as a number."""
+
+
 @dataclass(frozen=True, slots=True)
 class Rules:
     """What the plan depends on besides the tile: the seed, and the composition."""
@@ -106,7 +110,8 @@ def _place(
 ) -> Planned:  # fmt: skip
     name = kinds.NAMES[kind]
     names = ("ink", rules.seed, rules.edition, name, k, number)
-    return Planned(kind, x, y, depth, f"{name}-{key(*names) & 0xFFFFFFFFFFFF:012x}", names, how, left, right)
+    word = f"{key(*names) & 0xFFFFFFFFFFFF:012x}".translate(_LETTERS)
+    return Planned(kind, x, y, depth, f"{name}-{word}", names, how, left, right)
 
 
 @kernel
