@@ -130,7 +130,8 @@ def contact(x, edges, far, near, stiffness):
 
 
 def straight(graph, n):
-    """Stitch, the one before it, the one before that, along the yarn and down the rounds; not about root or tip."""
+    """Stitch, the one before it, the one before that, along the yarn and down the rounds; not about root or tip, nor where
+    the yarn turns a corner (a row's or joined round's beginning); and across the join of a round."""
     odd = (g.ROOT, g.TIP)
     found = []
     for i in range(n):
@@ -138,7 +139,15 @@ def straight(graph, n):
             j = before[i]
             k = before[j] if j >= 0 else -1
             if k >= 0 and graph.peculiarity[i] != g.TIP and graph.peculiarity[j] not in odd:
-                found.append((i, j, k))
+                up, below = graph.parent[i], graph.parent[j]
+                corner = k in (up, below) or up == j or (up < 0 <= below)
+                if before is graph.parent or not corner:
+                    found.append((i, j, k))
+    for last, first in graph.edges[graph.edge_kind == g.JOIN]:
+        if last < n and first + 1 < len(graph) and graph.previous[first + 1] == first:
+            found.append((first + 1, first, last))
+        if last < n and graph.previous[last] >= 0:
+            found.append((first, last, graph.previous[last]))
     return found
 
 

@@ -51,8 +51,8 @@ def test_a_ball_from_text(tmp_path: Path) -> None:
     assert {"nodes", "edges", "residual", "evaluations", "warnings", "seconds", "stitches", "parts", "rounds"} <= set(
         report
     )
-    assert {"size_mm", "size_in", "tension", "volume_ml"} <= set(report)
-    assert {"start", "parse", "build", "settle", "write"} <= set(report["seconds"])
+    assert {"size_mm", "size_in", "tension", "volume_ml", "yarn"} <= set(report)
+    assert {"start", "parse", "build", "settle", "fabric", "write"} <= set(report["seconds"])
     assert report["nodes"] == 110 and report["warnings"] == [] and report["settled"]
     data = json.loads((tmp_path / "ball.json").read_text())
     assert list(data) == ["craft", "parts", "nodes", "edges", "sewn", "centroids", "positions", "faces", "stitch_mm"]
@@ -181,3 +181,10 @@ def test_mutations_give_a_piece_or_a_located_error(text: str, stuffing: str) -> 
         assert np.isfinite(piece.positions).all()
         facts(piece)
     assert time.perf_counter() - began < 10.0
+
+
+def test_yarn_is_measured_by_colour() -> None:
+    told = facts(made("color(255, 0, 0)\n" + BALL))["yarn"]
+    assert told[0]["color"] == "#ff0000" and all(y["metres"] > 0 for y in told)
+    # A single crochet takes some ten times its width in yarn.
+    assert 110 * 0.005 * 5 < sum(y["metres"] for y in told) < 110 * 0.005 * 16

@@ -62,3 +62,24 @@ def test_bend_is_the_formula_and_leaves_straight_lines_alone() -> None:
     D = np.zeros_like(x)
     forces.bend(np.arange(12.0).reshape(4, 3), triples, np.ones(2), D)
     np.testing.assert_allclose(D, 0.0, atol=1e-14)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ": MR(6), join\n: ch, 6 inc, join\n: ch, [sc, inc] x 6, join\n",
+        ": ch 8, turn\n: 7 sc\n3: turn, ch, 7 sc\n: turn, 3 sc, ch 2, sk, 3 sc\n",
+    ],
+)
+def test_what_is_kept_straight(text: str) -> None:
+    """Against the plain rule, where yarn turns corners and rounds are joined."""
+    from tambour.core.errors import Text
+    from tambour.crochet.body import _straight
+    from tambour.crochet.build import build
+    from tambour.crochet.parse import parse
+
+    graph = build(parse(Text("@stuffing = none\n" + text))).graph
+    triples, _ = _straight(graph, np.zeros(1), 0.05)
+    assert sorted(map(tuple, triples.tolist())) == sorted(
+        map(tuple, np.array(plain.straight(graph, len(graph))).tolist())
+    )

@@ -134,7 +134,7 @@ def test_wide_satin_is_split_without_a_line_of_needle_points():
     assert facts(made)["longest_mm"] <= 7.0 + 1e-6
     xy = made.plan.xy[(made.kind == SATIN) & (made.plan.command == STITCH)]
     inner = xy[np.abs(xy[:, 1]) < 4]
-    assert len(np.unique(np.round(inner[:, 1], 1))) > 4
+    assert len(np.unique(np.round(inner[:, 1], 1))) >= 3
 
 
 def test_a_broad_line_is_satin_a_thin_one_running():

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
-from tambour.embroidery.preview import picture, stitches
+from tambour.embroidery.preview import developed, field, paint, picture, stitches
 
 
 def patch(angle: float, size: float = 8.0) -> ThreadPlan:
@@ -51,3 +53,16 @@ def test_same_bytes():
     a, b = picture(patch(0.4), pixels_per_mm=10), picture(patch(0.4), pixels_per_mm=10)
     assert a.rgba.tobytes() == b.rgba.tobytes()
     assert a.pixel == 0.1
+
+
+def test_painting_on_is_painting_at_once():
+    plan = patch(0.7)
+    low, high = plan.xy.min(axis=0) - 3, plan.xy.max(axis=0) + 3
+    made = []
+    for parts in (1, 7):
+        f = field(plan, None, thread=0.4, ground=(230, 230, 220), density=10.0, low=low, high=high)
+        edges = np.linspace(0, len(f.a), parts + 1).astype(int)
+        for first, past in pairwise(edges.tolist()):
+            paint(f, first, past)
+        made.append(developed(f).rgba)
+    assert np.array_equal(*made)

@@ -129,3 +129,17 @@ def test_repeats_are_rounds():
         solver = cp_model.CpSolver()
         assert solver.Solve(model) == cp_model.OPTIMAL
         assert (exact.solve(task) != start).sum() == round(solver.ObjectiveValue())
+
+
+def test_tidy_trades_flips_for_order():
+    """A white sheet between two posts: the fewest flips stand in columns; a few more do not."""
+    from tambour.knit import measure
+
+    start = np.ones((40, 46), np.uint8)
+    start[:, [0, -1]] = 0
+    task = Task(start.astype(np.float32), start, 4)
+    fewest, tidy = exact.solve(task), exact.solve(task, tidy=3)
+    assert (fewest != start).sum() == floats.fewest(start, 4) == 8 * 40
+    assert floats.measure(task, tidy).violations == 0
+    assert (tidy != start).sum() <= 1.25 * 8 * 40
+    assert measure.lined_up(fewest != start) > 900 and measure.lined_up(tidy != start) < 100

@@ -10,7 +10,7 @@ import pytest
 from tambour.core.errors import TambourError, Text
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.knit import percept, shades, yarns
+from tambour.knit import CRAFT, percept, shades, yarns
 from tambour.knit.params import KnitParams
 from tambour.knit.solve import make
 from tambour.knit.task import Task
@@ -132,6 +132,10 @@ def test_a_stash_is_read_and_its_mistakes_are_named():
     assert sorted(piece.chart.palette.names) == ["grass", "red", "sky"]
     with pytest.raises(TambourError, match="4 yarns are wanted, there are 3"):
         made(yarns=4, stash=text)
+    told = Progress()
+    short = Text("name;colour;metres\nred;#aa2020;3\nsky;#88bbee;\ngrass;#3c7828;4000\n", "stash.csv")
+    CRAFT.make(flag(), KnitParams(yarns=3, stash=short, gauge="24x30"), told)
+    assert [str(w) for w in told.warnings if "run out" in str(w)] and "red will run out" in str(told.warnings[-1])
 
 
 def test_cards_colours_and_contrast():

@@ -39,7 +39,7 @@ BROKEN: list[tuple[str, Any]] = [
     ("Paths.coords", lambda: Paths([[0.0, np.nan]], [0, 1])),
     ("Paths.offsets", lambda: Paths(LINE, [0, 2])),
     ("Paths.offsets", lambda: Paths(LINE, [0, 2, 1, 3])),
-    ("Paths.parts", lambda: Paths(LINE, [0, 3], [0, 1])),
+    ("Paths.parts", lambda: Paths(LINE, [0, 3], [0, 2])),
     ("Drawing.style", lambda: Drawing(Paths.of([LINE]), [1], BLACK, [1, 1])),
     ("Drawing.group", lambda: Drawing(Paths.of([LINE]), [0], BLACK, [1, 1], [0])),
     ("Drawing.unit", lambda: Drawing(Paths.of([LINE]), [0], BLACK, [1, 1], unit=0)),

@@ -14,6 +14,18 @@ def _make(source: Any, params: Any, progress: Any) -> Any:
     return make(source, params, progress)
 
 
+def _yarn(piece: Any) -> Any:
+    from tambour.crochet.plush import yarn
+
+    return yarn(piece)
+
+
+def _surface(piece: Any) -> Any:
+    from tambour.crochet.plush import surface
+
+    return surface(piece)
+
+
 def _graph(piece: Any) -> Any:
     from tambour.crochet.plush import graph
 
@@ -51,6 +63,8 @@ CRAFT = Craft(
     reads=("Text",),
     make=_make,
     views={
+        "yarn": View(_yarn, "Mesh", "the piece in its yarn", (".glb", ".obj", ".ply", ".stl", ".png"), stage="fabric"),
+        "surface": View(_surface, "Mesh", "the fabric as a surface, closed where the piece is", stage="fabric"),
         "diagram": View(_diagram, "Drawing", "a chart in the usual symbols", (".svg",)),
         "pattern": View(_pattern, "Text", "the pattern written back in standard terms", (".acl", ".txt")),
         "graph": View(_graph, "dict", "the stitch graph and its shape as data", (".json",)),

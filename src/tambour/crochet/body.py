@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import BLO, FLO, ROOT, SEWN, TIP, StitchGraph
+from tambour.core.graph import BLO, FLO, JOIN, ROOT, SEWN, TIP, StitchGraph
 
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
@@ -302,8 +302,17 @@ def _straight(graph: StitchGraph, amount: Array, stiffness: float) -> tuple[Arra
         ok = loose & (middle >= 0) & (last >= 0) & (graph.peculiarity != TIP)
         same = graph.part[middle] == graph.part
         ok &= same & ~np.isin(graph.peculiarity[middle], (ROOT, TIP))
+        if before is b:
+            # The yarn turns a corner where a row or a joined round begins: it rises from the stitch it goes on in.
+            rises = (p < 0) & (p[middle] >= 0)
+            ok &= (p != last) & (p[middle] != last) & (p != middle) & ~rises
         nodes = np.flatnonzero(ok)
         found.append(np.column_stack([nodes, middle[nodes], last[nodes]]))
+    # Across the join of a round the yarn does not lead on, but the fabric does.
+    last, first = graph.edges[(graph.edge_kind == JOIN) & loose[graph.edges[:, 0]]].T
+    second = np.minimum(first + 1, len(graph) - 1)
+    for ends, ok in (((second, first, last), b[second] == first), ((first, last, b[last]), b[last] >= 0)):
+        found.append(np.column_stack(ends)[ok])
     triples = np.concatenate(found)
     triples = triples[np.argsort(triples.max(1, initial=0), kind="stable")]
     return triples, np.full(len(triples), stiffness)

@@ -78,7 +78,7 @@ def diagram(built: Built) -> Drawing:
         np.array([width + margin, height + margin]),
         labels=tuple(labels),
         background=(255, 255, 255, 255),
-        about={"title": built.pattern.text.name},
+        about={"title": PurePath(built.pattern.text.name).stem},
     )
 
 

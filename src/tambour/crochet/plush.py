@@ -11,6 +11,8 @@ from tambour.core.progress import Progress
 from tambour.crochet.params import CrochetParams
 
 if TYPE_CHECKING:
+    from tambour.core.mesh import Mesh
+    from tambour.core.strands import Strands
     from tambour.crochet.build import Built
     from tambour.crochet.simulate import Shape
 
@@ -22,6 +24,7 @@ class Plush:
     built : the pattern worked; params : what was asked for; stitch : width and height of a single crochet, mm
     stuffing, start : what the options and the pattern together chose
     shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm
+    yarn : the yarn of every stitch, in mm
     """
 
     built: Built
@@ -32,12 +35,14 @@ class Plush:
     shape: Shape
     positions: Array
     centroids: Array
+    yarn: Strands
 
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
     from tambour.crochet.body import centroid_counts
     from tambour.crochet.build import build
+    from tambour.crochet.fabric import strands
     from tambour.crochet.parse import parse
     from tambour.crochet.simulate import Task, simulate
 
@@ -71,7 +76,24 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     x, c = shape.x * stitch[0], shape.c * stitch[0]
     if params.solver == "settle" and built.up == "start":
         x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
-    return Plush(built, params, stitch, stuffing, start, shape, x, c)
+    with progress.stage("fabric"):
+        yarn = strands(built.graph, x, detail=params.detail)
+    return Plush(built, params, stitch, stuffing, start, shape, x, c, yarn)
+
+
+def yarn(piece: Plush) -> Mesh:
+    """The piece in yarn: every stitch swept to tubes, over a dark lining."""
+    from tambour.crochet.fabric import mesh
+
+    return mesh(piece.built.graph, piece.positions, detail=piece.params.detail, made=piece.yarn)
+
+
+def surface(piece: Plush) -> Mesh:
+    """The fabric that bounds the piece, as a mesh through its stitches; closed for every closed part."""
+    from tambour.crochet.surface import mesh
+
+    graph = piece.built.graph
+    return mesh(replace(graph, faces=graph.faces[piece.built.shell]), piece.positions)
 
 
 def graph(piece: Plush) -> dict[str, Any]:
@@ -117,6 +139,11 @@ def facts(piece: Plush) -> dict[str, Any]:
     def size(points: Array) -> list[float]:
         return [round(float(v), 2) for v in np.ptp(points, axis=0)] if len(points) else [0.0, 0.0, 0.0]
 
+    # Yarn by colour, in the order in which it is taken up.
+    length: dict[tuple[int, ...], float] = {}
+    for led, color in zip(piece.yarn.paths, piece.yarn.color.tolist()):
+        run = float(np.sqrt((np.diff(led, axis=0) ** 2).sum(1)).sum()) / 1000.0
+        length[tuple(color)] = length.get(tuple(color), 0.0) + run
     ml = shape.volume * width**3 / 1000.0
     stretch = lengths(x, g.edges) / (g.rest * piece.params.link_distance) - 1.0 if len(g.edges) else np.zeros(0)
     tension: dict[str, Any] = {"mean": 0.0, "worst": 0.0, "node": None, "at": None}
@@ -148,6 +175,10 @@ def facts(piece: Plush) -> dict[str, Any]:
         "size_mm": size(x),
         "size_in": [round(v / 25.4, 2) for v in size(x)],
         "volume_ml": round(float(ml.sum()), 3),
+        "yarn": [
+            {"color": "#{:02x}{:02x}{:02x}".format(*shade), "metres": round(m, 2), "yards": round(m / 0.9144, 2)}
+            for shade, m in length.items()
+        ],
         "stitch_mm": list(piece.stitch),
         "stuffing": piece.stuffing,
         "start": piece.start,
@@ -166,3 +197,5 @@ def warm() -> None:
     for stuffing in ("pressure", "centroid", "skeleton"):
         piece = make(text, CrochetParams(stuffing=stuffing, tolerance=0.1), Progress())
     facts(piece)
+    yarn(piece)
+    surface(piece)

@@ -149,27 +149,45 @@ def _light(
     hl = np.sqrt(hx * hx + hy * hy + hz * hz)
     hx, hy, hz = hx / hl, hy / hl, hz / hl
     rise = 2.2 * radius
+    highest = 0.0
+    for j in range(high):
+        for i in range(wide):
+            highest = max(highest, top[j, i])
+    # Blocks without thread in them or beside them are bare cloth, lit alike: nothing need be looked for.
+    block = int(1.2 * scale) + 1
+    rows, columns = high // block + 1, wide // block + 1
+    thread = np.zeros((rows + 2, columns + 2), np.bool_)
+    for j in range(high):
+        for i in range(wide):
+            if owner[j, i] >= 0:
+                thread[j // block + 1, i // block + 1] = True
     for j in prange(r0, r1):
         for i in range(c0, c1):
             z = top[j, i]
+            near = False
+            for dj in range(3):
+                for di in range(3):
+                    near = near or thread[j // block + dj, i // block + di]
             # Shadow: how far something towards the light stands above the ray; the nearest decides.
             shade = 1.0
             for k in range(1, 15):
                 step = 0.045 * k * (1.0 + 0.05 * k)
+                if not near or z + step * lz / 0.766 > highest:
+                    break
                 si, sj = int(i + lx * step * scale / 0.766), int(j + ly * step * scale / 0.766)
                 if si < 0 or sj < 0 or si >= wide or sj >= high:
                     break
                 over = top[sj, si] - z - step * lz / 0.766
-                if over > 0.0:
+                if over > 0.0 and owner[sj, si] >= 0:
                     shade = min(shade, 1.0 - min(1.0, over / (0.05 + 0.25 * step)))
             # Light from all round: what stands higher close by takes some.
             open_ = 0.0
             for k in range(8):
                 angle = 0.7853981633974483 * k + 0.4
-                for ring in range(2):
+                for ring in range(2 if near else 0):
                     step = (0.16 + 0.30 * ring) * scale
                     si, sj = int(i + np.cos(angle) * step), int(j + np.sin(angle) * step)
-                    if 0 <= si < wide and 0 <= sj < high:
+                    if 0 <= si < wide and 0 <= sj < high and owner[sj, si] >= 0:
                         open_ += min(1.0, max(0.0, (top[sj, si] - z) / (0.3 + 0.3 * ring)))
             open_ = 1.0 - 0.72 * open_ / 16.0 * 2.0
             open_ = max(0.12, open_)

@@ -13,7 +13,7 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import SATIN, TRAVEL, UNDERLAY
-from tambour.embroidery.stitches import Stitches, join, line_stitches
+from tambour.embroidery.stitches import Stitches, chain, line_stitches
 from tambour.noise import key, uniform
 
 CROWDED = 0.25  # mm: needle points closer than this on the inner side are drawn in, every other one
@@ -319,7 +319,7 @@ def column_stitches(column: Column, params: EmbroideryParams, name: str, start: 
             parts.append(center_walk(it, params) if word == "center" else zigzag_walk(it, params))
             forward = not forward
     parts.append(side_to_side(column if forward else column.reversed(), params, name))
-    return join(parts)
+    return chain(parts, params.length)
 
 
 def there_and_back(column: Column, params: EmbroideryParams, name: str) -> tuple[Stitches, Stitches]:
@@ -329,4 +329,4 @@ def there_and_back(column: Column, params: EmbroideryParams, name: str) -> tuple
     there = (
         zigzag_walk(column, params) if "zigzag" in words else center_walk(column, params, UNDERLAY if words else TRAVEL)
     )
-    return join([*parts, there]), side_to_side(column.reversed(), params, name)
+    return chain([*parts, there], params.length), side_to_side(column.reversed(), params, name)

@@ -11,7 +11,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.embroidery.piece import RUNNING
+from tambour.embroidery.piece import RUNNING, TRAVEL
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -172,6 +172,18 @@ def drop_short(xy: Any, least: Any, slack: Any) -> Any:
                 continue
         p = i
     return keep
+
+
+def chain(parts: Iterable[Stitches], length: float) -> Stitches:
+    """Several threads as one, straight ways of stitches no longer than ``length`` between them."""
+    made: list[Stitches] = []
+    for part in parts:
+        if made and len(part) and np.hypot(*(part.xy[0] - made[-1].xy[-1])) > length:
+            link = line_stitches(np.array([made[-1].xy[-1], part.xy[0]]), length, TRAVEL, 0.0)
+            made.append(Stitches(link.xy[1:-1], link.kind[1:-1], link.run[1:-1]))
+        if len(part):
+            made.append(part)
+    return join(made)
 
 
 def tidy(stitches: Stitches, least: float) -> Stitches:

@@ -7,9 +7,13 @@ import numpy as np
 from tambour.core.drawing import Drawing, Groups, Styles
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
+from tambour.core.thread import END, STITCH, Thread, ThreadPlan
+from tambour.embroidery.design import piece_of
 from tambour.embroidery.facts import facts
+from tambour.embroidery.looks import scene
 from tambour.embroidery.make import make
 from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.preview import picture
 
 FAMILIES = ("tatami", "contour", "flow", "meander", "satin")
 
@@ -27,3 +31,9 @@ def warm() -> None:
         Groups(FAMILIES, FAMILIES, np.full(n, -1), np.zeros(n, bool), tuple({"tambour-stitch": f} for f in FAMILIES)),
     )
     facts(make(drawing, EmbroideryParams(row_spacing=1, motif_size=2), Progress()))
+    # And two stitches as a machine holds them, seen and laid on cloth.
+    xy = np.array([[0, 0], [3, 0], [3, 3], [3, 3]], np.float64)
+    command = np.array([STITCH, STITCH, STITCH, END], np.uint8)
+    plan = ThreadPlan(xy, command, np.zeros(4, np.int16), (Thread((0, 0, 0)),), None, {"colours": ""})
+    picture(plan, pixels_per_mm=1)
+    scene(piece_of(plan, EmbroideryParams(), Progress()))

@@ -21,6 +21,11 @@ def _make(source: Any, params: Any, progress: Progress) -> Any:
     piece = make(source, params, progress)
     if isinstance(source, Chart) and piece.chart.gauge is None:
         piece = replace(piece, chart=replace(piece.chart, gauge=source.gauge))
+    if params.stash is not None:
+        from tambour.knit.shades import warn_of_shortage
+        from tambour.knit.views import yarn
+
+        warn_of_shortage(piece.chart.palette, [(a.color, a.metres) for a in yarn(piece)], params, progress)
     if params.machine is not None:
         from tambour.core.errors import TambourError
         from tambour.knit.machine import check

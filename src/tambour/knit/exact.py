@@ -24,10 +24,11 @@ BLOCK = 64
 LARGE = 1 << 22  # stitches; larger charts are gone through once
 
 
-def solve(task: Task, cells: Array | None = None) -> Array:
+def solve(task: Task, cells: Array | None = None, tidy: float = 0.0) -> Array:
     """(R, C) uint8: the lawful chart nearest to the start assignment.
 
     ``cells``: a chart solved before, whose other rows are kept in view so that new flips do not line up with them.
+    ``tidy``: what the most unwelcome place adds to a flip's cost, in flips; above 0 there may be more than the fewest.
     Raises TambourError when locked stitches leave a row no lawful way.
     """
     out = task.start.copy() if cells is None else cells
@@ -35,7 +36,7 @@ def solve(task: Task, cells: Array | None = None) -> Array:
     failed = np.zeros(rows, np.bool_)
 
     def work(low: int, high: int) -> None:
-        if task.plain and task.limit >= 2:
+        if task.plain and task.limit >= 2 and not tidy:
             break_runs(task.start, task.limit, low, high, task.key, out)
         else:
             soft = np.int64(0) if task.soft is None else np.int64(round(task.soft * UNIT)) * SCALE
@@ -50,6 +51,7 @@ def solve(task: Task, cells: Array | None = None) -> Array:
                 task.relaxed,
                 task.locked,
                 task.weights,
+                np.int64(round(tidy * UNIT / 4095 * SCALE)),
                 low,
                 high,
                 task.key,
@@ -88,25 +90,39 @@ def impossible(failed: Array) -> None:
         )
 
 
+# How much a flip dislikes another dx columns and dy rows away: (dy, dx), a Gaussian of 1.5 stitches, half as much again in
+# the same column, where the eye joins dots into lines.
+DISLIKE = np.round(
+    600 * np.exp(-(np.arange(4)[:, None] ** 2 + np.arange(3)[None] ** 2) / 4.5) * np.array([1.5, 1.0, 1.0])
+).astype(np.int64)
+
+
 @kernel
 def preference(start: Array, cells: Array, y: int, x: int, key: np.uint64) -> np.int64:
     """How unwelcome a flip at (y, x) is, by the flips about it: below 2^12.
 
-    Three in a column, or on a diagonal, make a line that the eye finds; two make the start of one.
+    Flips keep apart, as dots of blue noise do; three in a column, or on a diagonal, are a line, which is worst.
     """
     rows, stitches = start.shape
-    cost = np.int64(mix(key, np.uint64(y * stitches + x)) >> np.uint64(56))  # 0 … 255
-    for lean in range(-1, 2):
-        a = np.int64(0)  # bit k: a flip k - 2 rows away along this line
-        for k in range(5):
-            yy = y + k - 2
-            xx = x + lean * (k - 2)
-            if k != 2 and 0 <= yy < rows and 0 <= xx < stitches and cells[yy, xx] != start[yy, xx]:
-                a |= np.int64(1) << k
-        near = ((a >> 1) & 1) + ((a >> 3) & 1)
-        lines = (1 if a & 3 == 3 else 0) + (1 if a & 10 == 10 else 0) + (1 if a & 24 == 24 else 0)
-        cost += (near * 200 + lines * 900) if lean == 0 else (near * 60 + lines * 240)
-        cost += 60 * ((a & 1) + ((a >> 4) & 1)) if lean == 0 else 0
+    cost = np.int64(mix(key, np.uint64(y * stitches + x)) >> np.uint64(57))  # 0 … 127
+    upright = rising = falling = 0  # bit k: a flip k - 2 rows away along the line
+    for dy in range(max(-3, -y), min(4, rows - y)):
+        if dy == 0:
+            continue
+        for dx in range(max(-2, -x), min(3, stitches - x)):
+            if cells[y + dy, x + dx] == start[y + dy, x + dx]:
+                continue
+            cost += DISLIKE[abs(dy), abs(dx)]
+            if abs(dy) <= 2:
+                bit = 1 << (dy + 2)
+                upright |= bit if dx == 0 else 0
+                rising |= bit if dx == dy else 0
+                falling |= bit if dx == -dy else 0
+    if upright & 3 == 3 or upright & 10 == 10 or upright & 24 == 24:
+        cost += 1500
+    for line in (rising, falling):
+        if line & 3 == 3 or line & 10 == 10 or line & 24 == 24:
+            cost += 400
     return min(cost, np.int64(4095))
 
 
@@ -173,6 +189,7 @@ def solve_rows(
     relaxed: Array,
     locked: Array,
     weights: Array,
+    tidy: np.int64,
     low: int,
     high: int,
     key: np.uint64,
@@ -199,7 +216,8 @@ def solve_rows(
             row[k] = start[y, x]
             loose[k] = relaxed.size > 0 and relaxed[y, x]
             weight = np.int64(round(weights[y, x] * 1000)) if weights.size else np.int64(1000)
-            flip[k] = weight * (np.int64(1) << 27) + preference(start, out, y, x, key)
+            dislike = preference(start, out, y, x, key)
+            flip[k] = weight * (np.int64(1) << 27) + dislike * (1 + tidy)
             if locked.size and locked[y, x]:
                 flip[k] = np.int64(1) << 61
         cost = (

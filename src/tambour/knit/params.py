@@ -147,6 +147,8 @@ class KnitParams(Params):
     """How the start assignment is made lawful; the middle five are those of the 2013 paper."""
     keep: float = Field(default=0.0, ge=0, le=10)
     """Perceptual: cost of a flip, from 0 (best tone) to 1 and more (fewest flips)."""
+    tidy: float = Field(default=0.0, ge=0, le=10)
+    """Exact: what a flip in line with others costs more, in flips. 0 makes the fewest flips; 1 breaks up most lines."""
     seed: str = "knit"
     """Any text: the random choices of the paper's methods, and of ties."""
     walk_sample: int = Field(default=100, ge=1, le=1_000_000)

@@ -249,3 +249,18 @@ def palette_of(picture: Array, params: KnitParams, progress: Progress) -> Palett
             where="--min-contrast",
         )
     return Palette(np.array([s.rgb for s in shades], np.uint8), tuple(s.name for s in shades))
+
+
+def warn_of_shortage(palette: Palette, needs: list[tuple[int, float]], params: KnitParams, progress: Progress) -> None:
+    """Warn of each yarn of the stash that is shorter than the piece ``needs``: (palette entry, metres)."""
+    if params.stash is None:
+        return
+    held = {(s.name, s.rgb): s.metres for s in stash(params.stash)}
+    for k, metres in needs:
+        rgb = palette.rgb[k]
+        name = palette.names[k]
+        have = held.get((name, (int(rgb[0]), int(rgb[1]), int(rgb[2]))))
+        if have is not None and have < metres:
+            progress.warn(
+                f"{name} will run out: about {metres:.0f} m are needed, there are {have:g} m", where="--stash"
+            )

@@ -139,7 +139,7 @@ def solved(task: Task, params: KnitParams, progress: Progress) -> Array:
     if params.method in PAPER:
         return paper.solve(task, params.method, params)
     if params.method == "exact":
-        return exact.solve(task)
+        return exact.solve(task, tidy=params.tidy)
     if task.limit > percept.LARGEST:
         progress.warn(f"perceptual keeps floats to {percept.LARGEST} stitches, though {task.limit} are allowed")
     return percept.solve(

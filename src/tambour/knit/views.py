@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tambour.core.chart import Chart
-from tambour.core.drawing import Drawing
-from tambour.core.errors import Text
-from tambour.core.picture import Picture
 from tambour.craft import View
 
 if TYPE_CHECKING:
+    from tambour.core.chart import Chart
+    from tambour.core.drawing import Drawing
+    from tambour.core.errors import Text
+    from tambour.core.picture import Picture
     from tambour.knit.draw import Look
     from tambour.knit.piece import Piece
     from tambour.knit.yarn import Amount

@@ -1,0 +1,44 @@
+"""Make the pictures of the README and the docs anew: ``make docs``.
+
+Each line of PICTURES is a picture, the command that makes it, and its width in pixels.
+"""
+
+from __future__ import annotations
+
+import shlex
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from PIL import Image
+
+HERE = Path(__file__).parent
+EXAMPLES = HERE.parent / "examples"
+
+KNIT = "knit {x}/knit/rose.png --max-float 5 --repeat 24 --repeats 2 --round --gauge 28x32 -o {out}.fabric.png"
+PICTURES = [
+    ("readme-frog.jpg", "crochet {x}/crochet/frog.acl -o {out}.png", 900),
+    ("readme-knit.jpg", KNIT, 900),
+    ("readme-scroll.jpg", "ink --seed 7 --span 3000 -o {out}.png", 1800),
+    ("readme-embroidery.jpg", "embroidery {x}/embroidery/logo.svg -o {out}.png", 900),
+]
+
+
+def make(name: str, command: str, width: int) -> None:
+    """Run one command and keep its picture, scaled down."""
+    with tempfile.TemporaryDirectory() as folder:
+        words = shlex.split(command.format(x=EXAMPLES, out=Path(folder) / "picture"))
+        subprocess.run([sys.executable, "-m", "tambour", *words], check=True)
+        image = Image.open(next(Path(folder).glob("*.png"))).convert("RGB")
+    if image.width > width:
+        image = image.resize((width, round(image.height * width / image.width)), Image.Resampling.LANCZOS)
+    image.save(HERE / "pictures" / name, quality=85, optimize=True)
+
+
+if __name__ == "__main__":
+    (HERE / "pictures").mkdir(exist_ok=True)
+    wanted = sys.argv[1:]
+    for entry in PICTURES:
+        if not wanted or entry[0] in wanted:
+            make(*entry)

@@ -1,0 +1,87 @@
+"""Every craft × an example, no file, a missing file, a broken file, an unknown option: codes and words."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+from tambour.cli import main
+from tambour.run import CRAFTS, craft
+
+# Craft → (a quick command on an example, files that are broken inputs of its suffix).
+TABLE: dict[str, tuple[str, dict[str, bytes]]] = {
+    "crochet": (
+        "{examples}/crochet/ball.acl --solver none -o {out}/a.json",
+        {"bad.acl": b"R1: MR(6), 6 sx\nR2: 3 inc)"},
+    ),
+    "knit": ("{examples}/knit/rose.png -o {out}/a.json -o {out}/a.png", {"bad.png": b"\x89PNG\r\n\x1a\nhello"}),
+    "ink": ("--seed 1 --span 300 -o {out}/a.json", {}),
+    "embroidery": (
+        "{examples}/embroidery/logo.svg -o {out}/a.dst -o {out}/a.json",
+        {"bad.svg": b"<svg><path d='M0 0'"},
+    ),
+}
+
+
+def call(words: str) -> tuple[int, str]:
+    said = io.StringIO()
+    with pytest.raises(SystemExit) as left, contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+        main(words.split())
+    return int(left.value.code or 0), said.getvalue()
+
+
+def test_every_craft_is_in_the_table() -> None:
+    assert set(TABLE) == set(CRAFTS)
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_an_example_becomes_its_files_and_a_report(name: str, tmp_path: Path, root: Path) -> None:
+    words = TABLE[name][0].format(examples=root / "examples", out=tmp_path)
+    code, said = call(f"{name} {words} --report {tmp_path}/r.json")
+    assert code == 0, said
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert list(report)[:5] == ["craft", "version", "edition", "params", "source"]
+    assert {"start", "write"} <= set(report["seconds"])
+    assert report["files"] and all(Path(f).stat().st_size for f in report["files"])
+    made = {f: Path(f).read_bytes() for f in report["files"]}
+    for f in report["files"]:
+        Path(f).unlink()
+    code, said = call(f"run {tmp_path}/r.json")
+    assert code == 0, said
+    assert all(Path(f).read_bytes() == data for f, data in made.items()), "a report makes the same bytes again"
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_broken_files_are_refused_with_their_place(name: str, tmp_path: Path) -> None:
+    for file, data in TABLE[name][1].items():
+        (tmp_path / file).write_bytes(data)
+        code, said = call(f"{name} {tmp_path / file}")
+        assert code == 2
+        assert str(tmp_path / file) in said and "Traceback" not in said
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_missing_sources_and_unknown_words(name: str, tmp_path: Path) -> None:
+    if craft(name).reads:
+        code, said = call(f"{name} {tmp_path}/none{next(iter(TABLE[name][1]))[3:]}")
+        assert code == 2 and "no such file" in said
+    code, said = call(f"{name} --no-such-option")
+    assert code == 2 and "No such option" in said
+    code, said = call(f"{name} {'x.svg' if craft(name).reads else ''} -o {tmp_path}/a.nothing")
+    assert code == 2 and "makes no" in said, said
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_help_names_every_option_and_view(name: str) -> None:
+    code, said = call(f"{name} --help")
+    assert code == 0
+    what = craft(name)
+    flags = {"--" + f.rstrip("_").replace("_", "-") for f in what.params.model_fields}
+    assert all(flag in said for flag in flags)
+    assert all(view in said for view in what.views)
+    assert all(f.description for f in what.params.model_fields.values()), "every option says what it does"
