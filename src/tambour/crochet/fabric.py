@@ -20,6 +20,9 @@ from tambour.geometry.tube import sweep
 BLOOM = 1.32
 """Radius drawn, in radii of the yarn's core: wool is soft outside, and neighbours press into each other."""
 
+LARGE = 5000
+"""Stitches above which strands are pushed apart less thoroughly."""
+
 _DETAIL = {"low": (1, 1.0), "medium": (1, 0.1), "high": (2, 0.02)}
 """Detail → pieces that a segment is split into, and how far points may stray, in radii."""
 
@@ -53,7 +56,8 @@ def strands(
         rows.up, rows.after, rows.before, rows.foot, rows.pace, graph.peculiarity == ROOT, coords,
     )  # fmt: skip
     coords, ends, stitch = _dense(coords, ends, led.cell, 3.6 * radius)
-    clear(coords, ends, 2 * radius)
+    # Very large pieces are looked through once: the rest of the gain would take many seconds.
+    clear(coords, ends, 2 * radius, looks=3 if len(graph) <= LARGE else 1)
     pieces, stray = _DETAIL[detail]
     if pieces > 1:
         lengths = np.where(np.diff(ends) > 0, (np.diff(ends) - 1) * pieces + 1, 0)
