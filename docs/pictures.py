@@ -16,7 +16,10 @@ from PIL import Image
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parent / "examples"
 
-KNIT = "knit {x}/knit/rose.png --max-float 5 --repeat 24 --repeats 2 --round --gauge 28x32 -o {out}.fabric.png"
+KNIT = (
+    "knit {x}/knit/rose.png --stitches 73 --repeat 24+1 --gauge 28x36 --max-float 5 --method exact"
+    " --colors #8d2a33 --colors #f0e6d2 -o {out}.fabric.png"
+)
 PICTURES = [
     ("readme-frog.jpg", "crochet {x}/crochet/frog.acl -o {out}.png", 900),
     ("readme-knit.jpg", KNIT, 900),
