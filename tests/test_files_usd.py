@@ -234,3 +234,33 @@ def test_a_skin_is_sampled(tmp_path):
     assert made.frame_count == 25
     assert np.allclose(frames[0], points * 1000, atol=1e-4)
     assert np.allclose(frames[-1], [[0, 0, 0], [10, 0, 0], [-10, 10, 0], [-10, 20, 0]], atol=1e-3)
+
+
+def test_without_the_library_one_line_says_so(tmp_path, monkeypatch):
+    monkeypatch.setitem(__import__("sys").modules, "pxr.Gf", None)
+    with pytest.raises(TambourError, match="usd-core") as caught:
+        files.write(scene(1), tmp_path / "a.usdc")
+    assert "tambour[usd]" in caught.value.problems[0].hint
+
+
+def test_broken_meshes_are_one_line(tmp_path):
+    """Damaged moving .glb and .npz files: a mesh whose frames all stand, or one line."""
+    rng = np.random.default_rng(3)
+    for suffix in ("glb", "npz"):
+        path, bad = tmp_path / f"a.{suffix}", tmp_path / f"b.{suffix}"
+        files.write(scene(2), path)
+        raw = path.read_bytes()
+        for k in range(60):
+            data = bytearray(raw)
+            if k % 3 == 0:
+                data = data[: rng.integers(0, len(data))]
+            else:
+                top = len(data) if k % 3 == 1 else min(len(data), 4000)
+                for _ in range(rng.integers(1, 20)):
+                    data[rng.integers(0, top)] = rng.integers(0, 256)
+            bad.write_bytes(bytes(data))
+            try:
+                for frame in files.read(bad, ("Mesh",)).positions():
+                    assert frame.shape[1] == 3
+            except TambourError as error:
+                assert len(error.problems) == 1

@@ -270,7 +270,8 @@ def write_picture(value: Scene, path: Path) -> None:
 
     mesh = next(joined(value))
     a, b, c = (mesh.vertices[mesh.faces[:, k]] for k in range(3))
-    out = np.cross(b - a, c - a).sum(axis=0)
-    lies = abs(out[1]) > 0.7 * np.linalg.norm(out) > 0
+    cross = np.cross(b - a, c - a)
+    out, area = cross.sum(axis=0), np.linalg.norm(cross, axis=1).sum()
+    lies = np.linalg.norm(out) > 0.1 * area and abs(out[1]) > 0.7 * np.linalg.norm(out)
     made = picture(mesh, width=1400, azimuth=np.radians(22), elevation=np.radians(48 if lies else 10))
     write_picture(made, path)

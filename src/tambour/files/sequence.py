@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import zipfile
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -54,15 +53,16 @@ def read_npz(path: Path) -> Mesh:
     try:
         with path.open("rb") as stream, np.load(stream, allow_pickle=False) as held:
             arrays = {name: held[name] for name in held.files}
-    except (ValueError, OSError, zipfile.BadZipFile, EOFError, KeyError, AttributeError, TypeError) as error:
+    except Exception as error:  # noqa: BLE001 - zip, zlib, header and type errors alike: NumPy lets them all through
         raise TambourError(f"this is not an NPZ file that can be read ({error})", where=str(path)) from None
     names = [n[: -len("faces")] for n in arrays if n == "faces" or n.endswith(".faces")]
     for prefix in names:
         points = arrays.get(f"{prefix}points", arrays.get(f"{prefix}vertices"))
-        if points is None or points.ndim not in (2, 3):
+        if points is None or points.ndim not in (2, 3) or points.dtype.kind not in "fiu" or not len(points):
             continue
         rest = points if points.ndim == 2 else points[0]
-        step = float(arrays.get("seconds_per_frame", np.array(1 / 24)))
+        told = arrays.get("seconds_per_frame")
+        step = float(told) if told is not None and told.size == 1 and told.dtype.kind == "f" and told > 0 else 1 / 24
         moving = points.ndim == 3 and len(points) > 1
         try:
             return Mesh(

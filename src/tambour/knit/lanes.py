@@ -169,7 +169,7 @@ def best_rows(
         V, W = W, V
         if free:
             A, B = B, A
-        if x % 16 == 15:
+        if x % 64 == 63:
             # Keep the numbers small: single precision then tells costs apart however long the row is.
             for lane in range(8):
                 least = V[lane]
