@@ -28,7 +28,7 @@ def _groups(path: Path) -> dict[str, str]:
     return {
         m[1]: m[0]
         for m in re.finditer(
-            r'(?ms)^<g id="([a-z]+-[0-9a-f]+)">.*?(?=^<g id="[a-z]+-[0-9a-f]+">|\Z)',
+            r'(?ms)^<g id="([a-z]+-[a-p]{12})">.*?(?=^<g id="[a-z]+-[a-p]{12}">|\Z)',
             path.read_text().split("<pattern")[0].replace("</svg>\n", ""),
         )
     }

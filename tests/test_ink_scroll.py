@@ -81,3 +81,8 @@ def test_streamed_is_whole() -> None:
     whole = scroll.whole(made)
     assert sum(len(p) for p in parts) == len(whole) == made.polygons
     assert [i for p in parts for i in p.groups.ids] == list(whole.groups.ids)
+
+
+def test_the_plan_holds_what_the_window_shows() -> None:
+    made = _make(seed="plan", from_=900.0, span=700.0)
+    assert [p.id for p in made.planned] == _order(made.marks())

@@ -23,6 +23,8 @@ from tambour.embroidery.sequence import Layout, order
 from tambour.embroidery.stitches import Stitches
 from tambour.embroidery.trace import traced
 
+MOST = 5000  # regions above which their order is not sought: pairs of them would be counted in millions
+
 
 def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     """A Piece of a Drawing: regions, order, stitches, plan. TambourError for drawings that cannot be embroidered."""
@@ -41,8 +43,16 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if drawing.about.get("ignored"):
             progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
         found = regions(drawing, params, progress)
+    how = params.order
+    if len(found) > MOST and how == "auto":
+        progress.warn(
+            f"{len(found):,} regions: sewn in the drawing's order",
+            hint="embroider a picture of it instead",
+            where="--order",
+        )
+        how = "file"
     with progress.stage("route"):
-        sequence = order(found, params.order)
+        sequence = order(found, how)
     layout = Layout(params)
     with progress.stage("fill"):
         below = knockdown(found, params) if params.knockdown else []

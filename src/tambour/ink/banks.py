@@ -175,7 +175,7 @@ def group(
     for _ in range(int(50.0 * rnd(rng) * planted)):
         a, b = along(rng, left, width), middle + 20.0 * bell(rng) + 10.0
         sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 1, 0.55)
-    if kind != PINES and rnd(rng) < 0.2 * hutted:
+    if kind != PINES and rnd(rng) < 0.13 * hutted:
         count = pick(rng, 3) if rnd(rng) < people else 0
         a, b = along(rng, left, width), middle + 15.0
         hut(

@@ -41,7 +41,7 @@ def _how(p: Planned, manner: Manner) -> tuple[Callable[..., None], tuple[Any, ..
     """The kernel of a whole, and the numbers it is given after its place."""
     housed, peopled = float(manner.buildings), float(manner.figures)
     if p.kind == codes.HILL:
-        return hills.hill, (*p.how, 200, manner.planted, housed, 0.1 * manner.waterfalls)
+        return hills.hill, (*p.how, 200, manner.planted, housed, 0.08 * manner.waterfalls)
     if p.kind == codes.BANK:
         _, forms, _, loops = press.tools()
         return banks.bank, (*p.how, manner.planted, manner.bloom, housed, peopled, forms, loops)

@@ -26,6 +26,10 @@ FAR = 4
 """Tiles to either side of a window whose elements may reach into it (a range is up to 1500 long)."""
 
 
+_LETTERS = str.maketrans("0123456789", "ghijklmnop")
+"""Ids are letters alone: a word such as 46e123 would be read as a number."""
+
+
 @dataclass(frozen=True, slots=True)
 class Rules:
     """What the plan depends on besides the tile: the seed, and the composition."""
@@ -106,7 +110,8 @@ def _place(
 ) -> Planned:  # fmt: skip
     name = kinds.NAMES[kind]
     names = ("ink", rules.seed, rules.edition, name, k, number)
-    return Planned(kind, x, y, depth, f"{name}-{key(*names) & 0xFFFFFFFFFFFF:012x}", names, how, left, right)
+    word = f"{key(*names) & 0xFFFFFFFFFFFF:012x}".translate(_LETTERS)
+    return Planned(kind, x, y, depth, f"{name}-{word}", names, how, left, right)
 
 
 @kernel
@@ -121,7 +126,7 @@ def _profile(line: np.uint64, begin: int, out: Array) -> None:
 
 @lru_cache(maxsize=512)
 def hills(rules: Rules, k: int) -> tuple[Planned, ...]:
-    """Hills that columns of tile ``k`` raise: at maxima of the noise, up to fifteen, each up to 350 to the side.
+    """Hills that columns of tile ``k`` raise: at maxima of the noise, up to twelve, each up to 350 to the side.
 
     Columns stand only where a slow noise says land: between massifs lie waters a thousand units wide. Far hills are
     lower, so that their crests stay on the paper.
@@ -137,7 +142,7 @@ def hills(rules: Rules, k: int) -> tuple[Planned, ...]:
         if high[i] <= 0.7 or high[i] < high[i - 2 : i + 2].max() or land[i] < shore:
             continue
         x = float(STEP * (first - 2 + i))
-        for row in range(0, int(480 * rows[i]), 30):
+        for row in range(0, int(480 * rows[i]), 40):
             u = chance.random(6)
             if u[5] >= rules.density:
                 continue

@@ -37,7 +37,7 @@ SKIES = {"ink": "none", "dusk": "sun", "night": "moon"}
 class Scroll:
     """A window of a scroll: its plan, and what was counted when it was drawn.
 
-    planned : wholes in painter's order ; elements : how many of each kind lie in the window
+    planned : the wholes that lie in the window, in painter's order ; elements : how many of each kind lie in the window
     kept : the marks, or None where the window is too long to hold
     origin, size : (2,) float64 the sheet in scroll units
     names : what stands under the specimens
@@ -111,16 +111,19 @@ def make(source: None, params: Ink, progress: Progress) -> Scroll:
         count = np.zeros(len(NAMES), np.int64)
         polygons = points = 0
         kept: list[Marks] | None = []
+        found: set[str] = set()
         for k, marks in enumerate(batches(params, planned)):
             progress.step(k * BATCH, len(planned))
             count += np.bincount(marks.elements.kind, minlength=len(NAMES))
+            found.update(marks.elements.id[e] for e in np.flatnonzero(marks.elements.parent < 0).tolist())
             polygons, points = polygons + len(marks), points + len(marks.coords)
             if kept is not None:
                 kept = [*kept, marks] if points <= KEPT else None
         whole = join(kept) if kept else None
-    found = {name: int(c) for name, c in zip(NAMES, count) if c}
+    planned = tuple(p for p in planned if p.id in found)
+    counts = {name: int(c) for name, c in zip(NAMES, count) if c}
     origin, size = np.array([params.from_, 0.0]), np.array([params.span, HEIGHT])
-    return Scroll(params, planned, found, polygons, points, whole, origin, size)
+    return Scroll(params, planned, counts, polygons, points, whole, origin, size)
 
 
 def _specimen(params: Ink, progress: Progress) -> Scroll:
