@@ -18,6 +18,8 @@ LEAST_RISE = 0.3
 
 BACK = -0.5 * math.pi
 """Where a first round begins: at the back, so that its middle is in front, towards +z."""
+WAVE = 0.1
+"""How far rows lie off their plane at first, in stitches: what wants to leave it could not begin to otherwise."""
 CLEAR = 1.0
 """Stitches that rings of different branches of one part keep between them."""
 
@@ -79,7 +81,8 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         stand = np.array([x[q].mean(0) if len(q) else centre for q in below])
         if flat[part]:
             x[nodes, 0] = stand[:, 0].mean() + graph.direction[nodes] * (np.arange(b - a) - 0.5 * (b - a - 1))
-            x[nodes, 1], x[nodes, 2] = centre[1] + h, centre[2]
+            x[nodes, 1] = centre[1] + h
+            x[nodes, 2] = WAVE * np.sin(0.7 * x[nodes, 0] + 1.3 * x[nodes, 1])
             continue
         radius = (b - a) / (2.0 * math.pi) if b - a > 1 else 0.0
         spread = float(np.hypot(*(x[under] - centre)[:, [0, 2]].T).mean())

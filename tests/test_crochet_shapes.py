@@ -1,0 +1,76 @@
+"""The examples in their shapes: at rest, apart, without self-intersection, of the size they had."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.contact import pairs, ragged
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import Plush, facts, make, surface
+from tambour.geometry.surface import closed
+
+EXAMPLES = Path(__file__).parent.parent / "examples" / "crochet"
+NAMES = sorted(p.stem for p in EXAMPLES.glob("*.acl"))
+
+# Settled size in mm; another machine may differ by a little, a change of design by more.
+SIZES = {
+    "ball": [100.4, 91.9, 100.2],
+    "coaster": [94.0, 11.6, 94.8],
+    "frog": [158.5, 142.8, 94.3],
+    "heart": [95.3, 86.4, 59.7],
+    "mushroom": [75.5, 117.5, 75.1],
+    "octopus": [173.4, 137.8, 174.9],
+    "ruffle": [87.4, 68.0, 94.4],
+    "sampler": [126.2, 81.4, 0.8],
+    "vase": [82.1, 121.8, 81.8],
+    "y": [68.3, 91.6, 32.3],
+}
+
+
+@cache
+def piece(name: str) -> Plush:
+    return make(Text((EXAMPLES / f"{name}.acl").read_text(), name), CrochetParams(), Progress())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_example_is_at_rest_and_has_its_size(name: str) -> None:
+    made = piece(name)
+    assert made.shape.settled
+    assert facts(made)["size_mm"] == pytest.approx(SIZES[name], rel=0.03, abs=2.0)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_unconnected_stitches_are_half_a_stitch_apart(name: str) -> None:
+    made = piece(name)
+    g, x = made.built.graph, made.positions / made.stitch[0]
+    offsets, neighbours = ragged(len(g), g.edges, np.zeros(len(g.edges), bool))
+    out, reach = np.empty((50, 2), np.int32), np.empty(50)
+    assert pairs(np.ascontiguousarray(x), offsets, neighbours, 0.5, 0.5, 0.0, out, reach) == 0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_surface_does_not_pass_through_itself(name: str) -> None:
+    ipctk = pytest.importorskip("ipctk")
+    made = surface(piece(name))
+    f = made.faces
+    edges = np.unique(np.sort(np.concatenate([f[:, [0, 1]], f[:, [1, 2]], f[:, [2, 0]]]), axis=1), axis=0)
+    mesh = ipctk.CollisionMesh(made.vertices, edges.astype(np.int32), f)
+    assert not ipctk.has_intersections(mesh, made.vertices)
+
+
+@pytest.mark.parametrize("name", ["ball", "heart", "frog", "mushroom"])
+def test_closed_parts_are_watertight_and_right_side_out(name: str) -> None:
+    made = piece(name)
+    mesh, graph = surface(made), made.built.graph
+    for k, part in enumerate(graph.parts):
+        faces = mesh.faces[graph.part[mesh.faces[:, 0]] == k]
+        assert made.shape.volume[k] > 0 or not len(faces)
+        if len(faces) and closed(faces):
+            edges = len(faces) * 3 // 2
+            assert len(np.unique(faces)) - edges + len(faces) == 2, part.name
