@@ -16,7 +16,10 @@ from PIL import Image
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parent / "examples"
 
-KNIT = "knit {x}/knit/rose.png --max-float 5 --repeat 24 --repeats 2 --round --gauge 28x32 -o {out}.fabric.png"
+KNIT = (
+    "knit {x}/knit/rose.png --stitches 73 --repeat 24+1 --gauge 28x36 --max-float 5 --method exact"
+    " --colors #8d2a33 --colors #f0e6d2 -o {out}.fabric.png"
+)
 PICTURES = [
     ("readme-frog.jpg", "crochet {x}/crochet/frog.acl -o {out}.png", 900),
     ("readme-knit.jpg", KNIT, 900),
@@ -25,12 +28,37 @@ PICTURES = [
 ]
 
 
+SHEETS = [
+    (
+        "crochet-examples.jpg",
+        "crochet {x}/crochet/{name}.acl -o {out}.png",
+        ["mushroom", "octopus", "heart", "vase", "y", "coaster", "ruffle", "sampler"],
+    ),
+]
+
+
+def picture(command: str, **words: str) -> Image.Image:
+    """The picture that a command makes."""
+    with tempfile.TemporaryDirectory() as folder:
+        line = shlex.split(command.format(x=EXAMPLES, out=Path(folder) / "picture", **words))
+        subprocess.run([sys.executable, "-m", "tambour", *line, "--quiet"], check=True)
+        return Image.open(next(Path(folder).glob("*.png"))).convert("RGB")
+
+
+def sheet(name: str, command: str, names: list[str], across: int = 4, side: int = 400) -> None:
+    """Pictures of the same command on several examples, side by side."""
+    made = [picture(command, name=one) for one in names]
+    page = Image.new("RGB", (across * side, -(-len(made) // across) * side), "white")
+    for k, image in enumerate(made):
+        image.thumbnail((side - 10, side - 10), Image.Resampling.LANCZOS)
+        left, top = (k % across) * side, (k // across) * side
+        page.paste(image, (left + (side - image.width) // 2, top + (side - image.height) // 2))
+    page.save(HERE / "pictures" / name, quality=85, optimize=True)
+
+
 def make(name: str, command: str, width: int) -> None:
     """Run one command and keep its picture, scaled down."""
-    with tempfile.TemporaryDirectory() as folder:
-        words = shlex.split(command.format(x=EXAMPLES, out=Path(folder) / "picture"))
-        subprocess.run([sys.executable, "-m", "tambour", *words], check=True)
-        image = Image.open(next(Path(folder).glob("*.png"))).convert("RGB")
+    image = picture(command)
     if image.width > width:
         image = image.resize((width, round(image.height * width / image.width)), Image.Resampling.LANCZOS)
     image.save(HERE / "pictures" / name, quality=85, optimize=True)
@@ -42,3 +70,6 @@ if __name__ == "__main__":
     for entry in PICTURES:
         if not wanted or entry[0] in wanted:
             make(*entry)
+    for group in SHEETS:
+        if not wanted or group[0] in wanted:
+            sheet(*group)

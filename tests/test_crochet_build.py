@@ -203,6 +203,14 @@ def test_counts():
     assert problems(": MR(6)\n: 6 inc (13)\n", strict=True) == [(warning.message, "13")]
 
 
+def test_a_wrong_count_is_told_with_the_fault_that_follows():
+    found = problems(": MR(6)\n: 6 inc (11)\n: 20 dec\n")
+    assert found == [
+        ("the pattern says 11 stitches, the round makes 12", "11"),
+        ("there is no stitch left to work into", "dec"),
+    ]
+
+
 @pytest.mark.parametrize(
     "text, place",
     [

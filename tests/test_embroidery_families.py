@@ -179,7 +179,8 @@ def test_basting_and_knockdown_come_first():
 
 @pytest.mark.parametrize("guide", [True, False])
 def test_flow_follows_its_guide(guide):
-    from tambour.embroidery.flow import direction, field, flow
+    from tambour.embroidery.field import direction, field
+    from tambour.embroidery.flow import flow
 
     area = shapely.Polygon(leaf()[0], [leaf()[1]])
     line = Paths.of([np.c_[np.linspace(-16, 16, 30), 4 * np.sin(np.linspace(-2, 2, 30))]]) if guide else None

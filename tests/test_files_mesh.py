@@ -91,6 +91,37 @@ def test_glb_is_laid_out_as_its_specification_asks(tmp_path: Path) -> None:
     assert abs(light[2, 0] - 0.21586) < 1e-4 and (light[:, 3] == 1).all()
 
 
+def test_whole_colours_go_with_the_material(tmp_path: Path) -> None:
+    one = tetrahedron()
+    two = Mesh(
+        np.vstack([one.vertices, one.vertices + 500]),
+        np.vstack([one.faces, one.faces + 4]),
+        color=np.repeat(np.array([[12, 13, 14], [200, 1, 0]], np.uint8), 4, axis=0),
+    )
+    files.write(two, tmp_path / "m.glb")
+    raw = (tmp_path / "m.glb").read_bytes()
+    assert b"COLOR_0" not in raw and raw.count(b"baseColorFactor") == 2
+    back = files.read(tmp_path / "m.glb", ["Mesh"])
+    np.testing.assert_array_equal(spread(back, back.color), spread(two, two.color))
+
+
+@pytest.mark.parametrize("mixed", [False, True])
+def test_large_meshes_are_cut_for_short_indices(tmp_path: Path, mixed: bool) -> None:
+    n = 70_000
+    x = np.arange(n + 2.0)
+    points = np.stack([x, np.sin(x), x % 2], axis=1)
+    k = np.arange(n)
+    faces = np.stack([k, k + 1, k + 2], axis=1)
+    if mixed:
+        faces = np.random.default_rng(0).permutation(faces)
+    mesh = Mesh(points, faces, smooth=False)
+    files.write(mesh, tmp_path / "m.glb")
+    back = files.read(tmp_path / "m.glb", ["Mesh"])
+    np.testing.assert_allclose(back.vertices[back.faces], points[faces], rtol=1e-6, atol=1e-4)
+    size = (tmp_path / "m.glb").stat().st_size
+    assert (size < n * 19) != mixed
+
+
 def test_same_mesh_same_bytes(tmp_path: Path) -> None:
     for suffix in (".glb", ".obj", ".ply", ".stl"):
         files.write(painted(), tmp_path / f"a{suffix}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 from PIL import Image
 
 from tambour.cli import main
+from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.ink import scroll
 from tambour.ink.params import Ink, stem
@@ -159,3 +161,22 @@ def test_mist_lies_over_hills() -> None:
     assert veils.any()
     assert (marks.fill[veils, 0] == 255).all()
     assert (marks.fill[veils, 1] < 255).all()
+
+
+def test_the_far_scroll_is_painted_as_finely_as_the_near() -> None:
+    made = scroll.make(None, Ink(seed="far", from_=-9.87654321e11, span=800.0, pixels=400), Progress())
+    assert made.polygons > 0
+    drawing = scroll.whole(made)
+    far = flat.picture(drawing, width=400).rgba.astype(int)
+    near = flat.picture(
+        replace(
+            drawing,
+            paths=Paths(drawing.paths.coords - drawing.origin, drawing.paths.offsets),
+            origin=np.zeros(2),
+            images=(),
+        ),
+        width=400,
+    ).rgba.astype(int)
+    bare = flat.picture(replace(drawing, images=()), width=400).rgba.astype(int)
+    assert np.abs(bare - near).max() <= 1
+    assert np.abs(far - near).max() < 90  # the grain alone

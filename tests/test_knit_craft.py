@@ -132,6 +132,11 @@ def test_advice_and_gauge_are_said():
     said = [str(w) for w in made(scene() // 128 * 255, method="gsat", stitches=60, start="threshold")[1].warnings]
     assert any("GSAT alone" in w for w in said) and any("--gauge 24x32" in w for w in said)
     assert not made(stitches=60, gauge="24x32")[1].warnings
+    drawing = np.full((48, 60), 255, np.uint8)
+    drawing[10:40, 20:22] = 0
+    piece, told = made(drawing)
+    assert piece.figures["kind"] == "line drawing" and piece.figures["start"] == "threshold"
+    assert "--tidy 3" in str(told.warnings[0])
 
 
 def test_edits_are_solved_again():

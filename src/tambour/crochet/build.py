@@ -88,9 +88,9 @@ def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict:
     """
     worker = _Worker(pattern, strict)
     worker.work()
-    errors = [p for p in worker.problems if not p.warning]
-    if errors:
-        raise TambourError(sorted(errors, key=lambda p: p.span.start if p.span else 0))
+    if any(not p.warning for p in worker.problems):
+        # Doubts are told too: a count that disagrees is often where the fault began.
+        raise TambourError(sorted(worker.problems, key=lambda p: p.span.start if p.span else 0))
     hook = worker.hook
     graph, shell = assemble(hook, worker.parts, worker.sewn, stitch)
     return Built(

@@ -103,6 +103,13 @@ def _vectors(
                     up[anchors[k]] += rise
                     count[anchors[k]] += 1.0
     for i in range(n):
+        if not plain[i] and offsets[i + 1] > offsets[i]:
+            # A tip gathers the last round's tops: they lean to it and are short.
+            for k in range(offsets[i], offsets[i + 1]):
+                a = anchors[k]
+                up[a] = 0.4 * (x[i] - x[a])
+                count[a] = 1.0
+    for i in range(n):
         if not plain[i]:
             continue
         if count[i] > 0.0:

@@ -20,7 +20,10 @@ from tambour.geometry.tube import sweep
 BLOOM = 1.32
 """Radius drawn, in radii of the yarn's core: wool is soft outside, and neighbours press into each other."""
 
-_DETAIL = {"low": (1, 0.30), "medium": (1, 0.09), "high": (2, 0.02)}
+LARGE = 5000
+"""Stitches above which strands are pushed apart less thoroughly."""
+
+_DETAIL = {"low": (1, 1.0), "medium": (1, 0.1), "high": (2, 0.02)}
 """Detail → pieces that a segment is split into, and how far points may stray, in radii."""
 
 
@@ -52,9 +55,10 @@ def strands(
         led.cell, led.below, led.at, graph.height, graph.direction, 2 * radius / RATIO, rows.x, rows.along, rows.normal,
         rows.up, rows.after, rows.before, rows.foot, rows.pace, graph.peculiarity == ROOT, coords,
     )  # fmt: skip
-    clear(coords, ends, 2 * radius)
+    coords, ends, stitch = _dense(coords, ends, led.cell, 3.6 * radius)
+    # Very large pieces are looked through once: the rest of the gain would take many seconds.
+    clear(coords, ends, 2 * radius, looks=3 if len(graph) <= LARGE else 1)
     pieces, stray = _DETAIL[detail]
-    stitch = led.cell
     if pieces > 1:
         lengths = np.where(np.diff(ends) > 0, (np.diff(ends) - 1) * pieces + 1, 0)
         later = np.concatenate([[0], np.cumsum(lengths)])
@@ -76,7 +80,20 @@ def strands(
     )
 
 
-SIDES = {"low": 4, "medium": 6, "high": 10}
+def _dense(coords: Array, ends: Array, stitch: Array, longest: float) -> tuple[Array, Array, Array]:
+    """Polylines without segments over ``longest``, for contact: those that are longer are split evenly."""
+    step = np.zeros(len(coords))
+    step[:-1] = np.linalg.norm(np.diff(coords, axis=0), axis=1)
+    step[ends[1:] - 1] = 0.0
+    times = np.maximum(1, np.ceil(step / longest)).astype(np.int64)
+    begin = np.concatenate([[0], np.cumsum(times)])
+    of = np.repeat(np.arange(len(coords)), times)
+    part = ((np.arange(len(of)) - begin[of]) / times[of])[:, None]
+    after = np.minimum(of + 1, len(coords) - 1)
+    return (1 - part) * coords[of] + part * coords[after], begin[ends], stitch[of]
+
+
+SIDES = {"low": 4, "medium": 5, "high": 10}
 """Detail → corners of the yarn's cross-section."""
 
 

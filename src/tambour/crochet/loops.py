@@ -5,8 +5,8 @@ into (0) to its own (1), w towards the worker; all in widths of a single crochet
 from the stitch before, runs down behind the work, under both top strands of the stitch below, up in front as a loop
 (the V), back behind, up again, and through that loop and the head of the stitch before as the next top loop, which
 lies over to the next stitch and back. The numbers are what this course, drawn with thin yarn and the right crossings,
-came to when its yarn was thickened step by step to a quarter of the stitch in a lattice of equal stitches, bending and
-tension at work (``bench/crochet_cell.py`` does it again): there no two centre lines are nearer than 0.98 diameters.
+came to when its yarn was thickened step by step to a quarter of the stitch in a lattice of equal stitches, with bending
+and tension at work: there no two centre lines are nearer than 0.98 diameters.
 """
 
 from __future__ import annotations

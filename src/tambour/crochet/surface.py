@@ -36,10 +36,14 @@ def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
     renamed = np.zeros(len(graph), np.int32)
     renamed[used] = np.arange(len(used))
     inward = positions - DEPTH * width * vertex_normals(positions, faces)
+    tone = np.zeros((len(graph), 3))
+    for number, own in enumerate(graph.parts):
+        # One colour for a part: its own, in the shade.
+        tone[graph.part == number] = 0.42 * graph.color[own.start : own.end].mean(0)
     return Mesh(
         inward[used],
         renamed[faces],
-        color=(graph.color[used] * 0.42).astype(np.uint8),
+        color=tone[used].astype(np.uint8),
         face_group=np.zeros(len(faces), np.int32),
         group_names=("lining",),
     )

@@ -134,6 +134,9 @@ def way(graph: StitchGraph) -> Way:
     last[:-1] = ~follows[1:]
     for i in worked[last[worked]].tolist():
         _ended(graph, pieces, i, int(on[i]), int(start[i + 1]), tips.get(i))
+        if i in tips:
+            # The last top loop is not left lying: its yarn is drawn on.
+            drop[int(start[i + 1]) - (48 - HEAD) + 3 : int(start[i + 1])] = True
     return _joined(graph, cell, below, at, drop, pieces)
 
 

@@ -15,101 +15,17 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.paths import Paths
+from tambour.embroidery.even import even_out
+from tambour.embroidery.field import direction, field
 from tambour.noise import key as name_key
-from tambour.noise import stream, uniform
+from tambour.noise import uniform
 
 STEP = 0.5  # of the spacing: between the points of a streamline
 NEAR = (0.7, 1.0)  # of the spacing: a line ends where another is nearer, each line at its own value
 SEED = (0.55, 0.7)  # of the spacing: a line may begin this far from the others, beside each line at its own value
 CALIBRATION = 0.91  # lines are grown this much closer than wanted, for gaps are wider than they on average
 ROUNDS = 2  # of pushing
-ROUGH = 0.1  # how much an uneven push is held against it
 SPREAD = 12  # points to both sides that a push is averaged over
-GRID = 160  # nodes of the field along the longer side
-
-
-def field(
-    bounds: tuple[float, float, float, float], guide: Paths | None, angle: float, seed: str
-) -> tuple[Array, float, float, float]:
-    """Directions on a grid: ((rows, columns, 2) of (cos 2a, sin 2a), left, top, cell); a is measured in drawing space.
-
-    With guide lines the field is the smoothest one that follows them (Laplace's equation for the doubled angle);
-    without, it swings gently round ``angle``.
-    """
-    x0, y0, x1, y1 = bounds
-    cell = max(x1 - x0, y1 - y0, 1e-6) / (GRID - 3)
-    columns, rows = math.ceil((x1 - x0) / cell) + 3, math.ceil((y1 - y0) / cell) + 3
-    left, top = x0 - cell, y0 - cell
-    x, y = np.meshgrid(left + cell * np.arange(columns), top + cell * np.arange(rows))
-    if guide is None or not len(guide):
-        phase = stream(seed, "flow").random(4) * 2 * math.pi
-        size = 0.5 * max(x1 - x0, y1 - y0)
-        swing = 0.35 * (
-            np.sin(x / size * 1.7 + y / size * 0.9 + phase[0]) + np.sin(y / size * 1.9 - x / size * 0.6 + phase[1])
-        )
-        a = -angle + swing
-        return np.ascontiguousarray(np.stack([np.cos(2 * a), np.sin(2 * a)], -1)), left, top, cell
-    value = np.zeros((rows, columns, 2))
-    fixed = np.zeros((rows, columns))
-    for line in guide:
-        d = np.diff(line, axis=0)
-        size = np.hypot(*d.T)
-        for p, v, s in zip(line[:-1], d, size):
-            if s < 1e-9:
-                continue
-            n = max(1, math.ceil(s / (0.5 * cell)))
-            at = p + (np.arange(n)[:, None] + 0.5) / n * v
-            c = np.clip(np.round((at - [left, top]) / cell).astype(int), 0, [columns - 1, rows - 1])
-            a = 2 * math.atan2(v[1], v[0])
-            np.add.at(value, (c[:, 1], c[:, 0]), [math.cos(a), math.sin(a)])
-            np.add.at(fixed, (c[:, 1], c[:, 0]), 1.0)
-    held = fixed > 0
-    value[held] /= np.maximum(np.hypot(*value[held].T)[:, None], 1e-9)
-    return _smooth(value, held), left, top, cell
-
-
-def _smooth(value: Array, held: Array) -> Array:
-    """Laplace's equation with the held nodes given (a sparse solve), free at the sheet's edge; unit length again."""
-    from scipy.sparse import coo_matrix, diags
-    from scipy.sparse.linalg import spsolve
-
-    rows, columns = held.shape
-    n = rows * columns
-    index = np.arange(n).reshape(rows, columns)
-    a = np.concatenate([index[:, :-1].reshape(-1), index[:-1].reshape(-1)])
-    b = np.concatenate([index[:, 1:].reshape(-1), index[1:].reshape(-1)])
-    ones = np.ones(len(a))
-    joined = coo_matrix((np.r_[ones, ones], (np.r_[a, b], np.r_[b, a])), shape=(n, n)).tocsr()
-    laplace = diags(np.asarray(joined.sum(1)).reshape(-1)) - joined
-    free = ~held.reshape(-1)
-    given = value.reshape(-1, 2)[~free]
-    inner = laplace.tocsr()[free][:, free].tocsc()
-    side = -laplace.tocsr()[free][:, ~free] @ given
-    out = value.reshape(-1, 2).copy()
-    out[free] = np.column_stack([spsolve(inner, side[:, 0]), spsolve(inner, side[:, 1])])
-    out /= np.maximum(np.hypot(*out.T)[:, None], 1e-9)
-    return np.ascontiguousarray(out.reshape(rows, columns, 2))
-
-
-@kernel
-def direction(grid: Any, left: Any, top: Any, cell: Any, x: Any, y: Any, px: Any, py: Any) -> Any:
-    """The field's direction at (x, y), bilinear in the doubled angle, on the side of (px, py)."""
-    rows, columns = grid.shape[0], grid.shape[1]
-    u, v = (x - left) / cell, (y - top) / cell
-    i = min(max(int(v), 0), rows - 2)
-    j = min(max(int(u), 0), columns - 2)
-    f, g = min(max(u - j, 0.0), 1.0), min(max(v - i, 0.0), 1.0)
-    c = (1 - g) * ((1 - f) * grid[i, j, 0] + f * grid[i, j + 1, 0]) + g * (
-        (1 - f) * grid[i + 1, j, 0] + f * grid[i + 1, j + 1, 0]
-    )
-    s = (1 - g) * ((1 - f) * grid[i, j, 1] + f * grid[i, j + 1, 1]) + g * (
-        (1 - f) * grid[i + 1, j, 1] + f * grid[i + 1, j + 1, 1]
-    )
-    a = 0.5 * math.atan2(s, c)
-    dx, dy = math.cos(a), math.sin(a)
-    if dx * px + dy * py < 0:
-        return -dx, -dy
-    return dx, dy
 
 
 @kernel
@@ -367,113 +283,6 @@ def relax(
         for k in range(n):
             xy[k, 0] += even[k, 0]
             xy[k, 1] += even[k, 1]
-
-
-def even_out(
-    xy: Array, line: Array, area: Any, spacing: float, grid: Array, left: float, top: float, cell: float
-) -> Array:
-    """Points moved across their lines so that thread per area becomes the same everywhere: (P, 2).
-
-    In cells of 2 mm the displacement u is sought with n n : grad u = density / wanted - 1 (n across the lines), smooth
-    along the lines and small (least squares): where lines crowd they spread, without an end more or less.
-    """
-    import shapely
-    from scipy.sparse import coo_matrix, diags, hstack, identity, vstack
-    from scipy.sparse.linalg import cg
-
-    from tambour.embroidery.facts import density_map
-
-    size = max(2.0, 5 * spacing)
-    x0, y0, x1, y1 = area.bounds
-    x0, y0 = x0 - size, y0 - size
-    bounds = (x0, y0, x1 + size, y1 + size)
-    rows, columns = max(1, math.ceil((bounds[3] - y0) / size)), max(1, math.ceil((bounds[2] - x0) / size))
-    if rows * columns > 40_000:
-        return xy
-    gx, gy = np.meshgrid(x0 + size * np.arange(columns), y0 + size * np.arange(rows))
-    shapely.prepare(area)
-    boxes = shapely.box(gx, gy, gx + size, gy + size)
-    touched = shapely.intersects(area, boxes)
-    index = np.full((rows, columns), -1)
-    index[touched] = np.arange(touched.sum())
-    n = int(touched.sum())
-
-    def difference(axis: int) -> Any:
-        """Central differences between touched cells, one-sided at the rim."""
-        i, j, v = [], [], []
-        low, high = np.full_like(index, -1), np.full_like(index, -1)
-        if axis == 0:
-            low[:, 1:], high[:, :-1] = index[:, :-1], index[:, 1:]
-        else:
-            low[1:], high[:-1] = index[:-1], index[1:]
-        me, lo, hi = index[touched], low[touched], high[touched]
-        a, b = np.where(lo >= 0, lo, me), np.where(hi >= 0, hi, me)
-        gap = ((lo >= 0).astype(float) + (hi >= 0)) * size
-        w = np.where(gap > 0, 1 / np.maximum(gap, 1e-9), 0)
-        i, j, v = np.r_[me, me], np.r_[b, a], np.r_[w, -w]
-        return coo_matrix((v, (i, j)), shape=(n, n)).tocsr()
-
-    dx, dy = difference(0), difference(1)
-    middle = np.c_[gx[touched], gy[touched]] + size / 2
-    tangent = directions(grid, left, top, cell, np.ascontiguousarray(middle))
-    tx, ty = diags(tangent[:, 0]), diags(tangent[:, 1])
-    nx, ny = diags(-tangent[:, 1]), diags(tangent[:, 0])
-    across = nx @ dx + ny @ dy
-    along = tx @ dx + ty @ dy
-    spread = hstack([nx @ across, ny @ across])
-    zero = coo_matrix((n, n))
-    smooth = vstack([hstack([along, zero]), hstack([zero, along])])
-    rough = vstack([hstack([dx, zero]), hstack([dy, zero]), hstack([zero, dx]), hstack([zero, dy])])
-    slide = hstack([tx, ty])
-    left_side = (
-        spread.T @ spread
-        + 0.3 * smooth.T @ smooth
-        + ROUGH * rough.T @ rough
-        + 0.02 * slide.T @ slide
-        + 1e-4 * identity(2 * n)
-    ).tocsr()
-    scale = diags(1 / left_side.diagonal())
-    inner = shapely.contains(area, boxes)[touched]
-    wanted = 1 / spacing
-    same = np.flatnonzero(np.diff(line) == 0)
-    fine = size / 8
-    j, i = np.meshgrid(np.arange(8 * columns) // 8, np.arange(8 * rows) // 8)
-    wet = shapely.contains_xy(
-        area.buffer(spacing),
-        *(
-            g.reshape(-1)
-            for g in np.meshgrid(x0 + fine * (np.arange(8 * columns) + 0.5), y0 + fine * (np.arange(8 * rows) + 0.5))
-        ),
-    )
-    share = np.bincount((i * columns + j).reshape(-1), wet, rows * columns).reshape(rows, columns)[touched] / 64
-    pieces = np.c_[xy[same], xy[same + 1]]
-    thread = density_map(pieces, np.ones(len(pieces)), bounds, size)[:rows, :columns][touched]
-    excess = np.clip(
-        np.where(inner, thread / wanted - 1, np.where(share > 0.5, thread / (share * wanted) - 1, 0)), -0.5, 0.5
-    )
-    u = cg(left_side, spread.T @ excess, rtol=1e-3, maxiter=120, M=scale)[0].reshape(2, n).T * 0.9
-    field_of = np.zeros((rows, columns, 2))
-    field_of[touched] = u
-    return xy + _sample(field_of, (xy - [x0 + size / 2, y0 + size / 2]) / size)
-
-
-def _sample(values: Array, at: Array) -> Array:
-    """Bilinear values (P, k) of a grid (rows, columns, k) at (column, row) places."""
-    rows, columns = values.shape[:2]
-    j = np.clip(at[:, 0].astype(int), 0, max(columns - 2, 0))
-    i = np.clip(at[:, 1].astype(int), 0, max(rows - 2, 0))
-    f, g = np.clip(at[:, 0] - j, 0, 1)[:, None], np.clip(at[:, 1] - i, 0, 1)[:, None]
-    j1, i1 = np.minimum(j + 1, columns - 1), np.minimum(i + 1, rows - 1)
-    return (1 - g) * ((1 - f) * values[i, j] + f * values[i, j1]) + g * ((1 - f) * values[i1, j] + f * values[i1, j1])
-
-
-@kernel
-def directions(grid: Any, left: Any, top: Any, cell: Any, at: Any) -> Any:
-    """The field's direction (P, 2) at many places."""
-    out = np.empty_like(at)
-    for k in range(len(at)):
-        out[k, 0], out[k, 1] = direction(grid, left, top, cell, at[k, 0], at[k, 1], 1.0, 0.0)
-    return out
 
 
 def flow(area: Any, spacing: float, guide: Paths | None, angle: float, seed: str) -> list[Array]:

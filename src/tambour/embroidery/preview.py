@@ -89,7 +89,10 @@ def _paint(
                 if abs(d) >= wide:
                     continue
                 v = d / wide
-                z = base[s] * (0.35 + 0.65 * up) + radius * (1.4 * up - 0.7) + wide * np.sqrt(1.0 - v * v)
+                # At its hole it sinks into cloth, but less into thread, which is dense.
+                soft = min(1.0, base[s] / radius)
+                sunk = base[s] * (1.0 - (1.0 - up) * (0.65 - 0.5 * soft))
+                z = sunk + radius * ((1.4 - 0.5 * soft) * up - 0.7 + 0.5 * soft) + wide * np.sqrt(1.0 - v * v)
                 if z > top[j, i]:
                     top[j, i], owner[j, i], along[j, i], across[j, i] = z, s, t, v
 

@@ -25,6 +25,7 @@ _CODES = {np.dtype(kind): code for code, kind in _TYPES.items()}
 _VERTEX, _INDEX = 34962, 34963
 # Groups whose uv are turns of a twist (see geometry.tube), not places on a texture.
 _TURNS = {"yarn", "plied", "thread"}
+_SHORT = 65535  # vertices that 16-bit indices reach, 65535 itself being spoken for
 _ROUGH = {"thread": 0.55, "": 0.8}
 
 
@@ -83,39 +84,82 @@ class Body:
         return struct.pack("<III", 0x46546C67, 2, 12 + sum(map(len, parts))) + b"".join(parts)
 
 
+def _spelt(mesh: Mesh) -> tuple[Array, Array] | None:
+    """The colours (K, 3) of a mesh whose faces have one each, and each face's (F,); None with more than 64 or mixed
+    ones. Such colours are written with the material: eight bytes a vertex less."""
+    if mesh.color is None or not len(mesh.faces):
+        return None
+    code = mesh.color.astype(np.int64) @ np.array([65536, 256, 1])
+    corner = code[mesh.faces]
+    if (corner != corner[:, :1]).any():
+        return None
+    tones, tone = np.unique(corner[:, 0], return_inverse=True)
+    if len(tones) > 64:
+        return None
+    return np.stack([tones >> 16, tones >> 8 & 255, tones & 255], axis=1).astype(np.uint8), tone
+
+
 def primitives(mesh: Mesh, body: Body) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """The primitives (one per group of faces, sharing the vertices) and the materials of a mesh, added to ``body``."""
-    shared = {"POSITION": body.add((mesh.vertices / 1000).astype(np.float32), target=_VERTEX, bounds=True)}
+    """The primitives and materials of a mesh, added to ``body``: one of each per group of faces and colour.
+
+    Where runs of faces name neighbouring vertices (tubes do), primitives are cut so that 16-bit indices reach.
+    """
+    attributes: dict[str, tuple[Array, dict[str, bool]]] = {
+        "POSITION": ((mesh.vertices / 1000).astype(np.float32), {"bounds": True})
+    }
     if mesh.smooth:
-        normals = vertex_normals(mesh.vertices, mesh.faces).astype(np.float32)
-        shared["NORMAL"] = body.add(normals, target=_VERTEX)
+        attributes["NORMAL"] = vertex_normals(mesh.vertices, mesh.faces).astype(np.float32), {}
     if mesh.uv is not None and not _TURNS & set(mesh.group_names):
-        shared["TEXCOORD_0"] = body.add(mesh.uv.astype(np.float32), target=_VERTEX)
-    if mesh.color is not None:
+        attributes["TEXCOORD_0"] = mesh.uv.astype(np.float32), {}
+    spelt = _spelt(mesh)
+    if mesh.color is not None and spelt is None:
         # Linear light as the specification asks, in 16 bits, which keep every one of the 256 codes apart.
         light = np.round(linear(np.arange(256) / 255.0) * 65535).astype(np.uint16)
         rgba = np.full((len(mesh.color), 4), 65535, np.uint16)
         rgba[:, :3] = light[mesh.color]
-        shared["COLOR_0"] = body.add(rgba, target=_VERTEX, normalized=True)
+        attributes["COLOR_0"] = rgba, {"normalized": True}
     group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
+    names = mesh.group_names if mesh.face_group is not None else ("",)
+    tones, tone = (np.zeros((1, 3), np.uint8), np.zeros(len(mesh.faces), np.int64)) if spelt is None else spelt
     made: list[dict[str, Any]] = []
     materials: list[dict[str, Any]] = []
-    kind = np.uint16 if len(mesh.vertices) < 65535 else np.uint32
-    for number, name in enumerate(mesh.group_names if mesh.face_group is not None else ("",)):
-        faces = mesh.faces[group == number]
-        if not len(faces):
-            continue
-        material: dict[str, Any] = {
-            "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": _ROUGH.get(name, 1.0)},
-        }
+    for number, part in np.unique(np.stack([group, tone], axis=1), axis=0).tolist() if len(group) else []:
+        name, faces = names[number], mesh.faces[(group == number) & (tone == part)]
+        surface: dict[str, Any] = {"metallicFactor": 0, "roughnessFactor": _ROUGH.get(name, 1.0)}
+        if spelt is not None:
+            surface["baseColorFactor"] = [*np.round(linear(tones[part] / 255.0), 6).tolist(), 1]
+        material: dict[str, Any] = {"pbrMetallicRoughness": surface}
         if name:
             material["name"] = name
         if not closed(faces):
             material["doubleSided"] = True
-        indices = body.add(faces.ravel().astype(kind), target=_INDEX)
-        made.append({"attributes": shared, "indices": indices, "material": len(materials), "mode": 4})
+        used, faces = np.unique(faces, return_inverse=True)
+        faces = faces.reshape(-1, 3)
+        for begin, end, low, high in _runs(faces, len(used)):
+            own = used[low:high]
+            stretch = {key: body.add(values[own], target=_VERTEX, **how) for key, (values, how) in attributes.items()}
+            kind = np.uint16 if high - low <= _SHORT else np.uint32
+            indices = body.add((faces[begin:end] - low).ravel().astype(kind), target=_INDEX)
+            made.append({"attributes": stretch, "indices": indices, "material": len(materials), "mode": 4})
         materials.append(material)
     return made, materials
+
+
+def _runs(faces: Array, count: int) -> list[tuple[int, int, int, int]]:
+    """Stretches (first face, end, first vertex, end) of faces whose vertices 16-bit indices reach, or one of them all
+    where that would take many."""
+    if count <= _SHORT:
+        return [(0, len(faces), 0, count)]
+    low, high = faces.min(1), faces.max(1)
+    runs, at = [], 0
+    while at < len(faces):
+        least, most = np.minimum.accumulate(low[at : at + 200_000]), np.maximum.accumulate(high[at : at + 200_000])
+        end = int(np.searchsorted(most - least, _SHORT))
+        runs.append((at, at + end, int(least[end - 1]), int(most[end - 1]) + 1))
+        at += end
+        if len(runs) > 2 + 6 * count // _SHORT:
+            return [(0, len(faces), 0, count)]
+    return runs
 
 
 def write_mesh(value: Mesh, path: Path) -> None:

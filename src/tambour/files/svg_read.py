@@ -20,11 +20,11 @@ from tambour.files.svg_path import (
     PathError,
     after,
     apply,
-    ellipse,
     flatten,
-    rectangle,
     transform,
 )
+from tambour.files.svg_shapes import SHAPES, outline
+from tambour.files.svg_text import measure, outlined
 from tambour.files.svg_tree import Node, parse
 
 MM = 25.4 / 96  # per px
@@ -276,7 +276,7 @@ class _Reader:
     ) -> None:
         """What an element draws; ValueError for what cannot be read."""
         a = node.attributes
-        em = self.measure(props.get("font-size", "16"), 16.0)
+        em = measure(props.get("font-size", "16"), 16.0)
         close = CLOSE / max(1e-9, math.sqrt(abs(np.linalg.det(matrix[:, :2]))))
 
         def size(name: str, default: str = "0", whole: float = view[0]) -> float:
@@ -291,31 +291,10 @@ class _Reader:
                 )
                 return
             made = flatten(a.get("d", ""), close)
-        elif node.name == "rect":
-            w, h = size("width"), size("height", whole=view[1])
-            rx, ry = a.get("rx", "auto"), a.get("ry", "auto")
-            rx, ry = (ry if rx == "auto" else rx), (rx if ry == "auto" else ry)
-            if w > 0 and h > 0:
-                round_x = 0.0 if rx == "auto" else css.length(rx, view[0], em)
-                round_y = 0.0 if ry == "auto" else css.length(ry, view[1], em)
-                made = [(rectangle(size("x"), size("y", whole=view[1]), w, h, round_x, round_y, close), True)]
-        elif node.name in ("circle", "ellipse"):
-            across = size("r", whole=diagonal) if node.name == "circle" else size("rx")
-            down = across if node.name == "circle" else size("ry", whole=view[1])
-            if across > 0 and down > 0:
-                turn = ellipse(size("cx"), size("cy", whole=view[1]), across, down, 0, 2 * math.pi, close)
-                made = [(np.array(turn[:-1]), True)]
-        elif node.name == "line":
-            x1, x2 = size("x1"), size("x2")
-            made = [(np.array([[x1, size("y1", whole=view[1])], [x2, size("y2", whole=view[1])]]), False)]
-        elif node.name in ("polyline", "polygon"):
-            numbers = [float(v) for v in re.split(r"[\s,]+", a.get("points", "").strip()) if v]
-            if len(numbers) % 2 or not all(map(math.isfinite, numbers)):
-                raise ValueError("its points are not pairs of numbers")
-            if len(numbers) >= 4:
-                made = [(np.array(numbers).reshape(-1, 2), node.name == "polygon")]
+        elif node.name in SHAPES:
+            made = outline(node, size, view, diagonal, em, close)
         elif node.name == "text":
-            made = self.text(node, props, em, view)
+            made = outlined(node, props, em, view, self.leave)
         elif node.name == "use":
             self.use(node, matrix, props, chain, group, depth, view, size)
         elif node.name in ("svg", "g", "a", "switch"):
@@ -330,13 +309,6 @@ class _Reader:
                 self.walk(child, matrix, props, chain, group, depth + 1, view)
         if made:
             self.shape(node, made, matrix, props, group, em, diagonal)
-
-    def measure(self, text: str, whole: float) -> float:
-        """A font size in px; a word such as ``large`` counts 16."""
-        try:
-            return max(1e-3, css.length(text, whole))
-        except ValueError:
-            return 16.0
 
     def nested(self, node: Node, matrix: Array, x: float, y: float, w: float, h: float) -> tuple[Array, Any]:
         """The view of an inner ``<svg>`` or a used symbol."""
@@ -486,53 +458,6 @@ class _Reader:
             colors.append((*rgba[:3], rgba[3] * css._share(own.get("stop-opacity", "1"))))
         r, g, b, a = np.mean(colors, axis=0).round().clip(0, 255).astype(int).tolist()
         return r, g, b, a
-
-    def text(self, node: Node, props: dict[str, str], em: float, view: Any) -> list[tuple[Array, bool]]:
-        """Outlines of a text in the shipped typeface."""
-        from tambour.geometry.glyphs import outlines
-        from tambour.render.type import font_bytes
-
-        family = props.get("font-family", "").split(",")[0].strip("'\" ")
-        if family and family.lower() not in ("inter", "sans-serif", "sans"):
-            self.leave(f"the font {family} (Inter is used)")
-        made: list[tuple[Array, bool]] = []
-        pen = [0.0, 0.0]
-
-        def spread(element: Node, props: dict[str, str], first: bool) -> None:
-            a = element.attributes
-            own = {
-                **props,
-                **{k: v for k, v in a.items() if k in css.INHERITED},
-                **css.declarations(a.get("style", "")),
-            }
-            size = self.measure(own.get("font-size", "16"), em)
-            for k, name in enumerate("xy"):
-                if a.get(name, "").split():
-                    pen[k] = css.length(a[name].replace(",", " ").split()[0], view[k], size)
-                if a.get("d" + name, "").split():
-                    pen[k] += css.length(a["d" + name].replace(",", " ").split()[0], view[k], size)
-            bold = own.get("font-weight", "400").strip() in ("bold", "bolder", "600", "700", "800", "900")
-            spacing = own.get("letter-spacing", "normal")
-            pieces = [(element.text, None), *((c.tail, c) for c in element.children)]
-            for words, child in pieces:
-                if child is not None:
-                    if child.name == "textPath":
-                        self.leave("text on a path (it is set straight)")
-                    spread(child, own, False)
-                line = re.sub(r"\s+", " ", words)
-                line = line.lstrip() if first and child is None else line
-                if line.strip():
-                    gap = 0.0 if spacing == "normal" else css.length(spacing, 0, size)
-                    letters, wide, missing = outlines(line, font_bytes(bold), size, gap)
-                    if missing:
-                        self.leave(f"letters that the shipped font lacks: {missing}")
-                    shift = {"middle": 0.5, "end": 1.0}.get(own.get("text-anchor", "start").strip(), 0.0)
-                    at = np.array([pen[0] - shift * wide, pen[1]])
-                    made.extend((ring + at, True) for _, rings in letters for ring in rings)
-                    pen[0] += wide
-
-        spread(node, props, True)
-        return made
 
     def commands(self) -> None:
         """Put Ink/Stitch's command symbols on the groups of the objects they are tied to."""

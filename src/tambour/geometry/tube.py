@@ -109,6 +109,10 @@ def _rings(coords: Array, offsets: Array, radius: Array, tangent: Array, across:
         vertices[vertex] = coords[last - 1] + radius[last - 1] * 0.8 * tangent[last - 1]
         uv[vertex, 0], uv[vertex, 1] = along / lay, 0.0
         vertex += 1
+        # One cap, the rings in their order, the other cap: neighbouring faces name neighbouring vertices.
+        for k in range(sides):
+            faces[face, 0], faces[face, 1], faces[face, 2] = pole, pole + 1 + (k + 1) % sides, pole + 1 + k
+            face += 1
         for r in range(rings - 1):
             for k in range(sides):
                 a = pole + 1 + r * sides + k
@@ -116,11 +120,10 @@ def _rings(coords: Array, offsets: Array, radius: Array, tangent: Array, across:
                 faces[face, 0], faces[face, 1], faces[face, 2] = a, b, b + sides
                 faces[face + 1, 0], faces[face + 1, 1], faces[face + 1, 2] = a, b + sides, a + sides
                 face += 2
+        end = vertex - 1 - sides
         for k in range(sides):
-            faces[face, 0], faces[face, 1], faces[face, 2] = pole, pole + 1 + (k + 1) % sides, pole + 1 + k
-            end = vertex - 1 - sides
-            faces[face + 1, 0], faces[face + 1, 1], faces[face + 1, 2] = vertex - 1, end + k, end + (k + 1) % sides
-            face += 2
+            faces[face, 0], faces[face, 1], faces[face, 2] = vertex - 1, end + k, end + (k + 1) % sides
+            face += 1
 
 
 def sweep(

@@ -71,8 +71,8 @@ class Marks:
 
     coords : (P, 2) float64 outlines, scroll units, y down; ``offsets`` (K + 1,) int64. A filled outline closes itself;
         a ``line`` is open
-    spine : (Q, 2) float64 the way of the brush, ``spines`` (K + 1,) int64: the centre line of a stroke, ring or line, the
-        axis (two points, tip to tip) of a blob; for bodies, veils and washes the outline itself
+    spine : (Q, 2) float64 the way of the brush, ``spines`` (K + 1,) int64: the centre line of a stroke or line, the axis
+        (two points, tip to tip) of a blob or ring; for bodies, veils and washes the outline itself
     kind : (K,) uint8 → KINDS
     fill, stroke : (K, 2) uint8 grey (0 black, 255 paper) and opacity (0 none, 255 opaque) of the inside and the edge
     edge : (K,) float64 width of the edge line, units

@@ -74,6 +74,10 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
             start = tone.assign(aim, how, params.threshold)
         if layout.frame.size:
             start[layout.frame] = layout.pattern[layout.frame]
+    if kind == "line drawing" and params.start is None and params.method == "perceptual":
+        progress.warn(
+            "this looks like a line drawing", hint="--method exact --tidy 3 keeps its lines, with order in the ground"
+        )
     if params.gauge is None and params.stitches is not None:
         progress.warn(
             "stitches are taken as square, though knitted ones are wider than tall",

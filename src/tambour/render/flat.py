@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from tambour.core.check import Array
 from tambour.core.drawing import Drawing, Placed
 from tambour.core.errors import TambourError
+from tambour.core.paths import Paths
 from tambour.core.picture import Picture
 from tambour.render.type import typeface
 
@@ -55,15 +58,16 @@ def draw(canvas: Any, drawing: Drawing) -> None:
     """Draw onto a skia canvas whose unit is the drawing's; the sheet's top left corner comes to (0, 0)."""
     import skia
 
+    origin = drawing.origin
+    drawing = _at_zero(drawing)
     canvas.save()
-    canvas.translate(-float(drawing.origin[0]), -float(drawing.origin[1]))
-    sheet = skia.Rect.MakeXYWH(*map(float, (*drawing.origin, *drawing.size)))
+    sheet = skia.Rect.MakeXYWH(0.0, 0.0, *map(float, drawing.size))
     canvas.clipRect(sheet)
     if drawing.background is not None:
         canvas.drawRect(sheet, skia.Paint(Color=_argb(drawing.background)))
     for placed in drawing.images:
         if not placed.glaze:
-            _image(canvas, placed)
+            _image(canvas, placed, origin)
     _shapes(canvas, drawing)
     for label in drawing.labels:
         # The font is set at 100 and scaled: tiny sizes in mm would otherwise lose their spacing to rounding.
@@ -79,11 +83,27 @@ def draw(canvas: Any, drawing: Drawing) -> None:
         canvas.restore()
     for placed in drawing.images:
         if placed.glaze:
-            _image(canvas, placed)
+            _image(canvas, placed, origin)
     canvas.restore()
 
 
-def _image(canvas: Any, placed: Placed) -> None:
+def _at_zero(drawing: Drawing) -> Drawing:
+    """The same drawing with its sheet's corner at (0, 0): skia counts in single precision, and a scroll goes far."""
+    if not drawing.origin.any():
+        return drawing
+    x, y = drawing.origin.tolist()
+    paths = drawing.paths
+    return replace(
+        drawing,
+        paths=Paths(paths.coords - drawing.origin, paths.offsets, paths.parts),
+        labels=tuple(replace(label, x=label.x - x, y=label.y - y) for label in drawing.labels),
+        images=tuple(replace(placed, x=placed.x - x, y=placed.y - y) for placed in drawing.images),
+        origin=np.zeros(2),
+    )
+
+
+def _image(canvas: Any, placed: Placed, origin: Array) -> None:
+    """A picture; copies of one stand on a grid through the drawing's own (0, 0), which lies ``origin`` before ours."""
     import skia
 
     rgba = np.ascontiguousarray(placed.picture.rgba)
@@ -93,7 +113,9 @@ def _image(canvas: Any, placed: Placed) -> None:
     if placed.repeat is None:
         canvas.drawImageRect(image, where, linear)
         return
-    scale = skia.Matrix.Scale(placed.repeat[0] / image.width(), placed.repeat[1] / image.height())
+    width, height = placed.repeat
+    scale = skia.Matrix.Translate(-float(origin[0]) % width, -float(origin[1]) % height)
+    scale.preScale(width / image.width(), height / image.height())
     shader = image.makeShader(skia.TileMode.kRepeat, skia.TileMode.kRepeat, linear, scale)
     canvas.drawRect(where, skia.Paint(Shader=shader))
 
