@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import re
+import subprocess
+import sys
+import tomllib
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -98,7 +103,8 @@ def winding(points, ring):
 
 def test_hidden_lines_of_a_tile_agree_with_brute_force(tile):
     rng = np.random.default_rng(5)
-    drawn, opaque = lines(tile, 1.1), hiding(tile)
+    drawn = lines(tile, 1.1)
+    opaque = hiding(tile, drawn.order)
     outlines, ends = ragged(tile.coords, tile.offsets, opaque)
     coords, pieces, source = visible(drawn.coords, drawn.offsets, drawn.order, outlines, ends, opaque)
     points, piece = along(rng, coords, pieces, 20_000)
@@ -234,6 +240,30 @@ def test_layers_are_numbered_and_other_software_agrees(tmp_path):
         assert layer.length() * 25.4 / 96 / 1000 == pytest.approx(pen["down_m"], rel=0.002)
         assert layer.pen_up_length()[0] * 25.4 / 96 / 1000 == pytest.approx(pen["up_m"], rel=0.002)
         assert len(layer) == pen["lifts"]
+
+
+def test_vpype_draws_the_scroll_by_itself(tmp_path):
+    vpype = pytest.importorskip("vpype")
+    root = Path(__file__).parents[1]
+    entry = tomllib.loads((root / "pyproject.toml").read_text())["project"]["entry-points"]["vpype.plugins"]
+    info = tmp_path / "tambour_plugin-0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: tambour-plugin\nVersion: 0\n")
+    lines_ = "".join(f"{name} = {place}\n" for name, place in entry.items())
+    (info / "entry_points.txt").write_text(f"[vpype.plugins]\n{lines_}")
+    out = tmp_path / "v.svg"
+    words = ["tambour-ink", "--seed", "7", "--span", "500", "--pens", "2", "linesort", "write", str(out)]
+    paths = os.pathsep.join([str(tmp_path), str(root / "src")])
+    call = [sys.executable, "-c", "from vpype_cli import cli; cli()"]
+    environment = {**os.environ, "PYTHONPATH": paths}
+    done = subprocess.run([*call, *words], env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    document, wanted = vpype.read_multilayer_svg(str(out), 0.01), made(span=500, pens=2)
+    assert document.page_size == pytest.approx((297 * 96 / 25.4, 210 * 96 / 25.4), rel=1e-4)
+    for k, pen in enumerate(wanted.pages[0], 1):
+        assert document.layers[k].length() * 25.4 / 96 == pytest.approx(pen.down, rel=0.002)
+    done = subprocess.run([*call, "tambour-ink", "--page", "a9"], env=environment, capture_output=True, text=True)
+    assert done.returncode and "there is no page" in done.stderr
 
 
 def test_hpgl_holds_the_same_lines(tmp_path):

@@ -74,6 +74,8 @@ class Plot:
 
 def make(source: None, params: Ink, progress: Progress) -> Plot:
     """The window, specimen or sheets that ``params`` ask for, as pen lines."""
+    with progress.stage("start"):
+        warm()
     reach(params, progress)
     painted = scroll.make(source, windowed(params, HEIGHT), progress)
     if params.inscription or params.seal:
@@ -97,7 +99,7 @@ def unhidden(painted: scroll.Scroll, nib: float) -> Lines:
     """What is seen of the scroll's pen lines, scroll units."""
     marks = painted.marks()
     drawn = lines(marks, nib)
-    opaque = hiding(marks)
+    opaque = hiding(marks, drawn.order)
     outlines, ends = ragged(marks.coords, marks.offsets, opaque)
     coords, offsets, source = visible(drawn.coords, drawn.offsets, drawn.order, outlines, ends, opaque)
     return Lines(coords, offsets, drawn.order[source], drawn.tone[source], drawn.worth[source])
@@ -106,6 +108,11 @@ def unhidden(painted: scroll.Scroll, nib: float) -> Lines:
 def pens(tone: Array, count: int) -> Array:
     """(N,) which pen, 0 the darkest, draws a line of each tone: bands of equal breadth."""
     return np.clip(count - 1 - np.ceil(tone * count - 1).astype(np.int64), 0, count - 1)
+
+
+def grey(pen: int, count: int) -> int:
+    """What a pen of ``count`` is shown as, 0 black."""
+    return round(255 * 0.85 * pen / count)
 
 
 def routed(seen: Lines, sheet: Sheet, params: Ink) -> tuple[Pen, ...]:
@@ -164,13 +171,12 @@ def drawings(plot: Plot) -> tuple[Drawing, ...]:
 
 def _drawing(plot: Plot, k: int) -> Drawing:
     params, sheet, page = plot.scroll.params, plot.sheets[k], plot.pages[k]
-    grey = [round(255 * 0.85 * i / len(page)) for i in range(len(page))]
     # A number first, so that layers are drawn in turn; "!" stops the plotter for the change of pen.
     names = [f"{'!' if i else ''}{i + 1} pen {i + 1}, {params.nib:g} mm" for i in range(len(page))]
     ids = [f"pen-{i + 1}" for i in range(len(page))]
     coords = [pen.coords for pen in page]
     counts = [np.diff(pen.offsets) for pen in page]
-    colors = [(g, g, g, 255) for g in grey]
+    colors = [(g, g, g, 255) for g in (grey(i, len(page)) for i in range(len(page)))]
     if params.frame:
         x0, y0, x1, y1 = sheet.box
         coords.append(np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]))

@@ -26,6 +26,10 @@ SHARE = 0.6
 """Mean width of a brush stroke as a part of its greatest."""
 
 
+WET = 100
+"""Opacity of the fill from which a touch of the brush covers what is below it."""
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Lines:
     """N lines for pens, in scroll units.
@@ -55,12 +59,19 @@ def tones(marks: Marks) -> tuple[Array, Array]:
     return np.minimum(fill, 1.0), np.minimum(edge, 1.0)
 
 
-def hiding(marks: Marks) -> Array:
-    """Indices of the marks that hide what lies behind: opaque insides, and veils that are more paper than air."""
-    surface = np.isin(marks.kind, [BODY, WASH, BLOB, RING])
+def hiding(marks: Marks, drawn: Array) -> Array:
+    """Indices of the marks that hide what lies behind, for pen lines of the marks ``drawn``.
+
+    Opaque insides; veils that are more paper than air; and touches of a wet brush that are drawn: where many lie over
+    each other the painting grows no darker than one, and so must the lines.
+    """
+    surface = np.isin(marks.kind, [BODY, WASH, RING])
     opaque = surface & (marks.fill[:, 1] >= 250)
     veil = (marks.kind == VEIL) & (marks.fill[:, 1] >= 128) & (marks.fill[:, 0] >= 250)
-    return np.flatnonzero(opaque | veil)
+    touch = np.zeros(len(marks), np.bool_)
+    touch[drawn] = True
+    touch &= (marks.kind == BLOB) & (marks.fill[:, 1] >= WET)
+    return np.flatnonzero(opaque | veil | touch)
 
 
 def chances(marks: Marks) -> Array:
@@ -178,10 +189,16 @@ def lines(marks: Marks, nib: float) -> Lines:
     flat = (kind == WASH) | (kind == BODY) | (round_ & (ink > 2.0 * around))
     flat = np.flatnonzero(flat & shown & size & (fill > 0.02))
     coords, ends = ragged(marks.coords, marks.offsets, flat)
-    level = np.maximum(0, np.round(np.log2(1 / (FINEST * np.maximum(fill[flat], 0.02)))))
+    # The triangles of one far range differ by a hair: they share a tone, or the lines would break at random.
+    shade = fill.copy()
+    wash = np.flatnonzero(kind == WASH)
+    mass = np.bincount(marks.element[wash], area[wash], len(marks.elements))
+    dark = np.bincount(marks.element[wash], area[wash] * fill[wash], len(marks.elements))
+    shade[wash] = (dark / np.maximum(mass, 1e-9))[marks.element[wash]]
+    level = np.maximum(0, np.round(np.log2(1 / (FINEST * np.maximum(shade[flat], 0.02)))))
     segments, owner = hatched(coords, ends, nib * FINEST, level, SLANT)
     whose = flat[owner]
-    parts.append((segments.reshape(-1, 2), 2 * np.arange(len(segments) + 1), whose, fill[whose], 0.3 * fill[whose]))
+    parts.append((segments.reshape(-1, 2), 2 * np.arange(len(segments) + 1), whose, shade[whose], 0.3 * shade[whose]))
     starts = np.cumsum([0, *(len(p[0]) for p in parts)])
     joined = np.concatenate([[0], *(p[1][1:] + s for p, s in zip(parts, starts))]).astype(np.int64)
     order, darkness, worth = (np.concatenate([p[k] for p in parts]) for k in (2, 3, 4))
