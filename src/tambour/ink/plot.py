@@ -143,9 +143,14 @@ def thinned(
 ) -> tuple[Lines, tuple[tuple[Pen, ...], ...]]:
     """The lines that matter most and can be drawn within the budget.
 
-    Lines are given up by their worth; how many is found by halving, and measured on the finished routes.
+    Lines are given up by their worth for the time they take: a lift costs as much as drawing LIFT · speed mm. How many
+    is found by halving, and measured on the finished routes.
     """
-    by = np.argsort(-seen.worth, kind="stable")
+    step = np.hypot(*np.diff(seen.coords, axis=0).T)
+    step[seen.offsets[1:-1] - 1] = 0.0
+    along = np.concatenate([[0.0], np.cumsum(step)])
+    length = (along[seen.offsets[1:] - 1] - along[seen.offsets[:-1]]) * sheets[0].scale
+    by = np.argsort(-seen.worth * length / (length + LIFT * params.speed), kind="stable")
     low, high = 0, len(by)
     best: tuple[Lines, tuple[tuple[Pen, ...], ...]] | None = None
     for _ in range(9):

@@ -14,6 +14,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
+from tambour.ink.codes import BOAT, FIGURE, HOUSE, HUT, PAGODA, PAVILION, PYLON
 from tambour.ink.marks import BLOB, BODY, LINE, RING, SEAL, STROKE, VEIL, WASH, Marks
 
 DARKEST = 0.62
@@ -26,6 +27,7 @@ SHARE = 0.6
 """Mean width of a brush stroke as a part of its greatest."""
 
 
+MADE = [HUT, HOUSE, PAGODA, PAVILION, PYLON, BOAT, FIGURE]
 WET = 100
 """Opacity of the fill from which a touch of the brush covers what is below it."""
 
@@ -158,9 +160,11 @@ def lines(marks: Marks, nib: float) -> Lines:
     round_ = touch & ~small & (fill > 0)
     stroke = (kind == STROKE) | (kind == RING)
     tone = np.maximum(fill, edge)
+    # What people made is of few strokes, and is drawn whole.
+    built = np.isin(marks.elements.kind, MADE)[marks.element] if len(marks.elements) else np.zeros(len(marks), np.bool_)
     # A faint stroke leaves less than the finest pen line: of many, as many are drawn as lay down their ink.
     width = marks.breadth * SHARE * tone
-    brushed = stroke & (tone > 0) & ((tone > 0.6) | (chance * 0.4 * nib < np.maximum(width, 0.04 * nib)))
+    brushed = stroke & (tone > 0) & (built | (tone > 0.6) | (chance * 0.4 * nib < np.maximum(width, 0.04 * nib)))
     drawn = (kind == LINE) & (edge > 0) & (marks.stroke[:, 1] > 0)
     outlined = (kind == BODY) & (edge > 0.1) & (marks.edge > 0)
     shown = marks.tint != SEAL
@@ -182,7 +186,7 @@ def lines(marks: Marks, nib: float) -> Lines:
     parts = [
         taken(outlined & size, True, np.full(len(marks), 9.0)),
         taken(drawn & size, False, np.full(len(marks), 5.0)),
-        taken(brushed & size, False, np.where(tone > 0.6, 3.0, tone)),
+        taken(brushed & size, False, np.where(built | (tone > 0.6), 3.0, tone)),
         taken(along & size, False, 0.7 * fill),
         taken(round_ & size, True, 0.9 * fill),
     ]
@@ -203,6 +207,9 @@ def lines(marks: Marks, nib: float) -> Lines:
     joined = np.concatenate([[0], *(p[1][1:] + s for p, s in zip(parts, starts))]).astype(np.int64)
     order, darkness, worth = (np.concatenate([p[k] for p in parts]) for k in (2, 3, 4))
     chance = chance[order]
+    # All of one hatch line is given up together, or it would break into dashes.
+    across = np.cos(SLANT) * segments[:, 1] - np.sin(SLANT) * segments[:, 0]
+    chance[len(chance) - len(segments) :] = np.round(across / (nib * FINEST)) * 0.6180339887498949 % 1.0
     return Lines(
         np.concatenate([p[0] for p in parts]), joined, order.astype(np.int64), darkness, worth * (0.6 + 0.8 * chance)
     )
