@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import signal
+import subprocess
+import sys
 from functools import cache
 from pathlib import Path
 
@@ -55,13 +58,22 @@ def test_unconnected_stitches_are_half_a_stitch_apart(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_surface_does_not_pass_through_itself(name: str) -> None:
-    ipctk = pytest.importorskip("ipctk")
+def test_the_surface_does_not_pass_through_itself(name: str, tmp_path: Path) -> None:
+    pytest.importorskip("ipctk")
     made = surface(piece(name))
     f = made.faces
     edges = np.unique(np.sort(np.concatenate([f[:, [0, 1]], f[:, [1, 2]], f[:, [2, 0]]]), axis=1), axis=0)
-    mesh = ipctk.CollisionMesh(made.vertices, edges.astype(np.int32), f)
-    assert not ipctk.has_intersections(mesh, made.vertices)
+    np.savez(tmp_path / "mesh.npz", x=made.vertices, e=edges.astype(np.int32), f=f)
+    # In a process of its own: some of the checker's builds need instructions that not every processor has.
+    code = (
+        "import sys, ipctk, numpy as np\n"
+        "m = np.load(sys.argv[1])\n"
+        "print(ipctk.has_intersections(ipctk.CollisionMesh(m['x'], m['e'], m['f']), m['x']))"
+    )
+    told = subprocess.run([sys.executable, "-c", code, tmp_path / "mesh.npz"], capture_output=True, text=True)
+    if told.returncode == -signal.SIGILL:
+        pytest.skip("this build of ipctk does not run on this processor")
+    assert told.stdout.strip() == "False", told.stderr
 
 
 @pytest.mark.parametrize("name", ["ball", "heart", "frog", "mushroom"])
