@@ -29,6 +29,7 @@ bench: $(VENV)/ready
 	for f in bench/*.py; do echo "== $$f"; $(BIN)/python $$f || exit 1; done
 
 docs: $(VENV)/ready
+	$(BIN)/python docs/rooms.py
 	$(BIN)/python docs/pictures.py
 
 golden: $(VENV)/ready
@@ -36,3 +37,4 @@ golden: $(VENV)/ready
 
 clean:
 	rm -rf $(VENV) out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	find src -name '*.nb?' -delete

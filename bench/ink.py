@@ -225,6 +225,26 @@ def tiles(count: int = 1000) -> None:
     )
 
 
+def hidden_lines() -> None:
+    """Seconds to remove the hidden lines of a tile, and with every polygon taken for opaque."""
+    from tambour.ink import plot
+    from tambour.ink.plot_hidden import visible
+    from tambour.ink.plot_lines import hiding, lines, ragged
+
+    plot.warm()
+    for seed in ("7", "3", "5"):
+        marks = scroll.make(None, Ink(seed=seed, span=512.0), Progress()).marks()
+        drawn, every = lines(marks, 1.1), np.arange(len(marks))
+        opaque = hiding(marks, drawn.order)
+        outlines, ends = ragged(marks.coords, marks.offsets, opaque)
+        some, _ = best(lambda: visible(drawn.coords, drawn.offsets, drawn.order, outlines, ends, opaque))  # noqa: B023
+        all_, _ = best(lambda: visible(marks.coords, marks.offsets, every, marks.coords, marks.offsets, every))  # noqa: B023
+        print(
+            f"hidden lines, seed {seed}: {len(marks):,} polygons, {len(drawn.order):,} lines before {len(opaque):,} opaque:"
+            f" {some:.3f} s; every polygon opaque, {len(marks.coords):,} points: {all_:.3f} s"
+        )
+
+
 def main() -> None:
     if sys.argv[1:] == ["tiles"]:
         tiles()
@@ -236,6 +256,7 @@ def main() -> None:
         writing(Path(folder))
     inking()
     junipers()
+    hidden_lines()
 
 
 if __name__ == "__main__":

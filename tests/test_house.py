@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import re
 import subprocess
@@ -50,6 +51,14 @@ def test_every_craft_is_in_the_floors_contract(root: Path) -> None:
 def test_public_names_are_there() -> None:
     assert all(getattr(package, name) is not None for name in package.__all__)
     assert "numpy" not in dir(package)
+
+
+def test_the_list_of_rooms_is_true(root: Path) -> None:
+    spec = importlib.util.spec_from_file_location("rooms", root / "docs" / "rooms.py")
+    assert spec and spec.loader
+    rooms = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(rooms)
+    assert rooms.text() == (root / "docs" / "rooms.md").read_text(), "run python docs/rooms.py"
 
 
 def test_rooms_are_small(root: Path) -> None:

@@ -69,6 +69,8 @@ WRITE: dict[tuple[str, str], str] = {
     (".img", "Chart"): "brother:write_disk",
     (".svg", "Drawing"): "svg:write_drawing",
     (".pdf", "Drawing"): "pdf:write_drawing",
+    (".hpgl", "Drawing"): "hpgl:write_drawing",
+    (".plt", "Drawing"): "hpgl:write_drawing",
     **{(suffix, "Drawing"): "picture:write_drawing" for suffix in _PIXELS},
     **{(suffix, "Picture"): "picture:write_picture" for suffix in _PIXELS},
     (".dst", "ThreadPlan"): "dst:write_plan",

@@ -1,1 +1,1 @@
-"""Geometry that two crafts share: polylines, polygons, hatching, tubes, surfaces."""
+"""Geometry that two crafts share: tubes, normals, nearest points, letters as outlines."""

@@ -4,31 +4,58 @@ from __future__ import annotations
 
 from typing import Any
 
+from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
 from tambour.craft import Craft, View
 from tambour.ink.params import Ink
 
 
 def make(source: None, params: Ink, progress: Progress) -> Any:
-    """The window or specimen that ``params`` ask for; see :mod:`tambour.ink.scroll`."""
+    """The window or specimen that ``params`` ask for; see :mod:`tambour.ink.scroll`, and for pens ``ink.plot``."""
+    if params.plotter:
+        from tambour.ink import plot
+
+        return plot.make(source, params, progress)
     from tambour.ink import scroll
 
     return scroll.make(source, params, progress)
 
 
+def _plotted(piece: Any) -> bool:
+    from tambour.ink.scroll import Scroll
+
+    return not isinstance(piece, Scroll)
+
+
+def _plot(piece: Any) -> Any:
+    if not _plotted(piece):
+        raise TambourError("this file is for a pen plotter", hint="add --plotter", where=".hpgl")
+    from tambour.ink import plot
+
+    return plot.whole(piece)
+
+
 def _scroll(piece: Any) -> Any:
+    if _plotted(piece):
+        return _plot(piece)
     from tambour.ink import scroll
 
     return scroll.streamed(piece)
 
 
 def _sheet(piece: Any) -> Any:
+    if _plotted(piece):
+        return _plot(piece)
     from tambour.ink import scroll
 
     return scroll.whole(piece)
 
 
 def _picture(piece: Any) -> Any:
+    if _plotted(piece):
+        from tambour.ink import plot
+
+        return plot.picture(piece)
     from tambour.ink import scroll
 
     return scroll.picture(piece)
@@ -37,10 +64,14 @@ def _picture(piece: Any) -> Any:
 def _plan(piece: Any) -> Any:
     from tambour.ink import scroll
 
-    return scroll.plan(piece)
+    return scroll.plan(piece.scroll if _plotted(piece) else piece)
 
 
 def _facts(piece: Any) -> dict[str, Any]:
+    if _plotted(piece):
+        from tambour.ink import plot
+
+        return plot.facts(piece)
     from tambour.ink import scroll
 
     return scroll.facts(piece)
@@ -68,6 +99,7 @@ CRAFT = Craft(
         "scroll": View(_scroll, "Drawing", "the painting, a group per element", (".svg",), "write"),
         "sheet": View(_sheet, "Drawing", "the painting on one page", (".pdf",), "write"),
         "picture": View(_picture, "Picture", "the painting in pixels", (".png", ".jpg", ".jpeg", ".webp"), "write"),
+        "plot": View(_plot, "Drawing", "the pen plotter's lines, with --plotter", (".hpgl", ".plt"), "write"),
         "plan": View(_plan, "dict", "what stands where", (".json",), "write"),
     },
     facts=_facts,

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import ClassVar, Literal
 
-from pydantic import Field, field_validator
+from pydantic import Field, field_validator, model_validator
 
 from tambour.core.errors import did_you_mean
-from tambour.core.params import Length, Params
+from tambour.core.params import Duration, Length, Params
 from tambour.ink.kinds import SPECIMENS
 
 FARTHEST = 1e12
@@ -77,6 +77,41 @@ class Ink(Params):
     pixels: int = Field(default=2400, ge=16, le=60_000)
     """Width of pictures (.png, .jpg, .webp) in pixels."""
 
+    # ── the plotter ──────────────────────────────────────────────────────────
+
+    plotter: bool = False
+    """Lines for a pen plotter instead of the painting: what lies behind removed, layers per pen, sorted."""
+
+    page: str = "a4"
+    """The plotter's sheet, landscape: a5, a4, a3, a2, or a size such as 300x200mm."""
+
+    margin: Length = Field(default=10.0, ge=0.0, le=500.0)
+    """The sheet's margin."""
+
+    crop: bool = False
+    """Fill the sheet and cut what does not fit on it; without, the whole window is fitted on it."""
+
+    model: Literal["v3", "se-a4", "v3-a3", "se-a3", "xlx", "se-a2", "se-a1"] | None = None
+    """The AxiDraw that will draw it: a warning is given where it does not reach."""
+
+    nib: Length = Field(default=0.3, ge=0.03, le=5.0)
+    """Width of the pen's line; hatching is pitched from it."""
+
+    pens: int = Field(default=1, ge=1, le=8)
+    """How many pens, the first the darkest: each draws a band of tones on its own layer."""
+
+    speed: float = Field(default=55.0, gt=0.0, le=1000.0)
+    """Speed of the lowered pen in mm/s; times are reckoned with it."""
+
+    budget: Duration = Field(default=0.0, ge=0.0)
+    """The time there is for all sheets, such as 3h or 20min; what matters least is left out. 0: no limit."""
+
+    sheets: str = ""
+    """Cut the scroll into sheets that continue line for line, and make these: 0..9, or 3; the 0th begins at --from."""
+
+    frame: bool = False
+    """A frame about the drawing, on a layer that plotter software shows and does not plot."""
+
     @field_validator("specimen")
     @classmethod
     def _known(cls, value: str | None) -> str | None:
@@ -84,6 +119,35 @@ class Ink(Params):
             near = did_you_mean(value, SPECIMENS) or f"there are {', '.join(SPECIMENS)}"
             raise ValueError(f'there is no specimen "{value}"; {near}')
         return value
+
+    @field_validator("page")
+    @classmethod
+    def _paged(cls, value: str) -> str:
+        from tambour.ink.plot_sheet import page
+
+        page(value)
+        return value
+
+    @field_validator("sheets")
+    @classmethod
+    def _numbered(cls, value: str) -> str:
+        from tambour.ink.plot_sheet import sheets
+
+        if value:
+            sheets(value)
+        return value
+
+    @model_validator(mode="after")
+    def _plottable(self) -> Ink:
+        from tambour.ink.plot_sheet import inner
+
+        if min(inner(self)) < 5:
+            raise ValueError(f"a margin of {self.margin:g} mm leaves nothing of the page {self.page}")
+        if self.sheets and not self.plotter:
+            raise ValueError("sheets are the plotter's: add --plotter")
+        if self.sheets and self.specimen:
+            raise ValueError("a specimen has one sheet: leave --sheets out")
+        return self
 
     @field_validator("seal")
     @classmethod
@@ -97,4 +161,6 @@ def stem(params: Ink) -> str:
     """The name of files that were asked for by suffix alone: seed, edition and window, in letters any disk takes."""
     seed = "".join(c if c.isalnum() or c in "-_." else "_" for c in params.seed)[:60] or "_"
     what = params.specimen or f"{params.from_:g}-{params.span:g}"
+    if params.plotter:
+        what += f"-sheets{params.sheets}" if params.sheets else "-plot"
     return f"ink-{seed}-e{params.edition}-{what}"

@@ -1,0 +1,320 @@
+"""The plotter: hidden lines against Shapely, routes against brute force, sheets that continue, files others read."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+
+from tambour import files
+from tambour.core.errors import TambourError
+from tambour.core.progress import Progress
+from tambour.ink import plot, scroll
+from tambour.ink.params import Ink
+from tambour.ink.plot_hidden import visible
+from tambour.ink.plot_lines import hiding, lines, ragged
+from tambour.ink.plot_path import cut, simplified, strung, tour
+from tambour.run import run
+
+
+def ends_of(sizes):
+    return np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
+
+
+def stars(rng, count, points=19):
+    """Simple polygons of uneven radius about random centres."""
+    angle = np.sort(rng.uniform(0, 2 * np.pi, (count, points)), axis=1)
+    far = rng.uniform(2, 12, (count, 1)) * rng.uniform(0.4, 1, (count, points))
+    centre = rng.uniform(0, 220, (count, 1, 2))
+    return (centre + far[..., None] * np.stack([np.cos(angle), np.sin(angle)], 2)).reshape(-1, 2)
+
+
+def along(rng, coords, offsets, count):
+    """Random points on lines, and the line of each."""
+    step = np.hypot(*np.diff(coords, axis=0).T)
+    step[offsets[1:-1] - 1] = 0
+    segment = rng.choice(len(step), count, p=step / step.sum())
+    t = rng.uniform(0, 1, count)[:, None]
+    return coords[segment] * (1 - t) + coords[segment + 1] * t, np.searchsorted(offsets, segment, "right") - 1
+
+
+def hidden_by(points, order, polygons, rank):
+    """Whether each point lies in a polygon of higher rank, and how far it is from any such outline (Shapely)."""
+    tree = shapely.STRtree(polygons)
+    at = shapely.points(points)
+    i, j = tree.query(at, "intersects")
+    later = rank[j] > order[i]
+    covered = np.zeros(len(points), bool)
+    covered[i[later]] = True
+    i, j = tree.query(at, "dwithin", distance=1e-6)
+    edge = np.zeros(len(points), bool)
+    close = shapely.distance(at[i], shapely.boundary(polygons[j])) < 1e-6
+    close &= rank[j] > order[i]
+    edge[i[close]] = True
+    return covered, edge
+
+
+def test_hidden_lines_of_20000_points_agree_with_shapely():
+    rng = np.random.default_rng(4)
+    count = 1500
+    outlines, rank = stars(rng, count), np.arange(count, dtype=np.int64)
+    ends = ends_of([19] * count)
+    polygons = shapely.polygons(outlines.reshape(count, 19, 2))
+    rings = np.insert(outlines.reshape(count, 19, 2), 19, outlines.reshape(count, 19, 2)[:, 0], axis=1).reshape(-1, 2)
+    offsets = ends_of([20] * count)
+    coords, pieces, source = visible(rings, offsets, rank, outlines, ends, rank)
+    # Nothing hidden is drawn.
+    points, piece = along(rng, coords, pieces, 20_000)
+    covered, edge = hidden_by(points, rank[source[piece]], polygons, rank)
+    assert not (covered & ~edge).any()
+    # Nothing visible is lost, and nothing is drawn that was not there.
+    points, line = along(rng, rings, offsets, 20_000)
+    covered, edge = hidden_by(points, rank[line], polygons, rank)
+    drawn = [shapely.MultiLineString([]) for _ in range(count)]
+    for k in range(count):
+        mine = [coords[pieces[p] : pieces[p + 1]] for p in np.flatnonzero(source == k)]
+        drawn[k] = shapely.MultiLineString(mine) if mine else drawn[k]
+    away = shapely.distance(shapely.points(points), np.array(drawn)[line])
+    seen = ~covered & ~edge
+    assert seen.sum() > 3000 and (away[seen] < 1e-7).all()
+    assert not (away[covered & ~edge] < 1e-9).any()
+
+
+@pytest.fixture(scope="module")
+def tile():
+    return scroll.make(None, Ink(seed="7", span=512), Progress()).marks()
+
+
+def winding(points, ring):
+    a, b = ring, np.roll(ring, -1, axis=0)
+    x, y = points[:, None, 0], points[:, None, 1]
+    up, down = (a[:, 1] <= y) & (b[:, 1] > y), (a[:, 1] > y) & (b[:, 1] <= y)
+    side = (b[:, 0] - a[:, 0]) * (y - a[:, 1]) - (x - a[:, 0]) * (b[:, 1] - a[:, 1])
+    return (up & (side > 0)).sum(1) - (down & (side < 0)).sum(1)
+
+
+def test_hidden_lines_of_a_tile_agree_with_brute_force(tile):
+    rng = np.random.default_rng(5)
+    drawn = lines(tile, 1.1)
+    opaque = hiding(tile, drawn.order)
+    outlines, ends = ragged(tile.coords, tile.offsets, opaque)
+    coords, pieces, source = visible(drawn.coords, drawn.offsets, drawn.order, outlines, ends, opaque)
+    points, piece = along(rng, coords, pieces, 20_000)
+    order = drawn.order[source[piece]]
+    wrong = np.zeros(len(points), bool)
+    for k, at in enumerate(opaque):
+        ring = outlines[ends[k] : ends[k + 1]]
+        near = np.flatnonzero((order < at) & ((points > ring.min(0)) & (points < ring.max(0))).all(1))
+        if len(near):
+            inside = winding(points[near], ring) != 0
+            edge = shapely.LinearRing(ring)
+            wrong[near] |= inside & (shapely.distance(shapely.points(points[near]), edge) > 1e-7)
+    assert not wrong.any()
+    # What is left and what is lost make the whole.
+    shown = np.bincount(source, np.add.reduceat(np.r_[steps(coords, pieces), 0], pieces[:-1]), len(drawn.order))
+    whole = np.add.reduceat(np.r_[steps(drawn.coords, drawn.offsets), 0], drawn.offsets[:-1])
+    assert (shown <= whole + 1e-6).all() and 0.2 < shown.sum() / whole.sum() < 1
+
+
+def steps(coords, offsets):
+    step = np.hypot(*np.diff(coords, axis=0).T)
+    step[offsets[1:-1] - 1] = 0
+    return step
+
+
+def test_a_hatch_covers_what_its_tone_asks():
+    from tambour.ink.plot_lines import hatched
+
+    square = np.array([(0.0, 0), (100, 0), (100, 100), (0, 100)])
+    for level in (0.0, 1.0, 3.0):
+        segments, _ = hatched(square, np.array([0, 4]), 1.0, np.array([level]), 0.7)
+        length = np.hypot(segments[:, 2] - segments[:, 0], segments[:, 3] - segments[:, 1]).sum()
+        assert length * 2**level == pytest.approx(10_000, rel=0.06)
+
+
+def walk(rng, count=300, size=12):
+    starts = rng.uniform(0, 100, (count, 1, 2))
+    return (starts + np.cumsum(rng.normal(0, 2, (count, size, 2)), 1)).reshape(-1, 2), ends_of([size] * count)
+
+
+def test_cutting_keeps_what_lies_within():
+    coords, offsets = walk(np.random.default_rng(1))
+    box = shapely.box(20, 10, 70, 80)
+    out, ends, source = cut(coords, offsets, 20.0, 10.0, 70.0, 80.0)
+    whole = shapely.MultiLineString([coords[a:b] for a, b in pairwise(offsets)])
+    assert steps(out, ends).sum() == pytest.approx(sum(shapely.length(shapely.intersection(whole.geoms, box))))
+    assert (out >= (20 - 1e-9, 10 - 1e-9)).all() and (out <= (70 + 1e-9, 80 + 1e-9)).all()
+    assert (np.diff(source) >= 0).all()
+
+
+def test_simplified_lines_stay_within_the_tolerance():
+    coords, offsets = walk(np.random.default_rng(2))
+    out, ends = simplified(coords, offsets, 0.5)
+    assert len(out) < len(coords)
+    for k in range(len(offsets) - 1):
+        left = shapely.LineString(out[ends[k] : ends[k + 1]])
+        mine = coords[offsets[k] : offsets[k + 1]]
+        assert (shapely.distance(shapely.points(mine), left) <= 0.5 + 1e-9).all()
+        assert (out[ends[k]] == mine[0]).all() and (out[ends[k + 1] - 1] == mine[-1]).all()
+
+
+def test_the_tour_goes_to_the_nearest_end():
+    coords, offsets = walk(np.random.default_rng(3))
+    heads, tails = coords[offsets[:-1]], coords[offsets[1:] - 1]
+    order, turned = tour(heads, tails, -5.0, 3.0)
+    assert sorted(order) == list(range(len(heads)))
+    at, left = np.array([-5.0, 3.0]), np.ones(len(heads), bool)
+    for i, back in zip(order, turned):
+        away = np.minimum(*(np.hypot(*(ends - at).T) for ends in (heads, tails)))
+        mine = np.hypot(*((tails if back else heads)[i] - at))
+        assert mine == pytest.approx(away[left].min())
+        left[i], at = False, (heads if back else tails)[i]
+    out, ends = strung(coords, offsets, order, turned, 0.0, -5.0, 3.0)
+    assert steps(out, ends).sum() == pytest.approx(steps(coords, offsets).sum())
+
+
+def test_a_closed_line_begins_at_the_pen_and_touching_lines_become_one():
+    square = np.array([(1.0, 1), (9, 1), (9, 9), (1, 9), (1, 1), (9, 9), (15, 9)])
+    offsets = np.array([0, 5, 7])
+    out, ends = strung(square, offsets, np.array([0, 1]), np.zeros(2, bool), 0.1, 10.0, 10.0)
+    assert out[0].tolist() == [9, 9] and len(ends) == 2 and out[-1].tolist() == [15, 9]
+
+
+def made(**told):
+    return plot.make(None, Ink(plotter=True, seed="7", **told), Progress())
+
+
+@pytest.fixture(scope="module")
+def booklet():
+    return made(sheets="0..1", pens=2)
+
+
+def test_sheets_continue_line_for_line(booklet):
+    first, second = (np.concatenate([pen.coords for pen in page]) for page in booklet.pages)
+    out, into = np.sort(first[first[:, 0] > 287 - 1e-6, 1]), np.sort(second[second[:, 0] < 10 + 1e-6, 1])
+    assert len(into) > 20
+    near = np.abs(out[:, None] - into).min(1)
+    # A line that only touches the cut, or whose piece is a speck, ends there alone.
+    assert (near < 1e-6).mean() > 0.95
+
+
+def test_a_sheet_alone_is_the_sheet_of_the_booklet(booklet):
+    alone = made(sheets="1", pens=2)
+    for a, b in zip(alone.pages[0], booklet.pages[1]):
+        assert a.lifts == b.lifts and a.coords == pytest.approx(b.coords, abs=1e-6)
+
+
+def test_all_stays_on_the_page_and_pens_share_by_tone(booklet):
+    for page in booklet.pages:
+        for pen in page:
+            assert pen.lifts and (pen.coords >= 10 - 1e-9).all() and (pen.coords <= (287 + 1e-9, 200 + 1e-9)).all()
+    assert plot.pens(np.array([0.02, 0.33, 0.34, 0.67, 1.0]), 3).tolist() == [2, 2, 1, 0, 0]
+
+
+def test_the_budget_is_kept_and_what_matters_stays():
+    full, less = made(span=900), made(span=900, budget="8min")
+    assert plot.facts(full)["minutes"] > 10
+    assert 6.5 < plot.facts(less)["minutes"] <= 8 and less.thinned > 0
+    report = plot.facts(less)["pens"][0]
+    assert report["lifts"] < plot.facts(full)["pens"][0]["lifts"]
+
+
+def test_layers_are_numbered_and_other_software_agrees(tmp_path):
+    vpype = pytest.importorskip("vpype")
+    out = tmp_path / "a.svg"
+    report = run("ink", None, Ink(plotter=True, seed="7", span=700, pens=2, frame=True), [out])
+    labels = re.findall(r'inkscape:groupmode="layer" inkscape:label="([^"]*)"', out.read_text())
+    assert [name[:2] for name in labels] == ["1 ", "!2", "% "]
+    document = vpype.read_multilayer_svg(str(out), 0.01)
+    assert document.page_size == pytest.approx((297 * 96 / 25.4, 210 * 96 / 25.4))
+    for pen in report["pens"]:
+        layer = document.layers[pen["pen"]]
+        assert layer.length() * 25.4 / 96 / 1000 == pytest.approx(pen["down_m"], rel=0.002)
+        assert layer.pen_up_length()[0] * 25.4 / 96 / 1000 == pytest.approx(pen["up_m"], rel=0.002)
+        assert len(layer) == pen["lifts"]
+
+
+def test_vpype_draws_the_scroll_by_itself(tmp_path):
+    vpype = pytest.importorskip("vpype")
+    root = Path(__file__).parents[1]
+    entry = tomllib.loads((root / "pyproject.toml").read_text())["project"]["entry-points"]["vpype.plugins"]
+    info = tmp_path / "tambour_plugin-0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: tambour-plugin\nVersion: 0\n")
+    lines_ = "".join(f"{name} = {place}\n" for name, place in entry.items())
+    (info / "entry_points.txt").write_text(f"[vpype.plugins]\n{lines_}")
+    out = tmp_path / "v.svg"
+    words = ["tambour-ink", "--seed", "7", "--span", "500", "--pens", "2", "linesort", "write", str(out)]
+    paths = os.pathsep.join([str(tmp_path), str(root / "src")])
+    call = [sys.executable, "-c", "from vpype_cli import cli; cli()"]
+    environment = {**os.environ, "PYTHONPATH": paths}
+    done = subprocess.run([*call, *words], env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    document, wanted = vpype.read_multilayer_svg(str(out), 0.01), made(span=500, pens=2)
+    assert document.page_size == pytest.approx((297 * 96 / 25.4, 210 * 96 / 25.4), rel=1e-4)
+    for k, pen in enumerate(wanted.pages[0], 1):
+        assert document.layers[k].length() * 25.4 / 96 == pytest.approx(pen.down, rel=0.002)
+    done = subprocess.run([*call, "tambour-ink", "--page", "a9"], env=environment, capture_output=True, text=True)
+    assert done.returncode and "there is no page" in done.stderr
+
+
+def test_hpgl_holds_the_same_lines(tmp_path):
+    made_ = made(span=700, frame=True)
+    drawing = plot.whole(made_)
+    files.write(drawing, tmp_path / "a.hpgl")
+    text = (tmp_path / "a.hpgl").read_text()
+    assert text.startswith("IN;") and set(re.findall(r"SP\d", text)) == {"SP0", "SP1"}
+    way = [np.array(re.findall(r"-?\d+", line), float).reshape(-1, 2) for line in text.split("\n") if "PD" in line]
+    (pen,) = made_.pages[0]
+    assert len(way) == pen.lifts
+    got = np.concatenate(way) / 40
+    assert np.abs(got[:, 0] - pen.coords[:, 0]).max() <= 0.0126
+    assert np.abs(210 - got[:, 1] - pen.coords[:, 1]).max() <= 0.0126
+
+
+def test_a_booklet_is_a_file_each(booklet, tmp_path):
+    for suffix in (".svg", ".plt"):
+        files.write(plot.whole(booklet), tmp_path / f"a{suffix}", "Drawing")
+        assert {p.name for p in tmp_path.glob(f"*{suffix}")} == {f"a-1{suffix}", f"a-2{suffix}"}
+
+
+def test_a_plotter_that_does_not_reach_is_said():
+    for told, warned in (({"model": "v3"}, 0), ({"model": "v3", "page": "a3"}, 1), ({"page": "a3"}, 0)):
+        progress = Progress()
+        plot.make(None, Ink(plotter=True, specimen="rock", **told), progress)
+        assert len(progress.warnings) == warned
+
+
+@pytest.mark.parametrize(
+    ("told", "word"),
+    [
+        ({"page": "a9"}, "there is no page"),
+        ({"page": "1x1mm"}, "not between"),
+        ({"margin": 105}, "leaves nothing"),
+        ({"sheets": "9..0"}, "the first sheet comes first"),
+        ({"sheets": "many"}, "does not number sheets"),
+        ({"sheets": "0", "plotter": False}, "--plotter"),
+        ({"sheets": "0", "specimen": "rock"}, "one sheet"),
+    ],
+)
+def test_what_cannot_be_plotted_is_said(told, word):
+    with pytest.raises(TambourError, match=word):
+        Ink.of({"plotter": True, **told})
+
+
+def test_hpgl_without_plotter_is_said(tmp_path):
+    with pytest.raises(TambourError, match="--plotter"):
+        run("ink", None, Ink(seed="7", span=100), [tmp_path / "a.hpgl"])
+
+
+def test_the_same_lines_every_time():
+    a, b = made(span=400), made(span=400)
+    assert (a.pages[0][0].coords == b.pages[0][0].coords).all()
