@@ -23,6 +23,10 @@ def _plain_name(params: Params) -> str:
     return ""
 
 
+def _no_preference(params: Params) -> Mapping[str, str]:
+    return {}
+
+
 @dataclass(frozen=True, slots=True)
 class View:
     """One way to look at a piece: ``make(piece)`` gives a value of type ``value``.
@@ -51,6 +55,7 @@ class Craft:
     warm : loads kernels by one call on tiny input, so that no other stage contains it
     stem : params → name (without suffix) for files that were asked for by suffix alone; "" takes the source's
     optional_source : the craft can also start from nothing
+    prefer : params → {suffix: view} where they choose another default view than the views' own suffixes do
     """
 
     name: str
@@ -63,4 +68,5 @@ class Craft:
     warm: Callable[[], None] = _nothing
     stem: Callable[[Any], str] = _plain_name
     optional_source: bool = False
+    prefer: Callable[[Any], Mapping[str, str]] = _no_preference
     notes: Mapping[str, str] = field(default_factory=dict)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from importlib import import_module
@@ -53,11 +53,15 @@ class Output:
     suffix: str
 
 
-def outputs(what: Craft, names: Sequence[str | Path], stem: str) -> list[Output]:
+def outputs(
+    what: Craft, names: Sequence[str | Path], stem: str, prefer: Mapping[str, str] | None = None
+) -> list[Output]:
     """The outputs that names such as ``toy.png``, ``toy.back.png``, ``.svg`` or ``folder/`` ask for.
 
-    ``name.VIEW.suffix`` takes a view only when VIEW is one of the craft's. All that is wrong is raised at once.
+    ``name.VIEW.suffix`` takes a view only when VIEW is one of the craft's; else ``prefer`` (suffix → view) comes
+    before the views' own suffixes. All that is wrong is raised at once.
     """
+    prefer = prefer or {}
     found, problems = [], []
     for name in names:
         path, text = Path(name), str(name)
@@ -74,7 +78,8 @@ def outputs(what: Craft, names: Sequence[str | Path], stem: str) -> list[Output]
                 )
                 continue
         else:
-            choice = [v for v, it in what.views.items() if suffix in it.suffixes]
+            choice = [prefer[suffix]] if suffix in prefer else []
+            choice += [v for v, it in what.views.items() if suffix in it.suffixes]
             if not choice:
                 can = sorted({s for it in what.views.values() for s in it.suffixes})
                 problems.append(
@@ -144,7 +149,7 @@ def run(
     stem = what.stem(given)
     if isinstance(source, (str, Path)):
         stem = stem or Path(source).stem
-    plan = outputs(what, out, stem)
+    plan = outputs(what, out, stem, what.prefer(given))
     what.warm()
     progress.seconds["start"] = time.perf_counter() - begin
 

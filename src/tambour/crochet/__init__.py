@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from tambour.craft import Craft, View
@@ -18,6 +19,12 @@ def _yarn(piece: Any) -> Any:
     from tambour.crochet.plush import yarn
 
     return yarn(piece)
+
+
+def _photo(piece: Any) -> Any:
+    from tambour.crochet.plush import photo
+
+    return photo(piece)
 
 
 def _surface(piece: Any) -> Any:
@@ -50,6 +57,10 @@ def _facts(piece: Any) -> dict[str, Any]:
     return facts(piece)
 
 
+def _prefer(params: Any) -> Mapping[str, str]:
+    return {".png": "photo", ".jpg": "photo"} if params.photo else {}
+
+
 def _warm() -> None:
     from tambour.crochet.plush import warm
 
@@ -63,7 +74,10 @@ CRAFT = Craft(
     reads=("Text",),
     make=_make,
     views={
-        "yarn": View(_yarn, "Mesh", "the piece in its yarn", (".glb", ".obj", ".ply", ".stl", ".png"), stage="fabric"),
+        "yarn": View(
+            _yarn, "Mesh", "the piece in its yarn", (".glb", ".obj", ".ply", ".stl", ".png", ".jpg"), stage="fabric"
+        ),
+        "photo": View(_photo, "Picture", "the piece in its yarn, path-traced (needs the extra photo)", stage="photo"),
         "surface": View(_surface, "Mesh", "the fabric as a surface, closed where the piece is", stage="fabric"),
         "diagram": View(_diagram, "Drawing", "a chart in the usual symbols", (".svg",)),
         "pattern": View(_pattern, "Text", "the pattern written back in standard terms", (".acl", ".txt")),
@@ -71,4 +85,5 @@ CRAFT = Craft(
     },
     facts=_facts,
     warm=_warm,
+    prefer=_prefer,
 )

@@ -33,6 +33,8 @@ class CrochetParams(Params):
     """Fabric that is not joined does not pass through itself, nor parts through one another."""
     detail: Literal["low", "medium", "high"] = "medium"
     """How finely the yarn is swept in 3-D files and pictures."""
+    photo: bool = False
+    """Path-trace the picture with mitsuba: slow, soft light; needs the extra photo."""
 
     stitch_width: Length = Field(default=5.0, gt=0)
     """Width of a single crochet."""

@@ -12,6 +12,7 @@ from tambour.crochet.params import CrochetParams
 
 if TYPE_CHECKING:
     from tambour.core.mesh import Mesh
+    from tambour.core.picture import Picture
     from tambour.core.strands import Strands
     from tambour.crochet.build import Built
     from tambour.crochet.simulate import Shape
@@ -52,6 +53,10 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     from tambour.crochet.parse import parse
     from tambour.crochet.simulate import Task, simulate
 
+    if params.photo:
+        from tambour.render.photo import tracer
+
+        tracer()  # what is missing is told before the work, not after it
     stitch = params.stitch()
     with progress.stage("parse"):
         pattern = parse(source, max_stitches=params.max_stitches, strict=params.strict)
@@ -92,6 +97,13 @@ def yarn(piece: Plush) -> Mesh:
     from tambour.crochet.fabric import mesh
 
     return mesh(piece.built.graph, piece.positions, detail=piece.params.detail, made=piece.yarn)
+
+
+def photo(piece: Plush) -> Picture:
+    """The piece in yarn, path-traced."""
+    from tambour.render.photo import picture
+
+    return picture(yarn(piece))
 
 
 def surface(piece: Plush) -> Mesh:

@@ -100,7 +100,7 @@ def picture(
     edges = np.linspace(0, height, 4 * threads + 1).astype(int).tolist()
     with ThreadPoolExecutor(threads) as pool:
         list(pool.map(lambda k: shade(out, edges[k], edges[k + 1], samples, *arguments), range(4 * threads)))
-    rgb = np.round(coded(_film(out[..., :3])) * 255).astype(np.uint8)
+    rgb = np.round(coded(film(out[..., :3])) * 255).astype(np.uint8)
     return Picture(np.dstack([rgb, np.full((height, width), 255, np.uint8)]))
 
 
@@ -112,7 +112,7 @@ def _backdrop(height: int, color: tuple[int, int, int] | None) -> Array:
     return np.asarray(linear(np.array([0.925, 0.915, 0.9]) * (1 - t) + np.array([0.855, 0.84, 0.82]) * t))
 
 
-def _film(light: Array) -> Array:
+def film(light: Array) -> Array:
     """Light with its brightest part rolled off smoothly below 1; what is darker than 0.8 stays as it is."""
     over = np.maximum(light - 0.8, 0)
     return np.asarray(np.where(light > 0.8, 0.8 + 0.2 * over / (over + 0.2), np.maximum(light, 0)))

@@ -1,0 +1,106 @@
+"""Photos: framed as the raster frames, lit from above, the same bytes twice, and a remedy where mitsuba is missing."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tambour import run as runner
+from tambour.color import linear
+from tambour.core.errors import TambourError
+from tambour.core.mesh import Mesh
+from tambour.render import photo, raster
+
+ball_pattern = "R1: MR(6) (6)\nR2: [inc] around (12)\nR3: 12 sc (12)\nR4: [dec] x 6 (6)\nFO\n"
+
+
+def sphere(color: tuple[int, int, int] = (120, 160, 90)) -> Mesh:
+    """A ball of radius 10 about the origin, by latitude and longitude."""
+    rows, columns = 24, 32
+    up, turn = np.meshgrid(np.linspace(0, np.pi, rows), np.arange(columns) * 2 * np.pi / columns, indexing="ij")
+    points = 10 * np.stack([np.sin(up) * np.sin(turn), np.cos(up), np.sin(up) * np.cos(turn)], axis=-1).reshape(-1, 3)
+    i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns), indexing="ij")
+    a, b = i * columns + j, i * columns + (j + 1) % columns
+    faces = np.concatenate([np.stack([a, a + columns, b], -1), np.stack([b, a + columns, b + columns], -1)])
+    return Mesh(points, faces.reshape(-1, 3), color=np.full((len(points), 3), color, np.uint8))
+
+
+def test_a_photo_without_mitsuba_names_the_remedy(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setitem(sys.modules, "mitsuba", None)
+    with pytest.raises(TambourError, match="needs mitsuba") as caught:
+        photo.picture(sphere(), width=8, samples=1)
+    assert caught.value.problems[0].hint == "pip install tambour[photo]"
+    pattern = tmp_path / "ball.acl"
+    pattern.write_text(ball_pattern)
+    crochet = runner.craft("crochet")
+    with pytest.raises(TambourError, match="needs mitsuba"):
+        runner.run(crochet, pattern, crochet.params.of({"photo": True}), [tmp_path / "ball.png"])
+    assert not (tmp_path / "ball.png").exists()
+
+
+def test_the_option_chooses_the_default_view_of_pictures() -> None:
+    crochet = runner.craft("crochet")
+
+    def views(photo: bool) -> list[str]:
+        names = ["a.png", "a.jpg", "a.glb", "a.photo.png", "a.yarn.png"]
+        return [o.view for o in runner.outputs(crochet, names, "", crochet.prefer(crochet.params(photo=photo)))]
+
+    assert views(False) == ["yarn", "yarn", "yarn", "photo", "yarn"]
+    assert views(True) == ["photo", "photo", "yarn", "photo", "yarn"]
+
+
+@pytest.fixture(scope="module")
+def tracer() -> Any:
+    return pytest.importorskip("mitsuba", reason="mitsuba is not installed (the extra photo)")
+
+
+def test_a_ball_is_lit_from_above_and_stands_where_the_raster_puts_it(tracer: Any) -> None:
+    made = photo.picture(sphere(), width=64, height=64, samples=4).rgba.astype(float)
+    drawn = raster.picture(sphere(), width=64, height=64).rgba.astype(float)
+    green = [shot[..., 1] - shot[..., 2] > 25 for shot in (made, drawn)]
+    assert (green[0] != green[1]).mean() < 0.04
+    rows = np.flatnonzero(green[0][:, 32])
+    top, bottom = made[rows[3] : rows[3] + 8, 24:40, :3], made[rows[-1] - 10 : rows[-1] - 2, 24:40, :3]
+    assert linear(top / 255).mean() > 1.2 * linear(bottom / 255).mean()
+    # The colour is the mesh's: in full light its hue is kept.
+    lit = made[rows[3] : rows[3] + 8, 24:40, :3].mean((0, 1))
+    assert lit[1] > lit[0] > lit[2]
+    # The floor is pale, and darker in the shadow beside the foot.
+    floor = made[..., :3].mean(-1)[~green[0]]
+    assert floor.max() > 215 and floor.min() < 0.8 * floor.max()
+
+
+COIL = """
+import numpy as np
+from tambour.core.paths import Paths
+from tambour.core.strands import Strands
+from tambour.geometry.tube import sweep
+from tambour.render.photo import picture
+
+turn = np.linspace(0, 6, 80)
+line = np.stack([8 * np.cos(turn), 2 * turn, 8 * np.sin(turn)], axis=1)
+coil = Strands(Paths.of([line]), np.full(80, 2.0), np.array([[180, 60, 40]], np.uint8))
+shot = picture(sweep(coil), width=64, samples=4).rgba
+"""
+ALONE = "import os\nif hasattr(os, 'sched_setaffinity'):\n    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})\n"
+
+
+def test_the_same_bytes_in_any_process_and_by_any_number_of_threads(tracer: Any) -> None:
+    shots = []
+    for _ in range(2):
+        names: dict[str, Any] = {}
+        exec(COIL, names)
+        shots.append(names["shot"].tobytes())
+    code = ALONE + COIL + "import sys\nsys.stdout.buffer.write(shot.tobytes())\n"
+    shots.append(subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout)
+    assert shots[0] == shots[1] == shots[2]
+
+
+def test_an_empty_mesh_is_the_bare_floor(tracer: Any) -> None:
+    made = photo.picture(Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), width=16, samples=4).rgba[..., :3]
+    assert made.min() > 150
