@@ -41,14 +41,14 @@ def write_drawing(value: Drawing | Iterable[Drawing], path: Path) -> None:
         seen: set[str] = set()
         for k, drawing in enumerate([value] if isinstance(value, Drawing) else value):
             if k == 0:
-                out.write(_head(drawing).encode())
+                out.write(head(drawing).encode())
             out.writelines(body(drawing, seen))
         out.write(b"</svg>\n")
 
 
 def text(drawing: Drawing) -> str:
     """The SVG of one drawing."""
-    return _head(drawing) + b"".join(body(drawing, set())).decode() + "</svg>\n"
+    return head(drawing) + b"".join(body(drawing, set())).decode() + "</svg>\n"
 
 
 def number(x: float, decimals: int = 3) -> str:
@@ -57,7 +57,8 @@ def number(x: float, decimals: int = 3) -> str:
     return "0" if spelt in ("-0", "") else spelt
 
 
-def _head(drawing: Drawing) -> str:
+def head(drawing: Drawing) -> str:
+    """The root's opening tag, title and ground."""
     x, y = map(number, drawing.origin.tolist())
     w, h = map(number, drawing.size.tolist())
     mm = [number(s * drawing.unit) for s in drawing.size.tolist()]

@@ -61,6 +61,17 @@ def _picture(piece: Any) -> Any:
     return scroll.picture(piece)
 
 
+def _painting(piece: Any) -> Any:
+    from tambour.core.reveal import Reveal
+    from tambour.ink import scroll
+
+    drawn = piece.scroll if _plotted(piece) else piece
+    made = _plot(piece) if _plotted(piece) else scroll.whole(piece)
+    if not hasattr(made, "paths"):
+        raise TambourError("one sheet at a time can be seen being plotted", hint="--sheets 0", where="painting")
+    return Reveal(made, drawn.params.painting, drawn.params.steps)
+
+
 def _plan(piece: Any) -> Any:
     from tambour.ink import scroll
 
@@ -99,6 +110,9 @@ CRAFT = Craft(
         "scroll": View(_scroll, "Drawing", "the painting, a group per element", (".svg",), "write"),
         "sheet": View(_sheet, "Drawing", "the painting on one page", (".pdf",), "write"),
         "picture": View(_picture, "Picture", "the painting in pixels", (".png", ".jpg", ".jpeg", ".webp"), "write"),
+        "painting": View(
+            _painting, "Reveal", "the painting being painted: .svg, .gif, numbered .png", (".gif",), "write"
+        ),
         "plot": View(_plot, "Drawing", "the pen plotter's lines, with --plotter", (".hpgl", ".plt"), "write"),
         "plan": View(_plan, "dict", "what stands where", (".json",), "write"),
     },

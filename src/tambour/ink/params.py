@@ -77,6 +77,12 @@ class Ink(Params):
     pixels: int = Field(default=2400, ge=16, le=60_000)
     """Width of pictures (.png, .jpg, .webp) in pixels."""
 
+    painting: Duration = Field(default=20.0, gt=0.0, le=3600.0)
+    """How long the view "painting" takes to paint the window, stroke by stroke."""
+
+    steps: int = Field(default=120, ge=2, le=5000)
+    """Steps of the view "painting": frames of a .gif or .png, delays of an .svg."""
+
     # ── the plotter ──────────────────────────────────────────────────────────
 
     plotter: bool = False

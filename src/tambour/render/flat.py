@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -13,6 +15,7 @@ from tambour.core.drawing import Drawing, Placed
 from tambour.core.errors import TambourError
 from tambour.core.paths import Paths
 from tambour.core.picture import Picture
+from tambour.core.reveal import Reveal, stretch
 from tambour.render.type import typeface
 
 LARGEST = 400_000_000
@@ -167,3 +170,34 @@ def _argb(rgba: Any) -> int:
     import skia
 
     return int(skia.Color(*(int(c) for c in rgba)))
+
+
+def frames(value: Reveal, width: int) -> Iterator[Picture]:
+    """The pictures of a drawing being drawn, ``width`` pixels wide: one per step; each stroke is painted once."""
+    import skia
+
+    drawing = value.drawing
+    nothing = stretch(drawing, 0, 0)
+    ground = replace(nothing, background=drawing.background, images=tuple(i for i in drawing.images if not i.glaze))
+    over = replace(nothing, images=tuple(i for i in drawing.images if i.glaze))
+    scale = width / drawing.size[0]
+    height = max(1, round(drawing.size[1] * scale))
+
+    def onto(pixels: Array) -> Any:
+        info = skia.ImageInfo.Make(width, height, skia.kRGBA_8888_ColorType, skia.kPremul_AlphaType)
+        surface = skia.Surface.MakeRasterDirect(info, pixels, 4 * width)
+        surface.getCanvas().scale(scale, height / drawing.size[1])
+        return surface
+
+    sheet = np.zeros((height, width, 4), np.uint8)
+    held = onto(sheet)
+    draw(held.getCanvas(), ground)
+    cuts = value.shares().tolist()
+    for k, (first, last) in enumerate(pairwise(cuts), 1):
+        draw(held.getCanvas(), stretch(drawing, first, last))
+        held.flushAndSubmit()
+        shown = sheet.copy()
+        top = onto(shown)
+        draw(top.getCanvas(), replace(over, labels=drawing.labels if k == len(cuts) - 1 else ()))
+        top.flushAndSubmit()
+        yield Picture(shown, pixel=drawing.unit / scale)
