@@ -140,9 +140,19 @@ def run_craft(
     from tambour.run import run
 
     values = {name: value for name, value in given.items() if value is not None and value != ()}
+    for name, value in {**values, "source": source, "report": report, "o": out}.items():
+        if any(
+            isinstance(v, str) and not v.isprintable() and _unspeakable(v)
+            for v in (value if isinstance(value, tuple) else (value,))
+        ):
+            raise TambourError("holds bytes that are no text", where=f"--{name.rstrip('_').replace('_', '-')}")
     params = what.params.of(values)
-    if report and not Path(report).parent.exists():
+    if report and not Path(report).parent.is_dir():
         raise TambourError("its folder does not exist", where=report)
+    if report and Path(report).is_dir():
+        raise TambourError("this is a folder, name a file in it", where=report)
+    if report and Path(report).absolute() in {Path(o).absolute() for o in (*out, *([source] if source else []))}:
+        raise TambourError("the report would overwrite another file", hint="name it differently", where=report)
     with _bar(quiet) as progress:
         made = run(what, source, params, out, progress, BEGAN)
     for problem in progress.warnings:
@@ -151,6 +161,15 @@ def run_craft(
         write_json(made, Path(report))
     if not quiet:
         summary(made)
+
+
+def _unspeakable(word: str) -> bool:
+    """Whether a word of the command line is no Unicode text (bytes of another encoding)."""
+    try:
+        word.encode()
+    except UnicodeEncodeError:
+        return True
+    return False
 
 
 def summary(report: dict[str, Any]) -> None:
@@ -209,12 +228,16 @@ def again(report: str, out: tuple[str, ...]) -> None:
 
     try:
         told = json.loads(Path(report).read_text())
-        name, values, source = told["craft"], told["params"], (told["source"] or {}).get("path")
-    except (ValueError, KeyError, TypeError):
+        name, values, source = told["craft"], dict(told["params"]), (told["source"] or {}).get("path")
+        known, kept = (told["source"] or {}).get("sha256"), told.get("files", ())
+        words = [name, *kept, *([source] if source is not None else [])]
+        if isinstance(kept, str) or not all(isinstance(word, str) for word in words):
+            raise ValueError("words are wanted")
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise TambourError("this is not a report of tambour", where=report) from None
     what = craft(name)
-    made = run(what, source, what.params.of(values), out or told.get("files", ()), began=BEGAN)
-    if told["source"] and made["source"]["sha256"] != told["source"]["sha256"]:
+    made = run(what, source, what.params.of(values), out or kept, began=BEGAN)
+    if known and made["source"]["sha256"] != known:
         click.echo(f"{source}: warning: the source has changed since the report was written", err=True)
     summary(made)
 

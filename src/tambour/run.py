@@ -87,10 +87,14 @@ def outputs(
                 )
                 continue
             view = choice[0]
-        if not path.parent.exists():
+        if path.parent.exists() and not path.parent.is_dir():
+            problems.append(Problem("what should be its folder is a file", where=text))
+        elif not path.parent.exists():
             problems.append(Problem("its folder does not exist", f"make it first: mkdir -p {path.parent}", where=text))
         elif path.is_dir():
             problems.append(Problem("this is a folder, name a file in it", where=text))
+        if any(path.absolute() == o.path.absolute() for o in found):
+            problems.append(Problem("asked for twice", "name each file once", where=text))
         found.append(Output(path, view, suffix))
     if problems:
         raise TambourError(problems)
@@ -150,6 +154,9 @@ def run(
     if isinstance(source, (str, Path)):
         stem = stem or Path(source).stem
     plan = outputs(what, out, stem, what.prefer(given))
+    for item in plan:
+        if isinstance(source, (str, Path)) and item.path.absolute() == Path(source).absolute():
+            raise TambourError("this is the source, it would be overwritten", "name another file", where=str(item.path))
     what.warm()
     progress.seconds["start"] = time.perf_counter() - begin
 
@@ -171,7 +178,11 @@ def run(
             if item.view not in cache:
                 with progress.stage(view.stage):
                     cache[item.view] = view.make(piece)
-            beside = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix=".tambour-", dir=item.path.parent)))
+            try:
+                hidden_place = tempfile.TemporaryDirectory(prefix=".tambour-", dir=item.path.parent)
+                beside = Path(stack.enter_context(hidden_place))
+            except OSError as error:
+                raise TambourError(f"cannot be written: {error.strerror}", where=str(item.path)) from None
             with progress.stage("write"):
                 progress.step(k, len(plan))
                 value = cache[item.view]
@@ -179,6 +190,8 @@ def run(
                     del cache[item.view]  # a stream can be written once
                 try:
                     files.write(value, beside / item.path.name, view.value)
+                except OSError as error:
+                    raise TambourError(f"cannot be written: {error.strerror}", where=str(item.path)) from None
                 except TambourError as error:
                     # Made beside its place: the place is what was asked for.
                     hidden, shown = str(beside), str(item.path.parent)

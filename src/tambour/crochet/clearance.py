@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from tambour.core.check import Array
@@ -63,10 +61,16 @@ def nearest(coords: Array, i: int, j: int, found: Array) -> float:
 
 
 @kernel
-def _bins(middle: Array, strand: Array, low: Array, cell: float, shape: Array, head: Array, order: Array) -> None:
-    """Segments by cell of a grid: those of cell k are order[head[k]:head[k + 1]]."""
+def _bins(
+    coords: Array, strand: Array, arc: Array, middle: Array, half: Array, low: Array, cell: float, shape: Array, head: Array,
+    order: Array, near: Array, owner: Array,
+) -> None:  # fmt: skip
+    """Segments by cell of a grid: those of cell k are order[head[k]:head[k + 1]].
+
+    In that order, near : (M, 8) float32, middle from ``low``, half the length, arc length, direction; owner : (M,) strand
+    """
     n = len(strand)
-    where = np.empty(n, np.int64)
+    where = np.empty(n, np.int32)
     for i in range(n):
         if strand[i] < 0:
             where[i] = -1
@@ -80,14 +84,19 @@ def _bins(middle: Array, strand: Array, low: Array, cell: float, shape: Array, h
     at = head[:-1].copy()
     for i in range(n):
         if where[i] >= 0:
-            order[at[where[i]]] = i
+            k = at[where[i]]
             at[where[i]] += 1
+            order[k], owner[k] = i, strand[i]
+            for c in range(3):
+                near[k, c] = middle[i, c] - low[c]
+                near[k, 5 + c] = (coords[i + 1, c] - coords[i, c]) / max(2.0 * half[i], 1e-9)
+            near[k, 3], near[k, 4] = half[i], arc[i]
 
 
 @kernel
 def close_pairs(
-    coords: Array, strand: Array, arc: Array, middle: Array, half: Array, low: Array, cell: float, shape: Array,
-    head: Array, order: Array, reach: float, along: float, pairs: Array,
+    coords: Array, shape: Array, head: Array, order: Array, near: Array, owner: Array, reach: float, along: float,
+    pairs: Array,
 ) -> int:  # fmt: skip
     """Pairs (Q, 2) of segments nearer than ``reach``, and further apart than ``along`` on a common strand.
 
@@ -95,39 +104,40 @@ def close_pairs(
     """
     count = 0
     found = np.zeros(2)
+    # Single precision only leaves out what is clearly too far.
+    wide = np.float32(reach * 1.0001)
     for p in range(shape[0]):
         for q in range(shape[1]):
             for r in range(shape[2]):
                 here = (p * shape[1] + q) * shape[2] + r
                 if head[here] == head[here + 1]:
                     continue
-                # This cell and half of those around it: every pair once.
-                for side in range(14):
-                    dp, dq, dr = side // 9, side // 3 % 3, side % 3
-                    if side < 9:
-                        dp, dq, dr = 1, dq - 1, dr - 1
-                    elif side < 12:
-                        dp, dq, dr = 0, 1, dr - 1
-                    elif side == 12:
-                        dp, dq, dr = 0, 0, 1
-                    else:
-                        dp, dq, dr = 0, 0, 0
-                    a, b, c = p + dp, q + dq, r + dr
-                    if a >= shape[0] or b < 0 or b >= shape[1] or c < 0 or c >= shape[2]:
+                # This cell and half of those around it: every pair once. Cells along r lie one behind the other.
+                for side in range(5):
+                    a, b = p + (1 if side > 1 else 0), q + (1 if side == 1 else side - 3 if side > 1 else 0)
+                    if a >= shape[0] or b < 0 or b >= shape[1]:
                         continue
-                    there = (a * shape[1] + b) * shape[2] + c
+                    row = (a * shape[1] + b) * shape[2]
+                    last = head[row + min(r + 2, shape[2])]
                     for k in range(head[here], head[here + 1]):
-                        i = order[k]
-                        first = k + 1 if there == here else head[there]
-                        for m in range(first, head[there + 1]):
-                            j = order[m]
-                            most = reach + half[i] + half[j]
-                            x, y, z = (middle[i, 0] - middle[j, 0], middle[i, 1] - middle[j, 1],
-                                       middle[i, 2] - middle[j, 2])  # fmt: skip
-                            if x * x + y * y + z * z >= most * most:
+                        x, y, z, size = near[k, 0], near[k, 1], near[k, 2], near[k, 3] + wide
+                        for m in range(k + 1 if side == 0 else head[row + max(r - 1, 0)], last):
+                            dx, dy, dz, most = x - near[m, 0], y - near[m, 1], z - near[m, 2], size + near[m, 3]
+                            if dx * dx + dy * dy + dz * dz >= most * most:
                                 continue
-                            if strand[i] == strand[j] and abs(arc[i] - arc[j]) < along + half[i] + half[j]:
+                            if owner[k] == owner[m]:
+                                most = near[k, 3] + near[m, 3]
+                                if abs(near[k, 4] - near[m, 4]) < along + most:
+                                    continue
+                            # Nor by its distance from the line of the one or of the other.
+                            square = dx * dx + dy * dy + dz * dz
+                            t = dx * near[k, 5] + dy * near[k, 6] + dz * near[k, 7]
+                            if square - t * t >= (wide + near[m, 3]) ** 2:
                                 continue
+                            t = dx * near[m, 5] + dy * near[m, 6] + dz * near[m, 7]
+                            if square - t * t >= (wide + near[k, 3]) ** 2:
+                                continue
+                            i, j = order[k], order[m]
                             if nearest(coords, i, j, found) < reach * reach:
                                 if count < len(pairs):
                                     pairs[count, 0], pairs[count, 1] = i, j
@@ -137,15 +147,23 @@ def close_pairs(
 
 @kernel
 def push(coords: Array, pairs: Array, apart: float, rounds: int, move: Array, weight: Array) -> None:
-    """Push pairs of segments ``apart``, ``rounds`` times: all pushes at once, each point's shared by what pushes it."""
+    """Push pairs of segments ``apart``, ``rounds`` times: all pushes at once, each point's shared by what pushes it.
+
+    Pairs that are apart are looked at again after some rounds, the later the further apart they are.
+    """
     found = np.zeros(2)
+    wait = np.zeros(len(pairs), np.int8)
     for _ in range(rounds):
         move[:] = 0.0
         weight[:] = 0.0
         for k in range(len(pairs)):
+            if wait[k] > 0:
+                wait[k] -= 1
+                continue
             i, j = pairs[k, 0], pairs[k, 1]
             gap = nearest(coords, i, j, found)
             if gap >= apart * apart:
+                wait[k] = min(3, int((gap**0.5 / apart - 1.0) / 0.02))
                 continue
             gap = max(gap**0.5, 1e-9)
             s, t = found[0], found[1]
@@ -169,33 +187,29 @@ def push(coords: Array, pairs: Array, apart: float, rounds: int, move: Array, we
                     coords[i, c] += move[i, c] / max(1.0, weight[i])
 
 
-def _grid(coords: Array, ends: Array, reach: float) -> Any:
+def _pairs(coords: Array, ends: Array, reach: float, along: float) -> Array:
     n = len(coords)
     strand, arc, middle, half = np.full(n, -1, np.int32), np.zeros(n), np.zeros((n, 3)), np.zeros(n)
     _segments(coords, ends, strand, arc, middle, half)
     own = strand >= 0
-    cell = reach + 2 * float(half.max(initial=0.0)) + 1e-9
-    low = middle[own].min(0) if own.any() else np.zeros(3)
-    high = middle[own].max(0) if own.any() else np.zeros(3)
+    count = int(own.sum())
+    if not count:
+        return np.zeros((0, 2), np.int32)
+    cell = 1.0001 * (reach + 2 * float(half.max()))
+    low = np.array([middle[own, c].min() for c in range(3)])
+    high = np.array([middle[own, c].max() for c in range(3)])
     # A few strands far apart must not ask for a grid of any size.
     while np.prod(np.floor((high - low) / cell) + 1) > 4e6:
         cell *= 1.5
     shape = np.floor((high - low) / cell).astype(np.int64) + 1
     head = np.zeros(int(shape.prod()) + 1, np.int64)
-    order = np.zeros(int(own.sum()), np.int64)
-    _bins(middle, strand, low, cell, shape, head, order)
-    return strand, arc, middle, half, low, np.float64(cell), shape, head, order
-
-
-def _pairs(coords: Array, ends: Array, reach: float, along: float) -> Array:
-    grid = _grid(coords, ends, reach)
-    pairs = np.zeros((max(64, len(coords)), 2), np.int64)
-    arguments: tuple[Any, ...] = (coords, *grid, reach, along, pairs)
-    count = int(close_pairs(*arguments))
+    order, owner, near = np.zeros(count, np.int32), np.zeros(count, np.int32), np.zeros((count, 8), np.float32)
+    _bins(coords, strand, arc, middle, half, low, cell, shape, head, order, near, owner)
+    pairs = np.zeros((max(64, 4 * n), 2), np.int32)
+    count = int(close_pairs(coords, shape, head, order, near, owner, reach, along, pairs))
     if count > len(pairs):
-        pairs = np.zeros((count, 2), np.int64)
-        arguments = (*arguments[:-1], pairs)
-        close_pairs(*arguments)
+        pairs = np.zeros((count, 2), np.int32)
+        close_pairs(coords, shape, head, order, near, owner, reach, along, pairs)
     return pairs[:count]
 
 
@@ -209,14 +223,14 @@ def distances(coords: Array, ends: Array, diameter: float, reach: float) -> tupl
     return pairs, np.array([nearest(coords, i, j, found) for i, j in pairs.tolist()]) ** 0.5
 
 
-def clear(coords: Array, ends: Array, diameter: float, *, looks: int = 3, rounds: int = 12) -> None:
+def clear(coords: Array, ends: Array, diameter: float, *, looks: int = 3, rounds: int = 12, apart: float = 1.0) -> None:
     """Move the points (P, 3) of strands so that their centre lines come to be a diameter apart, as far as they can.
 
-    looks : how often near pairs are searched anew; rounds : pushes in between
+    looks : how often near pairs are searched anew; rounds : pushes in between; apart : the aim, in diameters
     """
     move, weight = np.zeros_like(coords), np.zeros(len(coords))
     for _ in range(looks):
         pairs = _pairs(coords, ends, 1.1 * diameter, ALONG * diameter)
         if not len(pairs):
             return
-        push(coords, pairs, diameter, rounds, move, weight)
+        push(coords, pairs, apart * diameter, rounds, move, weight)

@@ -20,8 +20,8 @@ from tambour.geometry.tube import sweep
 BLOOM = 1.32
 """Radius drawn, in radii of the yarn's core: wool is soft outside, and neighbours press into each other."""
 
-LARGE = 5000
-"""Stitches above which strands are pushed apart less thoroughly."""
+SMALL, LARGE = 2000, 5000
+"""Stitches above which strands are pushed apart less thoroughly, and above which still less."""
 
 _DETAIL = {"low": (1, 1.0), "medium": (1, 0.1), "high": (2, 0.02)}
 """Detail → pieces that a segment is split into, and how far points may stray, in radii."""
@@ -56,8 +56,11 @@ def strands(
         rows.up, rows.after, rows.before, rows.foot, rows.pace, graph.peculiarity == ROOT, coords,
     )  # fmt: skip
     coords, ends, stitch = _dense(coords, ends, led.cell, 3.6 * radius)
-    # Very large pieces are looked through once: the rest of the gain would take many seconds.
-    clear(coords, ends, 2 * radius, looks=3 if len(graph) <= LARGE else 1)
+    if len(graph) <= LARGE:
+        clear(coords, ends, 2 * radius, looks=6 if len(graph) <= SMALL else 3)
+    else:
+        # Once, and no nearer to a diameter than is seen: the rest of the gain would take many seconds.
+        clear(coords, ends, 2 * radius, looks=1, rounds=8, apart=0.97)
     pieces, stray = _DETAIL[detail]
     if pieces > 1:
         lengths = np.where(np.diff(ends) > 0, (np.diff(ends) - 1) * pieces + 1, 0)

@@ -21,7 +21,7 @@ class CrochetParams(Params):
 
     solver: Literal["settle", "steps", "none"] = "settle"
     """settle: the shape at rest. steps: a number of plain simulation steps. none: first positions only."""
-    steps: int = Field(default=1000, ge=0)
+    steps: int = Field(default=1000, ge=0, le=10_000_000)
     """How many steps --solver steps takes; with --start one-by-one they include the building."""
     tolerance: float | None = Field(default=None, gt=0)
     """Largest residual force at rest, in stitches; without it, what an error well under 0.1 stitch needs."""
@@ -36,9 +36,9 @@ class CrochetParams(Params):
     photo: bool = False
     """Path-trace the picture with mitsuba: slow, soft light; needs the extra photo."""
 
-    stitch_width: Length = Field(default=5.0, gt=0)
+    stitch_width: Length = Field(default=5.0, ge=0.1, le=1000)
     """Width of a single crochet."""
-    stitch_height: Length = Field(default=5.0, gt=0)
+    stitch_height: Length = Field(default=5.0, ge=0.1, le=1000)
     """Height of a single crochet; taller stitches are multiples of it."""
     gauge: str | None = None
     """Single crochets x rows in 10 cm, such as 20x20; overrides width and height."""
@@ -50,9 +50,9 @@ class CrochetParams(Params):
     max_stitches: int = Field(default=200_000, ge=1)
     """More stitches than this are an error at the count that asks for them."""
 
-    link_distance: float = Field(default=1.0, gt=0)
+    link_distance: float = Field(default=1.0, ge=0.1, le=10)
     """The seed's d: scales every edge's rest length."""
-    pressure: float = Field(default=0.02, ge=0)
+    pressure: float = Field(default=0.02, ge=0, le=10)
     """Pressure stuffing: its energy is -p · edges · ln V; 0.01 stretches a ball by 3 %, 0.05 by 13 %."""
     centroids: int | None = Field(default=None, ge=0)
     """Centroid stuffing: centroids in each part (@centroids; else by --nodes-per-centroid)."""

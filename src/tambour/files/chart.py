@@ -163,6 +163,8 @@ def read_json(path: Path) -> Chart:
     source = read_text(path)
     try:
         told = json.loads(source.text)
+    except RecursionError:
+        raise TambourError("this JSON is nested too deep", where=str(path)) from None
     except ValueError as error:
         raise TambourError(f"this is not JSON ({error})", where=str(path)) from None
     if not isinstance(told, dict):

@@ -230,6 +230,8 @@ class KnitParams(Params):
             raise ValueError("--round has no edges for --edge-stitches")
         if self.colors and len(self.colors) != self.yarns:
             raise ValueError(f"--yarns {self.yarns} needs as many --colors (got {len(self.colors)})")
+        if len({color.lower() for color in self.colors}) < len(self.colors):
+            raise ValueError("--colors: two are the same")
         for color in self.colors:
             if not re.fullmatch(r"#[0-9a-fA-F]{6}", color):
                 raise ValueError(f"--colors: wanted #rrggbb (got {color!r})")
