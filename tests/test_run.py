@@ -201,3 +201,32 @@ def test_stages_do_not_count_twice() -> None:
             time.sleep(0.03)
     assert progress.seconds["inner"] >= 0.03
     assert 0.01 <= progress.seconds["outer"] < 0.03
+
+
+def test_files_in_each_others_way_are_told_before_any_work(tmp_path: Path) -> None:
+    source, out = tmp_path / "d.txt", tmp_path / "a.svg"
+    source.write_text("draft")
+    for words, said in [
+        (("-o", out, "-o", out), "asked for twice"),
+        (("-o", source), "this is the source"),
+        (("-o", source / "a.svg"), "is a file"),
+        (("-o", out, "--report", out), "overwrite"),
+        (("-o", out, "--report", tmp_path), "folder"),
+        (("-o", out, "--report", source / "r.json"), "folder does not exist"),
+        (("-o", tmp_path / f"{'n' * 300}.svg"), "cannot be written"),
+        (("-o", out, "--structure", "plain", "--draft", "\udcff"), "no text"),
+    ]:
+        code, text = call("weave", source, *words)
+        assert code == 2 and said in text and "Traceback" not in text, text
+        assert sorted(p.name for p in tmp_path.iterdir()) == ["d.txt"] and source.read_text() == "draft"
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["[" * 100_000, "{}", '{"craft": ["ink"]}', '{"craft": "weave", "params": [1], "source": null}',
+     '{"craft": "weave", "params": {}, "source": {"path": 7}}', '{"craft": "weave", "params": {}, "source": null, "files": "a.svg"}'],
+)  # fmt: skip
+def test_what_is_no_report_is_told(text: str, tmp_path: Path) -> None:
+    (tmp_path / "r.json").write_text(text)
+    code, said = call("run", tmp_path / "r.json")
+    assert code == 2 and "not a report" in said, said

@@ -62,7 +62,8 @@ def outputs(
     before the views' own suffixes. All that is wrong is raised at once.
     """
     prefer = prefer or {}
-    found, problems = [], []
+    found: list[Output] = []
+    problems: list[Problem] = []
     for name in names:
         path, text = Path(name), str(name)
         if text.startswith(".") and "/" not in text and path.stem.startswith("."):
@@ -87,11 +88,11 @@ def outputs(
                 )
                 continue
             view = choice[0]
-        if path.parent.exists() and not path.parent.is_dir():
+        if os.path.exists(path.parent) and not os.path.isdir(path.parent):
             problems.append(Problem("what should be its folder is a file", where=text))
-        elif not path.parent.exists():
+        elif not os.path.exists(path.parent):
             problems.append(Problem("its folder does not exist", f"make it first: mkdir -p {path.parent}", where=text))
-        elif path.is_dir():
+        elif os.path.isdir(path):  # as os.path asks: a name that no disk can hold is simply no folder
             problems.append(Problem("this is a folder, name a file in it", where=text))
         if any(path.absolute() == o.path.absolute() for o in found):
             problems.append(Problem("asked for twice", "name each file once", where=text))
@@ -156,7 +157,9 @@ def run(
     plan = outputs(what, out, stem, what.prefer(given))
     for item in plan:
         if isinstance(source, (str, Path)) and item.path.absolute() == Path(source).absolute():
-            raise TambourError("this is the source, it would be overwritten", "name another file", where=str(item.path))
+            raise TambourError(
+                "this is the source, it would be overwritten", hint="name another file", where=str(item.path)
+            )
     what.warm()
     progress.seconds["start"] = time.perf_counter() - begin
 
