@@ -179,6 +179,8 @@ def summary(report: dict[str, Any]) -> None:
         if key not in skip and isinstance(value, (int, float, str)) and not isinstance(value, bool):
             shown = f"{value:.4g}" if isinstance(value, float) else str(value)
             click.echo(f"{key.replace('_', ' ')}: {shown}")
+        elif isinstance(value, list) and value and all(isinstance(v, (int, float)) for v in value):
+            click.echo(f"{key.replace('_', ' ')}: {' × '.join(f'{v:.4g}' for v in value)}")
     for path in report["files"]:
         click.echo(f"wrote {path}")
 

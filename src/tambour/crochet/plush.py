@@ -197,6 +197,7 @@ def facts(piece: Plush) -> dict[str, Any]:
             {"color": "#{:02x}{:02x}{:02x}".format(*shade), "metres": round(m, 2), "yards": round(m / 0.9144, 2)}
             for shade, m in length.items()
         ],
+        "yarn_metres": round(sum(length.values()), 2),
         "stitch_mm": list(piece.stitch),
         "stuffing": piece.stuffing,
         "start": piece.start,
