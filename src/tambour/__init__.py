@@ -1,6 +1,6 @@
 """Tambour: crochet, knitting, ink and embroidery from patterns, pictures and seed numbers.
 
-The names of ``__all__`` are promised; everything else may change. They are loaded on first use, so that importing
+The names of ``__all__`` are promised, and ``run`` and ``craft`` of ``tambour.run``; everything else may change. They are loaded on first use, so that importing
 tambour costs nothing.
 """
 
@@ -35,8 +35,6 @@ _WHERE = {
     "Craft": "craft",
     "View": "craft",
     "CRAFTS": "run",
-    "craft": "run",
-    "run": "run",
     "read": "files",
     "write": "files",
 }

@@ -4,28 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BeforeValidator, Field, WithJsonSchema, field_validator
 
 from tambour.core.params import Degrees, Length, Params, file, length
 
-FAMILIES = (
-    "tatami",
-    "contour",
-    "spiral",
-    "radial",
-    "guided",
-    "flow",
-    "meander",
-    "ripple",
-    "gradient",
-    "cross",
-    "satin",
-    "running",
-    "bean",
-    "motif",
-)
 Stitch = Literal[
     "tatami",
     "contour",
@@ -42,6 +26,7 @@ Stitch = Literal[
     "bean",
     "motif",
 ]
+FAMILIES: tuple[str, ...] = get_args(Stitch)
 UNDERLAYS = ("auto", "none", "center", "edge", "zigzag", "tatami")
 
 
