@@ -70,12 +70,6 @@ def _prefer(params: Any) -> Mapping[str, str]:
     return {".png": "photo", ".jpg": "photo"} if params.photo else {}
 
 
-def _warm() -> None:
-    from tambour.crochet.plush import warm
-
-    warm()
-
-
 CRAFT = Craft(
     name="crochet",
     help="Turn an amigurumi pattern into the stuffed plush in 3-D, its size, its yarn and its mistakes.",
@@ -94,6 +88,5 @@ CRAFT = Craft(
         "graph": View(_graph, "dict", "the stitch graph and its shape as data", (".json",)),
     },
     facts=_facts,
-    warm=_warm,
     prefer=_prefer,
 )
