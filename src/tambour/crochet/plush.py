@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from tambour.core.check import Array
-from tambour.core.errors import Text
+from tambour.core.errors import TambourError, Text
 from tambour.core.progress import Progress
 from tambour.crochet.params import CrochetParams
 
@@ -47,11 +48,8 @@ class Plush:
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
-    from tambour.crochet.body import centroid_counts
     from tambour.crochet.build import build
-    from tambour.crochet.fabric import strands
     from tambour.crochet.parse import parse
-    from tambour.crochet.simulate import Task, simulate
 
     if params.photo:
         from tambour.render.photo import tracer
@@ -64,6 +62,18 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
         built = build(pattern, stitch=stitch, strict=params.strict)
     for warning in built.warnings:
         progress.warn(warning)
+    # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
+    with progress.stage("start"):
+        warm()
+    return _shaped(built, params, stitch, progress)
+
+
+def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], progress: Progress) -> Plush:
+    """The plush of a pattern that was worked."""
+    from tambour.crochet.body import centroid_counts
+    from tambour.crochet.fabric import strands
+    from tambour.crochet.simulate import Task, simulate
+
     with progress.stage("settle"):
         start = params.start or built.initializer or "rounds"
         stuffing = params.stuffing or "pressure"
@@ -96,6 +106,7 @@ def yarn(piece: Plush) -> Mesh:
     """The piece in yarn: every stitch swept to tubes, over a dark lining."""
     from tambour.crochet.fabric import mesh
 
+    _not_empty(piece)
     return mesh(piece.built.graph, piece.positions, detail=piece.params.detail, made=piece.yarn)
 
 
@@ -110,8 +121,18 @@ def surface(piece: Plush) -> Mesh:
     """The fabric that bounds the piece, as a mesh through its stitches; closed for every closed part."""
     from tambour.crochet.surface import mesh
 
+    _not_empty(piece)
     graph = piece.built.graph
     return mesh(replace(graph, faces=graph.faces[piece.built.shell]), piece.positions)
+
+
+def _not_empty(piece: Plush) -> None:
+    if not len(piece.built.graph):
+        raise TambourError(
+            "the pattern makes no stitch: there is nothing to show",
+            hint="begin with a magic ring: a line such as : MR(6)",
+            where=piece.built.pattern.text.name,
+        )
 
 
 def graph(piece: Plush) -> dict[str, Any]:
@@ -208,13 +229,16 @@ def facts(piece: Plush) -> dict[str, Any]:
     }
 
 
+@cache
 def warm() -> None:
-    """Load every kernel by shaping a tiny piece in every way."""
-    text = Text(
-        "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
-    )
+    """Load every kernel, once, by shaping a tiny piece in every way."""
+    from tambour.crochet.build import build
+    from tambour.crochet.parse import parse
+
+    text = "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
+    built = build(parse(Text(text)))
     for stuffing in ("pressure", "centroid", "skeleton"):
-        piece = make(text, CrochetParams(stuffing=stuffing, tolerance=0.1), Progress())
+        piece = _shaped(built, CrochetParams(stuffing=stuffing, tolerance=0.1), (5.0, 5.0), Progress())
     facts(piece)
     yarn(piece)
     surface(piece)
