@@ -85,8 +85,10 @@ class Spots:
         mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
         if not mine:
             return None
-        kind = ROOT if number == min(mine) - 1 else TIP if number == max(mine) + 1 else None
-        nodes = np.flatnonzero(graph.peculiarity[p.start : p.end] == kind) if kind is not None else []
+        kind = ROOT if number == min(mine) - 1 else TIP
+        if kind == TIP and number != max(mine) + 1:
+            return None
+        nodes = np.flatnonzero(graph.peculiarity[p.start : p.end] == kind)
         return p.start + int(nodes[0 if kind == ROOT else -1]) if len(nodes) else None
 
     def place(self, spot: Spot) -> Place:
