@@ -33,6 +33,15 @@ def _photo(piece: Any) -> Any:
     return photo(piece)
 
 
+def _seen(side: str) -> Any:
+    def view(piece: Any) -> Any:
+        from tambour.crochet.portrait import portrait
+
+        return portrait(piece, side)
+
+    return View(view, "Picture", f"the piece in its yarn, from the {side}")
+
+
 def _surface(piece: Any) -> Any:
     from tambour.crochet.plush import surface
 
@@ -79,6 +88,7 @@ CRAFT = Craft(
         ),
         "check": View(_check, "Mesh", "the piece in pale yarn, in red what --check would doubt", stage="fabric"),
         "photo": View(_photo, "Picture", "the piece in its yarn, path-traced (needs the extra photo)", stage="photo"),
+        **{side: _seen(side) for side in ("front", "back", "left", "right", "top")},
         "surface": View(_surface, "Mesh", "the fabric as a surface, closed where the piece is", stage="fabric"),
         "diagram": View(_diagram, "Drawing", "a chart in the usual symbols", (".svg",)),
         "pattern": View(_pattern, "Text", "the pattern written back in standard terms", (".acl", ".txt")),
