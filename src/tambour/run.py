@@ -160,7 +160,6 @@ def run(
             raise TambourError(
                 "this is the source, it would be overwritten", hint="name another file", where=str(item.path)
             )
-    what.warm()
     progress.seconds["start"] = time.perf_counter() - begin
 
     with progress.stage("read"):
@@ -171,6 +170,9 @@ def run(
             origin["sha256"] = digest(source)
         full = load_files(given)
 
+    # After reading: what cannot be read is told at once, not when the kernels are loaded.
+    with progress.stage("start"):
+        what.warm()
     piece = what.make(source, full, progress)
 
     with ExitStack() as stack:
