@@ -21,6 +21,12 @@ def _yarn(piece: Any) -> Any:
     return yarn(piece)
 
 
+def _check(piece: Any) -> Any:
+    from tambour.crochet.plush import checked
+
+    return checked(piece)
+
+
 def _photo(piece: Any) -> Any:
     from tambour.crochet.plush import photo
 
@@ -80,6 +86,7 @@ CRAFT = Craft(
         "yarn": View(
             _yarn, "Mesh", "the piece in its yarn", (".glb", ".obj", ".ply", ".stl", ".png", ".jpg"), stage="fabric"
         ),
+        "check": View(_check, "Mesh", "the piece in pale yarn, in red what --check would doubt", stage="fabric"),
         "photo": View(_photo, "Picture", "the piece in its yarn, path-traced (needs the extra photo)", stage="photo"),
         **{side: _seen(side) for side in ("front", "back", "left", "right", "top")},
         "surface": View(_surface, "Mesh", "the fabric as a surface, closed where the piece is", stage="fabric"),

@@ -25,6 +25,10 @@ some 11.8 widths to a single crochet; hands press it together. Swatches that mak
 31.4 in of worsted to a square inch at a 5 mm hook, 2.75 in of bulky to a stitch at 6.5 mm."""
 
 
+DOUBT, PALE = (206, 42, 38), (228, 224, 216)
+"""Colours of the picture of a tech edit: stitches that it doubts, and what the others are mixed with."""
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Plush:
     """A pattern in its shape.
@@ -60,6 +64,12 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
         pattern = parse(source, max_stitches=params.max_stitches, strict=params.strict)
     with progress.stage("build"):
         built = build(pattern, stitch=stitch, strict=params.strict)
+    if params.check:
+        from tambour.crochet.check import tech_edit
+
+        found = tech_edit(built)
+        if found:
+            raise TambourError(found)
     for warning in built.warnings:
         progress.warn(warning)
     # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
@@ -70,6 +80,8 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
 
 def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], progress: Progress) -> Plush:
     """The plush of a pattern that was worked."""
+    import numpy as np
+
     from tambour.crochet.body import centroid_counts
     from tambour.crochet.fabric import strands
     from tambour.crochet.simulate import Task, simulate
@@ -97,6 +109,11 @@ def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], pr
     x, c = shape.x * stitch[0], shape.c * stitch[0]
     if params.solver == "settle" and built.up == "start":
         x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
+    if params.check:
+        from tambour.crochet.check import size_edit
+
+        if found := size_edit(built, tuple(np.ptp(x, axis=0))):
+            raise TambourError(found)
     with progress.stage("fabric"):
         yarn = strands(built.graph, x, detail=params.detail)
     return Plush(built, params, stitch, stuffing, start, shape, x, c, yarn)
@@ -108,6 +125,20 @@ def yarn(piece: Plush) -> Mesh:
 
     _not_empty(piece)
     return mesh(piece.built.graph, piece.positions, detail=piece.params.detail, made=piece.yarn)
+
+
+def checked(piece: Plush) -> Mesh:
+    """The piece in pale yarn, what the tech edit doubts in red."""
+    import numpy as np
+
+    from tambour.crochet.check import doubtful, size_edit, tech_edit
+    from tambour.crochet.fabric import mesh
+
+    _not_empty(piece)
+    graph, problems = piece.built.graph, tech_edit(piece.built)
+    wrong = doubtful(piece.built, [*problems, *size_edit(piece.built, tuple(np.ptp(piece.positions, axis=0)))])
+    color = np.where(wrong[:, None], DOUBT, (0.25 * graph.color + 0.75 * np.array(PALE)).astype(np.uint8))
+    return mesh(replace(graph, color=color.astype(np.uint8)), piece.positions, detail=piece.params.detail)
 
 
 def photo(piece: Plush) -> Picture:
@@ -196,7 +227,10 @@ def facts(piece: Plush) -> dict[str, Any]:
             "node": node,
             "at": f"{built.pattern.text.name}:{line}:{column}",
         }
+    said = sum(w.line.stated is not None for w in built.worked)
+    checked = f"no mistake found: {len(built.rounds)} rounds, {said} stated counts" if piece.params.check else None
     return {
+        **({"check": checked} if checked else {}),
         "nodes": len(g),
         "edges": len(g.edges),
         "stitches": {g.kinds[k]: int(n) for k, n in zip(kinds, counts)},
