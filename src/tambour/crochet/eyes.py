@@ -14,10 +14,12 @@ from tambour.crochet.ground import Ground, unit
 BLACK: RGB = (24, 22, 22)
 DARK = 52
 """An eye is one colour where no channel is brighter than this; else it has a pupil."""
-PUPIL, RIM = 0.55, 0.93
+PUPIL, RIM = 0.55, 0.98
 """Where the pupil ends and the dark rim begins, as shares of the radius seen from above."""
-PRESS = 0.22
-"""How deep an eye is drawn into the fabric, in radii; but the fabric nowhere comes out over it."""
+HELD, PRESS = 0.6, 0.3
+"""An eye's widest place lies PRESS radii under the height that this share of the fabric beneath it does not reach."""
+BACK = 0.34
+"""How far behind its widest place an eye's back lies, in radii."""
 AROUND = 48
 
 
@@ -32,12 +34,26 @@ def seat(ground: Ground, point: Array, normal: Array, size: float) -> tuple[Arra
     flat = across(axis)
     # A sunflower of places under it: how high the fabric comes there, over the plane through the spot.
     k = np.arange(160) + 0.5
-    far = 0.96 * radius * np.sqrt(k / 160)
+    far = radius * np.sqrt(k / 160)
     angle = pi * (3 - 5**0.5) * k
     under = point + far[:, None] * (np.cos(angle)[:, None] * flat[0] + np.sin(angle)[:, None] * flat[1])
     high = ground.top(under, np.repeat(axis[None], len(under), 0))
-    clear = float((high - np.sqrt(radius**2 - far**2)).max())
-    return point + max(clear, float(np.quantile(high, 0.7)) - PRESS * radius) * axis, axis
+    return point + (float(np.quantile(high, HELD)) - PRESS * radius) * axis, axis
+
+
+def pressed(coords: Array, thick: Array, middle: Array, axis: Array, size: float) -> Array:
+    """Points (P, 3) of yarn, ``thick`` (P,) its radius, where an eye presses it: down behind it, or aside at its rim."""
+    radius = size / 2
+    off = coords - middle
+    high = off @ axis
+    out = off - high[:, None] * axis
+    beside = np.sqrt((out**2).sum(1))
+    room = radius + 0.7 * thick
+    inside = (beside**2 + np.maximum(high, 0.0) ** 2 < room**2) & (high > -BACK * radius - thick) & (high < 3 * radius)
+    aside = inside & (beside > 0.8 * radius)
+    moved = coords + np.where(aside, room / np.maximum(beside, 1e-9) - 1.0, 0.0)[:, None] * out
+    down = np.where(inside & ~aside, -BACK * radius - thick - high, 0.0)
+    return np.asarray(moved + down[:, None] * axis)
 
 
 def across(normal: Array) -> Array:
@@ -56,7 +72,7 @@ def eye(middle: Array, axis: Array, size: float, color: RGB) -> Mesh:
         edges = np.arcsin([PUPIL - 0.012, PUPIL + 0.012, RIM - 0.012, RIM + 0.012])
         angles = np.unique(np.concatenate([angles, edges]))
     out = np.concatenate([np.sin(angles), [0.97, 0.86, 0.6]])
-    up = np.concatenate([np.cos(angles), [-0.16, -0.28, -0.34]])
+    up = np.concatenate([np.cos(angles), [-0.16, -0.28, -BACK]])
     out, up = radius * out, radius * up
     flat = across(axis)
     turns = np.arange(AROUND) * (2 * pi / AROUND)
@@ -73,9 +89,7 @@ def eye(middle: Array, axis: Array, size: float, color: RGB) -> Mesh:
         # Towards its rim an iris is a little darker.
         tone[:] = np.round(iris * np.clip(1.12 - 0.35 * share**3, 0, 1)[:, None]).astype(np.uint8)
         tone[(share < PUPIL) | (share > RIM) | beneath] = BLACK
-    return Mesh(
-        vertices, faces, color=tone, face_group=np.zeros(len(faces), np.int32), group_names=("glass",)
-    )
+    return Mesh(vertices, faces, color=tone, face_group=np.zeros(len(faces), np.int32), group_names=("glass",))
 
 
 def fan(rows: int, around: int) -> Array:

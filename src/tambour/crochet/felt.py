@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import exp, pi, radians
 
 import numpy as np
@@ -10,12 +11,12 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.mesh import Mesh
 from tambour.crochet.eyes import fan
-from tambour.crochet.ground import Ground, unit
+from tambour.crochet.ground import Ground
 from tambour.noise import stream
 
 THICK = 1.5
 """Thickness of craft felt, mm."""
-ROUND = 24.0
+ROUND = 9.0
 """Radius, mm, of the tightest hollow that felt follows: into smaller ones it does not bend."""
 RAYS = 120
 
@@ -47,7 +48,7 @@ def _sides(corners: list[tuple[float, float]]) -> Array:
     each = RAYS // len(corners)
     t = np.arange(each)[:, None] / each
     ends = np.array([*corners, corners[0]], np.float64)
-    return np.concatenate([a + t * (b - a) for a, b in zip(ends[:-1], ends[1:])])
+    return np.concatenate([a + t * (b - a) for a, b in pairwise(ends)])
 
 
 def area(shape: str, width: float, height: float) -> float:
@@ -77,7 +78,10 @@ def felt(
     middle = (0.0, _heart_of(shape) * height)
     cut = cut - middle
     c, s = np.cos(radians(turn)), np.sin(radians(turn))
-    cut, shift = cut @ np.array([[c, s], [-s, c]]), np.array([c * middle[0] - s * middle[1], s * middle[0] + c * middle[1]])
+    cut, shift = (
+        cut @ np.array([[c, s], [-s, c]]),
+        np.array([c * middle[0] - s * middle[1], s * middle[0] + c * middle[1]]),
+    )
     if np.abs(shift).sum() > 0:
         moved, _ = ground.walk(point, (shift @ np.stack([right, up]))[None], np.full((1, 1), float(np.hypot(*shift))))
         point = moved[0, 0]
@@ -89,9 +93,7 @@ def felt(
     share = np.linspace(0, 1, rings + 1)[1:]
     distance = far[:, None] * share - np.minimum(soft, 0.3 * far)[:, None] * share
     edge = np.array([0.5, 0.85, 1.0])
-    distance = np.concatenate(
-        [distance, distance[:, -1:] + (far[:, None] - distance[:, -1:]) * edge], axis=1
-    )
+    distance = np.concatenate([distance, distance[:, -1:] + (far[:, None] - distance[:, -1:]) * edge], axis=1)
     base, normal = ground.walk(point, directions, distance)
     base0, normal0, _ = ground.foot(point[None])
     places = np.concatenate([base0, base.swapaxes(0, 1).reshape(-1, 3)])
@@ -99,7 +101,9 @@ def felt(
     flat = np.concatenate([[[0.0, 0.0]], (distance.T[:, :, None] * (cut / far[:, None])[None]).reshape(-1, 2)])
     rows, around = distance.shape[1], len(cut)
     under = drape(flat, ground.top(places, normals))
-    rough = 0.07 * (stream("felt", shape, len(places)).random(len(places)) - 0.5)
+    # Felt is never quite even; towards the middle, where rays meet, what is drawn for them must not show.
+    rough = 0.09 * (stream("felt", shape, len(places)).random(len(places)) - 0.5)
+    rough *= np.concatenate([[0.0], np.minimum(1.0, distance.T.ravel() * (2 * pi / around) / 0.6)])
     edge_drop = np.concatenate([np.zeros(rings - 1), [0.0], THICK * (1 - np.sqrt(1 - 0.85 * edge**2))])
     over = under + THICK + rough - np.concatenate([[0.0], np.repeat(edge_drop, around)])
     upper = places + over[:, None] * normals

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -62,7 +63,7 @@ class Ground:
         self.laid.append(np.column_stack([points, np.broadcast_to(radius, len(points))]))
 
     def walk(self, point: Array, directions: Array, distance: Array) -> tuple[Array, Array]:
-        """Straight walks over the fabric: places and normals (D, S, 3) after ``distance`` (D, S) mm, rising from 0.
+        """Straight walks over the fabric: places and normals (D, S, 3) after ``distance`` (D, S) mm on the yarn's top, rising.
 
         point : (3,) the start, on the fabric; directions : (D, 3), about along it
         """
@@ -75,8 +76,12 @@ class Ground:
             ahead = distance[:, s] - gone
             pieces = max(1, int(np.ceil(ahead.max() / (0.25 * self.stitch))))
             for _ in range(pieces):
-                moved = base + heading * (ahead / pieces)[:, None]
-                base, normal, _ = self.foot(moved)
+                # What is laid on the yarn's top goes further than the fabric beneath it where that is bent.
+                step = (ahead / pieces)[:, None]
+                ahead_base, ahead_normal, _ = self.foot(base + heading * step)
+                way = ahead_base + self.lift * ahead_normal - base - self.lift * normal
+                step = step / np.clip(np.sqrt((way**2).sum(1, keepdims=True)) / np.maximum(step, 1e-9), 0.7, 1.6)
+                base, normal, _ = self.foot(base + heading * step)
                 heading = unit(heading - (heading * normal).sum(1, keepdims=True) * normal)
             gone = distance[:, s]
             places[:, s], normals[:, s] = base, normal
@@ -84,8 +89,8 @@ class Ground:
 
     def line(self, points: Array, step: float) -> tuple[Array, Array]:
         """A line over the fabric through ``points`` (K, 3), K ≥ 2: places (P, 3) about ``step`` mm apart, normals."""
-        runs = []
-        for a, b in zip(points[:-1], points[1:]):
+        runs: list[Array] = []
+        for a, b in pairwise(points):
             count = max(2, int(np.ceil(np.linalg.norm(b - a) / step)) + 1)
             run = a + (b - a) * np.linspace(0, 1, count)[:, None]
             for _ in range(6):  # drawn tight within the fabric

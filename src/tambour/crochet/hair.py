@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import pi
 
 import numpy as np
@@ -14,9 +15,9 @@ from tambour.crochet.finish import Hair
 from tambour.crochet.ground import Ground, unit
 from tambour.noise import stream
 
-FALL = 0.16
+FALL = 0.2
 """How much of its way a strand turns towards the ground over one diameter of its yarn: yarn is limp."""
-SPREAD = 0.22
+SPREAD = 0.12
 """Largest angle by which a strand lies beside the way it is combed, radians."""
 LONGEST = 160
 """Points of a strand; longer ones take longer steps."""
@@ -52,7 +53,6 @@ def hair(ground: Ground, records: list[tuple[Hair, Array]], thick: float, eyes: 
     """
     lines: list[Array] = []
     of: list[int] = []
-    fixed: list[Array] = []
     for number, (record, points) in enumerate(records):
         places, forward = roots(ground, points, record.count, thick)
         base, normal, _ = ground.foot(places)
@@ -90,15 +90,15 @@ def _comb(
     count = len(start)
     draw = stream("hair", number, count).random((2 * count, 4)) - 0.5
     down = np.array([0.0, -1.0, 0.0])
-    slope = down - normal * normal[:, 1:2] * -1.0
+    slope = down + normal[:, 1:2] * normal
     steep = np.linalg.norm(slope, axis=1, keepdims=True)
     # On a slope hair is combed down it; where it is level, the two ends go to either side of the line.
-    level = np.maximum(0.0, 1.0 - steep / 0.55)
+    level = np.maximum(0.0, 1.0 - steep / 0.35)
     position = np.repeat(start, 2, 0)
     end = np.tile([1.0, -1.0], count)[:, None]
     position = position + 0.45 * thick * end * np.repeat(forward, 2, 0)
     heading = np.repeat(unit(slope) * (1 - level), 2, 0) + np.repeat(level * side, 2, 0) * end
-    heading = unit(unit(heading) + 0.55 * np.repeat(normal, 2, 0))
+    heading = unit(unit(heading) + 0.35 * np.repeat(normal, 2, 0))
     turned = 2 * SPREAD * draw[:, :1]
     heading = unit(heading * np.cos(turned) + np.cross(np.repeat(normal, 2, 0), heading) * np.sin(turned))
     length = record.length * (1 + 0.1 * (draw[:, 1] - 0.5))
@@ -109,9 +109,8 @@ def _comb(
     clearance = ground.lift + 0.5 * thick
     points = np.zeros((2 * count, steps + 1, 3))
     points[:, 0] = position
-    near: Array | None = None
     for s in range(1, steps + 1):
-        base, out, high = ground.foot(position)
+        _, out, high = ground.foot(position)
         touching = np.clip(1.5 - (high - clearance) / thick, 0, 1)[:, None]
         pull = down - touching * np.minimum((down * out).sum(1, keepdims=True), 0.0) * out
         heading = unit(heading + limp / (1 - limp) * pull)
@@ -123,13 +122,12 @@ def _comb(
         heading = unit(moved)
         position = points[:, s - 1] + step * heading
         points[:, s] = position
-    del near
     return list(points)
 
 
 def outside(ground: Ground, points: Array, clearance: float, eyes: Array, thick: float) -> Array:
     """Points (P, 3) moved out of the fabric, to ``clearance`` mm over it, and out of the eyes."""
-    base, normal, high = ground.foot(points)
+    _, normal, high = ground.foot(points)
     points = points + np.maximum(0.0, clearance - high)[:, None] * normal
     for middle, radius in zip(eyes[:, :3], eyes[:, 3]):
         off = points - middle
@@ -150,8 +148,12 @@ def _apart(ground: Ground, lines: list[Array], of: Array, thick: float, eyes: Ar
     fixed = (of[strand] < 0) | (place < 2)
     held = coords[fixed].copy()
     free = ~fixed
-    for _ in range(4):
+    inner = free & (place < np.diff(ends)[strand] - 1)
+    before, after = np.flatnonzero(inner) - 1, np.flatnonzero(inner) + 1
+    for _ in range(5):
         clear(coords, ends, 0.94 * thick, looks=1, rounds=8)
+        for _ in range(2):  # yarn has no kinks
+            coords[inner] = 0.5 * coords[inner] + 0.25 * (coords[before] + coords[after])
         coords[fixed] = held
         coords[free] = outside(ground, coords[free], ground.lift + 0.5 * thick, eyes, thick)
-    return [coords[a:b] for a, b in zip(ends[:-1], ends[1:])]
+    return [coords[a:b] for a, b in pairwise(ends)]
