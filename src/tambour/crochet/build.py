@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.errors import Problem, Span, TambourError
-from tambour.core.graph import BACK, BOTH, FRONT, Part, StitchGraph
+from tambour.core.graph import BACK, BOTH, FRONT, ROOT, TIP, Part, StitchGraph
 from tambour.crochet.assemble import assemble
 from tambour.crochet.attach import attach
 from tambour.crochet.hook import Hook, HookError
@@ -22,6 +22,8 @@ from tambour.crochet.syntax import Action, Group, Item, Line, Pattern, Section
 
 # Actions that make no node may be repeated this many times per node that a pattern may make.
 _IDLE = 4
+# Actions after which a line is no longer on the edge that it began on.
+_ELSEWHERE = {"mr", "goto", "attach", "turn", "fo", "oval", "fsc"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +50,20 @@ class Done:
     span: Span | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Worked:
+    """What one working of a line did. below : stitches ahead when it began; left : of these, not worked into when it ended
+    (negative: worked past); made : stitches; edge : stitches on the edge after it; ring : in rounds, and on one edge all along."""
+
+    line: Line
+    part: int
+    below: int
+    left: int
+    made: int
+    edge: int
+    ring: bool
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Built:
     """A pattern worked.
@@ -63,6 +79,7 @@ class Built:
     up : the end of the work that is on top ("start", "end")
     counts : stitch or action as written → how often it was worked
     log : what the hook did, in order
+    worked : what each line did, as often as it was worked
     pattern : where it comes from
     """
 
@@ -77,6 +94,7 @@ class Built:
     up: str
     counts: Mapping[str, int]
     log: tuple[Done, ...]
+    worked: tuple[Worked, ...]
     pattern: Pattern
 
 
@@ -108,6 +126,7 @@ def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict:
         next((p.up for p in pattern.parts if p.up), "end"),
         worker.counts,
         tuple(worker.log),
+        tuple(worker.worked),
         pattern,
     )
 
@@ -125,6 +144,8 @@ class _Worker:
         self.seams: dict[tuple[str, ...], Span] = {}
         self.counts: dict[str, int] = {}
         self.log: list[Done] = []
+        self.worked: list[Worked] = []
+        self.left: int | None = None  # stitches not worked into when the round was joined
         self.steps = 0
         self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
         self.copy = 0  # the copy of a part under way, 0 when there is only one
@@ -173,8 +194,10 @@ class _Worker:
         hook = self.hook
         if line.times_span is not None:
             self.numbers.append((line.times, line.times_span))
+        names = set(_names(line.items))
+        elsewhere = line.in_round and (bool(_ELSEWHERE & names) or any(n.startswith("MR{") for n in names))
         for repeat in range(line.times):
-            begin = len(hook)
+            begin, below, self.left = len(hook), hook.now.count, None
             if line.in_round:
                 hook.now.loop, hook.now.folded = BOTH, False
                 hook.begin_line()
@@ -187,11 +210,17 @@ class _Worker:
                 self._item(item)
             if hook.now.spare >= 0:
                 leave_spare(hook)
-            self.log.append(Done("end", hook.now.count + hook.joined))
+            edge = hook.now.count + hook.joined
+            self.log.append(Done("end", edge))
+            # A magic ring's root and a tip are nodes, but no stitches.
+            made = sum(hook.styles[hook.style[n]][6] not in (ROOT, TIP) for n in range(begin, len(hook)))
+            left = hook.ahead if self.left is None else self.left
+            ring = line.in_round and hook.now.ring and not elsewhere and below > 0
+            self.worked.append(Worked(line, hook.part, below, left, made, edge, ring))
         if line.times_span is not None:
             self.numbers.pop()
         if line.stated is not None and line.times:
-            self._check_count(line, len(hook) - begin)
+            self._check_count(line, made)
 
     def _check_count(self, line: Line, made: int) -> None:
         """A stated count may mean the stitches made in the round or those on its edge; slip stitches count there."""
@@ -339,6 +368,7 @@ class _Worker:
             case "fold":
                 fold(hook, labels[0] if labels else None)
             case "join":
+                self.left = hook.ahead  # the next round begins with it
                 hook.join_round()
         if action.name != "mark":
             hook.last_mark = None
@@ -387,6 +417,15 @@ class _Worker:
             self.log[-1] = Done(last.what, last.times + action.times, (), (), last.span)
         else:
             self.log.append(Done(action.name, action.times, action.numbers, action.labels, action.span))
+
+
+def _names(items: tuple[Item, ...]) -> Iterator[str]:
+    """The actions among ``items``."""
+    for item in items:
+        if isinstance(item, Group):
+            yield from _names(item.items)
+        else:
+            yield item.name
 
 
 def _marks(items: tuple[Item, ...]) -> list[str]:
