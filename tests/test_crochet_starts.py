@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from test_crochet_build import closed, made, problems
 
 from tambour.core.graph import JOIN, LAID, THROUGH, YARN
 from tambour.crochet.stitches import STITCHES, into_one, standard
 from tambour.crochet.write import pattern
+from test_crochet_build import closed, made, problems
 
 CLOSED = {
     "an oval, three in its ends": ": oval(8), 6 sc, inc3, 5 sc, inc (16)\n: 16 sc\n: 8 dec\n: 4 dec\nFO",
@@ -68,7 +68,9 @@ def test_an_oval_needs_room():
 def test_both_layers_meet():
     graph = made(": MR(6)\n: 6 inc\n: fold, 6 sc\nFO", stitch=(4.0, 6.0)).graph
     laid = graph.edges[graph.edge_kind == LAID]
-    assert sorted(map(tuple, laid.tolist())) == [(18 - k, 7 + k) for k in reversed(range(5))]  # 12 and 13 are neighbours anyway
+    assert sorted(map(tuple, laid.tolist())) == [
+        (18 - k, 7 + k) for k in reversed(range(5))
+    ]  # 12 and 13 are neighbours anyway
     assert (graph.rest[graph.edge_kind == LAID] == 2.0).all()
     assert [graph.anchors[a:b].tolist() for a, b in zip(graph.anchor_offsets[19:-1], graph.anchor_offsets[20:])] == [
         [18 - k, 7 + k] for k in range(6)

@@ -103,7 +103,7 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
             x[nodes, 2] = WAVE * np.sin(0.7 * x[nodes, 0] + 1.3 * x[nodes, 1])
             continue
         if folded[a:b].any():
-            x[nodes] = stand + [0.0, h, 0.0]
+            x[nodes] = stand + np.array([0.0, h, 0.0])
             continue
         if half[part] >= 0.0 and b - a > 3:
             side, radius = ovals.straight(b - a, float(half[part]))
