@@ -18,6 +18,7 @@ from tambour.crochet.terms import TERMS, Terms
 from tambour.crochet.written import Written, sections
 
 _LETTERS: Final = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+_PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring"}
 _STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
 
 
@@ -122,7 +123,9 @@ class _Writer:
 
     def _special(self) -> list[str]:
         """The pattern's own stitches that are used, and what each is made of."""
-        needed = {d.what for d in self.built.log} & self.own
+        made = {d.what for d in self.built.log}
+        made |= {n for what in made if what in self.pattern.stitches for n, _ in self.pattern.stitches[what].inner}
+        needed = made & self.own
         lines: list[str] = []
         known: dict[str, Stitch] = {}
         order = [name for name in self.pattern.own if name in self.own]
@@ -137,7 +140,13 @@ class _Writer:
             if name in needed and name in said:
                 needed |= {n for n in said[name][1] if n in self.own}
         for name in order:
-            if name in needed and name in said:
+            if name in needed and name not in said:
+                hint = "name it with moves and stitches only"
+                raise TambourError(f'the stitch "{name}" cannot be explained', hint=hint, where="--terms")
+            if name in needed and any(self.terms.word(key).lower() == name for key in self.used if key in STITCHES):
+                hint = f"give it another name; {self.terms.name} use this one"
+                raise TambourError(f'the stitch "{name}" means two things', hint=hint, where="--terms")
+            if name in needed:
                 lines.append(f"- {said[name][0]}")
                 self.used.update(dict.fromkeys(n for n in said[name][1] if n not in self.own))
         return [f"## {self.terms.word('special stitches')}", "", *lines, ""] if lines else []
@@ -240,10 +249,23 @@ class _Writer:
                 return say("close" if closing else "fasten off")
             case "turn" | "join":
                 return say(done.what)
+            case "oval":
+                self.used["ch"] = None
+                return say("oval", count=done.numbers[0], next=done.numbers[1])
+            case "fsc":
+                self.used["sc"] = None
+                return say("foundation", count=done.numbers[0])
+            case "fold":
+                return say("fold to", label=done.labels[0]) if done.labels else say("fold")
         assert done.what not in RULES, done.what
         return self._stitch(done)
 
     def _stitch(self, done: Done) -> str:
+        stitch = self.pattern.stitches[done.what]
+        if stitch.inner:
+            inner = ", ".join(self._stitch(Done(name, times)) for name, times in stitch.inner)
+            said = self.phrases.say(f"one {_PLACES[stitch.where]}", items=inner)
+            return said if done.times == 1 else self.phrases.say("group", items=said, count=done.times)
         if done.what in self.own:
             word = done.what
         else:

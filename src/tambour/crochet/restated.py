@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from typing import Final
+from typing import Final, Literal
 
 from tambour.core.errors import Span, Text
 from tambour.crochet.finish import RGB, Finish
+from tambour.crochet.items import MOST_IN_ONE
 from tambour.crochet.phrases import Phrases
 from tambour.crochet.special import heard
-from tambour.crochet.stitches import STARTS, STITCHES, STUFFING, Stitch
+from tambour.crochet.stitches import STARTS, STITCHES, STUFFING, Stitch, into_one
 from tambour.crochet.syntax import Action, Group, Item, Line, Pattern, Section
 from tambour.crochet.terms import TERMS, Terms
 
@@ -19,7 +20,8 @@ _COUNT: Final = re.compile(r"\s*\((\d{1,9})\)$")
 _SETTING: Final = re.compile(r"@(centroids|initializer) = ([\w-]+)$")
 _STATED: Final = re.compile(r"\*\*(.+?):\*\* (.+)$")
 _DEEPEST: Final = 24
-_CLOSES: Final = {"(": ")", "[": "]"}
+_CLOSES: Final = "(["
+_PLACES: Final[dict[str, Literal["", "sp", "ring"]]] = {"one stitch": "", "one space": "sp", "one ring": "ring"}
 
 
 class _Unknown(Exception):
@@ -244,9 +246,11 @@ class _Reader:
         if action is not None:
             return action
         if said[:1] in _CLOSES:
-            found = self.phrases.read(said, ("group",))
+            found = self.phrases.read(said, ("group", *_PLACES))
             if found is None:
                 raise _Unknown
+            if found[0] != "group":
+                return self._together(found[1]["items"], _PLACES[found[0]], span)
             inner, times = found[1]["items"], found[1]["count"]
             number = str(times)
             at = span.start + said.rindex(number)
@@ -254,6 +258,18 @@ class _Reader:
                 raise _Unknown
             return Group(tuple(self._items(inner, start + 1, depth + 1)), times, Span(at, at + len(number)))
         return self._stitch(said, span)
+
+    def _together(self, words: str, where: Literal["", "sp", "ring"], span: Span) -> Action:
+        """Stitches worked into one place."""
+        inner = [i for i in self._items(words, span.start + 1, _DEEPEST) if isinstance(i, Action)]
+        if not all(i.name in self.stitches and i.times <= MOST_IN_ONE for i in inner):
+            raise _Unknown
+        try:
+            made = into_one([(self.stitches[i.name], i.times) for i in inner], where)
+        except ValueError:
+            raise _Unknown from None
+        self.stitches.setdefault(made.name, made)
+        return Action(made.name, span)
 
     def _stitch(self, said: str, span: Span) -> Action:
         words = " ".join(said.split())

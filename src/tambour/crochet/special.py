@@ -80,7 +80,7 @@ def heard(line: str, known: Mapping[str, Stitch], terms: Terms) -> Stitch | None
     if found[2] and found[2].strip().lower() not in (w.lower() for w in terms.words["height"]):
         return None
     spelt = {s.lower(): n for n, spellings in terms.stitches.items() for s in spellings if n in known}
-    spelt |= {n.lower(): n for n in known if n not in STITCHES}
+    spelt |= {n: n for n, stitch in known.items() if stitch is not STITCHES.get(n)}
     spelt |= {s.lower(): key for key in _MOVES.values() if key != "slst" for s in terms.words[key]}
     moves: list[Move] = []
     for piece in found[4].split(","):
