@@ -115,7 +115,10 @@ def load_files(params: Params) -> Params:
                 words = params.words(name)
                 near = did_you_mean(str(given), words) if words and not Path(given).suffix else ""
                 hint = near or f"{', '.join(words)}, or a file"
-                problems += [replace(p, hint=hint) if words and not Path(given).suffix else p for p in error.problems]
+                option = f"--{name.rstrip('_').replace('_', '-')}"
+                for p in error.problems:
+                    told = replace(p, hint=hint) if words and not Path(given).suffix else p
+                    problems.append(replace(told, where=f"{option} {told.where}") if told.where else told)
     if problems:
         raise TambourError(problems)
     return params.model_copy(update=loaded) if loaded else params

@@ -142,6 +142,7 @@ class _Worker:
         self.counts: dict[str, int] = {}
         self.log: list[Done] = []
         self.worked: list[Worked] = []
+        self.left: int | None = None  # stitches not worked into when the round was joined
         self.steps = 0
         self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
         self.copy = 0  # the copy of a part under way, 0 when there is only one
@@ -191,7 +192,7 @@ class _Worker:
             self.numbers.append((line.times, line.times_span))
         elsewhere = line.in_round and bool(_ELSEWHERE & set(_names(line.items)))
         for _ in range(line.times):
-            begin, below = len(hook), hook.now.count
+            begin, below, self.left = len(hook), hook.now.count, None
             if line.in_round:
                 hook.now.loop = BOTH
                 hook.ahead, hook.joined = hook.now.count, 0
@@ -205,8 +206,9 @@ class _Worker:
             self.log.append(Done("end", edge))
             # A magic ring's root and a tip are nodes, but no stitches.
             made = sum(hook.styles[hook.style[n]][6] not in (ROOT, TIP) for n in range(begin, len(hook)))
+            left = hook.ahead if self.left is None else self.left
             ring = line.in_round and hook.now.ring and not elsewhere and below > 0
-            self.worked.append(Worked(line, hook.part, below, hook.ahead, made, edge, ring))
+            self.worked.append(Worked(line, hook.part, below, left, made, edge, ring))
         if line.times_span is not None:
             self.numbers.pop()
         if line.stated is not None and line.times:
@@ -336,6 +338,7 @@ class _Worker:
             case "turn":
                 hook.turn()
             case "join":
+                self.left = hook.ahead  # the next round begins with it
                 hook.join_round()
         if action.name != "mark":
             hook.last_mark = None
