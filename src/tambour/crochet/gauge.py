@@ -113,7 +113,9 @@ def expected(weight: str, hook: float) -> float:
 def class_of(words: str) -> str | None:
     """The class of yarn that words name: ``DK``, ``4``, ``#3``, ``aran (medium)``."""
     text = words.lower()
-    found = re.fullmatch(r"\s*#?\s*([0-7])\s*", text) or re.search(r"(?:weight|category|cyc|size|#)\s*#?\s*([0-7])\b", text)
+    found = re.fullmatch(r"\s*#?\s*([0-7])\s*", text) or re.search(
+        r"(?:weight|category|cyc|size|#)\s*#?\s*([0-7])\b", text
+    )
     if found:
         return list(WEIGHTS)[int(found[1])]
     for word in sorted([*_ALIASES, *WEIGHTS], key=len, reverse=True):
@@ -145,7 +147,9 @@ def swatch_of(words: str) -> tuple[float, float] | None:
         if stitches > 0 and rows > 0:
             return lengths[0] / stitches, lengths[0] / rows
     if around and lengths:
-        rounds = re.search(r"(?:rounds?|rnds?)\s*(?:1\s*(?:-|–|to)\s*)?(\d+)|(\d+)\s*(?:rounds?|rnds?)", words, re.IGNORECASE)
+        rounds = re.search(
+            r"(?:rounds?|rnds?)\s*(?:1\s*(?:-|–|to)\s*)?(\d+)|(\d+)\s*(?:rounds?|rnds?)", words, re.IGNORECASE
+        )
         count = int(rounds[1] or rounds[2]) if rounds else CIRCLE
         if 1 <= count <= 100:
             return lengths[-1] * math.pi / (6 * count), lengths[-1] / (2 * count)
@@ -195,7 +199,9 @@ def gauge(params: CrochetParams, stated: Mapping[str, tuple[str, Span]]) -> Gaug
     elif params.gauge_yarn is not None:
         width = ravelled(params.gauge_yarn)
         size = width, width * SQUARE
-        source = f"unravelled yarn, {params.gauge_yarn}: a stitch is an eighth as wide as its yarn is long (--gauge-yarn)"
+        source = (
+            f"unravelled yarn, {params.gauge_yarn}: a stitch is an eighth as wide as its yarn is long (--gauge-yarn)"
+        )
     elif params.stitch_width is not None or params.stitch_height is not None:
         width, high = params.stitch_width, params.stitch_height
         size = width or high or 5.0, high or width or 5.0

@@ -25,8 +25,8 @@ def snug(graph: StitchGraph, x: Array, width: float) -> StitchGraph:
 
     Springs that are pressed round give way: by 6 % in a ball, by 11 % round a tube. Wool does not. A spring's pull is
     m - 1 where its mean stretch is m, and a ring's pull times its length is what the stuffing asks of it: m (m - 1). So
-    a rest length of t - m (m - 1) / t brings it to the stretch t. It is taken round by round along the work, and from
-    round to round over the whole part: the tension that makes the part round stays, its size is that of the gauge.
+    a rest length of t - m (m - 1) / t brings it to the stretch t. It is taken round by round, along the work and into
+    the round below: the tension that makes the part round stays, its size is that of the gauge.
     """
     a, b = graph.edges.T
     if not len(a) or not len(graph.parts):
@@ -36,12 +36,11 @@ def snug(graph: StitchGraph, x: Array, width: float) -> StitchGraph:
     want = np.array([1.0 + stretch(p.stuffing) for p in graph.parts])[graph.part[a]]
     filled = np.array([p.stuffing > 0.0 for p in graph.parts])[graph.part[a]]
     rest = graph.rest.copy()
-    for kinds, group in (((YARN, JOIN), graph.round[a]), ((THROUGH,), graph.part[a])):
-        mine = np.flatnonzero(own & filled & np.isin(graph.edge_kind, kinds) & (group >= 0))
-        if not len(mine):
-            continue
-        count = np.bincount(group[mine])
-        mean = np.bincount(group[mine], size[mine]) / np.maximum(count, 1)
-        m = np.clip(mean[group[mine]], 1.0, 1.5)
-        rest[mine] *= np.maximum(want[mine] - m * (m - 1.0) / want[mine], 0.5)
+    for kinds in ((YARN, JOIN), (THROUGH,)):
+        mine = np.flatnonzero(own & filled & np.isin(graph.edge_kind, kinds) & (graph.round[a] >= 0))
+        if len(mine):
+            group = graph.round[a[mine]]
+            mean = np.bincount(group, size[mine]) / np.maximum(np.bincount(group), 1)
+            m = np.clip(mean[group], 1.0, 1.5)
+            rest[mine] *= np.maximum(want[mine] - m * (m - 1.0) / want[mine], 0.5)
     return replace(graph, rest=rest)
