@@ -104,8 +104,11 @@ class Gauge:
 
 
 def expected(weight: str, hook: float) -> float:
-    """Width, mm, of a single crochet in a yarn with a hook: the class's own at its usual hook, and with a smaller one
-    less by 0.85 of the hook's share. (Yarn keeps its thickness: a part of the stitch does not follow the hook.)"""
+    """Width, mm, of a single crochet in a yarn with a hook: its class's own at the usual hook, less with a smaller one.
+
+    Yarn keeps its thickness, so that 0.15 of the stitch does not follow the hook: a fit to the Council's middles and to
+    the gauge circle of a book of toys, two inches across five rounds at 3.5 mm.
+    """
     kind = WEIGHTS[weight]
     return 101.6 / kind.stitches * (0.15 + 0.85 * hook / kind.hook)
 
@@ -203,8 +206,10 @@ def gauge(params: CrochetParams, stated: Mapping[str, tuple[str, Span]]) -> Gaug
             f"unravelled yarn, {params.gauge_yarn}: a stitch is an eighth as wide as its yarn is long (--gauge-yarn)"
         )
     elif params.stitch_width is not None or params.stitch_height is not None:
-        width, high = params.stitch_width, params.stitch_height
-        size = width or high or 5.0, high or width or 5.0
+        size = (
+            params.stitch_width or params.stitch_height or 5.0,
+            params.stitch_height or params.stitch_width or 5.0,
+        )
         source = "the stitch's own size (--stitch-width, --stitch-height)"
     elif not told and swatch is not None:
         size = swatch

@@ -159,7 +159,6 @@ def _rounds(piece: Plush, number: int) -> list[tuple[int, float, int, float]]:
 def _pressed(piece: Plush, nodes: Array, rounds: list[tuple[int, float, int, float]]) -> tuple[float, float, float]:
     """Width, thickness and depth of fabric that nothing fills, pressed flat on a table."""
     thick = THICK * piece.stitch[0]
-    graph = piece.built.graph
     if _in_rows(piece, nodes) or len(rounds) < 2:
         return _rows(piece, nodes)
     whole = [(length, far) for _, length, _, far in rounds]
