@@ -187,8 +187,9 @@ def _rows(piece: Plush, nodes: Array) -> tuple[float, float, float]:
     # A stitch is a width across; the chains that lift the yarn to the next row lie beyond.
     worked = nodes[np.diff(graph.anchor_offsets)[nodes] > 0]
     worked = worked if len(worked) > 1 else nodes
-    below = np.concatenate([worked, nodes[graph.round[nodes] == graph.round[nodes[0]]]])
-    across, deep = float(np.ptp(x[worked] @ axes[along])), float(np.ptp(x[below] @ axes[1 - along]))
+    # The chain that it begins on may end in a lift: its middle tells where it lies.
+    begun = float(np.median(x[nodes[graph.round[nodes] == graph.round[nodes[0]]]] @ axes[1 - along]))
+    across, deep = float(np.ptp(x[worked] @ axes[along])), float(abs(x[worked] @ axes[1 - along] - begun).max())
     return across + piece.stitch[0], THICK * piece.stitch[0], deep
 
 
