@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 DEEPEST = 24  # brackets within brackets
 LONGEST = 9  # digits of a number
 
-_HEX = re.compile(r"#(?:[0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})\s*,?\s*\)")
+_HEX = re.compile(r"#(?:[0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})\s*[,)]")
 _TRAILING = re.compile(r",(?=\s*(\(\s*\d+\s*[a-z]*\s*\)\s*)?$)")
 
 # What a terminal is called in a sentence, in the order they are offered.
@@ -27,6 +27,7 @@ _SAID = {
     "ARG": "an argument",
     "LSQB": '"["',
     "RSQB": '"]"',
+    "RBRACE": '"}"',
     "CLOSE": '")"',
     "RPAR": '")"',
     "TIMES": '"x" and a number',
@@ -56,7 +57,7 @@ def without_comment(line: str) -> str:
         before = at - 1
         while before >= 0 and line[before] in " \t":
             before -= 1
-        if before < 0 or line[before] not in "(,":
+        if before < 0 or line[before] not in "(,=":
             break
         at = line.find("#", at + 1)
     return line if at < 0 else line[:at]
@@ -82,7 +83,7 @@ def read_line(line: str, start: int, text: Text) -> tuple[Tree[Any] | None, list
         report("this number is too large", f"numbers have at most {LONGEST} digits", number.start(), number.end())
     depth = 0
     for at, sign in enumerate(line):
-        depth += (sign in "[(") - (sign in "])")
+        depth += (sign in "[({") - (sign in "])}")
         if depth > DEEPEST:
             report("brackets are nested too deep", f"at most {DEEPEST} levels", at, at + 1)
             break

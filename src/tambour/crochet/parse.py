@@ -8,6 +8,7 @@ from typing import Any
 
 from tambour.core.errors import Span, TambourError, Text, did_you_mean
 from tambour.crochet.define import define
+from tambour.crochet.finish import check_names, is_finish, read_finish
 from tambour.crochet.items import items
 from tambour.crochet.lines import read_line, without_comment
 from tambour.crochet.source import Source
@@ -32,12 +33,15 @@ def parse(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> P
     """
     source = Source(text, strict)
     sections = _read(source)
+    check_names(source, {part.name: part.copies for part in sections}, source.finish)
     if not any(line.items for section in sections for line in section.lines):
         source.doubt("the pattern is empty", "begin with a magic ring: a line such as : MR(6)", Span(0, 0))
     errors = [p for p in source.problems if not p.warning]
     if errors:
         raise TambourError(sorted(errors, key=lambda p: p.span.start if p.span else 0))
-    return Pattern(text, sections, source.stitches, source.own, tuple(source.problems), max_stitches)
+    return Pattern(
+        text, sections, source.stitches, source.own, tuple(source.problems), max_stitches, tuple(source.finish)
+    )
 
 
 @dataclass
@@ -68,6 +72,9 @@ def _read(source: Source) -> tuple[Section, ...]:
         elif _BLOCK.match(line):
             block = True
             source.doubt("places of rings are not used", "a ring finds its own place: leave the block out", span)
+        elif is_finish(line):
+            finish = read_finish(source, line, span)
+            source.finish += [finish] if finish is not None else []
         elif commented and _PROSE.match(line) and not _known(source, line):
             source.doubt("this reads as the comment above, continued", "begin it with #", span)
         elif not blank:

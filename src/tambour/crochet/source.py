@@ -31,6 +31,7 @@ class Source:
     copies: int = 1
     last_number: int | None = None
     told_of_bl: bool = False
+    finish: list[Any] = field(default_factory=list)
 
     def error(self, message: str, hint: str, span: Span) -> None:
         """Something wrong at ``span``."""

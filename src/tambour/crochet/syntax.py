@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from tambour.core.errors import Problem, Span, Text
+from tambour.crochet.finish import Finish
 from tambour.crochet.stitches import Stitch
 
 
@@ -92,6 +93,10 @@ class Pattern:
     own : its own definitions → the text of each
     warnings : doubts
     max_stitches : the most nodes that it may make
+    finish : what is done to the worked parts, in order
+    terms : the code of the words it is written in ("us", "uk", "letters", …), "" for tambour's own language
+    stated : what it says of itself ("title", "yarn", "hook", "gauge", "size", "eyes") → the words, and their place
+    passed : stretches of the text that are no instructions and were passed over
     """
 
     text: Text
@@ -100,3 +105,7 @@ class Pattern:
     own: Mapping[str, Span] = field(default_factory=dict)
     warnings: tuple[Problem, ...] = ()
     max_stitches: int = 200_000
+    finish: tuple[Finish, ...] = ()
+    terms: str = ""
+    stated: Mapping[str, tuple[str, Span]] = field(default_factory=dict)
+    passed: tuple[Span, ...] = ()
