@@ -111,7 +111,7 @@ def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict:
     worker.work()
     if any(not p.warning for p in worker.problems):
         # Doubts are told too: a count that disagrees is often where the fault began.
-        raise TambourError(sorted(worker.problems, key=lambda p: p.span.start if p.span else 0))
+        raise TambourError(sorted((*pattern.warnings, *worker.problems), key=lambda p: p.span.start if p.span else 0))
     hook = worker.hook
     graph, shell = assemble(hook, worker.parts, worker.sewn, stitch)
     return Built(
@@ -212,8 +212,9 @@ class _Worker:
                 leave_spare(hook)
             edge = hook.now.count + hook.joined
             self.log.append(Done("end", edge))
-            # A magic ring's root and a tip are nodes, but no stitches.
-            made = sum(hook.styles[hook.style[n]][6] not in (ROOT, TIP) for n in range(begin, len(hook)))
+            # A magic ring's root, a tip and chains that only lift the yarn are nodes, but no stitches.
+            new = (n for n in range(begin, len(hook)) if n not in hook.lifts)
+            made = sum(hook.styles[hook.style[n]][6] not in (ROOT, TIP) for n in new)
             left = hook.ahead if self.left is None else self.left
             ring = line.in_round and hook.now.ring and not elsewhere and below > 0
             self.worked.append(Worked(line, hook.part, below, left, made, edge, ring))

@@ -19,6 +19,11 @@ NEAR = 0.2
 
 _LENGTH = re.compile(r"(\d+(?:[.,]\d+)?)\s*(mm|cm|inches|inch|in\b|\"|″|”)", re.IGNORECASE)
 _MM = {"mm": 1.0, "cm": 10.0}
+_YARN = re.compile(
+    r"\b(lace|fingering|sock|sport|dk|double knitting|light worsted|worsted|aran|bulky|chunky|roving|jumbo|cotton|wool|"
+    r"acrylic|merino|alpaca|chenille|velvet|mohair|linen|jute|raffia|twine|\d+[ -]ply)\b",
+    re.IGNORECASE,
+)
 _EYE = re.compile(r"(\d+(?:[.,]\d+)?)\s*-?\s*mm", re.IGNORECASE)
 
 
@@ -160,7 +165,7 @@ def _materials(built: Built) -> Iterator[Problem]:
     if not pattern.terms:
         return
     text = pattern.text
-    if "yarn" not in pattern.stated:
+    if "yarn" not in pattern.stated and not _YARN.search(text.text):
         yield Problem("the pattern names no yarn", "add a line such as: Yarn: worsted, cream", Span(0, 0), text)
     eyes = [f for f in pattern.finish if isinstance(f, Eye)]
     if "eyes" in pattern.stated:
