@@ -190,3 +190,13 @@ def test_yarn_is_measured_by_colour() -> None:
     assert told[0]["color"] == "#ff0000" and all(y["metres"] > 0 for y in told)
     # Unravelled swatches: a single crochet takes about eight times its width in yarn.
     assert 110 * 0.005 * 7 < sum(y["metres"] for y in told) < 110 * 0.005 * 9.5
+
+
+def test_a_side_is_seen_from_there() -> None:
+    from tambour.crochet.portrait import SIDES, portrait
+
+    assert set(SIDES) <= set(CRAFT.views)
+    piece = made(BALL, solver="none")
+    views = {side: portrait(piece, side, width=120, height=120).rgba for side in SIDES}
+    assert all((one[..., :3] != 255).any() for one in views.values())
+    assert len({one.tobytes() for one in views.values()}) == len(SIDES)

@@ -90,7 +90,7 @@ def _draw_any(rng: np.random.Generator, k: int) -> tuple[Marks, float, float, fl
         ("water", water.water, (4 * unit, w, n), w + 10, 30, 6 * n + 10),
         ("hill", hills.hill, (h, w, 200, 1.0, 1.0, 1.0), 0.6 * w + 200, h + 300, 260),
         ("bank", banks.bank, (100.0, w + 300, unit, 1.0, 1.0, 1.0, 1.0, forms, loops), w + 900, 900, 400),
-        ("range", ranges.distant, (h, w), w + 10, h + 10, 30),
+        ("range", ranges.distant, (h, w, unit), w + 10, h + 10, 30),
         ("pine", pines.pine, (h, 6.0), 2 * h + 60, 2 * h + 60, 2 * h + 60),
         ("cedar", pines.cedar, (h, 5.0), 2 * h + 60, 2 * h + 60, h + 60),
         ("plum", pines.plum, (h, 6.0, unit), 4 * h + 60, 4 * h + 60, 2 * h + 60),

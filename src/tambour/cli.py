@@ -73,8 +73,8 @@ def options(params: Any) -> Callable[[Any], Any]:
             state = "" if default is None else f"  [default: {'on' if default else 'off'}]"
             return click.option(f"{flag}/--no-{flag[2:]}", name, default=None, help=text + state)
         if get_origin(kind) is Literal:
-            words = [str(w) for w in get_args(kind)]
-            return click.option(flag, name, type=click.Choice(words), default=None, help=text, multiple=many)
+            words = "|".join(str(w) for w in get_args(kind))
+            return click.option(flag, name, type=str, default=None, help=text, metavar=f"[{words}]", multiple=many)
         unit = extra.get("metavar") or _unit(f) or {int: "N", float: "X"}.get(kind, "TEXT")
         metavar = ("|".join([*extra.get("words", []), "FILE"])) if "file" in extra else str(unit).upper()
         return click.option(flag, name, type=str, default=None, help=text, metavar=metavar, multiple=many)

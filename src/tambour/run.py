@@ -115,7 +115,10 @@ def load_files(params: Params) -> Params:
                 words = params.words(name)
                 near = did_you_mean(str(given), words) if words and not Path(given).suffix else ""
                 hint = near or f"{', '.join(words)}, or a file"
-                problems += [replace(p, hint=hint) if words and not Path(given).suffix else p for p in error.problems]
+                option = f"--{name.rstrip('_').replace('_', '-')}"
+                for p in error.problems:
+                    told = replace(p, hint=hint) if words and not Path(given).suffix else p
+                    problems.append(replace(told, where=f"{option} {told.where}") if told.where else told)
     if problems:
         raise TambourError(problems)
     return params.model_copy(update=loaded) if loaded else params
@@ -160,7 +163,6 @@ def run(
             raise TambourError(
                 "this is the source, it would be overwritten", hint="name another file", where=str(item.path)
             )
-    what.warm()
     progress.seconds["start"] = time.perf_counter() - begin
 
     with progress.stage("read"):
@@ -171,6 +173,9 @@ def run(
             origin["sha256"] = digest(source)
         full = load_files(given)
 
+    # After reading: what cannot be read is told at once, not when the kernels are loaded.
+    with progress.stage("start"):
+        what.warm()
     piece = what.make(source, full, progress)
 
     with ExitStack() as stack:

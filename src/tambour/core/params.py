@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, WithJsonSchema
 
-from tambour.core.errors import Problem, TambourError
+from tambour.core.errors import Problem, TambourError, did_you_mean
 
 _LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, '"': 25.4, "pt": 25.4 / 72}
 _TIMES = {"s": 1.0, "min": 60.0, "m": 60.0, "h": 3600.0}
@@ -102,6 +102,7 @@ class Params(BaseModel):
                 [
                     Problem(
                         _sentence(e),
+                        _remedy(e),
                         where=spell.format(str(e["loc"][0]).rstrip("_").replace("_", "-")) if e["loc"] else "",
                     )
                     for e in error.errors()
@@ -117,6 +118,12 @@ class Params(BaseModel):
         from tambour.core.digest import digest
 
         return digest([type(self).__name__, self.plain(), {name: getattr(self, name) for name in self.files()}])
+
+
+def _remedy(error: Any) -> str:
+    if error["type"] != "literal_error" or not isinstance(error["input"], str):
+        return ""
+    return did_you_mean(error["input"].lower(), re.findall(r"'([^']+)'", error["ctx"]["expected"]))
 
 
 def _sentence(error: Any) -> str:

@@ -21,10 +21,25 @@ def _yarn(piece: Any) -> Any:
     return yarn(piece)
 
 
+def _check(piece: Any) -> Any:
+    from tambour.crochet.plush import checked
+
+    return checked(piece)
+
+
 def _photo(piece: Any) -> Any:
     from tambour.crochet.plush import photo
 
     return photo(piece)
+
+
+def _seen(side: str) -> Any:
+    def view(piece: Any) -> Any:
+        from tambour.crochet.portrait import portrait
+
+        return portrait(piece, side)
+
+    return View(view, "Picture", f"the piece in its yarn, from the {side}")
 
 
 def _surface(piece: Any) -> Any:
@@ -61,12 +76,6 @@ def _prefer(params: Any) -> Mapping[str, str]:
     return {".png": "photo", ".jpg": "photo"} if params.photo else {}
 
 
-def _warm() -> None:
-    from tambour.crochet.plush import warm
-
-    warm()
-
-
 CRAFT = Craft(
     name="crochet",
     help="Turn an amigurumi pattern into the stuffed plush in 3-D, its size, its yarn and its mistakes.",
@@ -77,13 +86,14 @@ CRAFT = Craft(
         "yarn": View(
             _yarn, "Mesh", "the piece in its yarn", (".glb", ".obj", ".ply", ".stl", ".png", ".jpg"), stage="fabric"
         ),
+        "check": View(_check, "Mesh", "the piece in pale yarn, in red what --check would doubt", stage="fabric"),
         "photo": View(_photo, "Picture", "the piece in its yarn, path-traced (needs the extra photo)", stage="photo"),
+        **{side: _seen(side) for side in ("front", "back", "left", "right", "top")},
         "surface": View(_surface, "Mesh", "the fabric as a surface, closed where the piece is", stage="fabric"),
         "diagram": View(_diagram, "Drawing", "a chart in the usual symbols", (".svg",)),
         "pattern": View(_pattern, "Text", "the pattern written back in standard terms", (".acl", ".txt")),
         "graph": View(_graph, "dict", "the stitch graph and its shape as data", (".json",)),
     },
     facts=_facts,
-    warm=_warm,
     prefer=_prefer,
 )

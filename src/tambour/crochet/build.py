@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.errors import Problem, Span, TambourError
-from tambour.core.graph import BACK, BOTH, FRONT, Part, StitchGraph
+from tambour.core.graph import BACK, BOTH, FRONT, ROOT, TIP, Part, StitchGraph
 from tambour.crochet.assemble import assemble
 from tambour.crochet.attach import attach
 from tambour.crochet.hook import Hook, HookError
@@ -19,6 +19,8 @@ from tambour.crochet.syntax import Action, Group, Item, Line, Pattern, Section
 
 # Actions that make no node may be repeated this many times per node that a pattern may make.
 _IDLE = 4
+# Actions after which a line is no longer on the edge that it began on.
+_ELSEWHERE = {"mr", "goto", "attach", "turn", "fo"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +47,20 @@ class Done:
     span: Span | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Worked:
+    """What one working of a line did. below : stitches ahead when it began; left : of these, not worked into when it ended
+    (negative: worked past); made : stitches; edge : stitches on the edge after it; ring : in rounds, and on one edge all along."""
+
+    line: Line
+    part: int
+    below: int
+    left: int
+    made: int
+    edge: int
+    ring: bool
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Built:
     """A pattern worked.
@@ -60,6 +76,7 @@ class Built:
     up : the end of the work that is on top ("start", "end")
     counts : stitch or action as written → how often it was worked
     log : what the hook did, in order
+    worked : what each line did, as often as it was worked
     pattern : where it comes from
     """
 
@@ -74,6 +91,7 @@ class Built:
     up: str
     counts: Mapping[str, int]
     log: tuple[Done, ...]
+    worked: tuple[Worked, ...]
     pattern: Pattern
 
 
@@ -105,6 +123,7 @@ def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict:
         next((p.up for p in pattern.parts if p.up), "end"),
         worker.counts,
         tuple(worker.log),
+        tuple(worker.worked),
         pattern,
     )
 
@@ -122,6 +141,8 @@ class _Worker:
         self.seams: dict[tuple[str, ...], Span] = {}
         self.counts: dict[str, int] = {}
         self.log: list[Done] = []
+        self.worked: list[Worked] = []
+        self.left: int | None = None  # stitches not worked into when the round was joined
         self.steps = 0
         self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
         self.copy = 0  # the copy of a part under way, 0 when there is only one
@@ -169,8 +190,9 @@ class _Worker:
         hook = self.hook
         if line.times_span is not None:
             self.numbers.append((line.times, line.times_span))
+        elsewhere = line.in_round and bool(_ELSEWHERE & set(_names(line.items)))
         for _ in range(line.times):
-            begin = len(hook)
+            begin, below, self.left = len(hook), hook.now.count, None
             if line.in_round:
                 hook.now.loop = BOTH
                 hook.ahead, hook.joined = hook.now.count, 0
@@ -180,11 +202,17 @@ class _Worker:
                 self.log.append(Done("line", 1, (), (), line.span))
             for item in line.items:
                 self._item(item)
-            self.log.append(Done("end", hook.now.count + hook.joined))
+            edge = hook.now.count + hook.joined
+            self.log.append(Done("end", edge))
+            # A magic ring's root and a tip are nodes, but no stitches.
+            made = sum(hook.styles[hook.style[n]][6] not in (ROOT, TIP) for n in range(begin, len(hook)))
+            left = hook.ahead if self.left is None else self.left
+            ring = line.in_round and hook.now.ring and not elsewhere and below > 0
+            self.worked.append(Worked(line, hook.part, below, left, made, edge, ring))
         if line.times_span is not None:
             self.numbers.pop()
         if line.stated is not None and line.times:
-            self._check_count(line, len(hook) - begin)
+            self._check_count(line, made)
 
     def _check_count(self, line: Line, made: int) -> None:
         """A stated count may mean the stitches made in the round or those on its edge; slip stitches count there."""
@@ -310,6 +338,7 @@ class _Worker:
             case "turn":
                 hook.turn()
             case "join":
+                self.left = hook.ahead  # the next round begins with it
                 hook.join_round()
         if action.name != "mark":
             hook.last_mark = None
@@ -341,6 +370,15 @@ class _Worker:
             self.log[-1] = Done(last.what, last.times + action.times, (), (), last.span)
         else:
             self.log.append(Done(action.name, action.times, action.numbers, action.labels, action.span))
+
+
+def _names(items: tuple[Item, ...]) -> Iterator[str]:
+    """The actions among ``items``."""
+    for item in items:
+        if isinstance(item, Group):
+            yield from _names(item.items)
+        else:
+            yield item.name
 
 
 def _marks(items: tuple[Item, ...]) -> list[str]:

@@ -33,8 +33,9 @@ class Placed:
     """A part sewn on by its open end (or, closed, by the round ``by``), all round, its middle at ``spot``.
 
     flat : its end is pinched together before it is sewn, so it stands as a line
-    across : which way that line (or the part's front) lies: degrees from along the round, counter-clockwise from outside
+    across : which way that line (or the part's front) lies: degrees from level, counter-clockwise from outside
     tilt : how far it leans from straight out, degrees; towards: where to, degrees counter-clockwise from up, from outside
+        (up is that of the toy as it stands; on a part that leans it leans with the part)
     by : the round of the part that is sewn, None for its last
     """
 

@@ -42,6 +42,17 @@ def rise(graph: StitchGraph, rest: Array) -> Array:
     return np.where(count > 0, total / np.maximum(count, 1.0), 1.0)
 
 
+def in_rows(graph: StitchGraph) -> Array:
+    """Which parts (P,) are worked in rows: turned, and never joined to rounds."""
+    joined = np.zeros(len(graph.parts), bool)
+    joined[graph.part[graph.edges[graph.edge_kind == JOIN, 0]]] = True
+    turned = np.zeros(len(graph.parts), bool)
+    turned[graph.part[graph.direction < 0]] = True
+    rooted = np.zeros(len(graph.parts), bool)
+    rooted[graph.part[graph.peculiarity == ROOT]] = True
+    return turned & ~joined & ~rooted
+
+
 def rounds(graph: StitchGraph, rest: Array) -> Array:
     """First positions (N, 3), every part by itself with its beginning at the origin.
 
@@ -55,13 +66,7 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     heights = rise(graph, rest)
     starts = np.flatnonzero(np.diff(section, prepend=-1))
     ends = np.append(starts[1:], n)
-    joined = np.zeros(len(graph.parts), bool)
-    joined[graph.part[graph.edges[graph.edge_kind == JOIN, 0]]] = True
-    turned = np.zeros(len(graph.parts), bool)
-    turned[graph.part[graph.direction < 0]] = True
-    rooted = np.zeros(len(graph.parts), bool)
-    rooted[graph.part[graph.peculiarity == ROOT]] = True
-    flat = turned & ~joined & ~rooted
+    flat = in_rows(graph)
     width = np.zeros(len(graph.parts))
     np.maximum.at(width, graph.part[starts], (ends - starts) / (2.0 * math.pi))
     begun = np.zeros(len(graph.parts), int)

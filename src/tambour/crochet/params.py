@@ -45,6 +45,8 @@ class CrochetParams(Params):
     gauge_circle: Length | None = Field(default=None, gt=0)
     """Your own gauge: a flat circle of five rounds (6, 12, … 30), measured across; overrides width and height."""
 
+    check: bool = False
+    """Tech edit: every mistake and doubt of the pattern is an error, told with its place; nothing is made."""
     strict: bool = False
     """Stated counts that do not agree with the work, and other doubts, are errors."""
     max_stitches: int = Field(default=200_000, ge=1)

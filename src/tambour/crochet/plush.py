@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from tambour.core.check import Array
-from tambour.core.errors import Text
+from tambour.core.errors import TambourError, Text
 from tambour.core.progress import Progress
 from tambour.crochet.params import CrochetParams
 
@@ -22,6 +23,10 @@ DRAWN_TIGHT = 0.68
 """Yarn that hands take, as a share of the yarn that is drawn. The drawn yarn is led so that it nowhere touches itself,
 some 11.8 widths to a single crochet; hands press it together. Swatches that makers unravelled and published give 8:
 31.4 in of worsted to a square inch at a 5 mm hook, 2.75 in of bulky to a stitch at 6.5 mm."""
+
+
+DOUBT, PALE = (206, 42, 38), (228, 224, 216)
+"""Colours of the picture of a tech edit: stitches that it doubts, and what the others are mixed with."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -47,11 +52,8 @@ class Plush:
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
-    from tambour.crochet.body import centroid_counts
     from tambour.crochet.build import build
-    from tambour.crochet.fabric import strands
     from tambour.crochet.parse import parse
-    from tambour.crochet.simulate import Task, simulate
 
     if params.photo:
         from tambour.render.photo import tracer
@@ -62,8 +64,28 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
         pattern = parse(source, max_stitches=params.max_stitches, strict=params.strict)
     with progress.stage("build"):
         built = build(pattern, stitch=stitch, strict=params.strict)
+    if params.check:
+        from tambour.crochet.check import tech_edit
+
+        found = tech_edit(built)
+        if found:
+            raise TambourError(found)
     for warning in built.warnings:
         progress.warn(warning)
+    # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
+    with progress.stage("start"):
+        warm()
+    return _shaped(built, params, stitch, progress)
+
+
+def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], progress: Progress) -> Plush:
+    """The plush of a pattern that was worked."""
+    import numpy as np
+
+    from tambour.crochet.body import centroid_counts
+    from tambour.crochet.fabric import strands
+    from tambour.crochet.simulate import Task, simulate
+
     with progress.stage("settle"):
         start = params.start or built.initializer or "rounds"
         stuffing = params.stuffing or "pressure"
@@ -87,6 +109,11 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     x, c = shape.x * stitch[0], shape.c * stitch[0]
     if params.solver == "settle" and built.up == "start":
         x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
+    if params.check:
+        from tambour.crochet.check import size_edit
+
+        if found := size_edit(built, tuple(np.ptp(x, axis=0))):
+            raise TambourError(found)
     with progress.stage("fabric"):
         yarn = strands(built.graph, x, detail=params.detail)
     return Plush(built, params, stitch, stuffing, start, shape, x, c, yarn)
@@ -96,7 +123,22 @@ def yarn(piece: Plush) -> Mesh:
     """The piece in yarn: every stitch swept to tubes, over a dark lining."""
     from tambour.crochet.fabric import mesh
 
+    _not_empty(piece)
     return mesh(piece.built.graph, piece.positions, detail=piece.params.detail, made=piece.yarn)
+
+
+def checked(piece: Plush) -> Mesh:
+    """The piece in pale yarn, what the tech edit doubts in red."""
+    import numpy as np
+
+    from tambour.crochet.check import doubtful, size_edit, tech_edit
+    from tambour.crochet.fabric import mesh
+
+    _not_empty(piece)
+    graph, problems = piece.built.graph, tech_edit(piece.built)
+    wrong = doubtful(piece.built, [*problems, *size_edit(piece.built, tuple(np.ptp(piece.positions, axis=0)))])
+    color = np.where(wrong[:, None], DOUBT, (0.25 * graph.color + 0.75 * np.array(PALE)).astype(np.uint8))
+    return mesh(replace(graph, color=color.astype(np.uint8)), piece.positions, detail=piece.params.detail)
 
 
 def photo(piece: Plush) -> Picture:
@@ -110,8 +152,18 @@ def surface(piece: Plush) -> Mesh:
     """The fabric that bounds the piece, as a mesh through its stitches; closed for every closed part."""
     from tambour.crochet.surface import mesh
 
+    _not_empty(piece)
     graph = piece.built.graph
     return mesh(replace(graph, faces=graph.faces[piece.built.shell]), piece.positions)
+
+
+def _not_empty(piece: Plush) -> None:
+    if not len(piece.built.graph):
+        raise TambourError(
+            "the pattern makes no stitch: there is nothing to show",
+            hint="begin with a magic ring: a line such as : MR(6)",
+            where=piece.built.pattern.text.name,
+        )
 
 
 def graph(piece: Plush) -> dict[str, Any]:
@@ -175,7 +227,10 @@ def facts(piece: Plush) -> dict[str, Any]:
             "node": node,
             "at": f"{built.pattern.text.name}:{line}:{column}",
         }
+    said = sum(w.line.stated is not None for w in built.worked)
+    checked = f"no mistake found: {len(built.rounds)} rounds, {said} stated counts" if piece.params.check else None
     return {
+        **({"check": checked} if checked else {}),
         "nodes": len(g),
         "edges": len(g.edges),
         "stitches": {g.kinds[k]: int(n) for k, n in zip(kinds, counts)},
@@ -208,13 +263,16 @@ def facts(piece: Plush) -> dict[str, Any]:
     }
 
 
+@cache
 def warm() -> None:
-    """Load every kernel by shaping a tiny piece in every way."""
-    text = Text(
-        "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
-    )
+    """Load every kernel, once, by shaping a tiny piece in every way."""
+    from tambour.crochet.build import build
+    from tambour.crochet.parse import parse
+
+    text = "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
+    built = build(parse(Text(text)))
     for stuffing in ("pressure", "centroid", "skeleton"):
-        piece = make(text, CrochetParams(stuffing=stuffing, tolerance=0.1), Progress())
+        piece = _shaped(built, CrochetParams(stuffing=stuffing, tolerance=0.1), (5.0, 5.0), Progress())
     facts(piece)
     yarn(piece)
     surface(piece)

@@ -64,9 +64,9 @@ def read_picture(path: Path) -> Picture:
     except TambourError:
         raise
     except Exception as error:  # noqa: BLE001 - Pillow's readers raise whatever a hostile file makes them raise
-        raise TambourError(
-            f"this is not a picture that can be read ({error or type(error).__name__})", where=str(path)
-        ) from None
+        # Pillow names its own file object where it does not know the file; that says nothing to anyone.
+        why = "" if "<_io" in str(error) else f" ({error or type(error).__name__})"
+        raise TambourError(f"this is not a picture that can be read{why}", where=str(path)) from None
     if rgba.size == 0:
         raise TambourError("the picture has no pixels", where=str(path))
     return Picture(rgba, 25.4 / float(dpi) if 1 < float(dpi or 0) < 10_000 else None)

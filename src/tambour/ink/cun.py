@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import SINE, at, body, rnd, stroke
 from tambour.ink.codes import numbers
-from tambour.noise import value
+from tambour.noise import ease, value
 
 FLANKS, SHOULDERS, SIDES, SPREAD = numbers(4)
 """Where wrinkles gather along a ridge: the outer thirds; broadly beside the middle; narrowly at the sides; more and
@@ -30,14 +32,29 @@ def place(rng: Array, where: int) -> float:
 
 @kernel
 def grit(table: Array, place: int) -> float:
-    """A number spread as the value noise is, but without its smoothness: the lattice itself, four octaves of it.
-
-    The original samples its noise along a wrinkle at steps of several cells, where nothing is left of the smoothness.
-    """
+    """A number spread as the value noise is, but without its smoothness: the lattice itself, four octaves of it."""
     return (
         0.5 * table[place & 4095] + 0.25 * table[(place + 1619) & 4095]
         + 0.125 * table[(place + 2971) & 4095] + 0.0625 * table[(place + 811) & 4095]
     )  # fmt: skip
+
+
+@kernel
+def relief(table: Array, phase: int, layers: int, columns: int) -> Array:
+    """The roughness of a slope: (layers + 1, columns, 2) in about -1/2 … 1/2, smoothed along the contours.
+
+    It belongs to the slope, not to the stroke: strokes that run side by side are pushed the same way, and stay parallel.
+    """
+    rough = np.empty((layers + 1, columns, 2))
+    for i in range(layers + 1):
+        for c in range(2):
+            row = phase + 977 * i + 2048 * c
+            before, here = grit(table, row - 1), grit(table, row)
+            for j in range(columns):
+                after = grit(table, row + j + 1)
+                rough[i, j, c] = 0.2 * before + 0.6 * here + 0.2 * after - 0.47
+                before, here = here, after
+    return rough
 
 
 @kernel
@@ -51,11 +68,11 @@ def wrinkles(
     grid : (L, M, 2) contours from the foot (0) inwards, about (x, y)
     reach : greatest half length of a stroke, as a part of M; where : see above; alpha : of the darkest
     shade : breadth of a first, faint pass under every second line, and lines are then thinned by it; 0 for none
-    tremble : how far noise may carry the lines of the foot, falling as 1 / layer
-    Each stroke lies between two contours; the weights run against the contours' order as in the original, so that
-    lines leave gaps between bands (dossier 1.6).
+    tremble : how far the slope's relief may carry the lines of the foot, falling as 1 / layer (dossier 1.6)
+    Each stroke lies between two contours. The skyline itself is not carried away: lines stay on the slope.
     """
     layers, columns = grid.shape[0], grid.shape[1]
+    rough = relief(table, int(4096.0 * rnd(rng)), layers, columns)
     for wet in range(0 if shade > 0.0 else 1, 2):
         step = 2.0 if wet == 0 else 1.0 + shade
         for k in range(int(count / step)):
@@ -68,13 +85,13 @@ def wrinkles(
             layer = i / count * (layers - 1)
             low = int(layer)
             high, p = min(low + 1, layers - 1), layer - low
-            drift = tremble / (layer + 1.0)
-            spot = int(4096.0 * rnd(rng))
+            drift = tremble / (layer + 1.0) * min(1.0, 0.25 + layer)
+            q = ease(p)
             for j in range(first, last):
-                a = p * grid[low, j, 0] + (1.0 - p) * grid[high, j, 0]
-                b = p * grid[low, j, 1] + (1.0 - p) * grid[high, j, 1]
-                a += drift * (grit(table, spot + 5 * j) - 0.5)
-                b += drift * (grit(table, spot + 5 * j + 2048) - 0.5)
+                a = (1.0 - p) * grid[low, j, 0] + p * grid[high, j, 0]
+                b = (1.0 - p) * grid[low, j, 1] + p * grid[high, j, 1]
+                a += drift * (rough[low, j, 0] + q * (rough[low + 1, j, 0] - rough[low, j, 0]))
+                b += drift * (rough[low, j, 1] + q * (rough[low + 1, j, 1] - rough[low, j, 1]))
                 at(pts, n, a + x, b + y)
             if wet == 0:
                 stroke(rng, marks, n, grey, 0.1, shade, 0.5, SINE, 1.0)

@@ -8,7 +8,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush import OPEN, PI, between, part, pick, rnd
+from tambour.ink.brush import OPEN, PI, SINE, at, between, part, pick, rnd, stroke
 from tambour.ink.codes import HILL
 from tambour.ink.cun import FLANKS, foot, slope, wrinkles
 from tambour.ink.houses import house, pagoda, pavilion, pylon
@@ -22,7 +22,10 @@ LAYERS, COLUMNS = 10, 50
 
 @kernel
 def ridge(table: Array, rng: Array, grid: Array, seed: float, y: float, height: float, width: float) -> None:
-    """Fill ``grid`` (LAYERS, COLUMNS, 2): contour 0 is the skyline, each next one smaller and lower (dossier 1.8)."""
+    """Fill ``grid`` (LAYERS, COLUMNS, 2): contour 0 is the skyline, each next one smaller and lower (dossier 1.8).
+
+    A contour that would rise above the one before it is held under it: no line of the slope shows above its skyline.
+    """
     drop = 0.0
     layers, columns = grid.shape[0], grid.shape[1]
     for j in range(layers):
@@ -33,6 +36,18 @@ def ridge(table: Array, rng: Array, grid: Array, seed: float, y: float, height: 
             h = math.cos(t) * value(table, t + 10.0, 0.15 * j, seed)
             grid[j, i, 0] = t / PI * width * p
             grid[j, i, 1] = drop - h * height * p
+            if j > 0:
+                above = skyline(grid[j - 1], grid[j, i, 0])
+                grid[j, i, 1] = max(grid[j, i, 1], above + 0.012 * height)
+
+
+@kernel
+def skyline(contour: Array, x: float) -> float:
+    """The height (y) of a contour (M, 2), evenly spaced along x, at x."""
+    last = len(contour) - 1
+    place = (x - contour[0, 0]) / (contour[last, 0] - contour[0, 0]) * last
+    i = min(max(int(place), 0), last - 1)
+    return contour[i, 1] + (place - i) * (contour[i + 1, 1] - contour[i, 1])
 
 
 @kernel
@@ -52,24 +67,21 @@ def hill(
     seed = math.floor(4096.0 * rnd(rng))
     grid = np.empty((LAYERS, COLUMNS, 2))
     ridge(table, rng, grid, seed, y, height, width)
-    for j in range(COLUMNS):
-        if value(table, 0.1 * j, seed + 5.0, 0.0) ** 3 < 0.1 * planted and -grid[0, j, 1] > 0.2 * height:
-            a, b = grid[0, j, 0] + x, grid[0, j, 1] + y - 5.0
-            sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 2, leaf(table, a, b))
+    crowd = max(0.0, between(rng, -1.0, 1.0))
+    fringe(table, rng, pts, marks, elems, n, grid, x, y, height, seed, planted, crowd)
     slope(rng, pts, marks, n, grid, x, y, 40.0)
+    for j in range(COLUMNS):
+        at(pts, n, grid[0, j, 0] + x, grid[0, j, 1] + y)
+    stroke(rng, marks, n, 100.0, 0.35, 0.9, 0.8, SINE, 0.8)  # a firm line in the trembling one
     foot(table, rng, pts, marks, n, grid, x, y)
     shade = 5.0 if pick(rng, 5) == 0 else 0.0
-    wrinkles(table, rng, pts, marks, n, grid, x, y, wrinkled, 1.5, 0.2, FLANKS, 100.0, 0.3, shade, 30.0)
+    wrinkles(table, rng, pts, marks, n, grid, x, y, wrinkled, 1.5, 0.2, FLANKS, 100.0, 0.34, shade, 42.0)
     chance, across, down = rnd(rng), between(rng, 0.36, 0.64), between(rng, 0.3, 0.55)
     if chance < falls and height > 300.0:
         i, j = int(down * LAYERS), int(across * COLUMNS)
         a, b = grid[i, j, 0], grid[i, j, 1]
         waterfall(table, rng, pts, marks, elems, n, x + a, y - 4.0, max(60.0, -b - 4.0), between(rng, 7.0, 13.0))
-    for i in range(LAYERS):
-        for j in range(COLUMNS):
-            if -grid[i, j, 1] > 0.5 * height and value(table, 0.1 * i, 0.1 * j, seed + 2.0) ** 3 < 0.1 * planted:
-                a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
-                sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 5, leaf(table, a, b))
+    crown(table, rng, pts, marks, elems, n, grid, x, y, height, seed, planted, crowd)
     grove(table, rng, pts, marks, elems, n, grid, x, y, height, seed, planted)
     for i in range(LAYERS):
         for s in range(2):
@@ -95,6 +107,46 @@ def hill(
 def leaf(table: Array, x: float, y: float) -> float:
     """How dark the trees about (x, y) are: neighbours agree."""
     return 0.5 + 0.15 * value(table, 0.02 * x, 0.02 * y, 0.0)
+
+
+@kernel
+def fringe(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    grid: Array, x: float, y: float, height: float, seed: float, planted: float, crowd: float,
+) -> None:  # fmt: skip
+    """Saplings that look over the skyline from behind: in stretches, bare between them, and crowded on some summits."""
+    top = -grid[0, :, 1].min()
+    for j in range(COLUMNS - 1):
+        summit = crowd * max(0.0, (-grid[0, j, 1] / top - 0.8) / 0.2)
+        bare = value(table, 0.1 * j, seed + 5.0, 0.0) ** 3 / 0.1
+        if bare < (0.9 + summit) * planted and -grid[0, j, 1] > 0.2 * height:
+            cluster = int(max(0.0, 2.4 * (1.0 - bare)) + 3.0 * summit + 0.3 + rnd(rng))
+            if cluster > 0:
+                p = rnd(rng)
+                a = grid[0, j, 0] + p * (grid[0, j + 1, 0] - grid[0, j, 0]) + x
+                b = grid[0, j, 1] + p * (grid[0, j + 1, 1] - grid[0, j, 1]) + y - 5.0
+                sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, cluster, leaf(table, a, b))
+
+
+@kernel
+def crown(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    grid: Array, x: float, y: float, height: float, seed: float, planted: float, crowd: float,
+) -> None:  # fmt: skip
+    """Saplings that crowd on the summits and thin out below them; none stand alone on the face."""
+    top = -grid[0, :, 1].min()
+    for i in range(LAYERS - 1):
+        for j in range(COLUMNS):
+            summit = max(0.0, (-grid[0, j, 1] / top - 0.75) / 0.25)
+            often = (0.07 + 0.15 * crowd * summit) * planted
+            if -grid[i, j, 1] > 0.45 * height and value(table, 0.1 * i, 0.1 * j, seed + 2.0) ** 3 < often:
+                p = rnd(rng)
+                a = grid[i, j, 0] + p * (grid[i + 1, j, 0] - grid[i, j, 0])
+                b = grid[i, j, 1] + p * (grid[i + 1, j, 1] - grid[i, j, 1])
+                below = b - skyline(grid[0], a)
+                if rnd(rng) < 1.2 - below / 45.0:
+                    a, b = a + x, b + y
+                    sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 5, leaf(table, a, b))
 
 
 @kernel

@@ -23,7 +23,7 @@ STEP = 5
 HEIGHT = 700.0
 """Height of the scroll."""
 FAR = 4
-"""Tiles to either side of a window whose elements may reach into it (a range is up to 1500 long)."""
+"""Tiles to either side of a window whose elements may reach into it (a range is up to 2000 long)."""
 
 
 _LETTERS = str.maketrans("0123456789", "ghijklmnop")
@@ -188,20 +188,36 @@ def banks(rules: Rules, k: int) -> tuple[Planned, ...]:
     return tuple(made)
 
 
-def ranges(rules: Rules, k: int) -> list[Planned]:
-    """A distant range begins near every thousand units."""
+RIDGES = ((0.0, 0.95, 150.0, 0.0), (-18.0, 0.75, 180.0, 0.25), (-30.0, 0.25, 210.0, 0.5))
+"""Distant ranges, near to far: shift of the foot, chance that there is one, height, paleness."""
+
+
+@lru_cache(maxsize=512)
+def _ridges(rules: Rules, m: int) -> tuple[Planned, ...]:
+    """Distant ranges of the stretch [1000 m, 1000 m + 1000): up to three, one behind the other."""
+    u = stream("ink", rules.seed, rules.edition, "ranges", m).random((len(RIDGES), 4))
     made: list[Planned] = []
-    for m in range(-(-k * TILE // 1000), -(-(k + 1) * TILE // 1000)):
-        u = stream("ink", rules.seed, rules.edition, "ranges", m).random(3)
-        y, long = 280.0 - 50.0 * float(u[0]), (500.0, 1000.0, 1000.0, 1500.0)[int(4 * u[1])]
-        made.append(_place(rules, codes.RANGE, m, 0, 1000.0 * m, y, y, (150.0, long), 5.0, long + 5.0))
-    return made
+    for j, (shift, chance, height, pale) in enumerate(RIDGES):
+        if u[j, 0] < chance:
+            x, y, long = (
+                1000.0 * (m + float(u[j, 1])),
+                280.0 + shift - 30.0 * float(u[j, 2]),
+                1000.0 + 1000.0 * float(u[j, 3]),
+            )
+            made.append(_place(rules, codes.RANGE, m, j, x, y, y, (height, long, pale), 5.0, long + 5.0))
+    return tuple(made)
+
+
+def ranges(rules: Rules, k: int) -> list[Planned]:
+    """The distant ranges that begin in tile ``k``."""
+    first, last = k * TILE // 1000, ((k + 1) * TILE - 1) // 1000
+    return [p for m in range(first, last + 1) for p in _ridges(rules, m) if k * TILE <= p.x < (k + 1) * TILE]
 
 
 def _water(rules: Rules, hill: Planned) -> Planned:
-    k, number = int(hill.stream[4]), int(hill.stream[5])
+    k, number, reach = int(hill.stream[4]), int(hill.stream[5]), 0.5 * hill.how[1] + 180.0
     return _place(
-        rules, codes.WATER, k, number, hill.x, hill.y, hill.y - 10_000.0, (2.0, 400.0, 9), 405.0, 405.0
+        rules, codes.WATER, k, number, hill.x, hill.y, hill.y - 10_000.0, (2.0, reach, 9), reach + 5.0, reach + 5.0
     )  # fmt: skip
 
 

@@ -220,7 +220,7 @@ def warm() -> None:
 
     how: dict[int, tuple[Any, ...]] = {
         codes.HILL: (300.0, 400.0), codes.BANK: (100.0, 600.0, 0.5), codes.BOAT: (120.0, 0.5, 1.0),
-        codes.RANGE: (150.0, 100.0), codes.WATER: (2.0, 20.0, 1), codes.MIST: (0.1, 400.0), codes.BIRDS: (1,),
+        codes.RANGE: (150.0, 100.0, 0.0), codes.WATER: (2.0, 20.0, 1), codes.MIST: (0.1, 400.0), codes.BIRDS: (1,),
         codes.MOON: (9.0,), codes.SUN: (9.0,), codes.SKY: (512.0, 900.0),
     }  # fmt: skip
     draw([Planned(k, 0.0, 300.0, 0.0, f"{k}", (k,), h, 0.0, 0.0) for k, h in how.items()], Manner())

@@ -81,7 +81,7 @@ def table() -> dict[str, Specimen]:
         "water": Specimen(water.water, (2.0, 180.0, 9), 380, 70),
         "hill": Specimen(hills.hill, (360.0, 480.0, 200, 1.0, 1.0, 1.0), 560, 330),
         "bank": Specimen(banks.bank, (100.0, 700.0, 0.55, 1.0, 0.0, 1.0, 1.0, forms, loops), 780, 330),
-        "range": Specimen(ranges.distant, (150.0, 700.0), 720, 150),
+        "range": Specimen(ranges.distant, (150.0, 700.0, 0.0), 720, 150),
     }
 
 
@@ -161,7 +161,7 @@ def veiled(
 ) -> None:  # fmt: skip
     """Mist, and a range behind it: mist alone is paper."""
     before = part(elems, n, codes.MIST, x, y)
-    ranges.distant(table, rng, pts, marks, elems, n, x - 0.75 * width, y, 150.0, 1.5 * width)
+    ranges.distant(table, rng, pts, marks, elems, n, x - 0.75 * width, y, 150.0, 1.5 * width, 0.0)
     sky.mist(table, rng, pts, marks, elems, n, x, y, thickness, width)
     n[OPEN] = before
 
