@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from tambour.core.errors import Span, did_you_mean
@@ -15,6 +16,7 @@ from tambour.crochet.syntax import Action, Group, Item
 
 _BETWEEN = frozenset(",;:.-/+!&~|><·")
 _LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
+_PHRASE = frozenset(",;.()[]{}*=")
 _ENDS = frozenset((".", ";"))
 
 
@@ -51,9 +53,15 @@ class Reader:
     """Reads one body; ``choices`` are the doubtful wordings that are read the second way (printed_doubts)."""
 
     def __init__(
-        self, tokens: list[Token], stitches: dict[str, Stitch], palette: Palette, choices: frozenset[str] = frozenset()
+        self,
+        tokens: list[Token],
+        stitches: dict[str, Stitch],
+        palette: Palette,
+        choices: frozenset[str] = frozenset(),
+        phrases: Callable[[Token, Token], Action | None] | None = None,
     ) -> None:
         self.c = Cursor(tokens)
+        self.phrases = phrases  # the sentence from one token to another, as the table of terms says it
         self.stitches, self.palette, self.choices = stitches, palette, choices
         self.body = Body()
         self.ring: Token | None = None  # a magic ring that still wants its stitches
@@ -127,7 +135,7 @@ class Reader:
             bracket(self, found, token)
         elif token.kind == "mark" and token.word in ("*", "**"):
             star(self, found, token)
-        elif self.count(found) or self.color(found):
+        elif self.phrase(found, token) or self.count(found) or self.color(found):
             return
         elif token.kind == "number" and isinstance(token.value, int):
             self.number(found, token)
@@ -140,6 +148,21 @@ class Reader:
             raise NotUnderstood(
                 token, f'"{token.word}" is not understood here', hint or "a stitch, a number or a repeat is wanted here"
             )
+
+    def phrase(self, found: list[Item], token: Token) -> bool:
+        """A sentence that the writer prints for marks, forks and loops."""
+        c = self.c
+        if self.phrases is None or token.kind not in ("key", "word"):
+            return False
+        end = c.at
+        while end < len(c.tokens) and not (c.tokens[end].kind == "mark" and c.tokens[end].word in _PHRASE):
+            end += 1
+        action = self.phrases(token, c.tokens[end - 1]) if end > c.at else None
+        if action is None:
+            return False
+        found.append(action)
+        c.at = end
+        return True
 
     def number(self, found: list[Item], token: Token) -> None:
         """A number: of stitches, of repeats, or of rounds."""

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import combinations
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.phrases import Phrases
 from tambour.crochet.printed_body import Body, Reader
 from tambour.crochet.printed_clauses import NotUnderstood
 from tambour.crochet.printed_colors import Palette
@@ -13,7 +15,7 @@ from tambour.crochet.printed_repeats import led
 from tambour.crochet.printed_tokens import Token
 from tambour.crochet.source import Source
 from tambour.crochet.stitches import Stitch
-from tambour.crochet.syntax import Group, Item
+from tambour.crochet.syntax import Action, Group, Item
 
 READINGS: Final = {
     "one": ("stitch after stitch", "all in one stitch"),
@@ -71,16 +73,26 @@ def after(items: list[Item] | tuple[Item, ...], edge: int | None, stitches: dict
     return None if edge is None else edge - done[1] + done[0]
 
 
-def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | None) -> Body:
+def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | None, phrases: Phrases) -> Body:
     """The body of a round in the reading that fits its count; doubts that the count leaves are told."""
-    body = Reader(list(tokens), source.stitches, palette).read()
+
+
+    def phrase(first: Token, last: Token) -> Action | None:
+        span = Span(first.start, last.end)
+        said = phrases.item(source.text.text[span.start : span.end])
+        return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
+
+    def read(choices: frozenset[str] = frozenset()) -> Body:
+        return Reader(list(tokens), source.stitches, palette, choices, phrase).read()
+
+    body = read()
     first = body
     if body.stated is not None:
         open_span = _implied(body, edge, source.stitches)
         if open_span is not None:
             body.asked["open"] = open_span
         if body.asked and not _fits(body, edge, source.stitches):
-            body = _second(source, tokens, palette, edge, body) or body
+            body = _second(source, read, edge, body) or body
     for what, span in first.asked.items():
         one, two = READINGS[what]
         if body is not first and what in body.asked:
@@ -110,13 +122,15 @@ def _implied(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> Span 
     return Span(first.span.start, last.span.end)
 
 
-def _second(source: Source, tokens: list[Token], palette: Palette, edge: int | None, body: Body) -> Body | None:
+def _second(
+    source: Source, read: Callable[[frozenset[str]], Body], edge: int | None, body: Body
+) -> Body | None:
     """The first combination of second readings that the count bears out, the fewest of them first."""
     asked = list(body.asked)[:5]
     for many in range(1, len(asked) + 1):
         for chosen in combinations(asked, many):
             try:
-                other = Reader(list(tokens), source.stitches, palette, frozenset(chosen)).read()
+                other = read(frozenset(chosen))
             except NotUnderstood:
                 continue
             if "open" in chosen:

@@ -21,8 +21,12 @@ from tambour.crochet.printed_words import (
 from tambour.crochet.stitches import STITCHES, standard
 from tambour.crochet.terms import TERMS
 
-_SAME: Final = {"into": "in", "stitches": "stitch"}
+_SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
 _JOINS: Final = frozenset("-.'/")
+_SIGNS: Final = frozenset("xX×*")
+_LATER: Final = frozenset(
+    ("circle", "oval", "half", "triangle", "heart", "square", "height", "pull through", "pull over", "next anchor")
+)
 
 
 class Vocabulary:
@@ -53,7 +57,8 @@ class Vocabulary:
         table = TERMS.get(code)
         if table is not None:
             for key, spellings in table.words.items():
-                self._add(spellings, "key", _SAME.get(key, key))
+                if key not in _LATER:
+                    self._add([s for s in spellings if s not in _SIGNS], "key", _SAME.get(key, key))
             for name, spellings in table.stitches.items():
                 self._add(spellings, "stitch", name)
         for phrases in self._first.values():
@@ -117,6 +122,10 @@ class Vocabulary:
                 at += 1
                 continue
             found = self._longest(tokens, at)
+            if token.word == "x" and (found is None or (made and made[-1].word in (")", "]", "}", "*"))):
+                made.append(Token("mark", "x", token.start, token.end, None, token.glued))
+                at += 1
+                continue
             if found is None:
                 made += self._parted(token)
                 at += 1

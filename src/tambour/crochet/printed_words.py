@@ -9,7 +9,7 @@ ENGLISH: Final[dict[str, str]] = {
     "round": "rnd|rnds|round|rounds|rd|rds",
     "row": "row|rows",
     "ring": "magic ring|magic circle|magic loop|magic rng|adjustable ring|adjustable loop|adjustable circle|mr|mc|amr"
-    "|magic adjustable ring|adjustable magic ring|double magic ring|magic ring method",
+    "|magic adjustable ring|adjustable magic ring|double magic ring|magic ring method|amigurumi ring|ring of yarn",
     "loop": "ring|circle|center of ring|centre of ring",
     "form": "form a ring|form ring|to form a ring|form a circle|to form a loop|form a loop|to make a ring",
     "in": "in|into|inside|through|thru|onto",
