@@ -210,6 +210,9 @@ class _Printed:
             self.passed.append(whole)
             return
         text = self.source.text.text
+        title = self.title is not None and self.heading is not None and self.heading.span == self.title[1]
+        if title and self.heading is not None and self.heading.copies_span is None and tokens[0].word not in OPEN:
+            self.heading = None  # what stands over the whole pattern names no part
         new = definition(tokens)
         if new is not None and new[1] in self.source.stitches:
             self.vocabulary.define(new[0].word, new[1])
@@ -230,6 +233,12 @@ class _Printed:
             self.passed.append(whole)
             return
         found = heading(text, row, tokens)
+        lefts: list[list[Token]] = []
+        if (found is None or not found.marked) and self._sentences(tokens, lefts):
+            found = None
+            for left in lefts:
+                self._left(left, False)
+            return
         if found is not None and not (self.mode in ("materials", "abbreviations", "notes") and not found.strong):
             if self.title is None:
                 self.title = (text[found.span.start : found.span.end], found.span)
@@ -242,8 +251,9 @@ class _Printed:
         if self.title is None and names:
             end = next((t.start for t in row.tokens if t.word in (".", ":")), row.end)
             self.title = (text[row.tokens[0].start : end].strip(), Span(row.tokens[0].start, end))
-        if not self._sentences(tokens):
-            self.passed.append(whole)
+        self.passed.append(whole)
+        for left in lefts:
+            self._left(left, False)
 
     def _named_color(self, tokens: list[Token]) -> bool:
         """``A = brown``, ``Color B: white``, ``MC: cream``."""
@@ -256,8 +266,8 @@ class _Printed:
         self.palette.given[tokens[k].word] = shade[0]
         return True
 
-    def _sentences(self, tokens: list[Token]) -> bool:
-        """Reads what instructions a line of text holds; whether there were any."""
+    def _sentences(self, tokens: list[Token], lefts: list[list[Token]]) -> bool:
+        """Reads what instructions a line of text holds; whether there were any. What was not read goes to ``lefts``."""
         any_read = False
         begin = 0
         for at in range(len(tokens) + 1):
@@ -268,7 +278,7 @@ class _Printed:
             if sentence and self._sentence(sentence):
                 any_read = True
             elif sentence:
-                self._left(sentence, False)
+                lefts.append(sentence)
         return any_read
 
     def _sentence(self, tokens: list[Token]) -> bool:

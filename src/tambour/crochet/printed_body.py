@@ -171,7 +171,9 @@ class Reader:
         while c.mark("x", "*", ahead=ahead) or c.key("times", ahead=ahead):
             ahead += 1
         after = c.look(ahead)
-        if after is not None and after.kind == "mark" and after.word in OPEN:
+        if self.ring is not None and ahead == 1 and (after is None or after.kind != "stitch"):
+            self.plain(found, token)
+        elif after is not None and after.kind == "mark" and after.word in OPEN:
             c.at += ahead
             inner: list[Item] = []
             bracket(self, inner, after)
@@ -185,14 +187,19 @@ class Reader:
         elif c.key("round", "row", ahead=1):
             c.at += 2
             self.body.rounds = (token.value, token.span)
-        elif c.key("stitch", ahead=1) or (self.ring is not None and not c.key(ahead=1)) or c.key("in", ahead=1):
-            c.at += 1
-            c.tokens = [*c.tokens[: c.at], Token("stitch", "sc", token.start, token.end, "sc"), *c.tokens[c.at :]]
-            if c.key("stitch", ahead=1):
-                del c.tokens[c.at + 1]
-            stitch(self, found, token)
+        elif c.key("stitch", "in", ahead=1):
+            self.plain(found, token)
         else:
             raise NotUnderstood(token, "this number belongs to nothing", "a stitch is wanted after it")
+
+    def plain(self, found: list[Item], token: Token) -> None:
+        """A number of stitches that are not named: single crochets."""
+        c = self.c
+        c.at += 1
+        c.tokens = [*c.tokens[: c.at], Token("stitch", "sc", token.start, token.end, "sc"), *c.tokens[c.at :]]
+        if c.key("stitch", ahead=1):
+            del c.tokens[c.at + 1]
+        stitch(self, found, token)
 
     def key(self, found: list[Item], token: Token) -> None:
         """A clause that begins with a word of the pattern's own trade."""
@@ -240,6 +247,8 @@ class Reader:
             self.ending()
         elif word in ("stuff", "marker", "foundation"):
             self.to_separator()
+        elif word == "begin":
+            pass
         elif word == "even":
             c.skip_key("around")
             found.append(Group((Action("sc", token.span),), None, token.span))
@@ -292,7 +301,7 @@ class Reader:
         while c.look() is not None and not c.mark(".", "(", "["):
             if c.key("close"):
                 self.body.ends = "close"
-            elif c.key("open") and self.body.ends != "close":
+            elif (c.key("open") or c.tokens[c.at].word in ("tail", "end")) and self.body.ends != "close":
                 self.body.ends = "open"
             c.at += 1
 

@@ -89,7 +89,9 @@ def _numbers(c: Cursor, numbers: list[int]) -> bool:
     c.at += 1
     while True:
         ahead = int(c.mark(")"))
+        sign = c.look(ahead)
         ranged = c.mark("-", "~", ahead=ahead) or c.key("to", ahead=ahead)
+        ranged = ranged or (sign is not None and sign.word in ("through", "thru"))
         if ranged and c.key("to", "round", "row", ahead=ahead + 1):
             ahead += 1
         listed = not ranged and (c.mark(",", "&", "+", "/", ahead=ahead) or c.key("and", ahead=ahead))

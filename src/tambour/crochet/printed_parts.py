@@ -13,7 +13,7 @@ from tambour.crochet.source import Source
 from tambour.crochet.stitches import into_one
 from tambour.crochet.syntax import Action, Group, Item, Line, Section
 
-_CLOSED = 8  # an end of so few stitches, reached by decreasing, is drawn together when the yarn is fastened off
+_CLOSED = 8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
 
 
@@ -25,7 +25,7 @@ class Draft:
     edge, peak : stitches on the edge (None: not known), and the most there were
     last : the last round's number; rounds : number → its lines
     chain : where in ``lines`` a foundation chain stands that is not worked into yet
-    flat : worked in rows; parted : lists of rounds came out of order
+    flat : worked in rows; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
 
     name: str
@@ -40,6 +40,7 @@ class Draft:
     chain: int | None = None
     flat: bool = False
     parted: bool = False
+    shrunk: bool = False
     stuffing: float | None = None
     up: str | None = None
     ends: str = ""
@@ -93,10 +94,13 @@ class Draft:
             self.rounds[number] = [replace(line, number=number)]
         if worked:
             self.last = max(numbers) if numbers else self.last + times
+        before = self.edge
         edge = after(items, self.edge, source.stitches)
         self.edge = edge if edge is not None else body.stated if worked else self.edge
         if times > 1 and edge is not None and body.stated is not None and body.stated != edge:
             self.edge = body.stated
+        if worked:
+            self.shrunk = self.edge is not None and before is not None and self.edge < before
         self.peak = max(self.peak, self.edge or 0)
 
     def _numbered(self, source: Source, head: Head, steady: bool) -> None:
@@ -232,7 +236,8 @@ class Draft:
     def section(self, source: Source) -> Section:
         """The part, its end closed or open."""
         lines = self._sorted()
-        small = self.edge is not None and 2 <= self.edge <= _CLOSED and self.edge < self.peak
+        most = MOST_AT_TIP if self.shrunk else _CLOSED
+        small = self.edge is not None and 2 <= self.edge <= most and self.edge < self.peak
         closing = self.ends == "close" or (self.off is not None and self.ends != "open" and small)
         if closing and not self.flat and lines:
             end = self.off or lines[-1].span

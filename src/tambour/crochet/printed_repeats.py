@@ -187,7 +187,7 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
     if said >= 0:
         c.at += 1
         # "from * to *", "between * and *", "this", "between brackets"
-        while c.key("from", "to", "between", "and") or c.mark("*", "**") or (c.kind("word") and c.at - said < 6):
+        while c.key("from", "to", "between", "and") or c.mark("*", "**") or c.mark("-") and c.mark("*", ahead=-1) or (c.kind("word") and c.at - said < 6):
             if c.mark("*") and c.whole(1) is not None and not c.key("from", "to", "between", "and", ahead=-1):
                 break
             from_star = from_star or c.key("from")

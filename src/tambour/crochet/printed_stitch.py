@@ -31,6 +31,10 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         found.append(Action("join", token.span))
         return
     place = r.before or where(c)
+    if place is not None and place.kind == "hook":
+        r.body.hook, r.body.fresh = place.ordinal, len(found)
+        if r.before is not None:  # "starting in 2nd ch from hook: 5 sc"
+            place = None
     r.before = None
     if place is not None and place.kind == "loops":
         more = where(c)

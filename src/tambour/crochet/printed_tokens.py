@@ -98,6 +98,8 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
         if word in ("*", "-", "+") and not _bullet(tokens, at):
             break
         at += 1
+    while len(tokens) > at and tokens[-1].word == "|":
+        tokens.pop()
     tokens = tokens[at:]
     weights = [t for t in tokens if t.word in _WEIGHTS]
     if weights:

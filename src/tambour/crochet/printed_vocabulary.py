@@ -122,7 +122,7 @@ class Vocabulary:
                 at += 1
                 continue
             found = self._longest(tokens, at)
-            if token.word == "x" and (found is None or (made and made[-1].word in (")", "]", "}", "*"))):
+            if token.word == "x" and (token.kind == "mark" or found is None or (made and made[-1].word in (")", "]", "}", "*"))):
                 made.append(Token("mark", "x", token.start, token.end, None, token.glued))
                 at += 1
                 continue
