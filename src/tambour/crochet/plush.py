@@ -53,7 +53,7 @@ class Plush:
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
     from tambour.crochet.build import build
-    from tambour.crochet.parse import parse
+    from tambour.crochet.reading import read
 
     if params.photo:
         from tambour.render.photo import tracer
@@ -61,7 +61,7 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
         tracer()  # what is missing is told before the work, not after it
     stitch = params.stitch()
     with progress.stage("parse"):
-        pattern = parse(source, max_stitches=params.max_stitches, strict=params.strict)
+        pattern = read(source, max_stitches=params.max_stitches, strict=params.strict)
     with progress.stage("build"):
         built = build(pattern, stitch=stitch, strict=params.strict)
     if params.check:
@@ -209,6 +209,7 @@ def facts(piece: Plush) -> dict[str, Any]:
 
     from tambour.crochet.features import materials
     from tambour.crochet.forces import lengths
+    from tambour.crochet.reading import account
 
     built, g, shape = piece.built, piece.built.graph, piece.shape
     x, width = piece.positions, piece.stitch[0]
@@ -239,6 +240,7 @@ def facts(piece: Plush) -> dict[str, Any]:
     checked = f"no mistake found: {len(built.rounds)} rounds, {said} stated counts" if piece.params.check else None
     return {
         **({"check": checked} if checked else {}),
+        **account(built.pattern),
         "nodes": len(g),
         "edges": len(g.edges),
         "stitches": {g.kinds[k]: int(n) for k, n in zip(kinds, counts)},

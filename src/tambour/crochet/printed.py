@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
 from tambour.crochet.finish import check_names
 from tambour.crochet.phrases import Phrases
-from tambour.crochet.printed_clauses import NotUnderstood
+from tambour.crochet.printed_clauses import Cursor, NotUnderstood
 from tambour.crochet.printed_colors import Palette
 from tambour.crochet.printed_doubts import decided
 from tambour.crochet.printed_heads import Head, heads
@@ -17,7 +16,7 @@ from tambour.crochet.printed_parts import Draft
 from tambour.crochet.printed_repeats import OPEN
 from tambour.crochet.printed_terms import recognised
 from tambour.crochet.printed_tokens import Row, Token, rows
-from tambour.crochet.printed_vocabulary import Vocabulary
+from tambour.crochet.printed_vocabulary import vocabulary
 from tambour.crochet.source import Source
 from tambour.crochet.stitches import STUFFING
 from tambour.crochet.syntax import Action, Line, Pattern
@@ -44,7 +43,7 @@ class _Printed:
         self.source = source
         self.rows = rows(source.text.text)
         self.language = recognised(source, self.rows)
-        self.vocabulary = Vocabulary(self.language.code)
+        self.vocabulary = vocabulary(self.language.code)
         self.palette = Palette(self.vocabulary.stitches())
         self.phrases = Phrases(TERMS[self.language.code], {}, {})
         self.parts: list[Draft] = []
@@ -131,7 +130,11 @@ class _Printed:
             return None
         depth = sum((t.word in OPEN) - (t.word in ")]}>") for t in before if t.kind == "mark")
         last, first = before[-1], tokens[0]
-        if depth > 0 or last.word in (",", "+", "&") or (last.kind == "key" and last.value in ("and", "in", "next", "to")):
+        if (
+            depth > 0
+            or last.word in (",", "+", "&")
+            or (last.kind == "key" and last.value in ("and", "in", "next", "to"))
+        ):
             return tokens
         if first.kind == "mark" and first.word in "([{*=":
             return tokens
@@ -223,7 +226,6 @@ class _Printed:
         for key, words, span in said:
             self.stated.setdefault(key, (words, span))
         if said or shade:
-            self.passed.append(whole)
             return
         first = tokens[0]
         names = [t for t in tokens if t.kind != "mark"]
@@ -251,7 +253,8 @@ class _Printed:
         if self.title is None and names:
             end = next((t.start for t in row.tokens if t.word in (".", ":")), row.end)
             self.title = (text[row.tokens[0].start : end].strip(), Span(row.tokens[0].start, end))
-        self.passed.append(whole)
+        else:
+            self.passed.append(whole)
         for left in lefts:
             self._left(left, False)
 
@@ -260,7 +263,7 @@ class _Printed:
         k = 1 if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value in ("color", "yarn") else 0
         if len(tokens) < k + 3 or tokens[k].kind not in ("word", "key") or tokens[k + 1].word not in ("=", ":", "-"):
             return False
-        shade = self.palette.color(_at(tokens, k + 2))
+        shade = self.palette.color(Cursor(tokens, k + 2))
         if shade is None or len(tokens[k].word) > 2:
             return False
         self.palette.given[tokens[k].word] = shade[0]
@@ -316,7 +319,7 @@ class _Printed:
             self.lead.append(Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False))
             return True
         span = Span(tokens[0].start, tokens[-1].end)
-        starts = any(isinstance(i, Action) and i.name in ("mr", "ch") or _ring(i) for i in body.items)
+        starts = any((isinstance(i, Action) and i.name in ("mr", "ch")) or _ring(i) for i in body.items)
         if draft is None and not starts:
             return False
         if starts and (draft is None or self.heading is not None):
@@ -357,14 +360,5 @@ def _ring(item: object) -> bool:
     return isinstance(item, Action) and item.name.startswith("MR{")
 
 
-def _at(tokens: list[Token], at: int):  # type: ignore[no-untyped-def]
-    from tambour.crochet.printed_clauses import Cursor
-
-    return Cursor(tokens, at)
-
-
 def _place(problem: Problem) -> int:
     return problem.span.start if problem.span else 0
-
-
-__all__ = ["NOTHING", "NOT_UNDERSTOOD", "read_printed", "replace"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from tambour.core.errors import Span, did_you_mean
+from tambour.core.errors import Span
 from tambour.crochet.printed_clauses import Cursor, NotUnderstood, Where, where
 from tambour.crochet.printed_colors import Palette
 from tambour.crochet.printed_repeats import OPEN, bracket, led, repeated, star
@@ -17,6 +17,7 @@ from tambour.crochet.syntax import Action, Group, Item
 _BETWEEN = frozenset(",;:.-/+!&~|><·")
 _LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
 _PHRASE = frozenset(",;.()[]{}*=")
+_STOPS = (".", ",", ";", ":", "(", "[", "{", "*", ")", "]", "}")
 _ENDS = frozenset((".", ";"))
 
 
@@ -130,7 +131,6 @@ class Reader:
 
     def clause(self, found: list[Item], token: Token) -> None:
         """One clause at the cursor."""
-        c = self.c
         if token.kind == "mark" and token.word in OPEN:
             bracket(self, found, token)
         elif token.kind == "mark" and token.word in ("*", "**"):
@@ -144,10 +144,8 @@ class Reader:
         elif token.kind == "key":
             self.key(found, token)
         else:
-            hint = did_you_mean(token.word, self.palette.known) if token.kind == "word" else ""
-            raise NotUnderstood(
-                token, f'"{token.word}" is not understood here', hint or "a stitch, a number or a repeat is wanted here"
-            )
+            message = f'"{token.word}" is not understood here'
+            raise NotUnderstood(token, message, "a stitch, a number or a repeat is wanted here")
 
     def phrase(self, found: list[Item], token: Token) -> bool:
         """A sentence that the writer prints for marks, forks and loops."""
@@ -212,6 +210,10 @@ class Reader:
             while c.key("with", "in", "and") and (c.kind("number", 1) or c.kind("stitch", 1)):
                 c.at += 1
         elif word in ("in", "over", "each", "next", *_LOOPS):
+            if c.key("side"):
+                self.body.sides = True
+                self.to_separator()
+                return
             c.at -= 1
             place = where(c)
             if place is None:
@@ -252,9 +254,7 @@ class Reader:
         elif word == "even":
             c.skip_key("around")
             found.append(Group((Action("sc", token.span),), None, token.span))
-        elif word == "repeat":
-            self.again(found, token)
-        elif word == "as" and c.key("round", "row"):
+        elif word == "repeat" or (word == "as" and c.key("round", "row")):
             self.again(found, token)
         elif word == "for" and c.whole() is not None:
             self.body.rounds = (c.whole() or 0, c.take().span)
@@ -270,7 +270,9 @@ class Reader:
             lead, inner = led(found)
             found[:] = [*lead, Group(tuple(inner), None, token.span)]
         else:
-            raise NotUnderstood(token, f'"{token.word}" is not understood here', "a stitch, a number or a repeat is wanted")
+            raise NotUnderstood(
+                token, f'"{token.word}" is not understood here', "a stitch, a number or a repeat is wanted"
+            )
 
     def again(self, found: list[Item], token: Token) -> None:
         """``repeat Rnd 4``, ``rep Rnds 2-3``, or a repeat of all that was said."""
@@ -298,17 +300,19 @@ class Reader:
     def ending(self) -> None:
         """How the end is left: closed, or open for sewing; to the end of the sentence."""
         c = self.c
+        left = False
         while c.look() is not None and not c.mark(".", "(", "["):
             if c.key("close"):
                 self.body.ends = "close"
-            elif (c.key("open") or c.tokens[c.at].word in ("tail", "end")) and self.body.ends != "close":
+            elif (c.key("open") or (left and c.tokens[c.at].word == "tail")) and self.body.ends != "close":
                 self.body.ends = "open"
+            left = left or (c.key("leave") and c.tokens[c.at].word.startswith("leav"))
             c.at += 1
 
     def to_separator(self, *keys: str) -> None:
         """Goes on to the end of a clause."""
         c = self.c
-        while c.look() is not None and not c.mark(".", ",", ";", "(", "[", "{", "*", ")", "]", "}") and not c.key(*keys):
+        while c.look() is not None and not c.mark(*_STOPS) and not c.key(*keys):
             if c.key("form") and not keys:
                 break
             c.at += 1

@@ -120,8 +120,6 @@ def where(c: Cursor) -> Where | None:
                 kind = "hook"
                 c.at += 2
                 break
-            elif token.value == "both" or (token.value == "with" and False):
-                break
             else:
                 break
         elif token.kind == "ordinal" and (inside or each) and not placed:
@@ -129,7 +127,9 @@ def where(c: Cursor) -> Where | None:
             kind = kind or "first"
         elif token.kind == "number" and not counted and not placed and (inside or each or kind == "next"):
             after = c.look(1)
-            if not isinstance(token.value, int) or (after is not None and (after.word == "x" or c.key("times", ahead=1))):
+            if not isinstance(token.value, int) or (
+                after is not None and (after.word == "x" or c.key("times", ahead=1))
+            ):
                 break
             count, counted = token.value, True
         elif token.kind == "stitch" and (inside or each or kind == "next") and not placed:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Final
 
 from tambour.crochet.finish import RGB
@@ -65,17 +66,22 @@ _SHADES: Final[tuple[RGB, ...]] = (
 )
 
 
+@lru_cache(maxsize=1)
+def _css() -> dict[str, RGB]:
+    from PIL import ImageColor
+
+    return {name: ImageColor.getrgb(name)[:3] for name in ImageColor.colormap}
+
+
 class Palette:
     """The colours of a pattern. ``given``: letters and names of its own; ``told``: those without a colour that were used;
     ``known``: words for suggestions."""
 
     def __init__(self, known: list[str]) -> None:
-        from PIL import ImageColor
-
         self.known = known
         self.given: dict[str, RGB] = {}
         self.told: list[str] = []
-        self._css = {name: ImageColor.getrgb(name)[:3] for name in ImageColor.colormap}
+        self._css = _css()
 
     def name(self, words: str) -> RGB | None:
         """The colour of a name, None when it is none."""

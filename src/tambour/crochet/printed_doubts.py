@@ -22,12 +22,13 @@ READINGS: Final = {
     "one glued": ("stitch after stitch", "all in one stitch"),
     "more": ("so many times more", "so many times in all"),
     "all": ("so many in each stitch around", "so many stitches, and no more"),
+    "pair": ("one stitch", "two stitches"),
     "once": ("once", "again and again, around"),
     "open": ("once", "again and again, around"),
 }
 """Wording → its first reading, which is taken unless the count speaks for the second."""
 
-_QUIET: Final = frozenset(("one", "all", "once"))  # usual enough not to be asked about when no count is stated
+_QUIET: Final = frozenset(("one", "all", "once", "pair"))  # usual enough not to be asked about when no count is stated
 
 
 def worked(items: list[Item] | tuple[Item, ...], edge: int, stitches: dict[str, Stitch]) -> tuple[int, int] | None:
@@ -76,7 +77,6 @@ def after(items: list[Item] | tuple[Item, ...], edge: int | None, stitches: dict
 def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | None, phrases: Phrases) -> Body:
     """The body of a round in the reading that fits its count; doubts that the count leaves are told."""
 
-
     def phrase(first: Token, last: Token) -> Action | None:
         span = Span(first.start, last.end)
         said = phrases.item(source.text.text[span.start : span.end])
@@ -91,30 +91,39 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
         open_span = _implied(body, edge, source.stitches)
         if open_span is not None:
             body.asked["open"] = open_span
-        if body.asked and not _fits(body, edge, source.stitches):
-            body = _second(source, read, edge, body) or body
+        if body.asked and (fit := _fits(body, edge, source.stitches)) < 2:
+            body = _second(source, read, edge, body, fit) or body
     for what, span in first.asked.items():
         one, two = READINGS[what]
-        if body is not first and what in body.asked:
+        if body is not first and what in body.asked and what != "pair":
             said = f"this can be read as {one}, or as {two}: the count speaks for the second"
             source.doubt(said, "say it so that there is one reading", span)
-        elif body is first and what not in _QUIET and what != "open" and (
-            body.stated is None or not _fits(body, edge, source.stitches)
+        elif (
+            body is first
+            and what not in _QUIET
+            and what != "open"
+            and (body.stated is None or not _fits(body, edge, source.stitches))
         ):
-            source.doubt(f"this can be read as {one}, or as {two}; the first is taken", "a stated count would decide", span)
+            source.doubt(
+                f"this can be read as {one}, or as {two}; the first is taken", "a stated count would decide", span
+            )
     return body
 
 
-def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> bool:
+def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> int:
+    """How well a body fits its count: 2 also uses up the round below, 1 leaves some of it over, 0 does not fit."""
     done = after(body.items, edge, stitches)
-    return done is None or done == body.stated
+    if done is not None and done != body.stated:
+        return 0
+    taken = worked(body.items, edge or 0, stitches)
+    return 2 if done is None or taken is None or edge is None or taken[1] in (0, edge) else 1
 
 
 def _implied(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> Span | None:
     """Where a round that leaves stitches over says no repeat, although its count would fit one."""
     if edge is None or body.rounds is not None or any(isinstance(i, Group) for i in body.items):
         return None
-    lead, inner = led(body.items)
+    _, inner = led(body.items)
     once = worked(inner, edge, stitches)
     if not inner or once is None or not 0 < once[1] < edge or edge % once[1]:
         return None
@@ -123,9 +132,9 @@ def _implied(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> Span 
 
 
 def _second(
-    source: Source, read: Callable[[frozenset[str]], Body], edge: int | None, body: Body
+    source: Source, read: Callable[[frozenset[str]], Body], edge: int | None, body: Body, fit: int
 ) -> Body | None:
-    """The first combination of second readings that the count bears out, the fewest of them first."""
+    """The first combination of second readings that fits the count better than ``fit``, the fewest of them first."""
     asked = list(body.asked)[:5]
     for many in range(1, len(asked) + 1):
         for chosen in combinations(asked, many):
@@ -136,7 +145,7 @@ def _second(
             if "open" in chosen:
                 lead, inner = led(other.items)
                 other.items = [*lead, Group(tuple(inner), None, body.asked["open"])]
-            if after(other.items, edge, source.stitches) == other.stated:
+            if after(other.items, edge, source.stitches) is not None and _fits(other, edge, source.stitches) > fit:
                 other.asked = {what: body.asked[what] for what in chosen}
                 return other
     return None

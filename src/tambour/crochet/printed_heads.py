@@ -156,7 +156,11 @@ def heads(tokens: list[Token]) -> list[tuple[int, Head]]:
         found.append((0, first))
     at = first.end if first is not None else 1
     while at < len(tokens):
-        if tokens[at].kind == "key" and tokens[at].value in ("round", "row") and tokens[at - 1].word in (".", ")", "]", ";"):
+        if (
+            tokens[at].kind == "key"
+            and tokens[at].value in ("round", "row")
+            and tokens[at - 1].word in (".", ")", "]", ";")
+        ):
             later = head(tokens, at)
             if later is not None and later.numbers and tokens[later.end - 1].word == ":":
                 found.append((at, later))

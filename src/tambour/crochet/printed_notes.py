@@ -78,9 +78,9 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
             break
         if token.kind == "mark" and token.word == "-" and (c.key("make", ahead=1) or c.whole(1) is not None):
             break
-        if token.word == "." and not token.glued or (token.kind == "key" and token.value == "make"):
+        if (token.word == "." and not token.glued) or (token.kind == "key" and token.value == "make"):
             break
-        if token.kind == "mark" and token.word == "x" or c.whole() is not None and c.mark("x", ahead=1):
+        if (token.kind == "mark" and token.word == "x") or (c.whole() is not None and c.mark("x", ahead=1)):
             break
         name.append(token)
         c.at += 1
@@ -150,8 +150,13 @@ def stated(text: str, row: Row, tokens: list[Token]) -> list[tuple[str, str, Spa
             continue
         end = row.end
         for later in range(k + 2, len(tokens)):
-            ends = tokens[later].word in (".", ";") and not tokens[later].glued or tokens[later].word == "."
-            if ends and later + 1 < len(tokens) and tokens[later + 1].kind == "key" and tokens[later + 1].value in STATED:
+            ends = (tokens[later].word in (".", ";") and not tokens[later].glued) or tokens[later].word == "."
+            if (
+                ends
+                and later + 1 < len(tokens)
+                and tokens[later + 1].kind == "key"
+                and tokens[later + 1].value in STATED
+            ):
                 end = tokens[later].start
                 break
         begin = tokens[k + 1].end

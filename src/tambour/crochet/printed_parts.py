@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 from tambour.core.errors import Span
 from tambour.crochet.hook import MOST_AT_TIP
@@ -13,7 +14,9 @@ from tambour.crochet.source import Source
 from tambour.crochet.stitches import into_one
 from tambour.crochet.syntax import Action, Group, Item, Line, Section
 
-_CLOSED = 8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
+_CLOSED = (
+    8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
+)
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
 
 
@@ -81,11 +84,13 @@ class Draft:
             source.doubt(message, "make them agree", body.rounds[1], True)
         at = head.span if head is not None and numbers else body.rounds[1] if body.rounds is not None else None
         line = Line(tuple(items), span, worked, 1, None, None, body.stated, body.stated_span)
-        steady = all(b == a + 1 for a, b in zip(numbers, numbers[1:]))
+        steady = all(b == a + 1 for a, b in pairwise(numbers))
         if numbers and head is not None:
             self._numbered(source, head, steady)
         if steady:
-            made = [replace(line, times=times, times_span=at if times > 1 else None, number=numbers[0] if numbers else None)]
+            made = [
+                replace(line, times=times, times_span=at if times > 1 else None, number=numbers[0] if numbers else None)
+            ]
         else:
             self.parted = True
             made = [replace(line, number=n) for n in numbers]
@@ -100,7 +105,8 @@ class Draft:
         if times > 1 and edge is not None and body.stated is not None and body.stated != edge:
             self.edge = body.stated
         if worked:
-            self.shrunk = self.edge is not None and before is not None and self.edge < before
+            fewer = self.edge is not None and before is not None and self.edge < before
+            self.shrunk = fewer and not any(_skips(i) for i in items)
         self.peak = max(self.peak, self.edge or 0)
 
     def _numbered(self, source: Source, head: Head, steady: bool) -> None:
@@ -108,7 +114,9 @@ class Draft:
         first, before = head.numbers[0], self.last
         if steady and self.rounds and not self.parted and first not in (1, before + 1):
             said = "is there already" if first <= before else "leaves rounds out"
-            source.doubt(f"round {first} {said}: the one before is {before}", f"{before + 1} would follow", head.span, True)
+            source.doubt(
+                f"round {first} {said}: the one before is {before}", f"{before + 1} would follow", head.span, True
+            )
 
     def _again(self, source: Source, head: Head | None, body: Body, span: Span) -> None:
         """Rounds that were written already, worked once more."""
@@ -183,7 +191,9 @@ class Draft:
         at, self.chain = self.chain, None
         base = self.lines[at]
         before = [i for i in base.items if not isinstance(i, Action) or i.name in ("color", "flo", "blo")]
-        items = [i for k, i in enumerate(items) if not (k < fresh and isinstance(i, Action) and i.name in ("ch", "turn"))]
+        items = [
+            i for k, i in enumerate(items) if not (k < fresh and isinstance(i, Action) and i.name in ("ch", "turn"))
+        ]
         items = [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "turn")]
         first = next(i for i in items if _works(i))
         hook = body.hook or 2
@@ -217,7 +227,9 @@ class Draft:
 
     def _begun(self, source: Source, head: Head | None, items: list[Item]) -> list[Item]:
         """``items`` with the chains at a round's beginning understood, and rows turned where nobody says so."""
-        at = next((k for k, i in enumerate(items) if not isinstance(i, Action) or i.name not in ("color", "flo", "blo")), 0)
+        at = next(
+            (k for k, i in enumerate(items) if not isinstance(i, Action) or i.name not in ("color", "flo", "blo")), 0
+        )
         lead = items[at] if items else None
         turns = any(isinstance(i, Action) and i.name == "turn" for i in items[at : at + 3])
         last = next((i for line in reversed(self.lines) for i in reversed(line.items) if _moves(i)), None)
@@ -225,7 +237,14 @@ class Draft:
         worked = any(_works(line_item) for line in self.lines for line_item in line.items)
         if self.flat and worked and not turns and not lifted and (head is None or head.row) and any(map(_works, items)):
             return [*items[:at], Action("turn", span_of(items[at])), *items[at:]]
-        if isinstance(lead, Action) and lead.name == "ch" and lead.times <= _LIFT and not turns and not lifted and worked:
+        if (
+            isinstance(lead, Action)
+            and lead.name == "ch"
+            and lead.times <= _LIFT
+            and not turns
+            and not lifted
+            and worked
+        ):
             next_one = items[at + 1] if at + 1 < len(items) else None
             if next_one is not None and not (isinstance(next_one, Action) and next_one.name == "skip"):
                 return [*items[:at], *items[at + 1 :]]
@@ -272,6 +291,10 @@ def _works(item: Item) -> bool:
     if isinstance(item, Group):
         return any(map(_works, item.items))
     return item.name not in ("ch", "color", "turn", "join", "flo", "blo", "bl", "fo", "mark", "goto", "sew", "attach")
+
+
+def _skips(item: Item) -> bool:
+    return any(map(_skips, item.items)) if isinstance(item, Group) else item.name == "skip"
 
 
 def _moves(item: Item) -> bool:

@@ -187,7 +187,12 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
     if said >= 0:
         c.at += 1
         # "from * to *", "between * and *", "this", "between brackets"
-        while c.key("from", "to", "between", "and") or c.mark("*", "**") or c.mark("-") and c.mark("*", ahead=-1) or (c.kind("word") and c.at - said < 6):
+        while (
+            c.key("from", "to", "between", "and")
+            or c.mark("*", "**")
+            or (c.mark("-") and c.mark("*", ahead=-1))
+            or (c.kind("word") and c.at - said < 6)
+        ):
             if c.mark("*") and c.whole(1) is not None and not c.key("from", "to", "between", "and", ahead=-1):
                 break
             from_star = from_star or c.key("from")
@@ -204,15 +209,15 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
     given = multiplier(r)
     token = c.look()
     if given is not False:
-        number, span = given
-        if c.skip_key("more") and number is not None:
-            number += 1
-        elif star and from_star and number is not None:
+        count, span = given
+        if c.skip_key("more") and count is not None:
+            count += 1
+        elif star and from_star and count is not None:
             r.ask("more", span)
-            number += "more" not in r.choices
-        while number is not None and c.key("around", "total"):
+            count += "more" not in r.choices
+        while count is not None and c.key("around", "total"):
             c.at += 1
-        return number, span
+        return count, span
     if token is not None and c.whole() is not None:
         if c.key("more", ahead=1):
             c.at += 2

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from tambour.core.errors import Span
 from tambour.crochet.printed_clauses import NotUnderstood, Where, where
 from tambour.crochet.printed_tokens import Token
-from tambour.crochet.stitches import STANDING, into_one
+from tambour.crochet.stitches import STANDING, Stitch, into_one
 from tambour.crochet.syntax import Action, Group, Item
 
 if TYPE_CHECKING:
     from tambour.crochet.printed_body import Reader
 
+_TWO = ("inc", "dec")
 _MOST = 64  # stitches in one place
 
 
@@ -44,10 +45,18 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         r.to_separator()
         found.append(Action("join", token.span))
         return
+    if name != "slst" and len(words := token.word.split(" ")) == 2 and words[1] in _TWO:
+        r.ask("pair", token.span)
+        if "pair" in r.choices:
+            base = name[: name.index(words[1][:3])] or "sc"
+            found.append(Action(base, token.span, (before.value if before else None) or 1))
+            before = None
     number = before or after
     if r.ring is not None and name == "ch":
         return
-    if (place is not None and place.kind == "ring") or (r.ring is not None and (place is None or place.kind == "loops")):
+    if (place is not None and place.kind == "ring") or (
+        r.ring is not None and (place is None or place.kind == "loops")
+    ):
         _ring(r, found, name, number, token)
         return
     made = _lower(r, found, name, before, after, token, place)
@@ -103,19 +112,23 @@ def _ring(r: Reader, found: list[Item], name: str, number: Token | None, token: 
     inner = [(stitches, count)]
     if isinstance(last, Action) and r.is_ring(last):
         found.pop()
-        old = [(r.stitches["sc"], last.numbers[0])] if last.name == "mr" else [
-            (r.stitches[s], k) for s, k in r.stitches[last.name].inner
-        ]
+        old = (
+            [(r.stitches["sc"], last.numbers[0])]
+            if last.name == "mr"
+            else [(r.stitches[s], k) for s, k in r.stitches[last.name].inner]
+        )
         inner = [*old, *inner]
     found.append(_together(r, inner, token, "ring"))
 
 
-def _together(r: Reader, inner: list[tuple[object, int]], token: Token, place: str = "") -> Action:
+def _together(
+    r: Reader, inner: list[tuple[Stitch, int]], token: Token, place: Literal["", "sp", "ring"] = ""
+) -> Action:
     """One action for stitches that go into one place."""
     if sum(k for _, k in inner) > _MOST:
         raise NotUnderstood(token, "too many stitches in one place", f"at most {_MOST}")
     try:
-        made = into_one(inner, place)  # type: ignore[arg-type]
+        made = into_one(inner, place)
     except ValueError as error:
         raise NotUnderstood(token, str(error), "stitches that go into one place are worked ones and chains") from None
     r.stitches.setdefault(made.name, made)
@@ -123,7 +136,13 @@ def _together(r: Reader, inner: list[tuple[object, int]], token: Token, place: s
 
 
 def _lower(
-    r: Reader, found: list[Item], name: str, before: Token | None, after: Token | None, token: Token, place: Where | None
+    r: Reader,
+    found: list[Item],
+    name: str,
+    before: Token | None,
+    after: Token | None,
+    token: Token,
+    place: Where | None,
 ) -> list[Item]:
     """The items of ``before`` (or ``after``) stitches ``name`` at ``place``."""
     given = before or after

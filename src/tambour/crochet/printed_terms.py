@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 from tambour.core.errors import Span
@@ -112,17 +113,20 @@ def _foreign(rows: list[Row], words: dict[str, int]) -> str:
     """The code of another language whose stitches the text names more than the English ones."""
 
     def score(code: str) -> int:
-        table = TERMS[code]
-        own = {
-            s.lower().split()[0].translate(_DIGITS)
-            for spellings in (*table.stitches.values(), table.words["ring"], table.words["round"], table.words["stitch"])
-            for s in spellings
-        }
-        return sum(n for word, n in words.items() if word in own and len(word) > 1)
+        return sum(n for word, n in words.items() if word in _own(code))
 
     english = max(score("us"), score("uk"))
     best = max((code for code in TERMS if code not in _ENGLISH), key=score, default="")
     return best if best and score(best) > english else ""
+
+
+@lru_cache(maxsize=16)
+def _own(code: str) -> frozenset[str]:
+    """First words of a language's stitches, rings and rounds."""
+    table = TERMS[code]
+    said = (*table.stitches.values(), table.words["ring"], table.words["round"], table.words["stitch"])
+    found = {s.lower().split()[0].translate(_DIGITS) for spellings in said for s in spellings}
+    return frozenset(word for word in found if len(word) > 1)
 
 
 def _letters(source: Source, rows: list[Row]) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from copy import copy
 from functools import lru_cache
 from typing import Any, Final
 
@@ -103,6 +104,10 @@ class Vocabulary:
         for phrases in self._first.values():
             phrases.sort(key=lambda p: -len(p[0]))
 
+    def own(self) -> None:
+        """Makes the phrases this vocabulary's own; those of another that it was copied from stay as they are."""
+        self._first = {word: list(phrases) for word, phrases in self._first.items()}
+
     def knows(self, word: str) -> bool:
         """Whether a phrase begins with ``word``."""
         return word in self._first
@@ -122,7 +127,9 @@ class Vocabulary:
                 at += 1
                 continue
             found = self._longest(tokens, at)
-            if token.word == "x" and (token.kind == "mark" or found is None or (made and made[-1].word in (")", "]", "}", "*"))):
+            if token.word == "x" and (
+                token.kind == "mark" or found is None or (made and made[-1].word in (")", "]", "}", "*"))
+            ):
                 made.append(Token("mark", "x", token.start, token.end, None, token.glued))
                 at += 1
                 continue
@@ -185,6 +192,12 @@ def _of_both(name: str) -> bool:
 
 
 @lru_cache(maxsize=16)
-def shared(code: str) -> Vocabulary:
-    """The vocabulary of a language as it stands; :meth:`Vocabulary.define` wants a fresh one."""
+def _shared(code: str) -> Vocabulary:
     return Vocabulary(code)
+
+
+def vocabulary(code: str) -> Vocabulary:
+    """The vocabulary of the terms ``code``, to which a pattern may add its own words."""
+    made = copy(_shared(code))
+    made.own()
+    return made

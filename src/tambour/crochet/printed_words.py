@@ -12,7 +12,7 @@ ENGLISH: Final[dict[str, str]] = {
     "|magic adjustable ring|adjustable magic ring|double magic ring|magic ring method|amigurumi ring|ring of yarn",
     "loop": "ring|circle|center of ring|centre of ring",
     "form": "form a ring|form ring|to form a ring|form a circle|to form a loop|form a loop|to make a ring",
-    "in": "in|into|inside|through|thru|onto",
+    "in": "in|into|inside|through|thru|onto|on|along",
     "over": "over|using",
     "each": "each|every|all",
     "next": "next|following|nxt",
@@ -65,7 +65,7 @@ ENGLISH: Final[dict[str, str]] = {
     "for": "for",
     "hook": "hook",
     "yarn": "yarn",
-    "side": "other side|opposite side|both sides|underside|back side|bottom side",
+    "side": "other side|opposite side|both sides|underside|back side|bottom side|bottom|other half",
     "foundation": "foundation chain|foundation ch|starting chain|starting ch|beginning chain|beg ch|base chain",
     "materials": "materials|material|supplies|what you need|you will need|you'll need|materials needed|tools|notions",
     "abbreviations": "abbreviations|abbreviation|stitches used|terms|terminology|abbreviations used|stitch guide|key|glossary"
@@ -111,7 +111,9 @@ US: Final[dict[str, str]] = {
 """Stitches with their spellings; the reader makes increases and decreases of them by itself."""
 
 INCREASES: Final = "inc|increase|increases|incs|increasing|increase stitch"
-DECREASES: Final = "dec|decrease|decreases|decs|inv dec|invdec|invisible decrease|invisible dec|decreasing|invisible decreases"
+DECREASES: Final = (
+    "dec|decrease|decreases|decs|inv dec|invdec|invisible decrease|invisible dec|decreasing|invisible decreases"
+)
 """Words for two in one and one over two; alone they mean the basic stitch."""
 
 ORDINALS: Final = "first|second|third|fourth|fifth|sixth|seventh|eighth|ninth|tenth"

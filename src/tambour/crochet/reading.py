@@ -18,6 +18,7 @@ _OWN: Final = re.compile(
 )
 _HEADER: Final = re.compile(r"^[ \t]*==[^=\n]+(?:==)?[ \t]*$", re.MULTILINE)
 _ROUND: Final = re.compile(r"^[ \t]*(?:R|r|[Rr]nds?\.?|[Rr]ounds?|[Rr]ows?)[ \t]*\d+[^\n]{0,12}:", re.MULTILINE)
+_SAMPLE: Final = 2000
 _HEADING: Final = re.compile(r"^[ \t]*##", re.MULTILINE)
 
 
@@ -33,6 +34,9 @@ def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pa
         return parse(text, max_stitches=max_stitches, strict=strict)
     if (_HEADER.search(text.text) or _ROUND.search(text.text)) and not _HEADING.search(text.text):
         try:
+            # A text that is no language of ours shows it soon.
+            if len(text.text) > _SAMPLE:
+                parse(Text(text.text[: text.text.find("\n", _SAMPLE)], text.name))
             return parse(text, max_stitches=max_stitches, strict=strict)
         except TambourError:
             pass  # as print it may be read
@@ -41,7 +45,10 @@ def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pa
 
 def _worded(text: str) -> bool:
     """Whether a text says anything that is no comment."""
-    return any(line.strip() and not line.lstrip().startswith("#") or line.lstrip().startswith("##") for line in text.split("\n"))
+    return any(
+        (line.strip() and not line.lstrip().startswith("#")) or line.lstrip().startswith("##")
+        for line in text.split("\n")
+    )
 
 
 def account(pattern: Pattern) -> dict[str, object]:
@@ -54,7 +61,9 @@ def account(pattern: Pattern) -> dict[str, object]:
         "terms": pattern.terms,
         "passed_over": len({text.place(span.start)[0] for span in pattern.passed}),
         "not_understood": [
-            {"line": text.place(p.span.start)[0], "text": text.text[p.span.start : p.span.end]} for p in doubts if p.span
+            {"line": text.place(p.span.start)[0], "text": text.text[p.span.start : p.span.end]}
+            for p in doubts
+            if p.span
         ],
         "stated": {key: words for key, (words, _) in pattern.stated.items()},
     }
