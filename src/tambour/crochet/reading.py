@@ -8,17 +8,17 @@ from typing import Final
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.parse import parse
 from tambour.crochet.printed import NOT_UNDERSTOOD, read_printed
+from tambour.crochet.restated import restated
 from tambour.crochet.syntax import Pattern
 
 # What only tambour's own language says, at the beginning of a line.
 _OWN: Final = re.compile(
     r"^[ \t]*(?::|\d+[ \t]*:[^\n]*\bMR\(|define[ \t]+\w+[^\n]{0,40}=|@(?!terms\b)\w+[ \t]*=|(?:mark|goto|attach|sew|color|place|eye"
-    r"|embroider|felt|hair)[ \t]*\()",
+    r"|embroider|felt|hair)[ \t]*\(|[A-Za-z_]\w*[ \t]*\{[ \t]*$)",
     re.MULTILINE,
 )
-_HEADER: Final = re.compile(r"^[ \t]*==[^=\n]+(?:==)?[ \t]*$", re.MULTILINE)
-_ROUND: Final = re.compile(r"^[ \t]*(?:R|r|[Rr]nds?\.?|[Rr]ounds?|[Rr]ows?)[ \t]*\d+[^\n]{0,12}:", re.MULTILINE)
-_SAMPLE: Final = 2000
+_FEW: Final = 3
+_MORE: Final = 40
 _HEADING: Final = re.compile(r"^[ \t]*##", re.MULTILINE)
 
 
@@ -30,13 +30,18 @@ def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pa
 
     Raises TambourError with every problem of the text, or with one line when it holds no instructions.
     """
+    known = restated(text, max_stitches=max_stitches)
+    if known is not None:
+        return known
     if text.name.lower().endswith(".acl") or _OWN.search(text.text) or not _worded(text.text):
         return parse(text, max_stitches=max_stitches, strict=strict)
-    if (_HEADER.search(text.text) or _ROUND.search(text.text)) and not _HEADING.search(text.text):
+    if not _HEADING.search(text.text):
         try:
-            # A text that is no language of ours shows it soon.
-            if len(text.text) > _SAMPLE:
-                parse(Text(text.text[: text.text.find("\n", _SAMPLE)], text.name))
+            # A text that is no language of ours soon shows it.
+            for lines in (_FEW, _MORE):
+                sample = "\n".join(text.text[: lines * 200].split("\n")[:lines])
+                if len(sample) < len(text.text):
+                    parse(Text(sample, text.name))
             return parse(text, max_stitches=max_stitches, strict=strict)
         except TambourError:
             pass  # as print it may be read
