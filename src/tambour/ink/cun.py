@@ -102,7 +102,17 @@ def wrinkles(
             if wet == 0:
                 stroke(rng, marks, n, grey, 0.1, shade, 0.5, SINE, 1.0)
             else:
-                stroke(rng, marks, n, grey, alpha * between(rng, 0.1, 1.0), breadth * between(rng, 0.7, 1.2), 0.5, SINE, 1.0)
+                stroke(
+                    rng,
+                    marks,
+                    n,
+                    grey,
+                    alpha * between(rng, 0.1, 1.0),
+                    breadth * between(rng, 0.7, 1.2),
+                    0.5,
+                    SINE,
+                    1.0,
+                )
 
 
 @kernel
