@@ -270,6 +270,19 @@ def grown(body: Body, m: int) -> Body:
     )
 
 
+def stayed(body: Body, nodes: Array, pairs: Array, rest: Array) -> Body:
+    """The body of ``nodes`` (rising) with springs between the ``pairs`` (K, 2) among them, of lengths ``rest`` (K,).
+
+    They are no fabric: contact does not know them.
+    """
+    inside = np.isin(pairs, nodes).all(1)
+    own = np.searchsorted(nodes, pairs[inside])
+    edges = np.concatenate([body.edges, np.column_stack([own.max(1, initial=0), own.min(1, initial=len(nodes))])])
+    order = np.argsort(edges[:, 0], kind="stable")
+    lengths = np.concatenate([body.rest, rest[inside]])
+    return replace(body, edges=np.ascontiguousarray(edges[order], body.edges.dtype), rest=lengths[order])
+
+
 def _cubic(stuffing: str) -> bool:
     return stuffing in ("centroid", "skeleton")
 

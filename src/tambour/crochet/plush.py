@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from tambour.core.picture import Picture
     from tambour.core.strands import Strands
     from tambour.crochet.build import Built
+    from tambour.crochet.joining import Joining
     from tambour.crochet.simulate import Shape
 
 
@@ -49,11 +50,18 @@ class Plush:
     centroids: Array
     yarn: Strands
 
+    @property
+    def upright(self) -> Array | None:
+        """Which way is up on every part (P, 3), None where all stand as they were worked."""
+        return None if self.shape.joined is None else self.shape.joined.upright
+
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
     from tambour.crochet.build import build
+    from tambour.crochet.joining import prepare
     from tambour.crochet.parse import parse
+    from tambour.crochet.pose import pose
 
     if params.photo:
         from tambour.render.photo import tracer
@@ -63,7 +71,8 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     with progress.stage("parse"):
         pattern = parse(source, max_stitches=params.max_stitches, strict=params.strict)
     with progress.stage("build"):
-        built = build(pattern, stitch=stitch, strict=params.strict)
+        built = pose(build(pattern, stitch=stitch, strict=params.strict), params.pose)
+        joining = prepare(built)
     if params.check:
         from tambour.crochet.check import tech_edit
 
@@ -72,27 +81,37 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
             raise TambourError(found)
     for warning in built.warnings:
         progress.warn(warning)
+    for warning in joining.doubts if joining is not None else ():
+        progress.warn(warning)
     # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
     with progress.stage("start"):
         warm()
-    return _shaped(built, params, stitch, progress)
+    return _shaped(built, joining, params, stitch, progress)
 
 
-def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], progress: Progress) -> Plush:
+def _shaped(
+    built: Built, joining: Joining | None, params: CrochetParams, stitch: tuple[float, float], progress: Progress
+) -> Plush:
     """The plush of a pattern that was worked."""
     import numpy as np
 
     from tambour.crochet.body import centroid_counts
     from tambour.crochet.fabric import strands
+    from tambour.crochet.joining import with_seams
     from tambour.crochet.simulate import Task, simulate
 
+    if joining is not None and joining.steps:
+        built = replace(built, graph=with_seams(built.graph, joining.pinched, stitch[0]))
     with progress.stage("settle"):
         start = params.start or built.initializer or "rounds"
         stuffing = params.stuffing or "pressure"
         # Sheets inside the piece are fabric, but do not bound its volume.
         shell = replace(built.graph, faces=built.graph.faces[built.shell])
         counts = centroid_counts(shell, params, [part.centroids for part in built.parts])
-        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts), progress.step)
+        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts, joining), progress.step)
+        if shape.joined is not None:
+            pairs = np.concatenate(shape.joined.seams) if shape.joined.seams else np.zeros((0, 2), int)
+            built = replace(built, graph=with_seams(built.graph, pairs, stitch[0]))
     if not shape.settled:
         progress.warn(
             f"the shape is not quite at rest: the largest force left is {shape.residual:.2g} stitches",
@@ -107,7 +126,7 @@ def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], pr
             "building one by one was cut short: the last nodes were placed at once", "--start rounds is faster"
         )
     x, c = shape.x * stitch[0], shape.c * stitch[0]
-    if params.solver == "settle" and built.up == "start":
+    if params.solver == "settle" and built.up == "start" and shape.joined is None:
         x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
     if params.check:
         from tambour.crochet.check import size_edit
@@ -272,7 +291,7 @@ def warm() -> None:
     text = "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
     built = build(parse(Text(text)))
     for stuffing in ("pressure", "centroid", "skeleton"):
-        piece = _shaped(built, CrochetParams(stuffing=stuffing, tolerance=0.1), (5.0, 5.0), Progress())
+        piece = _shaped(built, None, CrochetParams(stuffing=stuffing, tolerance=0.1), (5.0, 5.0), Progress())
     facts(piece)
     yarn(piece)
     surface(piece)
