@@ -24,6 +24,7 @@ NAMES = sorted(p.stem for p in EXAMPLES.glob("*.acl"))
 # Settled size in mm; another machine may differ by a little, a change of design by more.
 SIZES = {
     "ball": [100.4, 91.9, 100.2],
+    "bear": [144.2, 170.4, 93.4],
     "coaster": [94.0, 11.6, 94.8],
     "frog": [158.5, 142.8, 94.3],
     "heart": [95.3, 86.4, 59.7],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from tambour.crochet import sewing
 from tambour.crochet.assemble import SEWN_SHORT
 from tambour.crochet.build import Built
 from tambour.crochet.finish import Placed
-from tambour.crochet.placing import frames
+from tambour.crochet.placing import Frames, frames, level
 from tambour.crochet.spots import Spots
 from tambour.geometry.surface import vertex_normals
 
@@ -45,6 +46,7 @@ class Joined:
     seams : for every placed part the pairs (S, 2) sewn, its own stitch first
     held : pairs (H, 2) of nodes, one of either part, whose parts have their places to one another
     stays, rest : pairs (K, 2) of nodes and lengths (K,), in stitches, that keep parts at their angles
+    lying : (L, 4) stitches of the seams and the triangles of the fabric that they lie on
     """
 
     x: Array
@@ -53,6 +55,7 @@ class Joined:
     held: Array
     stays: Array
     rest: Array
+    lying: Array
 
 
 def prepare(built: Built) -> Joining | None:
@@ -76,7 +79,9 @@ def prepare(built: Built) -> Joining | None:
             continue
         first[part] = f
         if f.by is not None and spots.round_at(part, round(f.by)) is None:
-            problems.append(Problem(f'"{f.part}" has no round {f.by:g} to sew it by', "by=… is its number", f.span, text))
+            problems.append(
+                Problem(f'"{f.part}" has no round {f.by:g} to sew it by', "by=… is its number", f.span, text)
+            )
     order: list[Placed] = []
     waiting = dict(first)
     while waiting:
@@ -122,9 +127,7 @@ def with_seams(graph: StitchGraph, pairs: Array, width: float) -> StitchGraph:
     order = np.lexsort((edges[:, 1], edges[:, 0]))
     kind = np.concatenate([graph.edge_kind, np.full(len(key), SEWN, np.uint8)])
     rest = np.concatenate([graph.rest, np.full(len(key), SEWN_SHORT * width)])
-    return replace(
-        graph, edges=np.ascontiguousarray(edges[order], np.int32), edge_kind=kind[order], rest=rest[order]
-    )
+    return replace(graph, edges=np.ascontiguousarray(edges[order], np.int32), edge_kind=kind[order], rest=rest[order])
 
 
 def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
@@ -139,10 +142,10 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         owner[nodes] = b
     body = [int(owner[p.start]) if p.end > p.start else -1 for p in graph.parts]
     onto = {body[spots.parts[f.part]] for f, _ in joining.steps}
-    for p, part in enumerate(built.parts):
+    for span, fact, b in zip(graph.parts, built.parts, body):
         # What stands by itself stands as its pattern says; the rest is turned where it is placed.
-        if body[p] not in onto and built.pattern.parts[part.section].up == "start":
-            x[graph.parts[p].start : graph.parts[p].end] *= (-1.0, -1.0, 1.0)
+        if b not in onto and built.pattern.parts[fact.section].up == "start":
+            x[span.start : span.end] *= (-1.0, -1.0, 1.0)
     upright = np.tile([0.0, 1.0, 0.0], (len(graph.parts), 1))
     group = {b: [b] for b in range(len(bodies))}
     shell = graph.faces[built.shell]
@@ -150,7 +153,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
     for f, end in joining.steps:
         part, other = spots.parts[f.part], spots.parts[f.spot.part]
         own = bodies[body[part]]
-        frame = frames(built, x, [f.spot], upright)
+        frame = _frame(joining, x, f, end, upright, bodies[body[other]])
         how = sewing.held(x, own, end)
         straight = sewing.brought(x, own, end, how, *sewing.turned(f, end, frame, False), frame.points[0])
         turned = sewing.turned(f, end, frame)
@@ -176,4 +179,42 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         np.array(held, int).reshape(-1, 2),
         np.concatenate([np.zeros((0, 2), int), *stays]),
         np.concatenate([np.zeros(0), *rest]),
+        np.concatenate([np.zeros((0, 4), int), *(sewing.lying(shell, pairs) for pairs in seams)]),
     )
+
+
+def _frame(joining: Joining, x: Array, placed: Placed, end: sewing.End, upright: Array, target: Array) -> Frames:
+    """The frame at the spot of ``placed``, level with as much of the fabric (its nodes are ``target``) as its end covers."""
+    built = joining.built
+    frame = frames(built, x, [placed.spot], upright)
+    m = len(end.nodes)
+    room = max(1.5, m / (2.0 * math.pi) if end.ring else 0.25 * m)
+    near = target[((x[target] - frame.points[0]) ** 2).sum(1) < room * room]
+    faces = built.graph.faces[built.shell]
+    outward = vertex_normals(x, faces[np.isin(faces, near).any(1)])[near]
+    # What lies on the other side of a thin part looks the other way.
+    mean = outward[(outward @ frame.normals[0]) > 0.0].sum(0)
+    length = float(np.sqrt(mean @ mean))
+    normals = frame.normals if length < 1e-9 else (mean / length)[None]
+    return Frames(frame.points, normals, *level(normals, upright[[joining.spots.parts[placed.spot.part]]]))
+
+
+def assembly(joining: Joining, joined: Joined, x: Array) -> list[dict[str, Any]]:
+    """What the report says of every seam: the stitches sewn, and the gap that is left between them; x : (N, 3) mm."""
+    told = []
+    for (placed, _), pairs in zip(joining.steps, joined.seams):
+        gap = np.sqrt(((x[pairs[:, 0]] - x[pairs[:, 1]]) ** 2).sum(1))
+        told.append(
+            {
+                "part": placed.part,
+                "on": placed.spot.part,
+                "round": placed.spot.round,
+                "stitches": len(pairs),
+                "gap_mm": round(float(gap.mean()), 2),
+                "widest_mm": round(float(gap.max()), 2),
+                "tilt": placed.tilt,
+                "towards": placed.towards,
+                "across": placed.across,
+            }
+        )
+    return told

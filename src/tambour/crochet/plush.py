@@ -38,6 +38,7 @@ class Plush:
     stuffing, start : what the options and the pattern together chose
     shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm
     yarn : the yarn of every stitch, in mm
+    joining : what was sewn on and where, None where the pattern says nothing of it
     """
 
     built: Built
@@ -49,6 +50,7 @@ class Plush:
     positions: Array
     centroids: Array
     yarn: Strands
+    joining: Joining | None = None
 
     @property
     def upright(self) -> Array | None:
@@ -135,7 +137,7 @@ def _shaped(
             raise TambourError(found)
     with progress.stage("fabric"):
         yarn = strands(built.graph, x, detail=params.detail)
-    return Plush(built, params, stitch, stuffing, start, shape, x, c, yarn)
+    return Plush(built, params, stitch, stuffing, start, shape, x, c, yarn, joining)
 
 
 def yarn(piece: Plush) -> Mesh:
@@ -220,6 +222,7 @@ def facts(piece: Plush) -> dict[str, Any]:
     import numpy as np
 
     from tambour.crochet.forces import lengths
+    from tambour.crochet.joining import assembly
 
     built, g, shape = piece.built, piece.built.graph, piece.shape
     x, width = piece.positions, piece.stitch[0]
@@ -279,6 +282,9 @@ def facts(piece: Plush) -> dict[str, Any]:
         "settled": shape.settled,
         "evaluations": shape.evaluations,
         "tension": tension,
+        "assembly": (
+            assembly(piece.joining, shape.joined, x) if piece.joining is not None and shape.joined is not None else []
+        ),
     }
 
 

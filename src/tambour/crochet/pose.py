@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 from tambour.core.errors import Problem, TambourError, did_you_mean
 from tambour.crochet.build import Built
@@ -38,11 +39,13 @@ def pose(built: Built, poses: Sequence[str]) -> Built:
             hint = did_you_mean(name, names) or (
                 f"placed are {', '.join(names)}" if names else "the pattern places no parts: place(…) does"
             )
-            problems.append(Problem(f'no part "{name}" is placed' if name else "a pose names a part", hint, where="--pose"))
+            problems.append(
+                Problem(f'no part "{name}" is placed' if name else "a pose names a part", hint, where="--pose")
+            )
             continue
         if not angles:
             problems.append(Problem(f'"{text}" sets no angle', _USAGE, where="--pose"))
-        values: dict[str, float] = {}
+        values: dict[str, Any] = {}
         for word in angles:
             said = _SET.match(word)
             key = said[1].lower() if said else ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -21,6 +22,8 @@ UNDER = -0.25
 """Fabric whose outward normal falls more steeply than this looks down: parts under it look ahead."""
 MOST_LIFT = 40.0
 """Stitches that a part is moved out at the most to be clear of others."""
+AGAIN = 0.5
+"""What it costs, in square stitches, to sew into a stitch that is sewn into already."""
 STAY = 2.5
 """How far from a seam's middle stays begin on the fabric, in stitches."""
 REACH = 5.0
@@ -68,7 +71,7 @@ def rim(built: Built, part: int) -> Array:
     if not len(faces):
         return np.zeros(0, int)
     _, _, offsets, found = lids(faces, np.zeros(len(faces), np.int32), len(graph))
-    loops = [found[a:b] for a, b in zip(offsets[:-1], offsets[1:])]
+    loops = [found[a:b] for a, b in pairwise(offsets)]
     if not loops or graph.peculiarity[p.end - 1] == TIP:
         return np.zeros(0, int)
     loop = next((r for r in loops if p.end - 1 in r), None)
@@ -78,7 +81,9 @@ def rim(built: Built, part: int) -> Array:
     loop = np.roll(loop, -1 - last)  # the stitch worked last comes last
     if len(loop) > 2 and loop[0] == p.end - 2:
         loop = np.append(loop[:-1][::-1], loop[-1])
-    return loop.astype(int)
+    # Where a spiral ends the edge steps down by a stitch that is worked into already: no needle goes there.
+    free = loop[~np.isin(loop, graph.anchors)]
+    return np.asarray(free if len(free) > 2 else loop, int)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -171,8 +176,6 @@ def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array,
 
     straight : (M, 3) the end's stitches where they are when the part stands straight out from its spot
     """
-    from scipy.spatial import cKDTree
-
     p, n = frame.points[0], frame.normals[0]
     m = len(end.nodes)
     target = target[~np.isin(graph.peculiarity[target], (ROOT, TIP))]
@@ -181,17 +184,53 @@ def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array,
     if end.ring:
         length = np.sqrt((off**2).sum(1, keepdims=True))
         wanted = p + off / np.maximum(length, 1e-9) * (m / (2.0 * math.pi))
-    else:
-        half = len(end.pinched)
-        pairs = m - half
-        line = off[m // 2] - off[0] if half else off[-1] - off[0]
-        steps = np.arange(m) if not half else np.minimum(np.arange(m), m - 1 - np.arange(m))
-        wanted = p + (steps - 0.5 * (pairs - 1))[:, None] * _unit(line)
-    _, near = cKDTree(x[target]).query(wanted)
-    return np.column_stack([end.nodes, target[near]])
+        return np.column_stack([end.nodes, target[_nearest(wanted, x[target])]])
+    half = len(end.pinched)
+    line = off[m // 2] - off[0] if half else off[-1] - off[0]
+    wanted = p + (np.arange(m - half) - 0.5 * (m - half - 1))[:, None] * _unit(line)
+    near = target[_nearest(wanted, x[target])]
+    # Both sides of a pinched end go to the same stitches.
+    return np.column_stack([end.nodes, np.concatenate([near, near[:half][::-1]])])
 
 
-def stays(x: Array, moved: Array, own: Array, axis: Array, front: Array, target: Array, frame: Frames) -> tuple[Array, Array]:
+def _nearest(wanted: Array, there: Array) -> Array:
+    """For each of the points ``wanted`` (M, 3) one of ``there`` (J, 3), in all as near as can be; few are taken twice."""
+    from scipy.optimize import linear_sum_assignment
+    from scipy.spatial import cKDTree
+
+    _, near = cKDTree(there).query(wanted, k=min(8, len(there)))
+    some = np.unique(near)
+    cost = ((wanted[:, None] - there[some]) ** 2).sum(2)
+    times = 2 if 2 * len(some) >= len(wanted) else math.ceil(len(wanted) / len(some))
+    choices = np.concatenate([cost + AGAIN * k for k in range(times)], axis=1)
+    return np.asarray(some[linear_sum_assignment(choices)[1] % len(some)])
+
+
+def lying(faces: Array, pairs: Array) -> Array:
+    """Every stitch of a seam with the triangles about the stitch that it is sewn to: (L, 4).
+
+    faces : (F, 3) of the fabric; pairs : (S, 2) as :func:`seam` gives them
+    """
+    about = faces[np.isin(faces, pairs[:, 1]).any(1)]
+    near: dict[int, list[int]] = {}
+    for a, b, c in about.tolist():
+        for node in (a, b, c):
+            near.setdefault(node, []).extend((a, b, c))
+    at: dict[int, list[int]] = {}
+    faces = faces[np.isin(faces, about).any(1)]
+    for f, corners in enumerate(faces.tolist()):
+        for node in corners:
+            at.setdefault(node, []).append(f)
+    made = []
+    for stitch, on in pairs.tolist():
+        own = sorted({f for node in near.get(on, [on]) for f in at.get(node, ())})
+        made += [(stitch, *faces[f].tolist()) for f in own]
+    return np.array(made, int).reshape(-1, 4)
+
+
+def stays(
+    x: Array, moved: Array, own: Array, axis: Array, front: Array, target: Array, frame: Frames
+) -> tuple[Array, Array]:
     """Springs that keep a part at the angle that it is given, as a hand and a tight seam do: pairs (K, 2), rest (K,).
 
     From four stitches about its middle to four about the seam, as long as they are in the pose. moved : (O, 3) where

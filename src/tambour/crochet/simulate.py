@@ -12,7 +12,7 @@ from tambour.core.check import Array
 from tambour.core.digest import digest
 from tambour.core.graph import StitchGraph
 from tambour.crochet.arrange import arrange, clusters, cut, fit, parts
-from tambour.crochet.body import Body, State, build, displacement, stayed, volumes
+from tambour.crochet.body import Body, State, build, displacement, joined_up, volumes
 from tambour.crochet.layout import on_axis, rounds
 
 if TYPE_CHECKING:
@@ -179,7 +179,8 @@ def _settled(
         if key not in known:
             state = State(x[nodes], c[mine], np.zeros(len(own)))
             body = task.body(piece, task.used[own])
-            body = body if joined is None else stayed(body, nodes, joined.stays, joined.rest)
+            if joined is not None:
+                body = joined_up(body, nodes, joined.stays, joined.rest, joined.lying)
             rest = bring_to_rest(body, state, task.params.tolerance, tell=tell)
             evaluations += rest.evaluations
             root = body.root[0]
