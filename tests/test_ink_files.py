@@ -62,20 +62,23 @@ def test_report_plan_and_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
         )
         == 0
     )
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["ink-a_b_ü-e1-0-600.json", "ink-a_b_ü-e1-0-600.png", "r.json"]
+    name = "ink-a_b_ü-df2cd2-e1-0-600"
+    assert sorted(p.name for p in tmp_path.iterdir()) == [f"{name}.json", f"{name}.png", "r.json"]
     report = json.loads(Path("r.json").read_text())
     assert set(report["seconds"]) >= {"start", "plan", "draw", "write"}
     assert report["polygons"] > 100
     assert report["points"] > 10 * report["polygons"]
     assert sum(report["elements"].values()) > 1
-    plan = json.loads(Path("ink-a_b_ü-e1-0-600.json").read_text())
+    plan = json.loads(Path(f"{name}.json").read_text())
     assert plan["wholes"]
     assert {"id", "kind", "x", "y", "depth"} == set(plan["wholes"][0])
     depths = [w["depth"] for w in plan["wholes"]]
     assert depths == sorted(depths)
-    with Image.open("ink-a_b_ü-e1-0-600.png") as image:
+    with Image.open(f"{name}.png") as image:
         assert image.size == (300, 350)
     assert stem(Ink(specimen="pine")) == "ink-1-e1-pine"
+    seeds = ["a b", "a_b", "a/b", "山水", "山、水", "☃", "☂", "", "_", "x" * 60, "x" * 61, "é", "e\u0301"]
+    assert len({stem(Ink(seed=s)) for s in seeds}) == len(seeds)
 
 
 @pytest.mark.parametrize(
@@ -97,6 +100,33 @@ def test_bad_input_is_told(words: list[str], told: str, tmp_path: Path, capsys: 
     assert _tambour(*words, "-o", str(tmp_path / "a.svg")) == 2
     assert told in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--span", "2e6", "-o", "i.png"], "would be 0.8 pixels high"),
+        (["--span", "2e6", "-o", "i.pdf"], "holds its whole window"),
+        (["--span", "2e6", "-o", "i.svg", "-o", "i.gif"], "holds its whole window"),
+    ],
+)
+def test_windows_that_cannot_be_shown_are_refused_before_any_work(
+    words: list[str], told: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(scroll, "make", None)
+    assert _tambour(*words) == 2
+    assert told in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_streamed_picture_is_the_whole_picture(monkeypatch: pytest.MonkeyPatch) -> None:
+    given = {"seed": "stream", "span": 1500.0, "pixels": 700, "inscription": "far hills"}
+    held = scroll.picture(scroll.make(None, Ink(**given), Progress())).rgba
+    monkeypatch.setattr(scroll, "KEPT", 1000)
+    long = scroll.make(None, Ink(**given), Progress())
+    assert long.kept is None
+    assert (scroll.picture(long).rgba == held).all()
 
 
 def test_any_text_is_a_seed() -> None:

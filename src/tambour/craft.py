@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +21,10 @@ def _no_facts(piece: Any) -> dict[str, Any]:
 
 def _plain_name(params: Params) -> str:
     return ""
+
+
+def _no_objection(params: Params, views: Sequence[str]) -> None:
+    pass
 
 
 def _no_preference(params: Params) -> Mapping[str, str]:
@@ -55,6 +59,7 @@ class Craft:
     warm : loads kernels by one call on tiny input, so that no other stage contains it
     stem : params → name (without suffix) for files that were asked for by suffix alone; "" takes the source's
     optional_source : the craft can also start from nothing
+    check : (params, the views that are asked for); raises TambourError, before any work, for what cannot be made of them
     prefer : params → {suffix: view} where they choose another default view than the views' own suffixes do
     """
 
@@ -68,5 +73,6 @@ class Craft:
     warm: Callable[[], None] = _nothing
     stem: Callable[[Any], str] = _plain_name
     optional_source: bool = False
+    check: Callable[[Any, Sequence[str]], None] = _no_objection
     prefer: Callable[[Any], Mapping[str, str]] = _no_preference
     notes: Mapping[str, str] = field(default_factory=dict)

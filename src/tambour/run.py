@@ -158,6 +158,7 @@ def run(
     if isinstance(source, (str, Path)):
         stem = stem or Path(source).stem
     plan = outputs(what, out, stem, what.prefer(given))
+    what.check(given, [item.view for item in plan])
     for item in plan:
         if isinstance(source, (str, Path)) and item.path.absolute() == Path(source).absolute():
             raise TambourError(

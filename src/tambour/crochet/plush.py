@@ -99,6 +99,7 @@ def _shaped(
 
     from tambour.crochet.body import centroid_counts
     from tambour.crochet.fabric import strands
+    from tambour.crochet.features import doubts
     from tambour.crochet.joining import with_seams
     from tambour.crochet.simulate import Task, simulate
 
@@ -135,17 +136,23 @@ def _shaped(
 
         if found := size_edit(built, tuple(np.ptp(x, axis=0))):
             raise TambourError(found)
+    for doubt in doubts(built, x):
+        progress.warn(doubt)
     with progress.stage("fabric"):
         yarn = strands(built.graph, x, detail=params.detail)
     return Plush(built, params, stitch, stuffing, start, shape, x, c, yarn, joining)
 
 
 def yarn(piece: Plush) -> Mesh:
-    """The piece in yarn: every stitch swept to tubes, over a dark lining."""
+    """The piece in yarn, with its face: every stitch swept to tubes, over a dark lining."""
     from tambour.crochet.fabric import mesh
+    from tambour.crochet.features import joined, meshes
 
     _not_empty(piece)
-    return mesh(piece.built.graph, piece.positions, detail=piece.params.detail, made=piece.yarn)
+    detail = piece.params.detail
+    face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail)
+    worked = mesh(piece.built.graph, piece.positions, detail=detail, made=led)
+    return joined([worked, *face]) if face else worked
 
 
 def checked(piece: Plush) -> Mesh:
@@ -221,6 +228,7 @@ def facts(piece: Plush) -> dict[str, Any]:
     """What the report says: counts, size, how the shape was reached, and where the fabric is tight."""
     import numpy as np
 
+    from tambour.crochet.features import materials
     from tambour.crochet.forces import lengths
     from tambour.crochet.joining import assembly
 
@@ -274,6 +282,7 @@ def facts(piece: Plush) -> dict[str, Any]:
             {"color": "#{:02x}{:02x}{:02x}".format(*shade), "metres": round(m, 2), "yards": round(m / 0.9144, 2)}
             for shade, m in length.items()
         ],
+        "features": materials(built, x),
         "yarn_metres": round(sum(length.values()), 2),
         "stitch_mm": list(piece.stitch),
         "stuffing": piece.stuffing,

@@ -26,7 +26,7 @@ _VERTEX, _INDEX = 34962, 34963
 # Groups whose uv are turns of a twist (see geometry.tube), not places on a texture.
 _TURNS = {"yarn", "plied", "thread"}
 _SHORT = 65535  # vertices that 16-bit indices reach, 65535 itself being spoken for
-_ROUGH = {"thread": 0.55, "": 0.8}
+_ROUGH = {"thread": 0.55, "glass": 0.12, "": 0.8}
 
 
 class Body:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from tambour.core.errors import TambourError
@@ -100,6 +101,12 @@ def _stem(params: Ink) -> str:
     return stem(params)
 
 
+def _check(params: Ink, views: Sequence[str]) -> None:
+    from tambour.ink.params import check
+
+    check(params, views)
+
+
 CRAFT = Craft(
     name="ink",
     help="A seed → an endless shan-shui hand scroll, as vectors.",
@@ -119,4 +126,5 @@ CRAFT = Craft(
     facts=_facts,
     warm=_warm,
     stem=_stem,
+    check=_check,
 )

@@ -24,7 +24,7 @@ def grain() -> Picture:
     chance = stream("paper")
     grain_ = chance.random((SIDE, SIDE))
     cloud = np.zeros((SIDE, SIDE))
-    for scale, weight in ((4, 0.3), (16, 0.4), (64, 0.3)):
+    for scale, weight in ((4, 0.6), (16, 0.25), (64, 0.15)):
         cloud += weight * _blur(chance.random((SIDE, SIDE)), scale)
     fibre = np.zeros((SIDE, SIDE))
     for _ in range(700):
@@ -34,7 +34,7 @@ def grain() -> Picture:
         i = np.round(y + np.cumsum(np.sin(angle))).astype(int) % SIDE
         j = np.round(x + np.cumsum(np.cos(angle))).astype(int) % SIDE
         fibre[i, j] += 1.0 if chance.random() < 0.5 else -1.0
-    dark = 6.0 + 16.0 * grain_ - 10.0 * cloud + 2.5 * np.clip(_blur(fibre, 1) * 3, -1, 1)
+    dark = 7.5 + 19.0 * grain_ - 12.0 * cloud + 3.5 * np.clip(_blur(fibre, 1) * 3, -1, 1)
     rgba = np.zeros((SIDE, SIDE, 4), np.uint8)
     rgba[..., 3] = np.clip(np.round(dark / 3) * 3, 0, 60)
     return Picture(rgba)

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import hashlib
+from collections.abc import Sequence
 from typing import ClassVar, Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from tambour.core.errors import did_you_mean
+from tambour.core.errors import Problem, TambourError, did_you_mean
 from tambour.core.params import Duration, Length, Params
 from tambour.ink.kinds import SPECIMENS
 
 FARTHEST = 1e12
 """How far from 0 the scroll is addressed: beyond it a coordinate's tenths are lost in a double."""
 LONGEST = 2_000_000.0
+HELD = 60_000.0
+"""Units of the scroll that are held in memory at once (900,000 polygons); streams may be longer."""
+LOWEST = 3.0
+"""Pixels of height under which a picture shows nothing."""
 
 
 class Ink(Params):
@@ -163,9 +169,30 @@ class Ink(Params):
         return value
 
 
+def check(params: Ink, views: Sequence[str]) -> None:
+    """Refuse, before any work, windows that the views asked for cannot show."""
+    if params.plotter or params.specimen:
+        return
+    span, problems = params.span, []
+    high = params.pixels * 700.0 / span
+    if "picture" in views and high < LOWEST:
+        near = f"a picture {params.pixels} pixels wide of {span:,.10g} units would be {high:.1f} pixels high"
+        problems.append(Problem(near, "a shorter --span, more --pixels, or .svg", where="--span"))
+    if span > HELD and {"sheet", "painting"} & set(views):
+        long = f"a PDF or a painting holds its whole window at once: {span:,.10g} units are more than {HELD:,.0f}"
+        problems.append(Problem(long, "a shorter --span, or .svg", where="--span"))
+    if problems:
+        raise TambourError(problems)
+
+
 def stem(params: Ink) -> str:
-    """The name of files that were asked for by suffix alone: seed, edition and window, in letters any disk takes."""
-    seed = "".join(c if c.isalnum() or c in "-_." else "_" for c in params.seed)[:60] or "_"
+    """The name of files that were asked for by suffix alone: seed, edition and window, in letters any disk takes.
+
+    A seed that had to be changed for that keeps a name of its own by six letters of its digest.
+    """
+    seed = "".join(c if c.isalnum() or c in "-_." else "_" for c in params.seed)[:60]
+    if seed != params.seed or not seed:
+        seed += ("-" if seed else "") + hashlib.sha256(params.seed.encode("utf-8", "surrogatepass")).hexdigest()[:6]
     what = params.specimen or f"{params.from_:g}-{params.span:g}"
     if params.plotter:
         what += f"-sheets{params.sheets}" if params.sheets else "-plot"

@@ -194,7 +194,7 @@ def picture(scroll: Scroll) -> Picture:
     """The window rasterised, ``pixels`` wide."""
     from tambour.render import flat
 
-    return flat.picture(whole(scroll), width=scroll.params.pixels)
+    return flat.picture(streamed(scroll), width=scroll.params.pixels)
 
 
 def plan(scroll: Scroll) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -20,10 +20,14 @@ from tambour.render.type import typeface
 
 LARGEST = 400_000_000
 """Pixels above which a picture is refused rather than the machine's memory filled."""
+STRETCH = 10_000
+"""Shapes whose points are held for skia at a time."""
 
 
-def picture(drawing: Drawing, pixels_per_mm: float | None = None, width: int | None = None) -> Picture:
-    """Rasterise a drawing.
+def picture(
+    drawing: Drawing | Iterable[Drawing], pixels_per_mm: float | None = None, width: int | None = None
+) -> Picture:
+    """Rasterise a drawing, or a stream of drawings on one sheet (the first one's), one over the other.
 
     pixels_per_mm : resolution; or
     width : width in pixels; by default the larger of 1600 pixels and 96 dpi, at most 4000 pixels
@@ -32,6 +36,8 @@ def picture(drawing: Drawing, pixels_per_mm: float | None = None, width: int | N
     """
     import skia
 
+    stream = iter([drawing] if isinstance(drawing, Drawing) else drawing)
+    drawing = next(stream)
     size = drawing.size * drawing.unit
     if width is not None:
         scale = width / size[0]
@@ -49,6 +55,8 @@ def picture(drawing: Drawing, pixels_per_mm: float | None = None, width: int | N
     canvas = surface.getCanvas()
     canvas.scale(w / drawing.size[0], h / drawing.size[1])
     draw(canvas, drawing)
+    for more in stream:
+        draw(canvas, replace(more, background=None))
     surface.flushAndSubmit()
     alpha = pixels[..., 3:].astype(np.uint16)
     if alpha.min(initial=255) < 255:
@@ -145,21 +153,26 @@ def _shapes(canvas: Any, drawing: Drawing) -> None:
         for s, w in zip(styles.stroke.tolist(), styles.width.tolist())
     ]
     rules = [skia.PathFillType.kEvenOdd if e else skia.PathFillType.kWinding for e in styles.evenodd.tolist()]
-    # Points made one by one in C: skia's own conversion of pairs is ten times slower.
-    points = list(map(skia.Point, *paths.coords.T.tolist())) if len(paths.coords) else []
     offsets = paths.offsets.tolist()
     count = np.diff(paths.offsets)
     closed = np.zeros(len(paths), bool)
     rings = np.flatnonzero(count > 2)
     closed[rings] = (paths.coords[paths.offsets[rings]] == paths.coords[paths.offsets[rings + 1] - 1]).all(1)
     parts = list(range(len(offsets))) if paths.parts is None else paths.parts.tolist()
+    points: list[Any] = []
+    base = ready = 0
     for shape, style in enumerate(drawing.style.tolist()):
         mine = range(parts[shape], parts[shape + 1])
         if not mine:
             continue
-        path = skia.Path.Polygon(points[offsets[mine[0]] : offsets[mine[0] + 1]], bool(closed[mine[0]]), rules[style])
+        if mine[-1] >= ready:
+            # Points are made one by one in C (skia's own conversion of pairs is ten times slower), a stretch at a time.
+            ready, base = parts[min(shape + STRETCH, len(parts) - 1)], offsets[mine[0]]
+            points = list(map(skia.Point, *paths.coords[base : offsets[ready]].T.tolist()))
+        first, last = offsets[mine[0]] - base, offsets[mine[0] + 1] - base
+        path = skia.Path.Polygon(points[first:last], bool(closed[mine[0]]), rules[style])
         for i in mine[1:]:
-            path.addPath(skia.Path.Polygon(points[offsets[i] : offsets[i + 1]], bool(closed[i])))
+            path.addPath(skia.Path.Polygon(points[offsets[i] - base : offsets[i + 1] - base], bool(closed[i])))
         if fills[style]:
             canvas.drawPath(path, fills[style])
         if strokes[style]:

@@ -1,0 +1,128 @@
+"""Tables of terms: whole, unambiguous, and every sentence is read back as it was said."""
+
+import string
+from collections import Counter
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tambour.crochet.finish import SHAPES, Embroidery, Eye, Felt, Hair, Placed, Spot
+from tambour.crochet.phrases import ITEMS, Phrases, number
+from tambour.crochet.stitches import STITCHES
+from tambour.crochet.terms import SENTENCES, TERMS, WORDS
+
+LEGEND = {"A": (1, 2, 3), "B": (200, 10, 77), "C2": (9, 9, 9)}
+COPIES = {"Head": 1, "Ear": 2, "Arm": 2, "Arm 1": 1, "Left leg": 1}
+each = pytest.mark.parametrize("terms", TERMS.values(), ids=TERMS)
+
+
+@each
+def test_tables_are_whole(terms):
+    assert set(STITCHES) <= set(terms.stitches)
+    assert set(terms.words) == set(WORDS)
+    assert set(terms.sentences) == set(SENTENCES)
+    assert set(terms.stitches) <= set(terms.meaning) <= set(terms.stitches) | set(WORDS)
+    assert all(terms.meaning.values())
+    assert all(spellings and all(spellings) for spellings in [*terms.stitches.values(), *terms.words.values()])
+
+
+@each
+def test_no_spelling_is_there_twice(terms):
+    spelt = Counter(s.lower() for v in [*terms.stitches.values(), *terms.words.values()] for s in v)
+    assert [s for s, n in spelt.items() if n > 1] == []
+    shades = Counter(s.lower() for v in terms.colors.values() for s in v)
+    assert [s for s, n in shades.items() if n > 1] == []
+
+
+@each
+def test_fields_of_sentences(terms):
+    for key, fields in SENTENCES.items():
+        said = [f for _, f, _, _ in string.Formatter().parse(terms.sentences[key]) if f]
+        assert sorted(said) == sorted(fields.split()), key
+
+
+@each
+def test_every_item_is_read_back(terms):
+    phrases = Phrases(terms, COPIES, LEGEND)
+    given_fields = {"count": 7, "next": 3, "label": "tip", "one": "a.2", "other": "b_1", "color": LEGEND["B"]}
+    for key, (name, numbers) in ITEMS.items():
+        fields = {f: given_fields[f] for f in SENTENCES[key].split()}
+        said = phrases.say(key, **fields)
+        for text in (said, f"  {said[0].upper()}{said[1:]}. ", said.lower()):
+            heard = phrases.item(text)
+            assert heard is not None and heard[0] == name, text
+            assert phrases.read(text)[0] == key, text
+            if "color" in fields:
+                assert heard[1] == LEGEND["B"]
+            else:
+                assert heard[1][:1] == ((7,) if "count" in fields else numbers)
+        assert phrases.item(said + " and more") is None
+        if "label" not in SENTENCES[key] and key != "sew":
+            assert phrases.item(said)[2] == ()
+
+
+numbers = st.one_of(
+    st.integers(0, 400).map(float), st.integers(0, 400).map(lambda n: n + 0.5), st.sampled_from([0.25, 14.3])
+)
+names = st.sampled_from(["Head", "Ear.1", "Ear.2", "Arm.1", "Arm.2", "Arm 1", "Left leg"])
+spots = st.builds(Spot, names, numbers, st.one_of(st.none(), numbers))
+colors = st.one_of(
+    st.tuples(*[st.integers(0, 255)] * 3), st.sampled_from([(0, 0, 0), (255, 255, 255), *LEGEND.values()])
+)
+turns = st.one_of(st.just(0.0), st.integers(-360, 360).map(float), st.just(12.5))
+
+
+def line_of(part, places):
+    return tuple(Spot(part, r, s) for r, s in places)
+
+
+places = st.lists(st.tuples(numbers, st.one_of(st.none(), numbers)), min_size=1, max_size=5)
+sizes = st.integers(1, 100).map(lambda n: n / 2)
+records = st.one_of(
+    st.builds(Placed, names, spots, st.booleans(), turns, turns, turns, st.one_of(st.none(), numbers)),
+    st.builds(Eye, spots, sizes, st.one_of(st.just(Eye(spot=None).color), colors)),
+    st.builds(lambda p, a, c, w: Embroidery(line_of(p, a), c, w), names, places, colors, sizes),
+    st.builds(Felt, spots, st.sampled_from(SHAPES), sizes, sizes, turns, colors),
+    st.builds(lambda p, a, n, h, c: Hair(line_of(p, a), n, h, c), names, places, st.integers(1, 99), sizes, colors),
+)
+
+
+@each
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(record=records)
+def test_finishing_is_read_back(terms, record):
+    phrases = Phrases(terms, COPIES, LEGEND)
+    said = phrases.finish(record)
+    assert phrases.finishing(said) == record
+    assert phrases.finishing(said[0].upper() + said[1:] + ".") == record
+
+
+@each
+def test_names_that_are_not_known_yet(terms):
+    eye = Eye(Spot("Head", 14.5, 20.0), 9.0)
+    assert Phrases(terms, {}, {}).finishing(Phrases(terms, COPIES, {}).finish(eye)) == eye
+
+
+@each
+def test_colors(terms):
+    phrases = Phrases(terms, {}, LEGEND)
+    for hue in [*LEGEND.values(), (255, 255, 255), (0, 0, 0), (17, 200, 4)]:
+        assert phrases.color(phrases.shade(hue)) == hue
+    assert phrases.color("nothing of the kind") is None
+
+
+def test_numbers():
+    assert [number(v) for v in (3, 3.0, 0.5, -12.25, 1e-6, 1e9)] == [
+        "3",
+        "3",
+        "0.5",
+        "-12.25",
+        "0.000001",
+        "1000000000",
+    ]
+
+
+def test_uk_terms_are_moved_by_one():
+    us, uk = TERMS["us"].stitches, TERMS["uk"].stitches
+    assert (uk["sc"][0], uk["dc"][0], uk["tr"][0]) == (us["dc"][0], us["tr"][0], "dtr")
