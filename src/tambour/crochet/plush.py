@@ -150,7 +150,7 @@ def yarn(piece: Plush) -> Mesh:
 
     _not_empty(piece)
     detail = piece.params.detail
-    face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail)
+    face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail, upright=piece.upright)
     worked = mesh(piece.built.graph, piece.positions, detail=detail, made=led)
     return joined([worked, *face]) if face else worked
 
