@@ -14,6 +14,7 @@ from tambour.core.graph import StitchGraph
 from tambour.crochet.arrange import arrange, clusters, cut, fit, parts
 from tambour.crochet.body import Body, State, build, displacement, joined_up, volumes
 from tambour.crochet.layout import on_axis, rounds
+from tambour.crochet.snug import snug
 
 if TYPE_CHECKING:
     from tambour.crochet.joining import Joined, Joining
@@ -47,7 +48,12 @@ class Shape:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Task:
-    """A graph and how to shape it. width : mm per stitch; counts (P,) centroids of each part; joining : parts to place."""
+    """A graph and how to shape it.
+
+    width : mm per stitch; counts (P,) centroids of each part
+    snug : settled parts keep the size of their gauge (:mod:`tambour.crochet.snug`) instead of what springs give way
+    joining : the parts to be placed
+    """
 
     graph: StitchGraph
     params: CrochetParams
@@ -55,6 +61,7 @@ class Task:
     stuffing: str
     start: str
     counts: Array
+    snug: bool = False
     joining: Joining | None = None
 
     def body(self, graph: StitchGraph, counts: Array) -> Body:
@@ -195,6 +202,11 @@ def _settled(
 
     for nodes in parts(graph):
         settle(nodes)
+    if task.snug:
+        task = replace(task, graph=snug(graph, x, task.width / task.params.link_distance))
+        graph = task.graph
+        for nodes in parts(graph):
+            settle(nodes)
     task, x, c, joined = placed(task, x, c)
     graph = task.graph
     piece = clusters(graph)
