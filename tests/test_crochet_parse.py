@@ -5,7 +5,7 @@ import pytest
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.build import build
 from tambour.crochet.parse import parse
-from tambour.crochet.stitches import STITCHES, standard
+from tambour.crochet.stitches import BASIC, STITCHES, standard
 
 
 def wrong(text, **options):
@@ -160,13 +160,17 @@ def test_a_wrapped_comment_must_not_hide_stitches():
 
 
 def test_the_table_is_consistent():
-    assert {name: (s.makes, s.takes) for name, s in STITCHES.items()} == {
+    table = {name: (s.makes, s.takes) for name, s in STITCHES.items()}
+    older = {
         "ch": (1, 0), "slst": (0, 1), "skip": (0, 1),
         "sc": (1, 1), "inc": (2, 1), "inc3": (3, 1), "dec": (1, 2), "dec3": (1, 3),
         "hdc": (1, 1), "hdcinc": (2, 1), "hdcinc3": (3, 1), "hdcdec": (1, 2), "hdcdec3": (1, 3),
         "dc": (1, 1), "dcinc": (2, 1), "dcinc3": (3, 1), "dcdec": (1, 2), "dcdec3": (1, 3),
         "tr": (1, 1), "trinc": (2, 1), "trinc3": (3, 1), "trdec": (1, 2), "trdec3": (1, 3),
     }  # fmt: skip
+    assert {name: table[name] for name in older} == older and set(older) == BASIC
+    assert table["dtrinc7"] == (7, 1) and table["fpdcdec4"] == (1, 4) and table["picot"] == (3, 0)
+    assert all(table[name] == (1, 1) for name in ("bobble", "puff3", "crab", "esc", "fpsc", "ch3dc"))
     for said, name in {
         "DC2TOG": "dcdec", "inc dc": "dcinc", "sl-st": "slst", "invdec": "dec", "sc3tog": "dec3", "ss": "slst",
         "Magic Ring": "mr", "half double crochet": "hdc", "dec": "dec", "sc dec": "dec", "tr inc3": "trinc3",

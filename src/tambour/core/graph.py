@@ -10,11 +10,13 @@ import numpy as np
 from tambour.core.check import Array, array, offsets, put, within
 from tambour.core.errors import LawError
 
-# Edge kinds: along the working yarn, into the anchor below, sewn together afterwards, a slip stitch's join.
+# Edge kinds: along the working yarn, into the anchor below, sewn together afterwards, a slip stitch's join, two stitches
+# that one stitch was worked through, so that they lie on each other.
 YARN: Final = 0
 THROUGH: Final = 1
 SEWN: Final = 2
 JOIN: Final = 3
+LAID: Final = 4
 
 # Loops worked into.
 BOTH: Final = 0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import BLO, FLO, JOIN, SEWN, THROUGH, YARN, Part, StitchGraph
+from tambour.core.graph import BLO, FLO, JOIN, LAID, SEWN, THROUGH, YARN, Part, StitchGraph
 from tambour.crochet.hook import Hook
 
 # Stitches sewn together lie side by side: nearer than neighbours in a round, not in the same place.
@@ -38,7 +38,7 @@ def assemble(
     fields = {name: column[look] for name, column in table.items()}
     anchors, ends = np.array(hook.anchors, np.int32), np.array(hook.ends, np.int64)
     previous = np.array(hook.previous, np.int32)
-    edges, kind = _edges(n, anchors, ends, previous, hook.joins, sewn)
+    edges, kind = _edges(n, anchors, ends, previous, hook.joins, hook.laid, sewn)
     width, height = stitch
     rest = np.where(kind == THROUGH, height * fields["height"][edges[:, 0]], width)
     # A chain that lifts the yarn is a post: as high as a row, close beside the stitch that follows it.
@@ -49,6 +49,11 @@ def assemble(
     rest[yarn & lift[edges[:, 1]] & ~lift[edges[:, 0]]] = BESIDE * width
     rest[(kind == JOIN) & lift[edges].any(1)] = (1.0 - BESIDE) * width
     rest[kind == SEWN] = SEWN_SHORT * width
+    if hook.laid:
+        # Layers worked together lie on each other as if sewn, also where slip stitches join them.
+        pairs = np.sort(np.array(hook.laid, np.int64), 1)
+        apart = np.isin(edges[:, 0].astype(np.int64) * n + edges[:, 1], pairs[:, 1] * n + pairs[:, 0])
+        rest[apart & ((kind == LAID) | (kind == JOIN))] = SEWN_SHORT * width
     faces = np.array(hook.faces, np.int32).reshape(-1, 3)
     sheet = np.array(hook.face_sheet, np.int64)
     for number, count in enumerate(np.bincount(sheet, minlength=len(hook.sheets.sheets))):
@@ -78,6 +83,7 @@ def _edges(
     ends: Array,
     previous: Array,
     joins: list[tuple[int, int]],
+    laid: list[tuple[int, int]],
     sewn: list[tuple[int, int]],
 ) -> tuple[Array, Array]:
     """Edges (E, 2) with the later node first, sorted, none twice, and their kinds; a yarn edge outranks the others."""
@@ -85,7 +91,7 @@ def _edges(
     through = np.stack([np.repeat(own, np.diff(ends)), anchors], 1)
     yarn = np.stack([own, previous], 1)[previous >= 0]
     groups = [(YARN, yarn), (THROUGH, through)]
-    for kind, pairs in ((JOIN, joins), (SEWN, sewn)):
+    for kind, pairs in ((JOIN, joins), (LAID, laid), (SEWN, sewn)):
         both = np.array(pairs, np.int32).reshape(-1, 2)
         groups.append((kind, np.stack([both.max(1, initial=-1), both.min(1, initial=n)], 1)))
     edges = np.concatenate([pairs for _, pairs in groups])

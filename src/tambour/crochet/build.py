@@ -13,14 +13,17 @@ from tambour.core.graph import BACK, BOTH, FRONT, ROOT, TIP, Part, StitchGraph
 from tambour.crochet.assemble import assemble
 from tambour.crochet.attach import attach
 from tambour.crochet.hook import Hook, HookError
+from tambour.crochet.layers import fold, through_both
 from tambour.crochet.moment import Round
-from tambour.crochet.stitches import RULES
+from tambour.crochet.spaces import into_space, spaces_ahead
+from tambour.crochet.starts import foundation_row, leave_spare, oval, ring
+from tambour.crochet.stitches import RULES, Stitch
 from tambour.crochet.syntax import Action, Group, Item, Line, Pattern, Section
 
 # Actions that make no node may be repeated this many times per node that a pattern may make.
 _IDLE = 4
 # Actions after which a line is no longer on the edge that it began on.
-_ELSEWHERE = {"mr", "goto", "attach", "turn", "fo"}
+_ELSEWHERE = {"mr", "goto", "attach", "turn", "fo", "oval", "fsc"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,6 +155,7 @@ class _Worker:
         self.rings = 0
         self.tip = True
         self._told: set[Span | None] = set()
+        self._approximate: set[str] = set()
 
     def work(self) -> None:
         for index, section in enumerate(self.pattern.parts):
@@ -190,18 +194,22 @@ class _Worker:
         hook = self.hook
         if line.times_span is not None:
             self.numbers.append((line.times, line.times_span))
-        elsewhere = line.in_round and bool(_ELSEWHERE & set(_names(line.items)))
-        for _ in range(line.times):
+        names = set(_names(line.items))
+        elsewhere = line.in_round and (bool(_ELSEWHERE & names) or any(n.startswith("MR{") for n in names))
+        for repeat in range(line.times):
             begin, below, self.left = len(hook), hook.now.count, None
             if line.in_round:
-                hook.now.loop = BOTH
-                hook.ahead, hook.joined = hook.now.count, 0
+                hook.now.loop, hook.now.folded = BOTH, False
+                hook.begin_line()
+                hook.written = 0 if line.number is None else line.number + repeat
                 self.log.append(Done("round", 1, (), (), line.span))
                 self._step(1)
             else:
                 self.log.append(Done("line", 1, (), (), line.span))
             for item in line.items:
                 self._item(item)
+            if hook.now.spare >= 0:
+                leave_spare(hook)
             edge = hook.now.count + hook.joined
             self.log.append(Done("end", edge))
             # A magic ring's root and a tip are nodes, but no stitches.
@@ -248,17 +256,24 @@ class _Worker:
         """How often the group goes into what is left of the round."""
         hook = self.hook
         hook.span = group.span
+        spaces = self._spaces(group.items)
+        if spaces:
+            times = spaces_ahead(hook) // spaces
+            if times == 0:
+                raise hook.fail("the round has no chain space left for this", "give a number instead")
+            return times
         takes = self._takes(group.items)
         if takes == 0:
             raise hook.fail("around never ends: these stitches use up none of the round", "give a number instead")
-        times, over = divmod(max(0, hook.ahead), takes)
+        ahead = max(0, hook.ahead)
+        if hook.now.folded:
+            ahead = (ahead + 1) // 2  # pairs
+        times, over = divmod(ahead, takes)
         if times == 0:
-            raise hook.fail(
-                f"around needs {takes} stitches, the round has {max(0, hook.ahead)} left", "give a number instead"
-            )
+            raise hook.fail(f"around needs {takes} stitches, the round has {ahead} left", "give a number instead")
         if over:
             self._doubt(
-                f"{over} of the {hook.ahead} stitches of the round are left over",
+                f"{over} of the {ahead} stitches of the round are left over",
                 f"the brackets use up {takes} each time",
                 group.span,
             )
@@ -271,6 +286,16 @@ class _Worker:
                 total += (item.times or 0) * self._takes(item.items)
             elif item.name in self.pattern.stitches:
                 total += item.times * self.pattern.stitches[item.name].takes
+        return total
+
+    def _spaces(self, items: tuple[Item, ...]) -> int:
+        """How many chain spaces the items work into."""
+        total = 0
+        for item in items:
+            if isinstance(item, Group):
+                total += (item.times or 0) * self._spaces(item.items)
+            elif item.name in self.pattern.stitches and self.pattern.stitches[item.name].where == "sp":
+                total += item.times
         return total
 
     def _doubt(self, message: str, hint: str, span: Span) -> None:
@@ -299,14 +324,13 @@ class _Worker:
             own = (action.times, action.times_span) if action.times_span else None
             self._step(action.times * stitch.makes, own)
             if action.times:
-                hook.stitch(stitch, action.times)
+                self._work(stitch, action)
                 self._note(action)
             hook.last_mark = None
             return
-        self._step(
-            action.numbers[0] if action.name in ("mr", "attach") and action.numbers else 0,
-            (action.numbers[0], action.span) if action.name in ("mr", "attach") else None,
-        )
+        making = action.name in ("mr", "attach", "oval", "fsc") and bool(action.numbers)
+        nodes = action.numbers[0] * (2 if action.name == "fsc" else 1) if making else 0
+        self._step(nodes, (action.numbers[0], action.span) if making else None)
         mark = hook.last_mark
         labels = tuple(self._label(name) for name in action.labels)
         if action.name not in ("mark", "sew") and labels and labels[0] not in hook.labels:
@@ -337,12 +361,35 @@ class _Worker:
                 hook.fasten_off(self.tip)
             case "turn":
                 hook.turn()
+            case "oval":
+                oval(hook, *action.numbers)
+            case "fsc":
+                foundation_row(hook, action.numbers[0], self.pattern.stitches["sc"])
+            case "fold":
+                fold(hook, labels[0] if labels else None)
             case "join":
                 self.left = hook.ahead  # the next round begins with it
                 hook.join_round()
         if action.name != "mark":
             hook.last_mark = None
         self._note(action)
+
+    def _work(self, stitch: Stitch, action: Action) -> None:
+        """The stitch as often as the action says, into what it is worked into."""
+        if stitch.approximate and action.name not in self._approximate:
+            self._approximate.add(action.name)
+            self._doubt(f"approximated: {action.name}", stitch.approximate, action.span)
+        if stitch.where == "ring":
+            self.rings += 1
+            if self.rings > 1:
+                self._doubt("a further magic ring in this part", "a part of its own: == name ==", action.span)
+            ring(self.hook, stitch)
+        elif stitch.where == "sp":
+            into_space(self.hook, stitch, action.times)
+        elif self.hook.now.folded:
+            through_both(self.hook, stitch, action.times)
+        else:
+            self.hook.stitch(stitch, action.times)
 
     def _label(self, name: str) -> str:
         """The label as the hook knows it: inside a part made several times, each copy has its own."""

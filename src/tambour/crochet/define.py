@@ -7,7 +7,7 @@ from typing import Any
 
 from tambour.core.errors import Span, did_you_mean
 from tambour.crochet.source import Source
-from tambour.crochet.stitches import JOIN, MOVES, NEXT, OVER, RULES, THROUGH, Move, Stitch, standard
+from tambour.crochet.stitches import BASIC, JOIN, MOVES, NEXT, OVER, RULES, THROUGH, Move, Stitch, standard
 
 # A definition may use others before it, but its moves may not grow without end.
 _MOST_MOVES = 200
@@ -22,7 +22,7 @@ def define(source: Source, tree: Any, span: Span) -> None:
     if height > 10:
         source.error("a stitch is at most 10 single crochets high", "give a smaller height", at)
         return
-    if name in RULES or name in source.stitches or name in MOVES:
+    if name in RULES or name in BASIC or name in source.own or name in MOVES:
         source.error(f'"{name_token}" is there already', "give the new stitch its own name", at)
         return
     before = len(source.problems)
@@ -66,8 +66,12 @@ def _moves(source: Source, tree: Any, own: str, height: float) -> tuple[Move, ..
             made += inner * min(times, _MOST_MOVES + 1)
             continue
         times, tokens = 1, []
+        braces: Any = None
         for part in child.children:
             if getattr(part, "type", "") == "TIMES":
+                continue
+            if getattr(part, "data", "") == "one":
+                braces = part
                 continue
             if getattr(part, "type", "") == "AROUND":
                 source.error("a stitch does not go around", "give it a number", source.span(part))
@@ -75,6 +79,16 @@ def _moves(source: Source, tree: Any, own: str, height: float) -> tuple[Move, ..
                 times, _ = source.number(part.children[0])
             else:
                 tokens = part.children
+        if braces is not None:
+            if any(hasattr(t, "type") for t in braces.children):
+                source.error(
+                    "a stitch begins no ring and seeks no space",
+                    "leave the word before the braces out",
+                    source.span(next(t for t in braces.children if hasattr(t, "type"))),
+                )
+                continue
+            made += _moves(source, braces.children[-1], own, height) * min(times, _MOST_MOVES + 1)
+            continue
         names = [t for t in tokens if getattr(t, "type", "") == "NAME"]
         at = source.span(names[0], names[-1])
         word = standard(" ".join(names))

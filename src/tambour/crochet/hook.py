@@ -8,7 +8,7 @@ from itertools import pairwise
 from tambour.core.errors import Problem, Span, Text
 from tambour.core.graph import BACK, BLO, BOTH, FLO, FRONT, PLAIN, ROOT, TIP
 from tambour.crochet.moment import Moment, Round, Sheets
-from tambour.crochet.stitches import JOIN, NEXT, OVER, THROUGH, UNDYED, Stitch
+from tambour.crochet.stitches import JOIN, KNOT, NEXT, OVER, THROUGH, UNDYED, Stitch
 
 MOST_AT_TIP = 12
 
@@ -39,6 +39,7 @@ class Hook:
         self.faces: list[tuple[int, int, int]] = []
         self.face_sheet: list[int] = []
         self.joins: list[tuple[int, int]] = []
+        self.laid: list[tuple[int, int]] = []  # stitches of two layers that one stitch was worked through
         self.lifts: dict[int, None] = {}  # chains that only lift the yarn to the next round or row
         self.styles: list[tuple[str, float, int, tuple[int, int, int], int, int, int, Span]] = []
         self._style_of: dict[tuple[object, ...], int] = {}
@@ -55,8 +56,12 @@ class Hook:
         self.now = Moment()
         self.last_mark: str | None = None
         self.span = Span(0, 0)
+        self.trailing = False  # the last round has just been worked whole, in the line under way
         self._first = 0
+        self._picots = 0  # chains of picots, which are no stitches of the round
         self._number = 0
+        self.written = 0  # the number of the line under way, 0 for none
+        self._chained: Round | None = None  # the last round, when it is a foundation chain
 
     def fail(self, message: str, hint: str = "", span: Span | None = None) -> HookError:
         """The error to raise at the action under way."""
@@ -72,7 +77,13 @@ class Hook:
         self.part += 1
         self.begun = False
         self.now = Moment(sheet=self.sheets.begin())
-        self._first, self._number = len(self), 0
+        self._first, self._picots, self._number, self._chained = len(self), 0, 0, None
+
+    def begin_line(self) -> None:
+        """A line that is a round begins: what was skipped at the end of the last one stays skipped."""
+        if self.now.left <= 0 < self.now.count and len(self) > self._first and not self.now.chain:
+            self.end_round(True)
+        self.ahead, self.joined, self.trailing = self.now.count, 0, False
 
     def end_part(self) -> None:
         """Closes the round under way."""
@@ -88,7 +99,7 @@ class Hook:
             while top >= first and self.styles[self.style[top]][6] == TIP:
                 top -= 1
             if first <= top:
-                self._number += 1
+                self._count_round(first, top)
                 at = self.ends[first]
                 under = self.anchors[at] if self.ends[first + 1] > at else self.previous[first]
                 below = self.round[under] if 0 <= under < len(self.round) else -1
@@ -98,17 +109,37 @@ class Hook:
                         self._number,
                         first,
                         top,
-                        sum(n not in self.lifts for n in range(first, top + 1)),
+                        sum(n not in self.lifts for n in range(first, top + 1)) - self._picots,
                         self.styles[self.style[first]][7],
                         below,
                         whole,
                     )
                 )
+                if self.ends[top + 1] == self.ends[first]:
+                    self._chained = self.rounds[-1]
             self.round += [len(self.rounds) - 1] * (len(self) - len(self.round))
-        self._first = len(self)
+        self._first, self._picots = len(self), 0
         self.now.left = self.now.count
+        self.trailing = False
 
-    def _need_start(self) -> None:
+    def round_done(self) -> None:
+        """The round below is used up."""
+        self.end_round(True)
+        self.trailing = True
+
+    def _count_round(self, first: int, last: int) -> None:
+        """The number of a round: the one written on its line, where that is larger than the last; else one more. A chain
+        that the round stands on is round 0, or the number before."""
+        if self.written > self._number:
+            self._number = self.written
+        elif self._chained is not None and 0 < self.written == self._number:
+            self._chained.number -= 1
+        elif self._number or self.ends[last + 1] > self.ends[first]:
+            self._number += 1
+        self._chained = None
+
+    def need_start(self) -> None:
+        """HookError before the part has begun."""
         if not self.begun:
             raise self.fail("a part begins with a magic ring or a chain", "write MR(6) or ch(12) first")
 
@@ -163,16 +194,16 @@ class Hook:
         self.ahead = size
 
     def stitch(self, stitch: Stitch, times: int) -> None:
-        """``stitch``, ``times`` in a row. Errors are raised at the action under way."""
+        """``stitch``, ``times`` in a row, into anchor after anchor. Errors are raised at the action under way."""
         if not self.begun and stitch.name == "ch":
-            self._foundation()
-        self._need_start()
+            self.foundation()
+        self.need_start()
         now = self.now
         front = now.front
         if any(m.what in (THROUGH, JOIN) for m in stitch.moves):
-            self._begin_sheet()
+            self.begin_sheet()
         faces, sheets, sheet, forward = self.faces, self.face_sheet, now.sheet, now.direction > 0
-        looks = [self.look(m.kind, m.height, self._single()) if m.what == OVER else -1 for m in stitch.moves]
+        looks = [self.look(m.kind, m.height, self.single()) if m.what == OVER else -1 for m in stitch.moves]
         for _ in range(times):
             spine = now.spine
             path = spine[::-1]
@@ -208,21 +239,20 @@ class Hook:
                             if now.ring:
                                 front.append(~c)
                         else:
-                            front.append(c)
-                            now.count += 1
+                            self.chained(c, move.kind != "picot")
                         path.insert(0, c)
+                    continue
+                if what == KNOT:
+                    self.knot(path)
                     continue
                 while front and front[0] < 0:
                     path.append(~front.popleft())
                 if not front:
-                    raise self.fail(
-                        "there is no stitch left to work into",
-                        "the edge is used up: begin with MR, or go back with goto",
-                    )
+                    raise self.used_up()
                 anchor = front[0]
                 if what == NEXT:
                     front.popleft()
-                    self._used(1)
+                    self.used(1)
                     if path[-1] != anchor:
                         path.append(anchor)
                     touched = False
@@ -233,39 +263,73 @@ class Hook:
                 if what == THROUGH:
                     pulled.append(anchor)
                 elif what == JOIN:
-                    self._tie(path)
+                    self.tie(path)
                     path = [path[0], anchor]
                     self.joined += 1
             if touched:
                 front.popleft()
-                self._used(1)
+                self.used(1)
             path.reverse()
             now.spine = path
             if now.left <= 0 and touched:
-                self.end_round(True)
+                self.round_done()
 
-    def _tie(self, path: list[int]) -> None:
+    def chained(self, node: int, anchor: bool) -> None:
+        """Puts a chain on the edge. One that follows a round's last stitch in the same line is still of that round."""
+        now = self.now
+        now.front.append(node if anchor else ~node)
+        now.count += anchor
+        self._picots += not anchor
+        if self.trailing and self._first == node:
+            this = self.rounds[-1]
+            this.last, this.count = node, this.count + anchor
+            self.round.append(len(self.rounds) - 1)
+            self._first = node + 1
+            self._picots, now.left = 0, now.left + anchor
+
+    def used_up(self) -> HookError:
+        """The error of an edge without anchors."""
+        return self.fail(
+            "there is no stitch left to work into", "the edge is used up: begin with MR, or go back with goto"
+        )
+
+    def knot(self, path: list[int]) -> None:
+        """Ties the picot at the head of ``path`` to the stitch that it began at."""
+        base = next((n for n in path if self.styles[self.style[n]][0] != "picot"), path[0])
+        if base != path[0]:
+            self.joins.append((path[0], base))
+
+    def tie(self, path: list[int]) -> None:
         """Joins the hook's node to the end of ``path`` and closes what is between; a chain that stands there is tied too."""
         self.fill(path)
         self.joins.append((path[0], path[-1]))
         if len(path) > 2 and path[-2] in self.lifts:
             self.joins.append((path[0], path[-2]))
 
-    def _used(self, anchors: int) -> None:
+    def used(self, anchors: int) -> None:
+        """Anchors that are on the edge no more."""
         self.now.count -= anchors
         self.now.left -= anchors
         self.ahead -= anchors
 
-    def _single(self) -> int:
+    def single(self) -> int:
+        """The peculiarity of a stitch worked into the present loops."""
         return {BOTH: PLAIN, FRONT: FLO, BACK: BLO}[self.now.loop]
 
-    def _foundation(self) -> None:
-        """A chain begins a part."""
+    def foundation(self) -> None:
+        """A chain begins a piece of work."""
+        self.end_round(False)
         self.begun = True
         self.now = Moment(loop=self.now.loop, sheet=self.sheets.begin(), chain=True)
 
-    def _begin_sheet(self) -> None:
-        self.now.chain = False
+    def begin_sheet(self) -> None:
+        """Stitches are worked into the present sheet from here on; a foundation chain becomes a ring."""
+        if self.now.chain:
+            self.now.chain = False
+            self.now.spine = self.now.spine[-1:]
+            self.end_round(False)
+        elif self.now.left <= 0 < self.now.count and len(self) > self._first:
+            self.end_round(True)  # its last stitches were skipped
         sheet = self.sheets.sheets[self.now.sheet]
         if not sheet.begun:
             sheet.begun, sheet.back = True, self.now.loop == BACK
@@ -274,7 +338,7 @@ class Hook:
 
     def fasten_off(self, closing: bool) -> None:
         """Draws the edge together in a tip node; in rows, or where ``closing`` is off, only ends the yarn."""
-        self._need_start()
+        self.need_start()
         now = self.now
         if not closing:
             return
@@ -286,7 +350,7 @@ class Hook:
                     f"FO draws at most {MOST_AT_TIP} stitches together, here are {now.count}",
                     "decrease further, or leave FO out: the end stays open",
                 )
-            self._begin_sheet()
+            self.begin_sheet()
             edge = [n if n >= 0 else ~n for n in now.front]
             anchors = [n for n in now.front if n >= 0]
             self.fill([*now.spine[::-1], edge[0]])
@@ -300,7 +364,7 @@ class Hook:
 
     def turn(self) -> None:
         """Work goes back along the edge, on the fabric's other side; chains just made are not worked into."""
-        self._need_start()
+        self.need_start()
         now = self.now
         self.need_edge("turn")
         self.end_round(False)
@@ -336,13 +400,24 @@ class Hook:
         """A slip stitch into the first stitch of the round just made, which stays to be worked into."""
         self.need_edge("join")
         now = self.now
+        if now.chain:
+            self.begin_sheet()
         path = now.spine[::-1]
-        while now.front[0] < 0:
-            path.append(~now.front.popleft())
+        left = now.left if len(self) > self._first else 0  # anchors that the round leaves out
+        while now.front[0] < 0 or left > 0:
+            n = now.front.popleft()
+            if n >= 0:
+                left -= 1
+                self.used(1)
+            if path[-1] != (n if n >= 0 else ~n):
+                path.append(n if n >= 0 else ~n)
+            if not now.count:
+                raise self.fail("the round has no stitch to join to", "work some stitches into it first")
         first = now.front[0]
+        now.ring = True
         if first != path[0]:
             path.append(first)
-            self._tie(path)
+            self.tie(path)
         now.front.append(~first)
         now.spine, now.starting = [first], True
         self.end_round(True)
@@ -350,12 +425,12 @@ class Hook:
 
     def loops(self, loop: int) -> None:
         """The loops that stitches go into from here on."""
-        self._need_start()
+        self.need_start()
         self.now.loop = loop
 
     def need_edge(self, word: str) -> None:
         """HookError unless there is an edge that the action ``word`` can work on."""
-        self._need_start()
+        self.need_start()
         if self.now.count == 0:
             raise self.fail(
                 f"there is no edge to {word}", "the work was fastened off: begin with MR, or go back with goto"
@@ -363,7 +438,7 @@ class Hook:
 
     def mark(self, label: str) -> None:
         """Keeps the moment, to come back to."""
-        self._need_start()
+        self.need_start()
         now = self.now
         if now.count == 0:
             raise self.fail("this mark is of no use: no stitch is left to work into", "mark before FO")
@@ -377,7 +452,7 @@ class Hook:
 
     def goto(self, label: str) -> None:
         """Back to a kept moment; the next stitch links to the one before the mark."""
-        self._need_start()
+        self.need_start()
         moment, edge = self.labels[label]
         self.end_round(False)
         self.now = moment.copy()

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from dataclasses import replace
+from typing import Any, Final, Literal
 
 from tambour.core.errors import Span, did_you_mean
 from tambour.crochet.source import Source
-from tambour.crochet.stitches import RULES, standard
+from tambour.crochet.stitches import RULES, Stitch, into_one, standard
 from tambour.crochet.syntax import Action, Group, Item
 
 _COPY = re.compile(r"^(.*)\.(\d+)$")
+MOST_IN_ONE: Final = 64
+"""Stitches in one place."""
 
 
 def items(source: Source, tree: Any, in_round: bool, bracket: bool = False) -> tuple[Item, ...]:
@@ -55,7 +58,7 @@ def _group(source: Source, tree: Any, in_round: bool, bracket: bool) -> Item | N
 
 def _stitch(source: Source, tree: Any, in_round: bool, bracket: bool) -> Item | None:
     times, times_at, after, after_at, around = 1, None, None, None, None
-    words = None
+    words = one = None
     for child in tree.children:
         kind = getattr(child, "type", None) or child.data
         if kind == "before":
@@ -66,6 +69,10 @@ def _stitch(source: Source, tree: Any, in_round: bool, bracket: bool) -> Item | 
             around = source.span(child)
         elif kind == "words":
             words = child
+        elif kind == "one":
+            one = child
+    if one is not None:
+        return _in_one(source, one, (times, times_at), (after, after_at), around, in_round, bracket)
     names = [t for t in words.children if getattr(t, "type", "") == "NAME"]  # type: ignore[union-attr]
     given = [t for t in words.children if not hasattr(t, "type")]  # type: ignore[union-attr]
     span = source.span(names[0], names[-1])
@@ -109,6 +116,76 @@ def _stitch(source: Source, tree: Any, in_round: bool, bracket: bool) -> Item | 
     return action
 
 
+def _in_one(
+    source: Source,
+    tree: Any,
+    before: tuple[int, Span | None],
+    after: tuple[int | None, Span | None],
+    around: Span | None,
+    in_round: bool,
+    bracket: bool,
+) -> Item | None:
+    """Stitches in braces: worked into one anchor, chain space or ring; the new stitch becomes known."""
+    kinds = [getattr(child, "type", "") for child in tree.children]
+    where: Literal["", "sp", "ring"] = "sp" if "SPACE" in kinds else "ring" if "RING" in kinds else ""
+    inner = next(child for child in tree.children if not hasattr(child, "type"))
+    span = source.span(*_ends(inner))
+    text = source.text.text
+    span = Span(
+        source.span(tree.children[0]).start if where else text.rfind("{", 0, span.start), text.find("}", span.end) + 1
+    )
+    problems = len(source.problems)
+    made: list[tuple[Stitch, int]] = []
+    for item in items(source, inner, True, True):
+        _flat(source, item, 1, made)
+    if any(not p.warning for p in source.problems[problems:]):
+        return None
+    try:
+        stitch = into_one(made, where)
+    except ValueError as error:
+        source.error(str(error), "braces hold stitches that are worked into one place", span)
+        return None
+    times, at = before
+    if after[0] is not None and at is not None and after[1] is not None:
+        source.error("two numbers for one stitch", "keep one of the two", after[1])
+    if after[0] is not None:
+        times, at = after[0], after[1]
+    if sum(times for _, times in made) > MOST_IN_ONE:
+        source.error(f"more than {MOST_IN_ONE} stitches in one place", "work some of them elsewhere", span)
+    if where == "ring" and (at is not None or bracket):
+        source.error("a ring is not repeated", "take it out of the brackets", span)
+    if where == "ring":
+        source.last_number = None
+    if not in_round:
+        source.error("stitches stand outside a round", "begin the line with a colon", span)
+    if stitch.name in source.own and stitch.inner == ():  # an increase that the pattern has defined anew
+        stitch = replace(stitch, name=f"{{{stitch.name}}}")
+    source.stitches.setdefault(stitch.name, stitch)
+    action = Action(stitch.name, span, times, at)
+    if around is not None and bracket:
+        source.error("around stands within other brackets", "give the stitch a number", around)
+    return Group((action,), None, around) if around is not None else action
+
+
+def _flat(source: Source, item: Item, times: int, made: list[tuple[Stitch, int]]) -> None:
+    """The stitches of an item, one after another; what does not belong in braces is told."""
+    if isinstance(item, Group):
+        for _ in range(min(item.times or 1, MOST_IN_ONE + 1)):
+            for inner in item.items:
+                if len(made) <= MOST_IN_ONE:
+                    _flat(source, inner, times, made)
+    elif item.name in source.stitches:
+        made.append((source.stitches[item.name], min(item.times * times, MOST_IN_ONE + 1)))
+    else:
+        source.error("only stitches stand in braces", "put it before them", item.span)
+
+
+def _ends(tree: Any) -> tuple[Any, Any]:
+    """The first and the last token of a tree."""
+    tokens = list(tree.scan_values(lambda t: True))
+    return tokens[0], tokens[-1]
+
+
 def _arguments(source: Source, tree: Any) -> tuple[list[tuple[str, Span]], Span]:
     tokens = tree.children
     values = [(str(t), source.span(t)) for t in tokens if t.type == "ARG"]
@@ -142,7 +219,7 @@ def _action(
         source.told_of_bl = True
         hint = "write BLO for the back loop; here BL ends FLO or BLO"
         source.doubt("BL means both loops here, though printed patterns mean the back loop", hint, span)
-    if name in ("mr", "goto"):
+    if name in ("mr", "goto", "oval", "fsc"):
         source.last_number = None  # another piece of work, with its own numbers
     labels = tuple(value for value, _ in values[: rule.labels])
     numbers = _numbers(source, name, values, rule.labels)
@@ -172,6 +249,12 @@ def _numbers(source: Source, name: str, values: list[tuple[str, Span]], labels: 
             source.error(f'"{value}" is no number of stitches', f"write {RULES[name].usage}", at)
             return None
         return (int(value), len(values) - 1)
+    if name in ("oval", "fsc"):
+        for value, at in values:
+            if not value.isdigit() or int(value) < (1 if name == "fsc" else 2):
+                source.error(f'"{value}" is no number of chains', f"write {RULES[name].usage}", at)
+                return None
+        return (int(values[0][0]), *([int(values[1][0]) if len(values) > 1 else 2] if name == "oval" else []))
     return ()
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import JOIN, ROOT, THROUGH, TIP, StitchGraph
+from tambour.crochet import ovals
 
 LEAST_RISE = 0.3
 """The share of a row's height that a round lies above the one before, however much wider it is."""
@@ -58,7 +59,8 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
 
     A round of n stitches is a horizontal ring of radius n / 2π about the middle of the stitches it is worked into,
     turned so that its stitches stand over theirs, and higher than those by √(h² - ΔR²), at least 0.3 h, where ΔR is
-    the change of radius and h the height of its stitches. Rows that are turned and never joined lie flat instead.
+    the change of radius and h the height of its stitches. Rows that are turned and never joined lie flat instead;
+    rounds about a chain are stadiums, as long as it; an opening closed through both layers is a line.
     """
     n = len(graph)
     x = np.zeros((n, 3))
@@ -67,6 +69,9 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     starts = np.flatnonzero(np.diff(section, prepend=-1))
     ends = np.append(starts[1:], n)
     flat = in_rows(graph)
+    half = np.full(len(graph.parts), -1.0)  # of the straight sides, in parts that are ovals
+    ends_of = np.zeros(len(graph))  # the radius of the stadium that a node is in
+    folded = ovals.layers(graph)
     width = np.zeros(len(graph.parts))
     np.maximum.at(width, graph.part[starts], (ends - starts) / (2.0 * math.pi))
     begun = np.zeros(len(graph.parts), int)
@@ -78,6 +83,14 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         below = [q[(q < a)] for q in below]
         under = np.unique(np.concatenate(below)) if below else np.zeros(0, int)
         if not len(under):
+            on = ovals.base(graph, a, b) if half[part] < 0.0 else 0
+            if on:
+                # The hook's end at the back: the middle of a round is in front.
+                half[part], flat[part] = 0.5 * (on - 1), False
+                x[nodes, 2] = 0.5 * (on - 1) - np.arange(b - a)
+                x[nodes[on:], 2], x[nodes[on:], 1] = x[nodes[on - 1], 2], np.arange(1, b - a - on + 1)
+                begun[part] += 1
+                continue
             x[nodes] = _begin(graph, x, nodes, width[part], begun[part], bool(flat[part]))
             begun[part] += int(graph.previous[a] < 0 or graph.previous[a] < graph.parts[part].start)
             continue
@@ -88,6 +101,16 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
             x[nodes, 0] = stand[:, 0].mean() + graph.direction[nodes] * (np.arange(b - a) - 0.5 * (b - a - 1))
             x[nodes, 1] = centre[1] + h
             x[nodes, 2] = WAVE * np.sin(0.7 * x[nodes, 0] + 1.3 * x[nodes, 1])
+            continue
+        if folded[a:b].any():
+            x[nodes] = stand + np.array([0.0, h, 0.0])
+            continue
+        if half[part] >= 0.0 and b - a > 3:
+            side, radius = ovals.straight(b - a, float(half[part]))
+            spread = float(ends_of[under].mean())
+            up = math.sqrt(max(h * h - (radius - spread) ** 2, (LEAST_RISE * h) ** 2))
+            x[nodes, 0], x[nodes, 2] = ovals.turned(b - a, side, radius, stand[:, [0, 2]]).T
+            x[nodes, 1], ends_of[nodes] = centre[1] + up, radius
             continue
         radius = (b - a) / (2.0 * math.pi) if b - a > 1 else 0.0
         spread = float(np.hypot(*(x[under] - centre)[:, [0, 2]].T).mean())

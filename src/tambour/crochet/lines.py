@@ -27,6 +27,7 @@ _SAID = {
     "ARG": "an argument",
     "LSQB": '"["',
     "RSQB": '"]"',
+    "RBRACE": '"}"',
     "CLOSE": '")"',
     "RPAR": '")"',
     "TIMES": '"x" and a number',
@@ -82,7 +83,7 @@ def read_line(line: str, start: int, text: Text) -> tuple[Tree[Any] | None, list
         report("this number is too large", f"numbers have at most {LONGEST} digits", number.start(), number.end())
     depth = 0
     for at, sign in enumerate(line):
-        depth += (sign in "[(") - (sign in "])")
+        depth += (sign in "[({") - (sign in "])}")
         if depth > DEEPEST:
             report("brackets are nested too deep", f"at most {DEEPEST} levels", at, at + 1)
             break

@@ -28,6 +28,9 @@ class Moment:
     sheet : the sheet that new faces belong to
     starting : chains made now only lift the yarn to the next round or row
     bridge : the spine of the edge that a direct ``attach`` came from, and the node it made
+    folded : the edge lies flat, and stitches go through both its layers
+    hand : the node that the yarn comes from while the edge is folded, -1 for the last of ``spine``
+    spare : the last anchor of an oval's base, which may be left out (the first stitch went into it too); -1 for none
     """
 
     front: deque[int] = field(default_factory=deque)
@@ -41,6 +44,9 @@ class Moment:
     sheet: int = 0
     starting: bool = False
     bridge: tuple[list[int], int] | None = None
+    folded: bool = False
+    spare: int = -1
+    hand: int = -1
 
     def copy(self) -> Moment:
         """The same moment, to go back to."""
@@ -56,6 +62,9 @@ class Moment:
             self.sheet,
             self.starting,
             self.bridge,
+            self.folded,
+            self.spare,
+            self.hand,
         )
 
 

@@ -32,6 +32,10 @@ ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
     "join": ("join", ()),
     "close": ("fo", ()),
     "sew": ("sew", ()),
+    "oval": ("oval", ()),
+    "foundation": ("fsc", ()),
+    "fold": ("fold", ()),
+    "fold to": ("fold", ()),
 }
 """Sentence → the action that it says, and the numbers that it implies."""
 
@@ -225,6 +229,8 @@ class Phrases:
             numbers = (fields["count"], 0)
         elif key == "color":
             numbers = fields["color"]
+        elif key == "oval":
+            numbers = (fields["count"], fields["next"])
         elif "count" in fields:
             numbers = (fields["count"],)
         return name, numbers, labels
@@ -290,7 +296,7 @@ class Phrases:
             return r"[A-Z]\d*"
         if field == "hex":
             return r"#[0-9a-f]{6}"
-        if field == "count":
+        if field in ("count", "next"):
             return r"\d{1,9}"
         if field in ("name", "item", "items"):
             return ".+?"
@@ -311,7 +317,7 @@ class Phrases:
             return [self._place(piece) for piece in words.split(";")]
         if field in ("label", "one", "other", "letter", "name", "item", "items"):
             return words.upper() if field == "letter" else words
-        return int(words) if field == "count" else float(words)
+        return int(words) if field in ("count", "next") else float(words)
 
     def _place(self, words: str) -> tuple[float, float | None]:
         found = self.read(words, ("at between", "at round"))

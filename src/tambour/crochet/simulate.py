@@ -14,6 +14,7 @@ from tambour.core.graph import StitchGraph
 from tambour.crochet.arrange import arrange, clusters, cut, fit, parts
 from tambour.crochet.body import Body, State, build, displacement, volumes
 from tambour.crochet.layout import on_axis, rounds
+from tambour.crochet.snug import snug
 
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
@@ -44,7 +45,11 @@ class Shape:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Task:
-    """A graph and how to shape it. width : mm per stitch; counts (P,) centroids of each part."""
+    """A graph and how to shape it.
+
+    width : mm per stitch; counts (P,) centroids of each part
+    snug : settled parts keep the size of their gauge (:mod:`tambour.crochet.snug`) instead of what springs give way
+    """
 
     graph: StitchGraph
     params: CrochetParams
@@ -52,6 +57,7 @@ class Task:
     stuffing: str
     start: str
     counts: Array
+    snug: bool = False
 
     def body(self, graph: StitchGraph, counts: Array) -> Body:
         """The body of ``graph``, a cut of this task's."""
@@ -171,6 +177,10 @@ def _settled(
 
     for nodes in parts(graph):
         settle(nodes)
+    if task.snug:
+        graph = snug(graph, x, task.width / task.params.link_distance)
+        for nodes in parts(graph):
+            settle(nodes)
     x, c = placed(task, x, c)
     piece = clusters(graph)
     bodies = {int(piece[nodes[0]]): 0 for nodes in parts(graph)}

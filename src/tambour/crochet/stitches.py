@@ -7,6 +7,7 @@ pull over (which makes the node), go to the next anchor; a join ties the yarn to
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
@@ -14,13 +15,15 @@ THROUGH: Final = "through"
 OVER: Final = "over"
 NEXT: Final = "next"
 JOIN: Final = "join"
+KNOT: Final = "knot"
 
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """One move of the hook. A pull-over names the kind of node it makes and its height in single crochets."""
+    """One move of the hook. A pull-over names the kind of node it makes and its height in single crochets; a knot ties
+    the chains just made (a picot) to the stitch that they began at."""
 
-    what: Literal["through", "over", "next", "join"]
+    what: Literal["through", "over", "next", "join", "knot"]
     kind: str = ""
     height: float = 1.0
 
@@ -29,11 +32,17 @@ class Move:
 class Stitch:
     """A stitch: its name in standard terms and its moves.
 
+    where : "" into the next anchor; "sp" into the next chain space; "ring" into a new magic ring
+    inner : of what stitches, and how often each in a row, a group worked into one place is made
+    approximate : what its node in the graph leaves out, "" when nothing
     makes : nodes it makes; takes : anchors it uses up (the one that it ends on counts when yarn was pulled through)
     """
 
     name: str
     moves: tuple[Move, ...]
+    where: Literal["", "sp", "ring"] = ""
+    inner: tuple[tuple[str, int], ...] = ()
+    approximate: str = ""
 
     @property
     def makes(self) -> int:
@@ -42,7 +51,7 @@ class Stitch:
 
     @property
     def takes(self) -> int:
-        """Anchors it uses up."""
+        """Anchors it uses up; a chain space counts as one."""
         passed, touched = 0, False
         for move in self.moves:
             if move.what == NEXT:
@@ -51,14 +60,55 @@ class Stitch:
                 touched = True
         return passed + touched
 
+    @property
+    def fits_in_one(self) -> bool:
+        """Whether it can be worked into one place together with others."""
+        return not self.where and all(m.what in (THROUGH, OVER, KNOT) for m in self.moves)
+
 
 # Heights in single crochets: the usual proportions of the finished stitches.
-HEIGHTS: Final = {"sc": 1.0, "hdc": 1.5, "dc": 2.0, "tr": 3.0}
+HEIGHTS: Final = {
+    "sc": 1.0,
+    "hdc": 1.5,
+    "dc": 2.0,
+    "tr": 3.0,
+    "dtr": 4.0,
+    "trtr": 5.0,
+    "esc": 1.25,
+    "ehdc": 1.75,
+    "edc": 2.5,
+}
+# Around the post below they stand lower than on its top.
+_POSTS: Final = {end + kind: max(0.75, HEIGHTS[kind] - 0.4) for kind in list(HEIGHTS)[:5] for end in ("fp", "bp")}
+KINDS: Final = {**HEIGHTS, **_POSTS}
+"""Every plain stitch → its height."""
+
+STANDING: Final = {"ch1sc": "sc", "ch2hdc": "hdc", "ch3dc": "dc", "ch4tr": "tr", "ch5dtr": "dtr"}
+"""Chains at the beginning of a row or round that count as its first stitch → that stitch."""
+
+# Several loops drawn together in one anchor: a bump. Kind → loops, unless said; height; what it is made of.
+BUMPS: Final = {
+    "bobble": (5, 1.2, "dc"),
+    "popcorn": (5, 1.2, "dc"),
+    "puff": (4, 1.5, "hdc"),
+    "cl": (3, 2.0, "dc"),
+}
+
+# Stitches that the graph has as other ones: kind → that one, and what is left out.
+_AS: Final = {
+    "crab": ("sc", "it is worked onwards, not backwards"),
+    "spike": ("sc", "it is worked into its stitch, not into the row below"),
+    "loopst": ("sc", "its loop is left out"),
+    "fur": ("sc", "its loops are left out"),
+}
+
+MOST = 12
+"""The most stitches in one anchor, and the most anchors in one stitch, that have a name."""
 
 
 def _worked(kind: str, into: int, times: int) -> tuple[Move, ...]:
     """``times`` stitches in one anchor, or one stitch over ``into`` anchors."""
-    over = Move(OVER, kind, HEIGHTS[kind])
+    over = Move(OVER, kind, KINDS[kind])
     if into == 1:
         return (Move(THROUGH), over) * times
     return (Move(THROUGH), Move(NEXT)) * (into - 1) + (Move(THROUGH), over)
@@ -69,20 +119,68 @@ def _table() -> dict[str, Stitch]:
         Stitch("ch", (Move(OVER, "ch", 1.0),)),
         Stitch("slst", (Move(JOIN),)),
         Stitch("skip", (Move(NEXT),)),
+        Stitch("picot", (Move(OVER, "picot", 1.0),) * 3 + (Move(KNOT),)),
     ]
-    for kind in HEIGHTS:
+    for kind in KINDS:
         prefix = "" if kind == "sc" else kind
-        made += [
-            Stitch(kind, _worked(kind, 1, 1)),
-            Stitch(prefix + "inc", _worked(kind, 1, 2)),
-            Stitch(prefix + "inc3", _worked(kind, 1, 3)),
-            Stitch(prefix + "dec", _worked(kind, 2, 1)),
-            Stitch(prefix + "dec3", _worked(kind, 3, 1)),
-        ]
+        doubt = "it is worked into its stitch, not around the post" if kind in _POSTS else ""
+        made.append(Stitch(kind, _worked(kind, 1, 1), approximate=doubt))
+        for many in range(2, MOST + 1):
+            end = "" if many == 2 else str(many)
+            made.append(Stitch(f"{prefix}inc{end}", _worked(kind, 1, many), approximate=doubt))
+            made.append(Stitch(f"{prefix}dec{end}", _worked(kind, many, 1), approximate=doubt))
+    made += [Stitch(kind, (Move(THROUGH), Move(OVER, kind, HEIGHTS[of]))) for kind, of in STANDING.items()]
+    made += [
+        Stitch(kind, (Move(THROUGH), Move(OVER, kind, HEIGHTS[of])), approximate=doubt)
+        for kind, (of, doubt) in _AS.items()
+    ]
+    for kind, (usual, height, _) in BUMPS.items():
+        for loops in range(2, MOST + 1):
+            name = kind if loops == usual else f"{kind}{loops}"
+            moves = (Move(THROUGH),) * loops + (Move(OVER, kind, height),)
+            made.append(Stitch(name, moves, approximate="its bump is drawn, but does not shape the fabric"))
     return {s.name: s for s in made}
 
 
 STITCHES: Final[dict[str, Stitch]] = _table()
+
+BASIC: Final = frozenset(
+    name for name in STITCHES if re.fullmatch(r"ch|slst|skip|(?:sc|hdc|dc|tr|(?:hdc|dc|tr)?(?:inc|dec)3?)", name)
+)
+"""Stitches that a pattern may not define anew."""
+
+
+def into_one(inner: Sequence[tuple[Stitch, int]], where: Literal["", "sp", "ring"] = "") -> Stitch:
+    """The stitch that is ``inner`` (each so many times) worked into one anchor, chain space or magic ring.
+
+    Its name is what one writes: ``{dc, ch, dc}``, ``sp{3 dc}``, ``MR{3 dc, 2 ch}``; several of one kind in an anchor are
+    an increase. ValueError for a stitch that does not fit in one place, and when nothing is worked into it.
+    """
+    merged: list[tuple[Stitch, int]] = []
+    for stitch, times in inner:
+        if not stitch.fits_in_one:
+            raise ValueError(f"{stitch.name} does not fit in one place")
+        if merged and merged[-1][0].name == stitch.name:
+            merged[-1] = (stitch, merged[-1][1] + times)
+        elif times:
+            merged.append((stitch, times))
+    if not any(m.what == THROUGH for stitch, _ in merged for m in stitch.moves):
+        raise ValueError("nothing is worked into it")
+    if not where and len(merged) == 1:
+        stitch, times = merged[0]
+        prefix = "" if stitch.name == "sc" else stitch.name
+        name = stitch.name if times == 1 else f"{prefix}inc{times if times > 2 else ''}"
+        if name in STITCHES and STITCHES[name].moves == stitch.moves * times:
+            return STITCHES[name]
+    said = ", ".join(stitch.name if times == 1 else f"{times} {stitch.name}" for stitch, times in merged)
+    return Stitch(
+        f"{'MR' if where == 'ring' else where}{{{said}}}",
+        tuple(move for stitch, times in merged for move in stitch.moves * times),
+        where,
+        tuple((stitch.name, times) for stitch, times in merged),
+        next((stitch.approximate for stitch, _ in merged if stitch.approximate), ""),
+    )
+
 
 # The seed's moves under their own names, for definitions in a pattern.
 MOVES: Final[dict[str, Move]] = {
@@ -110,8 +208,38 @@ _ALIASES: Final = {
     "magiccircle": "mr",
     "colour": "color",
     "fastenoff": "fo",
+    "ddtr": "dtr",
+    "doubletreble": "dtr",
+    "extendedsc": "esc",
+    "exsc": "esc",
+    "extendedhdc": "ehdc",
+    "exhdc": "ehdc",
+    "extendeddc": "edc",
+    "exdc": "edc",
+    "bo": "bobble",
+    "mb": "bobble",
+    "pc": "popcorn",
+    "pop": "popcorn",
+    "pf": "puff",
+    "cluster": "cl",
+    "clu": "cl",
+    "revsc": "crab",
+    "rsc": "crab",
+    "reversesc": "crab",
+    "crabstitch": "crab",
+    "crabst": "crab",
+    "spikest": "spike",
+    "spikestitch": "spike",
+    "spikesc": "spike",
+    "loop": "loopst",
+    "lpst": "loopst",
+    "loopstitch": "loopst",
+    "furstitch": "fur",
+    "furst": "fur",
 }
-_COMBINED: Final = re.compile(r"^(sc|hdc|dc|tr)?(?:(inc|dec)([23])?|([23])tog)(sc|hdc|dc|tr)?$")
+_KIND: Final = "|".join(sorted(KINDS, key=len, reverse=True))
+_COMBINED: Final = re.compile(rf"^({_KIND})?(?:(inc|dec)(\d*)|(\d+)tog)({_KIND})?$")
+_BUMPS: Final = re.compile(r"^(bobble|popcorn|puff|cluster|cl)(?:st|stitch)?(\d*)$")
 
 
 def standard(word: str) -> str:
@@ -122,8 +250,12 @@ def standard(word: str) -> str:
     if found and not (found[1] and found[5]):
         kind = found[1] or found[5] or "sc"
         what = found[2] or "dec"
-        many = "3" if "3" in (found[3], found[4]) else ""
-        return ("" if kind == "sc" else kind) + what + many
+        many = (found[3] or found[4] or "").lstrip("0")
+        return ("" if kind == "sc" else kind) + what + ("" if many == "2" else many)
+    bump = _BUMPS.match(plain)
+    if bump:
+        name = _ALIASES.get(bump[1], bump[1])
+        return name if bump[2] in ("", str(BUMPS[name][0])) else name + bump[2]
     return plain
 
 
@@ -155,6 +287,9 @@ RULES: Final[dict[str, Rule]] = {
     "sew": Rule(2, 2, labels=2, in_round=False, usage="sew(one, other)"),
     "fo": Rule(0, 0, usage="FO"),
     "turn": Rule(0, 0, usage="turn"),
+    "oval": Rule(1, 2, usage="oval(8): a chain of 8, worked around both its sides from the second from the hook"),
+    "fsc": Rule(1, 1, usage="fsc(12)"),
+    "fold": Rule(0, 1, labels=1, outside=False, usage="fold or fold(name)"),
     "join": Rule(0, 0, usage="join"),
 }
 

@@ -11,9 +11,9 @@ from tambour.crochet.terms_letters import LETTERS
 from tambour.crochet.terms_nl import NL
 from tambour.crochet.terms_uk import UK
 from tambour.crochet.terms_us import US
-from tambour.crochet.wording import SENTENCES, WORDS, Terms, families
+from tambour.crochet.wording import SENTENCES, WORDS, Terms
 
-__all__ = ["SENTENCES", "TERMS", "WORDS", "Terms", "families"]
+__all__ = ["SENTENCES", "TERMS", "WORDS", "Terms"]
 
 TERMS: Final[dict[str, Terms]] = {t.code: t for t in (US, UK, ES, DE, FR, NL, LETTERS)}
 """Code → table."""

@@ -4,54 +4,72 @@ from __future__ import annotations
 
 from typing import Final
 
-from tambour.crochet.wording import Terms, families
+from tambour.crochet.wording import Terms, bumped, bumps, explained, families, posts, standing
+
+_PLAIN: Final = {
+    "sc": ("fM", "feste Masche", "feste Maschen"),
+    "hdc": ("hStb", "halbes Stäbchen", "halbe Stäbchen"),
+    "dc": ("Stb", "Stäbchen"),
+    "tr": ("DStb", "Doppelstäbchen", "doppeltes Stäbchen"),
+    "dtr": ("DreifStb", "Dreifachstäbchen", "dreifaches Stäbchen"),
+    "trtr": ("VierfStb", "Vierfachstäbchen", "vierfaches Stäbchen"),
+    "esc": ("verlfM", "verlängerte feste Masche"),
+    "ehdc": ("verlhStb", "verlängertes halbes Stäbchen"),
+    "edc": ("verlStb", "verlängertes Stäbchen"),
+}
+_KINDS: Final = {
+    **_PLAIN,
+    **posts(_PLAIN, ("vR{k}", "{k} als Relief von vorn"), ("hR{k}", "{k} als Relief von hinten")),
+}
+_BUMPS: Final = {
+    "bobble": ("Noppe", "Noppen"),
+    "popcorn": ("Popcornmasche", "Popcornmaschen"),
+    "puff": ("Büschelmasche", "Büschelmaschen"),
+    "cl": ("Bündel", "Bündelmasche"),
+}
 
 STITCHES: Final = {
     "ch": ("Lm", "Luftmasche", "Luftmaschen", "Lfm"),
     "slst": ("Km", "Kettmasche", "Kettmaschen", "Ktm"),
     "skip": ("überspr", "überspringen", "auslassen", "ausl"),
+    "picot": ("Pikot", "Picot"),
+    "crab": ("Krebsmasche", "Krebsmaschen"),
+    "spike": ("Spikemasche", "tiefgestochene M"),
+    "loopst": ("Schlingenmasche",),
+    "fur": ("Fellmasche",),
     **families(
-        {
-            "sc": ("fM", "feste Masche", "feste Maschen"),
-            "hdc": ("hStb", "halbes Stäbchen", "halbe Stäbchen"),
-            "dc": ("Stb", "Stäbchen"),
-            "tr": ("DStb", "Doppelstäbchen", "doppeltes Stäbchen"),
-        },
-        inc=("zun", "Zunahme", "Zunahmen", "zu", "verd", "M verd", "zun {}", "{} zun"),
-        inc3=("zun3", "M verdreifachen", "zun3 {}"),
-        dec=("abn", "Abnahme", "Abnahmen", "abm", "unsichtbare Abnahme", "abn {}", "{} zus"),
-        dec3=("abn3", "abn3 {}"),
+        _KINDS,
+        inc=("zun", "Zunahme", "Zunahmen", "zu", "verd", "M verd", "zun {k}", "{k} zun"),
+        incs=("zun{n}", "zun{n} {k}"),
+        dec=("abn", "Abnahme", "Abnahmen", "abm", "unsichtbare Abnahme", "abn {k}", "{k} zus"),
+        decs=("abn{n}", "abn{n} {k}"),
     ),
+    **bumps(_BUMPS),
+    **standing(_PLAIN, "{n} Lm als {k}"),
 }
 
-MEANING: Final = {
-    "ch": "Luftmasche",
-    "slst": "Kettmasche",
-    "skip": "eine Masche überspringen",
-    "sc": "feste Masche",
-    "inc": "Zunahme: 2 fM in dieselbe Masche",
-    "inc3": "3 fM in dieselbe Masche",
-    "dec": "Abnahme: 2 fM zusammen abgemascht",
-    "dec3": "3 fM zusammen abgemascht",
-    "hdc": "halbes Stäbchen",
-    "hdcinc": "2 hStb in dieselbe Masche",
-    "hdcinc3": "3 hStb in dieselbe Masche",
-    "hdcdec": "2 hStb zusammen abgemascht",
-    "hdcdec3": "3 hStb zusammen abgemascht",
-    "dc": "Stäbchen",
-    "dcinc": "2 Stb in dieselbe Masche",
-    "dcinc3": "3 Stb in dieselbe Masche",
-    "dcdec": "2 Stb zusammen abgemascht",
-    "dcdec3": "3 Stb zusammen abgemascht",
-    "tr": "Doppelstäbchen",
-    "trinc": "2 DStb in dieselbe Masche",
-    "trinc3": "3 DStb in dieselbe Masche",
-    "trdec": "2 DStb zusammen abgemascht",
-    "trdec3": "3 DStb zusammen abgemascht",
-    "round": "Runde",
-    "front loops": "nur vorderes Maschenglied",
-    "back loops": "nur hinteres Maschenglied",
-}
+MEANING: Final = explained(
+    _KINDS,
+    "Zunahme: 2 {k} in dieselbe Masche",
+    "{n} {k} in dieselbe Masche",
+    "Abnahme: 2 {k} zusammen abgemascht",
+    "{n} {k} zusammen abgemascht",
+    {
+        **bumped(_BUMPS, "{k}: {n} Schlingen in einer Masche zusammen abgemascht"),
+        **{k: v[0] for k, v in standing(_PLAIN, "{n} Luftmaschen, die als {k} zählen").items()},
+        "ch": "Luftmasche",
+        "slst": "Kettmasche",
+        "skip": "eine Masche überspringen",
+        "picot": "Pikot: 3 Luftmaschen, an ihrem Anfang verbunden",
+        "crab": "Krebsmasche: feste Masche rückwärts",
+        "spike": "Spikemasche: feste Masche in die Runde darunter",
+        "loopst": "Schlingenmasche",
+        "fur": "Fellmasche",
+        "round": "Runde",
+        "front loops": "nur vorderes Maschenglied",
+        "back loops": "nur hinteres Maschenglied",
+    },
+)
 
 WORDS: Final = {
     "round": ("Rd", "Runde", "Runden", "Rnd", "Rde"),
@@ -65,6 +83,7 @@ WORDS: Final = {
     "last": ("letzte", "letzten"),
     "stitch": ("M", "Masche"),
     "stitches": ("Maschen",),
+    "space": ("Lm-Bogen", "Bogen", "Luftmaschenbogen"),
     "around": ("rundherum", "bis Rundenende", "fortlaufend"),
     "times": ("mal", "x", "×", "*"),
     "repeat": ("wdh", "wiederholen", "wiederhole"),
@@ -125,6 +144,13 @@ SENTENCES: Final = {
     "close": "zusammenziehen und Faden abschneiden",
     "fasten off": "Faden abschneiden",
     "sew": "Markierer {one} an Markierer {other} nähen",
+    "oval": "{count} Lm und beide Seiten umhäkeln ab der Lm {next} von der Nadel",
+    "foundation": "{count} fM ohne Anschlag",
+    "fold": "durch beide Lagen",
+    "fold to": "durch beide Lagen mit der Kante von Markierer {label}",
+    "one stitch": "({items}) in nächste M",
+    "one space": "({items}) in nächste Lm-Bogen",
+    "one ring": "({items}) in Fadenring",
     "stuff none": "nicht füllen",
     "stuff light": "leicht füllen",
     "stuff medium": "füllen",

@@ -4,54 +4,72 @@ from __future__ import annotations
 
 from typing import Final
 
-from tambour.crochet.wording import Terms, families
+from tambour.crochet.wording import Terms, bumped, bumps, explained, families, posts, standing
+
+_PLAIN: Final = {
+    "sc": ("pb", "punto bajo", "puntos bajos"),
+    "hdc": ("mpa", "medio punto alto", "pma", "punto medio alto", "medios puntos altos"),
+    "dc": ("pa", "punto alto", "puntos altos", "vareta"),
+    "tr": ("pad", "punto alto doble", "puntos altos dobles"),
+    "dtr": ("pat", "punto alto triple"),
+    "trtr": ("pac", "punto alto cuádruple"),
+    "esc": ("pbe", "punto bajo extendido"),
+    "ehdc": ("mpae", "medio punto alto extendido"),
+    "edc": ("pae", "punto alto extendido"),
+}
+_KINDS: Final = {
+    **_PLAIN,
+    **posts(_PLAIN, ("{k} rd", "{k} en relieve por delante"), ("{k} rt", "{k} en relieve por detrás")),
+}
+_BUMPS: Final = {
+    "bobble": ("mota", "punto mota"),
+    "popcorn": ("palomita", "punto palomita"),
+    "puff": ("puff", "punto puff"),
+    "cl": ("racimo", "punto racimo"),
+}
 
 STITCHES: Final = {
     "ch": ("cad", "cadeneta", "cadenetas", "punto cadena", "pc"),
     "slst": ("pr", "punto raso", "punto deslizado", "pd", "punto enano", "pe", "puntos rasos"),
     "skip": ("saltar", "salta"),
+    "picot": ("piquito", "picot"),
+    "crab": ("punto cangrejo",),
+    "spike": ("punto lanza",),
+    "loopst": ("punto rizo",),
+    "fur": ("punto pelo",),
     **families(
-        {
-            "sc": ("pb", "punto bajo", "puntos bajos"),
-            "hdc": ("mpa", "medio punto alto", "pma", "punto medio alto", "medios puntos altos"),
-            "dc": ("pa", "punto alto", "puntos altos", "vareta"),
-            "tr": ("pad", "punto alto doble", "puntos altos dobles"),
-        },
-        inc=("aum", "aumento", "aumentos", "aumentar", "aum {}", "{} aum"),
-        inc3=("aum3", "aumento triple", "aum3 {}"),
-        dec=("dism", "disminución", "disminuciones", "dis", "dism invisible", "dism {}", "{} juntos"),
-        dec3=("dism3", "disminución triple", "dism3 {}"),
+        _KINDS,
+        inc=("aum", "aumento", "aumentos", "aumentar", "aum {k}", "{k} aum"),
+        incs=("aum{n}", "aum{n} {k}"),
+        dec=("dism", "disminución", "disminuciones", "dis", "dism invisible", "dism {k}", "{k} juntos"),
+        decs=("dism{n}", "dism{n} {k}"),
     ),
+    **bumps(_BUMPS),
+    **standing(_PLAIN, "{n} cad como {k}"),
 }
 
-MEANING: Final = {
-    "ch": "cadeneta",
-    "slst": "punto raso (deslizado)",
-    "skip": "saltar un punto",
-    "sc": "punto bajo",
-    "inc": "aumento: 2 pb en el mismo punto",
-    "inc3": "3 pb en el mismo punto",
-    "dec": "disminución: 2 pb cerrados juntos",
-    "dec3": "3 pb cerrados juntos",
-    "hdc": "medio punto alto",
-    "hdcinc": "2 mpa en el mismo punto",
-    "hdcinc3": "3 mpa en el mismo punto",
-    "hdcdec": "2 mpa cerrados juntos",
-    "hdcdec3": "3 mpa cerrados juntos",
-    "dc": "punto alto",
-    "dcinc": "2 pa en el mismo punto",
-    "dcinc3": "3 pa en el mismo punto",
-    "dcdec": "2 pa cerrados juntos",
-    "dcdec3": "3 pa cerrados juntos",
-    "tr": "punto alto doble",
-    "trinc": "2 pad en el mismo punto",
-    "trinc3": "3 pad en el mismo punto",
-    "trdec": "2 pad cerrados juntos",
-    "trdec3": "3 pad cerrados juntos",
-    "round": "vuelta",
-    "front loops": "solo hebra delantera",
-    "back loops": "solo hebra trasera",
-}
+MEANING: Final = explained(
+    _KINDS,
+    "aumento: 2 {k} en el mismo punto",
+    "{n} {k} en el mismo punto",
+    "disminución: 2 {k} cerrados juntos",
+    "{n} {k} cerrados juntos",
+    {
+        **bumped(_BUMPS, "{k}: {n} lazadas cerradas juntas en un punto"),
+        **{k: v[0] for k, v in standing(_PLAIN, "{n} cadenetas que cuentan como un {k}").items()},
+        "ch": "cadeneta",
+        "slst": "punto raso (deslizado)",
+        "skip": "saltar un punto",
+        "picot": "piquito: 3 cadenetas unidas donde empezaron",
+        "crab": "punto cangrejo: punto bajo hacia atrás",
+        "spike": "punto lanza: punto bajo en la vuelta inferior",
+        "loopst": "punto rizo",
+        "fur": "punto pelo",
+        "round": "vuelta",
+        "front loops": "solo hebra delantera",
+        "back loops": "solo hebra trasera",
+    },
+)
 
 WORDS: Final = {
     "round": ("Vta", "V", "Vuelta", "Vueltas", "Vtas", "R", "Ronda", "Rondas"),
@@ -65,6 +83,7 @@ WORDS: Final = {
     "last": ("último", "última"),
     "stitch": ("punto", "p", "pto", "pt"),
     "stitches": ("puntos", "ptos", "pts", "ps"),
+    "space": ("espacio", "esp", "espacio de cad", "arco"),
     "around": ("alrededor", "toda la vuelta", "hasta el final"),
     "times": ("veces", "x", "×", "*", "vez"),
     "repeat": ("rep", "repetir", "repite", "repetid"),
@@ -125,6 +144,13 @@ SENTENCES: Final = {
     "close": "cerrar y rematar",
     "fasten off": "rematar",
     "sew": "coser el marcador {one} al marcador {other}",
+    "oval": "{count} cad y tejer por ambos lados desde la cad {next} desde el ganchillo",
+    "foundation": "{count} pb de base",
+    "fold": "a través de ambas capas",
+    "fold to": "a través de ambas capas con el borde del marcador {label}",
+    "one stitch": "({items}) en siguiente punto",
+    "one space": "({items}) en siguiente espacio",
+    "one ring": "({items}) en anillo mágico",
     "stuff none": "no rellenar",
     "stuff light": "rellenar ligeramente",
     "stuff medium": "rellenar",

@@ -4,54 +4,72 @@ from __future__ import annotations
 
 from typing import Final
 
-from tambour.crochet.wording import Terms, families
+from tambour.crochet.wording import Terms, bumped, bumps, explained, families, posts, standing
+
+_PLAIN: Final = {
+    "sc": ("ms", "maille serrée", "mailles serrées"),
+    "hdc": ("db", "demi-bride", "demi-brides"),
+    "dc": ("br", "bride", "brides", "B"),
+    "tr": ("dbr", "double bride", "doubles brides"),
+    "dtr": ("tbr", "triple bride", "triples brides"),
+    "trtr": ("qbr", "quadruple bride"),
+    "esc": ("mse", "maille serrée allongée"),
+    "ehdc": ("dbe", "demi-bride allongée"),
+    "edc": ("bre", "bride allongée"),
+}
+_KINDS: Final = {
+    **_PLAIN,
+    **posts(_PLAIN, ("{k} rel av", "{k} en relief avant"), ("{k} rel ar", "{k} en relief arrière")),
+}
+_BUMPS: Final = {
+    "bobble": ("nope", "point nope"),
+    "popcorn": ("popcorn", "point popcorn"),
+    "puff": ("puff", "point soufflé"),
+    "cl": ("grappe", "point grappe"),
+}
 
 STITCHES: Final = {
     "ch": ("ml", "maille en l'air", "mailles en l'air", "chaînette"),
     "slst": ("mc", "maille coulée", "mailles coulées"),
     "skip": ("sauter", "passer"),
+    "picot": ("picot",),
+    "crab": ("point d'écrevisse",),
+    "spike": ("point lancé",),
+    "loopst": ("point bouclette",),
+    "fur": ("point fourrure",),
     **families(
-        {
-            "sc": ("ms", "maille serrée", "mailles serrées"),
-            "hdc": ("db", "demi-bride", "demi-brides", "dbr-demi"),
-            "dc": ("br", "bride", "brides", "B"),
-            "tr": ("dbr", "double bride", "doubles brides"),
-        },
-        inc=("aug", "augmentation", "augmentations", "augmenter", "aug {}", "{} aug"),
-        inc3=("aug3", "augmentation triple", "aug3 {}"),
-        dec=("dim", "diminution", "diminutions", "dim invisible", "dim {}", "{} ensemble"),
-        dec3=("dim3", "dim3 {}"),
+        _KINDS,
+        inc=("aug", "augmentation", "augmentations", "augmenter", "aug {k}", "{k} aug"),
+        incs=("aug{n}", "aug{n} {k}"),
+        dec=("dim", "diminution", "diminutions", "dim invisible", "dim {k}", "{k} ensemble"),
+        decs=("dim{n}", "dim{n} {k}"),
     ),
+    **bumps(_BUMPS),
+    **standing(_PLAIN, "{n} ml comme {k}"),
 }
 
-MEANING: Final = {
-    "ch": "maille en l'air",
-    "slst": "maille coulée",
-    "skip": "sauter une maille",
-    "sc": "maille serrée",
-    "inc": "augmentation : 2 ms dans la même maille",
-    "inc3": "3 ms dans la même maille",
-    "dec": "diminution : 2 ms écoulées ensemble",
-    "dec3": "3 ms écoulées ensemble",
-    "hdc": "demi-bride",
-    "hdcinc": "2 db dans la même maille",
-    "hdcinc3": "3 db dans la même maille",
-    "hdcdec": "2 db écoulées ensemble",
-    "hdcdec3": "3 db écoulées ensemble",
-    "dc": "bride",
-    "dcinc": "2 br dans la même maille",
-    "dcinc3": "3 br dans la même maille",
-    "dcdec": "2 br écoulées ensemble",
-    "dcdec3": "3 br écoulées ensemble",
-    "tr": "double bride",
-    "trinc": "2 dbr dans la même maille",
-    "trinc3": "3 dbr dans la même maille",
-    "trdec": "2 dbr écoulées ensemble",
-    "trdec3": "3 dbr écoulées ensemble",
-    "round": "tour",
-    "front loops": "brin avant seulement",
-    "back loops": "brin arrière seulement",
-}
+MEANING: Final = explained(
+    _KINDS,
+    "augmentation : 2 {k} dans la même maille",
+    "{n} {k} dans la même maille",
+    "diminution : 2 {k} écoulées ensemble",
+    "{n} {k} écoulées ensemble",
+    {
+        **bumped(_BUMPS, "{k} : {n} boucles écoulées ensemble dans une maille"),
+        **{k: v[0] for k, v in standing(_PLAIN, "{n} mailles en l'air qui comptent comme {k}").items()},
+        "ch": "maille en l'air",
+        "slst": "maille coulée",
+        "skip": "sauter une maille",
+        "picot": "picot : 3 mailles en l'air, jointes à leur début",
+        "crab": "point d'écrevisse : maille serrée à reculons",
+        "spike": "point lancé : maille serrée dans le tour du dessous",
+        "loopst": "point bouclette",
+        "fur": "point fourrure",
+        "round": "tour",
+        "front loops": "brin avant seulement",
+        "back loops": "brin arrière seulement",
+    },
+)
 
 WORDS: Final = {
     "round": ("Tour", "T", "Tours", "Trs"),
@@ -65,6 +83,7 @@ WORDS: Final = {
     "last": ("dernière", "dernier"),
     "stitch": ("m", "maille"),
     "stitches": ("mailles",),
+    "space": ("arceau", "espace", "arceau de ml"),
     "around": ("tout le tour", "autour", "jusqu'à la fin"),
     "times": ("fois", "x", "×", "*"),
     "repeat": ("rép", "répéter", "répétez"),
@@ -125,6 +144,13 @@ SENTENCES: Final = {
     "close": "fermer et arrêter",
     "fasten off": "arrêter",
     "sew": "coudre marqueur {one} à marqueur {other}",
+    "oval": "{count} ml et crocheter des deux côtés depuis la ml {next} du crochet",
+    "foundation": "{count} ms de base",
+    "fold": "à travers les deux épaisseurs",
+    "fold to": "à travers les deux épaisseurs avec le bord du marqueur {label}",
+    "one stitch": "({items}) dans m suivante",
+    "one space": "({items}) dans arceau suivant",
+    "one ring": "({items}) dans cercle magique",
     "stuff none": "ne pas rembourrer",
     "stuff light": "rembourrer légèrement",
     "stuff medium": "rembourrer",

@@ -5,62 +5,78 @@ from __future__ import annotations
 from typing import Final
 
 from tambour.crochet import terms_us as us
-from tambour.crochet.wording import Terms
+from tambour.crochet.wording import MOST, Terms, bumped, bumps, explained, standing
+
+_PLAIN: Final = {
+    "sc": ("X", "single crochet (UK: double crochet)"),
+    "hdc": ("T", "half double crochet (UK: half treble)"),
+    "dc": ("F", "double crochet (UK: treble)"),
+    "tr": ("E", "treble crochet (UK: double treble)"),
+    "dtr": ("DE", "double treble crochet"),
+    "trtr": ("TE", "triple treble crochet"),
+    "esc": ("LX", "extended single crochet"),
+    "ehdc": ("LT", "extended half double crochet"),
+    "edc": ("LF", "extended double crochet"),
+}
+_KINDS: Final = {
+    **_PLAIN,
+    **{
+        end.lower() + kind: (end + _PLAIN[kind][0], f"{said} post {_PLAIN[kind][1]}")
+        for end, said in (("FP", "front"), ("BP", "back"))
+        for kind in ("sc", "hdc", "dc", "tr", "dtr")
+    },
+}
+_BUMPS: Final = {
+    "bobble": ("Q", "bobble"),
+    "popcorn": ("G", "popcorn"),
+    "puff": ("PF", "puff"),
+    "cl": ("CL", "cluster"),
+}
 
 STITCHES: Final = {
     "ch": ("CH",),
     "slst": ("SL",),
     "skip": ("K",),
-    "sc": ("X",),
-    "inc": ("V",),
-    "inc3": ("W",),
-    "dec": ("A",),
-    "dec3": ("M",),
-    "hdc": ("T",),
-    "hdcinc": ("TV",),
-    "hdcinc3": ("TW",),
-    "hdcdec": ("TA",),
-    "hdcdec3": ("TM",),
-    "dc": ("F",),
-    "dcinc": ("FV",),
-    "dcinc3": ("FW",),
-    "dcdec": ("FA",),
-    "dcdec3": ("FM",),
-    "tr": ("E",),
-    "trinc": ("EV",),
-    "trinc3": ("EW",),
-    "trdec": ("EA",),
-    "trdec3": ("EM",),
+    "picot": ("P",),
+    "crab": ("CR",),
+    "spike": ("SPK",),
+    "loopst": ("LP",),
+    "fur": ("FU",),
+    **{kind: (spellings[0],) for kind, spellings in _KINDS.items()},
+    **{
+        f"{'' if kind == 'sc' else kind}{what}{'' if n == 2 else n}": (
+            f"{'' if kind == 'sc' else spellings[0]}{letters[n - 2] if n < 4 else f'{letters[0]}{n}'}",
+        )
+        for kind, spellings in _KINDS.items()
+        for what, letters in (("inc", "VW"), ("dec", "AM"))
+        for n in range(2, MOST + 1)
+    },
+    **bumps(_BUMPS),
+    **standing(_PLAIN, "{n}CH as {k}"),
 }
 
-MEANING: Final = {
-    "ch": "chain",
-    "slst": "slip stitch",
-    "skip": "skip a stitch",
-    "sc": "single crochet (UK: double crochet)",
-    "inc": "increase: 2 X in the same stitch",
-    "inc3": "3 X in the same stitch",
-    "dec": "decrease: 2 X worked together",
-    "dec3": "3 X worked together",
-    "hdc": "half double crochet (UK: half treble)",
-    "hdcinc": "2 T in the same stitch",
-    "hdcinc3": "3 T in the same stitch",
-    "hdcdec": "2 T worked together",
-    "hdcdec3": "3 T worked together",
-    "dc": "double crochet (UK: treble)",
-    "dcinc": "2 F in the same stitch",
-    "dcinc3": "3 F in the same stitch",
-    "dcdec": "2 F worked together",
-    "dcdec3": "3 F worked together",
-    "tr": "treble crochet (UK: double treble)",
-    "trinc": "2 E in the same stitch",
-    "trinc3": "3 E in the same stitch",
-    "trdec": "2 E worked together",
-    "trdec3": "3 E worked together",
-    "round": "round",
-    "front loops": "front loops only",
-    "back loops": "back loops only",
-}
+MEANING: Final = explained(
+    _KINDS,
+    "increase: 2 {k} in the same stitch",
+    "{n} {k} in the same stitch",
+    "decrease: 2 {k} worked together",
+    "{n} {k} worked together",
+    {
+        **bumped(_BUMPS, "{k}: {n} loops drawn together in one stitch"),
+        **{k: v[0] for k, v in standing(_PLAIN, "chain {n}, which counts as a {k}").items()},
+        "ch": "chain",
+        "slst": "slip stitch",
+        "skip": "skip a stitch",
+        "picot": "picot: 3 chains, joined to where they began",
+        "crab": "reverse single crochet: an X backwards",
+        "spike": "spike stitch: an X into the round below",
+        "loopst": "loop stitch",
+        "fur": "fur stitch",
+        "round": "round",
+        "front loops": "front loops only",
+        "back loops": "back loops only",
+    },
+)
 
 WORDS: Final = {
     **us.WORDS,
@@ -73,6 +89,9 @@ WORDS: Final = {
 SENTENCES: Final = {
     **us.SENTENCES,
     "ring": "{count}X in MR",
+    "oval": us.SENTENCES["oval"].replace("ch {", "CH {"),
+    "foundation": "{count} foundation X",
+    "one ring": "({items}) in MR",
     "attach chain": "bridge to marker {label} with {count} CH",
     "place": us.SENTENCES["place"].replace("Rnd", "R"),
     "at round": us.SENTENCES["at round"].replace("Rnd ", "R"),

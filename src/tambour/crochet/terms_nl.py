@@ -4,21 +4,40 @@ from __future__ import annotations
 
 from typing import Final
 
-from tambour.crochet.wording import Terms, families
+from tambour.crochet.wording import Terms, bumped, bumps, explained, families, posts, standing
+
+_PLAIN: Final = {
+    "sc": ("v", "vaste", "vasten"),
+    "hdc": ("hst", "half stokje", "halve stokjes", "hstk"),
+    "dc": ("st", "stokje", "stokjes", "stk"),
+    "tr": ("dst", "dubbel stokje", "dubbele stokjes", "dstk"),
+    "dtr": ("drst", "driedubbel stokje", "driedubbele stokjes"),
+    "trtr": ("vrst", "vierdubbel stokje"),
+    "esc": ("vv", "verlengde vaste"),
+    "ehdc": ("vhst", "verlengd half stokje"),
+    "edc": ("vst", "verlengd stokje"),
+}
+_KINDS: Final = {**_PLAIN, **posts(_PLAIN, ("rv{k}", "reliëf {k} voor"), ("ra{k}", "reliëf {k} achter"))}
+_BUMPS: Final = {
+    "bobble": ("nop", "noppensteek"),
+    "popcorn": ("popcorn", "popcornsteek"),
+    "puff": ("puf", "pufsteek"),
+    "cl": ("cluster", "clustersteek"),
+}
 
 STITCHES: Final = {
     "ch": ("l", "losse", "lossen"),
     "slst": ("hv", "halve vaste", "halve vasten"),
     "skip": ("overslaan", "sla over", "osl"),
+    "picot": ("picot",),
+    "crab": ("kreeftensteek",),
+    "spike": ("spijksteek",),
+    "loopst": ("lussensteek",),
+    "fur": ("bontsteek",),
     **families(
-        {
-            "sc": ("v", "vaste", "vasten"),
-            "hdc": ("hst", "half stokje", "halve stokjes", "hstk"),
-            "dc": ("st", "stokje", "stokjes", "stk"),
-            "tr": ("dst", "dubbel stokje", "dubbele stokjes", "dstk"),
-        },
-        inc=("meerd", "meerdering", "meerderingen", "meerderen", "meer", "mrd", "meerd {}", "{} meerd"),
-        inc3=("meerd3", "meerd3 {}"),
+        _KINDS,
+        inc=("meerd", "meerdering", "meerderingen", "meerderen", "meer", "mrd", "meerd {k}", "{k} meerd"),
+        incs=("meerd{n}", "meerd{n} {k}"),
         dec=(
             "mind",
             "mindering",
@@ -27,41 +46,37 @@ STITCHES: Final = {
             "min",
             "mnd",
             "onzichtbare mindering",
-            "mind {}",
-            "{} samen",
+            "mind {k}",
+            "{k} samen",
         ),
-        dec3=("mind3", "mind3 {}"),
+        decs=("mind{n}", "mind{n} {k}"),
     ),
+    **bumps(_BUMPS),
+    **standing(_PLAIN, "{n} l als {k}"),
 }
 
-MEANING: Final = {
-    "ch": "losse",
-    "slst": "halve vaste",
-    "skip": "een steek overslaan",
-    "sc": "vaste",
-    "inc": "meerdering: 2 v in dezelfde steek",
-    "inc3": "3 v in dezelfde steek",
-    "dec": "mindering: 2 v samen haken",
-    "dec3": "3 v samen haken",
-    "hdc": "half stokje",
-    "hdcinc": "2 hst in dezelfde steek",
-    "hdcinc3": "3 hst in dezelfde steek",
-    "hdcdec": "2 hst samen haken",
-    "hdcdec3": "3 hst samen haken",
-    "dc": "stokje",
-    "dcinc": "2 st in dezelfde steek",
-    "dcinc3": "3 st in dezelfde steek",
-    "dcdec": "2 st samen haken",
-    "dcdec3": "3 st samen haken",
-    "tr": "dubbel stokje",
-    "trinc": "2 dst in dezelfde steek",
-    "trinc3": "3 dst in dezelfde steek",
-    "trdec": "2 dst samen haken",
-    "trdec3": "3 dst samen haken",
-    "round": "toer",
-    "front loops": "alleen in de voorste lussen",
-    "back loops": "alleen in de achterste lussen",
-}
+MEANING: Final = explained(
+    _KINDS,
+    "meerdering: 2 {k} in dezelfde steek",
+    "{n} {k} in dezelfde steek",
+    "mindering: 2 {k} samen haken",
+    "{n} {k} samen haken",
+    {
+        **bumped(_BUMPS, "{k}: {n} lussen samen in een steek"),
+        **{k: v[0] for k, v in standing(_PLAIN, "{n} lossen die als {k} tellen").items()},
+        "ch": "losse",
+        "slst": "halve vaste",
+        "skip": "een steek overslaan",
+        "picot": "picot: 3 lossen, aan hun begin vastgezet",
+        "crab": "kreeftensteek: vaste achteruit",
+        "spike": "spijksteek: vaste in de toer eronder",
+        "loopst": "lussensteek",
+        "fur": "bontsteek",
+        "round": "toer",
+        "front loops": "alleen in de voorste lussen",
+        "back loops": "alleen in de achterste lussen",
+    },
+)
 
 WORDS: Final = {
     "round": ("Toer", "T", "Toeren", "Ronde", "Rondes", "R", "Rnd"),
@@ -75,6 +90,7 @@ WORDS: Final = {
     "last": ("laatste",),
     "stitch": ("steek", "s"),
     "stitches": ("steken",),
+    "space": ("boog", "lossenboog", "lossenruimte"),
     "around": ("rondom", "hele toer", "tot het einde"),
     "times": ("keer", "x", "×", "*"),
     "repeat": ("herh", "herhaal", "herhalen"),
@@ -135,6 +151,13 @@ SENTENCES: Final = {
     "close": "dichttrekken en afhechten",
     "fasten off": "afhechten",
     "sew": "naai markeerder {one} aan markeerder {other}",
+    "oval": "{count} l en rondom beide kanten haken vanaf l {next} van de naald",
+    "foundation": "{count} v zonder opzet",
+    "fold": "door beide lagen",
+    "fold to": "door beide lagen met de rand van markeerder {label}",
+    "one stitch": "({items}) in volgende steek",
+    "one space": "({items}) in volgende boog",
+    "one ring": "({items}) in magische ring",
     "stuff none": "niet vullen",
     "stuff light": "licht vullen",
     "stuff medium": "vullen",

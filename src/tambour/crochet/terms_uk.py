@@ -5,21 +5,40 @@ from __future__ import annotations
 from typing import Final
 
 from tambour.crochet import terms_us as us
-from tambour.crochet.wording import Terms, families
+from tambour.crochet.wording import Terms, bumped, bumps, explained, families, posts, standing
+
+_PLAIN: Final = {
+    "sc": ("dc", "double crochet", "dcs"),
+    "hdc": ("htr", "half treble crochet", "half treble", "htrs"),
+    "dc": ("tr", "treble crochet", "treble", "trs"),
+    "tr": ("dtr", "double treble crochet", "double treble", "dtrs"),
+    "dtr": ("ttr", "triple treble crochet", "triple treble"),
+    "trtr": ("qtr", "quadruple treble crochet", "quadruple treble"),
+    "esc": ("exdc", "extended double crochet"),
+    "ehdc": ("exhtr", "extended half treble crochet"),
+    "edc": ("extr", "extended treble crochet"),
+}
+_KINDS: Final = {**_PLAIN, **posts(_PLAIN, ("FP{k}", "raised {k} front"), ("BP{k}", "raised {k} back"))}
+_BUMPS: Final = {
+    "bobble": ("bobble", "bo", "mb", "bobble stitch"),
+    "popcorn": ("popcorn", "pc", "popcorn stitch"),
+    "puff": ("puff", "pf", "puff stitch"),
+    "cl": ("cl", "cluster"),
+}
 
 STITCHES: Final = {
     "ch": ("ch", "chain", "chains", "chs"),
     "slst": ("ss", "sl st", "slst", "slip stitch", "sl sts", "slip st"),
     "skip": ("miss", "skip", "sk"),
+    "picot": ("picot",),
+    "crab": ("rev dc", "reverse double crochet", "crab stitch"),
+    "spike": ("spike st", "spike stitch", "spike"),
+    "loopst": ("loop st", "loop stitch"),
+    "fur": ("fur st", "fur stitch"),
     **families(
-        {
-            "sc": ("dc", "double crochet", "dcs"),
-            "hdc": ("htr", "half treble crochet", "half treble", "htrs"),
-            "dc": ("tr", "treble crochet", "treble", "trs"),
-            "tr": ("dtr", "double treble crochet", "double treble", "dtrs"),
-        },
-        inc=("inc", "increase", "incs", "{} inc", "{}inc", "inc {}"),
-        inc3=("inc3", "triple inc", "triple increase", "{} inc3", "{}inc3", "{}3inc"),
+        _KINDS,
+        inc=("inc", "increase", "incs", "{k} inc", "{k}inc", "inc {k}"),
+        incs=("inc{n}", "{k} inc{n}", "{k}inc{n}"),
         dec=(
             "dec",
             "decrease",
@@ -27,43 +46,39 @@ STITCHES: Final = {
             "inv dec",
             "invdec",
             "invisible decrease",
-            "{}2tog",
-            "{} 2 tog",
-            "{} dec",
-            "{}dec",
+            "{k}2tog",
+            "{k} 2 tog",
+            "{k} dec",
+            "{k}dec",
         ),
-        dec3=("{}3tog", "{} 3 tog", "dec3", "{} dec3", "{}dec3"),
+        decs=("{k}{n}tog", "{k} {n} tog", "dec{n}", "{k} dec{n}", "{k}dec{n}"),
     ),
+    **bumps(_BUMPS),
+    **standing(_PLAIN, "ch {n} as {k}"),
 }
 
-MEANING: Final = {
-    "ch": "chain",
-    "slst": "slip stitch",
-    "skip": "miss",
-    "sc": "double crochet",
-    "inc": "increase: 2 dc in the same stitch",
-    "inc3": "3 dc in the same stitch",
-    "dec": "decrease: 2 dc worked together",
-    "dec3": "3 dc worked together",
-    "hdc": "half treble crochet",
-    "hdcinc": "2 htr in the same stitch",
-    "hdcinc3": "3 htr in the same stitch",
-    "hdcdec": "2 htr worked together",
-    "hdcdec3": "3 htr worked together",
-    "dc": "treble crochet",
-    "dcinc": "2 tr in the same stitch",
-    "dcinc3": "3 tr in the same stitch",
-    "dcdec": "2 tr worked together",
-    "dcdec3": "3 tr worked together",
-    "tr": "double treble crochet",
-    "trinc": "2 dtr in the same stitch",
-    "trinc3": "3 dtr in the same stitch",
-    "trdec": "2 dtr worked together",
-    "trdec3": "3 dtr worked together",
-    "round": "round",
-    "front loops": "front loops only",
-    "back loops": "back loops only",
-}
+MEANING: Final = explained(
+    _KINDS,
+    "increase: 2 {k} in the same stitch",
+    "{n} {k} in the same stitch",
+    "decrease: 2 {k} worked together",
+    "{n} {k} worked together",
+    {
+        **bumped(_BUMPS, "{k}: {n} loops drawn together in one stitch"),
+        **{k: v[0] for k, v in standing(_PLAIN, "chain {n}, which counts as a {k}").items()},
+        "ch": "chain",
+        "slst": "slip stitch",
+        "skip": "miss",
+        "picot": "picot: 3 chains, joined to where they began",
+        "crab": "reverse double crochet",
+        "spike": "spike stitch: a double crochet into the round below",
+        "loopst": "loop stitch",
+        "fur": "fur stitch",
+        "round": "round",
+        "front loops": "front loops only",
+        "back loops": "back loops only",
+    },
+)
 
 WORDS: Final = {
     **us.WORDS,
@@ -74,6 +89,7 @@ WORDS: Final = {
 SENTENCES: Final = {
     **us.SENTENCES,
     "ring": "{count} dc in magic ring",
+    "foundation": "{count} foundation dc",
     "shade": "colour {letter}",
     "legend": "colour {letter}: {name} ({hex})",
 }

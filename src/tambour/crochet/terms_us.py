@@ -4,21 +4,40 @@ from __future__ import annotations
 
 from typing import Final
 
-from tambour.crochet.wording import Terms, families
+from tambour.crochet.wording import Terms, bumped, bumps, explained, families, posts, standing
+
+_PLAIN: Final = {
+    "sc": ("sc", "single crochet", "scs"),
+    "hdc": ("hdc", "half double crochet", "hdcs"),
+    "dc": ("dc", "double crochet", "dcs"),
+    "tr": ("tr", "treble crochet", "treble", "trc", "triple crochet", "trs"),
+    "dtr": ("dtr", "double treble crochet", "double treble"),
+    "trtr": ("trtr", "triple treble crochet", "triple treble"),
+    "esc": ("esc", "extended single crochet", "exsc"),
+    "ehdc": ("ehdc", "extended half double crochet", "exhdc"),
+    "edc": ("edc", "extended double crochet", "exdc"),
+}
+_KINDS: Final = {**_PLAIN, **posts(_PLAIN, ("FP{k}", "front post {k}"), ("BP{k}", "back post {k}"))}
+_BUMPS: Final = {
+    "bobble": ("bobble", "bo", "mb", "bobble stitch"),
+    "popcorn": ("popcorn", "pc", "popcorn stitch"),
+    "puff": ("puff", "pf", "puff stitch"),
+    "cl": ("cl", "cluster"),
+}
 
 STITCHES: Final = {
     "ch": ("ch", "chain", "chains", "chs"),
     "slst": ("sl st", "slst", "ss", "slip stitch", "sl sts", "slip st"),
     "skip": ("sk", "skip"),
+    "picot": ("picot",),
+    "crab": ("rev sc", "reverse single crochet", "crab stitch"),
+    "spike": ("spike st", "spike stitch", "spike"),
+    "loopst": ("loop st", "loop stitch"),
+    "fur": ("fur st", "fur stitch"),
     **families(
-        {
-            "sc": ("sc", "single crochet", "scs"),
-            "hdc": ("hdc", "half double crochet", "hdcs"),
-            "dc": ("dc", "double crochet", "dcs"),
-            "tr": ("tr", "treble crochet", "treble", "trc", "triple crochet", "trs"),
-        },
-        inc=("inc", "increase", "incs", "{} inc", "{}inc", "inc {}"),
-        inc3=("inc3", "triple inc", "triple increase", "{} inc3", "{}inc3", "{}3inc"),
+        _KINDS,
+        inc=("inc", "increase", "incs", "{k} inc", "{k}inc", "inc {k}"),
+        incs=("inc{n}", "{k} inc{n}", "{k}inc{n}"),
         dec=(
             "dec",
             "decrease",
@@ -26,43 +45,39 @@ STITCHES: Final = {
             "inv dec",
             "invdec",
             "invisible decrease",
-            "{}2tog",
-            "{} 2 tog",
-            "{} dec",
-            "{}dec",
+            "{k}2tog",
+            "{k} 2 tog",
+            "{k} dec",
+            "{k}dec",
         ),
-        dec3=("{}3tog", "{} 3 tog", "dec3", "{} dec3", "{}dec3"),
+        decs=("{k}{n}tog", "{k} {n} tog", "dec{n}", "{k} dec{n}", "{k}dec{n}"),
     ),
+    **bumps(_BUMPS),
+    **standing(_PLAIN, "ch {n} as {k}"),
 }
 
-MEANING: Final = {
-    "ch": "chain",
-    "slst": "slip stitch",
-    "skip": "skip",
-    "sc": "single crochet",
-    "inc": "increase: 2 sc in the same stitch",
-    "inc3": "3 sc in the same stitch",
-    "dec": "decrease: 2 sc worked together",
-    "dec3": "3 sc worked together",
-    "hdc": "half double crochet",
-    "hdcinc": "2 hdc in the same stitch",
-    "hdcinc3": "3 hdc in the same stitch",
-    "hdcdec": "2 hdc worked together",
-    "hdcdec3": "3 hdc worked together",
-    "dc": "double crochet",
-    "dcinc": "2 dc in the same stitch",
-    "dcinc3": "3 dc in the same stitch",
-    "dcdec": "2 dc worked together",
-    "dcdec3": "3 dc worked together",
-    "tr": "treble crochet",
-    "trinc": "2 tr in the same stitch",
-    "trinc3": "3 tr in the same stitch",
-    "trdec": "2 tr worked together",
-    "trdec3": "3 tr worked together",
-    "round": "round",
-    "front loops": "front loops only",
-    "back loops": "back loops only",
-}
+MEANING: Final = explained(
+    _KINDS,
+    "increase: 2 {k} in the same stitch",
+    "{n} {k} in the same stitch",
+    "decrease: 2 {k} worked together",
+    "{n} {k} worked together",
+    {
+        **bumped(_BUMPS, "{k}: {n} loops drawn together in one stitch"),
+        **{k: v[0] for k, v in standing(_PLAIN, "chain {n}, which counts as a {k}").items()},
+        "ch": "chain",
+        "slst": "slip stitch",
+        "skip": "skip",
+        "picot": "picot: 3 chains, joined to where they began",
+        "crab": "reverse single crochet",
+        "spike": "spike stitch: a single crochet into the round below",
+        "loopst": "loop stitch",
+        "fur": "fur stitch",
+        "round": "round",
+        "front loops": "front loops only",
+        "back loops": "back loops only",
+    },
+)
 
 WORDS: Final = {
     "round": ("Rnd", "Round", "R", "Rd", "Rnds", "Rounds", "Rds"),
@@ -76,6 +91,7 @@ WORDS: Final = {
     "last": ("last",),
     "stitch": ("st", "stitch"),
     "stitches": ("sts", "stitches"),
+    "space": ("ch sp", "ch space", "chain space", "sp", "space"),
     "around": ("around", "all around", "to end"),
     "times": ("times", "x", "×", "*", "time"),
     "repeat": ("rep", "repeat", "repeats"),
@@ -136,6 +152,13 @@ SENTENCES: Final = {
     "close": "close and fasten off",
     "fasten off": "fasten off",
     "sew": "sew marker {one} to marker {other}",
+    "oval": "ch {count} and work around both its sides from chain {next} from the hook",
+    "foundation": "{count} foundation sc",
+    "fold": "through both layers",
+    "fold to": "through both layers with the edge of marker {label}",
+    "one stitch": "({items}) in next st",
+    "one space": "({items}) in next ch sp",
+    "one ring": "({items}) in magic ring",
     "stuff none": "do not stuff",
     "stuff light": "stuff lightly",
     "stuff medium": "stuff",

@@ -44,6 +44,7 @@ WORDS: Final = (
     "last",
     "stitch",
     "stitches",
+    "space",  # a chain space
     "around",
     "times",  # [sc, inc] 6 times
     "repeat",  # rep from * around
@@ -106,6 +107,14 @@ SENTENCES: Final = {
     "close": "",  # FO: draws the remaining stitches together
     "fasten off": "",  # only ends the yarn
     "sew": "one other",
+    "oval": "count next",  # a chain, worked around both its sides from so many-th from the hook
+    "foundation": "count",  # single crochets that make their own chain
+    "fold": "",  # through both layers of the edge, folded
+    "fold to": "label",
+    # Stitches worked into one place.
+    "one stitch": "items",
+    "one space": "items",
+    "one ring": "items",
     # Of a part.
     "stuff none": "",
     "stuff light": "",
@@ -133,27 +142,93 @@ SENTENCES: Final = {
 """What a table has sentences for → the fields each must have."""
 
 
+MOST: Final = 12
+"""The most stitches in one place, or together, that have a spelling."""
+
+Spellings = dict[str, tuple[str, ...]]
+
+
+def posts(kinds: Mapping[str, tuple[str, ...]], front: tuple[str, ...], back: tuple[str, ...]) -> Spellings:
+    """The kinds worked around the post; templates with ``{k}`` for a kind's spelling, the first for the short one."""
+    made = {}
+    for end, templates in (("fp", front), ("bp", back)):
+        for kind in ("sc", "hdc", "dc", "tr", "dtr"):
+            short, full = kinds[kind][:2]
+            made[end + kind] = tuple(t.format(k=full if at else short) for at, t in enumerate(templates))
+    return made
+
+
 def families(
     kinds: Mapping[str, tuple[str, ...]],
     inc: tuple[str, ...],
-    inc3: tuple[str, ...],
+    incs: tuple[str, ...],
     dec: tuple[str, ...],
-    dec3: tuple[str, ...],
-) -> dict[str, tuple[str, ...]]:
-    """The spellings of all increases and decreases.
+    decs: tuple[str, ...],
+) -> Spellings:
+    """The kinds, with all increases and decreases of each.
 
-    kinds : sc, hdc, dc and tr → their spellings; inc, inc3, dec, dec3 : templates, ``{}`` is a kind's spelling; the
-    templates without it are of the single crochet alone
+    kinds : kind → its spellings, the short and the full one first
+    inc, dec : templates for two of it, ``{k}`` is a kind's spelling; incs, decs : for ``{n}`` of it, 3 to 12; those
+    without ``{k}`` are of the single crochet alone
     """
-    made: dict[str, tuple[str, ...]] = dict(kinds)
-    for what, templates in (("inc", inc), ("inc3", inc3), ("dec", dec), ("dec3", dec3)):
+    made: Spellings = dict(kinds)
+    for what, two, more in (("inc", inc, incs), ("dec", dec, decs)):
         for kind, spellings in kinds.items():
             plain = kind == "sc"
-            said = [
-                t.format(s)
-                for t in templates
-                for s in (spellings[:2] if "{}" in t else spellings[:1])
-                if plain or "{}" in t
-            ]
-            made["" + what if plain else kind + what] = tuple(dict.fromkeys(said))
+            for n in range(2, MOST + 1):
+                said = [
+                    t.format(k=k, n=n)
+                    for t in (two if n == 2 else more)
+                    for k in (spellings[:2] if "{k}" in t else spellings[:1])
+                    if plain or "{k}" in t
+                ]
+                name = ("" if plain else kind) + what + ("" if n == 2 else str(n))
+                made[name] = tuple(dict.fromkeys(said))
     return made
+
+
+def explained(
+    kinds: Mapping[str, tuple[str, ...]], inc: str, incs: str, dec: str, decs: str, rest: Mapping[str, str]
+) -> dict[str, str]:
+    """What kinds (their full spelling) and their increases and decreases mean; templates with ``{k}`` and ``{n}``.
+
+    inc, dec : of the single crochet, two of it; incs, decs : of any; rest : what else is explained
+    """
+    made = {kind: spellings[1] for kind, spellings in kinds.items()}
+    for kind, spellings in kinds.items():
+        plain = kind == "sc"
+        for n in range(2, MOST + 1):
+            end = "" if n == 2 else str(n)
+            prefix = "" if plain else kind
+            made[f"{prefix}inc{end}"] = (inc if plain and n == 2 else incs).format(k=spellings[0], n=n)
+            made[f"{prefix}dec{end}"] = (dec if plain and n == 2 else decs).format(k=spellings[0], n=n)
+    return made | dict(rest)
+
+
+BUMPS: Final = {"bobble": 5, "popcorn": 5, "puff": 4, "cl": 3}
+"""Stitches of several loops drawn together → how many, unless it is said."""
+
+
+def bumps(kinds: Mapping[str, tuple[str, ...]]) -> Spellings:
+    """The spellings of bumps, with the number of their loops behind where it is not the usual one."""
+    made: Spellings = {}
+    for kind, spellings in kinds.items():
+        for n in range(2, MOST + 1):
+            usual = n == BUMPS[kind]
+            made[kind if usual else f"{kind}{n}"] = spellings if usual else tuple(f"{s}{n}" for s in spellings)
+    return made
+
+
+def bumped(kinds: Mapping[str, tuple[str, ...]], meaning: str) -> dict[str, str]:
+    """What bumps mean; a template with ``{k}``, the last spelling, and ``{n}``."""
+    return {
+        kind if n == BUMPS[kind] else f"{kind}{n}": meaning.format(k=spellings[-1], n=n)
+        for kind, spellings in kinds.items()
+        for n in range(2, MOST + 1)
+    }
+
+
+def standing(kinds: Mapping[str, tuple[str, ...]], template: str) -> Spellings:
+    """The spellings of chains that count as a stitch, for which ``{n}`` and ``{k}`` stand in the template."""
+    chains = {"sc": 1, "hdc": 2, "dc": 3, "tr": 4, "dtr": 5}
+    return {f"ch{n}{kind}": (template.format(n=n, k=kinds[kind][0]),) for kind, n in chains.items()}

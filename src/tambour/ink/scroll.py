@@ -219,7 +219,7 @@ def warm() -> None:
     from tambour.ink import codes
 
     how: dict[int, tuple[Any, ...]] = {
-        codes.HILL: (300.0, 400.0), codes.BANK: (100.0, 600.0, 0.5), codes.BOAT: (120.0, 0.5, 1.0),
+        codes.HILL: (300.0, 400.0), codes.BANK: (100.0, 600.0, 0.5, 1.0), codes.BOAT: (120.0, 0.5, 1.0),
         codes.RANGE: (150.0, 100.0, 0.0), codes.WATER: (2.0, 20.0, 1), codes.MIST: (0.1, 400.0), codes.BIRDS: (1,),
         codes.MOON: (9.0,), codes.SUN: (9.0,), codes.SKY: (512.0, 900.0),
     }  # fmt: skip

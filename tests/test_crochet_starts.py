@@ -1,0 +1,172 @@
+"""Ovals, rings of any stitches, chain spaces, both layers, general increases and decreases: meshes that close."""
+
+import numpy as np
+import pytest
+
+from tambour.core.graph import JOIN, LAID, THROUGH, YARN
+from tambour.crochet.stitches import STITCHES, into_one, standard
+from tambour.crochet.write import pattern
+from test_crochet_build import closed, made, problems
+
+CLOSED = {
+    "an oval, three in its ends": ": oval(8), 6 sc, inc3, 5 sc, inc (16)\n: 16 sc\n: 8 dec\n: 4 dec\nFO",
+    "an oval whose last chain is left out": ": oval(8), inc, 5 sc, {4 sc}, 5 sc (16)\n: 16 sc\n: 8 dec\nFO",
+    "an oval in joined rounds": ": oval(10, 4), 6 dc, {6 dc}, 5 dc, dcinc, join (19)\n: ch, 19 sc, join (19)\n"
+    ": 9 dec, sc\n: 5 dec\nFO",
+    "through both layers": ": MR(6)\n: 6 inc\n3: 12 sc\n: fold, 6 sc\nFO",
+    "slip stitches through both": ": MR(6)\n: 6 inc\n3: 12 sc\n: fold, 6 slst\nFO",
+    "an odd opening": ": MR(6)\n: 6 inc\n: 11 sc, inc (13)\n: fold, ch, [sc] around\nFO",
+    "all kinds through both": ": MR(6)\n: 6 inc\n: 12 sc\n: fold, dec, inc, 2 ch, hdc, sk, sc\nFO",
+    "a part of the opening": ": MR(6)\n: 6 inc\n: 12 sc\n: fold, 3 sc\n: 2 sc, dec, 2 sc\nFO",
+    "two pieces": ": MR(6)\n: 6 inc\n: [sc, inc] x 6\nmark(a)\n: MR(6, b)\n: 6 inc\n: [sc, inc] x 6\n: fold(a), 18 sc",
+    "chain spaces": ": MR{[3 dc, 2 ch] x 4}, join\n: [sp{3 dc, 2 ch, 3 dc}, ch] around, join\n: [sp{2 sc}] around\n"
+    ": [dec] around\n: [dec] around\nFO",
+    "a mesh": ": MR(6)\n: 6 inc\n: [sc, 2 ch, 2 sk] x 4\n: [sp{sc, ch, sc}] around\n: [dec] around\nFO",
+    "corners and picots": ": MR(6)\n: 6 inc\n: [{sc, 2 ch, sc}, 2 sc] x 4\n: [2 sc, picot] x 12\n: 12 dec\n: 6 dec\nFO",
+    "bumps": ": MR(6)\n: 6 inc\n: [sc, bobble] x 6\n: [fpdc, bpdc] x 6\n: [dec4] x 3\nFO",
+}
+
+
+@pytest.mark.parametrize("text", CLOSED.values(), ids=CLOSED)
+def test_it_is_closed_and_one_sided(text):
+    built = made(text)
+    assert closed(built.graph.faces[built.shell]) == (2, 0)
+    assert not [w for w in built.warnings if not w.message.startswith("approximated")]
+
+
+@pytest.mark.parametrize("text", CLOSED.values(), ids=CLOSED)
+def test_written_back_it_is_the_same(text):
+    built = made(text)
+    again = made(pattern(built).text)
+    for field in ("edges", "faces", "rest", "kind", "parent"):
+        assert np.array_equal(getattr(again.graph, field), getattr(built.graph, field)), field
+    assert [(r.first, r.last, r.count) for r in again.rounds] == [(r.first, r.last, r.count) for r in built.rounds]
+
+
+def test_an_oval_goes_round_its_chain():
+    built = made("R1: oval(8), 6 sc, inc3, 5 sc, inc (16)\nR2: 16 sc\n", stitch=(4.0, 6.0))
+    graph = built.graph
+    assert not built.warnings
+    assert [(r.number, r.first, r.last, r.count, r.below) for r in built.rounds] == [
+        (0, 0, 7, 7, -1),
+        (1, 8, 23, 16, 0),
+        (2, 24, 39, 16, 1),
+    ]
+    assert graph.parent[8:24].tolist() == [6, 5, 4, 3, 2, 1, 0, 0, 0, 1, 2, 3, 4, 5, 6, 6]
+    lengths = {tuple(e): (k, r) for e, k, r in zip(graph.edges.tolist(), graph.edge_kind, graph.rest)}
+    assert lengths[1, 0] == (YARN, 4.0) and lengths[8, 6] == (THROUGH, 6.0) and lengths[7, 6] == (YARN, 6.0)
+    # One rim: the last round's edge, and the step of its spiral.
+    assert closed(graph.faces)[1] == 17
+
+
+def test_an_oval_needs_room():
+    assert problems(": oval(2)")[0][1] == "oval"
+    assert problems(": oval(8, 1)")[0][1] == "1"
+    assert problems(": oval(none)")[0][1] == "none"
+
+
+def test_both_layers_meet():
+    graph = made(": MR(6)\n: 6 inc\n: fold, 6 sc\nFO", stitch=(4.0, 6.0)).graph
+    laid = graph.edges[graph.edge_kind == LAID]
+    assert sorted(map(tuple, laid.tolist())) == [
+        (18 - k, 7 + k) for k in reversed(range(5))
+    ]  # 12 and 13 are neighbours anyway
+    assert (graph.rest[graph.edge_kind == LAID] == 2.0).all()
+    assert [graph.anchors[a:b].tolist() for a, b in zip(graph.anchor_offsets[19:-1], graph.anchor_offsets[20:])] == [
+        [18 - k, 7 + k] for k in range(6)
+    ]
+    assert graph.parent[19:25].tolist() == list(range(7, 13))
+
+
+def test_only_rounds_are_folded():
+    assert problems(": 8 ch, turn\n: 7 sc\n: fold, 3 sc")[0][1] == "fold"
+    assert problems(": MR(6)\n: fold, 4 sc")[0] == ("there is no stitch left to work into", "sc")
+
+
+def test_spaces():
+    built = made(": MR{[3 dc, 2 ch] x 4}, join (20)\n: [sp{3 dc, 2 ch, 3 dc}, ch] around, join (36)\n")
+    graph = built.graph
+    assert not built.warnings and [r.count for r in built.rounds] == [20, 36]
+    # Eight nodes share two chains: three posts on the first, three on the second.
+    assert graph.parent[21:29].tolist() == [4, 4, 4, -1, -1, 5, 5, 5]
+    assert (graph.edge_kind == JOIN).sum() == 2
+    assert problems(": MR(6)\n: sp{sc}")[0] == ("there is no chain space left in this round", "sp{sc}")
+
+
+def test_chains_at_the_end_of_a_line_are_of_its_round():
+    built = made(": MR(6)\n: 6 inc\n: [sc, sk, ch] x 6 (12)\n: [sp{2 sc}] around (12)\n")
+    assert [(r.count, r.whole) for r in built.rounds] == [(6, True), (12, True), (12, True), (12, True)]
+
+
+def test_a_chain_that_is_joined_is_an_open_ring():
+    for text in (": ch(12)\n2: 12 sc", ": ch(12), join\n: ch, 12 sc, join"):
+        built = made(text)
+        faces, loose = closed(built.graph.faces)
+        assert faces == 0 and loose > 23  # a band: two rims
+        assert built.rounds[0].number == 0 and built.rounds[0].count == 12
+
+
+def test_a_foundation_row():
+    one, other = made(": fsc(10)\n: turn, ch, 10 sc"), made(": 11 ch, turn, 10 sc\n: turn, ch, 10 sc")
+    assert np.array_equal(one.graph.edges, other.graph.edges) and np.array_equal(one.graph.faces, other.graph.faces)
+
+
+@pytest.mark.parametrize(
+    "words, name",
+    [
+        ("sc4tog", "dec4"),
+        ("dc5tog", "dcdec5"),
+        ("inc 5", "inc5"),
+        ("hdc inc4", "hdcinc4"),
+        ("fpdc2tog", "fpdcdec"),
+        ("dtr", "dtr"),
+        ("Bobble", "bobble"),
+        ("cluster4", "cl4"),
+        ("bobble5", "bobble"),
+        ("rev sc", "crab"),
+        ("extended sc", "esc"),
+    ],
+)
+def test_names(words, name):
+    assert standard(words) == name and name in STITCHES
+
+
+def test_groups_have_one_name():
+    sc, dc, ch = STITCHES["sc"], STITCHES["dc"], STITCHES["ch"]
+    assert into_one([(dc, 5)]).name == "dcinc5" and into_one([(sc, 1), (sc, 1)]).name == "inc"
+    corner = into_one([(sc, 1), (ch, 2), (sc, 1)])
+    assert (corner.name, corner.makes, corner.takes, corner.inner) == (
+        "{sc, 2 ch, sc}",
+        4,
+        1,
+        (("sc", 1), ("ch", 2), ("sc", 1)),
+    )
+    assert into_one([(dc, 3)], "sp").name == "sp{3 dc}"
+    for wrong in ([(ch, 2)], [(STITCHES["dec"], 1)], [(STITCHES["slst"], 1)], []):
+        with pytest.raises(ValueError):
+            into_one(wrong)
+
+
+def test_several_stitches_in_one():
+    graph = made(": MR(6)\n: {5 dc}, sc, dcinc5, 3 sc\n").graph
+    assert np.bincount(graph.parent[7:], minlength=7)[1:].tolist() == [5, 1, 5, 1, 1, 1]
+
+
+def test_what_is_approximated_is_said_once():
+    built = made(": MR(6)\n: 6 inc\n: [fpdc, bpdc] x 6\n: [bobble, crab] x 6\n")
+    assert [w.message for w in built.warnings] == [f"approximated: {k}" for k in ("fpdc", "bpdc", "bobble", "crab")]
+
+
+@pytest.mark.parametrize(
+    "text, message",
+    [
+        (": MR(6)\n: {dec}", "dec does not fit in one place"),
+        (": MR(6)\n: {color(red), sc}", "only stitches stand in braces"),
+        (": MR(6)\n: {2 ch}", "nothing is worked into it"),
+        (": MR(6)\n: {sc, 99 dc}", "more than 64 stitches in one place"),
+        (": MR{3 dc} x 2", "a ring is not repeated"),
+        (": MR{ch}", "nothing is worked into it"),
+    ],
+)
+def test_what_does_not_fit_in_one_place(text, message):
+    assert problems(text)[0][0] == message
