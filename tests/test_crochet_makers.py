@@ -72,8 +72,9 @@ def mutations() -> Iterator[tuple[str, str, str, int]]:
         # A round in the middle left out, without its number being missed by the ones that follow.
         for at, _ in rounds[2:-1]:
             yield "missing", name, "\n".join([*lines[: at - 1], *lines[at:]]), at
-        counted = [(at, line) for at, line in rounds if (at, line) != rounds[-1] or re.search(r"\d+\W*$", line)]
-        for at, line in counted:
+        for at, line in rounds:
+            if at == rounds[-1][0] and not re.search(r"[\[({=–-] ?\d+\D*$", line):
+                continue  # without a count, where the last round stops is its own affair
             for one, other in (("inc", "dec"), ("dec", "inc"), ("V", "A"), ("A", "V")):
                 swapped = re.sub(rf"\b(\d*){one}\b", rf"\g<1>{other}", line)
                 if swapped != line:

@@ -145,6 +145,7 @@ class _Worker:
         self.counts: dict[str, int] = {}
         self.log: list[Done] = []
         self.worked: list[Worked] = []
+        self.fresh = 0  # the first node of the row or round under way
         self.left: int | None = None  # stitches not worked into when the round was joined
         self.steps = 0
         self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
@@ -197,7 +198,7 @@ class _Worker:
         names = set(_names(line.items))
         elsewhere = line.in_round and (bool(_ELSEWHERE & names) or any(n.startswith("MR{") for n in names))
         for repeat in range(line.times):
-            begin, below, self.left = len(hook), hook.now.count, None
+            self.fresh, below, self.left = len(hook), hook.now.count, None
             if line.in_round:
                 hook.now.loop, hook.now.folded = BOTH, False
                 hook.begin_line()
@@ -213,7 +214,7 @@ class _Worker:
             edge = hook.now.count + hook.joined
             self.log.append(Done("end", edge))
             # A magic ring's root, a tip and chains that only lift the yarn are nodes, but no stitches.
-            new = (n for n in range(begin, len(hook)) if n not in hook.lifts)
+            new = (n for n in range(self.fresh, len(hook)) if n not in hook.lifts)
             made = sum(hook.styles[hook.style[n]][6] not in (ROOT, TIP) for n in new)
             left = hook.ahead if self.left is None else self.left
             ring = line.in_round and hook.now.ring and not elsewhere and below > 0
@@ -362,6 +363,7 @@ class _Worker:
                 hook.fasten_off(self.tip)
             case "turn":
                 hook.turn()
+                self.fresh = len(hook)  # what was worked before it belongs to the row below
             case "oval":
                 oval(hook, *action.numbers)
             case "fsc":
