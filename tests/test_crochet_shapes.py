@@ -23,16 +23,17 @@ NAMES = sorted(p.stem for p in EXAMPLES.glob("*.acl"))
 
 # Settled size in mm; another machine may differ by a little, a change of design by more.
 SIZES = {
-    "ball": [100.4, 91.9, 100.2],
-    "coaster": [94.0, 11.6, 94.8],
-    "frog": [158.5, 142.8, 94.3],
-    "heart": [95.3, 86.4, 59.7],
-    "mushroom": [75.5, 117.5, 75.1],
-    "octopus": [173.4, 137.8, 174.9],
-    "ruffle": [87.4, 68.0, 94.4],
-    "sampler": [126.2, 81.4, 0.8],
-    "vase": [82.1, 121.8, 81.8],
-    "y": [68.3, 91.6, 32.3],
+    "ball": [95.9, 85.9, 95.7],
+    "bear": [141.4, 165.5, 90.3],
+    "coaster": [94.9, 3.3, 94.9],
+    "frog": [153.8, 138.9, 94.2],
+    "heart": [94.9, 87.3, 61.0],
+    "mushroom": [75.8, 113.8, 75.2],
+    "octopus": [170.8, 135.6, 173.1],
+    "ruffle": [88.6, 69.3, 94.8],
+    "sampler": [130.5, 3.3, 79.0],
+    "vase": [81.8, 120.1, 81.4],
+    "y": [72.2, 90.8, 33.8],
 }
 
 

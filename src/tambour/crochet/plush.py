@@ -16,14 +16,15 @@ if TYPE_CHECKING:
     from tambour.core.picture import Picture
     from tambour.core.strands import Strands
     from tambour.crochet.build import Built
+    from tambour.crochet.gauge import Gauge
+    from tambour.crochet.joining import Joining
     from tambour.crochet.simulate import Shape
 
 
-DRAWN_TIGHT = 0.68
+DRAWN_TIGHT = 0.606
 """Yarn that hands take, as a share of the yarn that is drawn. The drawn yarn is led so that it nowhere touches itself,
-some 11.8 widths to a single crochet; hands press it together. Swatches that makers unravelled and published give 8:
-31.4 in of worsted to a square inch at a 5 mm hook, 2.75 in of bulky to a stitch at 6.5 mm."""
-
+13.2 widths to a single crochet in the round (13.1 in a tube, 13.3 in a ball, 13.0 in a disc); hands press it together
+to 8 (:data:`tambour.crochet.gauge.IN_A_STITCH`)."""
 
 DOUBT, PALE = (206, 42, 38), (228, 224, 216)
 """Colours of the picture of a tech edit: stitches that it doubts, and what the others are mixed with."""
@@ -34,36 +35,49 @@ class Plush:
     """A pattern in its shape.
 
     built : the pattern worked; params : what was asked for; stitch : width and height of a single crochet, mm
-    stuffing, start : what the options and the pattern together chose
+    gauge : where that size comes from; stuffing, start : what the options and the pattern together chose
     shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm
     yarn : the yarn of every stitch, in mm
+    joining : what was sewn on and where, None where the pattern says nothing of it
     """
 
     built: Built
     params: CrochetParams
     stitch: tuple[float, float]
+    gauge: Gauge
     stuffing: str
     start: str
     shape: Shape
     positions: Array
     centroids: Array
     yarn: Strands
+    joining: Joining | None = None
+
+    @property
+    def upright(self) -> Array | None:
+        """Which way is up on every part (P, 3), None where all stand as they were worked."""
+        return None if self.shape.joined is None else self.shape.joined.upright
 
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
     from tambour.crochet.build import build
+    from tambour.crochet.gauge import gauge
+    from tambour.crochet.joining import prepare
     from tambour.crochet.parse import parse
+    from tambour.crochet.pose import pose
 
     if params.photo:
         from tambour.render.photo import tracer
 
         tracer()  # what is missing is told before the work, not after it
-    stitch = params.stitch()
     with progress.stage("parse"):
         pattern = parse(source, max_stitches=params.max_stitches, strict=params.strict)
+    known = gauge(params, pattern.stated)
+    stitch = (known.width, known.height)
     with progress.stage("build"):
-        built = build(pattern, stitch=stitch, strict=params.strict)
+        built = pose(build(pattern, stitch=stitch, strict=params.strict), params.pose)
+        joining = prepare(built)
     if params.check:
         from tambour.crochet.check import tech_edit
 
@@ -72,28 +86,38 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
             raise TambourError(found)
     for warning in built.warnings:
         progress.warn(warning)
+    for warning in joining.doubts if joining is not None else ():
+        progress.warn(warning)
     # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
     with progress.stage("start"):
         warm()
-    return _shaped(built, params, stitch, progress)
+    return _shaped(built, joining, params, known, progress)
 
 
-def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], progress: Progress) -> Plush:
+def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known: Gauge, progress: Progress) -> Plush:
     """The plush of a pattern that was worked."""
     import numpy as np
 
     from tambour.crochet.body import centroid_counts
     from tambour.crochet.fabric import strands
     from tambour.crochet.features import doubts
+    from tambour.crochet.joining import with_seams
     from tambour.crochet.simulate import Task, simulate
 
+    stitch = (known.width, known.height)
+    if joining is not None and joining.steps:
+        built = replace(built, graph=with_seams(built.graph, joining.pinched, stitch[0]))
     with progress.stage("settle"):
         start = params.start or built.initializer or "rounds"
         stuffing = params.stuffing or "pressure"
         # Sheets inside the piece are fabric, but do not bound its volume.
         shell = replace(built.graph, faces=built.graph.faces[built.shell])
         counts = centroid_counts(shell, params, [part.centroids for part in built.parts])
-        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts), progress.step)
+        snug = stuffing == "pressure" and params.solver == "settle"
+        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts, snug, joining), progress.step)
+        if shape.joined is not None:
+            pairs = np.concatenate(shape.joined.seams) if shape.joined.seams else np.zeros((0, 2), int)
+            built = replace(built, graph=with_seams(built.graph, pairs, stitch[0]))
     if not shape.settled:
         progress.warn(
             f"the shape is not quite at rest: the largest force left is {shape.residual:.2g} stitches",
@@ -108,7 +132,7 @@ def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], pr
             "building one by one was cut short: the last nodes were placed at once", "--start rounds is faster"
         )
     x, c = shape.x * stitch[0], shape.c * stitch[0]
-    if params.solver == "settle" and built.up == "start":
+    if params.solver == "settle" and built.up == "start" and shape.joined is None:
         x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
     if params.check:
         from tambour.crochet.check import size_edit
@@ -119,7 +143,7 @@ def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], pr
         progress.warn(doubt)
     with progress.stage("fabric"):
         yarn = strands(built.graph, x, detail=params.detail)
-    return Plush(built, params, stitch, stuffing, start, shape, x, c, yarn)
+    return Plush(built, params, stitch, known, stuffing, start, shape, x, c, yarn, joining)
 
 
 def yarn(piece: Plush) -> Mesh:
@@ -129,7 +153,7 @@ def yarn(piece: Plush) -> Mesh:
 
     _not_empty(piece)
     detail = piece.params.detail
-    face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail)
+    face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail, upright=piece.upright)
     worked = mesh(piece.built.graph, piece.positions, detail=detail, made=led)
     return joined([worked, *face]) if face else worked
 
@@ -207,16 +231,16 @@ def facts(piece: Plush) -> dict[str, Any]:
     """What the report says: counts, size, how the shape was reached, and where the fabric is tight."""
     import numpy as np
 
+    from tambour.crochet import size
     from tambour.crochet.features import materials
     from tambour.crochet.forces import lengths
+    from tambour.crochet.joining import assembly
 
     built, g, shape = piece.built, piece.built.graph, piece.shape
     x, width = piece.positions, piece.stitch[0]
     kinds, counts = np.unique(g.kind, return_counts=True)
 
-    def size(points: Array) -> list[float]:
-        return [round(float(v), 2) for v in np.ptp(points, axis=0)] if len(points) else [0.0, 0.0, 0.0]
-
+    measured = size.report(piece)
     # Yarn by colour, in the order in which it is taken up.
     length: dict[tuple[int, ...], float] = {}
     for led, color in zip(piece.yarn.paths, piece.yarn.color.tolist()):
@@ -246,15 +270,16 @@ def facts(piece: Plush) -> dict[str, Any]:
             {
                 "name": p.name,
                 "nodes": p.end - p.start,
-                "size_mm": size(x[p.start : p.end]),
+                "size_mm": [measured["parts"][k][side]["mm"] for side in ("width", "height", "depth")],
                 "volume_ml": round(float(ml[k]), 3),
                 "stuffing": p.stuffing,
             }
             for k, p in enumerate(g.parts)
         ],
         "rounds": [{"part": r.part, "number": r.number, "stitches": r.count} for r in built.rounds],
-        "size_mm": size(x),
-        "size_in": [round(v / 25.4, 2) for v in size(x)],
+        "size": measured,
+        "size_mm": [measured[side]["mm"] for side in ("width", "height", "depth")],
+        "size_in": [measured[side]["in"] for side in ("width", "height", "depth")],
         "volume_ml": round(float(ml.sum()), 3),
         "yarn": [
             {"color": "#{:02x}{:02x}{:02x}".format(*shade), "metres": round(m, 2), "yards": round(m / 0.9144, 2)}
@@ -269,6 +294,9 @@ def facts(piece: Plush) -> dict[str, Any]:
         "settled": shape.settled,
         "evaluations": shape.evaluations,
         "tension": tension,
+        "assembly": (
+            assembly(piece.joining, shape.joined, x) if piece.joining is not None and shape.joined is not None else []
+        ),
     }
 
 
@@ -276,12 +304,14 @@ def facts(piece: Plush) -> dict[str, Any]:
 def warm() -> None:
     """Load every kernel, once, by shaping a tiny piece in every way."""
     from tambour.crochet.build import build
+    from tambour.crochet.gauge import gauge
     from tambour.crochet.parse import parse
 
     text = "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
     built = build(parse(Text(text)))
     for stuffing in ("pressure", "centroid", "skeleton"):
-        piece = _shaped(built, CrochetParams(stuffing=stuffing, tolerance=0.1), (5.0, 5.0), Progress())
+        known = gauge(CrochetParams(), {})
+        piece = _shaped(built, None, CrochetParams(stuffing=stuffing, tolerance=0.1), known, Progress())
     facts(piece)
     yarn(piece)
     surface(piece)
