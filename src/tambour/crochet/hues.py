@@ -11,7 +11,7 @@ def plain_name(color: RGB) -> str:
     hue, value, saturation = _hue(red, green, blue)
     if value < 0.2:
         return "black"
-    if 20 <= hue < 65 and 0.05 < saturation < 0.3 and value > 0.75:
+    if 20 <= hue < 65 and 0.05 < saturation < 0.4 and value > 0.75:
         return "ivory" if value > 0.92 else "beige"
     if saturation < 0.12 or (saturation < 0.2 and value < 0.5):
         return "white" if value > 0.93 else "gray"
