@@ -173,7 +173,7 @@ SENTENCES: Final = {
     "legend": "Farbe {letter}: {name} ({hex})",
     "several": "{count} {item}",
     "group": "[{items}] x {count}",
-    "copies": "({count} x häkeln)",
+    "copies": "({count}x)",
 }
 
 COLORS: Final = {
