@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
+from tambour.crochet.build import build
 from tambour.crochet.finish import RGB, check_names
 from tambour.crochet.phrases import Phrases
 from tambour.crochet.printed_clauses import Cursor, NotUnderstood
 from tambour.crochet.printed_colors import Palette
 from tambour.crochet.printed_doubts import decided
+from tambour.crochet.printed_finish import Assembly, Made, Sentence, finishes
 from tambour.crochet.printed_heads import Head, heads
 from tambour.crochet.printed_notes import MODES, Heading, definition, heading, stated
 from tambour.crochet.printed_parts import Draft
@@ -18,6 +20,7 @@ from tambour.crochet.printed_terms import recognised
 from tambour.crochet.printed_tokens import Row, Token, rows
 from tambour.crochet.printed_vocabulary import vocabulary
 from tambour.crochet.source import Source
+from tambour.crochet.spots import Spots
 from tambour.crochet.stitches import STUFFING
 from tambour.crochet.syntax import Action, Line, Pattern
 from tambour.crochet.terms import TERMS, Terms
@@ -25,6 +28,8 @@ from tambour.crochet.terms import TERMS, Terms
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
 NOTHING: Final = "this holds no crochet instructions"
 _HINTED = 20  # errors that suggestions are looked for
+_LONG = 50  # characters of a line that was broken
+_WRAPPED = 12  # lines of a paragraph
 _PART = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
 
@@ -63,8 +68,8 @@ class _Printed:
         self.title: tuple[str, Span] | None = None
         self.stated: dict[str, tuple[str, Span]] = {}
         self.passed: list[Span] = []
-        self.understood = self.failed = 0
-        self.sentences: list[Span] = []  # of finishing, read once the parts are known
+        self.understood = self.failed = self.row_at = 0
+        self.sentences: list[Sentence] = []  # of finishing, read once the parts are known
 
     def pattern(self, max_stitches: int) -> Pattern:
         """The whole text read."""
@@ -78,11 +83,9 @@ class _Printed:
         if self.lead and self.parts:
             self.parts[-1].lines += self.lead
         sections = tuple(draft.section(source) for draft in self.parts)
-        known = Phrases(self.phrases.terms, {s.name: s.copies for s in sections if s.name}, self.phrases.legend)
-        records = [known.finishing(source.text.text[span.start : span.end], span) for span in self.sentences]
-        source.finish = [record for record in records if record is not None]
-        check_names(source, {part.name: part.copies for part in sections}, source.finish)
         self._colors_told()
+        if self.sentences and all(p.warning for p in source.problems):
+            self._assemble(Pattern(source.text, sections, source.stitches, max_stitches=max_stitches))
         errors = [p for p in source.problems if not p.warning]
         if errors:
             raise TambourError(sorted(errors, key=_place))
@@ -101,6 +104,31 @@ class _Printed:
             tuple(self.passed),
         )
 
+    def _assemble(self, pattern: Pattern) -> None:
+        """Reads the sentences of finishing, now that the parts are there."""
+        source = self.source
+        copies = {part.name: part.copies for part in pattern.parts}
+        phrases = Phrases(self.phrases.terms, copies, {k.upper(): rgb for k, rgb in self.palette.given.items()})
+        try:
+            spots = Spots(build(pattern))
+        except TambourError:
+            return  # the build tells what is wrong with the rounds
+        made = [
+            Made(draft.name, part.copies, draft.edge, any(i == "fo" for line in part.lines for i in _names(line)))
+            for draft, part in zip(self.parts, pattern.parts)
+        ]
+        assembly = Assembly(made, spots, self.palette)
+        for sentence in self.sentences:
+            span = sentence.span
+            exact = phrases.finishing(source.text.text[span.start : span.end], span)
+            found = [exact] if exact is not None else assembly.read(sentence)
+            if found is None:
+                hint = "say the part and the round: sew the ears to the head between Rnds 5 and 6, 8 sts apart"
+                source.doubt("where this goes is not understood", hint, span)
+            else:
+                source.finish += found
+        check_names(source, copies, source.finish)
+
     def _colors_told(self) -> None:
         if self.palette.told:
             letters = ", ".join(dict.fromkeys(w.upper() for w in self.palette.told))
@@ -112,13 +140,19 @@ class _Printed:
     def _row(self, at: int) -> int:
         """One line, with those that go on with it; gives the next."""
         row = self.rows[at]
+        self.row_at = at
         if not row.tokens:
             return at + 1
         tokens = self.vocabulary.read(row.tokens)
         found = heads(tokens)
         if not found:
+            end = at + 1
+            while end < len(self.rows) and end - at < _WRAPPED and self._wrapped(self.rows[end - 1], self.rows[end]):
+                tokens += self.vocabulary.read(self.rows[end].tokens)
+                row = Row([*row.tokens, *self.rows[end].tokens], row.start, self.rows[end].end, row.marked)
+                end += 1
             self._text(row, tokens)
-            return at + 1
+            return end
         at += 1
         while at < len(self.rows) and (more := self._goes_on(tokens, self.rows[at])) is not None:
             tokens += more
@@ -132,6 +166,17 @@ class _Printed:
             end = found[k + 1][0] if k + 1 < len(found) else len(tokens)
             self._round(head, tokens[head.end : end], tokens[begin:end])
         return at
+
+    def _wrapped(self, row: Row, after: Row) -> bool:
+        """Whether a sentence of a long line goes on in the next."""
+        if not after.tokens or row.marked or row.tokens[-1].word in (".", ":", "!", "?"):
+            return False
+        if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with", ","):
+            return True
+        if row.end - row.start < _LONG:
+            return False
+        first = self.source.text.text[after.tokens[0].start]
+        return (first.islower() or first.isdigit()) and not heads(self.vocabulary.read(after.tokens))
 
     def _goes_on(self, before: list[Token], row: Row) -> list[Token] | None:
         """The tokens of a line that goes on with the round before it, None when it does not."""
@@ -241,6 +286,9 @@ class _Printed:
             self.stated.setdefault(key, (words, span))
         if said or shade:
             return
+        if self.parts and self.phrases.finishing(text[row.tokens[0].start : row.tokens[-1].end]) is not None:
+            self.sentences.append(Sentence(row.tokens, tokens, self.parts[-1].name))
+            return
         first = tokens[0]
         names = [t for t in tokens if t.kind != "mark"]
         if len(names) <= 3 and first.kind == "key" and first.value in MODES:
@@ -273,11 +321,8 @@ class _Printed:
             self._left(left, False)
 
     def _said(self, span: Span) -> bool:
-        """A line that is one of the writer's own sentences: of finishing, of colour, of seams, of the end."""
+        """A line that is one of the writer's own sentences: of colour, of seams, of the end."""
         text = self.source.text.text[span.start : span.end]
-        if self.phrases.finishing(text) is not None:
-            self.sentences.append(span)
-            return True
         item = self.phrases.item(text)
         if item is None:
             return False
@@ -322,6 +367,9 @@ class _Printed:
 
     def _sentence(self, tokens: list[Token]) -> bool:
         """One sentence outside rounds; whether it was understood."""
+        if self.parts and finishes(raw := self._raw(tokens), tokens):
+            self.sentences.append(Sentence(raw, tokens, self.parts[-1].name))
+            return True
         text = self.source.text.text[tokens[0].start : tokens[-1].end]
         said = self.phrases.read(text, (*_PART, "stuff factor", "up start", "up end"))
         draft = self.parts[-1] if self.parts else None
@@ -368,6 +416,14 @@ class _Printed:
         self.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
         return True
 
+    def _raw(self, tokens: list[Token]) -> list[Token]:
+        """The same words as they were written."""
+        begin, end = tokens[0].start, tokens[-1].end
+        first = self.row_at
+        return [
+            t for row in self.rows[first : first + _WRAPPED] for t in row.tokens if begin <= t.start and t.end <= end
+        ]
+
     def _stuffing(self, tokens: list[Token]) -> float | None:
         """How much a sentence wants the part stuffed; -1 when it says only that it is."""
         if not any(t.kind == "key" and t.value == "stuff" for t in tokens) or len(tokens) > 14:
@@ -390,6 +446,10 @@ class _Printed:
             self.source.doubt(NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", span)
         elif in_round:
             self.passed.append(span)
+
+
+def _names(line: Line) -> list[str]:
+    return [i.name for i in line.items if isinstance(i, Action)]
 
 
 def _ring(item: object) -> bool:

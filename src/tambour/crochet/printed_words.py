@@ -54,7 +54,7 @@ ENGLISH: Final[dict[str, str]] = {
     "count": "count|counts|counted|counting",
     "marker": "place marker|pm|place stitch marker|place a marker|place a stitch marker|move marker|mark|mark this|marker"
     "|stitch marker|insert marker|use a marker|attach marker",
-    "stuff": "stuff|stuffing|fill|begin stuffing|start stuffing|continue stuffing",
+    "stuff": "stuff|stuffed|stuffing|fill|begin stuffing|start stuffing|continue stuffing",
     "make": "make|made|cut",
     "begin": "begin|start|starting|beginning|beg|begin with|start with",
     "together": "together|tog",
