@@ -30,6 +30,7 @@ READINGS: Final = {
 """Wording → its first reading, which is taken unless the count speaks for the second."""
 
 _TO_MARK: Final = re.compile(r"[^\n,.;:()\[\]{}*]{0,40}")
+_FROM_MARK: Final = re.compile(r"[^\n,.;:()\[\]{}*]{0,40}$")
 
 _QUIET: Final = frozenset(("one", "all", "once", "pair"))  # usual enough not to be asked about when no count is stated
 
@@ -85,7 +86,8 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
         text = source.text.text
         more = _TO_MARK.match(text, last.end)
         span = Span(first.start, more.end() if more else last.end)
-        said = phrases.item(text[span.start : span.end])
+        before = _FROM_MARK.search(text, max(0, first.start - 40), first.start)
+        said = phrases.item((before[0] if before else "") + text[span.start : span.end])
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
     def read(choices: frozenset[str] = frozenset()) -> Body:
