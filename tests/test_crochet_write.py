@@ -77,3 +77,21 @@ def test_whatever_builds_is_written_back(ring, rounds):
     except TambourError:
         return
     same(text)
+
+
+def test_finishing_is_written_back():
+    text = (
+        "== Head ==\nR1: MR(6)\nR2-R9: 6 sc\n== Ear (make 2) ==\nR1: MR(6)\n"
+        "place(Ear.1, Head, round=3.5, stitch=2, tilt=20, towards=90, across=-12.5, flat)\nplace(Ear.2, Head, round=3.25, by=1)\n"
+        "eye(Head, round=4.5, stitch=4, size=9)\neye(Head, round=4, stitch=0, size=7.5, color=#0a0b0c)\n"
+        "embroider(Head, 5:1, 5.5:2, 5:3, color=white, width=3)\nembroider(Head, 6)\nfelt(Head, heart, round=7, stitch=1, "
+        "width=12, height=9, turn=30, color=#ff8800)\nfelt(Head, round=7)\nhair(Head, 1:1, 1:6, count=20, length=45, color=#654321)\n"
+    )
+    one = parse(Text(text))
+    assert len(one.finish) == 9 and parse(pattern(one)).finish == one.finish
+    assert "place(Ear.2, Head, round=3.25, by=1)" in same(text)
+
+
+def test_written_numbers_are_kept():
+    text = pattern(parse(Text(": MR(6)\nR7: 6 inc\nR8-R9: 12 sc\nR10: 12 sc\n: 12 sc\n"))).text
+    assert [line.split(":")[0] for line in text.splitlines()] == ["R1", "R7", "R8-R11"]

@@ -60,6 +60,12 @@ def _pattern(piece: Any) -> Any:
     return pattern(piece.built)
 
 
+def _instructions(piece: Any) -> Any:
+    from tambour.crochet.instructions import instructions
+
+    return instructions(piece.built, piece.params.terms)
+
+
 def _diagram(piece: Any) -> Any:
     from tambour.crochet.diagram import diagram
 
@@ -91,7 +97,10 @@ CRAFT = Craft(
         **{side: _seen(side) for side in ("front", "back", "left", "right", "top")},
         "surface": View(_surface, "Mesh", "the fabric as a surface, closed where the piece is", stage="fabric"),
         "diagram": View(_diagram, "Drawing", "a chart in the usual symbols", (".svg",)),
-        "pattern": View(_pattern, "Text", "the pattern written back in standard terms", (".acl", ".txt")),
+        "pattern": View(_pattern, "Text", "the pattern written back in tambour's own language", (".acl",)),
+        "instructions": View(
+            _instructions, "Text", "the pattern as makers print it, in the words of --terms", (".txt", ".md")
+        ),
         "graph": View(_graph, "dict", "the stitch graph and its shape as data", (".json",)),
     },
     facts=_facts,

@@ -50,6 +50,8 @@ class CrochetParams(Params):
 
     check: bool = False
     """Tech edit: every mistake and doubt of the pattern is an error, told with its place; nothing is made."""
+    terms: Literal["us", "uk", "es", "de", "fr", "nl", "letters"] | None = None
+    """The words of written instructions: US or UK terms, Spanish, German, French, Dutch, or letters (else the pattern's own, else US)."""
     strict: bool = False
     """Stated counts that do not agree with the work, and other doubts, are errors."""
     max_stitches: int = Field(default=200_000, ge=1)

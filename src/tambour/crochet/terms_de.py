@@ -66,6 +66,7 @@ MEANING: Final = explained(
         "loopst": "Schlingenmasche",
         "fur": "Fellmasche",
         "round": "Runde",
+        "row": "Reihe",
         "front loops": "nur vorderes Maschenglied",
         "back loops": "nur hinteres Maschenglied",
     },
@@ -129,6 +130,7 @@ WORDS: Final = {
 }
 
 SENTENCES: Final = {
+    "terms": "deutsche Abkürzungen",
     "ring": "{count} fM in Fadenring",
     "color": "wechseln zu {color}",
     "both loops": "in beide Mg",

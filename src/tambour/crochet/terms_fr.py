@@ -66,6 +66,7 @@ MEANING: Final = explained(
         "loopst": "point bouclette",
         "fur": "point fourrure",
         "round": "tour",
+        "row": "rang",
         "front loops": "brin avant seulement",
         "back loops": "brin arrière seulement",
     },
@@ -129,6 +130,7 @@ WORDS: Final = {
 }
 
 SENTENCES: Final = {
+    "terms": "abréviations françaises",
     "ring": "{count} ms dans cercle magique",
     "color": "changer pour {color}",
     "both loops": "dans les deux brins",

@@ -73,6 +73,7 @@ MEANING: Final = explained(
         "loopst": "lussensteek",
         "fur": "bontsteek",
         "round": "toer",
+        "row": "rij",
         "front loops": "alleen in de voorste lussen",
         "back loops": "alleen in de achterste lussen",
     },
@@ -136,6 +137,7 @@ WORDS: Final = {
 }
 
 SENTENCES: Final = {
+    "terms": "Nederlandse afkortingen",
     "ring": "{count} v in magische ring",
     "color": "wissel naar {color}",
     "both loops": "in beide lussen",

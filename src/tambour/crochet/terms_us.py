@@ -74,6 +74,7 @@ MEANING: Final = explained(
         "loopst": "loop stitch",
         "fur": "fur stitch",
         "round": "round",
+        "row": "row",
         "front loops": "front loops only",
         "back loops": "back loops only",
     },
@@ -137,6 +138,7 @@ WORDS: Final = {
 }
 
 SENTENCES: Final = {
+    "terms": "US terms",
     "ring": "{count} sc in magic ring",
     "color": "change to {color}",
     "both loops": "in both loops",

@@ -91,6 +91,7 @@ WORDS: Final = (
 """What a table has words for."""
 
 SENTENCES: Final = {
+    "terms": "",  # what the words are called in themselves
     # Within a round, between commas; on lines of their own they begin with a capital and end with a point.
     "ring": "count",
     "color": "color",
