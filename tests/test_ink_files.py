@@ -144,12 +144,12 @@ def _picture(**given: object) -> np.ndarray:  # type: ignore[type-arg]
 def test_blank_paper_and_quiet_colours() -> None:
     blanks = []
     for seed in "12345":
+        blanks.append((_picture(seed=seed, paper=False).min(-1) > 252).mean())
         rgb = _picture(seed=seed)
-        paper = np.median(rgb.reshape(-1, 3), 0)
-        blanks.append((np.abs(rgb - paper).max(-1) < 14).mean())
         assert (rgb @ [0.3, 0.6, 0.1]).min() > 40, "nothing is blacker than overlapped leaves"
         assert (rgb.max(-1) - rgb.min(-1)).max() < 60, "nothing is saturated"
-    assert 0.3 < np.mean(blanks) < 0.85, blanks
+    assert min(blanks) > 0.3, blanks
+    assert np.mean(blanks) < 0.7, blanks
 
 
 def test_seasons_and_lights_change_colours_and_nothing_else() -> None:

@@ -28,6 +28,8 @@ class CrochetParams(Params):
     """What presses the fabric outwards (else pressure). How much, a pattern says part by part: @stuffing = none|light|firm."""
     contact: bool = True
     """Fabric that is not joined does not pass through itself, nor parts through one another."""
+    pose: tuple[str, ...] = ()
+    """How a placed part leans, in place of what the pattern says: "Arm.1 tilt=30 towards=200 across=0"."""
     detail: Literal["low", "medium", "high"] = "medium"
     """How finely the yarn is swept in 3-D files and pictures."""
     photo: bool = False

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from tambour.core.strands import Strands
     from tambour.crochet.build import Built
     from tambour.crochet.gauge import Gauge
+    from tambour.crochet.joining import Joining
     from tambour.crochet.simulate import Shape
 
 
@@ -37,6 +38,7 @@ class Plush:
     gauge : where that size comes from; stuffing, start : what the options and the pattern together chose
     shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm
     yarn : the yarn of every stitch, in mm
+    joining : what was sewn on and where, None where the pattern says nothing of it
     """
 
     built: Built
@@ -49,13 +51,21 @@ class Plush:
     positions: Array
     centroids: Array
     yarn: Strands
+    joining: Joining | None = None
+
+    @property
+    def upright(self) -> Array | None:
+        """Which way is up on every part (P, 3), None where all stand as they were worked."""
+        return None if self.shape.joined is None else self.shape.joined.upright
 
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
     from tambour.crochet.build import build
     from tambour.crochet.gauge import gauge
+    from tambour.crochet.joining import prepare
     from tambour.crochet.parse import parse
+    from tambour.crochet.pose import pose
 
     if params.photo:
         from tambour.render.photo import tracer
@@ -66,7 +76,8 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     known = gauge(params, pattern.stated)
     stitch = (known.width, known.height)
     with progress.stage("build"):
-        built = build(pattern, stitch=stitch, strict=params.strict)
+        built = pose(build(pattern, stitch=stitch, strict=params.strict), params.pose)
+        joining = prepare(built)
     if params.check:
         from tambour.crochet.check import tech_edit
 
@@ -75,22 +86,27 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
             raise TambourError(found)
     for warning in built.warnings:
         progress.warn(warning)
+    for warning in joining.doubts if joining is not None else ():
+        progress.warn(warning)
     # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
     with progress.stage("start"):
         warm()
-    return _shaped(built, params, known, progress)
+    return _shaped(built, joining, params, known, progress)
 
 
-def _shaped(built: Built, params: CrochetParams, known: Gauge, progress: Progress) -> Plush:
+def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known: Gauge, progress: Progress) -> Plush:
     """The plush of a pattern that was worked."""
     import numpy as np
 
     from tambour.crochet.body import centroid_counts
     from tambour.crochet.fabric import strands
     from tambour.crochet.features import doubts
+    from tambour.crochet.joining import with_seams
     from tambour.crochet.simulate import Task, simulate
 
     stitch = (known.width, known.height)
+    if joining is not None and joining.steps:
+        built = replace(built, graph=with_seams(built.graph, joining.pinched, stitch[0]))
     with progress.stage("settle"):
         start = params.start or built.initializer or "rounds"
         stuffing = params.stuffing or "pressure"
@@ -98,7 +114,10 @@ def _shaped(built: Built, params: CrochetParams, known: Gauge, progress: Progres
         shell = replace(built.graph, faces=built.graph.faces[built.shell])
         counts = centroid_counts(shell, params, [part.centroids for part in built.parts])
         snug = stuffing == "pressure" and params.solver == "settle"
-        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts, snug), progress.step)
+        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts, snug, joining), progress.step)
+        if shape.joined is not None:
+            pairs = np.concatenate(shape.joined.seams) if shape.joined.seams else np.zeros((0, 2), int)
+            built = replace(built, graph=with_seams(built.graph, pairs, stitch[0]))
     if not shape.settled:
         progress.warn(
             f"the shape is not quite at rest: the largest force left is {shape.residual:.2g} stitches",
@@ -113,7 +132,7 @@ def _shaped(built: Built, params: CrochetParams, known: Gauge, progress: Progres
             "building one by one was cut short: the last nodes were placed at once", "--start rounds is faster"
         )
     x, c = shape.x * stitch[0], shape.c * stitch[0]
-    if params.solver == "settle" and built.up == "start":
+    if params.solver == "settle" and built.up == "start" and shape.joined is None:
         x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
     if params.check:
         from tambour.crochet.check import size_edit
@@ -124,7 +143,7 @@ def _shaped(built: Built, params: CrochetParams, known: Gauge, progress: Progres
         progress.warn(doubt)
     with progress.stage("fabric"):
         yarn = strands(built.graph, x, detail=params.detail)
-    return Plush(built, params, stitch, known, stuffing, start, shape, x, c, yarn)
+    return Plush(built, params, stitch, known, stuffing, start, shape, x, c, yarn, joining)
 
 
 def yarn(piece: Plush) -> Mesh:
@@ -134,7 +153,7 @@ def yarn(piece: Plush) -> Mesh:
 
     _not_empty(piece)
     detail = piece.params.detail
-    face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail)
+    face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail, upright=piece.upright)
     worked = mesh(piece.built.graph, piece.positions, detail=detail, made=led)
     return joined([worked, *face]) if face else worked
 
@@ -215,6 +234,7 @@ def facts(piece: Plush) -> dict[str, Any]:
     from tambour.crochet import size
     from tambour.crochet.features import materials
     from tambour.crochet.forces import lengths
+    from tambour.crochet.joining import assembly
 
     built, g, shape = piece.built, piece.built.graph, piece.shape
     x, width = piece.positions, piece.stitch[0]
@@ -274,6 +294,9 @@ def facts(piece: Plush) -> dict[str, Any]:
         "settled": shape.settled,
         "evaluations": shape.evaluations,
         "tension": tension,
+        "assembly": (
+            assembly(piece.joining, shape.joined, x) if piece.joining is not None and shape.joined is not None else []
+        ),
     }
 
 
@@ -287,7 +310,8 @@ def warm() -> None:
     text = "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
     built = build(parse(Text(text)))
     for stuffing in ("pressure", "centroid", "skeleton"):
-        piece = _shaped(built, CrochetParams(stuffing=stuffing, tolerance=0.1), gauge(CrochetParams(), {}), Progress())
+        known = gauge(CrochetParams(), {})
+        piece = _shaped(built, None, CrochetParams(stuffing=stuffing, tolerance=0.1), known, Progress())
     facts(piece)
     yarn(piece)
     surface(piece)

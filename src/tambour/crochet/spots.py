@@ -55,7 +55,8 @@ class Spots:
         return rounds(graph, graph.rest / stitch_width(graph))
 
     @cached_property
-    def _rows(self) -> Array:
+    def in_rows(self) -> Array:
+        """Which parts (P,) are worked in rows."""
         from tambour.crochet.layout import in_rows
 
         return in_rows(self.built.graph)
@@ -113,13 +114,18 @@ class Spots:
         kept = {n: w for n, w in at.items() if w > 0.0}
         return Place(tuple(kept), tuple(kept.values()))
 
+    def about(self, spot: Spot) -> Array:
+        """Roughly where a spot is (3,), in stitches: where the rounds were laid out, before anything settled."""
+        place = self.place(spot)
+        return np.asarray(np.array(place.weights) @ self._layout[list(place.nodes)])
+
     def _index(self, k: int, stitch: float | None) -> float:
         """Position in round ``k``, from 0: of a stitch, or of the middle of the front."""
         nodes = self.stitches(k)
         n = len(nodes)
         if stitch is not None:
             return stitch - 1.0
-        if self._rows[self.built.rounds[k].part] or n < 3:
+        if self.in_rows[self.built.rounds[k].part] or n < 3:
             return 0.5 * (n - 1)
         x = self._layout[nodes]
         off = x - x.mean(0)
@@ -134,7 +140,7 @@ class Spots:
         """Adds the point at ``index`` of round ``k`` to ``at``, between its two stitches."""
         nodes = self.stitches(k)
         n = len(nodes)
-        if self._rows[self.built.rounds[k].part]:
+        if self.in_rows[self.built.rounds[k].part]:
             index = min(max(index, 0.0), n - 1.0)
         i, share = math.floor(index), index - math.floor(index)
         for node, w in ((int(nodes[i % n]), 1.0 - share), (int(nodes[(i + 1) % n]), share)):

@@ -137,7 +137,7 @@ def hills(rules: Rules, k: int) -> tuple[Planned, ...]:
     high, rows, land = profile.T
     chance = stream("ink", rules.seed, rules.edition, "hills", k)
     made: list[Planned] = []
-    shore = 0.46 - 0.12 * (rules.density - 1.0)
+    shore = 0.445 - 0.12 * (rules.density - 1.0)
     for i in range(2, len(profile) - 1):
         if high[i] <= 0.7 or high[i] < high[i - 2 : i + 2].max() or land[i] < shore:
             continue
@@ -165,7 +165,7 @@ def banks(rules: Rules, k: int) -> tuple[Planned, ...]:
     for i in range(TILE // STEP):
         u = chance.random(17)
         x = k * TILE + STEP * i
-        if u[0] >= 0.01 * rules.density or (feet.size and abs(feet - x).min() < 200.0):
+        if u[0] >= 0.013 * rules.density or (feet.size and abs(feet - x).min() < 200.0):
             continue
         for j in range(int(4.0 * u[1]) + 1):
             a, b, c = u[2 + 3 * j : 5 + 3 * j]
@@ -191,7 +191,7 @@ def banks(rules: Rules, k: int) -> tuple[Planned, ...]:
 def _hutted(rules: Rules, k: int, bank: Planned) -> Planned:
     """The bank, and whether a hut stands on it: three in five are willing, and of those within 900 the one of highest rank.
 
-    The original gives a hut to one bank in six whatever stands beside it (1.8). Of ours 0.18 have one, which is 0.27 in a
+    The original gives a hut to one bank in six whatever stands beside it (1.8). Of ours 0.15 have one, which is 0.29 in a
     thousand units, and never do two stand side by side.
     """
     rank = _rank(bank)
@@ -206,7 +206,7 @@ def _rank(bank: Planned) -> float:
     return float(uniform(np.uint64(key(*bank.stream)), np.uint64(1 << 60)))
 
 
-RIDGES = ((0.0, 0.95, 150.0, 0.0), (-18.0, 0.75, 180.0, 0.25), (-30.0, 0.25, 210.0, 0.5))
+RIDGES = ((0.0, 1.0, 165.0, 0.0), (-18.0, 0.85, 185.0, 0.25), (-30.0, 0.25, 210.0, 0.5))
 """Distant ranges, near to far: shift of the foot, chance that there is one, height, paleness."""
 
 
