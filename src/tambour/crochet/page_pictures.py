@@ -16,7 +16,7 @@ from tambour.core.paths import Paths
 from tambour.core.picture import Picture
 from tambour.crochet.fabric import mesh, stitch_width
 from tambour.crochet.features import joined, meshes
-from tambour.crochet.finish import Embroidery, Eye, Felt, Finish, Hair, Placed
+from tambour.crochet.finish import Embroidery, Finish, Hair, Placed
 from tambour.crochet.loops import RATIO
 from tambour.crochet.page_sheet import PAPER
 from tambour.crochet.spline import thin
@@ -99,7 +99,9 @@ def _on(record: Finish, names: dict[str, int]) -> int:
     return names.get(spot.part, -1)
 
 
-def partial(piece: Plush, parts: Sequence[int], face: Sequence[Finish] = (), fresh: Sequence[int] | None = None) -> Mesh:
+def partial(
+    piece: Plush, parts: Sequence[int], face: Sequence[Finish] = (), fresh: Sequence[int] | None = None
+) -> Mesh:
     """Some parts of the piece with some of its face; parts that are not ``fresh`` are pale (None: all are in colour)."""
     graph = piece.built.graph
     wanted = np.zeros(len(graph.parts), bool)

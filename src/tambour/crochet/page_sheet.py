@@ -130,7 +130,9 @@ class Sheet:
         coords = (drawing.paths.coords - drawing.origin) * scale + corner
         ends = drawing.paths.offsets
         for shape, style in enumerate(drawing.style.tolist()):
-            a, b = (shape, shape + 1) if drawing.paths.parts is None else drawing.paths.parts[shape : shape + 2].tolist()
+            a, b = (
+                (shape, shape + 1) if drawing.paths.parts is None else drawing.paths.parts[shape : shape + 2].tolist()
+            )
             self._coords.append(coords[ends[a] : ends[b]])
             self._rings.append(np.diff(ends[a : b + 1]))
             self._shapes.append(b - a)
