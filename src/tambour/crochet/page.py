@@ -70,6 +70,12 @@ class Book:
         cm = f"{self.number(mm / 10)} cm"
         return f"{cm} ({self.number(mm / 25.4)} in)" if self.imperial else cm
 
+    @property
+    def below(self) -> tuple[Sheet, float]:
+        """The last page, and where something else may begin on it."""
+        sheet = self.pages[-1]
+        return sheet, sheet.lowest + 12.0
+
     def page(self, heading: str = "") -> Sheet:
         """A new page; ``heading`` stands at its head."""
         sheet = Sheet(*self.size)
@@ -88,14 +94,14 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     book = Book(piece)
     _cover(book)
     begin(book)
-    flow(rounds(book), book.frame, lambda: book.page(_short(book, book.said.terms.word("instructions"))),
-         book.own["continued"])  # fmt: skip
+    again = book.own["continued"]
+    heading = short(book, book.said.terms.word("instructions"))
+    flow(rounds(book), book.frame, lambda: book.page(heading), again, book.below)
     charts(book)
-    box = skin(piece, np.arange(len(piece.positions)))
-    steps = assembly(book, box)
+    steps = assembly(book, skin(piece, np.arange(len(piece.positions))))
     if steps:
-        heading = _short(book, book.said.terms.word("assembly"))
-        flow(steps, book.frame, lambda: book.page(heading), book.own["continued"])
+        title = short(book, book.said.terms.word("assembly"))
+        flow(steps, book.frame, lambda: book.page(title), again, book.below)
     _care(book)
     total = len(book.pages)
     foot = book.title if not book.designer else f"{book.title} · {book.designer}"
@@ -121,7 +127,7 @@ def size_lines(book: Book, size: Size) -> list[tuple[str, str]]:
     return said
 
 
-def _short(book: Book, what: str) -> str:
+def short(book: Book, what: str) -> str:
     return f"{_cut(book.title, LEAD, 90.0)} · {what}" if what else book.title
 
 
@@ -154,12 +160,10 @@ def _cover(book: Book) -> None:
         y += LEAD * 1.45
     # Three facts in a row at the foot.
     whole_ = whole_size(book.piece)
-    largest = max(whole_.extent[0], whole_.extent[1] if whole_.how != "laid flat" else whole_.extent[2])
-    tallest = whole_.extent[1] if whole_.how != "laid flat" else largest
     upright = whole_.how != "laid flat"
+    size_of = f"{book.said.terms.word('finished size')}, {book.own['height' if upright else 'width']}"
     facts = [
-        (book.said.terms.word("finished size"),
-         f"{book.length(tallest)} {book.own['height' if upright else 'width']}"),
+        (size_of, book.length(whole_.extent[1] if upright else max(whole_.extent[0], whole_.extent[2]))),
         (book.said.terms.word("yarn"), weight_name(book)),
         (book.own["hook"][:1].upper() + book.own["hook"][1:], f"{book.number(book.piece.gauge.hook, 2)} mm"),
     ]  # fmt: skip
@@ -193,9 +197,8 @@ def _care(book: Book) -> None:
     small = wrap(own["made"], SMALL, room)
     tall = 17.0 + len(text) * BODY * 1.45 + len(small) * SMALL * 1.45
     sheet = book.pages[-1]
-    lowest = max([label.y for label in sheet.labels] + [i.y + i.height for i in sheet.images], default=0.0)
-    if lowest + tall + 8.0 > high - FOOT:
-        sheet = book.page(_short(book, own["care"]))
+    if sheet.lowest + tall + 8.0 > high - FOOT:
+        sheet = book.page(short(book, own["care"]))
         y = TOP
     else:
         y = high - FOOT - tall

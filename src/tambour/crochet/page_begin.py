@@ -64,7 +64,7 @@ def begin(book: Book) -> None:
     chunks: list[Chunk] = []
     chunks += together(heading(book, word("materials"), width), _materials(book, width), word("materials"))
     size = whole_size(book.piece)
-    from tambour.crochet.page import size_lines
+    from tambour.crochet.page import short, size_lines
 
     rows = [pair(what, much, width) for what, much in size_lines(book, size)]
     if size.how in own:
@@ -80,13 +80,7 @@ def begin(book: Book) -> None:
         chunks += together(heading(book, word("special stitches"), width), special, word("special stitches"))
     notes = paragraph(own["notes text"], width)
     chunks.append(Chunk([*heading(book, own["notes"], width), *notes], own["notes"]))
-    flow(chunks, book.frame, lambda: book.page(_short(book)), own["continued"])
-
-
-def _short(book: Book) -> str:
-    from tambour.crochet.page import _short as short
-
-    return short(book, book.own["before"])
+    flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
 
 
 def _materials(book: Book, width: float) -> list[Atom]:

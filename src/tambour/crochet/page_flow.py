@@ -76,11 +76,22 @@ def _pack(chunks: list[Chunk], room: float) -> list[list[Chunk]]:
     return columns
 
 
-def flow(chunks: list[Chunk], frame: Frame, page: Callable[[], Sheet], again: str) -> None:
+def flow(
+    chunks: list[Chunk], frame: Frame, page: Callable[[], Sheet], again: str, below: tuple[Sheet, float] | None = None
+) -> None:
     """Set chunks into columns on as many pages as they take; the last page's columns are made equally high.
 
     page : begins a page; again : the word for "continued"
+    below : a page that is begun and how far, for chunks that all fit on the rest of it
     """
+    if below is not None and frame.bottom - below[1] > 0.2 * (frame.bottom - frame.top):
+        rest = Frame(frame.lefts, frame.width, below[1], frame.bottom)
+        if all(c.height <= rest.bottom - rest.top for c in chunks) and len(
+            _pack(chunks, rest.bottom - rest.top)
+        ) <= len(frame.lefts):
+            sheet = below[0]
+            flow(chunks, rest, lambda: sheet, again)
+            return
     full, many = frame.bottom - frame.top, len(frame.lefts)
     # A chunk that no column holds is let go row by row.
     whole: list[Chunk] = []

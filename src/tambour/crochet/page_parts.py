@@ -10,7 +10,7 @@ from tambour.crochet.diagram import plates, symbols
 from tambour.crochet.page_begin import heading, paragraph
 from tambour.crochet.page_flow import Atom, Chunk, together
 from tambour.crochet.page_pictures import Step, of_parts, of_step, steps
-from tambour.crochet.page_sheet import BODY, HAIR, INK, LEAD, LEADING, SMALL, SOFT, Sheet, width_of, wrap
+from tambour.crochet.page_sheet import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, Sheet, width_of, wrap
 from tambour.crochet.page_text import Block, Row, colors_in
 from tambour.crochet.written import sections
 
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 _DOTS = 7.6  # pixels a mm of the small pictures
 _THUMB = 30.0
 _TICK = 2.5
+_LARGEST = 0.62
+"""Scale at which a chart is large enough: a stitch is 4.3 mm wide."""
 
 
 def rounds(book: Book) -> list[Chunk]:
@@ -34,7 +36,7 @@ def rounds(book: Book) -> list[Chunk]:
         if len(said.parts) > 1 and k < len(firsts) and graph.parts[firsts[k]].end - graph.parts[firsts[k]].start > 2:
             section = piece.built.parts[firsts[k]].section
             own = [i for i, p in enumerate(piece.built.parts) if p.section == section][:1]
-            picture = of_parts(piece, own, round(_THUMB * _DOTS * 1.3), round(_THUMB * _DOTS))
+            picture = of_parts(piece, own, round(width * _DOTS), round(_THUMB * _DOTS))
             heads.append(_photo(picture, width, _THUMB))
         chunks += together(heads, _rows(book, block, width), block.title)
     return chunks
@@ -42,8 +44,7 @@ def rounds(book: Book) -> list[Chunk]:
 
 def _photo(picture: Picture, width: float, high: float) -> Atom:
     """A picture in the middle of a column."""
-    wide = high * picture.rgba.shape[1] / picture.rgba.shape[0]
-    return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x + (width - wide) / 2, y, wide, high))
+    return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x, y, width, high))
 
 
 def _rows(book: Book, block: Block, width: float) -> list[Atom]:
@@ -90,13 +91,19 @@ def charts(book: Book) -> None:
     found = plates(book.piece.built)
     if not found:
         return
-    from tambour.crochet.page import FOOT, MARGIN, TOP, _short
+    from tambour.crochet.page import FOOT, MARGIN, TOP, short
 
     wide = book.size[0] - 2 * MARGIN
     bottom = book.size[1] - FOOT
-    title = _short(book, book.own["charts"])
-    sheet = book.page(title)
-    y = TOP
+    title = short(book, book.own["charts"])
+    scales = [min(_LARGEST, wide / d.size[0], (bottom - TOP - 12.0) / d.size[1]) for _, d in found]
+    sheet, y = book.below
+    if y + 20.0 + float(found[0][1].size[1]) * scales[0] + LEAD > bottom:
+        sheet, y = book.page(title), TOP
+    else:
+        sheet.text(book.own["charts"], MARGIN, y + HEAD * 0.8, HEAD, True, book.accent)
+        sheet.line(MARGIN, y + HEAD * 1.2 + 0.6, MARGIN + wide, y + HEAD * 1.2 + 0.6, HAIR)
+        y += HEAD * 1.2 + 3.0
     y = sheet.lines(wrap(book.own["chart note"], BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
     y = _symbols(book, sheet, MARGIN, y, wide)
     names = {part: block.title for block, (_, part, _) in zip(book.said.parts, sections(book.piece.built))}
@@ -116,7 +123,7 @@ def charts(book: Book) -> None:
     for k, (part, drawing) in enumerate(found):
         w, h = drawing.size.tolist()
         name = names.get(part, "")
-        scale = min(1.0, wide / w, (bottom - TOP - 12.0) / h)
+        scale = scales[k]
         least = max(w * scale, width_of(name, LEAD, True))
         if row and room + 6.0 + least > wide:
             y = placed(row, y)
@@ -162,7 +169,7 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     found = steps(piece)
     if not found:
         return []
-    high = width * 0.8
+    high = width * 0.66
     sentences = _sentences(book, found)
     chunks = []
     for k, (step, said) in enumerate(zip(found, sentences)):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from tambour.color import coded, linear
 from tambour.core.check import Array
 from tambour.core.graph import SEWN
 from tambour.core.mesh import Mesh
@@ -18,7 +19,7 @@ from tambour.crochet.fabric import mesh, stitch_width
 from tambour.crochet.features import joined, meshes
 from tambour.crochet.finish import Embroidery, Finish, Hair, Placed
 from tambour.crochet.loops import RATIO
-from tambour.crochet.page_sheet import PAPER
+from tambour.crochet.page_sheet import BACKDROP
 from tambour.crochet.spline import thin
 
 if TYPE_CHECKING:
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 
 _VIEW: Final = (radians(24.0), radians(14.0))
 _SMALL_LIGHTS: Final = 20
+AIR: Final = 1.1
+"""The cover shows so much more than the piece."""
 _QUIET: Final = (232, 228, 222)
 """What is there already is shown nearly in this colour."""
 
@@ -111,7 +114,9 @@ def partial(
     yarn = piece.yarn
     ends, stitch = yarn.paths.offsets, yarn.point_data["stitch"]
     owner = graph.part[stitch[ends[:-1]]]
-    keep = np.flatnonzero(wanted[owner])
+    # Seams only where both of their parts are.
+    there = np.minimum.reduceat(wanted[graph.part[stitch]], ends[:-1]) if len(stitch) else np.zeros(0, bool)
+    keep = np.flatnonzero(there)
     # Small pictures need fewer points along the yarn.
     coords = yarn.paths.coords
     near = np.zeros(len(coords), np.bool_)
@@ -130,18 +135,37 @@ def partial(
         point_data={"stitch": stitch[points]},
     )
     inside = graph.faces[wanted[graph.part[graph.faces[:, 0]]]]
-    shown = replace(graph, faces=inside)
+    tone = graph.color.astype(float)
+    tone[quiet[graph.part]] = 0.3 * tone[quiet[graph.part]] + 0.7 * np.array(_QUIET)
+    shown = replace(graph, faces=inside, color=np.round(tone).astype(np.uint8))
     built = replace(piece.built, pattern=replace(piece.built.pattern, finish=tuple(face)))
-    extra, made = meshes(built, piece.positions, made, detail="medium") if face else ([], made)
+    extra, made = meshes(built, piece.positions, made, detail="medium", upright=piece.upright) if face else ([], made)
     return joined([mesh(shown, piece.positions, detail="low", made=made), *extra])
 
 
 def whole(piece: Plush, width: int, height: int) -> Picture:
-    """The cover's picture."""
+    """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
     from tambour.crochet.plush import yarn
-    from tambour.render.raster import picture
+    from tambour.render.raster import film, picture
 
-    return picture(yarn(piece), width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], background=PAPER)
+    made = yarn(piece)
+    points = made.vertices[np.unique(made.faces)]
+    middle = 0.5 * (points.min(0) + points.max(0))
+    # Some air around it, but the floor stays where it stands.
+    room = middle + AIR * (points - middle)
+    room[:, 1] = np.maximum(room[:, 1], points[:, 1].min())
+    shown = picture(
+        made, width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], background=BACKDROP, frame=room
+    )
+    paper = np.round(coded(film(linear(np.array(BACKDROP) / 255.0))) * 255)
+    y = np.linspace(0.0, 1.0, height)
+    x = np.linspace(0.0, 1.0, width)
+    down = np.clip(np.minimum((1.0 - y) / 0.16, y / 0.05 + 0.2), 0.0, 1.0)
+    side = np.clip(np.minimum((1.0 - x) / 0.06, x / 0.06), 0.0, 1.0)
+    keep = (down * down * (3 - 2 * down))[:, None] * (side * side * (3 - 2 * side))[None]
+    rgba = shown.rgba.astype(float)
+    rgba[..., :3] = keep[..., None] * rgba[..., :3] + (1 - keep[..., None]) * paper
+    return Picture(np.round(rgba).astype(np.uint8))
 
 
 def of_parts(piece: Plush, parts: Sequence[int], width: int, height: int) -> Picture:
@@ -161,5 +185,5 @@ def of_step(piece: Plush, step: Step, frame: Array, width: int, height: int) -> 
     fresh = step.fresh or step.parts
     return picture(
         partial(piece, step.parts, step.finishes, fresh), width=width, height=height, azimuth=_VIEW[0],
-        elevation=_VIEW[1], ground=False, background=PAPER, lights=_SMALL_LIGHTS, frame=frame,
+        elevation=_VIEW[1], ground=False, background=BACKDROP, lights=_SMALL_LIGHTS, frame=frame,
     )  # fmt: skip

@@ -19,10 +19,12 @@ RGB = tuple[int, int, int]
 INK: RGB = (38, 35, 33)
 SOFT: RGB = (112, 106, 100)
 HAIR: RGB = (214, 208, 200)
-PAPER: RGB = (248, 245, 240)
+PAPER: RGB = (241, 239, 236)
+"""As the rasteriser shows :data:`BACKDROP`: its film rolls off what is bright."""
+BACKDROP: RGB = (248, 245, 240)
 
 # The type scale, mm: each step is a fourth or a third above the one before.
-SMALL, BODY, LEAD, HEAD, TITLE, COVER = 2.65, 3.1, 3.7, 5.2, 7.0, 12.5
+SMALL, BODY, LEAD, HEAD, COVER = 2.7, 3.3, 3.9, 5.4, 12.5
 LEADING = 1.45
 
 _Style = tuple[tuple[int, int, int, int] | None, tuple[int, int, int, int] | None, float]
@@ -119,6 +121,12 @@ class Sheet:
             self.text(line, x, y, size, bold, color)
             y += size * leading
         return y
+
+    @property
+    def lowest(self) -> float:
+        """Where what stands on it ends, mm."""
+        ends = [label.y for label in self.labels] + [i.y + i.height for i in self.images]
+        return max([*ends, *(float(c[:, 1].max()) for c in self._coords)], default=0.0)
 
     def image(self, picture: Picture, x: float, y: float, w: float, h: float) -> None:
         """A photograph stretched over a rectangle."""

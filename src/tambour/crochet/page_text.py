@@ -110,7 +110,8 @@ def name_of(said: Words, color: RGB) -> tuple[str, str]:
     for letter, name, rgb in said.colors:
         if rgb == color:
             return letter, name
-    return "", _spoken(said, color)
+    spoken = _spoken(said, color)
+    return "", said.terms.colors[plain_name(color)][0] if spoken.startswith("#") else spoken
 
 
 def _spoken(said: Words, color: RGB) -> str:

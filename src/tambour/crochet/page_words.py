@@ -18,7 +18,7 @@ _EN: Final = {
     "swatch": "Flat: {stitches} sc and {rows} rows in 10 cm (4 in).",
     "circle": "Circle: five rounds (6, 12, 18, 24, 30) measure {cm} cm ({inch} in) across.",
     "tight": "Work tightly enough that no stuffing shows. With another gauge the size changes in proportion.",
-    "expected": "No gauge was measured: this is what yarn and hook let expect.",
+    "expected": "No gauge was given: this is what such yarn and hook lead one to expect.",
     "stuffed": "Measured stuffed.", "stuffed, sitting": "Measured stuffed and sitting.",
     "stuffed, standing": "Measured stuffed and standing.", "laid flat": "Measured laid flat.",
     "as it lies": "Measured as it lies.", "continued": "continued", "charts": "Stitch diagrams",
