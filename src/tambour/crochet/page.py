@@ -2,88 +2,21 @@
 
 from __future__ import annotations
 
-from pathlib import PurePath
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tambour.color import linear
 from tambour.core.drawing import Drawing
 from tambour.crochet.page_begin import begin
-from tambour.crochet.page_flow import Frame, flow
+from tambour.crochet.page_book import FOOT, MARGIN, TOP, Book, cut, short, weight_name
+from tambour.crochet.page_flow import flow
 from tambour.crochet.page_parts import assembly, charts, rounds
 from tambour.crochet.page_pictures import whole
-from tambour.crochet.page_sheet import BODY, COVER, HAIR, INK, LEAD, PAPER, RGB, SMALL, SOFT, Sheet, wrap
-from tambour.crochet.page_text import Words, words
-from tambour.crochet.page_words import IMPERIAL, WORDS
-from tambour.crochet.size import Size, skin, whole_size
+from tambour.crochet.page_sheet import BODY, COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, Sheet, wrap
+from tambour.crochet.size import skin, whole_size
 
 if TYPE_CHECKING:
     from tambour.crochet.plush import Plush
-
-PAGES: Final = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
-MARGIN, TOP, FOOT, GUTTER = 18.0, 24.0, 20.0, 9.0
-
-
-class Book:
-    """What all pages of a booklet share, and the pages so far.
-
-    piece, said : the plush and its words; own : the page's own words; code : of the terms; accent : a colour for
-    headings, the main yarn's, dark enough to read
-    """
-
-    def __init__(self, piece: Plush) -> None:
-        params = piece.params
-        self.piece = piece
-        self.said: Words = words(piece.built, params.terms)
-        self.code = self.said.terms.code
-        self.own = WORDS[self.code]
-        stated = piece.built.pattern.stated
-        stem = PurePath(piece.built.pattern.text.name).stem.replace("_", " ").strip("<> ")
-        title = params.title or stated.get("title", ("",))[0] or self.said.title or stem
-        self.title = " ".join(title.split()) or self.own["pattern"]
-        self.designer = " ".join((params.designer or stated.get("designer", ("",))[0]).split())
-        self.size = PAGES[params.page]
-        self.pages: list[Sheet] = []
-        self.used: list[RGB] = [(int(r), int(g), int(b)) for r, g, b in _in_order(piece.yarn.color)]
-        self.accent = _readable(_main(piece))
-
-    @property
-    def frame(self) -> Frame:
-        """Two columns."""
-        width = (self.size[0] - 2 * MARGIN - GUTTER) / 2
-        return Frame((MARGIN, MARGIN + width + GUTTER), width, TOP, self.size[1] - FOOT)
-
-    @property
-    def imperial(self) -> bool:
-        """Whether inches and yards are told as well."""
-        return self.code in IMPERIAL
-
-    def number(self, value: float, digits: int = 1) -> str:
-        """A number as the language writes it, without needless noughts."""
-        said = f"{value:.{digits}f}"
-        said = said.rstrip("0").rstrip(".") if "." in said else said
-        return said if self.imperial else said.replace(".", ",")
-
-    def length(self, mm: float) -> str:
-        """A length in cm, and in inches where readers want them."""
-        cm = f"{self.number(mm / 10)} cm"
-        return f"{cm} ({self.number(mm / 25.4)} in)" if self.imperial else cm
-
-    @property
-    def below(self) -> tuple[Sheet, float]:
-        """The last page, and where something else may begin on it."""
-        sheet = self.pages[-1]
-        return sheet, sheet.lowest + 12.0
-
-    def page(self, heading: str = "") -> Sheet:
-        """A new page; ``heading`` stands at its head."""
-        sheet = Sheet(*self.size)
-        if heading:
-            sheet.text(heading, MARGIN, TOP - 8.0, LEAD, True, self.accent)
-            sheet.line(MARGIN, TOP - 5.2, self.size[0] - MARGIN, TOP - 5.2, HAIR)
-        self.pages.append(sheet)
-        return sheet
 
 
 def pages(piece: Plush) -> tuple[Drawing, ...]:
@@ -109,32 +42,10 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
         if k:
             y = book.size[1] - 11.0
             room = book.size[0] - 2 * MARGIN - 20.0
-            sheet.text(_cut(foot, SMALL, room), MARGIN, y, SMALL, color=SOFT)
+            sheet.text(cut(foot, SMALL, room), MARGIN, y, SMALL, color=SOFT)
             sheet.text(f"{k + 1} / {total}", book.size[0] - MARGIN, y, SMALL, color=SOFT, anchor="end")
     about = {"title": book.title, **({"author": book.designer} if book.designer else {})}
     return tuple(sheet.drawing(**about) for sheet in book.pages)
-
-
-def size_lines(book: Book, size: Size) -> list[tuple[str, str]]:
-    """The finished size: (what, how much)."""
-    width, height, depth = size.extent
-    flat = size.how == "laid flat"
-    made = [("height", depth if flat else height), ("width", width)]
-    made += [] if flat else [("depth", depth)]
-    said = [(book.own[name], book.length(mm)) for name, mm in made]
-    if size.stitches and not flat:
-        said.append((book.own["around"], book.length(size.around)))
-    return said
-
-
-def short(book: Book, what: str) -> str:
-    return f"{_cut(book.title, LEAD, 90.0)} · {what}" if what else book.title
-
-
-def _cut(text: str, size: float, room: float) -> str:
-    """The text, or its first words and an ellipsis."""
-    lines = wrap(text, size, room)
-    return text if len(lines) < 2 else wrap(text, size, room - 3.0)[0] + " …"
 
 
 def _cover(book: Book) -> None:
@@ -179,15 +90,6 @@ def _cover(book: Book) -> None:
         sheet.disc(wide - MARGIN - 2.4 - 6.4 * (len(dots) - 1 - k), high - 12.5, 2.4, color, HAIR)
 
 
-def weight_name(book: Book) -> str:
-    """The class of the yarn, as the language's makers call it."""
-    from tambour.crochet.gauge import WEIGHTS
-
-    kind = WEIGHTS[book.piece.gauge.weight]
-    name = kind.uk if book.code == "uk" else kind.name
-    return book.own["weight"].format(name=name, number=kind.number)
-
-
 def _care(book: Book) -> None:
     """Care, on the last page where there is room, else on one of its own."""
     own = book.own
@@ -206,28 +108,3 @@ def _care(book: Book) -> None:
     sheet.text(own["care"], MARGIN + 6.0, y + 8.0, LEAD, True, book.accent)
     y = sheet.lines(text, MARGIN + 6.0, y + 14.0, BODY)
     sheet.lines(small, MARGIN + 6.0, y + 1.0, SMALL, color=SOFT)
-
-
-def _main(piece: Plush) -> tuple[int, int, int]:
-    """The colour that most of the yarn has."""
-    from tambour.crochet.materials import lengths
-
-    metres = lengths(piece)
-    r, g, b = max(metres, key=lambda color: metres[color], default=(90, 80, 70))
-    return int(r), int(g), int(b)
-
-
-def _readable(color: RGB) -> RGB:
-    """The colour, darkened until it reads on white (contrast 4.5 to 1, WCAG 2)."""
-    shade = np.array(color, float)
-    for _ in range(60):
-        light = float(np.array([0.2126, 0.7152, 0.0722]) @ linear(shade / 255.0))
-        if 1.05 / (light + 0.05) >= 4.5:
-            break
-        shade *= 0.95
-    r, g, b = (int(v) for v in shade)
-    return r, g, b
-
-
-def _in_order(colors: np.ndarray) -> list[tuple[int, ...]]:
-    return list(dict.fromkeys(tuple(c) for c in colors.tolist()))

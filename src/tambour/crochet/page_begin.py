@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from tambour.crochet.gauge import WEIGHTS
 from tambour.crochet.materials import materials
+from tambour.crochet.page_book import Book, short, size_lines, weight_name
 from tambour.crochet.page_flow import Atom, Chunk, flow, together
 from tambour.crochet.page_sheet import BODY, HAIR, HEAD, LEADING, RGB, SMALL, SOFT, Sheet, width_of, wrap
 from tambour.crochet.page_text import name_of
 from tambour.crochet.size import whole_size
-
-if TYPE_CHECKING:
-    from tambour.crochet.page import Book
 
 
 def heading(book: Book, text: str, width: float, note: str = "") -> list[Atom]:
@@ -64,17 +60,16 @@ def begin(book: Book) -> None:
     chunks: list[Chunk] = []
     chunks += together(heading(book, word("materials"), width), _materials(book, width), word("materials"))
     size = whole_size(book.piece)
-    from tambour.crochet.page import short, size_lines
 
     rows = [pair(what, much, width) for what, much in size_lines(book, size)]
     if size.how in own:
         rows += paragraph(own[size.how], width, SMALL, SOFT, 1.0)
     chunks.append(Chunk([*heading(book, word("finished size"), width), *rows], word("finished size")))
     chunks.append(Chunk([*heading(book, word("gauge"), width), *_gauge(book, width)], word("gauge")))
-    short = [pair(said, meaning, width, 0.26) for said, meaning in book.said.abbreviations]
-    if short:
+    said = [pair(word_, meaning, width, 0.26) for word_, meaning in book.said.abbreviations]
+    if said:
         name, _, terms = book.said.heading.partition(" (")
-        chunks += together(heading(book, name, width, terms.rstrip(")")), short, name)
+        chunks += together(heading(book, name, width, terms.rstrip(")")), said, name)
     special = [pair(said, meaning, width, 0.3) for said, meaning in book.said.special]
     if special:
         chunks += together(heading(book, word("special stitches"), width), special, word("special stitches"))
@@ -88,8 +83,6 @@ def _materials(book: Book, width: float) -> list[Atom]:
     own, number = book.own, book.number
     found = materials(book.piece)
     made: list[Atom] = []
-    from tambour.crochet.page import weight_name
-
     kind = WEIGHTS[book.piece.gauge.weight]
     for line in book.said.stated:
         made += paragraph(line, width)

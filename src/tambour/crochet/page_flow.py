@@ -85,12 +85,12 @@ def flow(
     below : a page that is begun and how far, for chunks that all fit on the rest of it
     """
     if below is not None and frame.bottom - below[1] > 0.2 * (frame.bottom - frame.top):
-        rest = Frame(frame.lefts, frame.width, below[1], frame.bottom)
-        if all(c.height <= rest.bottom - rest.top for c in chunks) and len(
-            _pack(chunks, rest.bottom - rest.top)
+        room = Frame(frame.lefts, frame.width, below[1], frame.bottom)
+        if all(c.height <= room.bottom - room.top for c in chunks) and len(
+            _pack(chunks, room.bottom - room.top)
         ) <= len(frame.lefts):
             sheet = below[0]
-            flow(chunks, rest, lambda: sheet, again)
+            flow(chunks, room, lambda: sheet, again)
             return
     full, many = frame.bottom - frame.top, len(frame.lefts)
     # A chunk that no column holds is let go row by row.

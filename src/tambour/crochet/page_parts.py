@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from tambour.core.check import Array
 from tambour.core.picture import Picture
 from tambour.crochet.diagram import plates, symbols
 from tambour.crochet.page_begin import heading, paragraph
+from tambour.crochet.page_book import FOOT, MARGIN, TOP, Book, short
 from tambour.crochet.page_flow import Atom, Chunk, together
 from tambour.crochet.page_pictures import Step, of_parts, of_step, steps
 from tambour.crochet.page_sheet import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, Sheet, width_of, wrap
 from tambour.crochet.page_text import Block, Row, colors_in
 from tambour.crochet.written import sections
-
-if TYPE_CHECKING:
-    from tambour.crochet.page import Book
 
 _DOTS = 7.6  # pixels a mm of the small pictures
 _THUMB = 30.0
@@ -91,8 +87,6 @@ def charts(book: Book) -> None:
     found = plates(book.piece.built)
     if not found:
         return
-    from tambour.crochet.page import FOOT, MARGIN, TOP, short
-
     wide = book.size[0] - 2 * MARGIN
     bottom = book.size[1] - FOOT
     title = short(book, book.own["charts"])

@@ -174,7 +174,7 @@ def of_parts(piece: Plush, parts: Sequence[int], width: int, height: int) -> Pic
 
     return picture(
         partial(piece, parts), width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], ground=False,
-        background=(255, 255, 255), lights=_SMALL_LIGHTS,
+        background=BACKDROP, lights=_SMALL_LIGHTS,
     )  # fmt: skip
 
 
