@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tambour.core.drawing import Drawing
-from tambour.crochet.page_begin import begin
+from tambour.crochet.page_begin import begin, heading
 from tambour.crochet.page_book import FOOT, MARGIN, TOP, Book, cut, short, weight_name
 from tambour.crochet.page_flow import flow
-from tambour.crochet.page_parts import assembly, charts, rounds
+from tambour.crochet.page_parts import assembly, charts, rounds, sides
 from tambour.crochet.page_pictures import whole
 from tambour.crochet.page_sheet import BODY, COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, Sheet, wrap
 from tambour.crochet.size import skin, whole_size
@@ -27,15 +27,18 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     book = Book(piece)
     _cover(book)
     begin(book)
+    before = book.pages[-1]
     again = book.own["continued"]
-    heading = short(book, book.said.terms.word("instructions"))
-    flow(rounds(book), book.frame, lambda: book.page(heading), again, book.below)
+    worked = short(book, book.said.terms.word("instructions"))
+    flow(rounds(book), book.frame, lambda: book.page(worked), again, book.below)
     charts(book)
     steps = assembly(book, skin(piece, np.arange(len(piece.positions))))
     if steps:
         title = short(book, book.said.terms.word("assembly"))
-        flow(steps, book.frame, lambda: book.page(title), again, book.below)
+        head = heading(book, book.said.terms.word("assembly"), book.size[0] - 2 * MARGIN)[0]
+        flow(steps, book.frame, lambda: book.page(title), again, book.below, head)
     _care(book)
+    sides(book, before)
     total = len(book.pages)
     foot = book.title if not book.designer else f"{book.title} · {book.designer}"
     for k, sheet in enumerate(book.pages):
@@ -91,17 +94,17 @@ def _cover(book: Book) -> None:
 
 
 def _care(book: Book) -> None:
-    """Care, on the last page where there is room, else on one of its own."""
+    """Care, on the last page that has room, else on one of its own."""
     own = book.own
     wide, high = book.size
     room = wide - 2 * MARGIN - 12.0
     text = wrap(own["care text"], BODY, room)
     small = wrap(own["made"], SMALL, room)
     tall = 17.0 + len(text) * BODY * 1.45 + len(small) * SMALL * 1.45
-    sheet = book.pages[-1]
-    if sheet.lowest + tall + 8.0 > high - FOOT:
-        sheet = book.page(short(book, own["care"]))
-        y = TOP
+    # Where there is room, the last page first; the cover is none.
+    sheet = next((s for s in reversed(book.pages[1:]) if s.lowest + tall + 8.0 <= high - FOOT), None)
+    if sheet is None:
+        sheet, y = book.page(short(book, own["care"])), TOP
     else:
         y = high - FOOT - tall
     sheet.box(MARGIN, y, wide - 2 * MARGIN, tall, PAPER, None, 0.0, 2.0)

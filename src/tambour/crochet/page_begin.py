@@ -117,11 +117,11 @@ def _materials(book: Book, width: float) -> list[Atom]:
         words = own["hair"].format(n=hair["strands"], cm=number(hair["cut_mm"] / 10, 0))
         other.append((name_of(book.said, _rgb(hair["color"]))[1], words))
     filling = found["stuffing"]
-    if filling["grams"] >= 0.5:
+    if filling["grams"] > 0.05:
         other.append(
             (
                 own["stuffing"],
-                own["fill"].format(grams=number(filling["grams"], 0), litres=number(filling["litres"], 2)),
+                own["fill"].format(grams=number(max(1.0, filling["grams"]), 0), litres=number(filling["litres"], 2)),
             )
         )
     other.append((own["notions"], "; ".join(own[n] for n in found["notions"])))

@@ -12,12 +12,13 @@ from tambour.crochet.page_sheet import HAIR, SMALL, SOFT, Sheet
 class Atom:
     """Something that is not broken: ``draw(sheet, x, y)`` sets it from its top left corner.
 
-    space : mm above it, left out at the top of a column
+    space : mm above it, left out at the top of a column; keep : it stays with what comes next
     """
 
     height: float
     draw: Callable[[Sheet, float, float], None]
     space: float = 0.0
+    keep: bool = False
 
 
 @dataclass(slots=True)
@@ -44,8 +45,17 @@ def together(heads: list[Atom], rows: list[Atom], title: str) -> list[Chunk]:
     """A section's chunks: the heading with its first three rows, the last two rows, and each row between by itself."""
     if len(rows) <= 5:
         return [Chunk([*heads, *rows], title)]
-    middle = [Chunk([row], title, False) for row in rows[3:-2]]
-    return [Chunk([*heads, *rows[:3]], title), *middle, Chunk(rows[-2:], title, False)]
+    made = [Chunk([*heads, *rows[:3]], title)]
+    for row in rows[3:-2]:
+        if made[-1].atoms[-1].keep:
+            made[-1].atoms.append(row)
+        else:
+            made.append(Chunk([row], title, False))
+    if made[-1].atoms[-1].keep:
+        made[-1].atoms += rows[-2:]
+    else:
+        made.append(Chunk(rows[-2:], title, False))
+    return made
 
 
 AGAIN = 6.5
@@ -77,19 +87,27 @@ def _pack(chunks: list[Chunk], room: float) -> list[list[Chunk]]:
 
 
 def flow(
-    chunks: list[Chunk], frame: Frame, page: Callable[[], Sheet], again: str, below: tuple[Sheet, float] | None = None
+    chunks: list[Chunk],
+    frame: Frame,
+    page: Callable[[], Sheet],
+    again: str,
+    below: tuple[Sheet, float] | None = None,
+    head: Atom | None = None,
 ) -> None:
     """Set chunks into columns on as many pages as they take; the last page's columns are made equally high.
 
     page : begins a page; again : the word for "continued"
-    below : a page that is begun and how far, for chunks that all fit on the rest of it
+    below : a page that is begun and how far, for chunks that all fit on the rest of it, under ``head``
     """
-    if below is not None and frame.bottom - below[1] > 0.2 * (frame.bottom - frame.top):
-        room = Frame(frame.lefts, frame.width, below[1], frame.bottom)
+    under = 0.0 if below is None else below[1] + (head.height if head else 0.0)
+    if below is not None and frame.bottom - under > 0.2 * (frame.bottom - frame.top):
+        room = Frame(frame.lefts, frame.width, under, frame.bottom)
         if all(c.height <= room.bottom - room.top for c in chunks) and len(
             _pack(chunks, room.bottom - room.top)
         ) <= len(frame.lefts):
             sheet = below[0]
+            if head is not None:
+                head.draw(sheet, frame.lefts[0], below[1])
             flow(chunks, room, lambda: sheet, again)
             return
     full, many = frame.bottom - frame.top, len(frame.lefts)

@@ -8,16 +8,15 @@ from tambour.crochet.diagram import plates, symbols
 from tambour.crochet.page_begin import heading, paragraph
 from tambour.crochet.page_book import FOOT, MARGIN, TOP, Book, short
 from tambour.crochet.page_flow import Atom, Chunk, together
-from tambour.crochet.page_pictures import Step, of_parts, of_step, steps
+from tambour.crochet.page_pictures import Step, from_side, of_parts, of_step, steps
 from tambour.crochet.page_sheet import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, Sheet, width_of, wrap
 from tambour.crochet.page_text import Block, Row, colors_in
-from tambour.crochet.written import sections
 
 _DOTS = 7.6  # pixels a mm of the small pictures
 _THUMB = 30.0
 _TICK = 2.5
-_LARGEST = 0.62
-"""Scale at which a chart is large enough: a stitch is 4.3 mm wide."""
+_LARGEST = 0.55
+"""Scale at which a chart is large enough: a stitch is 3.9 mm wide."""
 
 
 def rounds(book: Book) -> list[Chunk]:
@@ -25,14 +24,11 @@ def rounds(book: Book) -> list[Chunk]:
     piece, said = book.piece, book.said
     width = book.frame.width
     chunks: list[Chunk] = []
-    firsts = [part for _, part, _ in sections(piece.built)]
-    for k, block in enumerate(b for b in said.parts):
+    parts = piece.built.graph.parts
+    for block in said.parts:
         heads = heading(book, block.title, width)
-        graph = piece.built.graph
-        if len(said.parts) > 1 and k < len(firsts) and graph.parts[firsts[k]].end - graph.parts[firsts[k]].start > 2:
-            section = piece.built.parts[firsts[k]].section
-            own = [i for i, p in enumerate(piece.built.parts) if p.section == section][:1]
-            picture = of_parts(piece, own, round(width * _DOTS), round(_THUMB * _DOTS))
+        if len(said.parts) > 1 and block.part >= 0 and parts[block.part].end - parts[block.part].start > 2:
+            picture = of_parts(piece, [block.part], round(width * _DOTS), round(_THUMB * _DOTS))
             heads.append(_photo(picture, width, _THUMB))
         chunks += together(heads, _rows(book, block, width), block.title)
     return chunks
@@ -61,7 +57,7 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
                 sheet.box(x + 5.4 * k, y + 0.5, 4.2, BODY + 0.2, color, HAIR, 0.15, 0.8)
             sheet.lines(lines, x + (6.2 if changes else 0.0), y + BODY, BODY, color=SOFT)
 
-        return Atom(len(lines) * BODY * LEADING + 1.0, alone, 0.4)
+        return Atom(len(lines) * BODY * LEADING + 1.0, alone, 0.4, keep=bool(changes))
     left = _TICK + 2.0 + label
     lines = wrap(row.words, BODY, width - left - count) or [""]
     tall = len(lines) * BODY * LEADING + 1.1
@@ -100,7 +96,7 @@ def charts(book: Book) -> None:
         y += HEAD * 1.2 + 3.0
     y = sheet.lines(wrap(book.own["chart note"], BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
     y = _symbols(book, sheet, MARGIN, y, wide)
-    names = {part: block.title for block, (_, part, _) in zip(book.said.parts, sections(book.piece.built))}
+    names = {block.part: block.title for block in book.said.parts}
     row: list[tuple[str, float, float, int]] = []
 
     def placed(row: list[tuple[str, float, float, int]], y: float) -> float:
@@ -157,13 +153,28 @@ def _symbols(book: Book, sheet: Sheet, x: float, y: float, wide: float) -> float
     return y + tall + 3.0
 
 
+def sides(book: Book, sheet: Sheet) -> None:
+    """The piece from three sides at the foot of a page, where that is still white."""
+    bottom, wide = book.size[1] - FOOT, book.size[0] - 2 * MARGIN
+    gap, top = 5.0, sheet.lowest + 14.0
+    width = (wide - 2 * gap) / 3
+    high = min(bottom - top - 6.0, width * 1.2)
+    if high < 0.6 * width:
+        return
+    y = bottom - high - 6.0
+    for k, side in enumerate(("front", "right", "back")):
+        x = MARGIN + k * (width + gap)
+        sheet.image(from_side(book.piece, side, round(width * _DOTS), round(high * _DOTS)), x, y, width, high)
+        sheet.text(book.own[side], x, y + high + SMALL + 1.6, SMALL, color=SOFT)
+
+
 def assembly(book: Book, frame: Array) -> list[Chunk]:
     """The steps: a picture each, what is new in full colour, and the sentences."""
     piece, width = book.piece, book.frame.width
     found = steps(piece)
     if not found:
         return []
-    high = width * 0.66
+    high = width * (0.66 if len(found) <= 4 else 0.55)
     sentences = _sentences(book, found)
     chunks = []
     for k, (step, said) in enumerate(zip(found, sentences)):

@@ -161,7 +161,7 @@ def whole(piece: Plush, width: int, height: int) -> Picture:
     y = np.linspace(0.0, 1.0, height)
     x = np.linspace(0.0, 1.0, width)
     down = np.clip(np.minimum((1.0 - y) / 0.16, y / 0.05 + 0.2), 0.0, 1.0)
-    side = np.clip(np.minimum((1.0 - x) / 0.06, x / 0.06), 0.0, 1.0)
+    side = np.clip(np.minimum((1.0 - x) / 0.16, x / 0.16), 0.0, 1.0)
     keep = (down * down * (3 - 2 * down))[:, None] * (side * side * (3 - 2 * side))[None]
     rgba = shown.rgba.astype(float)
     rgba[..., :3] = keep[..., None] * rgba[..., :3] + (1 - keep[..., None]) * paper
@@ -174,6 +174,20 @@ def of_parts(piece: Plush, parts: Sequence[int], width: int, height: int) -> Pic
 
     return picture(
         partial(piece, parts), width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], ground=False,
+        background=BACKDROP, lights=_SMALL_LIGHTS,
+    )  # fmt: skip
+
+
+def from_side(piece: Plush, side: str, width: int, height: int) -> Picture:
+    """The finished piece from a side of :data:`tambour.crochet.portrait.SIDES`, as small pictures have it."""
+    from tambour.crochet.portrait import SIDES
+    from tambour.render.raster import picture
+
+    every = [k for k, part in enumerate(piece.built.graph.parts) if part.end > part.start]
+    face = tuple(f for f in piece.built.pattern.finish if not isinstance(f, Placed))
+    azimuth, elevation = SIDES[side]
+    return picture(
+        partial(piece, every, face), width=width, height=height, azimuth=azimuth, elevation=elevation, ground=False,
         background=BACKDROP, lights=_SMALL_LIGHTS,
     )  # fmt: skip
 

@@ -19,7 +19,7 @@ RGB = tuple[int, int, int]
 INK: RGB = (38, 35, 33)
 SOFT: RGB = (112, 106, 100)
 HAIR: RGB = (214, 208, 200)
-PAPER: RGB = (241, 239, 236)
+PAPER: RGB = (241, 240, 238)
 """As the rasteriser shows :data:`BACKDROP`: its film rolls off what is bright."""
 BACKDROP: RGB = (248, 245, 240)
 

@@ -12,6 +12,7 @@ from tambour.crochet.page_sheet import RGB
 from tambour.crochet.phrases import Phrases
 from tambour.crochet.terms import TERMS
 from tambour.crochet.wording import Terms
+from tambour.crochet.written import sections
 
 _HEX = re.compile(r"\(#([0-9a-f]{6})\)")
 
@@ -27,10 +28,11 @@ class Row:
 
 @dataclass(slots=True)
 class Block:
-    """A part of the instructions: its heading and rows."""
+    """A part of the instructions: its heading and rows; ``part``: its first copy among the graph's parts, -1 unknown."""
 
     title: str
     rows: list[Row] = field(default_factory=list)
+    part: int = -1
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,6 +102,13 @@ def words(built: Built, code: str | None) -> Words:
         elif where == "part":
             found = row.match(line)
             parts[-1].rows.append(Row(found[1], found[2], found[3] or "") if found else Row("", line))
+    places = [part for _, part, _ in sections(built)]
+    if len(places) == len(parts):
+        for block, place in zip(parts, places):
+            block.part = place
+    # What is said before the first part, such as a colour, belongs to it.
+    while len(parts) > 1 and not any(row.label for row in parts[0].rows) and len(parts[0].rows) <= 2:
+        parts[1].rows[:0] = parts.pop(0).rows
     return Words(
         title, terms, tuple(stated), tuple(colors), heading, tuple(short), tuple(special), tuple(parts), tuple(assembly)
     )
