@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -19,11 +20,11 @@ from tambour.crochet.placing import Frames, frames, level
 from tambour.crochet.spots import Spots
 from tambour.geometry.surface import vertex_normals
 
-APART = 0.75
-"""Two seams are doubted when their middles are nearer than this share of the room that they take."""
+APART = 1.0
+"""Two seams that come nearer to each other than this, in stitches, are in each other's way."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class Joining:
     """What is to be sewn on: the placed parts with the ends they are sewn by, those that others stand on first."""
 
@@ -36,6 +37,14 @@ class Joining:
     def pinched(self) -> Array:
         """Pairs (K, 2) of nodes drawn together where an end is pinched."""
         return np.concatenate([np.zeros((0, 2), int), *(end.pinched for _, end in self.steps)])
+
+    @cached_property
+    def lying(self) -> Array:
+        """The two sides of pinched ends, each on the inner side of the other's triangles (L, 4)."""
+        faces = self.built.graph.faces[self.built.shell][:, ::-1]
+        both = np.concatenate([self.pinched, self.pinched[:, ::-1]])
+        found = sewing.lying(faces, both)
+        return found[(found[:, 1:] != found[:, :1]).all(1)]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -101,18 +110,24 @@ def prepare(built: Built) -> Joining | None:
 
 
 def _crowded(spots: Spots, steps: tuple[tuple[Placed, sewing.End], ...]) -> list[Problem]:
-    """Doubts about parts whose seams are in each other's way."""
-    found = []
-    for i, (f, end) in enumerate(steps):
-        for other, its in steps[:i]:
+    """Doubts about parts whose seams are in each other's way, or one inside of the other."""
+    found: list[Problem] = []
+    known: list[tuple[Placed, bool, Array]] = []
+    for f, end in steps:
+        frame = frames(spots.built, spots.layout, [f.spot])
+        points = sewing.line(f, end, frame)
+        for other, ring, its in known:
             if spots.parts[f.spot.part] != spots.parts[other.spot.part]:
                 continue
-            a, b = (spots.about(s.spot) for s in (f, other))
-            room = sum(len(e.nodes) / (2.0 * math.pi) if e.ring else 1.0 for e in (end, its))
-            if float(np.sqrt(((a - b) ** 2).sum())) < APART * room:
+            apart = np.sqrt(((points[:, None] - its) ** 2).sum(2))
+            middles = float(np.sqrt(((points.mean(0) - its.mean(0)) ** 2).sum()))
+            sizes = [float(np.sqrt(((p - p.mean(0)) ** 2).sum(1).max())) for p in (points, its)]
+            inside = (ring and middles < sizes[1]) or (end.ring and middles < sizes[0])
+            if float(apart.min()) < APART or inside:
                 message = f'"{f.part}" and "{other.part}" are sewn to the same place'
-                hint = "move one of the two: the room between their middles is less than their seams take"
+                hint = "their seams are in each other's way: move one of the two"
                 found.append(Problem(message, hint, f.span, spots.built.pattern.text, warning=True))
+        known.append((f, end.ring, points))
     return found
 
 
@@ -179,7 +194,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         np.array(held, int).reshape(-1, 2),
         np.concatenate([np.zeros((0, 2), int), *stays]),
         np.concatenate([np.zeros(0), *rest]),
-        np.concatenate([np.zeros((0, 4), int), *(sewing.lying(shell, pairs) for pairs in seams)]),
+        np.concatenate([joining.lying, *(sewing.lying(shell, pairs) for pairs in seams)]),
     )
 
 
