@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -24,7 +23,7 @@ APART = 1.0
 """Two seams that come nearer to each other than this, in stitches, are in each other's way."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, slots=True)
 class Joining:
     """What is to be sewn on: the placed parts with the ends they are sewn by, those that others stand on first."""
 
@@ -37,14 +36,6 @@ class Joining:
     def pinched(self) -> Array:
         """Pairs (K, 2) of nodes drawn together where an end is pinched."""
         return np.concatenate([np.zeros((0, 2), int), *(end.pinched for _, end in self.steps)])
-
-    @cached_property
-    def lying(self) -> Array:
-        """The two sides of pinched ends, each on the inner side of the other's triangles (L, 4)."""
-        faces = self.built.graph.faces[self.built.shell][:, ::-1]
-        both = np.concatenate([self.pinched, self.pinched[:, ::-1]])
-        found = sewing.lying(faces, both)
-        return found[(found[:, 1:] != found[:, :1]).all(1)]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -194,7 +185,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         np.array(held, int).reshape(-1, 2),
         np.concatenate([np.zeros((0, 2), int), *stays]),
         np.concatenate([np.zeros(0), *rest]),
-        np.concatenate([joining.lying, *(sewing.lying(shell, pairs) for pairs in seams)]),
+        np.concatenate([np.zeros((0, 4), int), *(sewing.lying(shell, pairs) for pairs in seams)]),
     )
 
 

@@ -188,8 +188,6 @@ def _settled(
             body = task.body(piece, task.used[own])
             if joined is not None:
                 body = joined_up(body, nodes, joined.stays, joined.rest, joined.lying)
-            elif task.joining is not None:
-                body = joined_up(body, nodes, np.zeros((0, 2), int), np.zeros(0), task.joining.lying)
             rest = bring_to_rest(body, state, task.params.tolerance, tell=tell)
             evaluations += rest.evaluations
             root = body.root[0]
