@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from itertools import combinations
 from typing import Final
@@ -27,6 +28,8 @@ READINGS: Final = {
     "open": ("once", "again and again, around"),
 }
 """Wording → its first reading, which is taken unless the count speaks for the second."""
+
+_TO_MARK: Final = re.compile(r"[^\n,.;:()\[\]{}*]{0,40}")
 
 _QUIET: Final = frozenset(("one", "all", "once", "pair"))  # usual enough not to be asked about when no count is stated
 
@@ -99,10 +102,19 @@ def chainless(items: list[Item], edge: int | None, stitches: dict[str, Stitch]) 
 def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | None, phrases: Phrases) -> Body:
     """The body of a round in the reading that fits its count; doubts that the count leaves are told."""
 
+<<<<<<< HEAD
     def phrase(begin: int, end: int) -> Action | None:
         words = source.text.text[begin:end]
         span = Span(begin + len(words) - len(words.lstrip()), end)
         said = phrases.item(words)
+=======
+    def phrase(first: Token, last: Token) -> Action | None:
+        # Small words are no tokens: "change to color A" goes on to the comma.
+        text = source.text.text
+        more = _TO_MARK.match(text, last.end)
+        span = Span(first.start, more.end() if more else last.end)
+        said = phrases.item(text[span.start : span.end])
+>>>>>>> main
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
     def read(choices: frozenset[str] = frozenset()) -> Body:

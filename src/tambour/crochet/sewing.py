@@ -18,8 +18,8 @@ from tambour.crochet.spots import Spots
 
 CLEARANCE = 0.8
 """Stitches that a part keeps at first from the fabric that it is sewn to; the end that is sewn half of that."""
-UNDER = -0.25
-"""Fabric whose outward normal falls more steeply than this looks down: parts under it look ahead."""
+UNDER = -0.6
+"""Fabric whose outward normal falls more steeply than this (37 degrees) is underneath: parts on it look ahead, not down."""
 MOST_LIFT = 40.0
 """Stitches that a part is moved out at the most to be clear of others."""
 AGAIN = 0.5
