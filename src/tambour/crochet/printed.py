@@ -73,14 +73,9 @@ class _Printed:
         self.rows = rows(source.text.text)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
-<<<<<<< HEAD
         self.palette = Palette([*self.vocabulary.stitches(), *_KNOWN])
-        self.phrases = Phrases(TERMS[self.language.code], {}, {})
-=======
-        self.palette = Palette(self.vocabulary.stitches())
         self.phrases = Phrases(TERMS[self.language.code], {}, _lettered(source.text.text, TERMS[self.language.code]))
         self.palette.given.update((letter.lower(), hue) for letter, hue in self.phrases.legend.items())
->>>>>>> main
         self.parts: list[Draft] = []
         self.lead: list[Line] = []  # colours said before the part that they begin
         self.heading: Heading | None = None
@@ -301,12 +296,6 @@ class _Printed:
             self.passed.append(whole)
             return
         line = text[row.tokens[0].start : row.tokens[-1].end]
-        legend = self.phrases.read(line, ("legend",))
-        if legend is not None:
-            self.palette.given[legend[1]["letter"].lower()] = legend[1]["hex"]
-            known = {k.upper(): rgb for k, rgb in self.palette.given.items()}
-            self.phrases = Phrases(self.phrases.terms, {}, known)
-            return
         shade = self._named_color(tokens)
         said = stated(text, row, tokens)
         for key, words, span in said:
@@ -347,30 +336,6 @@ class _Printed:
         for left in lefts:
             self._left(left, False)
 
-<<<<<<< HEAD
-    def _copied(self, row: Row, line: str) -> Heading | None:
-        """A heading that says its copies as the table of terms does: ``Arm (make 2)``."""
-        mark = line.rfind("(")
-        said = self.phrases.read(line[mark:], ("copies",)) if mark > 0 else None
-        name = plain_name(line[:mark].strip()) if said is not None else ""
-        if said is None or not name:
-            return None
-        span = Span(row.tokens[0].start, row.tokens[-1].end)
-        return Heading(name, span, max(1, said[1]["count"]), span, True, True)
-
-    def _named_color(self, tokens: list[Token]) -> bool:
-        """``A = brown``, ``Color B: white``, ``Main color (MC): cream``; whether the line says such."""
-        found = False
-        for k in range(len(tokens) - 2):
-            at = k + 1 + (tokens[k + 1].word == ")")
-            if tokens[k].kind not in ("word", "key") or len(tokens[k].word) > 2 or at + 1 >= len(tokens):
-                continue
-            shade = self.palette.color(Cursor(tokens, at + 1)) if tokens[at].word in ("=", ":", "-") else None
-            if shade is not None:
-                self.palette.given[tokens[k].word] = shade[0]
-                found = True
-        return found
-=======
     def _said(self, span: Span) -> bool:
         """A line that is one of the writer's own sentences: of colour, of seams, of the end."""
         text = self.source.text.text[span.start : span.end]
@@ -390,17 +355,28 @@ class _Printed:
             return False
         return True
 
+    def _copied(self, row: Row, line: str) -> Heading | None:
+        """A heading that says its copies as the table of terms does: ``Arm (make 2)``."""
+        mark = line.rfind("(")
+        said = self.phrases.read(line[mark:], ("copies",)) if mark > 0 else None
+        name = plain_name(line[:mark].strip()) if said is not None else ""
+        if said is None or not name:
+            return None
+        span = Span(row.tokens[0].start, row.tokens[-1].end)
+        return Heading(name, span, max(1, said[1]["count"]), span, True, True)
+
     def _named_color(self, tokens: list[Token]) -> bool:
-        """``A = brown``, ``Color B: white``, ``MC: cream``."""
-        k = 1 if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value in ("color", "yarn") else 0
-        if len(tokens) < k + 3 or tokens[k].kind not in ("word", "key") or tokens[k + 1].word not in ("=", ":", "-"):
-            return False
-        shade = self.palette.color(Cursor(tokens, k + 2))
-        if shade is None or len(tokens[k].word) > 2:
-            return False
-        self.palette.given.setdefault(tokens[k].word, shade[0])
-        return True
->>>>>>> main
+        """``A = brown``, ``Color B: white``, ``Main color (MC): cream``; whether the line says such."""
+        found = False
+        for k in range(len(tokens) - 2):
+            at = k + 1 + (tokens[k + 1].word == ")")
+            if tokens[k].kind not in ("word", "key") or len(tokens[k].word) > 2 or at + 1 >= len(tokens):
+                continue
+            shade = self.palette.color(Cursor(tokens, at + 1)) if tokens[at].word in ("=", ":", "-") else None
+            if shade is not None:
+                self.palette.given.setdefault(tokens[k].word, shade[0])
+                found = True
+        return found
 
     def _sentences(self, tokens: list[Token], lefts: list[list[Token]]) -> bool:
         """Reads what instructions a line of text holds; whether there were any. What was not read goes to ``lefts``."""

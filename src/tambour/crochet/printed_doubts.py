@@ -102,19 +102,12 @@ def chainless(items: list[Item], edge: int | None, stitches: dict[str, Stitch]) 
 def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | None, phrases: Phrases) -> Body:
     """The body of a round in the reading that fits its count; doubts that the count leaves are told."""
 
-<<<<<<< HEAD
     def phrase(begin: int, end: int) -> Action | None:
-        words = source.text.text[begin:end]
+        # Small words are no tokens: "change to color A" goes on to the comma.
+        more = _TO_MARK.match(source.text.text, end)
+        words = source.text.text[begin : more.end() if more else end]
         span = Span(begin + len(words) - len(words.lstrip()), end)
         said = phrases.item(words)
-=======
-    def phrase(first: Token, last: Token) -> Action | None:
-        # Small words are no tokens: "change to color A" goes on to the comma.
-        text = source.text.text
-        more = _TO_MARK.match(text, last.end)
-        span = Span(first.start, more.end() if more else last.end)
-        said = phrases.item(text[span.start : span.end])
->>>>>>> main
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
     def read(choices: frozenset[str] = frozenset()) -> Body:
@@ -139,9 +132,9 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
         if body.asked and (fit := _fits(body, edge, source.stitches)) < 2:
             body = _second(source, read, edge, body, fit) or body
     for what, span in first.asked.items():
-        one, two = READINGS[what]
+        first_way, second_way = READINGS[what]
         if body is not first and what in body.asked and what != "pair":
-            said = f"this can be read as {one}, or as {two}: the count speaks for the second"
+            said = f"this can be read as {first_way}, or as {second_way}: the count speaks for the second"
             source.doubt(said, "say it so that there is one reading", span)
         elif (
             body is first
@@ -150,7 +143,9 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
             and (body.stated is None or not _fits(body, edge, source.stitches))
         ):
             source.doubt(
-                f"this can be read as {one}, or as {two}; the first is taken", "a stated count would decide", span
+                f"this can be read as {first_way}, or as {second_way}; the first is taken",
+                "a stated count would decide",
+                span,
             )
     return body
 

@@ -47,11 +47,6 @@ def recognised(source: Source, rows: list[Row]) -> Language:
     if printed is not None:
         return Language(printed.code)
     rows = [row for row in rows if row.tokens][:_LOOKED_AT]
-    for code, table in TERMS.items():
-        words = table.sentences.get("terms", "")
-        at = source.text.text.find(f"({words})") if words else -1
-        if at >= 0:
-            return Language(code, Span(at + 1, at + 1 + len(words)))
     said = _said(rows)
     if said is not None:
         return said
