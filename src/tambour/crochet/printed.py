@@ -6,7 +6,7 @@ from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
 from tambour.crochet.build import build
-from tambour.crochet.finish import check_names
+from tambour.crochet.finish import RGB, check_names
 from tambour.crochet.phrases import Phrases
 from tambour.crochet.printed_clauses import Cursor, NotUnderstood
 from tambour.crochet.printed_colors import Palette
@@ -23,7 +23,7 @@ from tambour.crochet.source import Source
 from tambour.crochet.spots import Spots
 from tambour.crochet.stitches import STUFFING
 from tambour.crochet.syntax import Action, Line, Pattern
-from tambour.crochet.terms import TERMS
+from tambour.crochet.terms import TERMS, Terms
 
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
 NOTHING: Final = "this holds no crochet instructions"
@@ -41,6 +41,15 @@ def read_printed(text: Text, *, max_stitches: int = 200_000, strict: bool = Fals
     return _Printed(Source(text, strict)).pattern(max_stitches)
 
 
+def _lettered(text: str, terms: Terms) -> dict[str, RGB]:
+    """The colours that a list of materials as the writer prints it gives letters."""
+    plain, made = Phrases(terms, {}, {}), {}
+    for line in text.split("\n"):
+        if "#" in line and (found := plain.read(line.strip().lstrip("-•* "), ("legend",))):
+            made[found[1]["letter"]] = found[1]["hex"]
+    return made
+
+
 class _Printed:
     """Goes through the lines of a text, top to bottom."""
 
@@ -50,7 +59,8 @@ class _Printed:
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
         self.palette = Palette(self.vocabulary.stitches())
-        self.phrases = Phrases(TERMS[self.language.code], {}, {})
+        self.phrases = Phrases(TERMS[self.language.code], {}, _lettered(source.text.text, TERMS[self.language.code]))
+        self.palette.given.update((letter.lower(), hue) for letter, hue in self.phrases.legend.items())
         self.parts: list[Draft] = []
         self.lead: list[Line] = []  # colours said before the part that they begin
         self.heading: Heading | None = None
@@ -260,6 +270,8 @@ class _Printed:
             self.passed.append(whole)
             return
         text = self.source.text.text
+        if self._said(Span(row.tokens[0].start, row.tokens[-1].end)):
+            return
         title = self.title is not None and self.heading is not None and self.heading.span == self.title[1]
         if title and self.heading is not None and self.heading.copies_span is None and tokens[0].word not in OPEN:
             self.heading = None  # what stands over the whole pattern names no part
@@ -308,6 +320,25 @@ class _Printed:
         for left in lefts:
             self._left(left, False)
 
+    def _said(self, span: Span) -> bool:
+        """A line that is one of the writer's own sentences: of colour, of seams, of the end."""
+        text = self.source.text.text[span.start : span.end]
+        item = self.phrases.item(text)
+        if item is None:
+            return False
+        line = Line((Action(item[0], span, 1, None, item[1], item[2]),), span, False)
+        if item[0] == "color":
+            self.lead.append(line)
+        elif item[0] in ("sew", "fo", "mark", "goto") and self.parts:
+            draft = self.parts[-1]
+            draft.lines += [*self.lead, line]
+            self.lead = []
+            draft.ends = "open" if item[0] == "fo" else draft.ends  # it is closed here already
+            draft.edge = None if item[0] == "goto" else draft.edge
+        else:
+            return False
+        return True
+
     def _named_color(self, tokens: list[Token]) -> bool:
         """``A = brown``, ``Color B: white``, ``MC: cream``."""
         k = 1 if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value in ("color", "yarn") else 0
@@ -316,7 +347,7 @@ class _Printed:
         shade = self.palette.color(Cursor(tokens, k + 2))
         if shade is None or len(tokens[k].word) > 2:
             return False
-        self.palette.given[tokens[k].word] = shade[0]
+        self.palette.given.setdefault(tokens[k].word, shade[0])
         return True
 
     def _sentences(self, tokens: list[Token], lefts: list[list[Token]]) -> bool:

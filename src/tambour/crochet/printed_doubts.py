@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from itertools import combinations
 from typing import Final
@@ -27,6 +28,8 @@ READINGS: Final = {
     "open": ("once", "again and again, around"),
 }
 """Wording → its first reading, which is taken unless the count speaks for the second."""
+
+_TO_MARK: Final = re.compile(r"[^\n,.;:()\[\]{}*]{0,40}")
 
 _QUIET: Final = frozenset(("one", "all", "once", "pair"))  # usual enough not to be asked about when no count is stated
 
@@ -78,8 +81,11 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
     """The body of a round in the reading that fits its count; doubts that the count leaves are told."""
 
     def phrase(first: Token, last: Token) -> Action | None:
-        span = Span(first.start, last.end)
-        said = phrases.item(source.text.text[span.start : span.end])
+        # Small words are no tokens: "change to color A" goes on to the comma.
+        text = source.text.text
+        more = _TO_MARK.match(text, last.end)
+        span = Span(first.start, more.end() if more else last.end)
+        said = phrases.item(text[span.start : span.end])
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
     def read(choices: frozenset[str] = frozenset()) -> Body:

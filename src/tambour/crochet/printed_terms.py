@@ -8,6 +8,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.printed_tokens import Row, Token
+from tambour.crochet.restated import printed_in
 from tambour.crochet.source import Source
 from tambour.crochet.terms import TERMS
 
@@ -41,6 +42,9 @@ class Language:
 
 def recognised(source: Source, rows: list[Row]) -> Language:
     """The terms that a text is written in; when they cannot be told, a doubt that names both readings."""
+    printed = printed_in(source.text.text)
+    if printed is not None:
+        return Language(printed.code)
     rows = [row for row in rows if row.tokens][:_LOOKED_AT]
     said = _said(rows)
     if said is not None:
