@@ -129,7 +129,7 @@ def test_what_is_made_is_closed_and_the_same_every_time() -> None:
 
 
 def test_hair_hangs_outside() -> None:
-    piece = made("hair(Head, 16:1, 16:12, count=12, length=45)")
+    piece = made("hair(Head, 16:1, 16:12, count=12, length=100)")
     (mesh,) = meshes(piece.built, piece.positions, piece.yarn)[0]
     _, _, high = under(piece).foot(mesh.vertices)
     assert high.min() > 0.0 and (high > 1.0).mean() > 0.99
@@ -150,8 +150,8 @@ def test_materials() -> None:
     assert told["felt"][0] | {"count": 1} == {
         "color": "#ffffff", "shape": "square", "width_mm": 10.0, "height_mm": 10.0, "count": 1, "cm2": 1.0,
     }  # fmt: skip
-    assert told["embroidery"][0]["color"] == "#aa0000" and 15.0 < told["embroidery"][0]["cm"] < 22.0
-    assert told["hair"][0]["strands"] == 5 and told["hair"][0]["metres"] == pytest.approx(5 * 0.07)
+    assert told["embroidery"][0]["color"] == "#aa0000" and 17.0 < told["embroidery"][0]["cm"] < 22.0
+    assert told["hair"][0]["strands"] == 5 and told["hair"][0]["metres"] == pytest.approx(5 * 0.03)
     assert doubts(piece.built, piece.positions) == []
 
 

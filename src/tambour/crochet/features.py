@@ -21,8 +21,6 @@ from tambour.crochet.spots import Spots
 
 TAIL = 150.0
 """Yarn, mm, for the two ends of a piece of embroidery, which are hidden inside."""
-FOLD = 8.0
-"""Yarn that a strand of hair's knot takes, in diameters."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -187,11 +185,9 @@ def materials(built: Built, positions: Array) -> dict[str, list[dict[str, Any]]]
     eyes : color (#rrggbb), size_mm, count
     embroidery : color, width_mm, cm of yarn with its hidden ends
     felt : color, shape, width_mm, height_mm, count, cm2 of all of them together
-    hair : color, strands, cut_mm (length of one, as it is folded in half), metres of all of them together
+    hair : color, strands, cut_mm (the length that each is cut to), metres of all of them together
     """
-    from tambour.crochet.fabric import stitch_width
     from tambour.crochet.felt import area
-    from tambour.crochet.loops import RATIO
     from tambour.crochet.thread import needed
 
     eyes: dict[tuple[Any, ...], int] = {}
@@ -211,7 +207,6 @@ def materials(built: Built, positions: Array) -> dict[str, list[dict[str, Any]]]
             pieces[cut] = pieces.get(cut, 0) + 1
         else:
             tufts[color, record.length] = tufts.get((color, record.length), 0) + record.count
-    fold = FOLD * RATIO * stitch_width(built.graph)
     return {
         "eyes": [{"color": c, "size_mm": s, "count": n} for (c, s), n in eyes.items()],
         "embroidery": [{"color": c, "width_mm": w, "cm": round(mm / 10, 1)} for (c, w), mm in sewn.items()],
@@ -221,8 +216,7 @@ def materials(built: Built, positions: Array) -> dict[str, list[dict[str, Any]]]
             for (c, s, w, h), n in pieces.items()
         ],
         "hair": [
-            {"color": c, "strands": n, "cut_mm": round(2 * length + fold, 1),
-             "metres": round(n * (2 * length + fold) / 1000, 2)}
+            {"color": c, "strands": n, "cut_mm": length, "metres": round(n * length / 1000, 2)}
             for (c, length), n in tufts.items()
         ],
     }  # fmt: skip

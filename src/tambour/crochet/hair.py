@@ -12,16 +12,24 @@ from tambour.core.strands import Strands
 from tambour.crochet.clearance import clear
 from tambour.crochet.finish import Hair
 from tambour.crochet.ground import Ground, unit
+from tambour.crochet.loops import RATIO
 from tambour.noise import stream
 
 FALL = 0.2
 """How much of its way a strand turns towards the ground over one diameter of its yarn: yarn is limp."""
 SPREAD = 0.12
 """Largest angle by which a strand lies beside the way it is combed, radians."""
+FOLD = 8.0
+"""Yarn that the knot of a strand takes, in diameters."""
 SETTLING = 24
 """Turns in which strands sink and push each other aside."""
 LONGEST = 160
 """Points of a strand; longer ones take longer steps."""
+
+
+def hangs(length: float, stitch: float) -> float:
+    """How long, mm, the two ends of a strand cut to ``length`` are below its knot; stitch : the stitch's width."""
+    return max(0.5 * (length - FOLD * RATIO * stitch), 0.2 * length)
 
 
 def roots(ground: Ground, points: Array, count: int, thick: float) -> tuple[Array, Array]:
@@ -56,7 +64,7 @@ def _lie(ground: Ground, places: Array, forward: Array) -> tuple[Array, Array, A
 
 
 def hair(ground: Ground, records: list[tuple[Hair, Array]], thick: float, eyes: Array) -> Strands:
-    """The knots of all strands, and their ends, two of ``length`` mm for every strand.
+    """The knots of all strands, and their two ends each.
 
     records : what is asked for and its spots (K, 3); thick : diameter of the yarn as drawn, mm
     eyes : (E, 4) balls that hair falls over
@@ -111,11 +119,12 @@ def _comb(
     heading = unit(unit(heading) + 0.15 * np.repeat(normal, 2, 0))
     turned = 2 * SPREAD * draw[:, :1]
     heading = unit(heading * np.cos(turned) + np.cross(np.repeat(normal, 2, 0), heading) * np.sin(turned))
-    length = record.length * (1 + 0.1 * (draw[:, 1] - 0.5))
-    steps = int(np.clip(np.ceil(record.length / (0.55 * thick)), 4, LONGEST))
+    hang = hangs(record.length, ground.stitch)
+    length = hang * (1 + 0.1 * (draw[:, 1] - 0.5))
+    steps = int(np.clip(np.ceil(hang / (0.55 * thick)), 4, LONGEST))
     step = (length / steps)[:, None]
-    limp = 1 - (1 - FALL) ** (record.length / steps / thick)
-    wave = 2 * pi * (record.length / 45.0) * (0.7 + 0.6 * (draw[:, 2] + 0.5))
+    limp = 1 - (1 - FALL) ** (hang / steps / thick)
+    wave = 2 * pi * (hang / 45.0) * (0.7 + 0.6 * (draw[:, 2] + 0.5))
     clearance = ground.lift + 0.5 * thick
     points = np.zeros((2 * count, steps + 1, 3))
     points[:, 0] = position

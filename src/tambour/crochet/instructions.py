@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Final
 
@@ -22,6 +24,44 @@ _PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring"}
 _STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
 
 
+@dataclass(frozen=True, slots=True)
+class PartText:
+    """A part's text: its name as it is headed, how often it is made in words ("(make 2)", "" for once), its lines.
+
+    settings : hints for the simulation, which are no instructions
+    """
+
+    name: str
+    copies: str
+    lines: tuple[str, ...]
+    settings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """The words of a pattern, ready to be set.
+
+    terms, named : the table, and what its words are called ("US terms")
+    title : "" for none
+    materials : lines about yarn, hook and eyes, as the pattern states them; legend : letter → colour, its lines after them
+    gauge, size : as the pattern states them, "" for nothing
+    abbreviations : those used, with their meanings; special : its own stitches, a line each
+    parts, assembly : in order; sentences of the assembly
+    """
+
+    terms: Terms
+    named: str
+    title: str
+    materials: tuple[str, ...]
+    legend: Mapping[str, RGB]
+    gauge: str
+    size: str
+    abbreviations: tuple[tuple[str, str], ...]
+    special: tuple[str, ...]
+    parts: tuple[PartText, ...]
+    assembly: tuple[str, ...]
+
+
 def instructions(piece: Built | Pattern, terms: str | None = None) -> Text:
     """The pattern as a printed text, Markdown that is good to read as it is.
 
@@ -29,11 +69,47 @@ def instructions(piece: Built | Pattern, terms: str | None = None) -> Text:
 
     Reading it again gives the same graph and the same finishing.
     """
+    made = sheet(piece, terms)
+    word = made.terms.word
+    lines = [f"# {made.title}", ""] if made.title else []
+    if made.materials:
+        lines += [f"## {word('materials')}", "", *(f"- {said}" for said in made.materials), ""]
+    for key, said in (("gauge", made.gauge), ("finished size", made.size)):
+        lines += [f"**{word(key)}:** {said}", ""] if said else []
+    lines += [f"## {word('abbreviations')} ({made.named})", ""]
+    lines += [*(f"- {said} = {meaning}" for said, meaning in made.abbreviations), ""]
+    if made.special:
+        lines += [f"## {word('special stitches')}", "", *(f"- {said}" for said in made.special), ""]
+    for part in made.parts:
+        lines += [f"## {part.name}{' ' if part.copies else ''}{part.copies}", "", *part.settings]
+        lines += [*(f"{said}  " for said in part.lines), ""]  # each a line of its own in Markdown as well
+    if made.assembly:
+        lines += [f"## {word('assembly')}", "", *(f"- {said}" for said in made.assembly), ""]
+    name = piece.text.name if isinstance(piece, Pattern) else piece.pattern.text.name
+    return Text("\n".join(lines).rstrip("\n") + "\n", name)
+
+
+def sheet(piece: Built | Pattern, terms: str | None = None) -> Sheet:
+    """The words of a pattern in the parts that a page sets apart; see :func:`instructions`."""
     built = build(piece) if isinstance(piece, Pattern) else piece
     code = terms or built.pattern.terms or "us"
     if code not in TERMS:
         raise TambourError(f'there are no terms "{code}"', hint=f"one of {', '.join(TERMS)}", where="--terms")
-    return Text("\n".join(_Writer(built, TERMS[code]).lines()) + "\n", built.pattern.text.name)
+    return _Writer(built, TERMS[code]).sheet()
+
+
+def _sews(line: Written) -> bool:
+    return not line.makes and all(d.what == "sew" for unit, _ in line.pieces for d in unit)
+
+
+def _takes_color(written: list[Written]) -> bool:
+    """Whether a part says the colour that it begins with."""
+    for done in (d for line in written for unit, _ in line.pieces for d in unit):
+        if done.what == "color":
+            return True
+        if done.what not in RULES or done.what in ("mr", "oval", "fsc"):
+            return False
+    return True  # it makes nothing
 
 
 class _Writer:
@@ -45,7 +121,20 @@ class _Writer:
         copies = {s.name: s.copies for s in self.pattern.parts if s.name}
         self.phrases = Phrases(terms, copies, self._legend())
         self.own = {n for n in self.pattern.own if n in self.pattern.stitches}
+        self.begins = self._begins()
+        self.begun = False  # the part under way has its first stitches
         self.used: dict[str, None] = {}  # what the list of abbreviations explains
+
+    def _begins(self) -> list[tuple[int, ...] | None]:
+        """The colour that every copy of a part begins with, for each part of the text; None where it is not one, or undyed."""
+        found: list[set[tuple[int, ...] | None]] = [set() for _ in self.pattern.parts]
+        color: tuple[int, ...] | None = None
+        for done in self.built.log:
+            if done.what == "color":
+                color = done.numbers
+            elif done.what == "part":
+                found[done.numbers[0]].add(color)
+        return [next(iter(hues)) if len(hues) == 1 else None for hues in found]
 
     def _legend(self) -> dict[str, RGB]:
         """The yarn's colours that have no plain name, by letter, in the order in which they are taken up."""
@@ -68,60 +157,56 @@ class _Writer:
                 made[_LETTERS[n % 26] + (str(n // 26 + 1) if n >= 26 else "")] = (red, green, blue)
         return made
 
-    def lines(self) -> list[str]:
-        """The whole text."""
-        body: list[str] = []
+    def sheet(self) -> Sheet:
+        """All of it."""
         seams: list[str] = []
+        parts = []
         for k, (section, part, written) in enumerate(self.sections):
-            last = k == len(self.sections) - 1
-            if last:
-                while (
-                    written
-                    and not written[-1].makes
-                    and all(d.what == "sew" for unit, _ in written[-1].pieces for d in unit)
-                ):
-                    seams[:0] = self._alone(written.pop(), True)
-            body += self._section(section, part, written)
+            while k == len(self.sections) - 1 and written and _sews(written[-1]):
+                seams[:0] = self._alone(written.pop(), True)
+            parts.append(self._section(section, part, written, self.begins[self.built.parts[part].section]))
         finish = [self._sentence(self.phrases.finish(record)) for record in self.pattern.finish]
-        if seams or finish:
-            body += ["", f"## {self.terms.word('assembly')}", "", *(f"- {said}" for said in [*seams, *finish])]
         special = self._special()
-        whole = [*self._front(), *self._abbreviations(), *special, *body]
-        return [line for k, line in enumerate(whole) if line or (k and whole[k - 1])]
+        materials = [f"{self.terms.word(key)}: {said}" for key in _STATED if (said := self._stated(key))]
+        materials += [self._legend_line(letter, hue) for letter, hue in self.phrases.legend.items()]
+        return Sheet(
+            self.terms,
+            self.terms.sentences["terms"],
+            self._title(),
+            tuple(materials),
+            self.phrases.legend,
+            self._stated("gauge"),
+            self._stated("size"),
+            self._abbreviations(),
+            special,
+            tuple(parts),
+            (*seams, *finish),
+        )
 
     # -- before the parts -------------------------------------------------------------------------------------------
 
-    def _front(self) -> list[str]:
-        word, stated = self.terms.word, self.pattern.stated
-        title = stated["title"][0] if "title" in stated else PurePath(self.pattern.text.name).stem.replace("_", " ")
-        lines = []
-        if title.strip("<> ") not in ("", "text", "stdin", "piece"):
-            lines += [f"# {title[:1].upper()}{title[1:]}", ""]
-        listed = [f"- {word(key)}: {stated[key][0]}" for key in _STATED if key in stated]
-        for letter, hue in self.phrases.legend.items():
-            listed.append("- " + self._legend_line(letter, hue))
-        if listed:
-            lines += [f"## {word('materials')}", "", *listed, ""]
-        for key, name in (("gauge", "gauge"), ("size", "finished size")):
-            if key in stated:
-                lines += [f"**{word(name)}:** {stated[key][0]}", ""]
-        return lines
+    def _stated(self, key: str) -> str:
+        return " ".join(self.pattern.stated[key][0].split()) if key in self.pattern.stated else ""
+
+    def _title(self) -> str:
+        title = self._stated("title") or PurePath(self.pattern.text.name).stem.replace("_", " ")
+        return "" if title.strip("<> ") in ("", "text", "stdin") else title[:1].upper() + title[1:]
 
     def _legend_line(self, letter: str, hue: RGB) -> str:
         name = self.terms.colors[plain_name(hue)][0]
         return self._sentence(self.phrases.say("legend", letter=letter, name=name, hex=hexed(hue)), "")
 
-    def _abbreviations(self) -> list[str]:
+    def _abbreviations(self) -> tuple[tuple[str, str], ...]:
         meaning, word = self.terms.meaning, self.terms.word
-        lines = [f"## {word('abbreviations')} ({self.terms.sentences['terms']})", ""]
+        listed = []
         order = ("round", "row", "front loops", "back loops", *STITCHES)
         for key in sorted(self.used, key=order.index):
             said = word(key)
             if key in meaning and said.lower() != meaning[key].lower():
-                lines.append(f"- {said} = {meaning[key]}")
-        return [*lines, ""]
+                listed.append((said, meaning[key]))
+        return tuple(listed)
 
-    def _special(self) -> list[str]:
+    def _special(self) -> tuple[str, ...]:
         """The pattern's own stitches that are used, and what each is made of."""
         made = {d.what for d in self.built.log}
         made |= {n for what in made if what in self.pattern.stitches for n, _ in self.pattern.stitches[what].inner}
@@ -147,40 +232,38 @@ class _Writer:
                 hint = f"give it another name; {self.terms.name} use this one"
                 raise TambourError(f'the stitch "{name}" means two things', hint=hint, where="--terms")
             if name in needed:
-                lines.append(f"- {said[name][0]}")
+                lines.append(said[name][0])
                 self.used.update(dict.fromkeys(n for n in said[name][1] if n not in self.own))
-        return [f"## {self.terms.word('special stitches')}", "", *lines, ""] if lines else []
+        return tuple(lines)
 
     # -- parts ------------------------------------------------------------------------------------------------------
 
-    def _section(self, section: Section, part: int, written: list[Written]) -> list[str]:
-        word = self.terms.word
-        lines = [""]
-        if section.name:
-            copies = f" {self.phrases.say('copies', count=section.copies)}" if section.copies > 1 else ""
-            lines += [f"## {self._heading(section.name)}{copies}", ""]
-        else:
-            lines += [f"## {word('instructions')}", ""]
+    def _section(self, section: Section, part: int, written: list[Written], color: tuple[int, ...] | None) -> PartText:
+        lines: list[str] = []
         if section.up is not None:
-            lines += [self._sentence(self.phrases.say(f"up {section.up}")), ""]
-        if section.centroids is not None:
-            lines.append(f"@centroids = {section.centroids}")
-        if section.initializer is not None:
-            lines.append(f"@initializer = {section.initializer}")
+            lines.append(self._sentence(self.phrases.say(f"up {section.up}")))
+        settings = [
+            f"@{key} = {value}"
+            for key, value in (("centroids", section.centroids), ("initializer", section.initializer))
+            if value is not None
+        ]
         g = self.built.graph
         here = g.parts[part]
         closing = bool((g.peculiarity[here.start : here.end] == TIP).any())
         stuffing = self._stuffing(section)
         worked = {d.what for line in written for unit, _ in line.pieces for d in unit}
         kind = "row" if "turn" in worked and not worked & {"mr", "join", "oval"} else "round"
+        self.begun = False
+        if color is not None and not _takes_color(written):
+            lines.append(self._sentence(self._done(Done("color", 1, color), closing)))
         for line in written:
             said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
             if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):
                 lines, stuffing = [*lines, *stuffing], []
             lines += said
-        lines += stuffing
-        # Every line of its own in Markdown as well.
-        return [f"{line}  " if line and not line.startswith(("#", "@")) else line for line in lines]
+        name = self._heading(section.name) if section.name else self.terms.word("instructions")
+        copies = self.phrases.say("copies", count=section.copies) if section.copies > 1 else ""
+        return PartText(name, copies, (*lines, *stuffing), tuple(settings))
 
     def _heading(self, name: str) -> str:
         """A part's name; with the word for a part before it, where it could be taken for another heading."""
@@ -223,12 +306,13 @@ class _Writer:
 
     def _done(self, done: Done, closing: bool) -> str:
         say = self.phrases.say
+        self.begun = self.begun or done.what not in RULES or done.what in ("mr", "oval", "fsc")
         match done.what:
             case "mr":
                 self.used["sc"] = None
                 return say("ring", count=done.numbers[0])
             case "color":
-                return say("color", color=done.numbers)
+                return say("color" if self.begun else "use color", color=done.numbers)
             case "bl":
                 return say("both loops")
             case "flo" | "blo":

@@ -64,15 +64,15 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     from tambour.crochet.build import build
     from tambour.crochet.gauge import gauge
     from tambour.crochet.joining import prepare
-    from tambour.crochet.parse import parse
     from tambour.crochet.pose import pose
+    from tambour.crochet.reading import read
 
     if params.photo:
         from tambour.render.photo import tracer
 
         tracer()  # what is missing is told before the work, not after it
     with progress.stage("parse"):
-        pattern = parse(source, max_stitches=params.max_stitches, strict=params.strict)
+        pattern = read(source, max_stitches=params.max_stitches, strict=params.strict)
     known = gauge(params, pattern.stated)
     stitch = (known.width, known.height)
     with progress.stage("build"):
@@ -236,8 +236,12 @@ def facts(piece: Plush) -> dict[str, Any]:
     from tambour.crochet.features import materials
     from tambour.crochet.forces import lengths
     from tambour.crochet.joining import assembly
+<<<<<<< HEAD
     from tambour.crochet.materials import lengths as metres
     from tambour.crochet.materials import materials as needed
+=======
+    from tambour.crochet.reading import account
+>>>>>>> main
 
     built, g, shape = piece.built, piece.built.graph, piece.shape
     x, width = piece.positions, piece.stitch[0]
@@ -262,6 +266,7 @@ def facts(piece: Plush) -> dict[str, Any]:
     checked = f"no mistake found: {len(built.rounds)} rounds, {said} stated counts" if piece.params.check else None
     return {
         **({"check": checked} if checked else {}),
+        **account(built.pattern),
         "nodes": len(g),
         "edges": len(g.edges),
         "stitches": {g.kinds[k]: int(n) for k, n in zip(kinds, counts)},

@@ -18,8 +18,8 @@ from tambour.crochet.spots import Spots
 
 CLEARANCE = 0.8
 """Stitches that a part keeps at first from the fabric that it is sewn to; the end that is sewn half of that."""
-UNDER = -0.25
-"""Fabric whose outward normal falls more steeply than this looks down: parts under it look ahead."""
+UNDER = -0.6
+"""Fabric whose outward normal falls more steeply than this (37 degrees) is underneath: parts on it look ahead, not down."""
 MOST_LIFT = 40.0
 """Stitches that a part is moved out at the most to be clear of others."""
 AGAIN = 0.5
@@ -169,6 +169,18 @@ def clear_of(moved: Array, sewn: Array, others: Array, outward: Array, n: Array)
             break
         lift += max(0.1, min(short, 1.0))
     return np.asarray(moved + lift * n)
+
+
+def line(placed: Placed, end: End, frame: Frames) -> Array:
+    """Where a seam runs about its spot, in its tangent plane: points (K, 3) no farther apart than half a stitch."""
+    m = len(end.nodes)
+    p, along, up = frame.points[0], frame.along[0], frame.up[0]
+    if end.ring:
+        angle = np.linspace(0.0, 2.0 * math.pi, 2 * m, endpoint=False)[:, None]
+        return np.asarray(p + m / (2.0 * math.pi) * (np.cos(angle) * along + np.sin(angle) * up))
+    a, long = math.radians(placed.across), m - len(end.pinched)
+    t = (np.arange(2 * long - 1) * 0.5 - 0.5 * (long - 1))[:, None]
+    return np.asarray(p + t * (math.cos(a) * along + math.sin(a) * up))
 
 
 def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array, frame: Frames) -> Array:

@@ -46,7 +46,7 @@ def _pieces(stitch: Stitch, known: Mapping[str, Stitch], height: float | None) -
         "next anchor": (Move(NEXT),),
     }
     for name, other in known.items():
-        if name != stitch.name:
+        if all(m.kind != stitch.name for m in other.moves):
             units[name] = tuple(
                 m if height is None or m.what != OVER else Move(OVER, m.kind, height) for m in other.moves
             )

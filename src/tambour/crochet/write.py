@@ -2,15 +2,32 @@
 
 from __future__ import annotations
 
-from typing import Any
+import re
+import unicodedata
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any, Final
 
 from tambour.core.errors import Text
 from tambour.crochet.build import Built, Done, build
 from tambour.crochet.finish import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.phrases import hexed, number
-from tambour.crochet.stitches import RULES, SPELT, STUFFING
+from tambour.crochet.special import told
+from tambour.crochet.stitches import RULES, SPELT, STITCHES, STUFFING, Stitch
 from tambour.crochet.syntax import Pattern, Section
+from tambour.crochet.wording import Terms
 from tambour.crochet.written import Written, sections
+
+# The language's own words, for definitions.
+_WORDS: Final = Terms(
+    "",
+    "tambour's own language",
+    {name: (name,) for name in STITCHES},
+    {},
+    {word: (word,) for word in ("height", "pull through", "pull over", "next anchor")},
+    {"several": "{count} {item}"},
+    {},
+)
 
 
 def pattern(piece: Built | Pattern) -> Text:
@@ -21,22 +38,49 @@ def pattern(piece: Built | Pattern) -> Text:
     built = build(piece) if isinstance(piece, Pattern) else piece
     source = built.pattern
     blocks: list[str] = []
-    own = [source.text.text[span.start : span.end].strip() for span in source.own.values()]
+    own = _definitions(source)
     if own:
         blocks.append("\n".join(own))
+    names = _names([section.name for section in source.parts])
     for section, _, lines in sections(built):
-        said = _head(section) + [_line(line) for line in lines]
+        said = _head(section, names[section.name]) + [_line(line) for line in lines]
         if said:
             blocks.append("\n".join(said))
     if source.finish:
-        blocks.append("\n".join(map(finishing, source.finish)))
+        blocks.append("\n".join(finishing(record, names) for record in source.finish))
     return Text("\n\n".join(blocks) + "\n" if blocks else "", source.text.name)
 
 
-def _head(section: Section) -> list[str]:
+def _definitions(source: Pattern) -> list[str]:
+    """The pattern's own stitches: as they were written, or in the language's words when they were printed."""
+    if not source.terms:
+        return [source.text.text[span.start : span.end].strip() for span in source.own.values()]
+    made: list[str] = []
+    known: dict[str, Stitch] = {}
+    for name in source.own:
+        line = told(source.stitches[name], known, _WORDS)
+        if line is not None:
+            made.append(f"define {line[0]}")
+            known[name] = source.stitches[name]
+    return made
+
+
+def _names(parts: list[str]) -> dict[str, str]:
+    """Part → its name as the language takes it: words of plain letters and digits."""
+    made: dict[str, str] = {}
+    for name in parts:
+        plain = unicodedata.normalize("NFKD", name).encode("ascii", "ignore").decode()
+        said = " ".join(w if w[:1].isalpha() else f"_{w}" for w in re.findall(r"\w+", plain))
+        while (said or name) in made.values() and name not in made:
+            said += "_"
+        made[name] = said or ("part" if name else "")
+    return made
+
+
+def _head(section: Section, name: str) -> list[str]:
     lines = []
-    if section.name:
-        lines.append(f"== {section.name}{f' (make {section.copies})' if section.copies > 1 else ''} ==")
+    if name:
+        lines.append(f"== {name}{f' (make {section.copies})' if section.copies > 1 else ''} ==")
     if section.centroids is not None:
         lines.append(f"@centroids = {section.centroids}")
     if section.stuffing is not None:
@@ -78,8 +122,12 @@ def _said(done: Done) -> str:
     return f"{name}({', '.join(arguments)})" if arguments else name
 
 
-def finishing(record: Finish) -> str:
-    """A finishing record as a line of the language; what is as usual is left out."""
+def finishing(record: Finish, names: Mapping[str, str] = MappingProxyType({})) -> str:
+    """A finishing record as a line of the language; what is as usual is left out. names : part → its name there."""
+
+    def part(name: str) -> str:
+        base, _, copy = name.rpartition(".")
+        return f"{names[base]}.{copy}" if name not in names and base in names else names.get(name, name)
 
     def odd(*names: str) -> list[str]:
         made = []
@@ -98,17 +146,23 @@ def finishing(record: Finish) -> str:
     match record:
         case Placed():
             what, flat = "place", ["flat"] if record.flat else []
-            said = [record.part, record.spot.part, *at(record.spot), *flat, *odd("across", "tilt", "towards", "by")]
+            said = [
+                part(record.part),
+                part(record.spot.part),
+                *at(record.spot),
+                *flat,
+                *odd("across", "tilt", "towards", "by"),
+            ]
         case Eye():
-            what, said = "eye", [record.spot.part, *at(record.spot), *odd("size", "color")]
+            what, said = "eye", [part(record.spot.part), *at(record.spot), *odd("size", "color")]
         case Embroidery():
             what = "embroider"
-            said = [record.spots[0].part, *places(record.spots), *odd("color", "width")]
+            said = [part(record.spots[0].part), *places(record.spots), *odd("color", "width")]
         case Felt():
             # The height is as the width unless it is said.
             size = [f"width={number(record.width)}", f"height={number(record.height)}"]
-            what, said = "felt", [record.spot.part, record.shape, *at(record.spot), *size, *odd("turn", "color")]
+            what, said = "felt", [part(record.spot.part), record.shape, *at(record.spot), *size, *odd("turn", "color")]
         case Hair():
             what = "hair"
-            said = [record.spots[0].part, *places(record.spots), *odd("count", "length", "color")]
+            said = [part(record.spots[0].part), *places(record.spots), *odd("count", "length", "color")]
     return f"{what}({', '.join(said)})"
