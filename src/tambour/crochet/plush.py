@@ -236,12 +236,9 @@ def facts(piece: Plush) -> dict[str, Any]:
     from tambour.crochet.features import materials
     from tambour.crochet.forces import lengths
     from tambour.crochet.joining import assembly
-<<<<<<< HEAD
     from tambour.crochet.materials import lengths as metres
     from tambour.crochet.materials import materials as needed
-=======
     from tambour.crochet.reading import account
->>>>>>> main
 
     built, g, shape = piece.built, piece.built.graph, piece.shape
     x, width = piece.positions, piece.stitch[0]
