@@ -171,6 +171,18 @@ def clear_of(moved: Array, sewn: Array, others: Array, outward: Array, n: Array)
     return np.asarray(moved + lift * n)
 
 
+def line(placed: Placed, end: End, frame: Frames) -> Array:
+    """Where a seam runs about its spot, in its tangent plane: points (K, 3) no farther apart than half a stitch."""
+    m = len(end.nodes)
+    p, along, up = frame.points[0], frame.along[0], frame.up[0]
+    if end.ring:
+        angle = np.linspace(0.0, 2.0 * math.pi, 2 * m, endpoint=False)[:, None]
+        return np.asarray(p + m / (2.0 * math.pi) * (np.cos(angle) * along + np.sin(angle) * up))
+    a, long = math.radians(placed.across), m - len(end.pinched)
+    t = (np.arange(2 * long - 1) * 0.5 - 0.5 * (long - 1))[:, None]
+    return np.asarray(p + t * (math.cos(a) * along + math.sin(a) * up))
+
+
 def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array, frame: Frames) -> Array:
     """Pairs (S, 2): every stitch of ``end`` with the stitch among ``target`` (nodes) that it is sewn to.
 

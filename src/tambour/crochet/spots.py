@@ -47,7 +47,8 @@ class Spots:
         return known
 
     @cached_property
-    def _layout(self) -> Array:
+    def layout(self) -> Array:
+        """Where the rounds were laid out (N, 3), in stitches, before anything settled: every part by itself."""
         from tambour.crochet.fabric import stitch_width
         from tambour.crochet.layout import rounds
 
@@ -114,11 +115,6 @@ class Spots:
         kept = {n: w for n, w in at.items() if w > 0.0}
         return Place(tuple(kept), tuple(kept.values()))
 
-    def about(self, spot: Spot) -> Array:
-        """Roughly where a spot is (3,), in stitches: where the rounds were laid out, before anything settled."""
-        place = self.place(spot)
-        return np.asarray(np.array(place.weights) @ self._layout[list(place.nodes)])
-
     def _index(self, k: int, stitch: float | None) -> float:
         """Position in round ``k``, from 0: of a stitch, or of the middle of the front."""
         nodes = self.stitches(k)
@@ -127,7 +123,7 @@ class Spots:
             return stitch - 1.0
         if self.in_rows[self.built.rounds[k].part] or n < 3:
             return 0.5 * (n - 1)
-        x = self._layout[nodes]
+        x = self.layout[nodes]
         off = x - x.mean(0)
         angle = np.arctan2(off[:, 0], off[:, 2])  # 0 towards the front
         after = np.roll(angle, -1)
