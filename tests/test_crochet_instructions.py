@@ -110,7 +110,7 @@ def test_prints_like_makers_do():
     assert printed["us"] == (
         "## Materials\n\n- Color A: brown (#8a5a2b)\n\n## Abbreviations (US terms)\n\n- Rnd = round\n- BLO = back loops only\n"
         "- sc = single crochet\n- inc = increase: 2 sc in the same stitch\n- dec = decrease: 2 sc worked together\n\n"
-        "## Head\n\nChange to color A.  \nRnd 1: 6 sc in magic ring (6)  \nRnd 2: 6 inc (12)  \nRnd 3: [sc, inc] x 6 (18)  \n"
+        "## Head\n\nUse color A.  \nRnd 1: 6 sc in magic ring (6)  \nRnd 2: 6 inc (12)  \nRnd 3: [sc, inc] x 6 (18)  \n"
         "Rnd 4-6: 18 sc (18)  \nRnd 7: in BLO, [sc, dec] x 6 (12)  \nRnd 8: 6 dec (6)  \nStuff firmly.  \nClose and fasten off.  \n\n"
         "## Ear (make 2)\n\nRnd 1: 6 sc in magic ring (6)  \nChange to white.  \nRnd 2: 6 sc (6)  \n\n"
         "## Assembly\n\n- Sew Ear 1 to Head, between Rnd 4 and 5, st 3.\n- Insert a 9 mm safety eye into Head, Rnd 4, st 7.\n"

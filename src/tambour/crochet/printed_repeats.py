@@ -101,6 +101,7 @@ def _starred(r: Reader, inner: list[Item]) -> None:
     """Clauses up to the closing star, the word repeat, or a full stop."""
     c = r.c
     r.depth += 1
+    r.stars += 1
     try:
         while (token := c.look()) is not None and not c.mark("*", "**", ".") and not c.key("repeat"):
             if not r.between(token):
@@ -109,6 +110,7 @@ def _starred(r: Reader, inner: list[Item]) -> None:
                 r.clause(inner, token)
     finally:
         r.depth -= 1
+        r.stars -= 1
 
 
 def led(found: list[Item]) -> tuple[list[Item], list[Item]]:
@@ -155,7 +157,7 @@ def multiplier(r: Reader) -> Times | Literal[False]:
     token = c.look()
     if token is None:
         return False
-    if c.mark("x", "*") and c.whole(1) is not None:
+    if (c.mark("x") or (c.mark("*") and not r.stars)) and c.whole(1) is not None:
         c.at += 1
         number = c.take()
         c.skip_key("times")

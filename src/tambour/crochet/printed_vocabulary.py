@@ -24,6 +24,7 @@ from tambour.crochet.terms import TERMS
 
 _SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
 _JOINS: Final = frozenset("-.'/")
+_YARNS: Final = frozenset(("with", "to", "color", "colour", "yarn", "in", "join", "."))
 _SIGNS: Final = frozenset("xX×*")
 _LATER: Final = frozenset(
     ("circle", "oval", "half", "triangle", "heart", "square", "height", "pull through", "pull over", "next anchor")
@@ -139,6 +140,10 @@ class Vocabulary:
                 continue
             end, kind, value = found
             if kind == "filler":
+                if token.value == "A" and (
+                    tokens[at - 1].word in _YARNS or (end < n and tokens[end].word in ("=", ":"))
+                ):
+                    made.append(token)
                 at = end
                 continue
             last = tokens[end - 1]

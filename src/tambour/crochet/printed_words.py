@@ -82,7 +82,7 @@ ENGLISH: Final[dict[str, str]] = {
 
 FILLERS: Final[dict[str, str]] = {
     "en": "the|a|an|of|your|now|work|working|crochet|evenly|loosely|tightly|carefully|please|just|only|it|we|you|this"
-    "|sts:|also|gently|approx|do|here|next:|up|only:|will|simply|another|yo|first off|finally|still",
+    "|sts:|also|gently|approx|do|here|next:|up|only:|will|simply|another|yo|first off|finally|still|post|posts|main|contrast|contrasting",
     "es": "el|la|los|las|un|una|unos|unas|de|del|al|lo|su|sus|el mismo|tejer|trabajar",
     "de": "der|die|das|den|dem|des|ein|eine|einen|einem|einer|eines|je|dann|jeweils|nun|arbeiten|häkeln",
     "fr": "le|la|les|l'|un|une|des|de|du|d'|au|aux|puis|votre|crocheter|travailler",

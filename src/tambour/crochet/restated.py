@@ -30,12 +30,20 @@ class _Unknown(Exception):
 
 def restated(text: Text, *, max_stitches: int = 200_000) -> Pattern | None:
     """The pattern of a text that is as Tambour prints it, whole; None for any other text."""
+    terms = printed_in(text.text)
+    if terms is None:
+        return None
+    try:
+        return _Reader(text, terms).read(max_stitches)
+    except _Unknown:
+        return None
+
+
+def printed_in(text: str) -> Terms | None:
+    """The terms that a text's heading over its abbreviations names, as it is printed."""
     for terms in TERMS.values():
-        if f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" in text.text:
-            try:
-                return _Reader(text, terms).read(max_stitches)
-            except _Unknown:
-                return None
+        if f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" in text:
+            return terms
     return None
 
 
