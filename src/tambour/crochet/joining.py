@@ -30,7 +30,7 @@ class Joining:
     built: Built
     spots: Spots
     steps: tuple[tuple[Placed, sewing.End], ...]
-    doubts: tuple[Problem, ...]
+    doubts: tuple[Problem, ...]  # of its spots
 
     @property
     def pinched(self) -> Array:
@@ -95,13 +95,12 @@ def prepare(built: Built) -> Joining | None:
         order += [waiting.pop(p) for p in ready]
     if any(not p.warning for p in problems):
         raise TambourError(sorted(problems, key=lambda p: p.span.start if p.span else 0))
-    steps = tuple((f, sewing.end_of(built, spots, f)) for f in order)
-    problems += _crowded(spots, steps)
-    return Joining(built, spots, steps, tuple(problems))
+    return Joining(built, spots, tuple((f, sewing.end_of(built, spots, f)) for f in order), tuple(problems))
 
 
-def _crowded(spots: Spots, steps: tuple[tuple[Placed, sewing.End], ...]) -> list[Problem]:
+def crowded(joining: Joining) -> list[Problem]:
     """Doubts about parts whose seams are in each other's way, or one inside of the other."""
+    spots, steps = joining.spots, joining.steps
     found: list[Problem] = []
     known: list[tuple[Placed, bool, Array]] = []
     for f, end in steps:
@@ -193,6 +192,8 @@ def _frame(joining: Joining, x: Array, placed: Placed, end: sewing.End, upright:
     """The frame at the spot of ``placed``, level with as much of the fabric (its nodes are ``target``) as its end covers."""
     built = joining.built
     frame = frames(built, x, [placed.spot], upright)
+    if joining.spots.place(placed.spot).opening:
+        return frame
     m = len(end.nodes)
     room = max(1.5, m / (2.0 * math.pi) if end.ring else 0.25 * m)
     near = target[((x[target] - frame.points[0]) ** 2).sum(1) < room * room]

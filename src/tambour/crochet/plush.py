@@ -63,9 +63,10 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
     from tambour.crochet.build import build
     from tambour.crochet.gauge import gauge
-    from tambour.crochet.joining import prepare
+    from tambour.crochet.joining import crowded, prepare
     from tambour.crochet.pose import pose
     from tambour.crochet.reading import read
+    from tambour.crochet.twist import twisted
 
     if params.photo:
         from tambour.render.photo import tracer
@@ -91,6 +92,8 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
     with progress.stage("start"):
         warm()
+    for warning in [*(crowded(joining) if joining is not None else []), *twisted(built)]:
+        progress.warn(warning)
     return _shaped(built, joining, params, known, progress)
 
 
