@@ -178,6 +178,23 @@ ITEMS = [
     "color(red)",
     "color(#123456)",
 ]
+
+
+def test_mistakes_in_a_printed_text_are_told():
+    text = instructions(parse(Text(": MR(6)\n: 6 inc\n: [sc, inc] x 6\n: 18 sc\n: [sc, dec] x 6")), "nl").text
+    warnings = lambda t: [w.message for w in build(read(Text(t))).warnings]  # noqa: E731
+    assert warnings(text) == []
+    assert (
+        warnings(text.replace("Toer 3: [v, meerd] x 6 (18)  \n", ""))[0]
+        == "round 4 leaves rounds out: the one before is 2"
+    )
+    assert "the pattern says 19 stitches" in warnings(text.replace("x 6 (18)", "x 6 (19)"))[0]
+    with pytest.raises(TambourError, match="is there already"):
+        read(Text(text.replace("Toer 4", "Toer 3")), strict=True)
+    with pytest.raises(TambourError, match="nonsens"):
+        build(read(Text(text.replace("18 v", "18 nonsens"))))
+
+
 MORE_ITEMS = [
     "{sc, 2 ch, sc}",
     "2 {dc, ch}",

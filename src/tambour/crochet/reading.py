@@ -30,7 +30,7 @@ def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pa
 
     Raises TambourError with every problem of the text, or with one line when it holds no instructions.
     """
-    known = restated(text, max_stitches=max_stitches)
+    known = restated(text, max_stitches=max_stitches, strict=strict)
     if known is not None:
         return known
     if text.name.lower().endswith(".acl") or _OWN.search(text.text) or not _worded(text.text):
