@@ -12,12 +12,13 @@ from tambour.core.progress import Progress
 from tambour.crochet.build import build
 from tambour.crochet.contact import BESIDE, lie
 from tambour.crochet.finish import Eye, Placed, Spot
-from tambour.crochet.joining import prepare
+from tambour.crochet.joining import crowded, prepare
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.parse import parse
 from tambour.crochet.placing import frames
 from tambour.crochet.plush import Plush, facts, make
 from tambour.crochet.spots import Spots, numbers
+from tambour.crochet.twist import twisted
 
 BALL = """== Head ==
 R1: MR(6) (6)
@@ -243,7 +244,33 @@ def test_seams_in_each_others_way_are_doubted() -> None:
     text = SNOWMAN.replace("stitch=20, flat", "stitch=8, flat")
     joining = prepare(build(parse(Text(text))))
     assert joining is not None
-    assert [p.message for p in joining.doubts] == ['"Ear.2" and "Ear.1" are sewn to the same place']
+    assert [p.message for p in crowded(joining)] == ['"Ear.2" and "Ear.1" are sewn to the same place']
+
+
+def test_an_opening_is_sewn_onto_an_opening_stitch_by_stitch() -> None:
+    bowl = "R1: MR(6)\nR2: 6 inc\nR3: [sc, inc] x 6\nR4-R6: 18 sc\n"
+    piece = toy(f"== Bowl ==\n{bowl}\n== Lid ==\n{bowl}\nplace(Lid, Bowl, round=7)\n")
+    pairs = seams(piece)["Lid"]
+    x = piece.positions / piece.stitch[0]
+    assert len(pairs) == 18 and np.bincount(pairs[:, 1]).max() <= 2
+    assert np.linalg.norm(x[pairs[:, 0]] - x[pairs[:, 1]], axis=1).max() < 1.0
+    assert x[nodes(piece, "Lid")][:, 1].min() > x[nodes(piece, "Bowl")][:, 1].max() - 1.0
+
+
+def test_marks_sewn_in_mirrored_order_are_doubted() -> None:
+    cup = "R1: MR(6)\nR2: 6 inc\nR3: 12 sc\nR4: {}\n"
+    own = cup.format("sc, mark(a), 3 sc, mark(b), 3 sc, mark(c), 3 sc, mark(d), 2 sc")
+    ball = BALL.replace("R5-R9: 24 sc (24)", "R5: 24 sc\nR6: {}\nR7: {}\nR8: {}\nR9: 24 sc")
+    ball = ball.format(
+        "12 sc, mark(low), 12 sc", "10 sc, mark(one), 4 sc, mark(other), 10 sc", "12 sc, mark(up), 12 sc"
+    )
+    right = "sew(a, one), sew(b, up), sew(c, other), sew(d, low)\n"
+    wrong = "sew(a, other), sew(b, up), sew(c, one), sew(d, low)\n"
+    text = f"{ball}\n== Cup ==\n{own}\n"
+    told = [twisted(build(parse(Text(text + seam)))) for seam in (right, wrong)]
+    assert sorted(map(len, told)) == [0, 1]
+    (problem,) = told[0] or told[1]
+    assert "mirrored order" in problem.message and problem.span is not None
 
 
 def test_mirrored_places_give_a_mirrored_toy() -> None:

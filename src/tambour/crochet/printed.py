@@ -13,7 +13,7 @@ from tambour.crochet.printed_colors import Palette
 from tambour.crochet.printed_doubts import decided
 from tambour.crochet.printed_finish import Assembly, Made, Sentence, finishes
 from tambour.crochet.printed_heads import Head, heads
-from tambour.crochet.printed_notes import MODES, Heading, definition, heading, stated
+from tambour.crochet.printed_notes import MODES, Heading, definition, heading, plain_name, stated
 from tambour.crochet.printed_parts import Draft
 from tambour.crochet.printed_repeats import OPEN
 from tambour.crochet.printed_terms import recognised
@@ -30,6 +30,21 @@ NOTHING: Final = "this holds no crochet instructions"
 _HINTED = 20  # errors that suggestions are looked for
 _LONG = 50  # characters of a line that was broken
 _WRAPPED = 12  # lines of a paragraph
+_KNOWN = (
+    "around",
+    "next",
+    "each",
+    "stitches",
+    "repeat",
+    "times",
+    "magic",
+    "from",
+    "turn",
+    "join",
+    "skip",
+    "loops",
+    "fasten",
+)
 _PART = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
 
@@ -58,7 +73,7 @@ class _Printed:
         self.rows = rows(source.text.text)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
-        self.palette = Palette(self.vocabulary.stitches())
+        self.palette = Palette([*self.vocabulary.stitches(), *_KNOWN])
         self.phrases = Phrases(TERMS[self.language.code], {}, _lettered(source.text.text, TERMS[self.language.code]))
         self.palette.given.update((letter.lower(), hue) for letter, hue in self.phrases.legend.items())
         self.parts: list[Draft] = []
@@ -171,8 +186,8 @@ class _Printed:
         """Whether a sentence of a long line goes on in the next."""
         if not after.tokens or row.marked or row.tokens[-1].word in (".", ":", "!", "?"):
             return False
-        if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with", ","):
-            return True
+        if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with"):
+            return not heads(self.vocabulary.read(after.tokens))
         if row.end - row.start < _LONG:
             return False
         first = self.source.text.text[after.tokens[0].start]
@@ -280,13 +295,14 @@ class _Printed:
             self.vocabulary.define(new[0].word, new[1])
             self.passed.append(whole)
             return
+        line = text[row.tokens[0].start : row.tokens[-1].end]
         shade = self._named_color(tokens)
         said = stated(text, row, tokens)
         for key, words, span in said:
             self.stated.setdefault(key, (words, span))
         if said or shade:
             return
-        if self.parts and self.phrases.finishing(text[row.tokens[0].start : row.tokens[-1].end]) is not None:
+        if self.parts and self.phrases.finishing(line) is not None:
             self.sentences.append(Sentence(row.tokens, tokens, self.parts[-1].name))
             return
         first = tokens[0]
@@ -296,7 +312,7 @@ class _Printed:
             self.heading = None
             self.passed.append(whole)
             return
-        found = heading(text, row, tokens)
+        found = self._copied(row, line) or heading(text, row, tokens)
         lefts: list[list[Token]] = []
         if (found is None or not found.marked) and self._sentences(tokens, lefts):
             found = None
@@ -339,16 +355,28 @@ class _Printed:
             return False
         return True
 
+    def _copied(self, row: Row, line: str) -> Heading | None:
+        """A heading that says its copies as the table of terms does: ``Arm (make 2)``."""
+        mark = line.rfind("(")
+        said = self.phrases.read(line[mark:], ("copies",)) if mark > 0 else None
+        name = plain_name(line[:mark].strip()) if said is not None else ""
+        if said is None or not name:
+            return None
+        span = Span(row.tokens[0].start, row.tokens[-1].end)
+        return Heading(name, span, max(1, said[1]["count"]), span, True, True)
+
     def _named_color(self, tokens: list[Token]) -> bool:
-        """``A = brown``, ``Color B: white``, ``MC: cream``."""
-        k = 1 if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value in ("color", "yarn") else 0
-        if len(tokens) < k + 3 or tokens[k].kind not in ("word", "key") or tokens[k + 1].word not in ("=", ":", "-"):
-            return False
-        shade = self.palette.color(Cursor(tokens, k + 2))
-        if shade is None or len(tokens[k].word) > 2:
-            return False
-        self.palette.given.setdefault(tokens[k].word, shade[0])
-        return True
+        """``A = brown``, ``Color B: white``, ``Main color (MC): cream``; whether the line says such."""
+        found = False
+        for k in range(len(tokens) - 2):
+            at = k + 1 + (tokens[k + 1].word == ")")
+            if tokens[k].kind not in ("word", "key") or len(tokens[k].word) > 2 or at + 1 >= len(tokens):
+                continue
+            shade = self.palette.color(Cursor(tokens, at + 1)) if tokens[at].word in ("=", ":", "-") else None
+            if shade is not None:
+                self.palette.given.setdefault(tokens[k].word, shade[0])
+                found = True
+        return found
 
     def _sentences(self, tokens: list[Token], lefts: list[list[Token]]) -> bool:
         """Reads what instructions a line of text holds; whether there were any. What was not read goes to ``lefts``."""
@@ -438,11 +466,15 @@ class _Printed:
     def _left(self, tokens: list[Token], in_round: bool) -> None:
         """A sentence that was not read: a doubt when it looks like instructions, else it is passed over."""
         span = Span(tokens[0].start, tokens[-1].end)
-        words = [t for t in tokens if t.kind != "mark"]
+        words = [t for t in tokens if t.kind != "mark"] or tokens
         known = sum(t.kind in ("stitch", "number", "ordinal", "key") for t in words)
         stitches = sum(t.kind == "stitch" for t in words)
         blocked = self.mode in ("materials", "abbreviations", "notes")
-        if stitches and known >= 3 and known * 4 >= len(words) * 3 and self.parts and not blocked:
+        begins = words[0].kind == "stitch" or (
+            words[0].kind == "number" and len(words) > 1 and words[1].kind == "stitch"
+        )
+        likely = known * 2 >= len(words) if begins else known * 4 >= len(words) * 3
+        if stitches and known >= 3 and likely and self.parts and not blocked:
             self.source.doubt(NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", span)
         elif in_round:
             self.passed.append(span)

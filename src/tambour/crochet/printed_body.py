@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from tambour.core.errors import Span
 from tambour.crochet.printed_clauses import Cursor, NotUnderstood, Where, where
 from tambour.crochet.printed_colors import Palette
-from tambour.crochet.printed_repeats import OPEN, bracket, led, repeated, star
+from tambour.crochet.printed_repeats import OPEN, bracket, closing, led, repeated, star
 from tambour.crochet.printed_stitch import standing, stitch
 from tambour.crochet.printed_tokens import Token
 from tambour.crochet.stitches import Stitch
@@ -29,6 +29,7 @@ class Body:
     rounds : "for 5 rounds", with its place; refers : the rounds that it repeats, and their place
     hook : which chain from the hook its first stitch goes into, 0 when nothing is said; fresh : its items before that
     rings, ringed : how many rings it begins; it works into a ring that was made of a chain
+    lift : chains before the ring's first stitch
     sides : it goes on around the other side of its foundation chain
     ends : "close" or "open" when it says how its end is left
     left : sentences that were not understood
@@ -43,6 +44,7 @@ class Body:
     hook: int = 0
     fresh: int = 0
     rings: int = 0
+    lift: int = 0
     ringed: bool = False
     sides: bool = False
     ends: str = ""
@@ -59,15 +61,15 @@ class Reader:
         stitches: dict[str, Stitch],
         palette: Palette,
         choices: frozenset[str] = frozenset(),
-        phrases: Callable[[Token, Token], Action | None] | None = None,
+        phrases: Callable[[int, int], Action | None] | None = None,
     ) -> None:
         self.c = Cursor(tokens)
-        self.phrases = phrases  # the sentence from one token to another, as the table of terms says it
+        self.phrases = phrases  # the sentence from one place to another, as the table of terms says it
         self.stitches, self.palette, self.choices = stitches, palette, choices
         self.body = Body()
         self.ring: Token | None = None  # a magic ring that still wants its stitches
         self.before: Where | None = None  # "in next st", said before its stitches
-        self.depth = 0
+        self.depth = self.stars = 0  # brackets, and asterisks, that are open
 
     def read(self) -> Body:
         """The body; NotUnderstood when its first sentence is not understood."""
@@ -80,7 +82,8 @@ class Reader:
                 if not body.items[:made]:
                     raise
                 del body.items[made:]
-                self.depth, self.before = 0, None
+                self.depth = self.stars = 0
+                self.before = None
                 c.at = at
                 while c.look() is not None and not c.mark(*_ENDS):
                     c.at += 1
@@ -155,7 +158,9 @@ class Reader:
         end = c.at
         while end < len(c.tokens) and not (c.tokens[end].kind == "mark" and c.tokens[end].word in _PHRASE):
             end += 1
-        action = self.phrases(token, c.tokens[end - 1]) if end > c.at else None
+        before = c.look(-1)
+        begin = before.end if before is not None and before.kind == "mark" else token.start  # fillers stand between
+        action = self.phrases(begin, c.tokens[end - 1].end) if end > c.at else None
         if action is None:
             return False
         found.append(action)
@@ -187,6 +192,8 @@ class Reader:
             self.body.rounds = (token.value, token.span)
         elif c.key("stitch", "in", ahead=1):
             self.plain(found, token)
+        elif after is not None and after.kind == "word":
+            raise NotUnderstood(after, f'"{after.word}" is not understood here', "a stitch is wanted after a number")
         else:
             raise NotUnderstood(token, "this number belongs to nothing", "a stitch is wanted after it")
 
@@ -233,6 +240,9 @@ class Reader:
                     found.append(Action(place.loops, place.span))
                     place.loops = ""
                 self.before = place
+        elif word == "turn" and (c.key("side") or c.key("side", ahead=1)):
+            self.body.sides = True
+            self.to_separator()
         elif word == "turn":
             found.append(Action("turn", token.span))
         elif word == "join":
@@ -348,8 +358,11 @@ class Reader:
         c = self.c
         if c.whole(ahead) is None or self.depth:
             return False
+        colon = ahead > 0 and c.mark(":")
         ahead += 1
         named = c.key("stitch", ahead=ahead)
+        if c.kind("stitch", ahead) and (colon or (c.look(ahead + 1) is not None and not c.mark(".", ahead=ahead + 1))):
+            return False
         ahead += named or c.kind("stitch", ahead)
         while c.key("total", "around", "in", "stitch", ahead=ahead):
             ahead += 1
@@ -400,9 +413,22 @@ class Reader:
             return False
         inner = c.tokens[c.at + 1 : end]
         number = next(t for t in inner if t.kind == "number" and isinstance(t.value, int))
+        last, after = found[-1], c.tokens[end + 1] if end + 1 < len(c.tokens) else None
+        if (
+            after is not None
+            and after.word in OPEN
+            and isinstance(last, Action)
+            and last.times == 1
+            and len(inner) == 1
+        ):
+            c.at = end + 1
+            if last.name in self.stitches and self.counted_at(closing(self)):  # "inc (6) [12]"
+                found[-1] = Action(last.name, last.span, number.value, number.span)
+                return True
         if any(t.kind == "key" and t.value in ("round", "row") for t in inner):
             self.body.rounds = (number.value, number.span)
         else:
             self._state(number)
         c.at = end + 1
+        c.skip_key("stitch")
         return True

@@ -77,8 +77,9 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
     """``*items; rep from * around``, ``*items* 6 times``; a star without its pair repeats all before it."""
     c = r.c
     c.at += 1
-    if found and (c.look() is None or c.key("repeat", "around", "times") or c.mark("x", ".", "(", "[", "=")):
-        lead, inner = led(found)
+    lead, inner = led(found)
+    ends = c.look() is None or c.key("repeat", "around", "times") or c.mark("x", ".", "=")
+    if inner and (ends or (c.mark(*OPEN) and r.counted_at(closing(r)))):
         found[:] = lead
         repeated(r, found, inner, token.span, star=True)
         return
@@ -101,6 +102,7 @@ def _starred(r: Reader, inner: list[Item]) -> None:
     """Clauses up to the closing star, the word repeat, or a full stop."""
     c = r.c
     r.depth += 1
+    r.stars += 1
     try:
         while (token := c.look()) is not None and not c.mark("*", "**", ".") and not c.key("repeat"):
             if not r.between(token):
@@ -109,6 +111,7 @@ def _starred(r: Reader, inner: list[Item]) -> None:
                 r.clause(inner, token)
     finally:
         r.depth -= 1
+        r.stars -= 1
 
 
 def led(found: list[Item]) -> tuple[list[Item], list[Item]]:
@@ -155,7 +158,7 @@ def multiplier(r: Reader) -> Times | Literal[False]:
     token = c.look()
     if token is None:
         return False
-    if c.mark("x", "*") and c.whole(1) is not None:
+    if (c.mark("x") or (c.mark("*") and not r.stars)) and c.whole(1) is not None:
         c.at += 1
         number = c.take()
         c.skip_key("times")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -67,9 +68,10 @@ def recognised(source: Source, rows: list[Row]) -> Language:
     if uk:
         return Language("uk")
     rings = _rings(rows)
-    if rings and max(rings) <= 8:
+    tall = _chains(rows)
+    if rings and max(rings) <= 7 and not tall:
         return Language("uk")
-    if not rings or min(rings) < 10:
+    if not tall and (not rings or min(rings) < 10):
         at = next(t for row in rows for t in row.tokens if t.word.startswith(("dc", "tr", "double")))
         source.doubt(
             "US or UK terms? In US terms dc is a double crochet, in UK terms a single one; US is taken",
@@ -96,7 +98,8 @@ def _said(rows: list[Row]) -> Language | None:
                 code, near = ("us" if near[1].word == "s" else "uk"), tokens[k + 3 : k + 6]
             if not code or token.word == "english":
                 continue
-            about = next((t for t in near if t.word in _ABOUT), None)
+            about = next((t for t in near[:2] if t.word in _ABOUT), None)
+            about = None if near and near[0].kind == "mark" and near[0].word != "-" else about
             if about is not None and not (code == "us" and token.word == "us" and _lower(row, token)):
                 return Language(code, Span(token.start, about.end))
     return None
@@ -149,6 +152,12 @@ def _beside(tokens: list[Token], k: int) -> bool:
     return (before is not None and (before.kind == "number" or before.word in "([,*")) and (
         after is None or after.kind == "mark" or after.kind == "number" or after.word == "in"
     )
+
+
+def _chains(rows: list[Row]) -> bool:
+    """Whether rounds begin with two or three chains, as they do under tall stitches."""
+    pairs = ((a.word, b.value) for row in rows for a, b in pairwise(row.tokens))
+    return sum(word in ("ch", "chain") and number in (2, 3) for word, number in pairs) >= 2
 
 
 def _rings(rows: list[Row]) -> list[int]:
