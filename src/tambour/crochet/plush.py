@@ -61,6 +61,7 @@ class Plush:
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
+    from tambour.crochet import features
     from tambour.crochet.build import build
     from tambour.crochet.gauge import gauge
     from tambour.crochet.joining import crowded, prepare
@@ -92,6 +93,8 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
     with progress.stage("start"):
         warm()
+        if features.present(built):
+            features.warm()
     for warning in [*(crowded(joining) if joining is not None else []), *twisted(built)]:
         progress.warn(warning)
     return _shaped(built, joining, params, known, progress)
