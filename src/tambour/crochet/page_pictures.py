@@ -217,7 +217,9 @@ def of_step(piece: Plush, step: Step, frame: Array, width: int, height: int) -> 
     if not step.fresh:
         # A face is seen from near and in front: the parts that it is on fill the picture.
         hosts = {known.place(s).nodes[0] for r in step.finishes for s in _spots(r)}
-        near = np.isin(piece.built.graph.part, piece.built.graph.part[sorted(hosts)])
+        part, x = piece.built.graph.part, piece.positions
+        low = x[np.isin(part, part[sorted(hosts)]), 1].min()
+        near = np.isin(part, [k for k in step.parts if x[part == k, 1].min(initial=np.inf) >= low])
         frame, view = skin(piece, np.flatnonzero(near)), _NEAR
     return picture(
         partial(piece, step.parts, step.finishes, fresh), width=width, height=height, azimuth=view[0],
