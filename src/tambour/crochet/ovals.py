@@ -71,4 +71,8 @@ def layers(graph: StitchGraph) -> Array:
         for n in np.flatnonzero(np.diff(graph.anchor_offsets) > 1).tolist():
             first, second = graph.anchors[graph.anchor_offsets[n] : graph.anchor_offsets[n] + 2].tolist()
             made[n] = (max(first, second), min(first, second)) in laid
+            if not made[n] and made[n - 1]:
+                # At the bend the two layers' stitches are neighbours, which lie on each other anyway.
+                before = graph.anchors[graph.anchor_offsets[n - 1] : graph.anchor_offsets[n - 1] + 2].tolist()
+                made[n] = first == second + 1 and before[0] > first > second > before[1]
     return made
