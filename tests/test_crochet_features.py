@@ -9,7 +9,7 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
-from tambour.crochet.features import doubts, materials, meshes
+from tambour.crochet.features import doubts, materials, meshes, placed
 from tambour.crochet.felt import area, outline
 from tambour.crochet.finish import SHAPES
 from tambour.crochet.ground import Ground, ground
@@ -129,7 +129,7 @@ def test_what_is_made_is_closed_and_the_same_every_time() -> None:
 
 
 def test_hair_hangs_outside() -> None:
-    piece = made("hair(Head, 16:1, 16:12, count=12, length=45)")
+    piece = made("hair(Head, 16:1, 16:12, count=12, length=100)")
     (mesh,) = meshes(piece.built, piece.positions, piece.yarn)[0]
     _, _, high = under(piece).foot(mesh.vertices)
     assert high.min() > 0.0 and (high > 1.0).mean() > 0.99
@@ -150,8 +150,8 @@ def test_materials() -> None:
     assert told["felt"][0] | {"count": 1} == {
         "color": "#ffffff", "shape": "square", "width_mm": 10.0, "height_mm": 10.0, "count": 1, "cm2": 1.0,
     }  # fmt: skip
-    assert told["embroidery"][0]["color"] == "#aa0000" and 15.0 < told["embroidery"][0]["cm"] < 22.0
-    assert told["hair"][0]["strands"] == 5 and told["hair"][0]["metres"] == pytest.approx(5 * 0.07)
+    assert told["embroidery"][0]["color"] == "#aa0000" and 17.0 < told["embroidery"][0]["cm"] < 22.0
+    assert told["hair"][0]["strands"] == 5 and told["hair"][0]["metres"] == pytest.approx(5 * 0.03)
     assert doubts(piece.built, piece.positions) == []
 
 
@@ -172,3 +172,27 @@ def test_the_fabric_as_a_surface_has_no_face() -> None:
     piece = made("eye(Head, round=11, stitch=15)")
     assert set(surface(piece).group_names) == {"cloth"}
     assert {"yarn", "lining", "glass"} == set(yarn(piece).group_names)
+
+
+def test_hair_follows_its_round() -> None:
+    piece = made(
+        "hair(Head, 14:3, 14:10, count=4)", "hair(Head, 14:22, 14:3, count=4)", "hair(Head, 14:3, 12:9, count=4)"
+    )
+    many = [len(at.points) for at in placed(piece.built, piece.positions).where]
+    assert many == [8, 6, 2]  # 3, 4 … 10; 22, 23, 24, 1, 2, 3; straight from one round to another
+    middle = piece.positions.mean(0)[[0, 2]]
+    radius = [
+        np.linalg.norm(at.points[:, [0, 2]] - middle, axis=1) for at in placed(piece.built, piece.positions).where
+    ]
+    assert np.ptp(radius[0]) < 4.0 and np.ptp(radius[1]) < 4.0
+
+
+def test_felt_on_a_ball_is_as_wide_as_in_the_hand() -> None:
+    piece = made("felt(Head, square, round=9.5, stitch=19, width=20, height=20)")
+    (mesh,) = meshes(piece.built, piece.positions, piece.yarn)[0]
+    top = mesh.vertices[mesh.vertices[:, 2] > 0]
+    middle = piece.positions.mean(0)
+    level = top[np.abs(top[:, 1] - mesh.vertices[0, 1]) < 0.6]
+    angle = np.arctan2(level[:, 0] - middle[0], level[:, 2] - middle[2])
+    radius = np.median(np.linalg.norm(level[:, [0, 2]] - middle[[0, 2]], axis=1))
+    assert np.ptp(angle) * radius == pytest.approx(20.0, rel=0.08)

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.build import build
 from tambour.crochet.parse import parse
+from tambour.crochet.restated import restated
 from tambour.crochet.write import pattern
 
 EXAMPLES = sorted((Path(__file__).resolve().parents[1] / "examples" / "crochet").glob("*.acl"))
@@ -77,3 +78,37 @@ def test_whatever_builds_is_written_back(ring, rounds):
     except TambourError:
         return
     same(text)
+
+
+def test_finishing_is_written_back():
+    text = (
+        "== Head ==\nR1: MR(6)\nR2-R9: 6 sc\n== Ear (make 2) ==\nR1: MR(6)\n"
+        "place(Ear.1, Head, round=3.5, stitch=2, tilt=20, towards=90, across=-12.5, flat)\nplace(Ear.2, Head, round=3.25, by=1)\n"
+        "eye(Head, round=4.5, stitch=4, size=9)\neye(Head, round=4, stitch=0, size=7.5, color=#0a0b0c)\n"
+        "embroider(Head, 5:1, 5.5:2, 5:3, color=white, width=3)\nembroider(Head, 6)\nfelt(Head, heart, round=7, stitch=1, "
+        "width=12, height=9, turn=30, color=#ff8800)\nfelt(Head, round=7)\nhair(Head, 1:1, 1:6, count=20, length=45, color=#654321)\n"
+    )
+    one = parse(Text(text))
+    assert len(one.finish) == 9 and parse(pattern(one)).finish == one.finish
+    assert "place(Ear.2, Head, round=3.25, by=1)" in same(text)
+
+
+def test_written_numbers_are_kept():
+    text = pattern(parse(Text(": MR(6)\nR7: 6 inc\nR8-R9: 12 sc\nR10: 12 sc\n: 12 sc\n"))).text
+    assert [line.split(":")[0] for line in text.splitlines()] == ["R1", "R7", "R8-R11"]
+
+
+def test_printed_patterns_become_the_language():
+    text = (
+        "## Abbreviations (US terms)\n\n- sc = single crochet\n\n## Special stitches\n\n- puff (height 2) = 3 pull up a loop, "
+        "yarn over and draw through\n- vee = 2 puff, ch\n\n## Tête & cou\n\nRnd 1: 6 sc in magic ring (6)\nRnd 2: [vee, sc] x 3\n\n"
+        "## Ear 1 (make 2)\n\nRnd 1: 6 sc in magic ring (6)\n\n## Assembly\n\n- Sew Ear 1 2 to Tête & cou, Rnd 2, st 3.\n"
+    )
+    one = restated(Text(text))
+    again = pattern(one)
+    assert "== Tete cou ==" in again.text and "== Ear _1 (make 2) ==" in again.text
+    assert "define puff (height 2) = 3 pull through, pull over\ndefine vee = 2 puff, ch\n" in again.text
+    assert "place(Ear _1.2, Tete cou, round=2, stitch=3)" in again.text
+    two = build(parse(again))
+    assert np.array_equal(build(one).graph.edges, two.graph.edges)
+    assert np.array_equal(build(one).graph.height, two.graph.height)

@@ -94,7 +94,7 @@ def _draw_any(rng: np.random.Generator, k: int) -> tuple[Marks, float, float, fl
         ("pine", pines.pine, (h, 6.0), 2 * h + 60, 2 * h + 60, 2 * h + 60),
         ("cedar", pines.cedar, (h, 5.0), 2 * h + 60, 2 * h + 60, h + 60),
         ("plum", pines.plum, (h, 6.0, unit), 4 * h + 60, 4 * h + 60, 2 * h + 60),
-        ("bush", bushes.bush, (h, 9 * unit, forms, loops), 160, h + 60, 60),
+        ("bush", bushes.bush, (h, 9 * unit, 0.5, forms, loops), 160, h + 60, 60),
         ("reed", bushes.reed, (h, 2 * unit), 2 * h + 20, 2 * h + 20, h + 20),
         ("hut", houses.hut, (h, w, unit, 9 * unit, n % 3), 0.6 * w + h + 40, 1.3 * h + 40, 0.3 * h + 60),
         ("house", houses.house, (h, w, unit, 9 * unit, n, n % 4, n > 3), w + 20, 1.7 * h * n + 60, 60),

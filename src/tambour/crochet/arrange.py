@@ -29,9 +29,13 @@ def labels(n: int, edges: Array) -> Array:
     return rank[number]
 
 
-def parts(graph: StitchGraph) -> list[Array]:
-    """The nodes of every body of fabric: a part, or several that are worked into one another; sewing aside."""
+def parts(graph: StitchGraph, held: Array | None = None) -> list[Array]:
+    """The nodes of every body of fabric: a part, or several that are worked into one another; sewing aside.
+
+    held : pairs (H, 2) of nodes whose parts are taken for one body
+    """
     made = graph.edges[graph.edge_kind != SEWN]
+    made = made if held is None else np.concatenate([made, held])
     whole = np.array([(p.start, p.end - 1) for p in graph.parts if p.end > p.start], int).reshape(-1, 2)
     spans = [np.column_stack([np.full(b - a, a), np.arange(a + 1, b + 1)]) for a, b in whole]
     label = labels(len(graph), np.concatenate([made, *spans]))
@@ -100,14 +104,16 @@ def fit(moving: Array, fixed: Array, weight: Array) -> tuple[Array, Array]:
     return turn, b - turn @ a
 
 
-def arrange(graph: StitchGraph, x: Array) -> Array:
+def arrange(graph: StitchGraph, x: Array, held: Array | None = None) -> Array:
     """Positions (N, 3) in stitches with every part moved as a whole to where it belongs; x holds parts by themselves.
 
     The largest part of a piece stays. A part sewn to one that has its place goes to its seam, out along the normal
     there, turned so that its own seam faces the other and stitches meet. Pieces that are not joined stand in a row.
+
+    held : pairs (H, 2) of nodes whose parts have their places to one another already, and move as one
     """
     x = x.copy()
-    bodies = parts(graph)
+    bodies = parts(graph, held)
     owner = np.zeros(len(graph), int)
     for k, nodes in enumerate(bodies):
         owner[nodes] = k

@@ -22,6 +22,8 @@ SKIN = 0.5
 """How much farther than the reach of contact pairs are listed, so that the list serves several evaluations."""
 LEAST_VOLUME = 0.01
 """Below this share of A^1.5, A the part's area in stitches, the pressure rises no further (a ball has 0.094)."""
+SEAM_HEIGHT = 0.4
+"""How far above the fabric that they are sewn to stitches of a seam lie at least, in stitches."""
 SMOOTHING = 2
 """How often the skeleton's centres are smoothed."""
 
@@ -34,6 +36,7 @@ class Body:
     loop_nodes (L,), loop_planes (L, 3), loop_strength (L,); triples (T, 3), bending (T,);
     fabric (G, 3) faces without lids; faces (F, 3), face_part (F,), lid_offsets, lid_nodes with them; amount (P,) of
     stuffing, per_edge and pressure (P,) its ln V energy per edge and in all, least (P,) volume;
+    lying (K, 4) : stitches of placed parts' seams and triangles that they lie on
     offsets, neighbours : the edges as ragged lists; reach, near, touch : contact's distances and stiffness (0: none)
     centroid : f, cap, b, c; first (P + 1,) each part's centroids
     radius (S,), section_offsets, members, section_neighbours : the skeleton, see bones; bone (P + 1,) each part's sections
@@ -71,6 +74,7 @@ class Body:
     members: Array
     section_neighbours: Array
     skeleton: float
+    lying: Array
 
     def __len__(self) -> int:
         return len(self.part)
@@ -134,6 +138,8 @@ def displacement(body: Body, state: State, move_centroids: bool = True) -> Array
     if body.touch > 0.0:
         touching(body, state)
         contact.contact(x, state.pair, state.reach, body.touch, D)
+        if len(body.lying):
+            contact.lie(x, body.lying, SEAM_HEIGHT, body.touch, D)
     state.evaluations += 1
     D -= D[body.root]
     return D
@@ -223,6 +229,7 @@ def build(
         members=members,
         section_neighbours=beside,
         skeleton=params.skeleton_force,
+        lying=np.zeros((0, 4), np.int32),
     )
 
 
@@ -267,6 +274,23 @@ def grown(body: Body, m: int) -> Body:
         section_offsets=np.minimum(body.section_offsets[: sections + 1], kept),
         members=body.members[:kept],
         section_neighbours=np.where(beside < sections, beside, -1).astype(np.int32),
+    )
+
+
+def joined_up(body: Body, nodes: Array, stays: Array, rest: Array, lying: Array) -> Body:
+    """The body of ``nodes`` (rising) whose parts were placed.
+
+    stays : pairs (K, 2) of nodes with springs of lengths ``rest`` (K,) between them, no fabric; lying : (L, 4), as in Body
+    """
+    inside = np.isin(stays, nodes).all(1)
+    own = np.searchsorted(nodes, stays[inside])
+    edges = np.concatenate([body.edges, np.column_stack([own.max(1, initial=0), own.min(1, initial=len(nodes))])])
+    order = np.argsort(edges[:, 0], kind="stable")
+    return replace(
+        body,
+        edges=np.ascontiguousarray(edges[order], body.edges.dtype),
+        rest=np.concatenate([body.rest, rest[inside]])[order],
+        lying=np.searchsorted(nodes, lying[np.isin(lying, nodes).all(1)]).astype(np.int32),
     )
 
 

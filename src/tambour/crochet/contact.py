@@ -13,6 +13,9 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
+BESIDE = 0.25
+"""How far beside a triangle, in shares of it, a stitch still lies on it."""
+
 
 @kernel
 def _share(offsets: Array, neighbours: Array, i: int, j: int) -> bool:
@@ -119,6 +122,42 @@ def contact(x: Array, pair: Array, reach: Array, stiffness: float, D: Array) -> 
         D[j, 0] -= dx
         D[j, 1] -= dy
         D[j, 2] -= dz
+
+
+@kernel
+def lie(x: Array, lying: Array, height: float, stiffness: float, D: Array) -> None:
+    """Keep stitches of a seam outside of the fabric that they are sewn to: ``height`` above the triangles near them.
+
+    lying : (K, 4) a stitch and the corners of a triangle, counter-clockwise outside. A stitch over the triangle, but
+    lower, is pushed out along its normal and the corners back; just beside it, less.
+    """
+    w, n = np.empty(3), np.empty(3)
+    for k in range(len(lying)):
+        r, a, b, c = lying[k, 0], lying[k, 1], lying[k, 2], lying[k, 3]
+        ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
+        vx, vy, vz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
+        n[0], n[1], n[2] = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+        area2 = n[0] * n[0] + n[1] * n[1] + n[2] * n[2]
+        if area2 == 0.0:
+            continue
+        px, py, pz = x[r, 0] - x[a, 0], x[r, 1] - x[a, 1], x[r, 2] - x[a, 2]
+        size = math.sqrt(area2)
+        above = (px * n[0] + py * n[1] + pz * n[2]) / size
+        if above >= height:
+            continue
+        # Shares of the corners in the point under the stitch.
+        w[1] = ((py * vz - pz * vy) * n[0] + (pz * vx - px * vz) * n[1] + (px * vy - py * vx) * n[2]) / area2
+        w[2] = ((uy * pz - uz * py) * n[0] + (uz * px - ux * pz) * n[1] + (ux * py - uy * px) * n[2]) / area2
+        w[0] = 1.0 - w[1] - w[2]
+        over = min(min(w[0], w[1]), w[2])
+        if over <= -BESIDE:
+            continue
+        s = stiffness * (height - above) / size * min(1.0, 1.0 + over / BESIDE)
+        for q in range(3):
+            D[r, q] += s * n[q]
+            D[a, q] -= w[0] * s * n[q]
+            D[b, q] -= w[1] * s * n[q]
+            D[c, q] -= w[2] * s * n[q]
 
 
 def ragged(n: int, edges: Array, sewn: Array) -> tuple[Array, Array]:

@@ -72,15 +72,41 @@ def diagram(built: Built) -> Drawing:
     height = _legend(sheet, built, margin, tall)
     labels = [*sheet.labels]
     width = max(width, *(label.x + 0.6 * label.size * len(label.text) for label in labels), 60.0)
+    return _drawing(sheet, width + margin, height + margin, PurePath(built.pattern.text.name).stem)
+
+
+def _drawing(sheet: _Sheet, width: float, height: float, title: str = "") -> Drawing:
     return Drawing(
         Paths.of([np.array(line) for line in sheet.lines]),
         np.array(sheet.style, np.int32),
         Styles.of(*sheet.styles),  # type: ignore[arg-type]
-        np.array([width + margin, height + margin]),
-        labels=tuple(labels),
+        np.array([width, height]),
+        labels=tuple(sheet.labels),
         background=(255, 255, 255, 255),
-        about={"title": PurePath(built.pattern.text.name).stem},
+        about={"title": title},
     )
+
+
+def plates(built: Built) -> list[tuple[int, Drawing]]:
+    """Every chart by itself without words, with the number of its part; mm."""
+    made = []
+    for chart in charts(built):
+        left, right, up, down = _extent(chart)
+        sheet = _Sheet()
+        _chart(sheet, built, chart, left * CELL, up * CELL)
+        made.append((chart.part, _drawing(sheet, (left + right) * CELL, (up + down) * CELL)))
+    return made
+
+
+def symbols(built: Built) -> list[tuple[str, Drawing]]:
+    """The symbols that occur, each by itself, with the stitch's standard name, "front loops" or "back loops"; mm."""
+    made = []
+    for kind, _ in _entries(built):
+        sheet = _Sheet()
+        height = _symbol(sheet, kind, 0.5 * CELL, CELL * _TALL.get(kind, 1.0))
+        name = {"FLO": "front loops", "BLO": "back loops"}.get(kind, kind)
+        made.append((name, _drawing(sheet, CELL, height * CELL)))
+    return made
 
 
 def _extent(chart: Chart) -> tuple[float, float, float, float]:
@@ -270,30 +296,44 @@ def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y:
     return 0.55 * _TEXT * len(end)
 
 
-def _legend(sheet: _Sheet, built: Built, x: float, y: float) -> float:
-    """The symbols that occur, with their names; the height that is used up."""
+_TALL = {
+    kind: min(high, 1.8) for kind, high in {**KINDS, "ch3dc": 2.0, "ch4tr": 3.0, **dict.fromkeys(BUMPS, 1.2)}.items()
+}
+
+
+def _entries(built: Built) -> list[tuple[str, str]]:
+    """The kinds of symbols that occur, with their names."""
     graph = built.graph
     used = [graph.kinds[k] for k in sorted(set(graph.kind.tolist()))]
     kinds = [k for k in used if k not in ("ring", "tip")]
     entries: list[tuple[str, str]] = [(kind, NAMES.get(kind, kind)) for kind in kinds]
     entries += [("slst", "slip stitch")] * bool((graph.edge_kind == JOIN).any())
     loops = set(graph.loop[graph.parent >= 0].tolist())
-    entries += [("FLO", "in the front loop only")] * (FRONT in loops) + [("BLO", "in the back loop only")] * (
-        BACK in loops
-    )
+    entries += [("FLO", "in the front loop only")] * (FRONT in loops)
+    return entries + [("BLO", "in the back loop only")] * (BACK in loops)
+
+
+def _symbol(sheet: _Sheet, kind: str, x: float, y: float) -> float:
+    """A symbol that stands on y; its height in cells."""
     chart = Chart(0, True)
-    for kind, name in entries:
-        height = min(KINDS.get(kind, {"ch3dc": 2.0, "ch4tr": 3.0}.get(kind, 1.2 if kind in BUMPS else 1.0)), 1.8)
-        cell = Cell(0.0, 0.5, 0.0, height)
+    height = _TALL.get(kind, 1.0)
+    cell = Cell(0.0, 0.5, 0.0, height)
+    if kind in ("FLO", "BLO"):
+        sheet.draw(_around(chart, cell, loop_mark(kind == "FLO"), x, y), None, _INK)
+        return height
+    for line in strokes(kind, height):
+        sheet.draw(_around(chart, cell, line, x, y), None, _INK)
+    dot = solid(kind, height)
+    if dot:
+        sheet.draw(_around(chart, cell, dot, x, y, True), _INK, None)
+    return height
+
+
+def _legend(sheet: _Sheet, built: Built, x: float, y: float) -> float:
+    """The symbols that occur, with their names; the height that is used up."""
+    for kind, name in _entries(built):
+        height = _TALL.get(kind, 1.0)
         y += height * CELL + 1.0
-        px = x + 0.5 * CELL
-        if kind in ("FLO", "BLO"):
-            sheet.draw(_around(chart, cell, loop_mark(kind == "FLO"), px, y), None, _INK)
-        else:
-            for line in strokes(kind, height):
-                sheet.draw(_around(chart, cell, line, px, y), None, _INK)
-            dot = solid(kind, height)
-            if dot:
-                sheet.draw(_around(chart, cell, dot, px, y, True), _INK, None)
+        _symbol(sheet, kind, x + 0.5 * CELL, y)
         sheet.say(name, x + 1.4 * CELL, y - 0.5 * height * CELL + 0.35 * _TEXT, _TEXT, False)
     return y + 4.0

@@ -17,18 +17,18 @@ from tambour.core.strands import Strands
 from tambour.crochet.build import Built
 from tambour.crochet.finish import Embroidery, Eye, Felt, Hair, Spot
 from tambour.crochet.placing import Frames, frames
+from tambour.crochet.spots import Spots
 
 TAIL = 150.0
 """Yarn, mm, for the two ends of a piece of embroidery, which are hidden inside."""
-FOLD = 8.0
-"""Yarn that a strand of hair's knot takes, in diameters."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Located:
     """The features of a pattern with the frames of their spots.
 
-    records : eyes, embroidery, felt and hair, in the text's order; where : per record the frames of its spots, mm
+    records : eyes, embroidery, felt and hair, in the text's order; where : per record the frames of its spots, mm,
+        hair's with those on its way along a round
     """
 
     records: tuple[Eye | Embroidery | Felt | Hair, ...]
@@ -40,11 +40,35 @@ def spots(finish: Eye | Embroidery | Felt | Hair) -> tuple[Spot, ...]:
     return finish.spots if isinstance(finish, (Embroidery, Hair)) else (finish.spot,)
 
 
+def _led(known: Spots, record: Eye | Embroidery | Felt | Hair) -> list[Spot]:
+    """The spots that a record is made at. Between two spots of one round hair follows the round, stitch by stitch:
+    onwards to a later stitch, to an earlier one the shorter way."""
+    given = spots(record)
+    led = [given[0]]
+    for a, b in pairwise(given):
+        k = (
+            known.round_at(known.parts[a.part], int(a.round))
+            if isinstance(record, Hair) and a.round == b.round
+            else None
+        )
+        if k is not None and a.stitch is not None and b.stitch is not None:
+            many = len(known.stitches(k))
+            way = b.stitch - a.stitch
+            if way < -many / 2:
+                way += many
+            for step in range(1, int(abs(way)) + (way % 1 != 0)):
+                led.append(replace(a, stitch=(a.stitch + np.sign(way) * step) % many))
+        led.append(b)
+    return led
+
+
 def placed(built: Built, positions: Array, upright: Array | None = None) -> Located:
     """The pattern's features at positions (N, 3) mm; ``upright`` as :func:`tambour.crochet.placing.frames` takes it."""
     records = tuple(f for f in built.pattern.finish if isinstance(f, (Eye, Embroidery, Felt, Hair)))
-    every = frames(built, positions, [s for r in records for s in spots(r)], upright)
-    ends = np.cumsum([0, *(len(spots(r)) for r in records)])
+    known = Spots(built)
+    led = [_led(known, r) for r in records]
+    every = frames(built, positions, [s for of in led for s in of], upright)
+    ends = np.cumsum([0, *(len(of) for of in led)])
     return Located(records, tuple(Frames(*(v[a:b] for v in every)) for a, b in pairwise(ends)))
 
 
@@ -65,7 +89,6 @@ def meshes(
     from tambour.crochet.felt import felt
     from tambour.crochet.ground import Ground, ground
     from tambour.crochet.hair import hair
-    from tambour.crochet.spots import Spots
     from tambour.crochet.thread import knot, stitch
     from tambour.geometry.tube import sweep
 
@@ -102,19 +125,19 @@ def meshes(
             lines = [stitch(on, a, b, record.width) for a, b in zip(at.points[:-1], at.points[1:])]
             lines = lines or [knot(on, at.points[0], at.normals[0], record.width)]
             made.append(_swept(lines, record.width / 2, record.color, max(8, SIDES[detail])))
-    balls, coords = [], yarn.paths.coords
+    seats: list[tuple[Array, Array, float]] = []
     for record, at in every:
         if isinstance(record, Eye):
             middle, axis = seat(under(record.spot.part), at.points[0], at.normals[0], record.size)
             made.append(eye(middle, axis, record.size, record.color))
-            balls.append([*middle, record.size / 2])
-            coords = pressed(coords, yarn.radius, middle, axis, record.size)
+            seats.append((middle, axis, record.size))
     heads = [(record, at.points) for record, at in every if isinstance(record, Hair)]
     if heads:
         thick = 2 * float(np.median(yarn.radius)) if len(yarn.radius) else 0.33 * width
-        strands, _ = hair(whole, heads, thick, np.array(balls).reshape(-1, 4))
+        balls = np.array([[*middle, size / 2] for middle, _, size in seats]).reshape(-1, 4)
+        strands = hair(whole, heads, thick, balls)
         made.append(sweep(strands, sides=max(6, SIDES[detail])))
-    return made, replace(yarn, paths=Paths(coords, yarn.paths.offsets))
+    return made, pressed(yarn, seats)
 
 
 def _surface(positions: Array, faces: Array) -> tuple[Any, Array, Array]:
@@ -162,11 +185,9 @@ def materials(built: Built, positions: Array) -> dict[str, list[dict[str, Any]]]
     eyes : color (#rrggbb), size_mm, count
     embroidery : color, width_mm, cm of yarn with its hidden ends
     felt : color, shape, width_mm, height_mm, count, cm2 of all of them together
-    hair : color, strands, cut_mm (length of one, as it is folded in half), metres of all of them together
+    hair : color, strands, cut_mm (the length that each is cut to), metres of all of them together
     """
-    from tambour.crochet.fabric import stitch_width
     from tambour.crochet.felt import area
-    from tambour.crochet.loops import RATIO
     from tambour.crochet.thread import needed
 
     eyes: dict[tuple[Any, ...], int] = {}
@@ -186,7 +207,6 @@ def materials(built: Built, positions: Array) -> dict[str, list[dict[str, Any]]]
             pieces[cut] = pieces.get(cut, 0) + 1
         else:
             tufts[color, record.length] = tufts.get((color, record.length), 0) + record.count
-    fold = FOLD * RATIO * stitch_width(built.graph)
     return {
         "eyes": [{"color": c, "size_mm": s, "count": n} for (c, s), n in eyes.items()],
         "embroidery": [{"color": c, "width_mm": w, "cm": round(mm / 10, 1)} for (c, w), mm in sewn.items()],
@@ -196,8 +216,7 @@ def materials(built: Built, positions: Array) -> dict[str, list[dict[str, Any]]]
             for (c, s, w, h), n in pieces.items()
         ],
         "hair": [
-            {"color": c, "strands": n, "cut_mm": round(2 * length + fold, 1),
-             "metres": round(n * (2 * length + fold) / 1000, 2)}
+            {"color": c, "strands": n, "cut_mm": length, "metres": round(n * length / 1000, 2)}
             for (c, length), n in tufts.items()
         ],
     }  # fmt: skip
@@ -208,8 +227,6 @@ def materials(built: Built, positions: Array) -> dict[str, list[dict[str, Any]]]
 
 def doubts(built: Built, positions: Array) -> list[Problem]:
     """What can be made, but hardly was meant: eyes in one another, eyes and felt too wide for what they are put on."""
-    from tambour.crochet.spots import Spots
-
     what = placed(built, positions)
     parts, text = Spots(built).parts, built.pattern.text
     found: list[Problem] = []

@@ -94,7 +94,8 @@ def felt(
     distance = far[:, None] * share - np.minimum(soft, 0.3 * far)[:, None] * share
     edge = np.array([0.5, 0.85, 1.0])
     distance = np.concatenate([distance, distance[:, -1:] + (far[:, None] - distance[:, -1:]) * edge], axis=1)
-    base, normal = ground.walk(point, directions, distance)
+    fit = _fit(ground, point, directions, np.arctan2(cut[:, 1], cut[:, 0]), far)
+    base, normal = ground.walk(point, directions, distance * fit[:, None])
     base0, normal0, _ = ground.foot(point[None])
     places = np.concatenate([base0, base.swapaxes(0, 1).reshape(-1, 3)])
     normals = np.concatenate([normal0, normal.swapaxes(0, 1).reshape(-1, 3)])
@@ -123,6 +124,20 @@ def felt(
         group_names=("felt",),
     )
     return mesh, np.asarray(places + (under + THICK / 2)[:, None] * normals)
+
+
+def _fit(ground: Ground, point: Array, directions: Array, angle: Array, far: Array) -> Array:
+    """By how much walks (D,) over the fabric are to be shorter, so that they are as long as they should be on the yarn's
+    top: that goes further where the fabric is bent. Smooth over directions, as bending is: a + b cos 2θ + c sin 2θ."""
+    steps = np.linspace(0, 1, 9)[1:]
+    base, normal = ground.walk(point, directions, far[:, None] * steps)
+    top = base + ground.lift * normal
+    start, upright, _ = ground.foot(point[None])
+    ways = np.diff(np.concatenate([np.repeat((start + ground.lift * upright)[None], len(top), 0), top], axis=1), axis=1)
+    longer = np.sqrt((ways**2).sum(2)).sum(1) / far
+    terms = np.column_stack([np.ones_like(angle), np.cos(2 * angle), np.sin(2 * angle)])
+    smooth = terms @ np.linalg.lstsq(terms, longer, rcond=None)[0]
+    return np.asarray(1.0 / np.clip(smooth, 0.7, 1.6))
 
 
 def _heart_of(shape: str) -> float:

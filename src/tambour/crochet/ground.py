@@ -63,7 +63,7 @@ class Ground:
         self.laid.append(np.column_stack([points, np.broadcast_to(radius, len(points))]))
 
     def walk(self, point: Array, directions: Array, distance: Array) -> tuple[Array, Array]:
-        """Straight walks over the fabric: places and normals (D, S, 3) after ``distance`` (D, S) mm on the yarn's top, rising.
+        """Straight walks over the fabric: places and normals (D, S, 3) after ``distance`` (D, S) mm, rising.
 
         point : (3,) the start, on the fabric; directions : (D, 3), about along it
         """
@@ -76,12 +76,7 @@ class Ground:
             ahead = distance[:, s] - gone
             pieces = max(1, int(np.ceil(ahead.max() / (0.25 * self.stitch))))
             for _ in range(pieces):
-                # What is laid on the yarn's top goes further than the fabric beneath it where that is bent.
-                step = (ahead / pieces)[:, None]
-                ahead_base, ahead_normal, _ = self.foot(base + heading * step)
-                way = ahead_base + self.lift * ahead_normal - base - self.lift * normal
-                step = step / np.clip(np.sqrt((way**2).sum(1, keepdims=True)) / np.maximum(step, 1e-9), 0.7, 1.6)
-                base, normal, _ = self.foot(base + heading * step)
+                base, normal, _ = self.foot(base + heading * (ahead / pieces)[:, None])
                 heading = unit(heading - (heading * normal).sum(1, keepdims=True) * normal)
             gone = distance[:, s]
             places[:, s], normals[:, s] = base, normal

@@ -7,13 +7,10 @@ from typing import Literal
 
 from pydantic import Field, field_validator
 
+from tambour.core.errors import TambourError
 from tambour.core.params import Length, Params
 
 _GAUGE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*[xX×]\s*(\d+(?:\.\d+)?)\s*$")
-
-
-ACROSS = 9.4
-"""Square stitches across a flat circle of five rounds, as it settles: 30 stitches round its edge."""
 
 
 class CrochetParams(Params):
@@ -31,22 +28,39 @@ class CrochetParams(Params):
     """What presses the fabric outwards (else pressure). How much, a pattern says part by part: @stuffing = none|light|firm."""
     contact: bool = True
     """Fabric that is not joined does not pass through itself, nor parts through one another."""
+    pose: tuple[str, ...] = ()
+    """How a placed part leans, in place of what the pattern says: "Arm.1 tilt=30 towards=200 across=0"."""
     detail: Literal["low", "medium", "high"] = "medium"
     """How finely the yarn is swept in 3-D files and pictures."""
     photo: bool = False
     """Path-trace the picture with mitsuba: slow, soft light; needs the extra photo."""
 
-    stitch_width: Length = Field(default=5.0, ge=0.1, le=1000)
-    """Width of a single crochet."""
-    stitch_height: Length = Field(default=5.0, ge=0.1, le=1000)
-    """Height of a single crochet; taller stitches are multiples of it."""
+    stitch_width: Length | None = Field(default=None, ge=0.1, le=1000)
+    """Width of a single crochet (else 5 mm)."""
+    stitch_height: Length | None = Field(default=None, ge=0.1, le=1000)
+    """Height of a single crochet; taller stitches are multiples of it (else as its width)."""
     gauge: str | None = None
-    """Single crochets x rows in 10 cm, such as 20x20; overrides width and height."""
-    gauge_circle: Length | None = Field(default=None, gt=0)
-    """Your own gauge: a flat circle of five rounds (6, 12, … 30), measured across; overrides width and height."""
+    """Your gauge, a flat swatch: single crochets x rows in 10 cm, such as 20x20."""
+    gauge_circle: Length | None = Field(default=None, gt=0, le=10_000)
+    """Your gauge: a flat circle of five rounds (6, 12, … 30), measured across; comes before --gauge."""
+    gauge_yarn: str | None = None
+    """Your gauge: stitches unravelled, and how long their yarn is, such as "20 stitches are 64 cm"."""
+    yarn: str | None = None
+    """Yarn: lace, fingering, sport, dk, worsted, bulky, super-bulky or jumbo, or its number, 0 to 7."""
+    hook: Length | None = Field(default=None, ge=0.4, le=30)
+    """Hook, mm; yarn and hook give the gauge where none is measured."""
+
+    page: Literal["a4", "letter"] = "a4"
+    """Paper of the booklet (.pdf)."""
+    title: str | None = Field(default=None, max_length=200)
+    """Title of the booklet (else the pattern's own, else the file's name)."""
+    designer: str | None = Field(default=None, max_length=200)
+    """Who designed it, for the booklet's cover and foot."""
 
     check: bool = False
     """Tech edit: every mistake and doubt of the pattern is an error, told with its place; nothing is made."""
+    terms: Literal["us", "uk", "es", "de", "fr", "nl", "letters"] | None = None
+    """The words of written instructions: US or UK terms, Spanish, German, French, Dutch, or letters (else the pattern's own, else US)."""
     strict: bool = False
     """Stated counts that do not agree with the work, and other doubts, are errors."""
     max_stitches: int = Field(default=200_000, ge=1)
@@ -94,11 +108,31 @@ class CrochetParams(Params):
                 raise ValueError("a gauge is single crochets x rows in 10 cm, such as 20x22")
         return value
 
-    def stitch(self) -> tuple[float, float]:
-        """Width and height of a single crochet in mm, by the gauge that was given."""
-        if self.gauge_circle is not None:
-            return self.gauge_circle / ACROSS, self.gauge_circle / ACROSS
-        found = _GAUGE.match(self.gauge) if self.gauge else None
-        if found:
-            return 100.0 / float(found[1]), 100.0 / float(found[2])
-        return self.stitch_width, self.stitch_height
+    @field_validator("gauge_yarn")
+    @classmethod
+    def _gauge_yarn(cls, value: str | None) -> str | None:
+        if value is not None:
+            from tambour.crochet.gauge import ravelled
+
+            try:
+                ravelled(value)
+            except TambourError:
+                raise ValueError("say how much yarn stitches take, such as: 20 stitches are 64 cm") from None
+        return value
+
+    @field_validator("yarn", mode="before")
+    @classmethod
+    def _yarn(cls, value: str | int | None) -> str | None:
+        if value is None:
+            return None
+        from tambour.crochet.gauge import WEIGHTS, class_of
+
+        found = class_of(str(value))
+        if found is None:
+            raise ValueError(f"a yarn is {', '.join(WEIGHTS)}, or a number from 0 to 7")
+        return found
+
+    def swatch(self) -> tuple[float, float]:
+        """Width and height, mm, of a single crochet in the swatch of ``gauge``."""
+        found = _GAUGE.match(self.gauge or "")
+        return (100.0 / float(found[1]), 100.0 / float(found[2])) if found else (5.0, 5.0)

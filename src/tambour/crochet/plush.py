@@ -16,14 +16,15 @@ if TYPE_CHECKING:
     from tambour.core.picture import Picture
     from tambour.core.strands import Strands
     from tambour.crochet.build import Built
+    from tambour.crochet.gauge import Gauge
+    from tambour.crochet.joining import Joining
     from tambour.crochet.simulate import Shape
 
 
-DRAWN_TIGHT = 0.68
+DRAWN_TIGHT = 0.606
 """Yarn that hands take, as a share of the yarn that is drawn. The drawn yarn is led so that it nowhere touches itself,
-some 11.8 widths to a single crochet; hands press it together. Swatches that makers unravelled and published give 8:
-31.4 in of worsted to a square inch at a 5 mm hook, 2.75 in of bulky to a stitch at 6.5 mm."""
-
+13.2 widths to a single crochet in the round (13.1 in a tube, 13.3 in a ball, 13.0 in a disc); hands press it together
+to 8 (:data:`tambour.crochet.gauge.IN_A_STITCH`)."""
 
 DOUBT, PALE = (206, 42, 38), (228, 224, 216)
 """Colours of the picture of a tech edit: stitches that it doubts, and what the others are mixed with."""
@@ -34,36 +35,50 @@ class Plush:
     """A pattern in its shape.
 
     built : the pattern worked; params : what was asked for; stitch : width and height of a single crochet, mm
-    stuffing, start : what the options and the pattern together chose
+    gauge : where that size comes from; stuffing, start : what the options and the pattern together chose
     shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm
     yarn : the yarn of every stitch, in mm
+    joining : what was sewn on and where, None where the pattern says nothing of it
     """
 
     built: Built
     params: CrochetParams
     stitch: tuple[float, float]
+    gauge: Gauge
     stuffing: str
     start: str
     shape: Shape
     positions: Array
     centroids: Array
     yarn: Strands
+    joining: Joining | None = None
+
+    @property
+    def upright(self) -> Array | None:
+        """Which way is up on every part (P, 3), None where all stand as they were worked."""
+        return None if self.shape.joined is None else self.shape.joined.upright
 
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
     from tambour.crochet.build import build
-    from tambour.crochet.parse import parse
+    from tambour.crochet.gauge import gauge
+    from tambour.crochet.joining import crowded, prepare
+    from tambour.crochet.pose import pose
+    from tambour.crochet.reading import read
+    from tambour.crochet.twist import twisted
 
     if params.photo:
         from tambour.render.photo import tracer
 
         tracer()  # what is missing is told before the work, not after it
-    stitch = params.stitch()
     with progress.stage("parse"):
-        pattern = parse(source, max_stitches=params.max_stitches, strict=params.strict)
+        pattern = read(source, max_stitches=params.max_stitches, strict=params.strict)
+    known = gauge(params, pattern.stated)
+    stitch = (known.width, known.height)
     with progress.stage("build"):
-        built = build(pattern, stitch=stitch, strict=params.strict)
+        built = pose(build(pattern, stitch=stitch, strict=params.strict), params.pose)
+        joining = prepare(built)
     if params.check:
         from tambour.crochet.check import tech_edit
 
@@ -72,28 +87,40 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
             raise TambourError(found)
     for warning in built.warnings:
         progress.warn(warning)
+    for warning in joining.doubts if joining is not None else ():
+        progress.warn(warning)
     # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
     with progress.stage("start"):
         warm()
-    return _shaped(built, params, stitch, progress)
+    for warning in [*(crowded(joining) if joining is not None else []), *twisted(built)]:
+        progress.warn(warning)
+    return _shaped(built, joining, params, known, progress)
 
 
-def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], progress: Progress) -> Plush:
+def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known: Gauge, progress: Progress) -> Plush:
     """The plush of a pattern that was worked."""
     import numpy as np
 
     from tambour.crochet.body import centroid_counts
     from tambour.crochet.fabric import strands
     from tambour.crochet.features import doubts
+    from tambour.crochet.joining import with_seams
     from tambour.crochet.simulate import Task, simulate
 
+    stitch = (known.width, known.height)
+    if joining is not None and joining.steps:
+        built = replace(built, graph=with_seams(built.graph, joining.pinched, stitch[0]))
     with progress.stage("settle"):
         start = params.start or built.initializer or "rounds"
         stuffing = params.stuffing or "pressure"
         # Sheets inside the piece are fabric, but do not bound its volume.
         shell = replace(built.graph, faces=built.graph.faces[built.shell])
         counts = centroid_counts(shell, params, [part.centroids for part in built.parts])
-        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts), progress.step)
+        snug = stuffing == "pressure" and params.solver == "settle"
+        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts, snug, joining), progress.step)
+        if shape.joined is not None:
+            pairs = np.concatenate(shape.joined.seams) if shape.joined.seams else np.zeros((0, 2), int)
+            built = replace(built, graph=with_seams(built.graph, pairs, stitch[0]))
     if not shape.settled:
         progress.warn(
             f"the shape is not quite at rest: the largest force left is {shape.residual:.2g} stitches",
@@ -108,7 +135,7 @@ def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], pr
             "building one by one was cut short: the last nodes were placed at once", "--start rounds is faster"
         )
     x, c = shape.x * stitch[0], shape.c * stitch[0]
-    if params.solver == "settle" and built.up == "start":
+    if params.solver == "settle" and built.up == "start" and shape.joined is None:
         x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
     if params.check:
         from tambour.crochet.check import size_edit
@@ -119,7 +146,7 @@ def _shaped(built: Built, params: CrochetParams, stitch: tuple[float, float], pr
         progress.warn(doubt)
     with progress.stage("fabric"):
         yarn = strands(built.graph, x, detail=params.detail)
-    return Plush(built, params, stitch, stuffing, start, shape, x, c, yarn)
+    return Plush(built, params, stitch, known, stuffing, start, shape, x, c, yarn, joining)
 
 
 def yarn(piece: Plush) -> Mesh:
@@ -127,9 +154,9 @@ def yarn(piece: Plush) -> Mesh:
     from tambour.crochet.fabric import mesh
     from tambour.crochet.features import joined, meshes
 
-    _not_empty(piece)
+    not_empty(piece)
     detail = piece.params.detail
-    face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail)
+    face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail, upright=piece.upright)
     worked = mesh(piece.built.graph, piece.positions, detail=detail, made=led)
     return joined([worked, *face]) if face else worked
 
@@ -141,7 +168,7 @@ def checked(piece: Plush) -> Mesh:
     from tambour.crochet.check import doubtful, size_edit, tech_edit
     from tambour.crochet.fabric import mesh
 
-    _not_empty(piece)
+    not_empty(piece)
     graph, problems = piece.built.graph, tech_edit(piece.built)
     wrong = doubtful(piece.built, [*problems, *size_edit(piece.built, tuple(np.ptp(piece.positions, axis=0)))])
     color = np.where(wrong[:, None], DOUBT, (0.25 * graph.color + 0.75 * np.array(PALE)).astype(np.uint8))
@@ -159,12 +186,13 @@ def surface(piece: Plush) -> Mesh:
     """The fabric that bounds the piece, as a mesh through its stitches; closed for every closed part."""
     from tambour.crochet.surface import mesh
 
-    _not_empty(piece)
+    not_empty(piece)
     graph = piece.built.graph
     return mesh(replace(graph, faces=graph.faces[piece.built.shell]), piece.positions)
 
 
-def _not_empty(piece: Plush) -> None:
+def not_empty(piece: Plush) -> None:
+    """Refuses a piece without a stitch, for views that show one."""
     if not len(piece.built.graph):
         raise TambourError(
             "the pattern makes no stitch: there is nothing to show",
@@ -207,21 +235,20 @@ def facts(piece: Plush) -> dict[str, Any]:
     """What the report says: counts, size, how the shape was reached, and where the fabric is tight."""
     import numpy as np
 
+    from tambour.crochet import size
     from tambour.crochet.features import materials
     from tambour.crochet.forces import lengths
+    from tambour.crochet.joining import assembly
+    from tambour.crochet.materials import lengths as metres
+    from tambour.crochet.materials import materials as needed
+    from tambour.crochet.reading import account
 
     built, g, shape = piece.built, piece.built.graph, piece.shape
     x, width = piece.positions, piece.stitch[0]
     kinds, counts = np.unique(g.kind, return_counts=True)
 
-    def size(points: Array) -> list[float]:
-        return [round(float(v), 2) for v in np.ptp(points, axis=0)] if len(points) else [0.0, 0.0, 0.0]
-
-    # Yarn by colour, in the order in which it is taken up.
-    length: dict[tuple[int, ...], float] = {}
-    for led, color in zip(piece.yarn.paths, piece.yarn.color.tolist()):
-        run = float(np.sqrt((np.diff(led, axis=0) ** 2).sum(1)).sum()) / 1000.0 * DRAWN_TIGHT
-        length[tuple(color)] = length.get(tuple(color), 0.0) + run
+    measured = size.report(piece)
+    length = metres(piece)
     ml = shape.volume * width**3 / 1000.0
     stretch = lengths(x, g.edges) / (g.rest * piece.params.link_distance) - 1.0 if len(g.edges) else np.zeros(0)
     tension: dict[str, Any] = {"mean": 0.0, "worst": 0.0, "node": None, "at": None}
@@ -239,6 +266,7 @@ def facts(piece: Plush) -> dict[str, Any]:
     checked = f"no mistake found: {len(built.rounds)} rounds, {said} stated counts" if piece.params.check else None
     return {
         **({"check": checked} if checked else {}),
+        **account(built.pattern),
         "nodes": len(g),
         "edges": len(g.edges),
         "stitches": {g.kinds[k]: int(n) for k, n in zip(kinds, counts)},
@@ -246,21 +274,23 @@ def facts(piece: Plush) -> dict[str, Any]:
             {
                 "name": p.name,
                 "nodes": p.end - p.start,
-                "size_mm": size(x[p.start : p.end]),
+                "size_mm": [measured["parts"][k][side]["mm"] for side in ("width", "height", "depth")],
                 "volume_ml": round(float(ml[k]), 3),
                 "stuffing": p.stuffing,
             }
             for k, p in enumerate(g.parts)
         ],
         "rounds": [{"part": r.part, "number": r.number, "stitches": r.count} for r in built.rounds],
-        "size_mm": size(x),
-        "size_in": [round(v / 25.4, 2) for v in size(x)],
+        "size": measured,
+        "size_mm": [measured[side]["mm"] for side in ("width", "height", "depth")],
+        "size_in": [measured[side]["in"] for side in ("width", "height", "depth")],
         "volume_ml": round(float(ml.sum()), 3),
         "yarn": [
             {"color": "#{:02x}{:02x}{:02x}".format(*shade), "metres": round(m, 2), "yards": round(m / 0.9144, 2)}
             for shade, m in length.items()
         ],
         "features": materials(built, x),
+        "materials": needed(piece),
         "yarn_metres": round(sum(length.values()), 2),
         "stitch_mm": list(piece.stitch),
         "stuffing": piece.stuffing,
@@ -269,6 +299,9 @@ def facts(piece: Plush) -> dict[str, Any]:
         "settled": shape.settled,
         "evaluations": shape.evaluations,
         "tension": tension,
+        "assembly": (
+            assembly(piece.joining, shape.joined, x) if piece.joining is not None and shape.joined is not None else []
+        ),
     }
 
 
@@ -276,12 +309,14 @@ def facts(piece: Plush) -> dict[str, Any]:
 def warm() -> None:
     """Load every kernel, once, by shaping a tiny piece in every way."""
     from tambour.crochet.build import build
+    from tambour.crochet.gauge import gauge
     from tambour.crochet.parse import parse
 
     text = "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
     built = build(parse(Text(text)))
     for stuffing in ("pressure", "centroid", "skeleton"):
-        piece = _shaped(built, CrochetParams(stuffing=stuffing, tolerance=0.1), (5.0, 5.0), Progress())
+        known = gauge(CrochetParams(), {})
+        piece = _shaped(built, None, CrochetParams(stuffing=stuffing, tolerance=0.1), known, Progress())
     facts(piece)
     yarn(piece)
     surface(piece)

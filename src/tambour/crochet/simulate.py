@@ -12,10 +12,12 @@ from tambour.core.check import Array
 from tambour.core.digest import digest
 from tambour.core.graph import StitchGraph
 from tambour.crochet.arrange import arrange, clusters, cut, fit, parts
-from tambour.crochet.body import Body, State, build, displacement, volumes
+from tambour.crochet.body import Body, State, build, displacement, joined_up, volumes
 from tambour.crochet.layout import on_axis, rounds
+from tambour.crochet.snug import snug
 
 if TYPE_CHECKING:
+    from tambour.crochet.joining import Joined, Joining
     from tambour.crochet.params import CrochetParams
 
 BUILDING = 2_000_000
@@ -29,6 +31,7 @@ class Shape:
     residual : largest force left, in stitches; move : rms of the last quasi-Newton move; volume (P,)
     settled : the goal was reached (for steps and none: nothing was promised)
     hurried : building one by one was cut short; worked : the nodes that had their place by then
+    joined : how placed parts were sewn on, None where none are; x there is from before they settled together
     """
 
     x: Array
@@ -40,11 +43,17 @@ class Shape:
     volume: Array
     hurried: bool = False
     worked: int = -1
+    joined: Joined | None = None
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Task:
-    """A graph and how to shape it. width : mm per stitch; counts (P,) centroids of each part."""
+    """A graph and how to shape it.
+
+    width : mm per stitch; counts (P,) centroids of each part
+    snug : settled parts keep the size of their gauge (:mod:`tambour.crochet.snug`) instead of what springs give way
+    joining : the parts to be placed
+    """
 
     graph: StitchGraph
     params: CrochetParams
@@ -52,6 +61,8 @@ class Task:
     stuffing: str
     start: str
     counts: Array
+    snug: bool = False
+    joining: Joining | None = None
 
     def body(self, graph: StitchGraph, counts: Array) -> Body:
         """The body of ``graph``, a cut of this task's."""
@@ -71,18 +82,29 @@ def first_positions(task: Task) -> tuple[Array, Array]:
     return x, np.concatenate(made) if made else np.zeros((0, 3))
 
 
-def placed(task: Task, x: Array, c: Array) -> tuple[Array, Array]:
-    """Positions and centroids after :func:`arrange` has moved every part to where it belongs."""
-    graph = task.graph
-    moved = arrange(graph, x)
+def placed(task: Task, x: Array, c: Array) -> tuple[Task, Array, Array, Joined | None]:
+    """Every part moved as a whole to where it belongs: the task with its seams, positions and centroids."""
+    from tambour.crochet.joining import join, with_seams
+
+    joined, moved = None, x
+    if task.joining is not None and task.joining.steps:
+        joined = join(task.joining, x, parts(task.graph))
+        moved = joined.x
+        task = replace(task, graph=with_seams(task.graph, np.concatenate(joined.seams), task.width))
+    moved = arrange(task.graph, moved, None if joined is None else joined.held)
+    return task, moved, _carried(task, x, moved, c), joined
+
+
+def _carried(task: Task, x: Array, moved: Array, c: Array) -> Array:
+    """Centroids moved as their parts were, from x to ``moved``."""
     first = np.concatenate([[0], np.cumsum(task.used)])
     c = c.copy()
-    for k, p in enumerate(graph.parts):
+    for k, p in enumerate(task.graph.parts):
         if first[k + 1] > first[k]:
             a, b = x[p.start : p.end], moved[p.start : p.end]
             turn, shift = fit(a, b, np.ones(len(a)))
             c[first[k] : first[k + 1]] = c[first[k] : first[k + 1]] @ turn.T + shift
-    return moved, c
+    return c
 
 
 def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: None) -> Shape:
@@ -105,7 +127,12 @@ def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: 
                     tell(k, params.steps)
             worked = len(work.body)
             work.finish()
-            return replace(_measured(whole, work.state, worked < n), worked=worked)
+            shape = replace(_measured(whole, work.state, worked < n), worked=worked)
+            if task.joining is None or not task.joining.steps:
+                return shape
+            # Parts are sewn on once they are made: nothing is left to settle them by.
+            _, x, c, joined = placed(task, shape.x, shape.c)
+            return replace(shape, x=x, c=c, joined=joined)
         spent = 0
         while not work.done and spent < BUILDING:
             work.tick()
@@ -116,12 +143,12 @@ def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: 
     else:
         (x, c), evaluations = first_positions(task), 0
     if params.solver != "settle":
-        x, c = placed(task, x, c)
-        whole = task.body(graph, task.used)
+        task, x, c, joined = placed(task, x, c)
+        whole = task.body(task.graph, task.used)
         state = State(x, c, np.zeros(p))
         if params.solver == "steps":
             run(whole, state, params.steps, tell)
-        return _measured(whole, state, False)
+        return replace(_measured(whole, state, False), joined=joined)
     return _settled(task, x, c, evaluations, hurried, tell)
 
 
@@ -144,6 +171,8 @@ def _settled(
     ends: dict[int, tuple[float, float, bool]] = {}
     known: dict[str, tuple[Array, Array, tuple[float, float, bool], Array]] = {}
 
+    joined: Joined | None = None
+
     def settle(nodes: Array) -> None:
         from tambour.crochet.settle import settle as bring_to_rest
 
@@ -153,10 +182,12 @@ def _settled(
         mine = np.concatenate([np.arange(first[p], first[p + 1]) for p in own]).astype(int)
         moved = x[nodes] - x[nodes[0]]
         shape = [piece.edges, piece.rest, piece.faces, piece.plane, piece.peculiarity, task.used[own]]
-        key = digest([*shape, [p.stuffing for p in piece.parts], np.round(moved, 9)])
+        key = digest([joined is None, *shape, [p.stuffing for p in piece.parts], np.round(moved, 9)])
         if key not in known:
             state = State(x[nodes], c[mine], np.zeros(len(own)))
             body = task.body(piece, task.used[own])
+            if joined is not None:
+                body = joined_up(body, nodes, joined.stays, joined.rest, joined.lying)
             rest = bring_to_rest(body, state, task.params.tolerance, tell=tell)
             evaluations += rest.evaluations
             root = body.root[0]
@@ -171,7 +202,13 @@ def _settled(
 
     for nodes in parts(graph):
         settle(nodes)
-    x, c = placed(task, x, c)
+    if task.snug:
+        task = replace(task, graph=snug(graph, x, task.width / task.params.link_distance))
+        graph = task.graph
+        for nodes in parts(graph):
+            settle(nodes)
+    task, x, c, joined = placed(task, x, c)
+    graph = task.graph
     piece = clusters(graph)
     bodies = {int(piece[nodes[0]]): 0 for nodes in parts(graph)}
     for nodes in parts(graph):
@@ -179,10 +216,43 @@ def _settled(
     for k, count in bodies.items():
         if count > 1:
             settle(np.flatnonzero(piece == k))
+    if joined is not None:
+        x, c = _standing(task, x, c, joined, piece)
+        joined = replace(joined, upright=_upright(graph, joined, x))
     if len(bodies) > 1:
-        x, c = placed(task, x, c) if all(v == 1 for v in bodies.values()) else _apart(task, x, c, piece)
+        if all(v == 1 for v in bodies.values()):
+            moved = arrange(graph, x)
+            x, c = moved, _carried(task, x, moved, c)
+        else:
+            x, c = _apart(task, x, c, piece)
     residual, move = max(e[0] for e in ends.values()), max(e[1] for e in ends.values())
-    return Shape(x, c, residual, move, evaluations, all(e[2] for e in ends.values()), volume, hurried)
+    settled = all(e[2] for e in ends.values())
+    return Shape(x, c, residual, move, evaluations, settled, volume, hurried, -1, joined)
+
+
+def _standing(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:
+    """Every piece that parts were sewn to, turned back to where the part that they stand on stood by itself."""
+    x, c = x.copy(), c.copy()
+    first = np.concatenate([[0], np.cumsum(task.used)])
+    moved = {int(task.graph.part[pairs[0, 0]]) for pairs in joined.seams}
+    for k in np.unique(piece[joined.held[:, 0]]):
+        own = [p for p in np.unique(task.graph.part[piece == k]) if int(p) not in moved]
+        base = np.flatnonzero(np.isin(task.graph.part, own) & (piece == k))
+        turn, shift = fit(x[base], joined.x[base], np.ones(len(base)))
+        x[piece == k] = x[piece == k] @ turn.T + shift
+        for p in np.unique(task.graph.part[piece == k]):
+            c[first[p] : first[p + 1]] = c[first[p] : first[p + 1]] @ turn.T + shift
+    return x, c
+
+
+def _upright(graph: StitchGraph, joined: Joined, x: Array) -> Array:
+    """Which way is up on every part (P, 3), now that its nodes are at x."""
+    up = joined.upright.copy()
+    for k, p in enumerate(graph.parts):
+        if p.end > p.start:
+            turn, _ = fit(joined.x[p.start : p.end], x[p.start : p.end], np.ones(p.end - p.start))
+            up[k] = turn @ up[k]
+    return up
 
 
 def _apart(task: Task, x: Array, c: Array, piece: Array) -> tuple[Array, Array]:

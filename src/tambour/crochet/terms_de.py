@@ -66,6 +66,7 @@ MEANING: Final = explained(
         "loopst": "Schlingenmasche",
         "fur": "Fellmasche",
         "round": "Runde",
+        "row": "Reihe",
         "front loops": "nur vorderes Maschenglied",
         "back loops": "nur hinteres Maschenglied",
     },
@@ -129,8 +130,10 @@ WORDS: Final = {
 }
 
 SENTENCES: Final = {
+    "terms": "deutsche Abkürzungen",
     "ring": "{count} fM in Fadenring",
     "color": "wechseln zu {color}",
+    "use color": "{color} verwenden",
     "both loops": "in beide Mg",
     "front loops": "ins vMg",
     "back loops": "ins hMg",
@@ -170,7 +173,7 @@ SENTENCES: Final = {
     "legend": "Farbe {letter}: {name} ({hex})",
     "several": "{count} {item}",
     "group": "[{items}] x {count}",
-    "copies": "({count} x häkeln)",
+    "copies": "({count}x)",
 }
 
 COLORS: Final = {

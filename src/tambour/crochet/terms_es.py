@@ -66,6 +66,7 @@ MEANING: Final = explained(
         "loopst": "punto rizo",
         "fur": "punto pelo",
         "round": "vuelta",
+        "row": "fila",
         "front loops": "solo hebra delantera",
         "back loops": "solo hebra trasera",
     },
@@ -129,8 +130,10 @@ WORDS: Final = {
 }
 
 SENTENCES: Final = {
+    "terms": "abreviaturas en español",
     "ring": "{count} pb en anillo mágico",
     "color": "cambiar a {color}",
+    "use color": "usar {color}",
     "both loops": "en ambas hebras",
     "front loops": "en HD",
     "back loops": "en HT",

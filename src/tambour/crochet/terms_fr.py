@@ -66,6 +66,7 @@ MEANING: Final = explained(
         "loopst": "point bouclette",
         "fur": "point fourrure",
         "round": "tour",
+        "row": "rang",
         "front loops": "brin avant seulement",
         "back loops": "brin arrière seulement",
     },
@@ -129,8 +130,10 @@ WORDS: Final = {
 }
 
 SENTENCES: Final = {
+    "terms": "abréviations françaises",
     "ring": "{count} ms dans cercle magique",
     "color": "changer pour {color}",
+    "use color": "utiliser {color}",
     "both loops": "dans les deux brins",
     "front loops": "dans BAV",
     "back loops": "dans BAR",

@@ -52,7 +52,7 @@ STITCHES: Final = {
         for n in range(2, MOST + 1)
     },
     **bumps(_BUMPS),
-    **standing(_PLAIN, "{n}CH as {k}"),
+    **standing(_PLAIN, "CH{n} as {k}"),
 }
 
 MEANING: Final = explained(
@@ -73,6 +73,7 @@ MEANING: Final = explained(
         "loopst": "loop stitch",
         "fur": "fur stitch",
         "round": "round",
+        "row": "row",
         "front loops": "front loops only",
         "back loops": "back loops only",
     },
@@ -88,6 +89,7 @@ WORDS: Final = {
 
 SENTENCES: Final = {
     **us.SENTENCES,
+    "terms": "letters",
     "ring": "{count}X in MR",
     "oval": us.SENTENCES["oval"].replace("ch {", "CH {"),
     "foundation": "{count} foundation X",

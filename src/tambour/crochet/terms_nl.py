@@ -73,6 +73,7 @@ MEANING: Final = explained(
         "loopst": "lussensteek",
         "fur": "bontsteek",
         "round": "toer",
+        "row": "rij",
         "front loops": "alleen in de voorste lussen",
         "back loops": "alleen in de achterste lussen",
     },
@@ -136,8 +137,10 @@ WORDS: Final = {
 }
 
 SENTENCES: Final = {
+    "terms": "Nederlandse afkortingen",
     "ring": "{count} v in magische ring",
     "color": "wissel naar {color}",
+    "use color": "gebruik {color}",
     "both loops": "in beide lussen",
     "front loops": "in VL",
     "back loops": "in AL",

@@ -75,6 +75,7 @@ MEANING: Final = explained(
         "loopst": "loop stitch",
         "fur": "fur stitch",
         "round": "round",
+        "row": "row",
         "front loops": "front loops only",
         "back loops": "back loops only",
     },
@@ -88,6 +89,7 @@ WORDS: Final = {
 
 SENTENCES: Final = {
     **us.SENTENCES,
+    "terms": "UK terms",
     "ring": "{count} dc in magic ring",
     "foundation": "{count} foundation dc",
     "shade": "colour {letter}",

@@ -74,6 +74,7 @@ MEANING: Final = explained(
         "loopst": "loop stitch",
         "fur": "fur stitch",
         "round": "round",
+        "row": "row",
         "front loops": "front loops only",
         "back loops": "back loops only",
     },
@@ -137,8 +138,10 @@ WORDS: Final = {
 }
 
 SENTENCES: Final = {
+    "terms": "US terms",
     "ring": "{count} sc in magic ring",
     "color": "change to {color}",
+    "use color": "use {color}",
     "both loops": "in both loops",
     "front loops": "in FLO",
     "back loops": "in BLO",

@@ -64,10 +64,10 @@ def knot(ground: Ground, point: Array, normal: Array, width: float) -> Array:
     flat = across(normal)
     turn = np.linspace(0, 4.4 * pi, 45)
     beneath = point + 0.8 * radius * (np.cos(turn)[:, None] * flat[0] + np.sin(turn)[:, None] * flat[1])
-    floor = float(np.quantile(ground.top(beneath, np.repeat(normal[None], len(turn), 0)), 0.8))
+    floor = float(np.quantile(ground.top(beneath, np.repeat(normal[None], len(turn), 0)), 0.5))
     t = turn / turn[-1]
     wide = radius * (0.95 - 0.2 * t)
-    rise = floor + radius * (0.75 + 1.25 * t)
+    rise = floor + radius * (0.45 + 1.25 * t)
     # Its end goes over the coil and down its middle.
     over = np.linspace(0, 1, 9)[1:]
     wide = np.concatenate([wide, wide[-1] * (1 - over)])
@@ -78,10 +78,10 @@ def knot(ground: Ground, point: Array, normal: Array, width: float) -> Array:
 
 
 def needed(points: Array, width: float) -> float:
-    """Yarn, mm, for stitches from hole to hole (K, 3): over the fabric, on behind it to the next hole; a knot's wraps.
+    """Yarn, mm, for stitches from hole to hole (K, 3): over the fabric, and as far behind it; a knot's wraps.
 
-    The ends, two fingers long on the inside, are counted by the whole piece of embroidery, not here.
+    The ends that are hidden inside are not counted here.
     """
     if len(points) == 1:
         return 2.4 * 2 * pi * width
-    return float(np.sqrt((np.diff(points, axis=0) ** 2).sum(1)).sum())
+    return 2 * float(np.sqrt((np.diff(points, axis=0) ** 2).sum(1)).sum())

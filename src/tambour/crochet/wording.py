@@ -91,9 +91,11 @@ WORDS: Final = (
 """What a table has words for."""
 
 SENTENCES: Final = {
+    "terms": "",  # what the words are called in themselves
     # Within a round, between commas; on lines of their own they begin with a capital and end with a point.
     "ring": "count",
     "color": "color",
+    "use color": "color",  # the one that a part begins with
     "both loops": "",
     "front loops": "",
     "back loops": "",

@@ -14,6 +14,10 @@ from tambour.ink.marks import INK, LEAF
 from tambour.ink.press import TOUCH, touch
 from tambour.noise import value
 
+LEVELS = 10
+GRAIN = 0.02
+"""Cells of the field of tones in a unit."""
+
 
 @kernel
 def shatter(
@@ -70,24 +74,39 @@ def shatter(
 @kernel
 def bush(
     table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, forms: Array, loops: Array,
+    x: float, y: float, height: float, width: float, tone: float, forms: Array, loops: Array,
 ) -> None:  # fmt: skip
-    """A bush of slanting washes over a short stem; forms and loops are the press's tools."""
+    """A bush of slanting washes on a thin stem that leans: tree07; forms and loops are the press's tools.
+
+    tone : where the field of tones begins. The field lies over the whole scroll, so that bushes which are given the same
+    tone run together to one mass, dark and light in slow drifts, whose strokes show only at its rim.
+    """
     before = part(elems, n, BUSH, x, y)
+    phase = 64.0 * rnd(rng)
+    stem = np.empty((2 * LEVELS + 1, 2))
+    for i in range(LEVELS):
+        for s in range(2):
+            drift = (value(table, 0.5 * i, phase + 0.5 * s, 0.0) - 0.5) * width + (s - 0.5) * width
+            k = i if s == 0 else 2 * LEVELS - 1 - i
+            stem[k, 0] = x + 20.0 * math.sqrt(i / LEVELS) + drift
+            stem[k, 1] = y - i * height / LEVELS
+    stem[2 * LEVELS] = stem[0]
+    rung = np.empty((5, 2))
+    for i in range(LEVELS - 1):
+        rung[0], rung[1], rung[2] = stem[i], stem[i + 1], stem[2 * LEVELS - 2 - i]
+        rung[3], rung[4] = stem[2 * LEVELS - 1 - i], stem[i]
+        shatter(table, pts, marks, n, rung, 50.0, GRAIN, tone, 50.0, 200.0, 0.8, 0.0)
     n[HUE] = LEAF
-    phase = math.floor(4096.0 * rnd(rng)) + 0.5
     axis, ring = np.empty((2, 2)), np.empty((TOUCH, 2))
-    for i in range(10):
-        bend = 20.0 * math.sqrt(0.1 * i)
-        cx, cy = x + bend, y - 0.1 * i * height
-        if i >= 3:
-            length, breadth = between(rng, 20.0, 70.0), between(rng, 12.0, 24.0)
-            angle = -rnd(rng) * PI / 6.0
-            cx += between(rng, -0.6, 0.6) * width * (10.0 - i)
-            dx, dy = 0.5 * length * math.cos(angle), 0.5 * length * math.sin(angle)
-            axis[0, 0], axis[0, 1], axis[1, 0], axis[1, 1] = cx - dx, cy - dy, cx + dx, cy + dy
-            touch(axis, breadth, 0.5, forms[PUFF], loops[int(rnd(rng) * len(loops))], ring)
-            shatter(table, pts, marks, n, ring, 50.0, 0.02, phase, 50.0, 200.0, 0.8, 0.0)
+    for i in range(3, LEVELS):
+        length, breadth = between(rng, 20.0, 70.0), between(rng, 11.0, 23.0)
+        angle = -rnd(rng) * PI / 6.0
+        cx = x + 20.0 * math.sqrt(i / LEVELS) + between(rng, -0.3, 0.3) * width * (LEVELS - i)
+        cy = y - i * height / LEVELS + between(rng, -0.25, 0.25) * width
+        dx, dy = 0.5 * length * math.cos(angle), 0.5 * length * math.sin(angle)
+        axis[0, 0], axis[0, 1], axis[1, 0], axis[1, 1] = cx - dx, cy - dy, cx + dx, cy + dy
+        touch(axis, breadth, 0.5, forms[PUFF], loops[int(rnd(rng) * len(loops))], ring)
+        shatter(table, pts, marks, n, ring, 50.0, GRAIN, tone, 50.0, 200.0, 0.8, 0.0)
     n[HUE] = INK
     n[OPEN] = before
 
@@ -108,7 +127,7 @@ def reed(
         a, b = a + math.cos(heading) * height / 15.0, b + math.sin(heading) * height / 15.0
     for i in range(16):
         at(pts, n, stem[i, 0], stem[i, 1])
-    stroke(rng, marks, n, 100.0, 0.6, 1.2 * width, 0.4, FADE, 1.0)
+    stroke(rng, marks, n, 100.0, 0.75, 1.7 * width, 0.4, FADE, 1.0)
     todo = np.empty((16, 6))
     for i in range(1, 16):
         if rnd(rng) > 0.35 and i < 15:
@@ -127,7 +146,7 @@ def reed(
                 p = 0.1 * k
                 off = bow * math.sin(PI * p)
                 at(pts, n, sx + c * size * p - s * off, sy + s * size * p + c * off)
-            stroke(rng, marks, n, 100.0, 0.6, 0.9 * width * thick, 0.5, FADE, 0.9)
+            stroke(rng, marks, n, 100.0, 0.7, 1.2 * width * thick, 0.5, FADE, 0.9)
             if depth > 0 and left < 13:
                 ex, ey = sx + c * size, sy + s * size
                 fork = 2 if rnd(rng) < 0.5 else 1

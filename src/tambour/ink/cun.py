@@ -8,13 +8,15 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush import SINE, at, body, rnd, stroke
+from tambour.ink.brush import SINE, at, between, body, rnd, stroke
 from tambour.ink.codes import numbers
 from tambour.noise import ease, value
 
 FLANKS, SHOULDERS, SIDES, SPREAD = numbers(4)
 """Where wrinkles gather along a ridge: the outer thirds; broadly beside the middle; narrowly at the sides; more and
 more towards one end."""
+OWN = 0.5
+"""How much a stroke trembles by itself, as a part of the slope's relief: lines of a bundle touch and part again."""
 
 
 @kernel
@@ -41,12 +43,12 @@ def grit(table: Array, place: int) -> float:
 
 @kernel
 def relief(table: Array, phase: int, layers: int, columns: int) -> Array:
-    """The roughness of a slope: (layers + 1, columns, 2) in about -1/2 … 1/2, smoothed along the contours.
+    """The roughness of a slope: (layers, columns, 2) in about -1/2 … 1/2, smoothed along the contours.
 
     It belongs to the slope, not to the stroke: strokes that run side by side are pushed the same way, and stay parallel.
     """
-    rough = np.empty((layers + 1, columns, 2))
-    for i in range(layers + 1):
+    rough = np.empty((layers, columns, 2))
+    for i in range(layers):
         for c in range(2):
             row = phase + 977 * i + 2048 * c
             before, here = grit(table, row - 1), grit(table, row)
@@ -87,16 +89,30 @@ def wrinkles(
             high, p = min(low + 1, layers - 1), layer - low
             drift = tremble / (layer + 1.0) * min(1.0, 0.25 + layer)
             q = ease(p)
+            spot = int(4096.0 * rnd(rng))
+            mine = grit(table, spot + first) - 0.47
             for j in range(first, last):
+                before, mine = mine, grit(table, spot + j + 1) - 0.47
+                push = OWN * 0.5 * (before + mine)
                 a = (1.0 - p) * grid[low, j, 0] + p * grid[high, j, 0]
                 b = (1.0 - p) * grid[low, j, 1] + p * grid[high, j, 1]
-                a += drift * (rough[low, j, 0] + q * (rough[low + 1, j, 0] - rough[low, j, 0]))
-                b += drift * (rough[low, j, 1] + q * (rough[low + 1, j, 1] - rough[low, j, 1]))
+                a += drift * (rough[low, j, 0] + q * (rough[high, j, 0] - rough[low, j, 0]) + push)
+                b += drift * (rough[low, j, 1] + q * (rough[high, j, 1] - rough[low, j, 1]) - push)
                 at(pts, n, a + x, b + y)
             if wet == 0:
                 stroke(rng, marks, n, grey, 0.1, shade, 0.5, SINE, 1.0)
             else:
-                stroke(rng, marks, n, grey, alpha * rnd(rng), breadth, 0.5, SINE, 1.0)
+                stroke(
+                    rng,
+                    marks,
+                    n,
+                    grey,
+                    alpha * between(rng, 0.1, 1.0),
+                    breadth * between(rng, 0.7, 1.2),
+                    0.5,
+                    SINE,
+                    1.0,
+                )
 
 
 @kernel

@@ -44,7 +44,8 @@ def _how(p: Planned, manner: Manner) -> tuple[Callable[..., None], tuple[Any, ..
         return hills.hill, (*p.how, 200, manner.planted, housed, 0.08 * manner.waterfalls)
     if p.kind == codes.BANK:
         _, forms, _, loops = press.tools()
-        return banks.bank, (*p.how, manner.planted, manner.bloom, housed, peopled, forms, loops)
+        *ground, hutted = p.how
+        return banks.bank, (*ground, manner.planted, manner.bloom, housed * hutted, peopled, forms, loops)
     if p.kind == codes.BOAT:
         return people.boat, (*p.how, manner.figures)
     kernels: dict[int, Callable[..., None]] = {

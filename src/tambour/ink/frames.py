@@ -58,11 +58,12 @@ def lattice_face(
                 fx, fy = ax + q * (bx - ax), ay + q * (by - ay)
                 run(rng, pts, marks, n, fx, fy, fx, fy - 0.8 * height, 0.6, 0.4)
     elif style == BARS:
-        for k in range(1, 6):
-            q = k / 6.0
-            fx, fy = ax + q * (bx - ax), ay + q * (by - ay)
-            run(rng, pts, marks, n, fx, fy, fx, fy - 0.85 * height, 0.6, 0.4)
-        run(rng, pts, marks, n, ax, ay - 0.55 * height, bx, by - 0.55 * height, 0.6, 0.4)
+        for s in range(2):
+            p, q = (0.08, 0.24) if s == 0 else (0.76, 0.92)
+            px, py, qx, qy = ax + p * (bx - ax), ay + p * (by - ay), ax + q * (bx - ax), ay + q * (by - ay)
+            run(rng, pts, marks, n, px, py, px, py - 0.95 * height, 0.6, 0.5)
+            run(rng, pts, marks, n, qx, qy, qx, qy - 0.95 * height, 0.6, 0.5)
+            run(rng, pts, marks, n, px, py - 0.45 * height, qx, qy - 0.45 * height, 0.5, 0.5)
     elif style == LATTICE:
         for k in range(1, 4):
             up = height * k / 4.0
@@ -106,9 +107,10 @@ def box(
 @kernel
 def rail(
     table: Array, rng: Array, pts: Array, marks: Array, n: Array,
-    x: float, y: float, height: float, width: float, turn: float, depth: float, posts: int, breadth: float,
+    x: float, y: float, height: float, width: float, turn: float, depth: float, posts: int, breadth: float, lower: float,
 ) -> None:  # fmt: skip
-    """A railing along the two front edges: two wavy rails, posts, and a gap to go in by."""
+    """A railing along the two front edges: two wavy rails, the second at ``lower`` of its height, posts, and a gap to go
+    in by."""
     left, right, front = x - 0.5 * width, x + 0.5 * width, x + (turn - 0.5) * width
     gap = pick(rng, 2 * posts)
     phase = 4096.0 * rnd(rng)
@@ -116,10 +118,10 @@ def rail(
         ax, ay = (left, y) if s == 0 else (front, y + depth)
         bx, by = (front, y + depth) if s == 0 else (right, y)
         for level in range(2):
-            up = height * (1.0 - 0.5 * level)
+            up = height if level == 0 else height * lower
             for i in range(21):
                 p = i / 20.0
-                wave = (value(table, 0.3 * i + 9.0 * s, phase, level * 0.5) - 0.5) * 0.35 * height
+                wave = (value(table, 0.3 * i + 9.0 * s, phase, level * 0.5) - 0.5) * 0.35 * height * (0.3 + lower)
                 at(pts, n, ax + p * (bx - ax), ay + p * (by - ay) - up + wave)
             stroke(rng, marks, n, 100.0, 0.5, breadth, 0.5, EVEN, 0.5)
         for k in range(posts + 1):
@@ -127,7 +129,7 @@ def rail(
                 continue
             p = k / posts
             fx, fy = ax + p * (bx - ax), ay + p * (by - ay)
-            run(rng, pts, marks, n, fx, fy, fx, fy - 1.15 * height, breadth, 0.5)
+            run(rng, pts, marks, n, fx, fy, fx, fy - (1.0 + 0.3 * lower) * height, breadth, 0.5)
 
 
 @kernel
@@ -143,7 +145,7 @@ def roof(
     rng: Array, pts: Array, marks: Array, n: Array,
     x: float, y: float, height: float, width: float, turn: float, depth: float, breadth: float, corner: float,
 ) -> None:  # fmt: skip
-    """A hip roof over a box: curved eaves that turn up at the corners, a ridge, tiles hinted (1.9)."""
+    """A hip roof over a box, plain: curved eaves that turn up at the corners, a ridge, the hip that comes forward (1.9)."""
     left, right, front = x - 0.5 * width - corner, x + 0.5 * width + corner, x + (turn - 0.5) * width
     low, high = y + depth, y - height
     ridge_left, ridge_right = x - 0.25 * width, x + 0.25 * width
@@ -160,21 +162,41 @@ def roof(
                 if wet == 0:
                     eave(pts, n, ridge_left, high, left, y, 0.18 * height)
             if wet == 1:
-                stroke(rng, marks, n, 100.0, 0.5, breadth, 1.0, EVEN, 1.0)
+                stroke(rng, marks, n, 100.0, 0.6, breadth, 1.0, EVEN, 1.0)
         if wet == 0:
             body(marks, n)
     eave(pts, n, ridge_left, high, left, y, 0.18 * height)
-    stroke(rng, marks, n, 100.0, 0.5, breadth, 1.0, EVEN, 1.0)
+    stroke(rng, marks, n, 100.0, 0.6, breadth, 1.0, EVEN, 1.0)
     peak = ridge_left if turn < 0.5 else ridge_right
     eave(pts, n, peak, high, front, low + 0.2 * corner, 0.15 * height)
-    stroke(rng, marks, n, 100.0, 0.5, breadth, 1.0, EVEN, 1.0)
-    for k in range(1, 8):
-        p = k / 8.0
-        tx = ridge_left + p * (ridge_right - ridge_left)
-        bx = left + p * (right - left)
-        by = y + depth * (1.0 - abs(bx - front) / max(1.0, 0.5 * width + corner))
-        eave(pts, n, tx, high, bx, by, 0.12 * height)
-        stroke(rng, marks, n, 100.0, 0.25, 0.5 * breadth, 1.0, EVEN, 0.5)
+    stroke(rng, marks, n, 100.0, 0.6, breadth, 1.0, EVEN, 1.0)
+
+
+@kernel
+def sign(
+    rng: Array, pts: Array, marks: Array, n: Array, x: float, y: float, height: float, width: float, lean: float
+) -> None:
+    """A board over a door, its top edge's middle at (x, y), and three characters that no one reads.
+
+    lean : how far its right end stands below its left one
+    """
+    left, right, half = x - 0.5 * width, x + 0.5 * width, 0.5 * lean
+    quad(
+        pts, marks, n, left, y - half, right, y + half, right, y + half + height, left, y - half + height,
+    )  # fmt: skip
+    run(rng, pts, marks, n, left, y - half, right, y + half, 0.5, 0.5)
+    run(rng, pts, marks, n, right, y + half, right, y + half + height, 0.5, 0.5)
+    run(rng, pts, marks, n, right, y + half + height, left, y - half + height, 0.5, 0.5)
+    run(rng, pts, marks, n, left, y - half + height, left, y - half, 0.5, 0.5)
+    for k in range(3):
+        p = (k + 0.5) / 3.0
+        cx, cy, size = left + p * width, y + (p - 0.5) * lean + 0.5 * height, 0.3 * min(height, width / 3.0)
+        for i in range(4):
+            drift = size * between(rng, -0.7, 0.7)
+            if i < 2:
+                run(rng, pts, marks, n, cx - size, cy + drift, cx + size, cy + drift, 0.25, 0.6)
+            else:
+                run(rng, pts, marks, n, cx + drift, cy - size, cx + 0.5 * drift, cy + size, 0.25, 0.6)
 
 
 @kernel
@@ -219,39 +241,46 @@ def thatch(
     table: Array, rng: Array, pts: Array, marks: Array, n: Array,
     x: float, y: float, height: float, width: float, straws: int,
 ) -> None:  # fmt: skip
-    """A thatched cone: paper, then ``straws`` strokes down its sides, denser towards the eaves (1.9, hut)."""
+    """A thatched cone: paper, then ``straws`` short strokes down its sides, denser towards the eaves (1.9, hut).
+
+    Its sides are bowed outwards; the eaves have no line of their own, the straws' ends make them.
+    """
     grid = np.empty((10, 10, 2))
     phase = 4096.0 * rnd(rng)
     for i in range(10):
         side_ = 2.0 * i / 9.0 - 1.0
         for j in range(10):
             p = j / 9.0
-            reach = p**0.7
-            grid[i, j, 0] = x + 0.5 * width * side_ * (0.06 + 0.94 * reach)
+            grid[i, j, 0] = x + 0.5 * width * side_ * p**0.72
             ragged = (value(table, 0.7 * i, 0.5 * j, phase) - 0.47) * 8.0 * p
-            grid[i, j, 1] = y - height + height * p + 0.1 * height * (1.0 - side_ * side_) * p + ragged
+            grid[i, j, 1] = y - height + height * p + 0.16 * height * (1.0 - side_ * side_) * p + ragged
     for i in range(10):
         at(pts, n, grid[i, 9, 0], grid[i, 9, 1])
-    at(pts, n, grid[9, 0, 0], grid[9, 0, 1] - 2.0)
-    at(pts, n, grid[0, 0, 0], grid[0, 0, 1] - 2.0)
+    at(pts, n, grid[9, 4, 0], grid[9, 4, 1])
+    at(pts, n, grid[9, 0, 0], grid[9, 0, 1])
+    at(pts, n, grid[0, 0, 0], grid[0, 0, 1])
+    at(pts, n, grid[0, 4, 0], grid[0, 4, 1])
     body(marks, n)
     for _ in range(straws):
         across = 9.0 * rnd(rng)
-        low = int(across)
-        q = across - low
-        end = rnd(rng) ** (1.0 / 3.0) * 9.0
-        begin = max(0.0, end - between(rng, 1.0, 5.0))
-        for k in range(7):
-            j = begin + (end - begin) * k / 6.0
+        slant = between(rng, -0.25, 0.25)
+        mid, half = 9.0 * rnd(rng) ** 0.45, between(rng, 0.3, 1.6)
+        begin, end = max(0.8, mid - half), min(9.3, mid + half)
+        tremble = 0.003 * width
+        for k in range(5):
+            j = begin + (end - begin) * 0.25 * k
             c = min(int(j), 8)
             p = j - c
+            w = min(max(across + slant * (0.25 * k - 0.5), 0.0), 8.999)
+            low = int(w)
+            q = w - low
             px = (1.0 - p) * ((1.0 - q) * grid[low, c, 0] + q * grid[low + 1, c, 0])
             px += p * ((1.0 - q) * grid[low, c + 1, 0] + q * grid[low + 1, c + 1, 0])
             py = (1.0 - p) * ((1.0 - q) * grid[low, c, 1] + q * grid[low + 1, c, 1])
             py += p * ((1.0 - q) * grid[low, c + 1, 1] + q * grid[low + 1, c + 1, 1])
-            at(pts, n, px, py)
-        stroke(rng, marks, n, 100.0, 0.15 + 0.4 * rnd(rng), 1.2, 0.6, SINE, 0.7)
+            at(pts, n, px + between(rng, -tremble, tremble), py)
+        stroke(rng, marks, n, 100.0, 0.3 + 0.4 * rnd(rng), 1.0, 0.6, SINE, 0.6)
     for s in range(2):
         for j in range(10):
             at(pts, n, grid[9 * s, j, 0], grid[9 * s, j, 1])
-        stroke(rng, marks, n, 100.0, 0.4, 1.5, 0.8, SINE, 1.0)
+        stroke(rng, marks, n, 100.0, 0.5, 1.2, 0.8, SINE, 1.0)

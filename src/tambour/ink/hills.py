@@ -75,7 +75,7 @@ def hill(
     stroke(rng, marks, n, 100.0, 0.35, 0.9, 0.8, SINE, 0.8)  # a firm line in the trembling one
     foot(table, rng, pts, marks, n, grid, x, y)
     shade = 5.0 if pick(rng, 5) == 0 else 0.0
-    wrinkles(table, rng, pts, marks, n, grid, x, y, wrinkled, 1.5, 0.2, FLANKS, 100.0, 0.34, shade, 42.0)
+    wrinkles(table, rng, pts, marks, n, grid, x, y, wrinkled, 1.5, 0.2, FLANKS, 100.0, 0.34, shade, 40.0)
     chance, across, down = rnd(rng), between(rng, 0.36, 0.64), between(rng, 0.3, 0.55)
     if chance < falls and height > 300.0:
         i, j = int(down * LAYERS), int(across * COLUMNS)
@@ -106,7 +106,7 @@ def hill(
 @kernel
 def leaf(table: Array, x: float, y: float) -> float:
     """How dark the trees about (x, y) are: neighbours agree."""
-    return 0.5 + 0.15 * value(table, 0.02 * x, 0.02 * y, 0.0)
+    return 0.5 + 0.3 * value(table, 0.02 * x, 0.02 * y, 0.0)
 
 
 @kernel
@@ -144,7 +144,7 @@ def crown(
                 a = grid[i, j, 0] + p * (grid[i + 1, j, 0] - grid[i, j, 0])
                 b = grid[i, j, 1] + p * (grid[i + 1, j, 1] - grid[i, j, 1])
                 below = b - skyline(grid[0], a)
-                if rnd(rng) < 1.2 - below / 45.0:
+                if rnd(rng) < 1.15 - below / 35.0:
                     a, b = a + x, b + y
                     sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 5, leaf(table, a, b))
 

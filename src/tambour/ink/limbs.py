@@ -55,10 +55,11 @@ def branch(
         d = math.sqrt(dx * dx + dy * dy) + 1e-9
         nx, ny = -(s * dx + c * dy) / d, (c * dx - s * dy) / d
         if i % 10 == 0:
-            knot = width * rnd(rng)
+            knot = width * rnd(rng) * (0.3 if i == 0 else 1.0)
         half = width * (1.0 - 0.5 * i / NODES) + knot * max(0.0, 1.0 - 0.55 * min(i % 10, 10 - i % 10))
-        up = half + jitter * (value(table, 0.3 * i, left, 0.0) - 0.5)
-        down = half + jitter * (value(table, 0.3 * i, right, 0.0) - 0.5)
+        # The sides may tremble, but not meet.
+        up = max(0.45 * half, half + jitter * (value(table, 0.3 * i, left, 0.0) - 0.5))
+        down = max(0.45 * half, half + jitter * (value(table, 0.3 * i, right, 0.0) - 0.5))
         px, py = x + c * a - s * b, y + s * a + c * b
         limb[i, 0], limb[i, 1] = px + nx * up, py + ny * up
         limb[SIDES - 1 - i, 0], limb[SIDES - 1 - i, 1] = px - nx * down, py - ny * down
@@ -72,7 +73,7 @@ def scales(
 
     size : of all of it, 1 on a trunk 12 units thick; often : 0…1, how many nodes have a ring or a knot
     """
-    for i in range(2, NODES - 1):
+    for i in range(1, NODES - 1):
         if rnd(rng) > often:
             continue
         lx, ly = limb[i, 0], limb[i, 1]
@@ -82,11 +83,11 @@ def scales(
         x, y = lx + p * (rx - lx), ly + p * (ry - ly)
         if rnd(rng) < 0.2:
             breadth = size * (6.0 - 10.0 * abs(p - 0.5))
-            blob(rng, pts, marks, n, x, y, 15.0 * size, breadth, along, 100.0, 0.6, 1.0, LENS)
+            blob(rng, pts, marks, n, x, y, 15.0 * size, breadth, along, 100.0, 0.6, 0.9, LENS)
         else:
-            breadth = size * (5.0 - 10.0 * abs(p - 0.5))
-            length = size * between(rng, 10.0, 20.0)
-            ring(rng, pts, marks, n, x, y, length, breadth, along, 100.0, 0.55, 1.0)
+            breadth = size * (7.0 - 10.0 * abs(p - 0.5))
+            length = size * between(rng, 11.0, 22.0)
+            ring(rng, pts, marks, n, x, y, length, breadth, along, 100.0, 0.55, 0.9)
         if rnd(rng) < 0.05:
             edge = rnd(rng) < 0.5
             x, y = (lx, ly) if edge else (rx, ry)
@@ -117,11 +118,13 @@ def scales(
 @kernel
 def twig(
     rng: Array, pts: Array, marks: Array, n: Array,
-    x: float, y: float, depth: int, scale: float, angle: float, right: float, needles: bool, lift: float,
+    x: float, y: float, depth: int, scale: float, angle: float, right: float, needles: float, lift: float,
 ) -> None:  # fmt: skip
     """A twig that leaves sideways and turns up, with smaller ones on it down to ``depth``, and needles at the tips.
 
-    right : 1 or -1, the side it leaves to; ``angle`` turns it; ``lift``: how far the needles stand above the tip (1.7)
+    right : 1 or -1, the side it leaves to; ``angle`` turns it; ``needles``: their size, 1 in the original, 0 for none;
+    ``lift``: how far they stand above the tip (1.7)
+    Needles are the paler the farther out their twig, and stand in a fan, none quite where a comb would have it.
     """
     todo = np.empty((32, 5))
     todo[0, 0], todo[0, 1], todo[0, 2], todo[0, 3], todo[0, 4] = x, y, depth, scale, right
@@ -130,12 +133,12 @@ def twig(
     while left > 0:
         left -= 1
         sx, sy, level, size, way_out = todo[left, 0], todo[left, 1], todo[left, 2], todo[left, 3], todo[left, 4]
-        turn = rnd(rng) * PI / 6.0 * way_out + angle
+        turn = (rnd(rng) - 0.1) * PI / 5.0 * way_out + angle
         c, s = math.cos(turn), math.sin(turn)
-        stretch = between(rng, 0.5, 1.0)
+        stretch, rise, bow = between(rng, 0.45, 1.0), between(rng, 3.5, 5.5), between(rng, 2.5, 6.0)
         for i in range(10):
-            a = way_out * (1.0 - 1.0 / (1.0 + 0.1 * i) ** 5) * 50.0 * size * stretch
-            b = -5.0 * i * size
+            a = way_out * (1.0 - (1.0 + 0.1 * i) ** -bow) * 50.0 * size * stretch
+            b = -rise * i * size
             way[i, 0], way[i, 1] = sx + c * a - s * b, sy + s * a + c * b
             if (i == 3 or i == 6) and level > 0 and left < 30:
                 t = todo[left]
@@ -143,13 +146,14 @@ def twig(
                 left += 1
             at(pts, n, way[i, 0], way[i, 1])
         stroke(rng, marks, n, 100.0, 0.5, 1.0, 0.5, FADE, 1.0)
-        if needles:
+        if needles > 0.0:
             n[HUE] = LEAF
             for k in range(5):
-                shift = (k - 2.5) * 5.0
+                shift = needles * ((k - 2.0) * 5.0 + 3.0 * bell(rng))
                 a = way[9, 0] + math.cos(angle) * shift
-                b = way[9, 1] + math.sin(angle) * shift - lift / (level + 1.0)
-                length, breadth = between(rng, 15.0, 27.0), between(rng, 6.0, 9.0)
-                lean = 0.5 * angle + 0.5 * PI + 0.2 * PI * (rnd(rng) - 0.5)
-                blob(rng, pts, marks, n, a, b, length, breadth, lean, 100.0, 0.5 + 0.2 * rnd(rng), 0.5, DROP)
+                b = way[9, 1] + math.sin(angle) * shift - lift / (level + 1.0) + 5.0 * needles * bell(rng)
+                length, breadth = needles * between(rng, 16.0, 29.0), needles * between(rng, 6.5, 10.0)
+                lean = 0.5 * angle + 0.5 * PI + 0.012 * shift + 0.2 * PI * (rnd(rng) - 0.5)
+                alpha = 0.45 + 0.15 * level + 0.1 * rnd(rng)
+                blob(rng, pts, marks, n, a, b, length, breadth, lean, 100.0, alpha, 0.5, DROP)
             n[HUE] = INK

@@ -37,16 +37,19 @@ def cloth(
     ax: float, ay: float, bx: float, by: float, cx: float, cy: float, first: float, last: float,
 ) -> None:  # fmt: skip
     """A sleeve or a robe: a lobe from a over b to c, its half width ``first`` to ``last``, closed by a round hem."""
-    control, way, sides = np.empty((3, 2)), np.empty((16, 2)), np.empty((2, 16, 2))
+    control, fine, way, sides = np.empty((3, 2)), np.empty((64, 2)), np.empty((16, 2)), np.empty((2, 16, 2))
     control[0, 0], control[0, 1], control[1, 0], control[1, 1] = ax, ay, bx, by
     control[2, 0], control[2, 1] = cx, cy
-    smooth(control, way)
+    smooth(control, fine)
+    for i in range(16):
+        # Closer together towards the hem, which is round.
+        way[i] = fine[int(63.0 * (1.0 - (1.0 - i / 15.0) ** 1.8))]
     for i in range(16):
         a, b = max(i - 1, 0), min(i + 1, 15)
         dx, dy = way[b, 0] - way[a, 0], way[b, 1] - way[a, 1]
         d = math.sqrt(dx * dx + dy * dy) + 1e-9
-        p = i / 15.0
-        w = (first + (last - first) * p**0.7) * math.sqrt(max(0.0, 1.0 - p**9))
+        p = 1.0 - (1.0 - i / 15.0) ** 1.8
+        w = (first + (last - first) * math.sin(0.5 * PI * p) ** 0.9) * math.sqrt(max(0.0, 1.0 - p**9))
         for s in range(2):
             f = w * (1.0 - 2.0 * s) / d
             sides[s, i, 0], sides[s, i, 1] = way[i, 0] + f * dy, way[i, 1] - f * dx
@@ -58,7 +61,7 @@ def cloth(
         if wet == 0:
             body(marks, n)
         else:
-            stroke(rng, marks, n, 100.0, 0.6, 0.5 + 0.04 * last, 0.5, EVEN, 0.8)
+            stroke(rng, marks, n, 100.0, 0.7, 0.45 + 0.06 * last, 0.6, EVEN, 0.7)
 
 
 @kernel
@@ -73,33 +76,33 @@ def figure(
     before = part(elems, n, FIGURE, x, y)
     u = scale * 30.0
     f = right * u
-    neck_x, neck_y = x - f * between(rng, 0.2, 0.7), y - 2.4 * u
-    hand_x, hand_y = neck_x + f * between(rng, 1.1, 1.6), neck_y + u * between(rng, 0.3, 0.9)
+    neck_x, neck_y = x - f * between(rng, 0.5, 1.0), y - 2.3 * u
+    hand_x, hand_y = neck_x + f * between(rng, 1.5, 2.0), neck_y + u * between(rng, 0.5, 1.0)
     if staff > 0.0:
-        tilt = between(rng, 0.2, 0.5)
+        tilt = between(rng, 0.3, 0.55)
         for i in range(13):
             p = i / 12.0 - 0.08
-            at(pts, n, hand_x + f * p * staff, hand_y - 0.15 * u + u * staff * (0.06 * p * p - tilt * p))
-        stroke(rng, marks, n, 100.0, 0.5, 0.7, 0.5, SINE, 0.8)
-    # The sleeve that hangs behind, the robe, the sleeve in front: each hides what is behind it.
+            at(pts, n, hand_x - 0.1 * f + f * p * staff, hand_y - 0.2 * u + u * staff * (0.08 * p * p - tilt * p))
+        stroke(rng, marks, n, 100.0, 0.6, 0.035 * u + 0.15, 0.4, SINE, 0.6)
+    # The sleeve that hangs behind, the robe that swings forward, the sleeve in front: each hides what is behind it.
     back = between(rng, 0.5, 0.9)
     cloth(
-        rng, pts, marks, n, neck_x - 0.1 * f, neck_y + 0.1 * u, neck_x - back * f, neck_y + 0.6 * u,
-        neck_x - back * f, neck_y + 1.75 * u, 0.08 * u, 0.3 * u,
+        rng, pts, marks, n, neck_x - 0.05 * f, neck_y, neck_x - 1.5 * back * f, neck_y + 0.7 * u,
+        neck_x - 0.7 * back * f, neck_y + 2.0 * u, 0.06 * u, 0.3 * u,
     )  # fmt: skip
     cloth(
-        rng, pts, marks, n, neck_x, neck_y - 0.1 * u, neck_x + 0.1 * f, neck_y + 1.0 * u,
-        x + 0.15 * f, y, 0.14 * u, 0.5 * u,
+        rng, pts, marks, n, neck_x, neck_y - 0.1 * u, neck_x - 0.05 * f, neck_y + 1.35 * u,
+        x, y, 0.1 * u, 0.46 * u,
     )  # fmt: skip
     cloth(
-        rng, pts, marks, n, neck_x - 0.05 * f, neck_y + 0.05 * u, neck_x + 0.6 * f, neck_y + 0.35 * u,
-        hand_x, hand_y, 0.08 * u, 0.34 * u,
+        rng, pts, marks, n, neck_x, neck_y, neck_x + 0.7 * f, neck_y + 0.75 * u,
+        hand_x, hand_y, 0.07 * u, 0.34 * u,
     )  # fmt: skip
     cloth(
-        rng, pts, marks, n, neck_x + 0.02 * f, neck_y - 0.62 * u, neck_x + 0.04 * f, neck_y - 0.3 * u,
-        neck_x, neck_y + 0.02 * u, 0.17 * u, 0.12 * u,
+        rng, pts, marks, n, neck_x + 0.08 * f, neck_y - 0.75 * u, neck_x + 0.1 * f, neck_y - 0.35 * u,
+        neck_x, neck_y + 0.05 * u, 0.21 * u, 0.14 * u,
     )  # fmt: skip
-    crown(rng, pts, marks, n, neck_x + 0.02 * f, neck_y - 0.55 * u, u, right, hat)
+    crown(rng, pts, marks, n, neck_x + 0.06 * f, neck_y - 0.62 * u, u, right, hat)
     n[OPEN] = before
 
 
@@ -110,23 +113,30 @@ def crown(rng: Array, pts: Array, marks: Array, n: Array, x: float, y: float, u:
         for i in range(25):
             t = 2.0 * PI * i / 24.0
             rim = math.cos(t)
-            dome = max(0.0, 1.0 - (rim / 0.35) ** 2) if math.sin(t) < 0.0 else 0.0
-            at(pts, n, x + 0.8 * u * rim, y - 0.06 * u + 0.09 * u * math.sin(t) - 0.28 * u * dome)
+            dome = max(0.0, 1.0 - (rim / 0.3) ** 2) if math.sin(t) < 0.0 else 0.0
+            at(pts, n, x + 0.87 * u * rim, y + 0.08 * u + 0.07 * u * math.sin(t) - 0.26 * u * dome)
         lift(marks, n, BODY, 100.0, 0.9, 100.0, 0.9, 0.5, 0.0, 0.0, 0.0, 0)
         return
-    for i in range(13):
-        t = PI * (1.0 + i / 12.0)
-        at(pts, n, x + 0.26 * u * math.cos(t) - right * 0.04 * u, y + 0.34 * u * math.sin(t) + 0.08 * u)
-    lift(marks, n, BODY, 100.0, 0.9, 100.0, 0.9, 0.5, 0.0, 0.0, 0.0, 0)
+    # From the brow over the crown, down the back of the head to the nape, and back behind the face.
+    f = right * u
+    for i in range(12):
+        t = PI * i / 11.0
+        at(pts, n, x + (0.29 * math.cos(t) - 0.01) * f, y - 0.4 * u * math.sin(t) + 0.04 * u)
+    at(pts, n, x - 0.33 * f, y + (0.5 if hat == BUN else 0.25) * u)
+    at(pts, n, x - 0.17 * f, y + 0.3 * u)
+    at(pts, n, x - 0.1 * f, y - 0.05 * u)
+    at(pts, n, x + 0.06 * f, y - 0.16 * u)
+    at(pts, n, x + 0.21 * f, y + 0.02 * u)
+    lift(marks, n, BODY, 100.0, 0.9, 100.0, 0.9, 0.4, 0.0, 0.0, 0.0, 0)
     if hat == BUN:
         for i in range(13):
             t = 2.0 * PI * i / 12.0
-            at(pts, n, x - right * 0.1 * u + 0.13 * u * math.cos(t), y - 0.36 * u + 0.13 * u * math.sin(t))
-        lift(marks, n, BODY, 100.0, 0.9, 100.0, 0.9, 0.5, 0.0, 0.0, 0.0, 0)
+            at(pts, n, x - right * 0.16 * u + 0.12 * u * math.cos(t), y - 0.42 * u + 0.11 * u * math.sin(t))
+        lift(marks, n, BODY, 100.0, 0.9, 100.0, 0.9, 0.4, 0.0, 0.0, 0.0, 0)
         for i in range(9):
             p = i / 8.0
-            at(pts, n, x - right * (0.15 + 0.5 * p) * u, y + (-0.3 + 0.65 * p * p) * u)
-        stroke(rng, marks, n, 100.0, 0.7, 0.8, 0.3, EVEN, 0.5)
+            at(pts, n, x - right * (0.22 + 0.22 * p) * u, y + (-0.3 + 1.05 * p) * u)
+        stroke(rng, marks, n, 100.0, 0.7, 0.07 * u, 0.3, SINE, 0.4)
 
 
 @kernel
@@ -138,7 +148,7 @@ def boat(
     before = part(elems, n, BOAT, x, y)
     if manned:
         where = x + right * 0.38 * length * scale
-        figure(table, rng, pts, marks, elems, n, where, y + 2.5 * scale, 0.4 * scale, right, STRAW, 4.5)
+        figure(table, rng, pts, marks, elems, n, where, y + 2.5 * scale, 0.43 * scale, right, STRAW, 5.0)
     half = 0.5 * length * scale
     top, bottom = 2.0 * scale, 3.0 * scale
     for wet in range(2):

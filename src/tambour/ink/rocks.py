@@ -8,7 +8,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush import OPEN, PI, part, rnd
+from tambour.ink.brush import EVEN, OPEN, PI, at, part, rnd, stroke
 from tambour.ink.codes import ROCK
 from tambour.ink.cun import SIDES, slope, wrinkles
 from tambour.noise import close, value
@@ -39,5 +39,8 @@ def rock(
             grid[i, j, 0] = reach * a
             grid[i, j, 1] = -up * (0.2 if up < 0.0 else 1.0) + 0.2 * height * i / LAYERS
     slope(rng, pts, marks, n, grid, x, y, 0.0)
-    wrinkles(table, rng, pts, marks, n, grid, x, y, wrinkled, 3.0, 0.2, SIDES, 180.0, 0.3, shade, 30.0)
+    for j in range(COLUMNS):
+        at(pts, n, grid[0, j, 0] + x, grid[0, j, 1] + y)
+    stroke(rng, marks, n, 100.0, 0.25, 0.8, 0.8, EVEN, 0.8)
+    wrinkles(table, rng, pts, marks, n, grid, x, y, wrinkled, 3.0, 0.2, SIDES, 140.0, 0.3, shade, 30.0)
     n[OPEN] = before

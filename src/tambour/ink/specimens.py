@@ -57,7 +57,7 @@ def table() -> dict[str, Specimen]:
         "sapling": Specimen(trees.sapling, (16.0, 8.0, 5, 0.6), 80, 90),
         "fir": Specimen(trees.fir, (110.0, 5.0, 0.05, 0.5), 80, 130),
         "copse": Specimen(copse, (160.0,), 220, 130),
-        "bush": Specimen(bushes.bush, (60.0, 4.0, forms, loops), 110, 90),
+        "bush": Specimen(bushes.bush, (60.0, 4.0, 0.5, forms, loops), 110, 90),
         "reed": Specimen(bushes.reed, (80.0, 1.0), 80, 120),
         "rock": Specimen(rocks.rock, (50.0, 60.0, 40, 10.0), 140, 90),
         "twig": Specimen(twig, (1.0,), 120, 90),
@@ -188,7 +188,7 @@ def twig(
 ) -> None:
     """A twig with smaller twigs on it and needles."""
     before = part(elems, n, codes.TWIG, x, y)
-    limbs.twig(rng, pts, marks, n, x, y, 2, scale, 0.0, 1.0, True, 12.0)
+    limbs.twig(rng, pts, marks, n, x, y, 2, scale, 0.0, 1.0, 1.0, 12.0)
     n[OPEN] = before
 
 

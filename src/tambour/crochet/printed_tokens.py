@@ -1,0 +1,124 @@
+"""Printed patterns, the characters: text → lines of tokens, each with its place."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Any, Final
+
+from tambour.core.errors import Span
+
+# One alternation without nested repeats, so the time is linear whatever the text.
+_TOKEN: Final = re.compile(
+    r"(?P<newline>\n)"
+    r"|(?P<ordinal>\d{1,9}(?:st|nd|rd|th|er|[ºª°](?!C))(?![^\W\d_]))"
+    r"|(?P<number>\d+(?:\.\d+)?)"
+    r"|(?P<word>[^\W\d_][\w'’]*)"
+    r"|(?P<mark>\*\*+|\*|--+|[^\s\w]|_+)"
+)
+_DASHES: Final = dict.fromkeys("–—−‐‑-", "-") | {"--": "-", "---": "-"}
+_MARKS: Final = {"×": "x", "✕": "x", "✖": "x", "∗": "*", "⁎": "*", "＊": "*", "“": '"', "”": '"', "、": ",", "：": ":"}
+_LONGEST: Final = 9  # digits of a number that is taken for one
+
+
+@dataclass(slots=True)
+class Token:
+    """A word, number or mark.
+
+    kind : "word", "number", "ordinal" or "mark"; the vocabulary adds "stitch" and "key"
+    word : as it is compared: small letters, plain marks
+    start, end : its characters in the text
+    value : a number's value; what a word means
+    glued : nothing stands between it and the token before
+    """
+
+    kind: str
+    word: str
+    start: int
+    end: int
+    value: Any = None
+    glued: bool = False
+
+    @property
+    def span(self) -> Span:
+        """Its characters."""
+        return Span(self.start, self.end)
+
+
+@dataclass(slots=True)
+class Row:
+    """One line of the text: its tokens and its characters; ``marked`` 0 plain, 1 bold, 2 a heading in Markdown."""
+
+    tokens: list[Token]
+    start: int
+    end: int
+    marked: int = 0
+
+
+def rows(text: str) -> list[Row]:
+    """The lines of ``text``; Markdown's signs of weight, quotation and lists are taken off."""
+    made: list[Row] = []
+    tokens: list[Token] = []
+    start = last = 0
+    for found in _TOKEN.finditer(text):
+        kind, at = found.lastgroup, found.start()
+        if kind == "newline":
+            made.append(_row(tokens, start, at))
+            tokens, start, last = [], at + 1, at + 1
+            continue
+        word, end = found[0], found.end()
+        value: Any = None
+        if kind == "word":
+            word = word.lower().replace("’", "'")
+            word = word.removesuffix("'s").rstrip("'")
+            if word == "a" and found[0] == "A" and tokens:
+                value = "A"  # it may be a yarn's letter, where an article would be small
+        elif kind == "number":
+            if len(word) > _LONGEST:
+                kind = "word"
+            else:
+                value = float(word) if "." in word else int(word)
+        elif kind == "ordinal":
+            value = int(re.match(r"\d+", word)[0])  # type: ignore[index]
+        else:
+            word = _DASHES.get(word, _MARKS.get(word, word))
+        if word == "\\":
+            continue
+        tokens.append(Token(kind or "mark", word, at, end, value, bool(tokens) and at == last))
+        last = end
+    made.append(_row(tokens, start, len(text)))
+    return made
+
+
+def _row(tokens: list[Token], start: int, end: int) -> Row:
+    marked = 0
+    at = 0
+    while at < len(tokens) and tokens[at].kind == "mark" and tokens[at].word in _LEADING:
+        word = tokens[at].word
+        if word == "#":
+            marked = 2
+        if word in ("*", "-", "+") and not _bullet(tokens, at):
+            break
+        at += 1
+    while len(tokens) > at and tokens[-1].word == "|":
+        tokens.pop()
+    tokens = tokens[at:]
+    weights = [t for t in tokens if t.word in _WEIGHTS]
+    if weights:
+        if len(weights) == 2 and tokens[0] is weights[0] and not marked:
+            marked = int(tokens[-1] is weights[1] or (tokens[-1].word == ":" and tokens[-2] is weights[1]))
+        # A closing pair that a repeat follows is a repeat's sign; any other is weight.
+        if len(weights) % 2 == 0:
+            tokens = [t for t in tokens if t.word not in _WEIGHTS]
+    return Row(tokens, start, end, marked)
+
+
+_WEIGHTS: Final = frozenset(("**", "***", "__", "___"))
+_LEADING: Final = frozenset("#>•◦▪●○■□★☆♥❤·*-+|")
+
+
+def _bullet(tokens: list[Token], at: int) -> bool:
+    """Whether the mark at ``at`` is a list's: room follows it, and no second of its kind closes a repeat."""
+    if at + 1 >= len(tokens) or tokens[at + 1].glued:
+        return False
+    return tokens[at].word != "*" or not any(t.word == "*" for t in tokens[at + 1 :])
