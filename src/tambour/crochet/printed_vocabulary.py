@@ -92,12 +92,12 @@ class Vocabulary:
             for n in range(3, 7):
                 self._add([f"{word}{n}" for word in said.split("|") if " " not in word], "stitch", f"{what}{n}")
 
-    def _add(self, spellings: Iterable[str], kind: str, value: Any) -> None:
+    def _add(self, spellings: Iterable[str], kind: str, value: Any, new: bool = False) -> None:
         for said in spellings:
             words = tuple(t.word for t in rows(said)[0].tokens if t.word not in _JOINS)
             if not words:
                 continue
-            if kind == "stitch" and value not in STITCHES:
+            if kind == "stitch" and value not in STITCHES and not new:
                 continue
             phrases = self._first.setdefault(words[0], [])
             # What comes later is the table's own word, and goes before what people write besides.
@@ -106,7 +106,7 @@ class Vocabulary:
 
     def define(self, word: str, stitch: str) -> None:
         """A stitch's name that the pattern itself explains."""
-        self._add([word], "stitch", stitch)
+        self._add([word], "stitch", stitch, True)
         for phrases in self._first.values():
             phrases.sort(key=lambda p: -len(p[0]))
 
