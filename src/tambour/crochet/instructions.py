@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
@@ -21,6 +22,7 @@ from tambour.crochet.written import Written, sections
 
 _LETTERS: Final = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 _PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring"}
+_TERMS_SAID: Final = re.compile(r"\s*\((?:US|UK|American|British)\b[^)]*\)", re.IGNORECASE)
 _STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
 
 
@@ -190,6 +192,7 @@ class _Writer:
 
     def _title(self) -> str:
         title = self._stated("title") or PurePath(self.pattern.text.name).stem.replace("_", " ")
+        title = _TERMS_SAID.sub("", title)
         return "" if title.strip("<> ") in ("", "text", "stdin") else title[:1].upper() + title[1:]
 
     def _legend_line(self, letter: str, hue: RGB) -> str:
@@ -284,7 +287,7 @@ class _Writer:
     def _alone(self, line: Written, closing: bool) -> list[str]:
         """Lines outside rounds: a sentence each, but stitches in a row stay together."""
         if line.makes:
-            return [self._sentence(self._items(line, closing) + (f" ({line.count})" if line.count else ""), "")]
+            return [self._sentence(self._items(line, closing))]
         return [
             self._sentence(self._done(d, closing)) for unit, times in line.pieces for _ in range(times) for d in unit
         ]

@@ -6,7 +6,7 @@ from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
 from tambour.crochet.build import build
-from tambour.crochet.finish import RGB, check_names
+from tambour.crochet.finish import check_names
 from tambour.crochet.phrases import Phrases
 from tambour.crochet.printed_clauses import Cursor, NotUnderstood
 from tambour.crochet.printed_colors import Palette
@@ -19,11 +19,13 @@ from tambour.crochet.printed_repeats import OPEN
 from tambour.crochet.printed_terms import recognised
 from tambour.crochet.printed_tokens import Row, Token, rows
 from tambour.crochet.printed_vocabulary import vocabulary
+from tambour.crochet.restated import lettered
 from tambour.crochet.source import Source
+from tambour.crochet.special import explained
 from tambour.crochet.spots import Spots
 from tambour.crochet.stitches import STUFFING
 from tambour.crochet.syntax import Action, Line, Pattern
-from tambour.crochet.terms import TERMS, Terms
+from tambour.crochet.terms import TERMS
 
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
 NOTHING: Final = "this holds no crochet instructions"
@@ -56,15 +58,6 @@ def read_printed(text: Text, *, max_stitches: int = 200_000, strict: bool = Fals
     return _Printed(Source(text, strict)).pattern(max_stitches)
 
 
-def _lettered(text: str, terms: Terms) -> dict[str, RGB]:
-    """The colours that a list of materials as the writer prints it gives letters."""
-    plain, made = Phrases(terms, {}, {}), {}
-    for line in text.split("\n"):
-        if "#" in line and (found := plain.read(line.strip().lstrip("-•* "), ("legend",))):
-            made[found[1]["letter"]] = found[1]["hex"]
-    return made
-
-
 class _Printed:
     """Goes through the lines of a text, top to bottom."""
 
@@ -74,7 +67,7 @@ class _Printed:
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
         self.palette = Palette([*self.vocabulary.stitches(), *_KNOWN])
-        self.phrases = Phrases(TERMS[self.language.code], {}, _lettered(source.text.text, TERMS[self.language.code]))
+        self.phrases = Phrases(TERMS[self.language.code], {}, lettered(source.text.text, TERMS[self.language.code]))
         self.palette.given.update((letter.lower(), hue) for letter, hue in self.phrases.legend.items())
         self.parts: list[Draft] = []
         self.lead: list[Line] = []  # colours said before the part that they begin
@@ -339,6 +332,12 @@ class _Printed:
     def _said(self, span: Span) -> bool:
         """A line that is one of the writer's own sentences: of colour, of seams, of the end."""
         text = self.source.text.text[span.start : span.end]
+        own = explained(text, self.source.stitches, self.phrases.terms) if not self.parts else []
+        for new in own:
+            self.source.stitches[new.name], self.source.own[new.name] = new, span
+            self.vocabulary.define(new.name, new.name)
+        if own:
+            return True
         item = self.phrases.item(text)
         if item is None:
             return False

@@ -240,6 +240,9 @@ class Reader:
                     found.append(Action(place.loops, place.span))
                     place.loops = ""
                 self.before = place
+        elif word == "turn" and (c.key("side") or c.key("side", ahead=1)):
+            self.body.sides = True
+            self.to_separator()
         elif word == "turn":
             found.append(Action("turn", token.span))
         elif word == "join":

@@ -96,7 +96,7 @@ def chainless(items: list[Item], edge: int | None, stitches: dict[str, Stitch]) 
 
     _, items = led(items)
     done, out = worked(items, edge or 0, stitches), chains(items, edge or 0)
-    return None if done is None or out is None else done[0] - out
+    return None if done is None or not out else done[0] - out
 
 
 def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | None, phrases: Phrases) -> Body:
@@ -127,7 +127,7 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
     first = body
     if body.stated is not None:
         open_span = _implied(body, edge, source.stitches)
-        if open_span is not None:
+        if open_span is not None and not _fits(body, edge, source.stitches):
             body.asked["open"] = open_span
         if body.asked and (fit := _fits(body, edge, source.stitches)) < 2:
             body = _second(source, read, edge, body, fit) or body

@@ -9,8 +9,8 @@ from tambour.crochet.printed_clauses import Cursor
 from tambour.crochet.printed_repeats import OPEN
 from tambour.crochet.printed_tokens import Token
 
-_BEFORE = frozenset((".", ")", "]", "}", ";", ":"))
-_BEFORE = frozenset((".", ")", "]", "}", ";", ":"))
+_BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))
+_BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))
 _AFTER = frozenset((":", ".", ")", "-", "=", ",", "]", "|", "–"))
 
 

@@ -85,8 +85,9 @@ class Draft:
         """A line of finished items, under the numbers of its head."""
         numbers = head.numbers if head is not None else ()
         worked = any(_works(i) for i in items)
-        times = body.rounds[0] if body.rounds is not None and not numbers and worked else max(1, len(numbers))
-        if body.rounds is not None and numbers and body.rounds[0] != len(numbers):
+        alone = body.rounds is not None and len(numbers) < 2 and worked
+        times = body.rounds[0] if alone and body.rounds is not None else max(1, len(numbers))
+        if body.rounds is not None and not alone and body.rounds[0] != len(numbers):
             message = f"{body.rounds[0]} rounds are said here, {len(numbers)} at the line's start"
             source.doubt(message, "make them agree", body.rounds[1], True)
         at = head.span if head is not None and numbers else body.rounds[1] if body.rounds is not None else None
@@ -105,7 +106,7 @@ class Draft:
         for number in numbers or ((self.last + 1,) if worked else ()):
             self.rounds[number] = [replace(line, number=number)]
         if worked:
-            self.last = max(numbers) if numbers else self.last + times
+            self.last = max(numbers) + (times - 1) * alone if numbers else self.last + times
         before = self.edge
         edge = after(items, self.edge, source.stitches)
         if (
@@ -229,7 +230,7 @@ class Draft:
         if body.sides:
             numbers = (chain.times, hook)
             self.lines[at] = replace(base, items=(*before, Action("oval", chain.span, numbers=numbers)))
-            self.edge = 2 * (chain.times - hook + 1)
+            self.edge = 2 * (chain.times - hook + 1) - 1  # the chain that it ends on may be left out
             return items
         if body.hook or row:
             self.flat = True

@@ -77,8 +77,9 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
     """``*items; rep from * around``, ``*items* 6 times``; a star without its pair repeats all before it."""
     c = r.c
     c.at += 1
-    if found and (c.look() is None or c.key("repeat", "around", "times") or c.mark("x", ".", "(", "[", "=")):
-        lead, inner = led(found)
+    lead, inner = led(found)
+    ends = c.look() is None or c.key("repeat", "around", "times") or c.mark("x", ".", "=")
+    if inner and (ends or (c.mark(*OPEN) and r.counted_at(closing(r)))):
         found[:] = lead
         repeated(r, found, inner, token.span, star=True)
         return

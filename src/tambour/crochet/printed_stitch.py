@@ -74,7 +74,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         begin = c.at
         c.at += 1
         place = where(c)
-        if place is None or place.kind in ("loops", "ring") or c.kind("stitch") or c.mark(","):
+        if place is None or place.kind in ("loops", "ring") or c.kind("stitch") or c.kind("number"):
             c.at = begin
             break
         found += _lower(r, found, name, before, after, token, place)
@@ -98,13 +98,15 @@ def _joins(r: Reader) -> bool:
 def _ring(r: Reader, found: list[Item], name: str, number: Token | None, token: Token) -> None:
     """Stitches into a magic ring, or into a ring of chains."""
     count = number.value if number is not None else 1
-    if r.ring is None and any(isinstance(i, Action) and i.name in ("join", "ch") for i in found):
+    if r.ring is None and any(isinstance(i, Action) and i.name in ("join", "ch", *STANDING) for i in found):
         r.body.ringed = True
     if not isinstance(count, int) or count < 1:
         raise NotUnderstood(number or token, "a ring has at least one stitch", "say how many: 6 sc in magic ring")
+    stands = any(isinstance(i, Action) and i.name in STANDING for i in found)  # "ch 3 (counts as dc), 11 dc in ring"
+    count += stands
     chains = [i.times for i in found if isinstance(i, Action) and i.name == "ch"]
     r.body.lift = chains[-1] if chains and not r.body.rings else r.body.lift
-    found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join"))]
+    found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join", *STANDING))]
     r.ring = None
     r.body.rings += 1
     last = found[-1] if found else None

@@ -10,7 +10,7 @@ ENGLISH: Final[dict[str, str]] = {
     "row": "row|rows",
     "ring": "magic ring|magic circle|magic loop|magic rng|adjustable ring|adjustable loop|adjustable circle|mr|mc|amr"
     "|magic adjustable ring|adjustable magic ring|double magic ring|magic ring method|amigurumi ring|ring of yarn",
-    "loop": "ring|circle|center of ring|centre of ring",
+    "loop": "ring|loop|circle|center of ring|centre of ring",
     "form": "form a ring|form ring|to form a ring|form a circle|to form a loop|form a loop|to make a ring",
     "in": "in|into|inside|through|thru|onto|on|along",
     "over": "over|using",
@@ -118,6 +118,48 @@ DECREASES: Final = (
 
 ORDINALS: Final = "first|second|third|fourth|fifth|sixth|seventh|eighth|ninth|tenth"
 NUMBERS: Final = "one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve"
+
+FOREIGN: Final[dict[str, dict[str, str]]] = {
+    "es": {
+        "to": "hasta|a la",
+        "with": "con|con hilo",
+        "color": "cambiar a|cambio a|cambia a",
+        "and": "y|e",
+        "close": "cerrar|cerrar el agujero|cierra",
+        "fasten off": "cortar el hilo|cortar hebra|rematar|corta el hilo",
+        "leave": "dejar|dejando",
+        "stuff": "rellenar|relleno|rellena",
+    },
+    "de": {
+        "to": "bis",
+        "with": "mit",
+        "stitch:inc": "verdoppeln|verdopple",
+        "color": "wechseln zu|farbwechsel zu|wechsel zu",
+        "and": "und|dann",
+        "leave": "lassen",
+    },
+    "fr": {
+        "to": "à|a|jusqu'à",
+        "with": "avec|en",
+        "color": "changer pour|passer au|passer en|changer de couleur",
+        "and": "et|puis",
+        "close": "fermer|refermer|resserrer",
+        "fasten off": "couper le fil|arrêter|arrêter le fil|rentrer le fil",
+        "leave": "laisser|laissant",
+        "stuff": "rembourrer|bourrer",
+    },
+    "nl": {
+        "to": "t/m|tot|tot en met",
+        "with": "met",
+        "color": "wissel naar|wissel van kleur",
+        "and": "en|dan",
+        "close": "dichttrekken|sluiten|dichtnaaien|dicht",
+        "fasten off": "afhechten|hecht af|draad afknippen",
+        "leave": "laat",
+        "stuff": "vullen|opvullen",
+    },
+}
+"""What people write in the other languages besides their tables: a concept, or ``stitch:`` and a stitch."""
 
 LETTERS: Final[dict[str, str]] = {
     "sc": "x",
