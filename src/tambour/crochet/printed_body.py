@@ -155,7 +155,7 @@ class Reader:
     def phrase(self, found: list[Item], token: Token) -> bool:
         """A sentence that the writer prints for marks, forks and loops."""
         c = self.c
-        if self.phrases is None or token.kind not in ("key", "word"):
+        if self.phrases is None or token.kind not in ("key", "word", "stitch", "number"):
             return False
         end = c.at
         while end < len(c.tokens) and not (c.tokens[end].kind == "mark" and c.tokens[end].word in _PHRASE):

@@ -102,6 +102,8 @@ def where(c: Cursor) -> Where | None:
                 each = True
             elif token.value == "next" and not placed:
                 kind = "next"
+            elif token.value == "next" and spaces:
+                pass  # "dans l'arceau suivant"
             elif token.value in ("last", "rest") and not placed:
                 kind = kind or ("next" if token.value == "last" else "around")
             elif token.value == "same" and not placed:
