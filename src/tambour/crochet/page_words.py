@@ -31,6 +31,8 @@ _EN: Final = {
     "front": "from the front", "right": "from the right", "back": "from the back", "a eye": "Eyes", "a felt": "Felt", "a embroidery": "Embroidery", "a hair": "Hair",
 }  # fmt: skip
 
+_US: Final = {key: said.replace("colour", "color").replace("fibrefill", "fiberfill") for key, said in _EN.items()}
+
 _UK: Final = {
     **_EN,
     "swatch": "Flat: {stitches} dc and {rows} rows in 10 cm (4 in).",
@@ -143,7 +145,7 @@ _NL: Final = {
     "front": "van voren", "right": "van rechts", "back": "van achteren", "a eye": "Ogen", "a felt": "Vilt", "a embroidery": "Borduurwerk", "a hair": "Haar",
 }  # fmt: skip
 
-WORDS: Final = {"us": _EN, "letters": {**_EN, "swatch": "Flat: {stitches} X and {rows} rows in 10 cm (4 in)."},
+WORDS: Final = {"us": _US, "letters": {**_US, "swatch": "Flat: {stitches} X and {rows} rows in 10 cm (4 in)."},
                 "uk": _UK, "de": _DE, "fr": _FR, "es": _ES, "nl": _NL}  # fmt: skip
 """Code of the terms → the page's words."""
 
