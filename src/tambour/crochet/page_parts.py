@@ -41,7 +41,7 @@ def _photo(picture: Picture, width: float, high: float) -> Atom:
 
 def _rows(book: Book, block: Block, width: float) -> list[Atom]:
     labelled = [row for row in block.rows if row.label]
-    label = max((width_of(row.label, BODY, True) for row in labelled), default=0.0) + 2.2
+    label = max((width_of(row.label, BODY, True) for row in labelled), default=0.0) + 2.8
     count = max((width_of(f"({row.count})", BODY, True) for row in labelled if row.count), default=0.0) + 2.0
     return [_row(book, row, width, label, count) for row in block.rows]
 
@@ -186,16 +186,12 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
             sheet.image(picture, x, y, width, high)
             sheet.text(head, x, y + high + LEAD + 1.8, LEAD, True, book.accent)
 
-        lines: list[Atom] = []
-        for sentence in said:
-            lines += paragraph(sentence, width)
-        atoms = [Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines]
-        if len(lines) > 12:
-            chunks += [Chunk([*atoms[:4]], head), *(Chunk([a], head, False) for a in atoms[4:])]
-        else:
-            chunks.append(Chunk(atoms, head))
-    note = paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
-    chunks[-1].atoms.extend(note)
+        # Long lists of points are set smaller.
+        size = BODY if max(map(len, said), default=0) < 160 else SMALL
+        lines = [atom for k, sentence in enumerate(said)
+                 for atom in paragraph(sentence, width, size, None, 0.9 if k else 0.0)]  # fmt: skip
+        chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
+    chunks[0].atoms += paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
     return chunks
 
 

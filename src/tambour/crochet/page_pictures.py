@@ -17,15 +17,18 @@ from tambour.core.paths import Paths
 from tambour.core.picture import Picture
 from tambour.crochet.fabric import mesh, stitch_width
 from tambour.crochet.features import joined, meshes
-from tambour.crochet.finish import Embroidery, Finish, Hair, Placed
+from tambour.crochet.finish import Embroidery, Finish, Hair, Placed, Spot
 from tambour.crochet.loops import RATIO
 from tambour.crochet.page_sheet import BACKDROP
+from tambour.crochet.size import skin
 from tambour.crochet.spline import thin
+from tambour.crochet.spots import Spots
 
 if TYPE_CHECKING:
     from tambour.crochet.plush import Plush
 
 _VIEW: Final = (radians(24.0), radians(14.0))
+_NEAR: Final = (radians(10.0), radians(6.0))
 _SMALL_LIGHTS: Final = 20
 AIR: Final = 1.1
 """The cover shows so much more than the piece."""
@@ -97,9 +100,12 @@ def steps(piece: Plush) -> list[Step]:
     return made
 
 
+def _spots(record: Finish) -> tuple[Spot, ...]:
+    return record.spots if isinstance(record, (Embroidery, Hair)) else (record.spot,)
+
+
 def _on(record: Finish, names: dict[str, int]) -> int:
-    spot = record.spots[0] if isinstance(record, (Embroidery, Hair)) else record.spot
-    return names.get(spot.part, -1)
+    return names.get(_spots(record)[0].part, -1)
 
 
 def partial(
@@ -186,9 +192,18 @@ def from_side(piece: Plush, side: str, width: int, height: int) -> Picture:
     every = [k for k, part in enumerate(piece.built.graph.parts) if part.end > part.start]
     face = tuple(f for f in piece.built.pattern.finish if not isinstance(f, Placed))
     azimuth, elevation = SIDES[side]
+    # One scale for all sides: what fills each picture is the drum that the piece could turn in.
+    points = skin(piece, np.arange(len(piece.positions)))
+    middle = 0.5 * (points.min(0) + points.max(0))
+    reach = float(np.hypot(*(points - middle)[:, [0, 2]].T).max())
+    turn = np.linspace(0.0, 2.0 * np.pi, 25)
+    drum = [
+        np.column_stack([middle[0] + reach * np.cos(turn), np.full(25, y), middle[2] + reach * np.sin(turn)])
+        for y in (points[:, 1].min(), points[:, 1].max())
+    ]
     return picture(
         partial(piece, every, face), width=width, height=height, azimuth=azimuth, elevation=elevation, ground=False,
-        background=BACKDROP, lights=_SMALL_LIGHTS,
+        background=BACKDROP, lights=_SMALL_LIGHTS, frame=np.concatenate(drum),
     )  # fmt: skip
 
 
@@ -196,8 +211,17 @@ def of_step(piece: Plush, step: Step, frame: Array, width: int, height: int) -> 
     """The piece after a step, what is new in full colour; ``frame`` (P, 3) is what fills every step's picture."""
     from tambour.render.raster import picture
 
+    known = Spots(piece.built)
     fresh = step.fresh or step.parts
+    view = _VIEW
+    if not step.fresh:
+        # A face is seen from near and in front: the parts that it is on fill the picture.
+        hosts = {known.place(s).nodes[0] for r in step.finishes for s in _spots(r)}
+        part, x = piece.built.graph.part, piece.positions
+        low = x[np.isin(part, part[sorted(hosts)]), 1].min()
+        near = np.isin(part, [k for k in step.parts if x[part == k, 1].min(initial=np.inf) >= low])
+        frame, view = skin(piece, np.flatnonzero(near)), _NEAR
     return picture(
-        partial(piece, step.parts, step.finishes, fresh), width=width, height=height, azimuth=_VIEW[0],
-        elevation=_VIEW[1], ground=False, background=BACKDROP, lights=_SMALL_LIGHTS, frame=frame,
+        partial(piece, step.parts, step.finishes, fresh), width=width, height=height, azimuth=view[0],
+        elevation=view[1], ground=False, background=BACKDROP, lights=_SMALL_LIGHTS, frame=frame,
     )  # fmt: skip

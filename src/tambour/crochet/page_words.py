@@ -34,8 +34,9 @@ _EN: Final = {
 _UK: Final = {
     **_EN,
     "swatch": "Flat: {stitches} dc and {rows} rows in 10 cm (4 in).",
-    "typical": _EN["typical"],
-    "gauge": "Tension",
+    "tight": "Work tightly enough that no stuffing shows. With another tension the size changes in proportion.",
+    "expected": "No tension was given: this is what such yarn and hook lead one to expect.",
+    "made": "Size, yarn and tension were computed from the stitches; your own hand may differ.",
 }
 
 _DE: Final = {
