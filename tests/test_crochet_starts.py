@@ -4,8 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
-from tambour.core.errors import Text
+from tambour.core.errors import TambourError, Text
 from tambour.core.graph import JOIN, LAID, THROUGH, YARN
 from tambour.core.progress import Progress
 from tambour.crochet.params import CrochetParams
@@ -221,3 +223,27 @@ def test_bumps_and_loops_stand_out_of_the_fabric():
         piece = make(Text(text.format(kind)), CrochetParams(), Progress())
         wide[kind] = np.ptp(piece.yarn.paths.coords[:, 2])
     assert wide["bobble"] > wide["sc"] + 1.5 and wide["loopst"] > wide["sc"] + 1.5
+
+
+PLAIN = ["sc", "3 sc", "inc", "dec", "bobble", "inc4", "dec4", "2 ch", "sk", "slst", "picot"]
+STEP = st.sampled_from([*PLAIN, "{sc, 2 ch, sc}", "{hdc, picot, hdc}", "sp{2 sc}", "sp{dc, ch, dc}", "sp{bobble}"])
+LINE = st.lists(STEP, min_size=1, max_size=7).map(lambda steps: ": " + ", ".join(steps))
+BEGIN = st.sampled_from(
+    [": MR(8)\n: 8 sc", ": oval(9), 7 sc, inc3, 6 sc, inc", ": MR{[dc, 2 ch] x 6}", ": MR(6)\n: 6 inc\n: 12 sc, join"]
+)
+
+
+@settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@given(BEGIN, st.lists(LINE, max_size=4), st.booleans())
+def test_whatever_is_drawn_together_or_folded_is_closed(begin, lines, folded):
+    """Whatever is worked, an opening that is closed at the end leaves a watertight surface of one orientation."""
+    text = "\n".join([begin, *lines])
+    for k in range(8):
+        end = "\n: fold, [sc] around\nFO" if folded else "\n: [dec] around" * k + "\nFO"
+        try:
+            built = made(text + end)
+        except TambourError:
+            continue
+        if min(this.count for this in built.rounds if this.whole) >= 4:
+            assert closed(built.graph.faces[built.shell])[1] == 0, text + end
+        return

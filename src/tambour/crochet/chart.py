@@ -199,13 +199,20 @@ def _mean(angles: list[float], turn: float = math.tau) -> float:
 
 def _place_folded(chart: Chart, this: Round, anchors: list[list[int]], heights: list[float]) -> None:
     """Stitches through both layers, over those of the nearer one."""
-    high = chart.reach
+    high, bare = chart.reach, []
     for n in range(this.first, this.last + 1):
         under = [chart.cells[a] for a in anchors[n] if a in chart.cells]
-        if under:
-            top = chart.reach + (heights[n] or 1.0)
-            chart.cells[n] = Cell(under[0].at, under[0].half, chart.reach, top)
-            high = max(high, top)
+        if not under:  # a chain
+            bare.append(n)
+            continue
+        top = chart.reach + (heights[n] or 1.0)
+        chart.cells[n] = Cell(under[0].at, under[0].half, chart.reach, top)
+        high = max(high, top)
+    for n in bare:
+        beside = next((chart.cells[m] for m in range(n, this.last + 1) if m in chart.cells), None)
+        beside = beside or max(chart.cells.values(), key=lambda c: c.high)
+        chart.cells[n] = Cell(beside.at, 0.5 * beside.half, beside.high, beside.high + _LOW)
+        high = max(high, beside.high + _LOW)
     chart.folded.add(this.number)
     chart.reach = high
 

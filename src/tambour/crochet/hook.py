@@ -273,6 +273,9 @@ class Hook:
                 elif what == JOIN:
                     if now.starting and now.ring:
                         # Slip stitches before a round carry the yarn along the edge, which stays as it is.
+                        while len(path) > 1 and len(front) > 1 and front[-2] in (path[1], ~path[1]):
+                            front.pop()  # back down chains just made, which stand off the edge
+                            path.pop(0)
                         front.extend(~n for n in path[1:])
                         path = [anchor]
                     else:
@@ -373,6 +376,10 @@ class Hook:
                     "decrease further, or leave FO out: the end stays open",
                 )
             self.begin_sheet()
+            front, spine = now.front, now.spine
+            while len(spine) > 1 and front[-1] == ~spine[-1] and front[-2] in (spine[-2], ~spine[-2]):
+                front.pop()  # chains just made stand off the edge
+                spine.pop()
             edge = [n if n >= 0 else ~n for n in now.front]
             anchors = [n for n in now.front if n >= 0]
             self.fill([*now.spine[::-1], edge[0]])

@@ -107,7 +107,9 @@ def _materials(book: Book, width: float) -> list[Atom]:
         made.append(_yarn(color, letter, name, "", own["embroidery"].format(cm=number(cm, 0)), "", width))
     note = own["typical"].format(name=kind.uk if book.code == "uk" else kind.name, metres=number(kind.metres, 0))
     made += paragraph(note, width, SMALL, SOFT, 0.8)
-    other: list[tuple[str, str]] = [(own["hook"], f"{number(book.piece.gauge.hook, 2)} mm")]
+    other: list[tuple[str, str]] = []
+    if "hook" not in book.piece.built.pattern.stated:
+        other.append((own["hook"], f"{number(book.piece.gauge.hook, 2)} mm"))
     for eye in found["eyes"]:
         word = own["eye" if eye["count"] == 1 else "eyes"]
         name = name_of(book.said, _rgb(eye["color"]))[1]

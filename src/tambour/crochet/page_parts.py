@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from tambour.core.check import Array
 from tambour.core.picture import Picture
 from tambour.crochet.diagram import plates, symbols
@@ -10,11 +12,12 @@ from tambour.crochet.page_book import FOOT, MARGIN, TOP, Book, short
 from tambour.crochet.page_flow import Atom, Chunk, together
 from tambour.crochet.page_pictures import Step, from_side, of_parts, of_step, steps
 from tambour.crochet.page_sheet import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, Sheet, width_of, wrap
-from tambour.crochet.page_text import Block, Row, colors_in
+from tambour.crochet.page_text import Block, Row, colors_in, name_of
 
 _DOTS = 7.6  # pixels a mm of the small pictures
 _THUMB = 30.0
 _TICK = 2.5
+_HEX = re.compile("#[0-9a-f]{6}")
 _LARGEST = 0.55
 """Scale at which a chart is large enough: a stitch is 3.9 mm wide."""
 
@@ -191,14 +194,16 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
         lines = [atom for k, sentence in enumerate(said)
                  for atom in paragraph(sentence, width, size, None, 0.9 if k else 0.0)]  # fmt: skip
         chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
-    chunks[0].atoms += paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
+    if any(step.fresh for step in found):
+        chunks[0].atoms += paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
     return chunks
 
 
 def _names(book: Book, step: Step) -> str:
     built = book.piece.built
     if not step.fresh:
-        return book.own["face"]
+        kinds = dict.fromkeys(type(built.pattern.finish[n]).__name__.lower() for n in step.records)
+        return ", ".join(book.own[f"a {kind}"] for kind in kinds)
     found = dict.fromkeys(built.pattern.parts[built.parts[k].section].name for k in step.fresh)
     return ", ".join(name for name in found if name)
 
@@ -209,6 +214,11 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
     records = len(built.pattern.finish)
     seams, rest = (said[: len(said) - records], said[len(said) - records :]) if records else (said, ())
     made: list[list[str]] = [[] for _ in found]
+
+    def named(shade: re.Match[str]) -> str:
+        r, g, b = (int(shade[0][k : k + 2], 16) for k in (1, 3, 5))
+        return name_of(book.said, (r, g, b))[1]
+
     part = built.graph.part
     for k, line in enumerate(seams):
         at = 0
@@ -218,5 +228,5 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
         made[at].append(line)
     made = [[" ".join(lines)] if lines else [] for lines in made]
     for i, step in enumerate(found):
-        made[i] += [rest[n] for n in step.records if n < len(rest)]
+        made[i] += [_HEX.sub(named, rest[n]) for n in step.records if n < len(rest)]
     return made

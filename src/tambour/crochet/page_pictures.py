@@ -52,7 +52,7 @@ class Step:
 
 
 def steps(piece: Plush) -> list[Step]:
-    """How the piece is put together: copies of a part in one step, the face in one step at a time."""
+    """How the piece is put together: copies of a part in one step, and what is alike on the face (eyes, say) in one."""
     graph, built = piece.built.graph, piece.built
     sections = [part.section for part in built.parts]
     names: dict[str, int] = {}
@@ -73,7 +73,7 @@ def steps(piece: Plush) -> list[Step]:
                 groups.append(([k], [number]))
             held.add(k)
         elif not isinstance(record, Placed):
-            if groups and not groups[-1][0]:
+            if groups and not groups[-1][0] and type(built.pattern.finish[groups[-1][1][-1]]) is type(record):
                 groups[-1][1].append(number)
             else:
                 groups.append(([], [number]))
