@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Any, Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
 from tambour.crochet.build import build
@@ -74,6 +74,7 @@ class Printed:
         self.stated: dict[str, tuple[str, Span]] = {}
         self.passed: list[Span] = []
         self.understood = self.failed = self.row_at = 0
+        self.early: dict[str, Any] = {}  # what is said of a part before its first round
         self.sentences: list[Sentence] = []  # of finishing, read once the parts are known
 
     def pattern(self, max_stitches: int) -> Pattern:
@@ -268,6 +269,9 @@ class Printed:
         if found is not None:
             draft.copies, draft.copies_span = found.copies, found.copies_span
         draft.lines, self.lead = self.lead, []
+        for key, value in self.early.items():
+            setattr(draft, key, value)
+        self.early = {}
         self.parts.append(draft)
 
 

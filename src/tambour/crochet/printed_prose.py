@@ -157,14 +157,14 @@ def _sentence(p: Printed, tokens: list[Token]) -> bool:
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
     said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end"))
     draft = p.parts[-1] if p.parts else None
-    if said is not None and draft is not None:
+    if said is not None:
         key, fields = said
-        if key in _PART:
-            draft.stuffing = STUFFING[_PART[key]]
-        elif key == "stuff factor":
-            draft.stuffing = fields["factor"]
+        amount = STUFFING[_PART[key]] if key in _PART else fields.get("factor")
+        name, value = ("up", key.removeprefix("up ")) if amount is None else ("stuffing", amount)
+        if draft is None or p.heading is not None:
+            p.early[name] = value  # of the part that the heading begins
         else:
-            draft.up = key.removeprefix("up ")
+            setattr(draft, name, value)
         return True
     stuffing = _stuffing(p, tokens)
     if stuffing is not None and draft is not None:
