@@ -247,3 +247,20 @@ def test_whatever_is_drawn_together_or_folded_is_closed(begin, lines, folded):
         if min(this.count for this in built.rounds if this.whole) >= 4:
             assert closed(built.graph.faces[built.shell])[1] == 0, text + end
         return
+
+
+def test_chains_that_count_are_stitches_of_their_height():
+    graph = made(": MR(6), join\n: ch3dc, 5 dc, join (6)\n: ch2hdc, 5 hdc (6)", stitch=(4.0, 6.0)).graph
+    length = {tuple(e): r for e, r in zip(graph.edges.tolist(), graph.rest)}
+    assert length[7, 1] == length[8, 2] == 12.0 and length[13, 7] == 9.0
+    rows = made(": 7 ch, turn\n: 6 sc\n: turn, ch3dc, 5 dc (6)\n: turn, ch3dc, {2 dc, ch}, 4 dc (8)\n")
+    assert not rows.warnings and [r.count for r in rows.rounds] == [7, 6, 6, 8]
+
+
+def test_slip_stitches_before_a_round_carry_the_yarn():
+    built = made(": MR(6)\n: 6 inc, join\n: 4 slst, 8 sc\n: 4 dec\nFO")
+    graph = built.graph
+    assert closed(graph.faces[built.shell])[1] == 0
+    assert graph.previous[19] == 10 and graph.parent[19] == 11
+    length = {tuple(e): r for e, r in zip(graph.edges.tolist(), graph.rest)}
+    assert length[19, 10] == pytest.approx(5.0 * 2**0.5)  # one along, one up

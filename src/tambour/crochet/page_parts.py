@@ -10,7 +10,7 @@ from tambour.crochet.diagram import plates, symbols
 from tambour.crochet.page_begin import heading, paragraph
 from tambour.crochet.page_book import FOOT, MARGIN, TOP, Book, short
 from tambour.crochet.page_flow import Atom, Chunk, together
-from tambour.crochet.page_pictures import Step, from_side, of_parts, of_step, steps
+from tambour.crochet.page_pictures import Step, from_side, lies, of_parts, of_step, steps
 from tambour.crochet.page_sheet import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, Sheet, width_of, wrap
 from tambour.crochet.page_text import Block, Row, colors_in, name_of
 
@@ -99,7 +99,7 @@ def charts(book: Book) -> None:
         y += HEAD * 1.2 + 3.0
     y = sheet.lines(wrap(book.own["chart note"], BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
     y = _symbols(book, sheet, MARGIN, y, wide)
-    names = {block.part: block.title for block in book.said.parts}
+    names = {block.part: block.title if len(book.said.parts) > 1 else "" for block in book.said.parts}
     row: list[tuple[str, float, float, int]] = []
 
     def placed(row: list[tuple[str, float, float, int]], y: float) -> float:
@@ -162,7 +162,7 @@ def sides(book: Book, sheet: Sheet) -> None:
     gap, top = 5.0, sheet.lowest + 14.0
     width = (wide - 2 * gap) / 3
     high = min(bottom - top - 6.0, width * 1.2)
-    if high < 0.6 * width:
+    if high < 0.6 * width or lies(book.piece):
         return
     y = bottom - high - 6.0
     for k, side in enumerate(("front", "right", "back")):

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from tambour.crochet.plush import Plush
 
 _VIEW: Final = (radians(24.0), radians(14.0))
+_ABOVE: Final = radians(52.0)
 _NEAR: Final = (radians(10.0), radians(6.0))
 _SMALL_LIGHTS: Final = 20
 AIR: Final = 1.1
@@ -149,6 +150,12 @@ def partial(
     return joined([mesh(shown, piece.positions, detail="low", made=made), *extra])
 
 
+def lies(piece: Plush) -> bool:
+    """Whether the piece is so flat that one looks down on it."""
+    wide, high, deep = np.ptp(piece.positions, axis=0).tolist()
+    return bool(high < 0.3 * min(wide, deep))
+
+
 def whole(piece: Plush, width: int, height: int) -> Picture:
     """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
     from tambour.crochet.plush import yarn
@@ -160,8 +167,9 @@ def whole(piece: Plush, width: int, height: int) -> Picture:
     # Some air around it, but the floor stays where it stands.
     room = middle + AIR * (points - middle)
     room[:, 1] = np.maximum(room[:, 1], points[:, 1].min())
+    elevation = _ABOVE if lies(piece) else _VIEW[1]
     shown = picture(
-        made, width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], background=BACKDROP, frame=room
+        made, width=width, height=height, azimuth=_VIEW[0], elevation=elevation, background=BACKDROP, frame=room
     )
     paper = np.round(coded(film(linear(np.array(BACKDROP) / 255.0))) * 255)
     y = np.linspace(0.0, 1.0, height)
