@@ -213,8 +213,8 @@ class Printed:
     def _instructs(self, tokens: list[Token]) -> bool:
         """Whether the text after a bare number is a round's."""
         words = [t for t in tokens if t.kind != "mark"]
-        known = sum(t.kind in ("stitch", "number") or (t.kind == "key" and t.value == "ring") for t in words)
-        return any(t.kind == "stitch" for t in words) and known * 2 >= len(words)
+        known = sum(t.kind in ("stitch", "number", "ordinal", "key") for t in words)
+        return any(t.kind == "stitch" for t in words) and known * 3 >= len(words) * 2
 
     def _round(self, head: Head, tokens: list[Token], whole: list[Token]) -> None:
         """A round that has a head."""

@@ -137,8 +137,9 @@ def _sentences(p: Printed, tokens: list[Token], lefts: list[list[Token]]) -> boo
     """Reads what instructions a line of text holds; whether there were any. What was not read goes to ``lefts``."""
     any_read = False
     begin = 0
+    ends = (".", "!", "?") if any(t.word == "*" for t in tokens) else (".", "!", "?", ";")
     for at in range(len(tokens) + 1):
-        if at < len(tokens) and tokens[at].word not in (".", "!", "?", ";"):
+        if at < len(tokens) and tokens[at].word not in ends:
             continue
         sentence = tokens[begin:at]
         begin = at + 1
