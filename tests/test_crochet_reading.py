@@ -125,6 +125,12 @@ def test_doubtful_wording_is_asked_about(round_two, made, asked):
     assert any("can be read as" in w.message for w in built.warnings) == asked
 
 
+def test_chains_that_begin_a_round_stand_for_a_stitch_when_the_count_says_so():
+    body = "Rnd 1: 12 dc in MR, join (12)\nRnd 2: Ch 3, dc in next 11 sts, join (12)\nRnd 3: ch 3, dc in each st around, join (12)"
+    second, third = read_printed(Text(body)).parts[0].lines[1:3]
+    assert [i.name for i in second.items] == ["ch3dc", "dc", "join"] and third.items[0].name == "ch"
+
+
 @pytest.mark.parametrize(
     "body, code, doubt",
     [
