@@ -129,7 +129,7 @@ def test_what_is_made_is_closed_and_the_same_every_time() -> None:
 
 
 def test_hair_hangs_outside() -> None:
-    piece = made("hair(Head, 16:1, 16:12, count=12, length=45)")
+    piece = made("hair(Head, 16:1, 16:12, count=12, length=100)")
     (mesh,) = meshes(piece.built, piece.positions, piece.yarn)[0]
     _, _, high = under(piece).foot(mesh.vertices)
     assert high.min() > 0.0 and (high > 1.0).mean() > 0.99
@@ -150,8 +150,8 @@ def test_materials() -> None:
     assert told["felt"][0] | {"count": 1} == {
         "color": "#ffffff", "shape": "square", "width_mm": 10.0, "height_mm": 10.0, "count": 1, "cm2": 1.0,
     }  # fmt: skip
-    assert told["embroidery"][0]["color"] == "#aa0000" and 15.0 < told["embroidery"][0]["cm"] < 22.0
-    assert told["hair"][0]["strands"] == 5 and told["hair"][0]["metres"] == pytest.approx(5 * 0.07)
+    assert told["embroidery"][0]["color"] == "#aa0000" and 17.0 < told["embroidery"][0]["cm"] < 22.0
+    assert told["hair"][0]["strands"] == 5 and told["hair"][0]["metres"] == pytest.approx(5 * 0.03)
     assert doubts(piece.built, piece.positions) == []
 
 
@@ -166,6 +166,14 @@ def test_doubts() -> None:
     told = [p.message for p in doubts(piece.built, piece.positions)]
     assert len(told) == 4 and "in one another" in told[0] and "eye is 90 mm wide" in told[1]
     assert "felt is 200" in told[2] and "under an eye" in told[3]
+
+
+def test_a_chain_has_no_face() -> None:
+    source = Text("== c ==\n: 10 ch\neye(c, round=0, stitch=3, size=5)\nhair(c, 0:3, count=3)\n")
+    progress = Progress()
+    piece = make(source, CrochetParams(), progress)
+    assert [w.message for w in progress.warnings] == ["c has no fabric that this could be put on"] * 2
+    assert meshes(piece.built, piece.positions, piece.yarn) == ([], piece.yarn)
 
 
 def test_the_fabric_as_a_surface_has_no_face() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import re
 from dataclasses import replace
@@ -12,9 +13,11 @@ import pytest
 from PIL import Image
 
 from tambour.cli import main
+from tambour.core.errors import TambourError
+from tambour.core.font import Font
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
-from tambour.ink import scroll
+from tambour.ink import CRAFT, scroll
 from tambour.ink.params import Ink, stem
 from tambour.render import flat
 
@@ -210,3 +213,53 @@ def test_the_far_scroll_is_painted_as_finely_as_the_near() -> None:
     bare = flat.picture(replace(drawing, images=()), width=400).rgba.astype(int)
     assert np.abs(bare - near).max() <= 1
     assert np.abs(far - near).max() < 90  # the grain alone
+
+
+def _square_font() -> Font:
+    """A font whose one letter, 山, is a square of half the em with a square hole."""
+    from fontTools.fontBuilder import FontBuilder
+    from fontTools.pens.ttGlyphPen import TTGlyphPen
+
+    pen = TTGlyphPen(None)
+    for ring in (((0, 0), (0, 800), (800, 800), (800, 0)), ((200, 200), (600, 200), (600, 600), (200, 600))):
+        pen.moveTo(ring[0])
+        for point in ring[1:]:
+            pen.lineTo(point)
+        pen.closePath()
+    make = FontBuilder(1000, isTTF=True)
+    make.setupGlyphOrder([".notdef", "mountain"])
+    make.setupCharacterMap({ord("山"): "mountain"})
+    make.setupGlyf({".notdef": TTGlyphPen(None).glyph(), "mountain": pen.glyph()})
+    make.setupHorizontalMetrics({".notdef": (1000, 0), "mountain": (1000, 0)})
+    make.setupHorizontalHeader(ascent=800, descent=-200)
+    make.setupNameTable({"familyName": "Square", "styleName": "Regular"})
+    make.setupOS2()
+    make.setupPost()
+    out = io.BytesIO()
+    make.save(out)
+    return Font(out.getvalue(), "square")
+
+
+def test_a_font_sets_inscription_and_seal_as_outlines() -> None:
+    given = Ink(seed="1", span=800.0, density=0.0, inscription="山\n山", seal="山", paper=False)
+    made = scroll.make(None, given.model_copy(update={"font": _square_font()}), Progress())
+    drawing = scroll.whole(made)
+    assert not drawing.labels
+    assert {"inscription", "seal", "seal-letters"} <= set(drawing.groups.ids)
+    one = flat.picture(drawing, width=8000).rgba[:, :, :3].astype(int)
+    # The first letter's square runs 0.8 em up from its baseline (740, 70), in the middle of its advance; its hole is open.
+    left, base, em = 740.0 - 0.5 * 20.0, 70.0, 20.0
+    at = {q: one[int(10 * (base - y * em)), int(10 * (left + x * em))] for q, (x, y) in
+          {"stem": (0.1, 0.4), "hole": (0.4, 0.4), "outside": (0.9, 0.4)}.items()}  # fmt: skip
+    assert at["stem"].max() < 90 and at["hole"].min() > 240 and at["outside"].min() > 240
+
+
+def test_characters_that_a_font_lacks_are_named() -> None:
+    given = Ink(seed="1", span=800.0, inscription="far 山水", seal="山")
+    with pytest.raises(TambourError) as caught:
+        CRAFT.check(given, ["picture"])
+    assert [p.where for p in caught.value.problems] == ["--inscription", "--seal"]
+    assert "山 水" in caught.value.problems[0].message and "--font" in caught.value.problems[0].hint
+    CRAFT.check(given, ["scroll"])  # an SVG's viewer finds them
+    with pytest.raises(TambourError, match="square has no f a r 水"):
+        scroll.make(None, given.model_copy(update={"font": _square_font()}), Progress())

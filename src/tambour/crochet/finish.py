@@ -84,7 +84,8 @@ class Felt:
 
 @dataclass(frozen=True, slots=True)
 class Hair:
-    """Strands of yarn ``length`` mm long, knotted in from the first spot to the last, ``count`` of them evenly."""
+    """Strands of yarn cut ``length`` mm long, folded in half and knotted in by the fold, from the first spot to the last,
+    ``count`` of them evenly; about a single spot as a tuft."""
 
     spots: tuple[Spot, ...]
     count: int = 12

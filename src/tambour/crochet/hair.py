@@ -12,16 +12,24 @@ from tambour.core.strands import Strands
 from tambour.crochet.clearance import clear
 from tambour.crochet.finish import Hair
 from tambour.crochet.ground import Ground, unit
+from tambour.crochet.loops import RATIO
 from tambour.noise import stream
 
 FALL = 0.2
 """How much of its way a strand turns towards the ground over one diameter of its yarn: yarn is limp."""
 SPREAD = 0.12
 """Largest angle by which a strand lies beside the way it is combed, radians."""
+FOLD = 8.0
+"""Yarn that the knot of a strand takes, in diameters."""
 SETTLING = 24
 """Turns in which strands sink and push each other aside."""
 LONGEST = 160
 """Points of a strand; longer ones take longer steps."""
+
+
+def hangs(length: float, stitch: float) -> float:
+    """How long, mm, the two ends of a strand cut to ``length`` are below its knot; stitch : the stitch's width."""
+    return max(0.5 * (length - FOLD * RATIO * stitch), 0.2 * length)
 
 
 def roots(ground: Ground, points: Array, count: int, thick: float) -> tuple[Array, Array]:
@@ -56,7 +64,7 @@ def _lie(ground: Ground, places: Array, forward: Array) -> tuple[Array, Array, A
 
 
 def hair(ground: Ground, records: list[tuple[Hair, Array]], thick: float, eyes: Array) -> Strands:
-    """The knots of all strands, and their ends, two of ``length`` mm for every strand.
+    """The knots of all strands, and their two ends each.
 
     records : what is asked for and its spots (K, 3); thick : diameter of the yarn as drawn, mm
     eyes : (E, 4) balls that hair falls over
@@ -111,23 +119,24 @@ def _comb(
     heading = unit(unit(heading) + 0.15 * np.repeat(normal, 2, 0))
     turned = 2 * SPREAD * draw[:, :1]
     heading = unit(heading * np.cos(turned) + np.cross(np.repeat(normal, 2, 0), heading) * np.sin(turned))
-    length = record.length * (1 + 0.1 * (draw[:, 1] - 0.5))
-    steps = int(np.clip(np.ceil(record.length / (0.55 * thick)), 4, LONGEST))
+    hang = hangs(record.length, ground.stitch)
+    length = hang * (1 + 0.1 * (draw[:, 1] - 0.5))
+    steps = int(np.clip(np.ceil(hang / (0.55 * thick)), 4, LONGEST))
     step = (length / steps)[:, None]
-    limp = 1 - (1 - FALL) ** (record.length / steps / thick)
-    wave = 2 * pi * (record.length / 45.0) * (0.7 + 0.6 * (draw[:, 2] + 0.5))
+    limp = 1 - (1 - FALL) ** (hang / steps / thick)
+    wave = 2 * pi * (hang / 45.0) * (0.7 + 0.6 * (draw[:, 2] + 0.5))
     clearance = ground.lift + 0.5 * thick
     points = np.zeros((2 * count, steps + 1, 3))
     points[:, 0] = position
+    _, out, high = ground.foot(position)
     for s in range(1, steps + 1):
-        _, out, high = ground.foot(position)
         touching = np.clip(1.5 - (high - clearance) / thick, 0, 1)[:, None]
         pull = down - touching * np.minimum((down * out).sum(1, keepdims=True), 0.0) * out
         heading = unit(heading + limp / (1 - limp) * pull)
         # A slow wave from side to side, as yarn keeps from its ball.
         sway = 0.05 * np.cos(wave * s / steps + 2 * pi * draw[:, 3])[:, None]
         heading = unit(heading + sway * np.cross(out, heading))
-        position = outside(ground, position + step * heading, clearance, eyes, thick)
+        position, out, high = outside(ground, position + step * heading, clearance, eyes, thick)
         # What stops a strand turns it along the fabric, not away from it.
         moved = unit(position - points[:, s - 1])
         away = (moved * out).sum(1, keepdims=True)
@@ -136,16 +145,17 @@ def _comb(
     return points
 
 
-def outside(ground: Ground, points: Array, clearance: float, eyes: Array, thick: float) -> Array:
-    """Points (P, 3) moved out of the fabric, to ``clearance`` mm over it, and out of the eyes."""
+def outside(ground: Ground, points: Array, clearance: float, eyes: Array, thick: float) -> tuple[Array, Array, Array]:
+    """Points (P, 3) moved out of the fabric, to ``clearance`` mm over it, and out of the eyes; the fabric's normals
+    there, and how high over it they are (P,)."""
     _, normal, high = ground.foot(points)
     points = points + np.maximum(0.0, clearance - high)[:, None] * normal
     for middle, radius in zip(eyes[:, :3], eyes[:, 3]):
         off = points - middle
-        far = np.linalg.norm(off, axis=1)
+        far = np.sqrt((off**2).sum(1))
         wanted = radius + 0.5 * thick
         points = np.where((far < wanted)[:, None], middle + off * (wanted / np.maximum(far, 1e-9))[:, None], points)
-    return points
+    return points, normal, np.maximum(high, clearance)
 
 
 def _settled(ground: Ground, knots: list[Array], locks: list[Array], thick: float, eyes: Array) -> list[Array]:
@@ -171,7 +181,7 @@ def _settled(ground: Ground, knots: list[Array], locks: list[Array], thick: floa
             for k in range(1, many):
                 way = lock[:, k] - lock[:, k - 1]
                 lock[:, k] = lock[:, k - 1] + unit(way) * length[:, k - 1, None]
-            free = outside(ground, lock[:, 1:].reshape(-1, 3), ground.lift + 0.5 * thick, eyes, thick)
+            free, _, _ = outside(ground, lock[:, 1:].reshape(-1, 3), ground.lift + 0.5 * thick, eyes, thick)
             lock[:, 1:] = free.reshape(count, many - 1, 3)
             moved.append(lock)
         coords = np.concatenate([knotted, *(lock.reshape(-1, 3) for lock in moved)])

@@ -30,13 +30,30 @@ class _Unknown(Exception):
 
 def restated(text: Text, *, max_stitches: int = 200_000) -> Pattern | None:
     """The pattern of a text that is as Tambour prints it, whole; None for any other text."""
+    terms = printed_in(text.text)
+    if terms is None:
+        return None
+    try:
+        return _Reader(text, terms).read(max_stitches)
+    except _Unknown:
+        return None
+
+
+def printed_in(text: str) -> Terms | None:
+    """The terms that a text's heading over its abbreviations names, as it is printed."""
     for terms in TERMS.values():
-        if f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" in text.text:
-            try:
-                return _Reader(text, terms).read(max_stitches)
-            except _Unknown:
-                return None
+        if f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" in text:
+            return terms
     return None
+
+
+def lettered(text: str, terms: Terms) -> dict[str, RGB]:
+    """The colours that a list of materials as it is printed gives letters."""
+    plain, made = Phrases(terms, {}, {}), {}
+    for line in text.split("\n"):
+        if "#" in line and (found := plain.read(line.strip().lstrip("-•* "), ("legend",))):
+            made[found[1]["letter"]] = found[1]["hex"]
+    return made
 
 
 @lru_cache(maxsize=16)
@@ -76,16 +93,11 @@ class _Reader:
         """Parts and the colours' letters, which sentences before them may name."""
         plain = Phrases(self.terms, {}, {})
         copies: dict[str, int] = {}
-        legend: dict[str, RGB] = {}
         for line in self.text.text.split("\n"):
             if line.startswith("## "):
                 name, times, _ = self._heading(line[3:].strip(), plain)
                 copies[name] = times
-            elif line.startswith("- "):
-                found = plain.read(line[2:], ("legend",))
-                if found:
-                    legend[found[1]["letter"]] = found[1]["hex"]
-        return copies, legend
+        return copies, lettered(self.text.text, self.terms)
 
     def _heading(self, words: str, phrases: Phrases) -> tuple[str, int, bool]:
         """The name and the copies of a part, and whether the word for a part stands before it."""
@@ -200,7 +212,9 @@ class _Reader:
                 draft.lines.append(Line((alone,), span, False))
                 return
         stated, stated_span = None, None
-        if counted := _COUNT.search(line):
+        if head is None:
+            end -= line.endswith(".")
+        elif counted := _COUNT.search(line):
             stated = int(counted[1])
             stated_span = Span(span.start + counted.start(1), span.start + counted.end(1))
             end = counted.start()

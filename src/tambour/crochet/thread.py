@@ -12,6 +12,8 @@ from tambour.crochet.ground import Ground
 
 SOFT = 0.55
 """Radius, as a share of its own, with which a stitch lifts those that are laid over it: yarn gives way."""
+LONGEST = 200
+"""Points of one stitch, about; a longer one has them further apart."""
 INSIDE = 2.4
 """How deep, in radii under the fabric's top, a stitch's ends are drawn in."""
 
@@ -22,7 +24,8 @@ def stitch(ground: Ground, start: Array, end: Array, width: float) -> Array:
     It lies on the highest yarn beneath it as a string that is drawn tight, and goes down through the fabric at both ends.
     """
     radius = width / 2
-    step = min(0.35 * width, 0.25 * ground.stitch)
+    far = float(np.sqrt(((end - start) ** 2).sum()))
+    step = max(min(0.35 * width, 0.25 * ground.stitch), far / LONGEST)
     base, normal = ground.line(np.stack([start, end]), step)
     along = np.concatenate([[0.0], np.cumsum(np.sqrt((np.diff(base, axis=0) ** 2).sum(1)))])
     high = supported(ground, base, normal, radius)
@@ -64,10 +67,10 @@ def knot(ground: Ground, point: Array, normal: Array, width: float) -> Array:
     flat = across(normal)
     turn = np.linspace(0, 4.4 * pi, 45)
     beneath = point + 0.8 * radius * (np.cos(turn)[:, None] * flat[0] + np.sin(turn)[:, None] * flat[1])
-    floor = float(np.quantile(ground.top(beneath, np.repeat(normal[None], len(turn), 0)), 0.8))
+    floor = float(np.quantile(ground.top(beneath, np.repeat(normal[None], len(turn), 0)), 0.5))
     t = turn / turn[-1]
     wide = radius * (0.95 - 0.2 * t)
-    rise = floor + radius * (0.75 + 1.25 * t)
+    rise = floor + radius * (0.45 + 1.25 * t)
     # Its end goes over the coil and down its middle.
     over = np.linspace(0, 1, 9)[1:]
     wide = np.concatenate([wide, wide[-1] * (1 - over)])
@@ -78,10 +81,10 @@ def knot(ground: Ground, point: Array, normal: Array, width: float) -> Array:
 
 
 def needed(points: Array, width: float) -> float:
-    """Yarn, mm, for stitches from hole to hole (K, 3): over the fabric, on behind it to the next hole; a knot's wraps.
+    """Yarn, mm, for stitches from hole to hole (K, 3): over the fabric, and as far behind it; a knot's wraps.
 
-    The ends, two fingers long on the inside, are counted by the whole piece of embroidery, not here.
+    The ends that are hidden inside are not counted here.
     """
     if len(points) == 1:
         return 2.4 * 2 * pi * width
-    return float(np.sqrt((np.diff(points, axis=0) ** 2).sum(1)).sum())
+    return 2 * float(np.sqrt((np.diff(points, axis=0) ** 2).sum(1)).sum())

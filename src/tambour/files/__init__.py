@@ -33,6 +33,7 @@ READ: dict[str, dict[str, str]] = {
     ".md": {"Text": "text:read_text"},
     ".ttf": {"Font": "font:read_font"},
     ".otf": {"Font": "font:read_font"},
+    ".ttc": {"Font": "font:read_font"},
     ".svg": {"Drawing": "svg_read:read_drawing"},
     ".svgz": {"Drawing": "svg_read:read_drawing"},
     **{suffix: {"Picture": "picture:read_picture"} for suffix in _PICTURES},

@@ -12,7 +12,7 @@ LARGEST = 100_000_000
 
 
 def read_font(path: Path) -> Font:
-    """A .ttf or .otf file; TambourError when it is none."""
+    """A .ttf, .otf or .ttc file (of a collection the first face); TambourError when it is none."""
     from tambour.geometry.glyphs import capital_height
 
     if path.stat().st_size > LARGEST:

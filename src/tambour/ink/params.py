@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 from pydantic import Field, field_validator, model_validator
 
 from tambour.core.errors import Problem, TambourError, did_you_mean
-from tambour.core.params import Duration, Length, Params
+from tambour.core.params import Duration, Length, Params, file
 from tambour.ink.kinds import SPECIMENS
 
 FARTHEST = 1e12
@@ -76,6 +76,8 @@ class Ink(Params):
 
     seal: str = ""
     """One to four characters for the red seal under the inscription."""
+
+    font: Any = file("Font", "A .ttf, .otf or .ttc file for the letters of --inscription and --seal.")
 
     tall: Length = Field(default=210.0, gt=0.0, le=5000.0)
     """How tall the scroll is when it is printed."""
@@ -173,6 +175,10 @@ def check(params: Ink, views: Sequence[str]) -> None:
     """Refuse, before any work, windows that the views asked for cannot show."""
     if params.plotter or params.specimen:
         return
+    if (params.inscription or params.seal) and params.font is None:
+        from tambour.ink import seal
+
+        seal.check(params.inscription, params.seal, None, views)
     span, problems = params.span, []
     high = params.pixels * 700.0 / span
     if "picture" in views and high < LOWEST:

@@ -26,9 +26,9 @@ def grow(
     if k >= len(limbs):
         return k
     # It starts a little inside its parent, which the outline of both does not show.
-    other = SIDES - 1 - node
-    x = 0.7 * limbs[parent, node, 0] + 0.3 * limbs[parent, other, 0]
-    y = 0.7 * limbs[parent, node, 1] + 0.3 * limbs[parent, other, 1]
+    other, q = SIDES - 1 - node, 0.5 if node == NODES - 1 else 0.3
+    x = (1.0 - q) * limbs[parent, node, 0] + q * limbs[parent, other, 0]
+    y = (1.0 - q) * limbs[parent, node, 1] + q * limbs[parent, other, 1]
     branch(table, rng, limbs[k], x, y, length, width, angle, bend)
     above[k], joint[k] = parent, node
     return k + 1
@@ -41,7 +41,7 @@ def bark(
 ) -> None:  # fmt: skip
     """Body, outline and bark of a tree whose limbs grow out of one another: one outline goes round all of them.
 
-    breadth : of the outline; often : as in :func:`scales`, a third of it from each limb to the next
+    breadth : of the outline; often : as in :func:`scales`, less than half of it from each limb to the next
     limbs (count, SIDES, 2); limb k leaves limb ``above[k]`` at its node ``joint[k]``; limbs of one parent stand in any
     order, and their parent before them.
     """
@@ -78,7 +78,7 @@ def bark(
         depth, j = 0, k
         while above[j] >= 0:
             depth, j = depth + 1, above[j]
-        scales(table, rng, pts, marks, n, limbs[k], size, often * 0.35**depth)
+        scales(table, rng, pts, marks, n, limbs[k], size, often * 0.45**depth)
 
 
 @kernel
@@ -103,10 +103,13 @@ def pine(
     for k in range(1, count):
         right = lean[k] > -0.5 * PI
         angle = lean[k] if right else lean[k] + PI
+        # Tufts: two or three places along a bough where twigs crowd, and hardly any between.
+        beat, start = between(rng, 8.0, 13.0), between(rng, 0.0, 5.0)
         for i in range(NODES):
-            if rnd(rng) < 0.2 or i == NODES - 1:
+            crowd = 0.45 if (i + start) % beat > 0.55 * beat else 0.03
+            if rnd(rng) < crowd or i == NODES - 1:
                 px, py = limbs[k, i, 0], limbs[k, i, 1]
-                twig(rng, pts, marks, n, px, py, 1, 0.5 * height / 300.0, angle, 1.0 if right else -1.0, True, 12.0)
+                twig(rng, pts, marks, n, px, py, 1, 0.5 * height / 300.0, angle, 1.0 if right else -1.0, 1.0, 12.0)
     n[OPEN] = before
 
 
@@ -130,6 +133,7 @@ def cedar(
             lean[min(count, LIMBS - 1)] = angle
             count = grow(table, rng, limbs, above, joint, count, 0, i, length, 0.5 * width, angle, 0.5)
     bark(table, rng, pts, marks, n, limbs, above, joint, count, 2.5, 0.9)
+    leaf = 0.5 + 0.5 * min(1.0, height / 250.0)
     for k in range(1, count):
         right = lean[k] > -0.5 * PI
         angle = lean[k] if right else lean[k] + PI
@@ -138,7 +142,7 @@ def cedar(
             if i < NODES // 2 and rnd(rng) < 0.55:
                 continue
             px, py = limbs[k, i, 0], limbs[k, i, 1]
-            twig(rng, pts, marks, n, px, py, 0, 0.25 * height / 300.0, angle, 1.0 if right else -1.0, True, 6.0)
+            twig(rng, pts, marks, n, px, py, 0, 0.25 * height / 300.0, angle, 1.0 if right else -1.0, leaf, 6.0 * leaf)
     n[OPEN] = before
 
 
@@ -172,18 +176,18 @@ def plum(
                 thin = width * 0.6 ** depth[count]
                 count = grow(table, rng, limbs, above, joint, count, k, i, length, thin, lean[count], 0.55)
         k += 1
-    bark(table, rng, pts, marks, n, limbs, above, joint, count, 2.0, 0.5)
+    bark(table, rng, pts, marks, n, limbs, above, joint, count, 2.0, 0.9)
     for k in range(count):
         # Hands of twigs: at the tip of an outer limb, and here and there along it, never two at one place.
         last = -NODES
         for i in range(4, SIDES - 4):
-            tip = i == NODES - 1 and depth[k] == 3
+            tip = i == NODES - 1 and depth[k] == 3 and rnd(rng) < 0.75
             if tip or (i - last > 5 and rnd(rng) < 0.006 + 0.008 * depth[k]):
                 last = i
                 turn = between(rng, -0.15, 0.1) * PI * (1.0 if i >= NODES else -1.0)
                 px, py = limbs[k, i, 0], limbs[k, i, 1]
                 reach = between(rng, 0.24, 0.4) * (height / 100.0) ** 0.5
-                twig(rng, pts, marks, n, px, py, 2, reach, turn, -1.0 if i < NODES else 1.0, False, 0.0)
+                twig(rng, pts, marks, n, px, py, 2, reach, turn, -1.0 if i < NODES else 1.0, 0.0, 0.0)
     n[HUE] = BLOSSOM
     for k in range(count):
         for i in range(2, NODES):

@@ -15,13 +15,12 @@ from tambour.core.check import Array
 from tambour.core.drawing import Drawing, Label, Placed
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.ink import specimens
+from tambour.ink import seal, specimens
 from tambour.ink.draw import Manner, draw, join
 from tambour.ink.kinds import NAMES
 from tambour.ink.marks import Marks
 from tambour.ink.params import Ink
 from tambour.ink.plan import HEIGHT, Planned, Rules, tile, window
-from tambour.ink.seal import written
 
 BATCH = 60
 """Wholes drawn at a time: about a tile's worth of marks."""
@@ -100,6 +99,8 @@ def make(source: None, params: Ink, progress: Progress) -> Scroll:
     """Plan and draw the window, or draw the specimen, that ``params`` ask for."""
     if params.specimen:
         return _specimen(params, progress)
+    if params.font is not None:
+        seal.check(params.inscription, params.seal, params.font)
     how = rules(params)
     with progress.stage("plan"):
         first, last = int(params.from_ // 512), int((params.from_ + params.span) // 512)
@@ -162,7 +163,7 @@ def sheet(scroll: Scroll, marks: Marks, last: bool = True) -> Drawing:
     seals = scroll.names if last else ()
     if last and (p.inscription or p.seal):
         right = float(scroll.origin[0] + scroll.size[0])
-        marks, seals = written(marks, p.inscription, p.seal, right, paint.LIGHTS[p.time])
+        marks, seals = seal.written(marks, p.inscription, p.seal, right, paint.LIGHTS[p.time], p.font)
     glaze: tuple[Placed, ...] = ()
     if last and p.paper:
         side = float(paper.SIDE)

@@ -35,7 +35,7 @@ def juniper(
             breadth = between(rng, 3.0, 9.0)
             blob(
                 rng, pts, marks, n, a, b, length, breadth, between(rng, -PI / 12, PI / 12),
-                100.0, alpha + 0.2 * rnd(rng), 0.5, LENS,
+                100.0, alpha - 0.1 + 0.25 * rnd(rng), 0.6, LENS,
             )  # fmt: skip
     n[HUE] = INK
     phase = 64.0 * rnd(rng)
@@ -86,7 +86,7 @@ def fir(
             b = y - i * height / LEVELS + between(rng, -1.0, 1.0) * width
             blob(
                 rng, pts, marks, n, a, b, 2.0 * reach, between(rng, 3.0, 9.0), between(rng, -PI / 12, PI / 12),
-                100.0, alpha + 0.2 * rnd(rng), 0.5, LENS,
+                100.0, alpha - 0.1 + 0.25 * rnd(rng), 0.6, LENS,
             )  # fmt: skip
     n[HUE] = INK
     n[OPEN] = before
