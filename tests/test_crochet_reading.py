@@ -94,6 +94,7 @@ def test_assembly_in_sentences():
         ("Rnd 2: sc in each stitch aroun", "aroun", 'did you mean "around"?'),
         ("Rnd 2: (sc, inc x 3", "(", '")" closes it'),
         ("Rnd 2: 0 sc", "0", ""),
+        ("Rnd 2: 6 sc in next 0 sts", "0", "whole number"),
         ("Rnds 2-4: repeat Rnd 7", "repeat Rnd 7", "name one"),
         ("Rnd 2: 7 sc in next 3 sts", "7", "say how many"),
     ],

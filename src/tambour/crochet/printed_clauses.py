@@ -138,6 +138,8 @@ def where(c: Cursor) -> Where | None:
             ):
                 break
             count, counted = token.value, True
+            if not count:
+                raise NotUnderstood(token, "nothing goes into no stitches", "a whole number from 1")
         elif token.kind == "stitch" and (inside or each or kind == "next") and not placed:
             placed = True
             ahead = 1 + c.mark("-", ahead=1)
