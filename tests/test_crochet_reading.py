@@ -94,6 +94,7 @@ def test_assembly_in_sentences():
         ("Rnd 2: sc in each stitch aroun", "aroun", 'did you mean "around"?'),
         ("Rnd 2: (sc, inc x 3", "(", '")" closes it'),
         ("Rnd 2: 0 sc", "0", ""),
+        ("Rnd 2: 6 sc in next 0 sts", "0", "whole number"),
         ("Rnds 2-4: repeat Rnd 7", "repeat Rnd 7", "name one"),
         ("Rnd 2: 7 sc in next 3 sts", "7", "say how many"),
     ],
@@ -123,6 +124,12 @@ def test_doubtful_wording_is_asked_about(round_two, made, asked):
     built = build(read_printed(Text(f"Rnd 1: 6 sc in MR (6)\nRnd 2: {round_two}\n")))
     assert built.rounds[1].count == made
     assert any("can be read as" in w.message for w in built.warnings) == asked
+
+
+def test_chains_that_begin_a_round_stand_for_a_stitch_when_the_count_says_so():
+    body = "Rnd 1: 12 dc in MR, join (12)\nRnd 2: Ch 3, dc in next 11 sts, join (12)\nRnd 3: ch 3, dc in each st around, join (12)"
+    second, third = read_printed(Text(body)).parts[0].lines[1:3]
+    assert [i.name for i in second.items] == ["ch3dc", "dc", "join"] and third.items[0].name == "ch"
 
 
 @pytest.mark.parametrize(

@@ -98,18 +98,24 @@ def _materials(book: Book, width: float) -> list[Atom]:
             much += f" / {number(max(1.0, yarn['yards']), 0)} yd"
         grams = f"{number(max(1.0, yarn['grams']), 0)} g"
         made.append(_yarn(color, letter, name, much, grams, skein, width))
+    threads: dict[RGB, float] = {}
+    for thread in found["embroidery"]:
+        color = _rgb(thread["color"])
+        threads[color] = threads.get(color, 0.0) + thread["cm"]
+    for color, cm in threads.items():
+        letter, name = name_of(book.said, color)
+        made.append(_yarn(color, letter, name, "", own["embroidery"].format(cm=number(cm, 0)), "", width))
     note = own["typical"].format(name=kind.uk if book.code == "uk" else kind.name, metres=number(kind.metres, 0))
     made += paragraph(note, width, SMALL, SOFT, 0.8)
-    other: list[tuple[str, str]] = [(own["hook"], f"{number(book.piece.gauge.hook, 2)} mm")]
+    other: list[tuple[str, str]] = []
+    if "hook" not in book.piece.built.pattern.stated:
+        other.append((own["hook"], f"{number(book.piece.gauge.hook, 2)} mm"))
     for eye in found["eyes"]:
         word = own["eye" if eye["count"] == 1 else "eyes"]
         name = name_of(book.said, _rgb(eye["color"]))[1]
         other.append(
             (book.said.terms.word("eyes"), f"{word.format(n=eye['count'], size=number(eye['size_mm']))}, {name}")
         )
-    for thread in found["embroidery"]:
-        name = name_of(book.said, _rgb(thread["color"]))[1]
-        other.append((name, own["embroidery"].format(cm=number(thread["cm"], 0))))
     for felt in found["felt"]:
         words = own["felt"].format(n=felt["count"], w=number(felt["width_mm"]), h=number(felt["height_mm"]))
         other.append((name_of(book.said, _rgb(felt["color"]))[1], words))
@@ -140,11 +146,12 @@ def _yarn(color: RGB, letter: str, name: str, much: str, grams: str, skein: str,
         sheet.text(letter, x + 8.0, base, BODY, True)
         sheet.text(wrap(name, BODY, width - 50.0)[0] if name else "", x + (12.0 if letter else 8.0), base, BODY)
         sheet.text(much, x + width - 17.0, base, BODY, anchor="end")
-        sheet.text(grams, x + width, base, BODY, True, anchor="end")
+        sheet.text(grams, x + width, base, BODY, bool(much), anchor="end")
         sheet.text(skein, x + width, base + SMALL * 1.35, SMALL, color=SOFT, anchor="end")
-        sheet.line(x, y + 8.6, x + width, y + 8.6, HAIR, 0.12)
+        sheet.line(x, y + tall - 0.8, x + width, y + tall - 0.8, HAIR, 0.12)
 
-    return Atom(9.4, draw, 0.6)
+    tall = 9.4 if skein else 6.8
+    return Atom(tall, draw, 0.6)
 
 
 def _gauge(book: Book, width: float) -> list[Atom]:

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import re
+
 from tambour.core.check import Array
 from tambour.core.picture import Picture
 from tambour.crochet.diagram import plates, symbols
 from tambour.crochet.page_begin import heading, paragraph
 from tambour.crochet.page_book import FOOT, MARGIN, TOP, Book, short
 from tambour.crochet.page_flow import Atom, Chunk, together
-from tambour.crochet.page_pictures import Step, from_side, of_parts, of_step, steps
+from tambour.crochet.page_pictures import Step, from_side, lies, of_parts, of_step, steps
 from tambour.crochet.page_sheet import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, Sheet, width_of, wrap
-from tambour.crochet.page_text import Block, Row, colors_in
+from tambour.crochet.page_text import Block, Row, colors_in, name_of
 
 _DOTS = 7.6  # pixels a mm of the small pictures
 _THUMB = 30.0
 _TICK = 2.5
+_HEX = re.compile("#[0-9a-f]{6}")
 _LARGEST = 0.55
 """Scale at which a chart is large enough: a stitch is 3.9 mm wide."""
 
@@ -41,7 +44,7 @@ def _photo(picture: Picture, width: float, high: float) -> Atom:
 
 def _rows(book: Book, block: Block, width: float) -> list[Atom]:
     labelled = [row for row in block.rows if row.label]
-    label = max((width_of(row.label, BODY, True) for row in labelled), default=0.0) + 2.2
+    label = max((width_of(row.label, BODY, True) for row in labelled), default=0.0) + 2.8
     count = max((width_of(f"({row.count})", BODY, True) for row in labelled if row.count), default=0.0) + 2.0
     return [_row(book, row, width, label, count) for row in block.rows]
 
@@ -96,7 +99,7 @@ def charts(book: Book) -> None:
         y += HEAD * 1.2 + 3.0
     y = sheet.lines(wrap(book.own["chart note"], BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
     y = _symbols(book, sheet, MARGIN, y, wide)
-    names = {block.part: block.title for block in book.said.parts}
+    names = {block.part: block.title if len(book.said.parts) > 1 else "" for block in book.said.parts}
     row: list[tuple[str, float, float, int]] = []
 
     def placed(row: list[tuple[str, float, float, int]], y: float) -> float:
@@ -159,7 +162,7 @@ def sides(book: Book, sheet: Sheet) -> None:
     gap, top = 5.0, sheet.lowest + 14.0
     width = (wide - 2 * gap) / 3
     high = min(bottom - top - 6.0, width * 1.2)
-    if high < 0.6 * width:
+    if high < 0.6 * width or lies(book.piece):
         return
     y = bottom - high - 6.0
     for k, side in enumerate(("front", "right", "back")):
@@ -186,23 +189,21 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
             sheet.image(picture, x, y, width, high)
             sheet.text(head, x, y + high + LEAD + 1.8, LEAD, True, book.accent)
 
-        lines: list[Atom] = []
-        for sentence in said:
-            lines += paragraph(sentence, width)
-        atoms = [Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines]
-        if len(lines) > 12:
-            chunks += [Chunk([*atoms[:4]], head), *(Chunk([a], head, False) for a in atoms[4:])]
-        else:
-            chunks.append(Chunk(atoms, head))
-    note = paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
-    chunks[-1].atoms.extend(note)
+        # Long lists of points are set smaller.
+        size = BODY if max(map(len, said), default=0) < 160 else SMALL
+        lines = [atom for k, sentence in enumerate(said)
+                 for atom in paragraph(sentence, width, size, None, 0.9 if k else 0.0)]  # fmt: skip
+        chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
+    if any(step.fresh for step in found):
+        chunks[0].atoms += paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
     return chunks
 
 
 def _names(book: Book, step: Step) -> str:
     built = book.piece.built
     if not step.fresh:
-        return book.own["face"]
+        kinds = dict.fromkeys(type(built.pattern.finish[n]).__name__.lower() for n in step.records)
+        return ", ".join(book.own[f"a {kind}"] for kind in kinds)
     found = dict.fromkeys(built.pattern.parts[built.parts[k].section].name for k in step.fresh)
     return ", ".join(name for name in found if name)
 
@@ -213,6 +214,11 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
     records = len(built.pattern.finish)
     seams, rest = (said[: len(said) - records], said[len(said) - records :]) if records else (said, ())
     made: list[list[str]] = [[] for _ in found]
+
+    def named(shade: re.Match[str]) -> str:
+        r, g, b = (int(shade[0][k : k + 2], 16) for k in (1, 3, 5))
+        return name_of(book.said, (r, g, b))[1]
+
     part = built.graph.part
     for k, line in enumerate(seams):
         at = 0
@@ -222,5 +228,5 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
         made[at].append(line)
     made = [[" ".join(lines)] if lines else [] for lines in made]
     for i, step in enumerate(found):
-        made[i] += [rest[n] for n in step.records if n < len(rest)]
+        made[i] += [_HEX.sub(named, rest[n]) for n in step.records if n < len(rest)]
     return made

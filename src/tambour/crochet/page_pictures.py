@@ -17,15 +17,19 @@ from tambour.core.paths import Paths
 from tambour.core.picture import Picture
 from tambour.crochet.fabric import mesh, stitch_width
 from tambour.crochet.features import joined, meshes
-from tambour.crochet.finish import Embroidery, Finish, Hair, Placed
+from tambour.crochet.finish import Embroidery, Finish, Hair, Placed, Spot
 from tambour.crochet.loops import RATIO
 from tambour.crochet.page_sheet import BACKDROP
+from tambour.crochet.size import skin
 from tambour.crochet.spline import thin
+from tambour.crochet.spots import Spots
 
 if TYPE_CHECKING:
     from tambour.crochet.plush import Plush
 
 _VIEW: Final = (radians(24.0), radians(14.0))
+_ABOVE: Final = radians(52.0)
+_NEAR: Final = (radians(10.0), radians(6.0))
 _SMALL_LIGHTS: Final = 20
 AIR: Final = 1.1
 """The cover shows so much more than the piece."""
@@ -49,7 +53,7 @@ class Step:
 
 
 def steps(piece: Plush) -> list[Step]:
-    """How the piece is put together: copies of a part in one step, the face in one step at a time."""
+    """How the piece is put together: copies of a part in one step, and what is alike on the face (eyes, say) in one."""
     graph, built = piece.built.graph, piece.built
     sections = [part.section for part in built.parts]
     names: dict[str, int] = {}
@@ -70,7 +74,7 @@ def steps(piece: Plush) -> list[Step]:
                 groups.append(([k], [number]))
             held.add(k)
         elif not isinstance(record, Placed):
-            if groups and not groups[-1][0]:
+            if groups and not groups[-1][0] and type(built.pattern.finish[groups[-1][1][-1]]) is type(record):
                 groups[-1][1].append(number)
             else:
                 groups.append(([], [number]))
@@ -97,9 +101,12 @@ def steps(piece: Plush) -> list[Step]:
     return made
 
 
+def _spots(record: Finish) -> tuple[Spot, ...]:
+    return record.spots if isinstance(record, (Embroidery, Hair)) else (record.spot,)
+
+
 def _on(record: Finish, names: dict[str, int]) -> int:
-    spot = record.spots[0] if isinstance(record, (Embroidery, Hair)) else record.spot
-    return names.get(spot.part, -1)
+    return names.get(_spots(record)[0].part, -1)
 
 
 def partial(
@@ -143,6 +150,12 @@ def partial(
     return joined([mesh(shown, piece.positions, detail="low", made=made), *extra])
 
 
+def lies(piece: Plush) -> bool:
+    """Whether the piece is so flat that one looks down on it."""
+    wide, high, deep = np.ptp(piece.positions, axis=0).tolist()
+    return bool(high < 0.3 * min(wide, deep))
+
+
 def whole(piece: Plush, width: int, height: int) -> Picture:
     """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
     from tambour.crochet.plush import yarn
@@ -154,8 +167,9 @@ def whole(piece: Plush, width: int, height: int) -> Picture:
     # Some air around it, but the floor stays where it stands.
     room = middle + AIR * (points - middle)
     room[:, 1] = np.maximum(room[:, 1], points[:, 1].min())
+    elevation = _ABOVE if lies(piece) else _VIEW[1]
     shown = picture(
-        made, width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], background=BACKDROP, frame=room
+        made, width=width, height=height, azimuth=_VIEW[0], elevation=elevation, background=BACKDROP, frame=room
     )
     paper = np.round(coded(film(linear(np.array(BACKDROP) / 255.0))) * 255)
     y = np.linspace(0.0, 1.0, height)
@@ -186,9 +200,18 @@ def from_side(piece: Plush, side: str, width: int, height: int) -> Picture:
     every = [k for k, part in enumerate(piece.built.graph.parts) if part.end > part.start]
     face = tuple(f for f in piece.built.pattern.finish if not isinstance(f, Placed))
     azimuth, elevation = SIDES[side]
+    # One scale for all sides: what fills each picture is the drum that the piece could turn in.
+    points = skin(piece, np.arange(len(piece.positions)))
+    middle = 0.5 * (points.min(0) + points.max(0))
+    reach = float(np.hypot(*(points - middle)[:, [0, 2]].T).max())
+    turn = np.linspace(0.0, 2.0 * np.pi, 25)
+    drum = [
+        np.column_stack([middle[0] + reach * np.cos(turn), np.full(25, y), middle[2] + reach * np.sin(turn)])
+        for y in (points[:, 1].min(), points[:, 1].max())
+    ]
     return picture(
         partial(piece, every, face), width=width, height=height, azimuth=azimuth, elevation=elevation, ground=False,
-        background=BACKDROP, lights=_SMALL_LIGHTS,
+        background=BACKDROP, lights=_SMALL_LIGHTS, frame=np.concatenate(drum),
     )  # fmt: skip
 
 
@@ -196,8 +219,17 @@ def of_step(piece: Plush, step: Step, frame: Array, width: int, height: int) -> 
     """The piece after a step, what is new in full colour; ``frame`` (P, 3) is what fills every step's picture."""
     from tambour.render.raster import picture
 
+    known = Spots(piece.built)
     fresh = step.fresh or step.parts
+    view = _VIEW
+    if not step.fresh:
+        # A face is seen from near and in front: the parts that it is on fill the picture.
+        hosts = {known.place(s).nodes[0] for r in step.finishes for s in _spots(r)}
+        part, x = piece.built.graph.part, piece.positions
+        low = x[np.isin(part, part[sorted(hosts)]), 1].min()
+        near = np.isin(part, [k for k in step.parts if x[part == k, 1].min(initial=np.inf) >= low])
+        frame, view = skin(piece, np.flatnonzero(near)), _NEAR
     return picture(
-        partial(piece, step.parts, step.finishes, fresh), width=width, height=height, azimuth=_VIEW[0],
-        elevation=_VIEW[1], ground=False, background=BACKDROP, lights=_SMALL_LIGHTS, frame=frame,
+        partial(piece, step.parts, step.finishes, fresh), width=width, height=height, azimuth=view[0],
+        elevation=view[1], ground=False, background=BACKDROP, lights=_SMALL_LIGHTS, frame=frame,
     )  # fmt: skip

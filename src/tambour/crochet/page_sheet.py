@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import Literal
@@ -27,6 +28,8 @@ BACKDROP: RGB = (248, 245, 240)
 SMALL, BODY, LEAD, HEAD, COVER = 2.7, 3.3, 3.9, 5.4, 12.5
 LEADING = 1.45
 
+_GLUED = re.compile(r"(?<=\d) (?=(?:mm|cm|m|g|l|in|yd)\b)|(?<=\w) (?=[;:!?»])|(?<=«) ")
+
 _Style = tuple[tuple[int, int, int, int] | None, tuple[int, int, int, int] | None, float]
 
 
@@ -40,7 +43,9 @@ def wrap(text: str, size: float, room: float, bold: bool = False) -> list[str]:
     """Lines of at most ``room`` mm; words that are longer are cut. No word stands alone in the last of three lines."""
     lines: list[str] = []
     line = ""
-    for word in text.split():
+    # A number stays with its unit, a mark with the word before it.
+    glued = _GLUED.sub("\u00a0", " ".join(text.split()))
+    for word in glued.split(" ") if glued else []:
         trial = f"{line} {word}" if line else word
         if width_of(trial, size, bold) <= room:
             line = trial
@@ -58,7 +63,7 @@ def wrap(text: str, size: float, room: float, bold: bool = False) -> list[str]:
         head, _, tail = lines[-2].rpartition(" ")
         if width_of(f"{tail} {lines[-1]}", size, bold) <= room:
             lines[-2:] = [head, f"{tail} {lines[-1]}"]
-    return lines
+    return [line.replace("\u00a0", " ") for line in lines]
 
 
 class Sheet:

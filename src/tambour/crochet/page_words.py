@@ -28,14 +28,17 @@ _EN: Final = {
     "made": "Size, yarn and gauge were computed from the stitches; your own hand may differ.",
     "notes": "How to read it",
     "notes text": "A number before a stitch says how many to make, each in a stitch of its own. Square brackets are worked as often as is said after them. The number in round brackets is the count of stitches at the end of the round. Tick the box when a round is done.",
-    "front": "from the front", "right": "from the right", "back": "from the back", "face": "Face", "finished": "The finished piece",
+    "front": "from the front", "right": "from the right", "back": "from the back", "a eye": "Eyes", "a felt": "Felt", "a embroidery": "Embroidery", "a hair": "Hair",
 }  # fmt: skip
+
+_US: Final = {key: said.replace("colour", "color").replace("fibrefill", "fiberfill") for key, said in _EN.items()}
 
 _UK: Final = {
     **_EN,
     "swatch": "Flat: {stitches} dc and {rows} rows in 10 cm (4 in).",
-    "typical": _EN["typical"],
-    "gauge": "Tension",
+    "tight": "Work tightly enough that no stuffing shows. With another tension the size changes in proportion.",
+    "expected": "No tension was given: this is what such yarn and hook lead one to expect.",
+    "made": "Size, yarn and tension were computed from the stitches; your own hand may differ.",
 }
 
 _DE: Final = {
@@ -61,7 +64,7 @@ _DE: Final = {
     "made": "Größe, Garn und Maschenprobe sind aus den Maschen errechnet; die eigene Hand kann abweichen.",
     "notes": "So liest man die Anleitung",
     "notes text": "Eine Zahl vor einer Masche sagt, wie viele zu häkeln sind, jede in eine eigene Masche. Eckige Klammern werden so oft gehäkelt, wie dahinter steht. Die Zahl in runden Klammern ist die Maschenzahl am Ende der Runde. Fertige Runden im Kästchen abhaken.",
-    "front": "von vorn", "right": "von rechts", "back": "von hinten", "face": "Gesicht", "finished": "Das fertige Stück",
+    "front": "von vorn", "right": "von rechts", "back": "von hinten", "a eye": "Augen", "a felt": "Filz", "a embroidery": "Stickerei", "a hair": "Haare",
 }  # fmt: skip
 
 _FR: Final = {
@@ -87,7 +90,7 @@ _FR: Final = {
     "made": "Taille, fil et échantillon sont calculés d’après les mailles ; votre main peut différer.",
     "notes": "Comment lire le patron",
     "notes text": "Un nombre devant une maille dit combien en faire, chacune dans sa propre maille. Les crochets se répètent autant de fois qu’il est dit après eux. Le nombre entre parenthèses est celui des mailles à la fin du tour. Cochez la case quand un tour est fait.",
-    "front": "de face", "right": "de droite", "back": "de dos", "face": "Visage", "finished": "La pièce finie",
+    "front": "de face", "right": "de droite", "back": "de dos", "a eye": "Yeux", "a felt": "Feutrine", "a embroidery": "Broderie", "a hair": "Cheveux",
 }  # fmt: skip
 
 _ES: Final = {
@@ -113,7 +116,7 @@ _ES: Final = {
     "made": "Tamaño, hilo y muestra están calculados a partir de los puntos; tu mano puede variar.",
     "notes": "Cómo se lee",
     "notes text": "Un número delante de un punto dice cuántos hacer, cada uno en su propio punto. Los corchetes se repiten tantas veces como se dice después. El número entre paréntesis es el de puntos al final de la vuelta. Marca la casilla cuando termines una vuelta.",
-    "front": "de frente", "right": "desde la derecha", "back": "de espaldas", "face": "Cara", "finished": "La pieza terminada",
+    "front": "de frente", "right": "desde la derecha", "back": "de espaldas", "a eye": "Ojos", "a felt": "Fieltro", "a embroidery": "Bordado", "a hair": "Pelo",
 }  # fmt: skip
 
 _NL: Final = {
@@ -139,10 +142,10 @@ _NL: Final = {
     "made": "Maat, garen en stekenverhouding zijn uit de steken berekend; je eigen hand kan afwijken.",
     "notes": "Zo lees je het patroon",
     "notes text": "Een getal voor een steek zegt hoeveel je er haakt, elk in een eigen steek. Vierkante haken herhaal je zo vaak als erachter staat. Het getal tussen ronde haken is het aantal steken aan het einde van de toer. Vink het vakje af als een toer klaar is.",
-    "front": "van voren", "right": "van rechts", "back": "van achteren", "face": "Gezicht", "finished": "Het voltooide werk",
+    "front": "van voren", "right": "van rechts", "back": "van achteren", "a eye": "Ogen", "a felt": "Vilt", "a embroidery": "Borduurwerk", "a hair": "Haar",
 }  # fmt: skip
 
-WORDS: Final = {"us": _EN, "letters": {**_EN, "swatch": "Flat: {stitches} X and {rows} rows in 10 cm (4 in)."},
+WORDS: Final = {"us": _US, "letters": {**_US, "swatch": "Flat: {stitches} X and {rows} rows in 10 cm (4 in)."},
                 "uk": _UK, "de": _DE, "fr": _FR, "es": _ES, "nl": _NL}  # fmt: skip
 """Code of the terms → the page's words."""
 

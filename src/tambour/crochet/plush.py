@@ -61,6 +61,7 @@ class Plush:
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
+    from tambour.crochet import features
     from tambour.crochet.build import build
     from tambour.crochet.gauge import gauge
     from tambour.crochet.joining import crowded, prepare
@@ -92,6 +93,8 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
     with progress.stage("start"):
         warm()
+        if features.present(built):
+            features.warm()
     for warning in [*(crowded(joining) if joining is not None else []), *twisted(built)]:
         progress.warn(warning)
     return _shaped(built, joining, params, known, progress)
@@ -310,13 +313,16 @@ def warm() -> None:
     """Load every kernel, once, by shaping a tiny piece in every way."""
     from tambour.crochet.build import build
     from tambour.crochet.gauge import gauge
+    from tambour.crochet.joining import prepare
     from tambour.crochet.parse import parse
 
-    text = "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
-    built = build(parse(Text(text)))
+    one = "== a ==\n@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n"
+    other = "== b ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\nplace(b, a, round=2)\n"
+    built = build(parse(Text(one + other)))
+    joining = prepare(built)
     for stuffing in ("pressure", "centroid", "skeleton"):
         known = gauge(CrochetParams(), {})
-        piece = _shaped(built, None, CrochetParams(stuffing=stuffing, tolerance=0.1), known, Progress())
+        piece = _shaped(built, joining, CrochetParams(stuffing=stuffing, tolerance=0.1), known, Progress())
     facts(piece)
     yarn(piece)
     surface(piece)

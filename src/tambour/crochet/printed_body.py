@@ -6,9 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from tambour.core.errors import Span
+from tambour.crochet.printed_brackets import OPEN
 from tambour.crochet.printed_clauses import Cursor, NotUnderstood, Where, where
 from tambour.crochet.printed_colors import Palette
-from tambour.crochet.printed_repeats import OPEN, bracket, closing, led, repeated, star
+from tambour.crochet.printed_counts import count, ends_with_number
+from tambour.crochet.printed_repeats import bracket, led, repeated, star
 from tambour.crochet.printed_stitch import standing, stitch
 from tambour.crochet.printed_tokens import Token
 from tambour.crochet.stitches import Stitch
@@ -117,7 +119,7 @@ class Reader:
         """Goes past what only stands between clauses."""
         c = self.c
         if token.kind == "mark" and token.word in _BETWEEN:
-            if token.word in "-:" and self._ends_with_number(1):
+            if token.word in "-:" and ends_with_number(self, 1):
                 return False
             c.at += 1
             return True
@@ -138,7 +140,7 @@ class Reader:
             bracket(self, found, token)
         elif token.kind == "mark" and token.word in ("*", "**"):
             star(self, found, token)
-        elif self.phrase(found, token) or self.count(found) or self.color(found):
+        elif self.phrase(found, token) or count(self, found) or self.color(found):
             return
         elif token.kind == "number" and isinstance(token.value, int):
             self.number(found, token)
@@ -153,7 +155,7 @@ class Reader:
     def phrase(self, found: list[Item], token: Token) -> bool:
         """A sentence that the writer prints for marks, forks and loops."""
         c = self.c
-        if self.phrases is None or token.kind not in ("key", "word"):
+        if self.phrases is None or token.kind not in ("key", "word", "stitch", "number"):
             return False
         end = c.at
         while end < len(c.tokens) and not (c.tokens[end].kind == "mark" and c.tokens[end].word in _PHRASE):
@@ -327,8 +329,6 @@ class Reader:
                 break
             c.at += 1
 
-    # -- colours and counts -----------------------------------------------------------------------------------------
-
     def color(self, found: list[Item]) -> bool:
         """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
         c = self.c
@@ -351,84 +351,4 @@ class Reader:
         found.append(Action("color", Span(c.tokens[at].start, c.tokens[at + length - 1].end), numbers=rgb))
         c.at = at + length
         c.skip_key("yarn")
-        return True
-
-    def _ends_with_number(self, ahead: int) -> bool:
-        """Whether a number stands there that ends the body, or its sentence."""
-        c = self.c
-        if c.whole(ahead) is None or self.depth:
-            return False
-        colon = ahead > 0 and c.mark(":")
-        ahead += 1
-        named = c.key("stitch", ahead=ahead)
-        if c.kind("stitch", ahead) and (colon or (c.look(ahead + 1) is not None and not c.mark(".", ahead=ahead + 1))):
-            return False
-        ahead += named or c.kind("stitch", ahead)
-        while c.key("total", "around", "in", "stitch", ahead=ahead):
-            ahead += 1
-        if c.mark("-", ahead=ahead) and c.look(ahead + 1) is None:
-            ahead += 1
-        return c.look(ahead) is None or c.mark(".", "(", "[", ahead=ahead) or (named and c.mark(",", ";", ahead=ahead))
-
-    def count(self, found: list[Item]) -> bool:
-        """A count without brackets: ``= 18``, ``- 18 sts``, ``18 sts`` or, as a sentence of its own, ``18 sc``."""
-        c = self.c
-        sign = int(c.mark("-", "=", ":"))
-        if not found or not self._ends_with_number(sign):
-            return False
-        if not sign and not c.key("stitch", "total", ahead=1) and not c.mark(".", "|", ";", ahead=-1):
-            return False
-        c.at += sign
-        self._state(c.take())
-        self.to_separator()
-        return True
-
-    def _state(self, token: Token) -> None:
-        self.body.stated, self.body.stated_span = token.value, token.span
-
-    def counted_at(self, end: int) -> bool:
-        """Whether the bracket at the cursor, which ends at ``end``, looks like a count of the round."""
-        c = self.c
-        inner = c.tokens[c.at + 1 : end]
-        numbers = [t for t in inner if t.kind == "number" and isinstance(t.value, int)]
-        if len(numbers) != 1:
-            return False
-        after = c.tokens[end + 1] if end + 1 < len(c.tokens) else None
-        if after is not None and (after.word in ("x",) or (after.kind == "key" and after.value in ("times", "more"))):
-            return False
-        if all(
-            t is numbers[0]
-            or (t.kind == "key" and t.value in ("stitch", "total", "around", "count", "in", "round", "row", "each"))
-            or (t.kind == "mark" and t.word in ":=~.")
-            for t in inner
-        ):
-            return True
-        named = len(inner) == 2 and inner[0] is numbers[0] and inner[1].kind == "stitch"
-        return named and (after is None or after.word == ".")
-
-    def bracketed_count(self, found: list[Item], end: int) -> bool:
-        """Reads the count of the round, if the bracket at the cursor is one."""
-        c = self.c
-        if self.depth or not found or not self.counted_at(end):
-            return False
-        inner = c.tokens[c.at + 1 : end]
-        number = next(t for t in inner if t.kind == "number" and isinstance(t.value, int))
-        last, after = found[-1], c.tokens[end + 1] if end + 1 < len(c.tokens) else None
-        if (
-            after is not None
-            and after.word in OPEN
-            and isinstance(last, Action)
-            and last.times == 1
-            and len(inner) == 1
-        ):
-            c.at = end + 1
-            if last.name in self.stitches and self.counted_at(closing(self)):  # "inc (6) [12]"
-                found[-1] = Action(last.name, last.span, number.value, number.span)
-                return True
-        if any(t.kind == "key" and t.value in ("round", "row") for t in inner):
-            self.body.rounds = (number.value, number.span)
-        else:
-            self._state(number)
-        c.at = end + 1
-        c.skip_key("stitch")
         return True

@@ -102,6 +102,8 @@ def where(c: Cursor) -> Where | None:
                 each = True
             elif token.value == "next" and not placed:
                 kind = "next"
+            elif token.value == "next" and spaces:
+                pass  # "dans l'arceau suivant"
             elif token.value in ("last", "rest") and not placed:
                 kind = kind or ("next" if token.value == "last" else "around")
             elif token.value == "same" and not placed:
@@ -136,6 +138,8 @@ def where(c: Cursor) -> Where | None:
             ):
                 break
             count, counted = token.value, True
+            if not count:
+                raise NotUnderstood(token, "nothing goes into no stitches", "a whole number from 1")
         elif token.kind == "stitch" and (inside or each or kind == "next") and not placed:
             placed = True
             ahead = 1 + c.mark("-", ahead=1)

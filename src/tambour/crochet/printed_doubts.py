@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import combinations
 from typing import Final
 
@@ -13,6 +14,7 @@ from tambour.crochet.printed_body import Body, Reader
 from tambour.crochet.printed_clauses import NotUnderstood
 from tambour.crochet.printed_colors import Palette
 from tambour.crochet.printed_repeats import led
+from tambour.crochet.printed_stitch import standing
 from tambour.crochet.printed_tokens import Token
 from tambour.crochet.source import Source
 from tambour.crochet.stitches import Stitch
@@ -131,6 +133,8 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
             body.asked["open"] = open_span
         if body.asked and (fit := _fits(body, edge, source.stitches)) < 2:
             body = _second(source, read, edge, body, fit) or body
+        if body is first and edge is not None and _fits(body, edge, source.stitches) < 2:
+            body = _stood(body, edge, source.stitches) or body
     for what, span in first.asked.items():
         first_way, second_way = READINGS[what]
         if body is not first and what in body.asked and what != "pair":
@@ -157,6 +161,17 @@ def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> int:
         return 0
     taken = worked(body.items, edge or 0, stitches)
     return 2 if done is None or taken is None or edge is None or taken[1] in (0, edge) else 1
+
+
+def _stood(body: Body, edge: int, stitches: dict[str, Stitch]) -> Body | None:
+    """The body with the chains that it begins with standing for a stitch, when that gives its count."""
+    lead, inner = led(body.items)
+    chains = next((k for k, i in enumerate(lead) if isinstance(i, Action) and i.name == "ch" and i.times > 1), None)
+    if chains is None:
+        return None
+    standing(stood := lead[: chains + 1])
+    other = replace(body, items=[*stood, *lead[chains + 1 :], *inner])
+    return other if _fits(other, edge, stitches) == 2 else None
 
 
 def _implied(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> Span | None:

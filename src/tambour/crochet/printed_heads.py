@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tambour.core.errors import Span
+from tambour.crochet.printed_brackets import OPEN
 from tambour.crochet.printed_clauses import Cursor
-from tambour.crochet.printed_repeats import OPEN
 from tambour.crochet.printed_tokens import Token
 
 _BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))

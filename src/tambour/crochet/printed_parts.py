@@ -17,6 +17,7 @@ from tambour.crochet.syntax import Action, Group, Item, Line, Section
 _CLOSED = (
     8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
 )
+_STARTS = ("oval", "fsc", "goto", "attach")
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
 
 
@@ -158,7 +159,7 @@ class Draft:
     def _founded(self, source: Source, head: Head | None, body: Body, items: list[Item], span: Span) -> list[Item]:
         """``items`` without the chain or ring that the part begins with, which is put before them."""
         fresh = body.fresh
-        if self.begun() and self.chain is None:
+        if (self.begun() and self.chain is None) or any(isinstance(i, Action) and i.name in _STARTS for i in items):
             return items
         chain: Action | None = None
         if self.chain is not None:

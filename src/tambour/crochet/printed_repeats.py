@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, Literal
+from typing import TYPE_CHECKING, Literal
 
 from tambour.core.errors import Span
+from tambour.crochet.printed_brackets import OPEN, closing
 from tambour.crochet.printed_clauses import NotUnderstood, where
+from tambour.crochet.printed_counts import bracketed_count, counted_at
 from tambour.crochet.printed_stitch import placed, standing
 from tambour.crochet.printed_tokens import Token
 from tambour.crochet.syntax import Action, Group, Item
@@ -13,31 +15,14 @@ from tambour.crochet.syntax import Action, Group, Item
 if TYPE_CHECKING:
     from tambour.crochet.printed_body import Reader
 
-OPEN: Final = {"(": ")", "[": "]", "{": "}", "<": ">"}
-DEEPEST: Final = 24  # brackets within brackets
 Times = tuple[int | None, Span]
-
-
-def closing(r: Reader) -> int:
-    """Where the bracket at the cursor closes; any closing mark closes any opening one."""
-    depth = 0
-    tokens, begin = r.c.tokens, r.c.at
-    for at in range(begin, len(tokens)):
-        token = tokens[at]
-        if token.kind == "mark":
-            depth += (token.word in OPEN) - (token.word in ")]}>")
-            if depth > DEEPEST:
-                raise NotUnderstood(token, "brackets are nested too deep", f"at most {DEEPEST} levels")
-            if depth == 0:
-                return at
-    raise NotUnderstood(tokens[begin], "this bracket is not closed", f'"{OPEN[tokens[begin].word]}" closes it')
 
 
 def bracket(r: Reader, found: list[Item], token: Token) -> None:
     """At an opening bracket: a count, a remark, or items that are repeated or worked into one stitch."""
     c = r.c
     begin, end = c.at, closing(r)
-    if r.bracketed_count(found, end):
+    if bracketed_count(r, found, end):
         return
     words = c.tokens[begin + 1 : end]
     if any(t.kind == "key" and t.value == "count" for t in words):
@@ -79,7 +64,7 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
     c.at += 1
     lead, inner = led(found)
     ends = c.look() is None or c.key("repeat", "around", "times") or c.mark("x", ".", "=")
-    if inner and (ends or (c.mark(*OPEN) and r.counted_at(closing(r)))):
+    if inner and (ends or (c.mark(*OPEN) and counted_at(r, closing(r)))):
         found[:] = lead
         repeated(r, found, inner, token.span, star=True)
         return
@@ -106,7 +91,7 @@ def _starred(r: Reader, inner: list[Item]) -> None:
     try:
         while (token := c.look()) is not None and not c.mark("*", "**", ".") and not c.key("repeat"):
             if not r.between(token):
-                if token.kind == "mark" and token.word in OPEN and r.counted_at(closing(r)):
+                if token.kind == "mark" and token.word in OPEN and counted_at(r, closing(r)):
                     return
                 r.clause(inner, token)
     finally:

@@ -206,8 +206,9 @@ def _lower(
 def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: Span) -> list[Item]:
     """``inner`` worked into one place, once or in each of several."""
     token = Token("stitch", "", span.start, span.end)
-    parts = [(r.stitches[i.name], i.times) for i in inner if isinstance(i, Action) and i.name in r.stitches]
-    if len(parts) != len(inner):
+    flat = [one for i in inner for one in _flat(i)]
+    parts = [(r.stitches[i.name], i.times) for i in flat if isinstance(i, Action) and i.name in r.stitches]
+    if len(parts) != len(flat):
         raise NotUnderstood(token, "this does not go into one stitch", "stitches only, without repeats")
     if place.kind == "same" and found:
         last = found[-1]
@@ -217,10 +218,21 @@ def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: 
             more = _together(r, [*old, *parts], token)
             found[-1:] = [Action(last.name, last.span, last.times - 1, last.times_span)] if last.times > 1 else []
             return [more]
+    if place.kind == "ring":
+        found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join"))]
+        r.ring = None
+        return [_together(r, parts, token, "ring")]
     one = _together(r, parts, token, "sp" if place.spaces else "")
     if place.kind == "around":
         return [Group((one,), None, place.span)]
     return [Action(one.name, one.span, place.count, place.span)]
+
+
+def _flat(item: Item) -> list[Item]:
+    """An item without brackets, if they say how often; so that it can go into one place."""
+    if isinstance(item, Group) and item.times is not None and item.times <= _MOST:
+        return [one for i in item.items for one in _flat(i)] * item.times
+    return [item]
 
 
 def standing(found: list[Item]) -> None:

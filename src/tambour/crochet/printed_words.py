@@ -140,6 +140,7 @@ FOREIGN: Final[dict[str, dict[str, str]]] = {
     },
     "fr": {
         "to": "à|a|jusqu'à",
+        "next": "suivant|suivants|prochain",
         "with": "avec|en",
         "color": "changer pour|passer au|passer en|changer de couleur",
         "and": "et|puis",
