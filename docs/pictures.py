@@ -34,6 +34,7 @@ SHEETS = [
         "crochet {x}/crochet/{name}.acl -o {out}.png",
         ["mushroom", "octopus", "heart", "vase", "y", "coaster", "ruffle", "sampler"],
     ),
+    ("crochet-placed.jpg", "crochet {x}/crochet/{name}.acl -o {out}.png", ["bear", "bunny"], 2, 600),
 ]
 
 

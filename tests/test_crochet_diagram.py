@@ -8,10 +8,10 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.crochet.build import build
-from tambour.crochet.chart import charts
+from tambour.crochet.chart import Chart, charts
 from tambour.crochet.diagram import CELL, diagram
 from tambour.crochet.parse import parse
-from tambour.crochet.symbols import post, strokes
+from tambour.crochet.symbols import NAMES, post, strokes
 
 BALL = ": MR(6)\n: 6 inc (12)\n: [sc, inc] x 6 (18)\n: [sc, dec] x 6 (12)\n: 6 dec (6)\nFO\n"
 ROWS = ": ch 9, turn\n: 8 sc\n: turn, ch, 8 sc\n: turn, ch 2, [dcinc, dc] x 4\n"
@@ -70,8 +70,35 @@ def test_the_drawing_holds_all_and_fits_its_sheet():
     assert sum(label.text == "A, make 3" for label in diagram(made("== A (make 3) ==\n: MR(5)\n")).labels) == 1
 
 
+def test_an_oval_is_drawn_along_its_chain():
+    built = made(": oval(12), 10 sc, inc3, 9 sc, inc (24)\n: 24 sc")
+    (chart,) = charts(built)
+    assert [n for n, cell in chart.cells.items() if cell.line is not None] == list(range(11))
+    for this in chart.rounds[1:]:
+        cells = [chart.cells[n] for n in range(this.first, this.last + 1)]
+        places = [chart.spot(c.at, (c.low + c.high) / 2) for c in cells]
+        beside = [*pairwise(places), (places[-1], places[0])]
+        gaps = [math.dist(a, b) for a, b in beside]
+        assert max(gaps) < 1.35 * min(gaps)
+        assert sum(a[0] * b[1] - a[1] * b[0] for a, b in beside) > 0  # counter-clockwise
+        for n in range(this.first, this.first + 9):
+            under = chart.cells[int(built.graph.parent[n])]
+            x = chart.spot(under.at, under.high)[0] if under.line is None else under.line
+            assert abs(chart.spot(chart.cells[n].at, 1.0)[0] - x) < 1.0
+
+
+def test_way_and_at_are_inverse():
+    chart = Chart(0, False, half=2.5)
+    for up in (0.5, 3.0):
+        for at in np.linspace(-3, 20, 47):
+            assert abs(chart.at(chart.way(at, up), up) - at) < 1e-9
+        step = [math.dist(chart.spot(a, up), chart.spot(a + 1e-6, up)) / 1e-6 for a in (0.3, 2.0, 6.0)]
+        assert np.allclose(step, [chart.stretch(a, up) for a in (0.3, 2.0, 6.0)], rtol=1e-4)
+
+
 def test_symbols():
-    assert [len(strokes(k, 1.0)) for k in ("sc", "ch", "hdc", "dc", "tr", "puff", "attach")] == [2, 1, 2, 3, 4, 2, 0]
+    assert [len(strokes(k, 1.0)) for k in ("sc", "ch", "hdc", "dc", "tr", "bud", "attach")] == [2, 1, 2, 3, 4, 2, 0]
+    assert len({str(strokes(k, 2.0)) for k in NAMES}) >= len(NAMES) - 1  # told from one another
     foot, head = (0.0, 0.0), (0.0, 2.0)
     shaft, top, bar = post(foot, head, 1)
     assert shaft == [foot, head] and top[0][1] == top[1][1] == 2.0 and 0 < bar[0][1] < bar[1][1] < 2

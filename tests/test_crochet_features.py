@@ -168,6 +168,14 @@ def test_doubts() -> None:
     assert "felt is 200" in told[2] and "under an eye" in told[3]
 
 
+def test_a_chain_has_no_face() -> None:
+    source = Text("== c ==\n: 10 ch\neye(c, round=0, stitch=3, size=5)\nhair(c, 0:3, count=3)\n")
+    progress = Progress()
+    piece = make(source, CrochetParams(), progress)
+    assert [w.message for w in progress.warnings] == ["c has no fabric that this could be put on"] * 2
+    assert meshes(piece.built, piece.positions, piece.yarn) == ([], piece.yarn)
+
+
 def test_the_fabric_as_a_surface_has_no_face() -> None:
     piece = made("eye(Head, round=11, stitch=15)")
     assert set(surface(piece).group_names) == {"cloth"}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,12 +13,14 @@ from tambour.core.progress import Progress
 from tambour.crochet.build import build
 from tambour.crochet.contact import BESIDE, lie
 from tambour.crochet.finish import Eye, Placed, Spot
-from tambour.crochet.joining import prepare
+from tambour.crochet.joining import crowded, prepare
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.parse import parse
 from tambour.crochet.placing import frames
 from tambour.crochet.plush import Plush, facts, make
 from tambour.crochet.spots import Spots, numbers
+from tambour.crochet.twist import twisted
+from tambour.crochet.write import pattern
 
 BALL = """== Head ==
 R1: MR(6) (6)
@@ -82,14 +85,14 @@ def test_wrong_spots_are_told_at_their_places() -> None:
     text = (
         BALL + "eye(Head, round=14)\neye(Head, round=6, stitch=25)\neye(Head, round=12.5)\nembroider(Head, 3:2, 4:30)\n"
     )
-    pattern = parse(Text(text))
-    told = list(Spots(build(pattern)).problems(pattern.finish))
+    read = parse(Text(text))
+    told = list(Spots(build(read)).problems(read.finish))
     assert [(p.span and text[p.span.start : p.span.end], p.message) for p in told] == [
         ("Head", '"Head" has no round 14'),
         ("Head", 'round 6 of "Head" has 24 stitches, not 25'),
         ("4:30", 'round 4 of "Head" has 24 stitches, not 30'),
     ]
-    assert isinstance(pattern.finish[0], Eye)
+    assert isinstance(read.finish[0], Eye)
 
 
 SNOWMAN = (
@@ -216,6 +219,9 @@ def test_a_pose_turns_a_part_and_is_what_the_pattern_then_says() -> None:
     assert tip(high, "Arm.2")[1] == pytest.approx(tip(low, "Arm.2")[1], abs=3.0)
     # On top, up is the back: a quarter counter-clockwise from it, as seen from above, is the toy's right hand.
     assert tip(high, "Head")[0] < tip(low, "Head")[0] - 5
+    # Written back, the pattern says the pose, and makes the same toy.
+    again = parse(pattern(high.built))
+    assert again.finish == high.built.pattern.finish
     assert high.upright is not None
     assert high.upright[Spots(high.built).parts["Head"]][0] < -0.15
 
@@ -243,7 +249,55 @@ def test_seams_in_each_others_way_are_doubted() -> None:
     text = SNOWMAN.replace("stitch=20, flat", "stitch=8, flat")
     joining = prepare(build(parse(Text(text))))
     assert joining is not None
-    assert [p.message for p in joining.doubts] == ['"Ear.2" and "Ear.1" are sewn to the same place']
+    assert [p.message for p in crowded(joining)] == ['"Ear.2" and "Ear.1" are sewn to the same place']
+
+
+def test_parts_stand_on_parts_that_stand_on_parts() -> None:
+    more = "R1: MR(6) (6)\nR2: 6 inc (12)\nR3: 12 sc (12)\n"
+    text = f"{SNOWMAN}\n== Button ==\nR1: MR(5) (5)\n\n== Pom ==\n{more}"
+    piece = toy(text + "place(Button, Pom, round=1.5, stitch=1)\nplace(Pom, Nose, round=1, stitch=3)\n")
+    x = piece.positions / piece.stitch[0]
+    assert piece.shape.settled
+    order = list(seams(piece))
+    assert order.index("Nose") < order.index("Pom") < order.index("Button")
+    ahead = [x[nodes(piece, name)][:, 2].mean() for name in ("Head", "Nose", "Pom", "Button")]
+    assert ahead == sorted(ahead)
+    for name, pairs in seams(piece).items():
+        assert np.linalg.norm(x[pairs[:, 0]] - x[pairs[:, 1]], axis=1).max() < 1.0, name
+
+
+@pytest.mark.parametrize("options", [{"solver": "none"}, {"solver": "steps", "steps": 60}, {"start": "one-by-one"}])
+def test_parts_are_placed_whatever_the_solver(options: dict[str, Any]) -> None:
+    piece = make(Text(SNOWMAN), CrochetParams(**options), Progress())
+    x = piece.positions / piece.stitch[0]
+    assert x[nodes(piece, "Head")].mean(0)[1] > x[nodes(piece, "Body")].mean(0)[1] + 3
+    assert x[nodes(piece, "Nose")].mean(0)[2] > x[nodes(piece, "Head")].mean(0)[2] + 1
+
+
+def test_an_opening_is_sewn_onto_an_opening_stitch_by_stitch() -> None:
+    bowl = "R1: MR(6)\nR2: 6 inc\nR3: [sc, inc] x 6\nR4-R6: 18 sc\n"
+    piece = toy(f"== Bowl ==\n{bowl}\n== Lid ==\n{bowl}\nplace(Lid, Bowl, round=7)\n")
+    pairs = seams(piece)["Lid"]
+    x = piece.positions / piece.stitch[0]
+    assert len(pairs) == 18 and np.bincount(pairs[:, 1]).max() <= 2
+    assert np.linalg.norm(x[pairs[:, 0]] - x[pairs[:, 1]], axis=1).max() < 1.0
+    assert x[nodes(piece, "Lid")][:, 1].min() > x[nodes(piece, "Bowl")][:, 1].max() - 1.0
+
+
+def test_marks_sewn_in_mirrored_order_are_doubted() -> None:
+    cup = "R1: MR(6)\nR2: 6 inc\nR3: 12 sc\nR4: {}\n"
+    own = cup.format("sc, mark(a), 3 sc, mark(b), 3 sc, mark(c), 3 sc, mark(d), 2 sc")
+    ball = BALL.replace("R5-R9: 24 sc (24)", "R5: 24 sc\nR6: {}\nR7: {}\nR8: {}\nR9: 24 sc")
+    ball = ball.format(
+        "12 sc, mark(low), 12 sc", "10 sc, mark(one), 4 sc, mark(other), 10 sc", "12 sc, mark(up), 12 sc"
+    )
+    right = "sew(a, one), sew(b, up), sew(c, other), sew(d, low)\n"
+    wrong = "sew(a, other), sew(b, up), sew(c, one), sew(d, low)\n"
+    text = f"{ball}\n== Cup ==\n{own}\n"
+    told = [twisted(build(parse(Text(text + seam)))) for seam in (right, wrong)]
+    assert sorted(map(len, told)) == [0, 1]
+    (problem,) = told[0] or told[1]
+    assert "mirrored order" in problem.message and problem.span is not None
 
 
 def test_mirrored_places_give_a_mirrored_toy() -> None:

@@ -14,7 +14,8 @@ from tambour.crochet.parse import parse
 from tambour.crochet.printed import NOTHING, read_printed
 from tambour.crochet.reading import account, read
 
-MAKERS = sorted((Path(__file__).resolve().parent / "data" / "makers").glob("*.txt"))
+DATA = Path(__file__).resolve().parent / "data"
+MAKERS = sorted(p for folder in ("makers", "printed") for p in (DATA / folder).iterdir() if p.suffix in (".txt", ".md"))
 FIELDS = ("part", "color", "parent", "round", "loop", "direction", "height", "peculiarity", "edges", "faces")
 
 
@@ -38,6 +39,115 @@ def test_makers(path):
     else:
         built = build(pattern)
     assert not [w for w in built.warnings if "the pattern says" in w.message]
+
+
+BEAR = """Little bear
+
+Body
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnds 3-5: sc around (12)
+Rnd 6: dec x 6 (6)
+Fasten off.
+
+Head
+R1: 6 sc in magic ring [6]
+R2: 6 inc [12]
+R3: (sc in next st, inc) repeat 6 times [18]
+R4: (sc in next 2 st, inc) repeat 6 times [24]
+R5 - R9: sc in all 24 st [24]
+Insert the 8 mm safety eyes between R6 and R7, 6 stitches apart.
+R10: (sc in next 2 st, dec) repeat 6 times [18]
+Fasten off, leaving a long tail for sewing.
+
+EAR (make 2)
+R1: 4 sc in magic ring [4]
+R2: (sc in next st, inc) repeat 2 times [6]
+Leave a tail. The ears are not stuffed.
+
+Assembly
+Sew the ears to the head between R3 and R4, 8 stitches apart.
+Sew the head to the body.
+Embroider the nose with black yarn over Rnds 8-9 of the head, 3 sts wide.
+Sew the sun to the moon between Rnds 2 and 3.
+"""
+
+
+def test_assembly_in_sentences():
+    pattern = read(Text(BEAR))
+    left, right, one, two, head, nose = pattern.finish
+    assert (left.size, left.spot.part, left.spot.round) == (8.0, "Head", 6.5)
+    assert right.spot.stitch - left.spot.stitch == pytest.approx(6)
+    assert (one.part, two.part) == ("EAR.1", "EAR.2") and one.spot.round == 3.5
+    assert two.spot.stitch - one.spot.stitch == pytest.approx(8 + 6 / np.pi, abs=0.01)  # between the ears' edges
+    assert (head.part, head.spot.part, head.spot.round) == ("Head", "Body", 7.0)
+    assert nose.color == (0, 0, 0) and [s.round for s in nose.spots] == [8.0, 8.0, 9.0, 8.0]
+    assert [part.stuffing for part in pattern.parts] == [None, None, 0.0]
+    assert [p.message for p in pattern.warnings] == ["where this goes is not understood"]
+
+
+@pytest.mark.parametrize(
+    "text, word, hint",
+    [
+        ("Rnd 2: 6 incc (12)", "incc", 'did you mean "inc"'),
+        ("Rnd 2: (sc, foo) x 6 (18)", "foo", ""),
+        ("Rnd 2: sc in each stitch aroun", "aroun", 'did you mean "around"?'),
+        ("Rnd 2: (sc, inc x 3", "(", '")" closes it'),
+        ("Rnd 2: 0 sc", "0", ""),
+        ("Rnd 2: 6 sc in next 0 sts", "0", "whole number"),
+        ("Rnds 2-4: repeat Rnd 7", "repeat Rnd 7", "name one"),
+        ("Rnd 2: 7 sc in next 3 sts", "7", "say how many"),
+    ],
+)
+def test_mistakes_have_a_place_and_a_remedy(text, word, hint):
+    whole = "Rnd 1: 6 sc in MR (6)\n" + text
+    with pytest.raises(TambourError) as told:
+        read_printed(Text(whole, "toy.txt"))
+    (problem,) = told.value.problems
+    assert whole[problem.span.start : problem.span.end] == word and hint in problem.hint and problem.hint
+
+
+@pytest.mark.parametrize(
+    "round_two, made, asked",
+    [
+        ("2sc in next st, repeat around (12)", 12, False),
+        ("(2sc, sc) x 3 (9)", 9, True),  # the count says: two in one
+        ("(2 sc, inc) x 2 (8)", 8, False),
+        ("2sc, inc, 3 sc", 7, True),  # nothing decides
+        ("*inc, sc; rep from * 2 times (9)", 9, False),  # two more
+        ("*inc, sc; rep from * 3 times (9)", 9, True),  # three in all
+        ("inc, sc (9)", 9, True),
+        ("sc inc sc inc sc inc (9)", 9, False),
+    ],
+)
+def test_doubtful_wording_is_asked_about(round_two, made, asked):
+    built = build(read_printed(Text(f"Rnd 1: 6 sc in MR (6)\nRnd 2: {round_two}\n")))
+    assert built.rounds[1].count == made
+    assert any("can be read as" in w.message for w in built.warnings) == asked
+
+
+def test_chains_that_begin_a_round_stand_for_a_stitch_when_the_count_says_so():
+    body = "Rnd 1: 12 dc in MR, join (12)\nRnd 2: Ch 3, dc in next 11 sts, join (12)\nRnd 3: ch 3, dc in each st around, join (12)"
+    second, third = read_printed(Text(body)).parts[0].lines[1:3]
+    assert [i.name for i in second.items] == ["ch3dc", "dc", "join"] and third.items[0].name == "ch"
+
+
+@pytest.mark.parametrize(
+    "body, code, doubt",
+    [
+        ("Rnd 1: 6 dc in MR (6)\nRnd 2: 2 dc in each st (12)", "uk", False),
+        ("Rnd 1: 12 dc in MR (12)\nRnd 2: 2 dc in each st (24)", "us", False),
+        ("Rnd 1: 9 dc in MR (9)\nRnd 2: 2 dc in each st (18)", "us", True),
+        ("@terms = uk\nRnd 1: 9 dc in MR (9)", "uk", False),
+        ("Rnd 1: 6 sc in MR (6)\nRnd 2: dc in each st (6)", "us", False),
+        ("Rnd 1: 6 dc in MR (6)\nRnd 2: htr in each st, miss 1 (6)", "uk", False),
+        ("R1: 6X\nR2: 6V\nR3: (X, V)*6", "letters", False),
+    ],
+)
+def test_terms_are_recognised(body, code, doubt):
+    pattern = read_printed(Text("Toy\n" + body))
+    assert pattern.terms == code
+    assert any("US or UK" in p.message for p in pattern.warnings) == doubt
 
 
 PROSE = [

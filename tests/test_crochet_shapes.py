@@ -24,14 +24,19 @@ NAMES = sorted(p.stem for p in EXAMPLES.glob("*.acl"))
 # Settled size in mm; another machine may differ by a little, a change of design by more.
 SIZES = {
     "ball": [95.9, 85.9, 95.7],
-    "bear": [141.4, 165.5, 90.3],
+    "bear": [131.9, 149.5, 106.9],
+    "bunny": [100.0, 191.4, 78.6],
     "coaster": [94.9, 3.3, 94.9],
+    "doll": [73.8, 136.9, 71.7],
     "frog": [153.8, 138.9, 94.2],
+    "granny": [88.0, 3.3, 88.0],
     "heart": [94.9, 87.3, 61.0],
     "mushroom": [75.8, 113.8, 75.2],
     "octopus": [170.8, 135.6, 173.1],
+    "pouch": [49.8, 66.1, 70.8],
     "ruffle": [88.6, 69.3, 94.8],
     "sampler": [130.5, 3.3, 79.0],
+    "slipper": [56.2, 64.0, 91.4],
     "vase": [81.8, 120.1, 81.4],
     "y": [72.2, 90.8, 33.8],
 }
@@ -64,7 +69,9 @@ def test_the_surface_does_not_pass_through_itself(name: str, tmp_path: Path) -> 
     made = surface(piece(name))
     f = made.faces
     edges = np.unique(np.sort(np.concatenate([f[:, [0, 1]], f[:, [1, 2]], f[:, [2, 0]]]), axis=1), axis=0)
-    np.savez(tmp_path / "mesh.npz", x=made.vertices, e=edges.astype(np.int32), f=f)
+    # The checker takes whatever lies in one plane for an intersection: a flat piece is waved by a millionth.
+    x = made.vertices + 1e-6 * np.sin(0.13 * made.vertices[:, [1, 2, 0]])
+    np.savez(tmp_path / "mesh.npz", x=x, e=edges.astype(np.int32), f=f)
     # In a process of its own: some of the checker's builds need instructions that not every processor has.
     code = (
         "import sys, ipctk, numpy as np\n"
@@ -77,7 +84,7 @@ def test_the_surface_does_not_pass_through_itself(name: str, tmp_path: Path) -> 
     assert told.stdout.strip() == "False", told.stderr
 
 
-@pytest.mark.parametrize("name", ["ball", "heart", "frog", "mushroom"])
+@pytest.mark.parametrize("name", ["ball", "heart", "frog", "mushroom", "pouch"])
 def test_closed_parts_are_watertight_and_right_side_out(name: str) -> None:
     made = piece(name)
     mesh, graph = surface(made), made.built.graph

@@ -1,12 +1,22 @@
 """Ovals, rings of any stitches, chain spaces, both layers, general increases and decreases: meshes that close."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
+from tambour.core.errors import TambourError, Text
 from tambour.core.graph import JOIN, LAID, THROUGH, YARN
+from tambour.core.progress import Progress
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
 from tambour.crochet.stitches import STITCHES, into_one, standard
 from tambour.crochet.write import pattern
 from test_crochet_build import closed, made, problems
+
+EXAMPLES = Path(__file__).parent.parent / "examples" / "crochet"
 
 CLOSED = {
     "an oval, three in its ends": ": oval(8), 6 sc, inc3, 5 sc, inc (16)\n: 16 sc\n: 8 dec\n: 4 dec\nFO",
@@ -170,3 +180,87 @@ def test_what_is_approximated_is_said_once():
 )
 def test_what_does_not_fit_in_one_place(text, message):
     assert problems(text)[0][0] == message
+
+
+def settled(text):
+    built = made(text)
+    piece = make(Text(text), CrochetParams(), Progress())
+    assert np.isfinite(piece.positions).all() and np.isfinite(piece.yarn.paths.coords).all()
+    return built, piece
+
+
+def test_an_oval_settles_long():
+    built, piece = settled(": oval(12), 10 sc, inc3, 9 sc, inc\n3: 24 sc\n: 12 dec\n: 6 dec\nFO")
+    assert piece.shape.settled
+    x = piece.positions[built.rounds[1].first : built.rounds[2].last + 1]
+    wide, long = sorted(np.linalg.eigvalsh(np.cov(x.T)))[1:]
+    assert long > 3 * wide  # variances: nearly twice as long as wide
+
+
+def test_layers_lie_on_each_other():
+    built, piece = settled("@stuffing = light\n: MR(6)\n: [inc] around\n: [sc, inc] around\n3: 18 sc\n: fold, 9 sc")
+    graph, x = built.graph, piece.positions / 5.0
+    assert piece.shape.settled and (piece.shape.volume > 30).all()
+    laid = graph.edges[graph.edge_kind == LAID]
+    assert (np.linalg.norm(x[laid[:, 0]] - x[laid[:, 1]], axis=1) < 1.0).all()
+    row = x[-9:] - x[-9:].mean(0)
+    spread = np.linalg.svd(row)[1]
+    assert spread[0] > 3 * spread[1]  # the closing row is a line
+
+
+def test_a_square_of_chain_spaces_is_flat_and_square():
+    _, piece = settled((EXAMPLES / "granny.acl").read_text())
+    size = np.ptp(piece.positions, axis=0)
+    assert size[1] < 1e-9 and piece.shape.settled
+    corners = np.sort(np.sqrt(((piece.positions[-68:] - piece.positions[0]) ** 2).sum(1)))
+    assert corners[-4:].min() > 1.2 * corners[:8].mean()  # four corners, farther out than the sides
+
+
+def test_bumps_and_loops_stand_out_of_the_fabric():
+    text = "@stuffing = none\n: 12 ch, turn\n2: 11 sc, turn, ch\n: 5 sc, {}, 5 sc, turn, ch\n2: 11 sc, turn, ch\n"
+    wide = {}
+    for kind in ("sc", "bobble", "loopst"):
+        piece = make(Text(text.format(kind)), CrochetParams(), Progress())
+        wide[kind] = np.ptp(piece.yarn.paths.coords[:, 2])
+    assert wide["bobble"] > wide["sc"] + 1.5 and wide["loopst"] > wide["sc"] + 1.5
+
+
+PLAIN = ["sc", "3 sc", "inc", "dec", "bobble", "inc4", "dec4", "2 ch", "sk", "slst", "picot"]
+STEP = st.sampled_from([*PLAIN, "{sc, 2 ch, sc}", "{hdc, picot, hdc}", "sp{2 sc}", "sp{dc, ch, dc}", "sp{bobble}"])
+LINE = st.lists(STEP, min_size=1, max_size=7).map(lambda steps: ": " + ", ".join(steps))
+BEGIN = st.sampled_from(
+    [": MR(8)\n: 8 sc", ": oval(9), 7 sc, inc3, 6 sc, inc", ": MR{[dc, 2 ch] x 6}", ": MR(6)\n: 6 inc\n: 12 sc, join"]
+)
+
+
+@settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@given(BEGIN, st.lists(LINE, max_size=4), st.booleans())
+def test_whatever_is_drawn_together_or_folded_is_closed(begin, lines, folded):
+    """Whatever is worked, an opening that is closed at the end leaves a watertight surface of one orientation."""
+    text = "\n".join([begin, *lines])
+    for k in range(8):
+        end = "\n: fold, [sc] around\nFO" if folded else "\n: [dec] around" * k + "\nFO"
+        try:
+            built = made(text + end)
+        except TambourError:
+            continue
+        if min(this.count for this in built.rounds if this.whole) >= 4:
+            assert closed(built.graph.faces[built.shell])[1] == 0, text + end
+        return
+
+
+def test_chains_that_count_are_stitches_of_their_height():
+    graph = made(": MR(6), join\n: ch3dc, 5 dc, join (6)\n: ch2hdc, 5 hdc (6)", stitch=(4.0, 6.0)).graph
+    length = {tuple(e): r for e, r in zip(graph.edges.tolist(), graph.rest)}
+    assert length[7, 1] == length[8, 2] == 12.0 and length[13, 7] == 9.0
+    rows = made(": 7 ch, turn\n: 6 sc\n: turn, ch3dc, 5 dc (6)\n: turn, ch3dc, {2 dc, ch}, 4 dc (8)\n")
+    assert not rows.warnings and [r.count for r in rows.rounds] == [7, 6, 6, 8]
+
+
+def test_slip_stitches_before_a_round_carry_the_yarn():
+    built = made(": MR(6)\n: 6 inc, join\n: 4 slst, 8 sc\n: 4 dec\nFO")
+    graph = built.graph
+    assert closed(graph.faces[built.shell])[1] == 0
+    assert graph.previous[19] == 10 and graph.parent[19] == 11
+    length = {tuple(e): r for e, r in zip(graph.edges.tolist(), graph.rest)}
+    assert length[19, 10] == pytest.approx(5.0 * 2**0.5)  # one along, one up

@@ -100,6 +100,7 @@ class Placed:
 
     repeat : width and height of one copy, for a picture that is laid side by side from (0, 0) of the drawing on
     glaze : it lies over the shapes (a paper's grain) instead of under them
+    photo : a photograph, which files may keep as JPEG
     """
 
     picture: Picture
@@ -109,6 +110,7 @@ class Placed:
     height: float
     repeat: tuple[float, float] | None = None
     glaze: bool = False
+    photo: bool = False
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -11,12 +11,14 @@ from tambour.core.check import Array, array, offsets, put, within
 from tambour.core.errors import LawError
 
 # Edge kinds: along the working yarn, into the anchor below, sewn together afterwards, a slip stitch's join, two stitches
-# that one stitch was worked through, so that they lie on each other.
+# that one stitch was worked through, so that they lie on each other, a stitch in a chain space and the one beside the space
+# that it stands over.
 YARN: Final = 0
 THROUGH: Final = 1
 SEWN: Final = 2
 JOIN: Final = 3
 LAID: Final = 4
+OVER: Final = 5
 
 # Loops worked into.
 BOTH: Final = 0

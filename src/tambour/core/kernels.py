@@ -27,6 +27,22 @@ def parallel_kernel(function: F) -> F:
 def _compile(function: F, *, parallel: bool) -> F:
     options: dict[str, Any] = {"nogil": True, "error_model": "numpy", "parallel": parallel}
     try:
-        return numba.njit(cache=True, **options)(function)
+        made = numba.njit(cache=True, **options)(function)
     except RuntimeError:  # "no locator available": nowhere to keep a cache
-        return numba.njit(cache=False, **options)(function)
+        made = numba.njit(cache=False, **options)(function)
+    return _without_literals(made)
+
+
+def _without_literals(kernel: Any) -> Any:
+    """The kernel, compiled for whole numbers as such when another kernel calls it.
+
+    Numba takes each plain whole number (or truth value) in a call between kernels for a type of its own, and compiles
+    the callee once more for every one of them.
+    """
+    given = kernel.get_call_template
+
+    def plain(args: tuple[Any, ...], kws: dict[str, Any]) -> Any:
+        return given(tuple(map(numba.types.unliteral, args)), {k: numba.types.unliteral(v) for k, v in kws.items()})
+
+    kernel.get_call_template = plain
+    return kernel

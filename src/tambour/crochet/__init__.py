@@ -54,6 +54,12 @@ def _graph(piece: Any) -> Any:
     return graph(piece)
 
 
+def _page(piece: Any) -> Any:
+    from tambour.crochet.page import pages
+
+    return pages(piece)
+
+
 def _pattern(piece: Any) -> Any:
     from tambour.crochet.write import pattern
 
@@ -97,6 +103,7 @@ CRAFT = Craft(
         **{side: _seen(side) for side in ("front", "back", "left", "right", "top")},
         "surface": View(_surface, "Mesh", "the fabric as a surface, closed where the piece is", stage="fabric"),
         "diagram": View(_diagram, "Drawing", "a chart in the usual symbols", (".svg",)),
+        "page": View(_page, "Drawing", "the pattern as a booklet to sell", (".pdf",), stage="page"),
         "pattern": View(_pattern, "Text", "the pattern written back in tambour's own language", (".acl",)),
         "instructions": View(
             _instructions, "Text", "the pattern as makers print it, in the words of --terms", (".txt", ".md")

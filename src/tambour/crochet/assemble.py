@@ -5,11 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import BLO, FLO, JOIN, LAID, SEWN, THROUGH, YARN, Part, StitchGraph
+from tambour.core.graph import BLO, FLO, JOIN, LAID, OVER, SEWN, THROUGH, YARN, Part, StitchGraph
 from tambour.crochet.hook import Hook
+from tambour.crochet.spaces import BETWEEN
 
 # Stitches sewn together lie side by side: nearer than neighbours in a round, not in the same place.
 SEWN_SHORT = 0.5
+# Stitches side by side in a chain space.
+CROWDED = 0.95
+# How much farther a ring is opened for chains between its stitches.
+OPEN = 0.3
 # A chain that lifts the yarn takes less room along the round than a stitch.
 BESIDE = 0.4
 
@@ -38,7 +43,7 @@ def assemble(
     fields = {name: column[look] for name, column in table.items()}
     anchors, ends = np.array(hook.anchors, np.int32), np.array(hook.ends, np.int64)
     previous = np.array(hook.previous, np.int32)
-    edges, kind = _edges(n, anchors, ends, previous, hook.joins, hook.laid, sewn)
+    edges, kind = _edges(n, anchors, ends, previous, hook.joins, hook.laid, [o[:2] for o in hook.over], sewn)
     width, height = stitch
     rest = np.where(kind == THROUGH, height * fields["height"][edges[:, 0]], width)
     # A chain that lifts the yarn is a post: as high as a row, close beside the stitch that follows it.
@@ -47,6 +52,13 @@ def assemble(
     yarn = kind == YARN
     rest[yarn & lift[edges[:, 0]]] = height
     rest[yarn & lift[edges[:, 1]] & ~lift[edges[:, 0]]] = BESIDE * width
+    chained = np.array([s[0] == "ch" for s in hook.styles], np.bool_)[look] & ~lift
+    if chained.any():
+        # Not those of foundations and of bridges between edges.
+        kinds_at = [hook.styles[hook.style[r.last]][0] for r in hook.rounds]
+        worked = [ends[r.last + 1] > ends[r.first] and at != "attach" for r, at in zip(hook.rounds, kinds_at)]
+        chained &= np.array(worked, np.bool_)[np.array(hook.round, np.int32)]
+        rest[yarn & chained[edges].any(1) & ~lift[edges].any(1)] = BETWEEN * width
     rest[(kind == JOIN) & lift[edges].any(1)] = (1.0 - BESIDE) * width
     rest[kind == SEWN] = SEWN_SHORT * width
     if hook.laid:
@@ -54,6 +66,29 @@ def assemble(
         pairs = np.sort(np.array(hook.laid, np.int64), 1)
         apart = np.isin(edges[:, 0].astype(np.int64) * n + edges[:, 1], pairs[:, 1] * n + pairs[:, 0])
         rest[apart & ((kind == LAID) | (kind == JOIN))] = SEWN_SHORT * width
+    if hook.aside:
+        aside = np.zeros(n)
+        aside[list(hook.aside)] = list(hook.aside.values())
+        rest = np.where(kind == THROUGH, np.hypot(rest, width * aside[edges[:, 0]]), rest)
+        inside = np.zeros(n, np.bool_)
+        inside[list(hook.aside)] = True
+        off = {(node, beside): far for node, beside, far in hook.over}
+        for e in np.flatnonzero(kind == OVER).tolist():
+            node, beside = edges[e].tolist()
+            rest[e] = np.hypot(height * fields["height"][node], width * off[node, beside])
+        level = np.array(hook.round, np.int32)[edges]
+        rest[yarn & inside[edges].all(1) & (level[:, 0] == level[:, 1])] = CROWDED * width
+    for node, (lifted, passed) in hook.risen.items():
+        # The yarn comes up from the edge below, or across from the chain that has lifted it.
+        came = np.flatnonzero((edges[:, 0] == node) & (edges[:, 1] == previous[node]))
+        high = 0.0 if lifted else height * fields["height"][node]
+        if high or passed:
+            rest[came] = np.hypot(high, width * passed)
+    for root, count in hook.rings.items():
+        # A ring opens as far as what stands around it asks for; chains between its stitches turn its corners.
+        at = (edges[:, 1] == root) & (kind == THROUGH)
+        whole, posts = count * width / (2.0 * np.pi), int(at.sum()) * width / (2.0 * np.pi)
+        rest[at] = np.maximum(rest[at], np.maximum(posts, np.minimum(whole, rest[at] + OPEN * width)))
     faces = np.array(hook.faces, np.int32).reshape(-1, 3)
     sheet = np.array(hook.face_sheet, np.int64)
     for number, count in enumerate(np.bincount(sheet, minlength=len(hook.sheets.sheets))):
@@ -84,6 +119,7 @@ def _edges(
     previous: Array,
     joins: list[tuple[int, int]],
     laid: list[tuple[int, int]],
+    over: list[tuple[int, int]],
     sewn: list[tuple[int, int]],
 ) -> tuple[Array, Array]:
     """Edges (E, 2) with the later node first, sorted, none twice, and their kinds; a yarn edge outranks the others."""
@@ -91,7 +127,7 @@ def _edges(
     through = np.stack([np.repeat(own, np.diff(ends)), anchors], 1)
     yarn = np.stack([own, previous], 1)[previous >= 0]
     groups = [(YARN, yarn), (THROUGH, through)]
-    for kind, pairs in ((JOIN, joins), (LAID, laid), (SEWN, sewn)):
+    for kind, pairs in ((JOIN, joins), (LAID, laid), (OVER, over), (SEWN, sewn)):
         both = np.array(pairs, np.int32).reshape(-1, 2)
         groups.append((kind, np.stack([both.max(1, initial=-1), both.min(1, initial=n)], 1)))
     edges = np.concatenate([pairs for _, pairs in groups])

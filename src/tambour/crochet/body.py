@@ -319,10 +319,14 @@ def _straight(graph: StitchGraph, amount: Array, stiffness: float) -> tuple[Arra
     if stiffness == 0.0 or not loose.any():
         return np.zeros((0, 3)), np.zeros(0)
     b, p = graph.previous, graph.parent
+    # Below a chain between stitches lies what the stitch before it stands on.
+    below, free = p.copy(), (np.diff(graph.anchor_offsets) == 0) & (graph.peculiarity != ROOT) & (b >= 0)
+    for n in np.flatnonzero(free & loose).tolist():
+        below[n] = below[b[n]]
     found = []
     for before in (b, p):
         middle = before
-        last = np.where(middle >= 0, before[middle], -1)
+        last = np.where(middle >= 0, (b if before is b else below)[middle], -1)
         ok = loose & (middle >= 0) & (last >= 0) & (graph.peculiarity != TIP)
         same = graph.part[middle] == graph.part
         ok &= same & ~np.isin(graph.peculiarity[middle], (ROOT, TIP))
@@ -330,6 +334,15 @@ def _straight(graph: StitchGraph, amount: Array, stiffness: float) -> tuple[Arra
             # The yarn turns a corner where a row or a joined round begins: it rises from the stitch it goes on in.
             rises = (p < 0) & (p[middle] >= 0)
             ok &= (p != last) & (p[middle] != last) & (p != middle) & ~rises
+            # Chains between stitches turn corners as they please.
+            ok &= ~(free[middle] & (below[middle] >= 0))
+        else:
+            # Of the stitches that spread from one chain, those in the middle stand straight over it.
+            spread = np.flatnonzero(ok & free[middle])
+            for m in np.unique(middle[spread]).tolist():
+                own = spread[middle[spread] == m]
+                ok[own] = False
+                ok[own[(len(own) - 1) // 2 : len(own) // 2 + 1]] = True
         nodes = np.flatnonzero(ok)
         found.append(np.column_stack([nodes, middle[nodes], last[nodes]]))
     # Across the join of a round the yarn does not lead on, but the fabric does.

@@ -47,7 +47,7 @@ def course(graph: StitchGraph, x: Array) -> Course:
     _neighbours(graph.previous, graph.part, plain, graph.parent, graph.peculiarity == ROOT, after, before)
     width = float(graph.rest[graph.edge_kind == 0].mean()) if (graph.edge_kind == 0).any() else 5.0
     _vectors(x, normal, after, before, graph.anchors, graph.anchor_offsets, graph.height, plain, width, along, up)
-    _feet(graph.anchors, graph.anchor_offsets, after, before, graph.direction, plain, foot, pace)
+    _feet(graph.anchors, graph.anchor_offsets, along, graph.direction, plain, foot, pace)
     return Course(np.ascontiguousarray(x), normal, along, up, after, before, foot, pace)
 
 
@@ -110,12 +110,17 @@ def _vectors(
                 up[a] = 0.4 * (x[i] - x[a])
                 count[a] = 1.0
     for i in range(n):
+        # A chain that is worked into on both its sides has no way up.
+        size = (up[i, 0] ** 2 + up[i, 1] ** 2 + up[i, 2] ** 2) ** 0.5
+        if plain[i] and offsets[i + 1] == offsets[i] and size < 0.3 * width * count[i]:
+            count[i] = 0.0
+    for i in range(n):
         if not plain[i]:
             continue
         if count[i] > 0.0:
             up[i] /= count[i]
         else:
-            # A free chain: across its own course, within the fabric.
+            # A free chain, or one with fabric on both sides: across its own course, within the fabric.
             up[i, 0] = along[i, 1] * normal[i, 2] - along[i, 2] * normal[i, 1]
             up[i, 1] = along[i, 2] * normal[i, 0] - along[i, 0] * normal[i, 2]
             up[i, 2] = along[i, 0] * normal[i, 1] - along[i, 1] * normal[i, 0]
@@ -131,8 +136,7 @@ def _vectors(
 def _feet(
     anchors: Array,
     offsets: Array,
-    after: Array,
-    before: Array,
+    along: Array,
     direction: Array,
     plain: Array,
     foot: Array,
@@ -151,6 +155,8 @@ def _feet(
             if offsets[k + 1] > offsets[k]:
                 a = anchors[offsets[k]]
                 turn = 1.0 if direction[k] == direction[a] else -1.0
+                if offsets[a + 1] == offsets[a] and (along[k] * along[a]).sum() < 0.0:
+                    turn = -1.0  # back along the other side of a chain
                 foot[k] = turn * ((k - i + 0.5) / count - 0.5)
                 pace[k] = turn * max(1.0 / count, 0.5)
         i = last
@@ -188,14 +194,15 @@ def on_row(
 @kernel
 def place(
     cell: Array, below: Array, at: Array, height: Array, direction: Array, thick: float, x: Array, along: Array,
-    normal: Array, up: Array, after: Array, before: Array, foot: Array, pace: Array, root: Array, out: Array,
+    normal: Array, up: Array, after: Array, before: Array, foot: Array, pace: Array, root: Array, free: Array,
+    out: Array,
 ) -> None:  # fmt: skip
     """Fill ``out`` (P, 3) with the places of points in stitches' cells.
 
     cell : (P,) the stitch; below : (P,) the node its cell stands on, or -1 for a cell of its own; -2 - t for points
     between the stitch (v = 0) and node t (v = 1)
     at : (P, 3) u, v, w; v counts stitch heights from the foot; thick : mm of one unit of w
-    root : (N,) whether a node is the middle of a ring
+    root : (N,) whether a node is the middle of a ring; free : (N,) whether it is a chain, that knows no way up
     """
     low, top = np.zeros((3, 3)), np.zeros((3, 3))
     for p in range(len(cell)):
@@ -223,6 +230,9 @@ def place(
                     low[2, c] = 0.5 * (top[0, c] - x[a, c])
             else:
                 on_row(a, foot[i] + pace[i] * u, x, along, normal, up, after, before, low)
+                if free[a]:
+                    for c in range(3):
+                        low[2, c] = top[2, c]
             t = min(1.0, max(0.0, v / high))
         size = 0.0
         for c in range(3):

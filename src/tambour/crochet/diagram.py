@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import PurePath
@@ -12,8 +11,10 @@ import numpy as np
 from tambour.core.drawing import Drawing, Label, Styles
 from tambour.core.graph import BACK, FRONT, JOIN
 from tambour.core.paths import Paths
+from tambour.crochet import ovals
 from tambour.crochet.build import Built
 from tambour.crochet.chart import Cell, Chart, charts
+from tambour.crochet.stitches import BUMPS, KINDS
 from tambour.crochet.symbols import BARS, NAMES, Line, loop_mark, post, ring_mark, solid, strokes
 
 CELL = 7.0  # mm, a single crochet on paper
@@ -71,22 +72,48 @@ def diagram(built: Built) -> Drawing:
     height = _legend(sheet, built, margin, tall)
     labels = [*sheet.labels]
     width = max(width, *(label.x + 0.6 * label.size * len(label.text) for label in labels), 60.0)
+    return _drawing(sheet, width + margin, height + margin, PurePath(built.pattern.text.name).stem)
+
+
+def _drawing(sheet: _Sheet, width: float, height: float, title: str = "") -> Drawing:
     return Drawing(
         Paths.of([np.array(line) for line in sheet.lines]),
         np.array(sheet.style, np.int32),
         Styles.of(*sheet.styles),  # type: ignore[arg-type]
-        np.array([width + margin, height + margin]),
-        labels=tuple(labels),
+        np.array([width, height]),
+        labels=tuple(sheet.labels),
         background=(255, 255, 255, 255),
-        about={"title": PurePath(built.pattern.text.name).stem},
+        about={"title": title},
     )
+
+
+def plates(built: Built) -> list[tuple[int, Drawing]]:
+    """Every chart by itself without words, with the number of its part; mm."""
+    made = []
+    for chart in charts(built):
+        left, right, up, down = _extent(chart)
+        sheet = _Sheet()
+        _chart(sheet, built, chart, left * CELL, up * CELL)
+        made.append((chart.part, _drawing(sheet, (left + right) * CELL, (up + down) * CELL)))
+    return made
+
+
+def symbols(built: Built) -> list[tuple[str, Drawing]]:
+    """The symbols that occur, each by itself, with the stitch's standard name, "front loops" or "back loops"; mm."""
+    made = []
+    for kind, _ in _entries(built):
+        sheet = _Sheet()
+        height = _symbol(sheet, kind, 0.5 * CELL, CELL * _TALL.get(kind, 1.0))
+        name = {"FLO": "front loops", "BLO": "back loops"}.get(kind, kind)
+        made.append((name, _drawing(sheet, CELL, height * CELL)))
+    return made
 
 
 def _extent(chart: Chart) -> tuple[float, float, float, float]:
     """Room to the left, right, above and below the chart's origin, in cells."""
     if not chart.rows:
         reach = max(chart.reach, 1.0) + 0.6
-        return reach, reach, reach, reach
+        return reach + chart.half, reach + chart.half, reach, reach
     xs = [cell.at for cell in chart.cells.values()] or [0.0]
     return 2.2 - min(xs), max(xs) + 2.2, chart.reach + 0.5, 0.8
 
@@ -107,24 +134,28 @@ def _chart(sheet: _Sheet, built: Built, chart: Chart, x: float, y: float) -> Non
         sheet.draw(_sector(chart, cell, x, y), (red, green, blue, 255), None)
     # How many stitches of a round stand in each anchor.
     rounds = graph.round.tolist()
-    shared = Counter((rounds[n], a) for n in chart.cells for a in anchors[cuts[n] : cuts[n + 1]])
+    shared = Counter((rounds[n], a) for n in chart.cells for a in set(anchors[cuts[n] : cuts[n + 1]]))
+    for n, cell in chart.cells.items():
+        if cell.line is not None:  # worked into on both its sides
+            for this in {rounds[m] for m in chart.cells}:
+                if shared[this, n] == 2:
+                    shared[this, n] = 1
+    double = ovals.layers(graph)
     for node, cell in chart.cells.items():
         if node in chart.base:
             continue
         pen = _contrast(colors[node])
         height = cell.high - cell.low
-        own = [a for a in anchors[cuts[node] : cuts[node + 1]] if a in chart.cells]
+        own = [a for a in dict.fromkeys(anchors[cuts[node] : cuts[node + 1]]) if a in chart.cells]
+        own = own[-1:] if double[node] else own
         legs = _legs(chart, cell, own, rounds[node], shared)
         tall = kinds[node] in BARS
         for foot, head in legs:
             if tall:  # a slanted post stands for the leg
-                top = _to_page(chart, (cell.at, cell.high - 0.08), x, y)
-                foot = _to_page(chart, foot, x, y)
-                unit = [(foot[0] / CELL, foot[1] / CELL), (top[0] / CELL, top[1] / CELL)]
-                for line in post(unit[0], unit[1], BARS[kinds[node]]):
-                    sheet.draw([(CELL * u, CELL * v) for u, v in line], None, pen)
+                for line in post(foot, chart.spot(cell.at, cell.high - 0.08), BARS[kinds[node]]):
+                    sheet.draw([(x + CELL * u, y - CELL * v) for u, v in line], None, pen)
             else:
-                sheet.draw([_to_page(chart, foot, x, y), _to_page(chart, head, x, y)], None, pen, 0.7 * _PEN)
+                sheet.draw([(x + CELL * u, y - CELL * v) for u, v in (foot, head)], None, pen, 0.7 * _PEN)
         if not (tall and legs):
             for line in strokes(kinds[node], height):
                 sheet.draw(_around(chart, cell, line, x, y), None, pen)
@@ -135,7 +166,8 @@ def _chart(sheet: _Sheet, built: Built, chart: Chart, x: float, y: float) -> Non
             sheet.draw(_around(chart, cell, loop_mark(loops[node] == FRONT), x, y), None, pen, 0.8 * _PEN)
     for later, earlier in graph.edges[graph.edge_kind == JOIN].tolist():
         # A slip stitch is a dot where the end of a round meets the stitch that it is joined to.
-        if earlier in chart.cells and later in chart.cells and not {later, earlier} & set(chart.base):
+        here = earlier in chart.cells and later in chart.cells and kinds[later] != "picot"
+        if here and not {later, earlier} & set(chart.base):
             cell = chart.cells[earlier]
             edge = Cell(cell.at - (0.0 if chart.rows else cell.half), cell.half, cell.low, cell.high)
             sheet.draw(_around(chart, edge, solid("slst", cell.high - cell.low) or [], x, y, True), _INK, None)
@@ -153,10 +185,8 @@ def _contrast(rgb: list[int]) -> tuple[int, int, int, int]:
 
 def _to_page(chart: Chart, place: tuple[float, float], x: float, y: float) -> tuple[float, float]:
     """A place (angle, radius) of a disc, or (x, height) of rows, on the page: mm, y down."""
-    at, up = place
-    if chart.rows:
-        return x + CELL * at, y - CELL * up
-    return x + CELL * up * math.cos(at), y - CELL * up * math.sin(at)
+    across, up = chart.spot(*place)
+    return x + CELL * across, y - CELL * up
 
 
 def _around(
@@ -167,12 +197,15 @@ def _around(
     if chart.rows:
         return [(x + CELL * (cell.at + u), y - CELL * (cell.low + v)) for u, v in points]
     # A chart's symbols stay upright along the radius; along the round they shrink where the round is crowded.
-    room = min(1.0, 2 * cell.half * (cell.low + cell.high) / 2 / _ROOM_OF_SYMBOL)
-    out = (math.cos(cell.at), math.sin(cell.at))
+    if cell.line is not None:
+        return [(x + CELL * (cell.line + u), y - CELL * (v - cell.high / 2)) for u, v in points]
+    up = (cell.low + cell.high) / 2
+    room = min(1.0, 2 * cell.half * chart.stretch(cell.at, up) / _ROOM_OF_SYMBOL)
+    out = chart.out(cell.at)
     made = []
     for u, v in points:
-        along, up = u * room, cell.low + v
-        made.append((x + CELL * (out[0] * up - out[1] * along), y - CELL * (out[1] * up + out[0] * along)))
+        across, up = chart.spot(cell.at, cell.low + v)
+        made.append((x + CELL * (across - out[1] * u * room), y - CELL * (up + out[0] * u * room)))
     return made
 
 
@@ -182,6 +215,16 @@ _ROOM_OF_SYMBOL = 0.75
 def _sector(chart: Chart, cell: Cell, x: float, y: float) -> list[tuple[float, float]]:
     """The patch of yarn colour under a stitch."""
     low, high = cell.low + _GAP / 2, cell.high - _GAP / 2
+    if cell.line is not None:
+        a, b, tall = cell.line - cell.half + _GAP / 2, cell.line + cell.half - _GAP / 2, (high - low) / 2
+        return [(x + CELL * u, y - CELL * v) for u, v in ((a, -tall), (b, -tall), (b, tall), (a, tall), (a, -tall))]
+    if chart.half:
+        # Its edges are where its neighbours' are, though one may lie on a straight side and one on an end.
+        up = (cell.low + cell.high) / 2
+        middle, wide = chart.way(cell.at, up), cell.half * chart.stretch(cell.at, up) - _GAP / 2
+        along = [chart.at(middle + wide * (k / 3 - 1), up) for k in range(7)]
+        ring = [(a, low) for a in along] + [(a, high) for a in reversed(along)]
+        return [_to_page(chart, p, x, y) for p in [*ring, ring[0]]]
     gap = _GAP / 2 if chart.rows else _GAP / 2 / max(high, 0.3)
     first, last = cell.at - cell.half + gap, cell.at + cell.half - gap
     steps = 1 if chart.rows else max(1, min(12, int((last - first) * high * 3)))
@@ -193,21 +236,22 @@ def _sector(chart: Chart, cell: Cell, x: float, y: float) -> list[tuple[float, f
 def _legs(
     chart: Chart, cell: Cell, own: list[int], this: int, shared: Counter[tuple[int, int]]
 ) -> list[tuple[tuple[float, float], tuple[float, float]]]:
-    """The legs of increases and decreases: from each anchor's top to the foot of the stitch, as chart places."""
+    """The legs of increases and decreases: from each anchor's top to the foot of the stitch, as points in cells."""
     if not own or (len(own) == 1 and shared[this, own[0]] < 2):
         return []
-    head = (cell.at, cell.low + 0.3 * min(1.0, cell.high - cell.low))
-    legs = []
-    for under in (chart.cells[a] for a in own):
-        at = under.at if chart.rows else cell.at + (under.at - cell.at + math.pi) % math.tau - math.pi
-        legs.append(((at, under.high - 0.12), head))
-    return legs
+    head = chart.spot(cell.at, cell.low + 0.3 * min(1.0, cell.high - cell.low))
+    feet = [
+        (u.line, 0.0) if u.line is not None else chart.spot(u.at, u.high - 0.12) for u in (chart.cells[a] for a in own)
+    ]
+    return [(foot, head) for foot in feet]
 
 
 def _numbers(sheet: _Sheet, chart: Chart, x: float, y: float) -> None:
     """The number of each round where it begins."""
     for this in chart.rounds:
         cell = chart.cells[this.first]
+        if cell.line is not None:
+            continue
         if chart.rows:
             forward = len(chart.cells) < 2 or this.first == this.last or cell.at <= chart.cells[this.last].at
             at = cell.at + (-1.1 if forward else 1.1)
@@ -239,40 +283,57 @@ def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y:
     copies = f", make {section.copies}" if section.copies > 1 else ""
     first, last = chart.rounds[0].number, chart.rounds[-1].number
     what = "row" if chart.rows else "round"
+    first += chart.cells[chart.rounds[0].first].line is not None and last > first  # the chain of an oval
     span = f"{what} {first}" if first == last else f"{what}s {first} to {last}"
     below = chart.rounds[0].below
     if chart.base and below >= 0:
         span += f", worked on round {built.rounds[below].number}"
+    if chart.folded:
+        span += f", {what} {min(chart.folded)} through both layers"
     end = f"{span}; {chart.rounds[-1].count} stitches at its end" + (", drawn together (FO)" if chart.tip >= 0 else "")
     sheet.say(name + copies, x, y + 1.0, 1.5 * _TEXT, False, True)
     sheet.say(end, x, y + 5.2, _TEXT, False)
     return 0.55 * _TEXT * len(end)
 
 
-def _legend(sheet: _Sheet, built: Built, x: float, y: float) -> float:
-    """The symbols that occur, with their names; the height that is used up."""
+_TALL = {
+    kind: min(high, 1.8) for kind, high in {**KINDS, "ch3dc": 2.0, "ch4tr": 3.0, **dict.fromkeys(BUMPS, 1.2)}.items()
+}
+
+
+def _entries(built: Built) -> list[tuple[str, str]]:
+    """The kinds of symbols that occur, with their names."""
     graph = built.graph
     used = [graph.kinds[k] for k in sorted(set(graph.kind.tolist()))]
     kinds = [k for k in used if k not in ("ring", "tip")]
     entries: list[tuple[str, str]] = [(kind, NAMES.get(kind, kind)) for kind in kinds]
     entries += [("slst", "slip stitch")] * bool((graph.edge_kind == JOIN).any())
     loops = set(graph.loop[graph.parent >= 0].tolist())
-    entries += [("FLO", "in the front loop only")] * (FRONT in loops) + [("BLO", "in the back loop only")] * (
-        BACK in loops
-    )
+    entries += [("FLO", "in the front loop only")] * (FRONT in loops)
+    return entries + [("BLO", "in the back loop only")] * (BACK in loops)
+
+
+def _symbol(sheet: _Sheet, kind: str, x: float, y: float) -> float:
+    """A symbol that stands on y; its height in cells."""
     chart = Chart(0, True)
-    for kind, name in entries:
-        height = {"hdc": 1.5, "dc": 1.5, "tr": 1.8}.get(kind, 1.0)
-        cell = Cell(0.0, 0.5, 0.0, height)
+    height = _TALL.get(kind, 1.0)
+    cell = Cell(0.0, 0.5, 0.0, height)
+    if kind in ("FLO", "BLO"):
+        sheet.draw(_around(chart, cell, loop_mark(kind == "FLO"), x, y), None, _INK)
+        return height
+    for line in strokes(kind, height):
+        sheet.draw(_around(chart, cell, line, x, y), None, _INK)
+    dot = solid(kind, height)
+    if dot:
+        sheet.draw(_around(chart, cell, dot, x, y, True), _INK, None)
+    return height
+
+
+def _legend(sheet: _Sheet, built: Built, x: float, y: float) -> float:
+    """The symbols that occur, with their names; the height that is used up."""
+    for kind, name in _entries(built):
+        height = _TALL.get(kind, 1.0)
         y += height * CELL + 1.0
-        px = x + 0.5 * CELL
-        if kind in ("FLO", "BLO"):
-            sheet.draw(_around(chart, cell, loop_mark(kind == "FLO"), px, y), None, _INK)
-        else:
-            for line in strokes(kind, height):
-                sheet.draw(_around(chart, cell, line, px, y), None, _INK)
-            dot = solid(kind, height)
-            if dot:
-                sheet.draw(_around(chart, cell, dot, px, y, True), _INK, None)
+        _symbol(sheet, kind, x + 0.5 * CELL, y)
         sheet.say(name, x + 1.4 * CELL, y - 0.5 * height * CELL + 0.35 * _TEXT, _TEXT, False)
     return y + 4.0

@@ -53,7 +53,8 @@ def strands(
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
     place(
         led.cell, led.below, led.at, graph.height, graph.direction, 2 * radius / RATIO, rows.x, rows.along, rows.normal,
-        rows.up, rows.after, rows.before, rows.foot, rows.pace, graph.peculiarity == ROOT, coords,
+        rows.up, rows.after, rows.before, rows.foot, rows.pace, graph.peculiarity == ROOT,
+        np.diff(graph.anchor_offsets) == 0, coords,
     )  # fmt: skip
     coords, ends, stitch = _dense(coords, ends, led.cell, 3.6 * radius)
     if len(graph) <= LARGE:

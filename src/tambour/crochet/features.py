@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import pairwise
 from typing import Any
 
@@ -33,6 +34,11 @@ class Located:
 
     records: tuple[Eye | Embroidery | Felt | Hair, ...]
     where: tuple[Frames, ...]
+
+
+def present(built: Built) -> bool:
+    """Whether the pattern has features."""
+    return any(isinstance(f, (Eye, Embroidery, Felt, Hair)) for f in built.pattern.finish)
 
 
 def spots(finish: Eye | Embroidery | Felt | Hair) -> tuple[Spot, ...]:
@@ -93,11 +99,12 @@ def meshes(
     from tambour.geometry.tube import sweep
 
     what = placed(built, positions, upright)
-    if not what.records:
-        return [], yarn
     graph, width = built.graph, stitch_width(built.graph)
     faces = graph.faces[built.shell]
     parts = Spots(built).parts
+    every = [pair for pair in zip(what.records, what.where) if _fabric(built, pair[0])]
+    if not every:
+        return [], yarn
     whole = ground(positions, faces, yarn, width)
     grounds: dict[int, Ground] = {}
 
@@ -110,7 +117,6 @@ def meshes(
         return grounds[part]
 
     made: list[Mesh] = []
-    every = list(zip(what.records, what.where))
     for record, at in every:
         if isinstance(record, Felt):
             mesh, middle = felt(
@@ -138,6 +144,12 @@ def meshes(
         strands = hair(whole, heads, thick, balls)
         made.append(sweep(strands, sides=max(6, SIDES[detail])))
     return made, pressed(yarn, seats)
+
+
+def _fabric(built: Built, record: Eye | Embroidery | Felt | Hair) -> bool:
+    """Whether the record's part has fabric to put it on: a chain has none."""
+    faces = built.graph.faces[built.shell]
+    return bool((built.graph.part[faces[:, 0]] == Spots(built).parts[spots(record)[0].part]).any())
 
 
 def _surface(positions: Array, faces: Array) -> tuple[Any, Array, Array]:
@@ -174,6 +186,22 @@ def joined(parts: Iterable[Mesh]) -> Mesh:
         face_group=np.concatenate([group(m) for m in every]),
         group_names=names,
     )
+
+
+@cache
+def warm() -> None:
+    """Load every kernel by making one of everything on a tiny ball."""
+    from tambour.core.errors import Text
+    from tambour.crochet.build import build
+    from tambour.crochet.fabric import strands
+    from tambour.crochet.layout import rounds
+    from tambour.crochet.parse import parse
+
+    ball = "== a ==\n: MR(6)\n: 6 inc\n: 12 sc\n: 6 dec\nFO\n"
+    face = "eye(a, round=2)\nembroider(a, 2:1, 2:4)\nfelt(a, round=2, width=3)\nhair(a, 3:1, count=2, length=40)\n"
+    built = build(parse(Text(ball + face)))
+    x = 5.0 * rounds(built.graph, built.graph.rest / 5.0)
+    meshes(built, x, strands(built.graph, x))
 
 
 # Materials -----------------------------------------------------------------------------------------------------------
@@ -234,6 +262,10 @@ def doubts(built: Built, positions: Array) -> list[Problem]:
     for record, at in zip(what.records, what.where):
         part = built.graph.parts[parts[spots(record)[0].part]]
         span = np.sort(np.ptp(positions[part.start : part.end], axis=0))
+        if not _fabric(built, record):
+            message = f"{part.name or 'the piece'} has no fabric that this could be put on"
+            found.append(Problem(message, "a chain alone has none: it is left out", record.span, text, warning=True))
+            continue
         if isinstance(record, Eye):
             if record.size > span[1]:
                 message = f"this eye is {record.size:g} mm wide, {part.name or 'the piece'} only {span[1]:.0f} mm"

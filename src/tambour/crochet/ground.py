@@ -88,7 +88,7 @@ class Ground:
         for a, b in pairwise(points):
             count = max(2, int(np.ceil(np.linalg.norm(b - a) / step)) + 1)
             run = a + (b - a) * np.linspace(0, 1, count)[:, None]
-            for _ in range(6):  # drawn tight within the fabric
+            for _ in range(3):  # drawn tight within the fabric
                 run[1:-1] = 0.25 * run[:-2] + 0.5 * run[1:-1] + 0.25 * run[2:]
                 run[1:-1] = self.foot(run[1:-1])[0] if count > 2 else run[1:-1]
             runs.append(run if not runs else run[1:])

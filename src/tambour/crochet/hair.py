@@ -128,15 +128,15 @@ def _comb(
     clearance = ground.lift + 0.5 * thick
     points = np.zeros((2 * count, steps + 1, 3))
     points[:, 0] = position
+    _, out, high = ground.foot(position)
     for s in range(1, steps + 1):
-        _, out, high = ground.foot(position)
         touching = np.clip(1.5 - (high - clearance) / thick, 0, 1)[:, None]
         pull = down - touching * np.minimum((down * out).sum(1, keepdims=True), 0.0) * out
         heading = unit(heading + limp / (1 - limp) * pull)
         # A slow wave from side to side, as yarn keeps from its ball.
         sway = 0.05 * np.cos(wave * s / steps + 2 * pi * draw[:, 3])[:, None]
         heading = unit(heading + sway * np.cross(out, heading))
-        position = outside(ground, position + step * heading, clearance, eyes, thick)
+        position, out, high = outside(ground, position + step * heading, clearance, eyes, thick)
         # What stops a strand turns it along the fabric, not away from it.
         moved = unit(position - points[:, s - 1])
         away = (moved * out).sum(1, keepdims=True)
@@ -145,16 +145,17 @@ def _comb(
     return points
 
 
-def outside(ground: Ground, points: Array, clearance: float, eyes: Array, thick: float) -> Array:
-    """Points (P, 3) moved out of the fabric, to ``clearance`` mm over it, and out of the eyes."""
+def outside(ground: Ground, points: Array, clearance: float, eyes: Array, thick: float) -> tuple[Array, Array, Array]:
+    """Points (P, 3) moved out of the fabric, to ``clearance`` mm over it, and out of the eyes; the fabric's normals
+    there, and how high over it they are (P,)."""
     _, normal, high = ground.foot(points)
     points = points + np.maximum(0.0, clearance - high)[:, None] * normal
     for middle, radius in zip(eyes[:, :3], eyes[:, 3]):
         off = points - middle
-        far = np.linalg.norm(off, axis=1)
+        far = np.sqrt((off**2).sum(1))
         wanted = radius + 0.5 * thick
         points = np.where((far < wanted)[:, None], middle + off * (wanted / np.maximum(far, 1e-9))[:, None], points)
-    return points
+    return points, normal, np.maximum(high, clearance)
 
 
 def _settled(ground: Ground, knots: list[Array], locks: list[Array], thick: float, eyes: Array) -> list[Array]:
@@ -180,7 +181,7 @@ def _settled(ground: Ground, knots: list[Array], locks: list[Array], thick: floa
             for k in range(1, many):
                 way = lock[:, k] - lock[:, k - 1]
                 lock[:, k] = lock[:, k - 1] + unit(way) * length[:, k - 1, None]
-            free = outside(ground, lock[:, 1:].reshape(-1, 3), ground.lift + 0.5 * thick, eyes, thick)
+            free, _, _ = outside(ground, lock[:, 1:].reshape(-1, 3), ground.lift + 0.5 * thick, eyes, thick)
             lock[:, 1:] = free.reshape(count, many - 1, 3)
             moved.append(lock)
         coords = np.concatenate([knotted, *(lock.reshape(-1, 3) for lock in moved)])

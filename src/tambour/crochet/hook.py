@@ -39,6 +39,13 @@ class Hook:
         self.faces: list[tuple[int, int, int]] = []
         self.face_sheet: list[int] = []
         self.joins: list[tuple[int, int]] = []
+        self.aside: dict[int, float] = {}  # stitches in a chain space → how far they stand from their chain
+        self.over: list[tuple[int, int, float]] = []  # … and the stitches beside the space, and how far from over them
+        self.risen: dict[
+            int, tuple[bool, int]
+        ] = {}  # first stitches after a turn or a join → whether chains lift them,
+        # and how many stitches of the edge they pass
+        self.rings: dict[int, int] = {}  # roots of rings of any stitches → how many stand around them
         self.laid: list[tuple[int, int]] = []  # stitches of two layers that one stitch was worked through
         self.lifts: dict[int, None] = {}  # chains that only lift the yarn to the next round or row
         self.styles: list[tuple[str, float, int, tuple[int, int, int], int, int, int, Span]] = []
@@ -221,6 +228,8 @@ class Hook:
                                 "work the first round after a ring into both loops",
                             )
                         self.node(look, pulled, path[0], parent)
+                        if now.starting:
+                            self.rise(c, path)
                         pulled = []
                         a = path[0]
                         for b in path[1:]:
@@ -231,7 +240,6 @@ class Hook:
                         front.append(c)
                         now.count += 1
                         path = [c, a]
-                        now.starting = False
                     else:
                         self.node(look, [], path[0] if path else -1, -1)
                         if now.starting:
@@ -263,8 +271,16 @@ class Hook:
                 if what == THROUGH:
                     pulled.append(anchor)
                 elif what == JOIN:
-                    self.tie(path)
-                    path = [path[0], anchor]
+                    if now.starting and now.ring:
+                        # Slip stitches before a round carry the yarn along the edge, which stays as it is.
+                        while len(path) > 1 and len(front) > 1 and front[-2] in (path[1], ~path[1]):
+                            front.pop()  # back down chains just made, which stand off the edge
+                            path.pop(0)
+                        front.extend(~n for n in path[1:])
+                        path = [anchor]
+                    else:
+                        self.tie(path)
+                        path = [path[0], anchor]
                     self.joined += 1
             if touched:
                 front.popleft()
@@ -273,6 +289,15 @@ class Hook:
             now.spine = path
             if now.left <= 0 and touched:
                 self.round_done()
+
+    def rise(self, node: int, path: list[int]) -> None:
+        """``node`` is the first of a round or row; the yarn comes from the head of ``path``, on the edge below it, or from
+        chains that lift it, and goes as far along as the rest of ``path``."""
+        chains = 0
+        while chains < len(path) - 1 and self.ends[path[chains] + 1] == self.ends[path[chains]]:
+            chains += 1
+        self.risen[node] = (chains > 0, len(path) - 1 - chains)
+        self.now.starting = False
 
     def chained(self, node: int, anchor: bool) -> None:
         """Puts a chain on the edge. One that follows a round's last stitch in the same line is still of that round."""
@@ -351,6 +376,10 @@ class Hook:
                     "decrease further, or leave FO out: the end stays open",
                 )
             self.begin_sheet()
+            front, spine = now.front, now.spine
+            while len(spine) > 1 and front[-1] == ~spine[-1] and front[-2] in (spine[-2], ~spine[-2]):
+                front.pop()  # chains just made stand off the edge
+                spine.pop()
             edge = [n if n >= 0 else ~n for n in now.front]
             anchors = [n for n in now.front if n >= 0]
             self.fill([*now.spine[::-1], edge[0]])

@@ -11,11 +11,11 @@ def plain_name(color: RGB) -> str:
     hue, value, saturation = _hue(red, green, blue)
     if value < 0.2:
         return "black"
+    if 20 <= hue < 65 and 0.05 < saturation < 0.4 and value > 0.75:
+        return "ivory" if value > 0.92 else "beige"
     if saturation < 0.12 or (saturation < 0.2 and value < 0.5):
         return "white" if value > 0.93 else "gray"
     warm = hue < 50 or hue >= 345
-    if 20 <= hue < 65 and saturation < 0.3 and value > 0.75:
-        return "ivory" if value > 0.92 else "beige"
     if (warm and value < 0.62) or (15 <= hue < 45 and value < 0.72):
         return "red" if (hue < 8 or hue >= 345) and saturation > 0.6 and value > 0.35 else "brown"
     if (hue < 12 or hue >= 315) and saturation < 0.6:

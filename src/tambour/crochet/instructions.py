@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
@@ -21,6 +22,7 @@ from tambour.crochet.written import Written, sections
 
 _LETTERS: Final = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 _PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring"}
+_TERMS_SAID: Final = re.compile(r"\s*\((?:US|UK|American|British)\b[^)]*\)", re.IGNORECASE)
 _STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
 
 
@@ -102,6 +104,16 @@ def _sews(line: Written) -> bool:
     return not line.makes and all(d.what == "sew" for unit, _ in line.pieces for d in unit)
 
 
+def _takes_color(written: list[Written]) -> bool:
+    """Whether a part says the colour that it begins with."""
+    for done in (d for line in written for unit, _ in line.pieces for d in unit):
+        if done.what == "color":
+            return True
+        if done.what not in RULES or done.what in ("mr", "oval", "fsc"):
+            return False
+    return True  # it makes nothing
+
+
 class _Writer:
     """Writes one pattern in one language."""
 
@@ -111,7 +123,20 @@ class _Writer:
         copies = {s.name: s.copies for s in self.pattern.parts if s.name}
         self.phrases = Phrases(terms, copies, self._legend())
         self.own = {n for n in self.pattern.own if n in self.pattern.stitches}
+        self.begins = self._begins()
+        self.begun = False  # the part under way has its first stitches
         self.used: dict[str, None] = {}  # what the list of abbreviations explains
+
+    def _begins(self) -> list[tuple[int, ...] | None]:
+        """The colour that every copy of a part begins with, for each part of the text; None where it is not one, or undyed."""
+        found: list[set[tuple[int, ...] | None]] = [set() for _ in self.pattern.parts]
+        color: tuple[int, ...] | None = None
+        for done in self.built.log:
+            if done.what == "color":
+                color = done.numbers
+            elif done.what == "part":
+                found[done.numbers[0]].add(color)
+        return [next(iter(hues)) if len(hues) == 1 else None for hues in found]
 
     def _legend(self) -> dict[str, RGB]:
         """The yarn's colours that have no plain name, by letter, in the order in which they are taken up."""
@@ -141,7 +166,7 @@ class _Writer:
         for k, (section, part, written) in enumerate(self.sections):
             while k == len(self.sections) - 1 and written and _sews(written[-1]):
                 seams[:0] = self._alone(written.pop(), True)
-            parts.append(self._section(section, part, written))
+            parts.append(self._section(section, part, written, self.begins[self.built.parts[part].section]))
         finish = [self._sentence(self.phrases.finish(record)) for record in self.pattern.finish]
         special = self._special()
         materials = [f"{self.terms.word(key)}: {said}" for key in _STATED if (said := self._stated(key))]
@@ -167,6 +192,7 @@ class _Writer:
 
     def _title(self) -> str:
         title = self._stated("title") or PurePath(self.pattern.text.name).stem.replace("_", " ")
+        title = _TERMS_SAID.sub("", title)
         return "" if title.strip("<> ") in ("", "text", "stdin") else title[:1].upper() + title[1:]
 
     def _legend_line(self, letter: str, hue: RGB) -> str:
@@ -215,7 +241,7 @@ class _Writer:
 
     # -- parts ------------------------------------------------------------------------------------------------------
 
-    def _section(self, section: Section, part: int, written: list[Written]) -> PartText:
+    def _section(self, section: Section, part: int, written: list[Written], color: tuple[int, ...] | None) -> PartText:
         lines: list[str] = []
         if section.up is not None:
             lines.append(self._sentence(self.phrases.say(f"up {section.up}")))
@@ -230,6 +256,9 @@ class _Writer:
         stuffing = self._stuffing(section)
         worked = {d.what for line in written for unit, _ in line.pieces for d in unit}
         kind = "row" if "turn" in worked and not worked & {"mr", "join", "oval"} else "round"
+        self.begun = False
+        if color is not None and not _takes_color(written):
+            lines.append(self._sentence(self._done(Done("color", 1, color), closing)))
         for line in written:
             said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
             if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):
@@ -258,7 +287,7 @@ class _Writer:
     def _alone(self, line: Written, closing: bool) -> list[str]:
         """Lines outside rounds: a sentence each, but stitches in a row stay together."""
         if line.makes:
-            return [self._sentence(self._items(line, closing) + (f" ({line.count})" if line.count else ""), "")]
+            return [self._sentence(self._items(line, closing))]
         return [
             self._sentence(self._done(d, closing)) for unit, times in line.pieces for _ in range(times) for d in unit
         ]
@@ -280,12 +309,13 @@ class _Writer:
 
     def _done(self, done: Done, closing: bool) -> str:
         say = self.phrases.say
+        self.begun = self.begun or done.what not in RULES or done.what in ("mr", "oval", "fsc")
         match done.what:
             case "mr":
                 self.used["sc"] = None
                 return say("ring", count=done.numbers[0])
             case "color":
-                return say("color", color=done.numbers)
+                return say("color" if self.begun else "use color", color=done.numbers)
             case "bl":
                 return say("both loops")
             case "flo" | "blo":

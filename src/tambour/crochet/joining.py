@@ -19,8 +19,8 @@ from tambour.crochet.placing import Frames, frames, level
 from tambour.crochet.spots import Spots
 from tambour.geometry.surface import vertex_normals
 
-APART = 0.75
-"""Two seams are doubted when their middles are nearer than this share of the room that they take."""
+APART = 1.0
+"""Two seams that come nearer to each other than this, in stitches, are in each other's way."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -30,7 +30,7 @@ class Joining:
     built: Built
     spots: Spots
     steps: tuple[tuple[Placed, sewing.End], ...]
-    doubts: tuple[Problem, ...]
+    doubts: tuple[Problem, ...]  # of its spots
 
     @property
     def pinched(self) -> Array:
@@ -95,24 +95,29 @@ def prepare(built: Built) -> Joining | None:
         order += [waiting.pop(p) for p in ready]
     if any(not p.warning for p in problems):
         raise TambourError(sorted(problems, key=lambda p: p.span.start if p.span else 0))
-    steps = tuple((f, sewing.end_of(built, spots, f)) for f in order)
-    problems += _crowded(spots, steps)
-    return Joining(built, spots, steps, tuple(problems))
+    return Joining(built, spots, tuple((f, sewing.end_of(built, spots, f)) for f in order), tuple(problems))
 
 
-def _crowded(spots: Spots, steps: tuple[tuple[Placed, sewing.End], ...]) -> list[Problem]:
-    """Doubts about parts whose seams are in each other's way."""
-    found = []
-    for i, (f, end) in enumerate(steps):
-        for other, its in steps[:i]:
+def crowded(joining: Joining) -> list[Problem]:
+    """Doubts about parts whose seams are in each other's way, or one inside of the other."""
+    spots, steps = joining.spots, joining.steps
+    found: list[Problem] = []
+    known: list[tuple[Placed, bool, Array]] = []
+    for f, end in steps:
+        frame = frames(spots.built, spots.layout, [f.spot])
+        points = sewing.line(f, end, frame)
+        for other, ring, its in known:
             if spots.parts[f.spot.part] != spots.parts[other.spot.part]:
                 continue
-            a, b = (spots.about(s.spot) for s in (f, other))
-            room = sum(len(e.nodes) / (2.0 * math.pi) if e.ring else 1.0 for e in (end, its))
-            if float(np.sqrt(((a - b) ** 2).sum())) < APART * room:
+            apart = np.sqrt(((points[:, None] - its) ** 2).sum(2))
+            middles = float(np.sqrt(((points.mean(0) - its.mean(0)) ** 2).sum()))
+            sizes = [float(np.sqrt(((p - p.mean(0)) ** 2).sum(1).max())) for p in (points, its)]
+            inside = (ring and middles < sizes[1]) or (end.ring and middles < sizes[0])
+            if float(apart.min()) < APART or inside:
                 message = f'"{f.part}" and "{other.part}" are sewn to the same place'
-                hint = "move one of the two: the room between their middles is less than their seams take"
+                hint = "their seams are in each other's way: move one of the two"
                 found.append(Problem(message, hint, f.span, spots.built.pattern.text, warning=True))
+        known.append((f, end.ring, points))
     return found
 
 
@@ -187,6 +192,8 @@ def _frame(joining: Joining, x: Array, placed: Placed, end: sewing.End, upright:
     """The frame at the spot of ``placed``, level with as much of the fabric (its nodes are ``target``) as its end covers."""
     built = joining.built
     frame = frames(built, x, [placed.spot], upright)
+    if joining.spots.place(placed.spot).opening:
+        return frame
     m = len(end.nodes)
     room = max(1.5, m / (2.0 * math.pi) if end.ring else 0.25 * m)
     near = target[((x[target] - frame.points[0]) ** 2).sum(1) < room * room]

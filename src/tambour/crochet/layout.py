@@ -14,11 +14,13 @@ from tambour.core.graph import JOIN, ROOT, THROUGH, TIP, StitchGraph
 from tambour.crochet import ovals
 
 LEAST_RISE = 0.3
-"""The share of a row's height that a round lies above the one before, however much wider it is."""
+"""The share of a row's height that a round lies above the one before, however much wider it is; openwork lies flat."""
 
 
 BACK = -0.5 * math.pi
 """Where a first round begins: at the back, so that its middle is in front, towards +z."""
+NEARLY = 0.85
+"""A square whose sides grow by this share of its rows' height lies flat."""
 WAVE = 0.1
 """How far rows lie off their plane at first, in stitches: what wants to leave it could not begin to otherwise."""
 CLEAR = 1.0
@@ -72,6 +74,8 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     half = np.full(len(graph.parts), -1.0)  # of the straight sides, in parts that are ovals
     ends_of = np.zeros(len(graph))  # the radius of the stadium that a node is in
     folded = ovals.layers(graph)
+    flats = ovals.openwork(graph)
+    least = np.where(flats, 0.0, LEAST_RISE)
     width = np.zeros(len(graph.parts))
     np.maximum.at(width, graph.part[starts], (ends - starts) / (2.0 * math.pi))
     begun = np.zeros(len(graph.parts), int)
@@ -108,13 +112,26 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         if half[part] >= 0.0 and b - a > 3:
             side, radius = ovals.straight(b - a, float(half[part]))
             spread = float(ends_of[under].mean())
-            up = math.sqrt(max(h * h - (radius - spread) ** 2, (LEAST_RISE * h) ** 2))
+            up = math.sqrt(max(h * h - (radius - spread) ** 2, (least[part] * h) ** 2))
             x[nodes, 0], x[nodes, 2] = ovals.turned(b - a, side, radius, stand[:, [0, 2]]).T
             x[nodes, 1], ends_of[nodes] = centre[1] + up, radius
             continue
+        turns = ovals.corners(graph, a, b) if flats[part] else []
         radius = (b - a) / (2.0 * math.pi) if b - a > 1 else 0.0
         spread = float(np.hypot(*(x[under] - centre)[:, [0, 2]].T).mean())
-        up = math.sqrt(max(h * h - (radius - spread) ** 2, (LEAST_RISE * h) ** 2))
+        up = math.sqrt(max(h * h - (radius - spread) ** 2, (least[part] * h) ** 2))
+        if 3 <= len(turns) <= 8:
+            flat_at = ovals.polygon(b - a, turns) * [1.0, float(graph.direction[a])]
+            # Its sides are as far out as the rows are high, or nearly: it lies flat. Else its rows rise.
+            apothem = float(np.hypot(*flat_at.T).min())
+            out = apothem - float(ends_of[under].mean())
+            up = math.sqrt(h * h - out * out) if out < NEARLY * h else 0.0
+            ends_of[nodes] = apothem
+            own, over = flat_at @ [1.0, 1.0j], (stand - centre)[:, [0, 2]] @ [1.0, 1.0j]
+            turn = (over * own.conj()).sum()
+            own = own * (turn / abs(turn) if abs(turn) > 1e-9 else np.exp(1j * BACK) * own[0].conj() / abs(own[0]))
+            x[nodes] = centre + np.column_stack([own.real, np.full(b - a, up), own.imag])
+            continue
         angle = graph.direction[nodes] * np.arange(b - a) * (2.0 * math.pi / (b - a))
         turn = np.exp(1j * (np.arctan2(stand[:, 2] - centre[2], stand[:, 0] - centre[0]) - angle)).sum()
         angle = angle + (math.atan2(turn.imag, turn.real) if abs(turn) > 1e-9 else BACK)

@@ -11,6 +11,7 @@ and tension at work: there no two centre lines are nearer than 0.98 diameters.
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 import numpy as np
@@ -114,12 +115,14 @@ def _stretched(v: float, more: float) -> float:
 @kernel
 def lead(
     role: Array, start: Array, anchors: Array, offsets: Array, height: Array, table_of: Array, ridge: Array,
-    tables: Array, chain: Array, cell: Array, below: Array, at: Array,
+    tables: Array, chain: Array, deep: Array, relief: Array, bump: Array, cell: Array, below: Array, at: Array,
 ) -> None:  # fmt: skip
     """Fill cell, below (P,) and at (P, 3), from ``start[i]`` on, with the course of the yarn through every node.
 
     table_of : (N,) which of ``tables`` (K, 48, 3) is the course by the loops worked under, 0 being both
     ridge : (N,) whether a stitch above leaves this one's front strand free; chain : (4, 3), before a chain's loop
+    deep : (N,) how far below its row a stitch is worked (around a post, in the row below); relief : (N,) how far it stands
+    out; bump : (N,) how far the loops of one that are all in one anchor bulge, negative to the other side
     """
     for i in range(len(role)):
         p = start[i]
@@ -135,6 +138,8 @@ def lead(
         stories = _stories(high)
         part = high / stories
         table = tables[table_of[i]]
+        begin = p
+        bulging = last - first > 1 and anchors[first] == anchors[last - 1]
         for k in range(7):
             cell[p], below[p] = i, anchors[first]
             at[p, 0], at[p, 1], at[p, 2] = table[k, 0], _stretched(table[k, 1], high - 1.0), table[k, 2]
@@ -151,7 +156,13 @@ def lead(
                 if v > 0.3 and story < stories - 1:
                     # An arch that a loop comes through, not the top loop: narrower.
                     u = -0.1 + 0.8 * (u + 0.1)
-                if v > 0.3 and story == 0 and last - first > 1:
+                if bulging and story == 0:
+                    # Loops of one anchor stand around a bulge, and gather at its head.
+                    t = min(1.0, max(0.0, (_stretched(v, part - 1.0) + 0.2) / (high + 0.1)))
+                    out = math.sin(math.pi * t) * bump[i]
+                    u = 0.75 * u + abs(out) * math.sin(2.4 * beside)
+                    w = w + out * (0.35 + 0.65 * math.cos(2.4 * beside))
+                elif v > 0.3 and story == 0 and last - first > 1:
                     u, v, w = u + 0.3 * beside, v - 0.1 * (0.5 - beside), w - 0.2 * (0.5 - beside)
                 cell[p], below[p] = i, anchors[min(first + number, last - 1)]
                 at[p, 0], at[p, 1], at[p, 2] = u, part * story + _stretched(v, part - 1.0), w
@@ -168,3 +179,9 @@ def lead(
                 at[p, 1] -= 0.06
                 at[p, 2] += 0.12
             p += 1
+        if deep[i] != 0.0 or relief[i] != 0.0:
+            for q in range(begin, p):
+                v = at[q, 1]
+                at[q, 2] += relief[i] * min(1.0, max(0.0, 1.6 * (high - v)))
+                if v < 0.5:
+                    at[q, 1] -= deep[i] * min(1.0, (0.5 - v) / 0.5)

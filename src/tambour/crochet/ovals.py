@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import LAID, StitchGraph
+from tambour.core.graph import LAID, PLAIN, StitchGraph
 
 SMALLEST = 0.3
 """Radius of a stadium's ends at least, in stitches."""
@@ -71,4 +71,51 @@ def layers(graph: StitchGraph) -> Array:
         for n in np.flatnonzero(np.diff(graph.anchor_offsets) > 1).tolist():
             first, second = graph.anchors[graph.anchor_offsets[n] : graph.anchor_offsets[n] + 2].tolist()
             made[n] = (max(first, second), min(first, second)) in laid
+            if not made[n] and made[n - 1]:
+                # At the bend the two layers' stitches are neighbours, which lie on each other anyway.
+                before = graph.anchors[graph.anchor_offsets[n - 1] : graph.anchor_offsets[n - 1] + 2].tolist()
+                made[n] = first == second + 1 and before[0] > first > second > before[1]
     return made
+
+
+def openwork(graph: StitchGraph) -> Array:
+    """Which parts (P,) are worked into spaces between stitches and not stuffed: squares and doilies lie flat."""
+    free = (np.diff(graph.anchor_offsets) == 0) & (graph.peculiarity == PLAIN)
+    between = np.zeros(len(graph), np.bool_)
+    # A stretch of chains that a stitch came before, and that stitches were worked into.
+    for n in np.flatnonzero(free).tolist():
+        before = graph.previous[n]
+        between[n] = before >= 0 and (between[before] if free[before] else graph.round[before] == graph.round[n])
+    made = np.zeros(len(graph.parts), np.bool_)
+    into = graph.anchors[between[graph.anchors]]
+    made[np.unique(graph.part[into])] = True
+    return made & np.array([p.stuffing == 0.0 for p in graph.parts], np.bool_)
+
+
+def corners(graph: StitchGraph, a: int, b: int) -> list[float]:
+    """Where among the stitches ``a`` to ``b`` - 1 of a round its corners are: chains between stitches of one place."""
+    found = []
+    n = a
+    while n < b:
+        end = n
+        while end < b and graph.anchor_offsets[end + 1] == graph.anchor_offsets[end]:
+            end += 1
+        if end > n > a:
+            after = graph.parent[end] if end < b else graph.parent[a]
+            if 0 <= after - graph.parent[n - 1] <= 1:
+                found.append(0.5 * (n + end - 1) - a)
+        n = max(end, n + 1)
+    return found
+
+
+def polygon(count: int, at: list[float]) -> Array:
+    """Places (count, 2) of a round with corners at the stitches ``at``, all sides as long, one stitch to a stitch."""
+    sides = len(at)
+    radius = count / sides / (2.0 * math.sin(math.pi / sides))
+    angle = 2.0 * math.pi * np.arange(sides + 2) / sides
+    tops = radius * np.column_stack([np.cos(angle), np.sin(angle)])
+    bounds = np.array([*at, at[0] + count])
+    own = np.arange(count) + np.where(np.arange(count) < at[0], count, 0)
+    side = np.clip(np.searchsorted(bounds, own, "right") - 1, 0, sides - 1)
+    share = ((own - bounds[side]) / (bounds[side + 1] - bounds[side]))[:, None]
+    return (1.0 - share) * tops[side] + share * tops[side + 1]

@@ -50,6 +50,13 @@ class CrochetParams(Params):
     hook: Length | None = Field(default=None, ge=0.4, le=30)
     """Hook, mm; yarn and hook give the gauge where none is measured."""
 
+    page: Literal["a4", "letter"] = "a4"
+    """Paper of the booklet (.pdf)."""
+    title: str | None = Field(default=None, max_length=200)
+    """Title of the booklet (else the pattern's own, else the file's name)."""
+    designer: str | None = Field(default=None, max_length=200)
+    """Who designed it, for the booklet's cover and foot."""
+
     check: bool = False
     """Tech edit: every mistake and doubt of the pattern is an error, told with its place; nothing is made."""
     terms: Literal["us", "uk", "es", "de", "fr", "nl", "letters"] | None = None

@@ -20,6 +20,7 @@ from tambour.crochet.wording import SENTENCES, Terms
 ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
     "ring": ("mr", ()),
     "color": ("color", ()),
+    "use color": ("color", ()),
     "both loops": ("bl", ()),
     "front loops": ("flo", ()),
     "back loops": ("blo", ()),
@@ -227,7 +228,7 @@ class Phrases:
         labels = tuple(fields[f] for f in ("label", "one", "other") if f in fields)
         if key == "ring":
             numbers = (fields["count"], 0)
-        elif key == "color":
+        elif name == "color":
             numbers = fields["color"]
         elif key == "oval":
             numbers = (fields["count"], fields["next"])

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.core.graph import Part
 from tambour.crochet.build import Built
 from tambour.crochet.finish import Spot
 from tambour.crochet.spots import Spots
@@ -44,9 +45,19 @@ def frames(built: Built, positions: Array, spots: Sequence[Spot], upright: Array
         place = known.place(spot)
         nodes, weights = list(place.nodes), np.array(place.weights)
         points[k], normals[k] = weights @ x[nodes], weights @ outward[nodes]
+        if place.opening:
+            normals[k] = _out_of(x, nodes, built.graph.parts[known.parts[spot.part]])
         tops[k] = (0.0, 1.0, 0.0) if upright is None else upright[known.parts[spot.part]]
     normals = _unit(normals)
     return Frames(points, normals, *level(normals, tops))
+
+
+def _out_of(x: Array, rim: list[int], part: Part) -> Array:
+    """Out of an opening: across its rim, away from the part."""
+    off = x[rim] - x[rim].mean(0)
+    across = np.cross(off, np.roll(off, -1, 0)).sum(0)
+    away = x[rim].mean(0) - x[part.start : part.end].mean(0)
+    return np.asarray(across if across @ away >= 0.0 else -across)
 
 
 def level(normals: Array, tops: Array) -> tuple[Array, Array]:

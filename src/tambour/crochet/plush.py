@@ -61,11 +61,13 @@ class Plush:
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
+    from tambour.crochet import features
     from tambour.crochet.build import build
     from tambour.crochet.gauge import gauge
-    from tambour.crochet.joining import prepare
+    from tambour.crochet.joining import crowded, prepare
     from tambour.crochet.pose import pose
     from tambour.crochet.reading import read
+    from tambour.crochet.twist import twisted
 
     if params.photo:
         from tambour.render.photo import tracer
@@ -91,6 +93,10 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
     with progress.stage("start"):
         warm()
+        if features.present(built):
+            features.warm()
+    for warning in [*(crowded(joining) if joining is not None else []), *twisted(built)]:
+        progress.warn(warning)
     return _shaped(built, joining, params, known, progress)
 
 
@@ -151,7 +157,7 @@ def yarn(piece: Plush) -> Mesh:
     from tambour.crochet.fabric import mesh
     from tambour.crochet.features import joined, meshes
 
-    _not_empty(piece)
+    not_empty(piece)
     detail = piece.params.detail
     face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail, upright=piece.upright)
     worked = mesh(piece.built.graph, piece.positions, detail=detail, made=led)
@@ -165,7 +171,7 @@ def checked(piece: Plush) -> Mesh:
     from tambour.crochet.check import doubtful, size_edit, tech_edit
     from tambour.crochet.fabric import mesh
 
-    _not_empty(piece)
+    not_empty(piece)
     graph, problems = piece.built.graph, tech_edit(piece.built)
     wrong = doubtful(piece.built, [*problems, *size_edit(piece.built, tuple(np.ptp(piece.positions, axis=0)))])
     color = np.where(wrong[:, None], DOUBT, (0.25 * graph.color + 0.75 * np.array(PALE)).astype(np.uint8))
@@ -183,12 +189,13 @@ def surface(piece: Plush) -> Mesh:
     """The fabric that bounds the piece, as a mesh through its stitches; closed for every closed part."""
     from tambour.crochet.surface import mesh
 
-    _not_empty(piece)
+    not_empty(piece)
     graph = piece.built.graph
     return mesh(replace(graph, faces=graph.faces[piece.built.shell]), piece.positions)
 
 
-def _not_empty(piece: Plush) -> None:
+def not_empty(piece: Plush) -> None:
+    """Refuses a piece without a stitch, for views that show one."""
     if not len(piece.built.graph):
         raise TambourError(
             "the pattern makes no stitch: there is nothing to show",
@@ -235,6 +242,8 @@ def facts(piece: Plush) -> dict[str, Any]:
     from tambour.crochet.features import materials
     from tambour.crochet.forces import lengths
     from tambour.crochet.joining import assembly
+    from tambour.crochet.materials import lengths as metres
+    from tambour.crochet.materials import materials as needed
     from tambour.crochet.reading import account
 
     built, g, shape = piece.built, piece.built.graph, piece.shape
@@ -242,11 +251,7 @@ def facts(piece: Plush) -> dict[str, Any]:
     kinds, counts = np.unique(g.kind, return_counts=True)
 
     measured = size.report(piece)
-    # Yarn by colour, in the order in which it is taken up.
-    length: dict[tuple[int, ...], float] = {}
-    for led, color in zip(piece.yarn.paths, piece.yarn.color.tolist()):
-        run = float(np.sqrt((np.diff(led, axis=0) ** 2).sum(1)).sum()) / 1000.0 * DRAWN_TIGHT
-        length[tuple(color)] = length.get(tuple(color), 0.0) + run
+    length = metres(piece)
     ml = shape.volume * width**3 / 1000.0
     stretch = lengths(x, g.edges) / (g.rest * piece.params.link_distance) - 1.0 if len(g.edges) else np.zeros(0)
     tension: dict[str, Any] = {"mean": 0.0, "worst": 0.0, "node": None, "at": None}
@@ -288,6 +293,7 @@ def facts(piece: Plush) -> dict[str, Any]:
             for shade, m in length.items()
         ],
         "features": materials(built, x),
+        "materials": needed(piece),
         "yarn_metres": round(sum(length.values()), 2),
         "stitch_mm": list(piece.stitch),
         "stuffing": piece.stuffing,
@@ -307,13 +313,16 @@ def warm() -> None:
     """Load every kernel, once, by shaping a tiny piece in every way."""
     from tambour.crochet.build import build
     from tambour.crochet.gauge import gauge
+    from tambour.crochet.joining import prepare
     from tambour.crochet.parse import parse
 
-    text = "@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n== a ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\n"
-    built = build(parse(Text(text)))
+    one = "== a ==\n@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n"
+    other = "== b ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\nplace(b, a, round=2)\n"
+    built = build(parse(Text(one + other)))
+    joining = prepare(built)
     for stuffing in ("pressure", "centroid", "skeleton"):
         known = gauge(CrochetParams(), {})
-        piece = _shaped(built, None, CrochetParams(stuffing=stuffing, tolerance=0.1), known, Progress())
+        piece = _shaped(built, joining, CrochetParams(stuffing=stuffing, tolerance=0.1), known, Progress())
     facts(piece)
     yarn(piece)
     surface(piece)

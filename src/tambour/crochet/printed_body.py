@@ -6,9 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from tambour.core.errors import Span
+from tambour.crochet.printed_brackets import OPEN
 from tambour.crochet.printed_clauses import Cursor, NotUnderstood, Where, where
 from tambour.crochet.printed_colors import Palette
-from tambour.crochet.printed_repeats import OPEN, bracket, led, repeated, star
+from tambour.crochet.printed_counts import count, ends_with_number
+from tambour.crochet.printed_repeats import bracket, led, repeated, star
 from tambour.crochet.printed_stitch import standing, stitch
 from tambour.crochet.printed_tokens import Token
 from tambour.crochet.stitches import Stitch
@@ -29,6 +31,7 @@ class Body:
     rounds : "for 5 rounds", with its place; refers : the rounds that it repeats, and their place
     hook : which chain from the hook its first stitch goes into, 0 when nothing is said; fresh : its items before that
     rings, ringed : how many rings it begins; it works into a ring that was made of a chain
+    lift : chains before the ring's first stitch
     sides : it goes on around the other side of its foundation chain
     ends : "close" or "open" when it says how its end is left
     left : sentences that were not understood
@@ -43,6 +46,7 @@ class Body:
     hook: int = 0
     fresh: int = 0
     rings: int = 0
+    lift: int = 0
     ringed: bool = False
     sides: bool = False
     ends: str = ""
@@ -59,15 +63,15 @@ class Reader:
         stitches: dict[str, Stitch],
         palette: Palette,
         choices: frozenset[str] = frozenset(),
-        phrases: Callable[[Token, Token], Action | None] | None = None,
+        phrases: Callable[[int, int], Action | None] | None = None,
     ) -> None:
         self.c = Cursor(tokens)
-        self.phrases = phrases  # the sentence from one token to another, as the table of terms says it
+        self.phrases = phrases  # the sentence from one place to another, as the table of terms says it
         self.stitches, self.palette, self.choices = stitches, palette, choices
         self.body = Body()
         self.ring: Token | None = None  # a magic ring that still wants its stitches
         self.before: Where | None = None  # "in next st", said before its stitches
-        self.depth = 0
+        self.depth = self.stars = 0  # brackets, and asterisks, that are open
 
     def read(self) -> Body:
         """The body; NotUnderstood when its first sentence is not understood."""
@@ -80,7 +84,8 @@ class Reader:
                 if not body.items[:made]:
                     raise
                 del body.items[made:]
-                self.depth, self.before = 0, None
+                self.depth = self.stars = 0
+                self.before = None
                 c.at = at
                 while c.look() is not None and not c.mark(*_ENDS):
                     c.at += 1
@@ -114,7 +119,7 @@ class Reader:
         """Goes past what only stands between clauses."""
         c = self.c
         if token.kind == "mark" and token.word in _BETWEEN:
-            if token.word in "-:" and self._ends_with_number(1):
+            if token.word in "-:" and ends_with_number(self, 1):
                 return False
             c.at += 1
             return True
@@ -135,7 +140,7 @@ class Reader:
             bracket(self, found, token)
         elif token.kind == "mark" and token.word in ("*", "**"):
             star(self, found, token)
-        elif self.phrase(found, token) or self.count(found) or self.color(found):
+        elif self.phrase(found, token) or count(self, found) or self.color(found):
             return
         elif token.kind == "number" and isinstance(token.value, int):
             self.number(found, token)
@@ -150,12 +155,14 @@ class Reader:
     def phrase(self, found: list[Item], token: Token) -> bool:
         """A sentence that the writer prints for marks, forks and loops."""
         c = self.c
-        if self.phrases is None or token.kind not in ("key", "word"):
+        if self.phrases is None or token.kind not in ("key", "word", "stitch", "number"):
             return False
         end = c.at
         while end < len(c.tokens) and not (c.tokens[end].kind == "mark" and c.tokens[end].word in _PHRASE):
             end += 1
-        action = self.phrases(token, c.tokens[end - 1]) if end > c.at else None
+        before = c.look(-1)
+        begin = before.end if before is not None and before.kind == "mark" else token.start  # fillers stand between
+        action = self.phrases(begin, c.tokens[end - 1].end) if end > c.at else None
         if action is None:
             return False
         found.append(action)
@@ -187,6 +194,8 @@ class Reader:
             self.body.rounds = (token.value, token.span)
         elif c.key("stitch", "in", ahead=1):
             self.plain(found, token)
+        elif after is not None and after.kind == "word":
+            raise NotUnderstood(after, f'"{after.word}" is not understood here', "a stitch is wanted after a number")
         else:
             raise NotUnderstood(token, "this number belongs to nothing", "a stitch is wanted after it")
 
@@ -233,6 +242,9 @@ class Reader:
                     found.append(Action(place.loops, place.span))
                     place.loops = ""
                 self.before = place
+        elif word == "turn" and (c.key("side") or c.key("side", ahead=1)):
+            self.body.sides = True
+            self.to_separator()
         elif word == "turn":
             found.append(Action("turn", token.span))
         elif word == "join":
@@ -317,8 +329,6 @@ class Reader:
                 break
             c.at += 1
 
-    # -- colours and counts -----------------------------------------------------------------------------------------
-
     def color(self, found: list[Item]) -> bool:
         """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
         c = self.c
@@ -341,68 +351,4 @@ class Reader:
         found.append(Action("color", Span(c.tokens[at].start, c.tokens[at + length - 1].end), numbers=rgb))
         c.at = at + length
         c.skip_key("yarn")
-        return True
-
-    def _ends_with_number(self, ahead: int) -> bool:
-        """Whether a number stands there that ends the body, or its sentence."""
-        c = self.c
-        if c.whole(ahead) is None or self.depth:
-            return False
-        ahead += 1
-        named = c.key("stitch", ahead=ahead)
-        ahead += named or c.kind("stitch", ahead)
-        while c.key("total", "around", "in", "stitch", ahead=ahead):
-            ahead += 1
-        if c.mark("-", ahead=ahead) and c.look(ahead + 1) is None:
-            ahead += 1
-        return c.look(ahead) is None or c.mark(".", "(", "[", ahead=ahead) or (named and c.mark(",", ";", ahead=ahead))
-
-    def count(self, found: list[Item]) -> bool:
-        """A count without brackets: ``= 18``, ``- 18 sts``, ``18 sts`` or, as a sentence of its own, ``18 sc``."""
-        c = self.c
-        sign = int(c.mark("-", "=", ":"))
-        if not found or not self._ends_with_number(sign):
-            return False
-        if not sign and not c.key("stitch", "total", ahead=1) and not c.mark(".", "|", ";", ahead=-1):
-            return False
-        c.at += sign
-        self._state(c.take())
-        self.to_separator()
-        return True
-
-    def _state(self, token: Token) -> None:
-        self.body.stated, self.body.stated_span = token.value, token.span
-
-    def counted_at(self, end: int) -> bool:
-        """Whether the bracket at the cursor, which ends at ``end``, looks like a count of the round."""
-        c = self.c
-        inner = c.tokens[c.at + 1 : end]
-        numbers = [t for t in inner if t.kind == "number" and isinstance(t.value, int)]
-        if len(numbers) != 1:
-            return False
-        after = c.tokens[end + 1] if end + 1 < len(c.tokens) else None
-        if after is not None and (after.word in ("x",) or (after.kind == "key" and after.value in ("times", "more"))):
-            return False
-        if all(
-            t is numbers[0]
-            or (t.kind == "key" and t.value in ("stitch", "total", "around", "count", "in", "round", "row", "each"))
-            or (t.kind == "mark" and t.word in ":=~.")
-            for t in inner
-        ):
-            return True
-        named = len(inner) == 2 and inner[0] is numbers[0] and inner[1].kind == "stitch"
-        return named and (after is None or after.word == ".")
-
-    def bracketed_count(self, found: list[Item], end: int) -> bool:
-        """Reads the count of the round, if the bracket at the cursor is one."""
-        c = self.c
-        if self.depth or not found or not self.counted_at(end):
-            return False
-        inner = c.tokens[c.at + 1 : end]
-        number = next(t for t in inner if t.kind == "number" and isinstance(t.value, int))
-        if any(t.kind == "key" and t.value in ("round", "row") for t in inner):
-            self.body.rounds = (number.value, number.span)
-        else:
-            self._state(number)
-        c.at = end + 1
         return True

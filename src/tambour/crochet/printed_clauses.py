@@ -68,6 +68,7 @@ class Where:
     kind : "next", "around", "same", "first", "ring", "space" or "hook"
     count : how many places; each : every one of them gets all that is said
     loops : "flo", "blo" or ""; ordinal : of a chain from the hook; together : one stitch over all the places
+    spaces : the places are spaces of chains
     """
 
     kind: str
@@ -77,6 +78,7 @@ class Where:
     loops: str = ""
     ordinal: int = 0
     together: bool = False
+    spaces: bool = False
 
 
 _LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
@@ -86,7 +88,7 @@ def where(c: Cursor) -> Where | None:
     """The place that is said at the cursor, None when none is."""
     begin = c.at
     kind = loops = ""
-    inside = each = counted = together = placed = False
+    inside = each = counted = together = placed = spaces = False
     count, ordinal = 1, 0
     while (token := c.look()) is not None:
         if token.kind == "key":
@@ -100,6 +102,8 @@ def where(c: Cursor) -> Where | None:
                 each = True
             elif token.value == "next" and not placed:
                 kind = "next"
+            elif token.value == "next" and spaces:
+                pass  # "dans l'arceau suivant"
             elif token.value in ("last", "rest") and not placed:
                 kind = kind or ("next" if token.value == "last" else "around")
             elif token.value == "same" and not placed:
@@ -107,9 +111,11 @@ def where(c: Cursor) -> Where | None:
             elif token.value == "stitch" and (inside or each or kind) and not placed:
                 placed = True
             elif token.value == "space" and (inside or each) and not placed:
-                kind, placed = ("space" if not each else kind), True
+                kind, placed, spaces = ("space" if not each else kind), True, True
             elif token.value in ("ring", "loop") and inside and not placed:
                 kind, placed = "ring", True
+            elif token.value == "around" and c.key("each", "next", "same", "stitch", ahead=1):
+                inside = True  # around the post
             elif token.value == "around" and not (c.kind("number", 1) and not inside and not loops):
                 kind = "around"
                 c.at += 1
@@ -132,8 +138,15 @@ def where(c: Cursor) -> Where | None:
             ):
                 break
             count, counted = token.value, True
+            if not count:
+                raise NotUnderstood(token, "nothing goes into no stitches", "a whole number from 1")
         elif token.kind == "stitch" and (inside or each or kind == "next") and not placed:
             placed = True
+            ahead = 1 + c.mark("-", ahead=1)
+            ahead += c.kind("number", ahead)
+            if token.value == "ch" and c.key("space", ahead=ahead):  # "ch-2 sp"
+                kind, spaces = kind if each else "space", True
+                c.at += ahead
         else:
             break
         c.at += 1
@@ -151,4 +164,4 @@ def where(c: Cursor) -> Where | None:
         kind = "around"
     if kind == "around" and counted:
         kind = "next"
-    return Where(kind or "next", span, count, each, loops, ordinal, together)
+    return Where(kind or "next", span, count, each, loops, ordinal, together, spaces)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import combinations
 from typing import Final
 
@@ -12,6 +14,7 @@ from tambour.crochet.printed_body import Body, Reader
 from tambour.crochet.printed_clauses import NotUnderstood
 from tambour.crochet.printed_colors import Palette
 from tambour.crochet.printed_repeats import led
+from tambour.crochet.printed_stitch import standing
 from tambour.crochet.printed_tokens import Token
 from tambour.crochet.source import Source
 from tambour.crochet.stitches import Stitch
@@ -27,6 +30,8 @@ READINGS: Final = {
     "open": ("once", "again and again, around"),
 }
 """Wording → its first reading, which is taken unless the count speaks for the second."""
+
+_TO_MARK: Final = re.compile(r"[^\n,.;:()\[\]{}*]{0,40}")
 
 _QUIET: Final = frozenset(("one", "all", "once", "pair"))  # usual enough not to be asked about when no count is stated
 
@@ -74,29 +79,66 @@ def after(items: list[Item] | tuple[Item, ...], edge: int | None, stitches: dict
     return None if edge is None else edge - done[1] + done[0]
 
 
+def chainless(items: list[Item], edge: int | None, stitches: dict[str, Stitch]) -> int | None:
+    """Stitches that ``items`` make, chains aside; None when it is not known."""
+
+    def chains(inner: list[Item] | tuple[Item, ...], left: int) -> int | None:
+        total = 0
+        for item in inner:
+            if isinstance(item, Group):
+                once = worked(item.items, left, stitches)
+                found = chains(item.items, left)
+                if once is None or found is None or (item.times is None and not once[1]):
+                    return None
+                total += found * (left // once[1] if item.times is None else item.times)
+            elif item.name in stitches:
+                kind = stitches[item.name]
+                total += item.times * sum(move.kind == "ch" for move in kind.moves)
+        return total
+
+    _, items = led(items)
+    done, out = worked(items, edge or 0, stitches), chains(items, edge or 0)
+    return None if done is None or not out else done[0] - out
+
+
 def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | None, phrases: Phrases) -> Body:
     """The body of a round in the reading that fits its count; doubts that the count leaves are told."""
 
-    def phrase(first: Token, last: Token) -> Action | None:
-        span = Span(first.start, last.end)
-        said = phrases.item(source.text.text[span.start : span.end])
+    def phrase(begin: int, end: int) -> Action | None:
+        # Small words are no tokens: "change to color A" goes on to the comma.
+        more = _TO_MARK.match(source.text.text, end)
+        words = source.text.text[begin : more.end() if more else end]
+        span = Span(begin + len(words) - len(words.lstrip()), end)
+        said = phrases.item(words)
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
     def read(choices: frozenset[str] = frozenset()) -> Body:
         return Reader(list(tokens), source.stitches, palette, choices, phrase).read()
 
     body = read()
+    one = body.items[0] if len(body.items) == 1 else None
+    if (
+        isinstance(one, Action)
+        and one.times_span is None
+        and (edge or 0) > 1
+        and one.name in source.stitches
+        and source.stitches[one.name].takes == 1
+        and one.name not in ("slst", "skip")
+    ):
+        body.items = [Group((one,), None, one.span)]  # "Rounds 4-6: dc": the whole round
     first = body
     if body.stated is not None:
         open_span = _implied(body, edge, source.stitches)
-        if open_span is not None:
+        if open_span is not None and not _fits(body, edge, source.stitches):
             body.asked["open"] = open_span
         if body.asked and (fit := _fits(body, edge, source.stitches)) < 2:
             body = _second(source, read, edge, body, fit) or body
+        if body is first and edge is not None and _fits(body, edge, source.stitches) < 2:
+            body = _stood(body, edge, source.stitches) or body
     for what, span in first.asked.items():
-        one, two = READINGS[what]
+        first_way, second_way = READINGS[what]
         if body is not first and what in body.asked and what != "pair":
-            said = f"this can be read as {one}, or as {two}: the count speaks for the second"
+            said = f"this can be read as {first_way}, or as {second_way}: the count speaks for the second"
             source.doubt(said, "say it so that there is one reading", span)
         elif (
             body is first
@@ -105,7 +147,9 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
             and (body.stated is None or not _fits(body, edge, source.stitches))
         ):
             source.doubt(
-                f"this can be read as {one}, or as {two}; the first is taken", "a stated count would decide", span
+                f"this can be read as {first_way}, or as {second_way}; the first is taken",
+                "a stated count would decide",
+                span,
             )
     return body
 
@@ -117,6 +161,17 @@ def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> int:
         return 0
     taken = worked(body.items, edge or 0, stitches)
     return 2 if done is None or taken is None or edge is None or taken[1] in (0, edge) else 1
+
+
+def _stood(body: Body, edge: int, stitches: dict[str, Stitch]) -> Body | None:
+    """The body with the chains that it begins with standing for a stitch, when that gives its count."""
+    lead, inner = led(body.items)
+    chains = next((k for k, i in enumerate(lead) if isinstance(i, Action) and i.name == "ch" and i.times > 1), None)
+    if chains is None:
+        return None
+    standing(stood := lead[: chains + 1])
+    other = replace(body, items=[*stood, *lead[chains + 1 :], *inner])
+    return other if _fits(other, edge, stitches) == 2 else None
 
 
 def _implied(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> Span | None:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tambour.core.errors import Span
+from tambour.crochet.printed_brackets import OPEN
 from tambour.crochet.printed_clauses import Cursor
-from tambour.crochet.printed_repeats import OPEN
 from tambour.crochet.printed_tokens import Token
 
+_BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))
+_BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))
 _AFTER = frozenset((":", ".", ")", "-", "=", ",", "]", "|", "–"))
 
 
@@ -156,11 +158,7 @@ def heads(tokens: list[Token]) -> list[tuple[int, Head]]:
         found.append((0, first))
     at = first.end if first is not None else 1
     while at < len(tokens):
-        if (
-            tokens[at].kind == "key"
-            and tokens[at].value in ("round", "row")
-            and tokens[at - 1].word in (".", ")", "]", ";")
-        ):
+        if tokens[at].kind == "key" and tokens[at].value in ("round", "row") and tokens[at - 1].word in _BEFORE:
             later = head(tokens, at)
             if later is not None and later.numbers and tokens[later.end - 1].word == ":":
                 found.append((at, later))

@@ -103,7 +103,8 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     strong = bool(row.marked) or at is not None or colon or capitals
     if not strong and (len(name) > 4 or not words[0].isupper() or any(t.kind == "number" for t in name[:-1])):
         return None
-    if any(t.kind == "stitch" for t in name) and not (at is not None or row.marked):
+    stitches = any(t.kind == "stitch" for t in name)
+    if stitches and (name[0].kind in ("number", "stitch") or not (at is not None or row.marked)):
         return None
     clean = plain_name(words)
     if not clean:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from tambour.core.errors import Span
 from tambour.crochet.hook import MOST_AT_TIP
 from tambour.crochet.printed_body import Body
-from tambour.crochet.printed_doubts import after
+from tambour.crochet.printed_doubts import after, chainless
 from tambour.crochet.printed_heads import Head
 from tambour.crochet.source import Source
 from tambour.crochet.stitches import into_one
@@ -17,6 +17,7 @@ from tambour.crochet.syntax import Action, Group, Item, Line, Section
 _CLOSED = (
     8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
 )
+_STARTS = ("oval", "fsc", "goto", "attach")
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
 
 
@@ -65,6 +66,13 @@ class Draft:
         if body.refers is not None:
             self._again(source, head, body, span)
             return
+        ring = next((k for k, i in enumerate(items) if isinstance(i, Action) and _ring(source, i)), None)
+        if ring is not None and body.lift > 1 and body.stated is not None:
+            # "ch 3, 11 dc in ring. (12)": the chains count as a stitch.
+            ringed = items[ring]
+            assert isinstance(ringed, Action)
+            if after([ringed], None, source.stitches) == body.stated - 1:
+                items[ring] = _one_more(source, ringed)
         if body.ringed and self.chain is not None:
             del self.lines[self.chain]
             self.chain = None
@@ -78,8 +86,9 @@ class Draft:
         """A line of finished items, under the numbers of its head."""
         numbers = head.numbers if head is not None else ()
         worked = any(_works(i) for i in items)
-        times = body.rounds[0] if body.rounds is not None and not numbers and worked else max(1, len(numbers))
-        if body.rounds is not None and numbers and body.rounds[0] != len(numbers):
+        alone = body.rounds is not None and len(numbers) < 2 and worked
+        times = body.rounds[0] if alone and body.rounds is not None else max(1, len(numbers))
+        if body.rounds is not None and not alone and body.rounds[0] != len(numbers):
             message = f"{body.rounds[0]} rounds are said here, {len(numbers)} at the line's start"
             source.doubt(message, "make them agree", body.rounds[1], True)
         at = head.span if head is not None and numbers else body.rounds[1] if body.rounds is not None else None
@@ -98,9 +107,16 @@ class Draft:
         for number in numbers or ((self.last + 1,) if worked else ()):
             self.rounds[number] = [replace(line, number=number)]
         if worked:
-            self.last = max(numbers) if numbers else self.last + times
+            self.last = max(numbers) + (times - 1) * alone if numbers else self.last + times
         before = self.edge
         edge = after(items, self.edge, source.stitches)
+        if (
+            body.stated is not None
+            and edge != body.stated
+            and chainless(items, self.edge, source.stitches) == body.stated
+        ):
+            made = [replace(m, stated=None, stated_span=None) for m in made]  # chains are not counted here
+            self.lines[-len(made) :] = made
         self.edge = edge if edge is not None else body.stated if worked else self.edge
         if times > 1 and edge is not None and body.stated is not None and body.stated != edge:
             self.edge = body.stated
@@ -143,7 +159,7 @@ class Draft:
     def _founded(self, source: Source, head: Head | None, body: Body, items: list[Item], span: Span) -> list[Item]:
         """``items`` without the chain or ring that the part begins with, which is put before them."""
         fresh = body.fresh
-        if self.begun() and self.chain is None:
+        if (self.begun() and self.chain is None) or any(isinstance(i, Action) and i.name in _STARTS for i in items):
             return items
         chain: Action | None = None
         if self.chain is not None:
@@ -215,7 +231,7 @@ class Draft:
         if body.sides:
             numbers = (chain.times, hook)
             self.lines[at] = replace(base, items=(*before, Action("oval", chain.span, numbers=numbers)))
-            self.edge = 2 * (chain.times - hook + 1)
+            self.edge = 2 * (chain.times - hook + 1) - 1  # the chain that it ends on may be left out
             return items
         if body.hook or row:
             self.flat = True
@@ -279,6 +295,20 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
+
+
+def _ring(source: Source, action: Action) -> bool:
+    return action.name == "mr" or (action.name in source.stitches and source.stitches[action.name].where == "ring")
+
+
+def _one_more(source: Source, ring: Action) -> Action:
+    """A ring with one stitch more, of its last kind."""
+    if ring.name == "mr":
+        return replace(ring, numbers=(ring.numbers[0] + 1, 0))
+    inner = [(source.stitches[name], n) for name, n in source.stitches[ring.name].inner]
+    made = into_one([*inner[:-1], (inner[-1][0], inner[-1][1] + 1)], "ring")
+    source.stitches.setdefault(made.name, made)
+    return replace(ring, name=made.name)
 
 
 def span_of(item: Item) -> Span:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, Literal
+from typing import TYPE_CHECKING, Literal
 
 from tambour.core.errors import Span
+from tambour.crochet.printed_brackets import OPEN, closing
 from tambour.crochet.printed_clauses import NotUnderstood, where
+from tambour.crochet.printed_counts import bracketed_count, counted_at
 from tambour.crochet.printed_stitch import placed, standing
 from tambour.crochet.printed_tokens import Token
 from tambour.crochet.syntax import Action, Group, Item
@@ -13,31 +15,14 @@ from tambour.crochet.syntax import Action, Group, Item
 if TYPE_CHECKING:
     from tambour.crochet.printed_body import Reader
 
-OPEN: Final = {"(": ")", "[": "]", "{": "}", "<": ">"}
-DEEPEST: Final = 24  # brackets within brackets
 Times = tuple[int | None, Span]
-
-
-def closing(r: Reader) -> int:
-    """Where the bracket at the cursor closes; any closing mark closes any opening one."""
-    depth = 0
-    tokens, begin = r.c.tokens, r.c.at
-    for at in range(begin, len(tokens)):
-        token = tokens[at]
-        if token.kind == "mark":
-            depth += (token.word in OPEN) - (token.word in ")]}>")
-            if depth > DEEPEST:
-                raise NotUnderstood(token, "brackets are nested too deep", f"at most {DEEPEST} levels")
-            if depth == 0:
-                return at
-    raise NotUnderstood(tokens[begin], "this bracket is not closed", f'"{OPEN[tokens[begin].word]}" closes it')
 
 
 def bracket(r: Reader, found: list[Item], token: Token) -> None:
     """At an opening bracket: a count, a remark, or items that are repeated or worked into one stitch."""
     c = r.c
     begin, end = c.at, closing(r)
-    if r.bracketed_count(found, end):
+    if bracketed_count(r, found, end):
         return
     words = c.tokens[begin + 1 : end]
     if any(t.kind == "key" and t.value == "count" for t in words):
@@ -77,8 +62,9 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
     """``*items; rep from * around``, ``*items* 6 times``; a star without its pair repeats all before it."""
     c = r.c
     c.at += 1
-    if found and (c.look() is None or c.key("repeat", "around", "times") or c.mark("x", ".", "(", "[", "=")):
-        lead, inner = led(found)
+    lead, inner = led(found)
+    ends = c.look() is None or c.key("repeat", "around", "times") or c.mark("x", ".", "=")
+    if inner and (ends or (c.mark(*OPEN) and counted_at(r, closing(r)))):
         found[:] = lead
         repeated(r, found, inner, token.span, star=True)
         return
@@ -101,14 +87,16 @@ def _starred(r: Reader, inner: list[Item]) -> None:
     """Clauses up to the closing star, the word repeat, or a full stop."""
     c = r.c
     r.depth += 1
+    r.stars += 1
     try:
         while (token := c.look()) is not None and not c.mark("*", "**", ".") and not c.key("repeat"):
             if not r.between(token):
-                if token.kind == "mark" and token.word in OPEN and r.counted_at(closing(r)):
+                if token.kind == "mark" and token.word in OPEN and counted_at(r, closing(r)):
                     return
                 r.clause(inner, token)
     finally:
         r.depth -= 1
+        r.stars -= 1
 
 
 def led(found: list[Item]) -> tuple[list[Item], list[Item]]:
@@ -155,7 +143,7 @@ def multiplier(r: Reader) -> Times | Literal[False]:
     token = c.look()
     if token is None:
         return False
-    if c.mark("x", "*") and c.whole(1) is not None:
+    if (c.mark("x") or (c.mark("*") and not r.stars)) and c.whole(1) is not None:
         c.at += 1
         number = c.take()
         c.skip_key("times")

@@ -53,6 +53,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
             before = None
     number = before or after
     if r.ring is not None and name == "ch":
+        r.body.lift = number.value if number is not None else 1
         return
     if (place is not None and place.kind == "ring") or (
         r.ring is not None and (place is None or place.kind == "loops")
@@ -73,7 +74,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         begin = c.at
         c.at += 1
         place = where(c)
-        if place is None or place.kind in ("loops", "ring") or c.kind("stitch") or c.mark(","):
+        if place is None or place.kind in ("loops", "ring") or c.kind("stitch") or c.kind("number"):
             c.at = begin
             break
         found += _lower(r, found, name, before, after, token, place)
@@ -97,11 +98,15 @@ def _joins(r: Reader) -> bool:
 def _ring(r: Reader, found: list[Item], name: str, number: Token | None, token: Token) -> None:
     """Stitches into a magic ring, or into a ring of chains."""
     count = number.value if number is not None else 1
-    if r.ring is None and any(isinstance(i, Action) and i.name in ("join", "ch") for i in found):
+    if r.ring is None and any(isinstance(i, Action) and i.name in ("join", "ch", *STANDING) for i in found):
         r.body.ringed = True
     if not isinstance(count, int) or count < 1:
         raise NotUnderstood(number or token, "a ring has at least one stitch", "say how many: 6 sc in magic ring")
-    found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join"))]
+    stands = any(isinstance(i, Action) and i.name in STANDING for i in found)  # "ch 3 (counts as dc), 11 dc in ring"
+    count += stands
+    chains = [i.times for i in found if isinstance(i, Action) and i.name == "ch"]
+    r.body.lift = chains[-1] if chains and not r.body.rings else r.body.lift
+    found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join", *STANDING))]
     r.ring = None
     r.body.rings += 1
     last = found[-1] if found else None
@@ -159,6 +164,8 @@ def _lower(
             if word in r.choices:
                 return [_together(r, [(kind, k)], token)]
         return [Action(name, token.span, k or 1, at)]
+    if place.spaces:
+        return placed(r, found, [Action(name, token.span, k or 1, at)], place, token.span)
     if place.kind == "around":
         if k is None or (after is not None and k == 1):
             return [Group((Action(name, token.span),), None, place.span)]
@@ -169,7 +176,7 @@ def _lower(
         if place.each or (before is not None and k < 4 and "all" not in r.choices):
             return [Group((_together(r, [(kind, k)], token),), None, place.span)]
         return [Action(name, token.span, k, at)]
-    if place.kind in ("same", "space") or (place.kind == "hook" and (k or 1) > 1):
+    if place.kind == "same" or (place.kind == "hook" and (k or 1) > 1):
         return placed(r, found, [Action(name, token.span, k or 1, at)], place, token.span)
     count = place.count
     if name in ("ch", "slst", "skip"):
@@ -199,8 +206,9 @@ def _lower(
 def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: Span) -> list[Item]:
     """``inner`` worked into one place, once or in each of several."""
     token = Token("stitch", "", span.start, span.end)
-    parts = [(r.stitches[i.name], i.times) for i in inner if isinstance(i, Action) and i.name in r.stitches]
-    if len(parts) != len(inner):
+    flat = [one for i in inner for one in _flat(i)]
+    parts = [(r.stitches[i.name], i.times) for i in flat if isinstance(i, Action) and i.name in r.stitches]
+    if len(parts) != len(flat):
         raise NotUnderstood(token, "this does not go into one stitch", "stitches only, without repeats")
     if place.kind == "same" and found:
         last = found[-1]
@@ -210,10 +218,21 @@ def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: 
             more = _together(r, [*old, *parts], token)
             found[-1:] = [Action(last.name, last.span, last.times - 1, last.times_span)] if last.times > 1 else []
             return [more]
-    one = _together(r, parts, token, "sp" if place.kind == "space" else "")
+    if place.kind == "ring":
+        found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join"))]
+        r.ring = None
+        return [_together(r, parts, token, "ring")]
+    one = _together(r, parts, token, "sp" if place.spaces else "")
     if place.kind == "around":
         return [Group((one,), None, place.span)]
     return [Action(one.name, one.span, place.count, place.span)]
+
+
+def _flat(item: Item) -> list[Item]:
+    """An item without brackets, if they say how often; so that it can go into one place."""
+    if isinstance(item, Group) and item.times is not None and item.times <= _MOST:
+        return [one for i in item.items for one in _flat(i)] * item.times
+    return [item]
 
 
 def standing(found: list[Item]) -> None:

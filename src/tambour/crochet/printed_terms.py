@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.printed_tokens import Row, Token
+from tambour.crochet.restated import printed_in
 from tambour.crochet.source import Source
 from tambour.crochet.terms import TERMS
 
@@ -41,6 +43,9 @@ class Language:
 
 def recognised(source: Source, rows: list[Row]) -> Language:
     """The terms that a text is written in; when they cannot be told, a doubt that names both readings."""
+    printed = printed_in(source.text.text)
+    if printed is not None:
+        return Language(printed.code)
     rows = [row for row in rows if row.tokens][:_LOOKED_AT]
     said = _said(rows)
     if said is not None:
@@ -63,9 +68,10 @@ def recognised(source: Source, rows: list[Row]) -> Language:
     if uk:
         return Language("uk")
     rings = _rings(rows)
-    if rings and max(rings) <= 8:
+    tall = _chains(rows)
+    if rings and max(rings) <= 7 and not tall:
         return Language("uk")
-    if not rings or min(rings) < 10:
+    if not tall and (not rings or min(rings) < 10):
         at = next(t for row in rows for t in row.tokens if t.word.startswith(("dc", "tr", "double")))
         source.doubt(
             "US or UK terms? In US terms dc is a double crochet, in UK terms a single one; US is taken",
@@ -92,7 +98,8 @@ def _said(rows: list[Row]) -> Language | None:
                 code, near = ("us" if near[1].word == "s" else "uk"), tokens[k + 3 : k + 6]
             if not code or token.word == "english":
                 continue
-            about = next((t for t in near if t.word in _ABOUT), None)
+            about = next((t for t in near[:2] if t.word in _ABOUT), None)
+            about = None if near and near[0].kind == "mark" and near[0].word != "-" else about
             if about is not None and not (code == "us" and token.word == "us" and _lower(row, token)):
                 return Language(code, Span(token.start, about.end))
     return None
@@ -145,6 +152,12 @@ def _beside(tokens: list[Token], k: int) -> bool:
     return (before is not None and (before.kind == "number" or before.word in "([,*")) and (
         after is None or after.kind == "mark" or after.kind == "number" or after.word == "in"
     )
+
+
+def _chains(rows: list[Row]) -> bool:
+    """Whether rounds begin with two or three chains, as they do under tall stitches."""
+    pairs = ((a.word, b.value) for row in rows for a, b in pairwise(row.tokens))
+    return sum(word in ("ch", "chain") and number in (2, 3) for word, number in pairs) >= 2
 
 
 def _rings(rows: list[Row]) -> list[int]:

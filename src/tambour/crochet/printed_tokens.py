@@ -71,6 +71,8 @@ def rows(text: str) -> list[Row]:
         if kind == "word":
             word = word.lower().replace("’", "'")
             word = word.removesuffix("'s").rstrip("'")
+            if word == "a" and found[0] == "A" and tokens:
+                value = "A"  # it may be a yarn's letter, where an article would be small
         elif kind == "number":
             if len(word) > _LONGEST:
                 kind = "word"

@@ -12,6 +12,7 @@ from tambour.crochet.printed_words import (
     DECREASES,
     ENGLISH,
     FILLERS,
+    FOREIGN,
     INCREASES,
     LETTERS,
     NUMBERS,
@@ -24,6 +25,8 @@ from tambour.crochet.terms import TERMS
 
 _SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
 _JOINS: Final = frozenset("-.'/")
+_YARNS: Final = frozenset(("with", "to", "color", "colour", "yarn", "in", "join", "."))
+_ARTICLES: Final = frozenset(("the", "a", "your"))
 _SIGNS: Final = frozenset("xX×*")
 _LATER: Final = frozenset(
     ("circle", "oval", "half", "triangle", "heart", "square", "height", "pull through", "pull over", "next anchor")
@@ -52,6 +55,9 @@ class Vocabulary:
         self._add(FILLERS.get(language, "").split("|"), "filler", None)
         if self.english:
             self._families(UK if code == "uk" else US)
+        for key, said in FOREIGN.get(code, {}).items():
+            kind, _, name = key.rpartition(":")
+            self._add(said.split("|"), kind or "key", name)
         if code == "letters":
             for name, said in LETTERS.items():
                 self._add(said.split("|"), "key" if name == "fo" else "stitch", "fasten off" if name == "fo" else name)
@@ -86,12 +92,12 @@ class Vocabulary:
             for n in range(3, 7):
                 self._add([f"{word}{n}" for word in said.split("|") if " " not in word], "stitch", f"{what}{n}")
 
-    def _add(self, spellings: Iterable[str], kind: str, value: Any) -> None:
+    def _add(self, spellings: Iterable[str], kind: str, value: Any, new: bool = False) -> None:
         for said in spellings:
             words = tuple(t.word for t in rows(said)[0].tokens if t.word not in _JOINS)
             if not words:
                 continue
-            if kind == "stitch" and value not in STITCHES:
+            if kind == "stitch" and value not in STITCHES and not new:
                 continue
             phrases = self._first.setdefault(words[0], [])
             # What comes later is the table's own word, and goes before what people write besides.
@@ -100,7 +106,7 @@ class Vocabulary:
 
     def define(self, word: str, stitch: str) -> None:
         """A stitch's name that the pattern itself explains."""
-        self._add([word], "stitch", stitch)
+        self._add([word], "stitch", stitch, True)
         for phrases in self._first.values():
             phrases.sort(key=lambda p: -len(p[0]))
 
@@ -139,6 +145,10 @@ class Vocabulary:
                 continue
             end, kind, value = found
             if kind == "filler":
+                if token.value == "A" and (
+                    tokens[at - 1].word in _YARNS or (end < n and tokens[end].word in ("=", ":"))
+                ):
+                    made.append(token)
                 at = end
                 continue
             last = tokens[end - 1]
@@ -157,7 +167,9 @@ class Vocabulary:
             end = at + 1
             for word in words[1:]:
                 # "sl-st", "sl. st."
-                if end + 1 < len(tokens) and tokens[end].word in _JOINS and tokens[end].glued:
+                if (end + 1 < len(tokens) and tokens[end].word in _JOINS and tokens[end].glued) or (
+                    end + 1 < len(tokens) and tokens[end].word in _ARTICLES and word != tokens[end].word
+                ):
                     end += 1
                 if end >= len(tokens) or tokens[end].word != word:
                     break

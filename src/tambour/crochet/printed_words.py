@@ -10,7 +10,7 @@ ENGLISH: Final[dict[str, str]] = {
     "row": "row|rows",
     "ring": "magic ring|magic circle|magic loop|magic rng|adjustable ring|adjustable loop|adjustable circle|mr|mc|amr"
     "|magic adjustable ring|adjustable magic ring|double magic ring|magic ring method|amigurumi ring|ring of yarn",
-    "loop": "ring|circle|center of ring|centre of ring",
+    "loop": "ring|loop|circle|center of ring|centre of ring",
     "form": "form a ring|form ring|to form a ring|form a circle|to form a loop|form a loop|to make a ring",
     "in": "in|into|inside|through|thru|onto|on|along",
     "over": "over|using",
@@ -54,7 +54,7 @@ ENGLISH: Final[dict[str, str]] = {
     "count": "count|counts|counted|counting",
     "marker": "place marker|pm|place stitch marker|place a marker|place a stitch marker|move marker|mark|mark this|marker"
     "|stitch marker|insert marker|use a marker|attach marker",
-    "stuff": "stuff|stuffing|fill|begin stuffing|start stuffing|continue stuffing",
+    "stuff": "stuff|stuffed|stuffing|fill|begin stuffing|start stuffing|continue stuffing",
     "make": "make|made|cut",
     "begin": "begin|start|starting|beginning|beg|begin with|start with",
     "together": "together|tog",
@@ -82,7 +82,7 @@ ENGLISH: Final[dict[str, str]] = {
 
 FILLERS: Final[dict[str, str]] = {
     "en": "the|a|an|of|your|now|work|working|crochet|evenly|loosely|tightly|carefully|please|just|only|it|we|you|this"
-    "|sts:|also|gently|approx|do|here|next:|up|only:|will|simply|another|yo|first off|finally|still",
+    "|sts:|also|gently|approx|do|here|next:|up|only:|will|simply|another|yo|first off|finally|still|post|posts|main|contrast|contrasting",
     "es": "el|la|los|las|un|una|unos|unas|de|del|al|lo|su|sus|el mismo|tejer|trabajar",
     "de": "der|die|das|den|dem|des|ein|eine|einen|einem|einer|eines|je|dann|jeweils|nun|arbeiten|häkeln",
     "fr": "le|la|les|l'|un|une|des|de|du|d'|au|aux|puis|votre|crocheter|travailler",
@@ -118,6 +118,49 @@ DECREASES: Final = (
 
 ORDINALS: Final = "first|second|third|fourth|fifth|sixth|seventh|eighth|ninth|tenth"
 NUMBERS: Final = "one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve"
+
+FOREIGN: Final[dict[str, dict[str, str]]] = {
+    "es": {
+        "to": "hasta|a la",
+        "with": "con|con hilo",
+        "color": "cambiar a|cambio a|cambia a",
+        "and": "y|e",
+        "close": "cerrar|cerrar el agujero|cierra",
+        "fasten off": "cortar el hilo|cortar hebra|rematar|corta el hilo",
+        "leave": "dejar|dejando",
+        "stuff": "rellenar|relleno|rellena",
+    },
+    "de": {
+        "to": "bis",
+        "with": "mit",
+        "stitch:inc": "verdoppeln|verdopple",
+        "color": "wechseln zu|farbwechsel zu|wechsel zu",
+        "and": "und|dann",
+        "leave": "lassen",
+    },
+    "fr": {
+        "to": "à|a|jusqu'à",
+        "next": "suivant|suivants|prochain",
+        "with": "avec|en",
+        "color": "changer pour|passer au|passer en|changer de couleur",
+        "and": "et|puis",
+        "close": "fermer|refermer|resserrer",
+        "fasten off": "couper le fil|arrêter|arrêter le fil|rentrer le fil",
+        "leave": "laisser|laissant",
+        "stuff": "rembourrer|bourrer",
+    },
+    "nl": {
+        "to": "t/m|tot|tot en met",
+        "with": "met",
+        "color": "wissel naar|wissel van kleur",
+        "and": "en|dan",
+        "close": "dichttrekken|sluiten|dichtnaaien|dicht",
+        "fasten off": "afhechten|hecht af|draad afknippen",
+        "leave": "laat",
+        "stuff": "vullen|opvullen",
+    },
+}
+"""What people write in the other languages besides their tables: a concept, or ``stitch:`` and a stitch."""
 
 LETTERS: Final[dict[str, str]] = {
     "sc": "x",

@@ -7,10 +7,11 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Final, Literal
 
-from tambour.core.errors import Span, Text
+from tambour.core.errors import Span, TambourError, Text
 from tambour.crochet.finish import RGB, Finish
 from tambour.crochet.items import MOST_IN_ONE
 from tambour.crochet.phrases import Phrases
+from tambour.crochet.source import Source
 from tambour.crochet.special import heard
 from tambour.crochet.stitches import STARTS, STITCHES, STUFFING, Stitch, into_one
 from tambour.crochet.syntax import Action, Group, Item, Line, Pattern, Section
@@ -19,6 +20,8 @@ from tambour.crochet.terms import TERMS, Terms
 _COUNT: Final = re.compile(r"\s*\((\d{1,9})\)$")
 _SETTING: Final = re.compile(r"@(centroids|initializer) = ([\w-]+)$")
 _STATED: Final = re.compile(r"\*\*(.+?):\*\* (.+)$")
+_ANEW: Final = ("mr", "goto", "oval", "fsc")
+"""Actions with which other work begins, that has numbers of its own."""
 _DEEPEST: Final = 24
 _CLOSES: Final = "(["
 _PLACES: Final[dict[str, Literal["", "sp", "ring"]]] = {"one stitch": "", "one space": "sp", "one ring": "ring"}
@@ -28,15 +31,35 @@ class _Unknown(Exception):
     """Something that the printer does not print."""
 
 
-def restated(text: Text, *, max_stitches: int = 200_000) -> Pattern | None:
-    """The pattern of a text that is as Tambour prints it, whole; None for any other text."""
+def restated(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pattern | None:
+    """The pattern of a text that is as Tambour prints it, whole; None for any other text.
+
+    Numbers of rounds that do not follow are doubts, and TambourError when ``strict``.
+    """
+    terms = printed_in(text.text)
+    if terms is None:
+        return None
+    try:
+        return _Reader(text, terms, strict).read(max_stitches)
+    except _Unknown:
+        return None
+
+
+def printed_in(text: str) -> Terms | None:
+    """The terms that a text's heading over its abbreviations names, as it is printed."""
     for terms in TERMS.values():
-        if f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" in text.text:
-            try:
-                return _Reader(text, terms).read(max_stitches)
-            except _Unknown:
-                return None
+        if f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" in text:
+            return terms
     return None
+
+
+def lettered(text: str, terms: Terms) -> dict[str, RGB]:
+    """The colours that a list of materials as it is printed gives letters."""
+    plain, made = Phrases(terms, {}, {}), {}
+    for line in text.split("\n"):
+        if "#" in line and (found := plain.read(line.strip().lstrip("-•* "), ("legend",))):
+            made[found[1]["letter"]] = found[1]["hex"]
+    return made
 
 
 @lru_cache(maxsize=16)
@@ -56,8 +79,9 @@ class _Draft:
 class _Reader:
     """Reads one text in one language."""
 
-    def __init__(self, text: Text, terms: Terms) -> None:
+    def __init__(self, text: Text, terms: Terms, strict: bool) -> None:
         self.text, self.terms = text, terms
+        self.source = Source(text, strict)  # for doubts
         self.drafts: list[_Draft] = []
         self.stitches: dict[str, Stitch] = dict(STITCHES)
         self.own: dict[str, Span] = {}
@@ -76,16 +100,11 @@ class _Reader:
         """Parts and the colours' letters, which sentences before them may name."""
         plain = Phrases(self.terms, {}, {})
         copies: dict[str, int] = {}
-        legend: dict[str, RGB] = {}
         for line in self.text.text.split("\n"):
             if line.startswith("## "):
                 name, times, _ = self._heading(line[3:].strip(), plain)
                 copies[name] = times
-            elif line.startswith("- "):
-                found = plain.read(line[2:], ("legend",))
-                if found:
-                    legend[found[1]["letter"]] = found[1]["hex"]
-        return copies, legend
+        return copies, lettered(self.text.text, self.terms)
 
     def _heading(self, words: str, phrases: Phrases) -> tuple[str, int, bool]:
         """The name and the copies of a part, and whether the word for a part stands before it."""
@@ -108,12 +127,14 @@ class _Reader:
                 block = self._line(line, start, block)
         if not self.drafts:
             raise _Unknown
+        if any(not p.warning for p in self.source.problems):
+            raise TambourError(self.source.problems)
         return Pattern(
             self.text,
             tuple(replace(d.section, lines=tuple(d.lines), tip_from_fo=d.closes or not d.ends) for d in self.drafts),
             self.stitches,
             self.own,
-            (),
+            tuple(self.source.problems),
             max_stitches,
             tuple(self.finish),
             self.terms.code,
@@ -152,6 +173,7 @@ class _Reader:
         return block
 
     def _block(self, words: str, span: Span) -> str:
+        self.source.last_number = None
         for heading, key in self.headings.items():
             if words == heading or (key == "abbreviations" and words.startswith(heading + " (")):
                 if key != "instructions":
@@ -197,10 +219,14 @@ class _Reader:
         if head is None:
             alone = self._action(line, span)
             if alone is not None:
+                if alone.name in _ANEW:
+                    self.source.last_number = None
                 draft.lines.append(Line((alone,), span, False))
                 return
         stated, stated_span = None, None
-        if counted := _COUNT.search(line):
+        if head is None:
+            end -= line.endswith(".")
+        elif counted := _COUNT.search(line):
             stated = int(counted[1])
             stated_span = Span(span.start + counted.start(1), span.start + counted.end(1))
             end = counted.start()
@@ -212,7 +238,18 @@ class _Reader:
             times = int(head[2]) - number + 1 if head[2] else 1
             if times < 1 or (head[2] and times < 2):
                 raise _Unknown
+            self._follows(number, number + times - 1, times_span)
+        elif any(isinstance(i, Action) and i.name in _ANEW for i in items):
+            self.source.last_number = None
         draft.lines.append(Line(tuple(items), span, True, times, times_span, number, stated, stated_span))
+
+    def _follows(self, first: int, last: int, at: Span) -> None:
+        """Doubts a number of a round that does not follow the one before."""
+        before, self.source.last_number = self.source.last_number, last
+        if before is not None and first not in (1, before + 1):
+            said = "is there already" if first <= before else "leaves rounds out"
+            hint = f"{before + 1} would follow"
+            self.source.doubt(f"round {first} {said}: the one before is {before}", hint, at, True)
 
     def _assembly(self, said: str, span: Span) -> None:
         record = self.phrases.finishing(said, span)

@@ -133,7 +133,9 @@ def rigid(x: Array, D: Array, label: Array) -> Array:
     _moments(x, D, label, moments)
     spin = np.zeros((len(moments), 3))
     for k, (n, xx, yy, zz, xy, xz, yz, *torque) in enumerate(moments[:, [0, *range(7, 16)]].tolist()):
-        if n > 2:
+        if n > 2 and xx + zz > 0.0 and not (yy or xy or yz or torque[0] or torque[2]):
+            spin[k, 1] = torque[1] / (xx + zz)  # what lies flat stays flat, to the last bit
+        elif n > 2:
             inertia = np.array([[yy + zz, -xy, -xz], [-xy, xx + zz, -yz], [-xz, -yz, xx + yy]])
             spin[k] = np.linalg.lstsq(inertia, np.array(torque), rcond=1e-9)[0]
     _still(x, label, moments, spin, out)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
@@ -12,14 +11,13 @@ from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP, StitchGraph
 from tambour.crochet.build import Built
 from tambour.crochet.finish import Placed
-from tambour.crochet.lids import lids
 from tambour.crochet.placing import Frames
-from tambour.crochet.spots import Spots
+from tambour.crochet.spots import Spots, rim
 
 CLEARANCE = 0.8
 """Stitches that a part keeps at first from the fabric that it is sewn to; the end that is sewn half of that."""
-UNDER = -0.25
-"""Fabric whose outward normal falls more steeply than this looks down: parts under it look ahead."""
+UNDER = -0.6
+"""Fabric whose outward normal falls more steeply than this (37 degrees) is underneath: parts on it look ahead, not down."""
 MOST_LIFT = 40.0
 """Stitches that a part is moved out at the most to be clear of others."""
 AGAIN = 0.5
@@ -60,30 +58,6 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
     pinch = placed.flat and not rows
     pairs = np.column_stack([nodes[: m // 2], nodes[::-1][: m // 2]]) if pinch else np.zeros((0, 2), int)
     return End(nodes, not rows and not placed.flat, pairs)
-
-
-def rim(built: Built, part: int) -> Array:
-    """The edge of a part that was worked last, where it is open: nodes in the order of work; empty where it is closed."""
-    graph = built.graph
-    p = graph.parts[part]
-    faces = graph.faces[built.shell]
-    faces = faces[graph.part[faces[:, 0]] == part]
-    if not len(faces):
-        return np.zeros(0, int)
-    _, _, offsets, found = lids(faces, np.zeros(len(faces), np.int32), len(graph))
-    loops = [found[a:b] for a, b in pairwise(offsets)]
-    if not loops or graph.peculiarity[p.end - 1] == TIP:
-        return np.zeros(0, int)
-    loop = next((r for r in loops if p.end - 1 in r), None)
-    if loop is None:
-        return np.zeros(0, int)
-    last = int(np.flatnonzero(loop == p.end - 1)[0])
-    loop = np.roll(loop, -1 - last)  # the stitch worked last comes last
-    if len(loop) > 2 and loop[0] == p.end - 2:
-        loop = np.append(loop[:-1][::-1], loop[-1])
-    # Where a spiral ends the edge steps down by a stitch that is worked into already: no needle goes there.
-    free = loop[~np.isin(loop, graph.anchors)]
-    return np.asarray(free if len(free) > 2 else loop, int)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -169,6 +143,18 @@ def clear_of(moved: Array, sewn: Array, others: Array, outward: Array, n: Array)
             break
         lift += max(0.1, min(short, 1.0))
     return np.asarray(moved + lift * n)
+
+
+def line(placed: Placed, end: End, frame: Frames) -> Array:
+    """Where a seam runs about its spot, in its tangent plane: points (K, 3) no farther apart than half a stitch."""
+    m = len(end.nodes)
+    p, along, up = frame.points[0], frame.along[0], frame.up[0]
+    if end.ring:
+        angle = np.linspace(0.0, 2.0 * math.pi, 2 * m, endpoint=False)[:, None]
+        return np.asarray(p + m / (2.0 * math.pi) * (np.cos(angle) * along + np.sin(angle) * up))
+    a, long = math.radians(placed.across), m - len(end.pinched)
+    t = (np.arange(2 * long - 1) * 0.5 - 0.5 * (long - 1))[:, None]
+    return np.asarray(p + t * (math.cos(a) * along + math.sin(a) * up))
 
 
 def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array, frame: Frames) -> Array:

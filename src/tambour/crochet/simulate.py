@@ -145,6 +145,8 @@ def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: 
     if params.solver != "settle":
         task, x, c, joined = placed(task, x, c)
         whole = task.body(task.graph, task.used)
+        if joined is not None:
+            whole = joined_up(whole, np.arange(n), joined.stays, joined.rest, joined.lying)
         state = State(x, c, np.zeros(p))
         if params.solver == "steps":
             run(whole, state, params.steps, tell)

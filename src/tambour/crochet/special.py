@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from tambour.crochet.phrases import number
-from tambour.crochet.stitches import JOIN, NEXT, OVER, STITCHES, THROUGH, Move, Stitch
+from tambour.crochet.stitches import BASIC, JOIN, NEXT, OVER, STITCHES, THROUGH, Move, Stitch
 from tambour.crochet.wording import Terms
 
 _MOVES: Final = {THROUGH: "pull through", OVER: "pull over", NEXT: "next anchor", JOIN: "slst"}
@@ -104,3 +104,16 @@ def heard(line: str, known: Mapping[str, Stitch], terms: Terms) -> Stitch | None
         if len(moves) > _MOST:
             return None
     return Stitch(name, tuple(moves))
+
+
+def explained(text: str, known: Mapping[str, Stitch], terms: Terms) -> list[Stitch]:
+    """The new stitches that the lines of ``text`` explain; lines that only say what a usual one means are none."""
+    made: list[Stitch] = []
+    usual = {s.lower() for spellings in terms.stitches.values() for s in spellings} if "=" in text else set()
+    for line in text.split("\n") if usual else ():
+        new = heard(line.strip(" \t-*•"), {**known, **{s.name: s for s in made}}, terms)
+        if new is None or new.name in BASIC:
+            continue
+        if new.name not in usual or any(m.kind == new.name for m in new.moves):
+            made.append(new)
+    return made

@@ -7,6 +7,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -15,14 +16,16 @@ from tambour.core.errors import Problem
 from tambour.core.graph import ROOT, TIP
 from tambour.crochet.build import Built
 from tambour.crochet.finish import Embroidery, Finish, Hair, Spot
+from tambour.crochet.lids import lids
 
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """A point of the fabric: the mean of ``nodes`` by ``weights``, which sum to 1."""
+    """A point of the fabric: the mean of ``nodes`` by ``weights``, which sum to 1; ``opening``: the middle of a rim."""
 
     nodes: tuple[int, ...]
     weights: tuple[float, ...]
+    opening: bool = False
 
 
 class Spots:
@@ -47,7 +50,8 @@ class Spots:
         return known
 
     @cached_property
-    def _layout(self) -> Array:
+    def layout(self) -> Array:
+        """Where the rounds were laid out (N, 3), in stitches, before anything settled: every part by itself."""
         from tambour.crochet.fabric import stitch_width
         from tambour.crochet.layout import rounds
 
@@ -92,9 +96,19 @@ class Spots:
         nodes = np.flatnonzero(graph.peculiarity[p.start : p.end] == kind)
         return p.start + int(nodes[0 if kind == ROOT else -1]) if len(nodes) else None
 
+    def opening(self, part: int, number: float) -> Array:
+        """The rim of an open part, in the order of work, where ``number`` is the one after its last round's."""
+        mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
+        if not mine or number != max(mine) + 1 or self.in_rows[part]:
+            return np.zeros(0, int)
+        return rim(self.built, part)
+
     def place(self, spot: Spot) -> Place:
         """Where a spot is; it must be one that :func:`problems` has nothing against."""
         part = self.parts[spot.part]
+        opening = self.opening(part, spot.round)
+        if len(opening):
+            return Place(tuple(opening.tolist()), (1.0 / len(opening),) * len(opening), True)
         low, share = math.floor(spot.round), spot.round - math.floor(spot.round)
         k, node = self.round_at(part, low), self._special(part, low)
         at: dict[int, float] = {}
@@ -114,11 +128,6 @@ class Spots:
         kept = {n: w for n, w in at.items() if w > 0.0}
         return Place(tuple(kept), tuple(kept.values()))
 
-    def about(self, spot: Spot) -> Array:
-        """Roughly where a spot is (3,), in stitches: where the rounds were laid out, before anything settled."""
-        place = self.place(spot)
-        return np.asarray(np.array(place.weights) @ self._layout[list(place.nodes)])
-
     def _index(self, k: int, stitch: float | None) -> float:
         """Position in round ``k``, from 0: of a stitch, or of the middle of the front."""
         nodes = self.stitches(k)
@@ -127,7 +136,7 @@ class Spots:
             return stitch - 1.0
         if self.in_rows[self.built.rounds[k].part] or n < 3:
             return 0.5 * (n - 1)
-        x = self._layout[nodes]
+        x = self.layout[nodes]
         off = x - x.mean(0)
         angle = np.arctan2(off[:, 0], off[:, 2])  # 0 towards the front
         after = np.roll(angle, -1)
@@ -186,7 +195,12 @@ class Spots:
         part, text = self.parts[spot.part], self.built.pattern.text
         mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
         wanted = [math.floor(spot.round), math.ceil(spot.round)]
-        there = [self.round_at(part, n) is not None or self._special(part, n) is not None for n in wanted]
+        there = [
+            self.round_at(part, n) is not None
+            or self._special(part, n) is not None
+            or (n == spot.round and len(self.opening(part, n)) > 0)
+            for n in wanted
+        ]
         if not mine or not all(there):
             hint = f"its rounds are {min(mine)} to {max(mine)}" if mine else "it has no rounds"
             yield Problem(f'"{spot.part}" has no round {spot.round:g}', hint, spot.span, text)
@@ -199,6 +213,30 @@ class Spots:
         if spot.stitch is not None and counts and spot.stitch >= max(counts) + 1:
             message = f'round {spot.round:g} of "{spot.part}" has {max(counts)} stitches, not {spot.stitch:g}'
             yield Problem(message, "count from its first stitch, which is 1", spot.span, text)
+
+
+def rim(built: Built, part: int) -> Array:
+    """The edge of a part that was worked last, where it is open: nodes in the order of work; empty where it is closed."""
+    graph = built.graph
+    p = graph.parts[part]
+    faces = graph.faces[built.shell]
+    faces = faces[graph.part[faces[:, 0]] == part]
+    if not len(faces):
+        return np.zeros(0, int)
+    _, _, offsets, found = lids(faces, np.zeros(len(faces), np.int32), len(graph))
+    loops = [found[a:b] for a, b in pairwise(offsets)]
+    if not loops or graph.peculiarity[p.end - 1] == TIP:
+        return np.zeros(0, int)
+    loop = next((r for r in loops if p.end - 1 in r), None)
+    if loop is None:
+        return np.zeros(0, int)
+    last = int(np.flatnonzero(loop == p.end - 1)[0])
+    loop = np.roll(loop, -1 - last)  # the stitch worked last comes last
+    if len(loop) > 2 and loop[0] == p.end - 2:
+        loop = np.append(loop[:-1][::-1], loop[-1])
+    # Where a spiral ends the edge steps down by a stitch that is worked into already: no needle goes there.
+    free = loop[~np.isin(loop, graph.anchors)]
+    return np.asarray(free if len(free) > 2 else loop, int)
 
 
 def numbers(built: Built) -> list[int]:

@@ -82,6 +82,7 @@ def ring(hook: Hook, stitch: Stitch) -> None:
     for a, b in pairwise(edge):
         hook.face(root, a, b)
     hook.face(root, edge[-1], edge[0])
+    hook.rings[root] = len(edge)
     now.spine = [edge[-1]]
     hook.joined = 0
     hook.end_round(True)

@@ -79,8 +79,8 @@ HEIGHTS: Final = {
     "edc": 2.5,
 }
 # Around the post below they stand lower than on its top.
-_POSTS: Final = {end + kind: max(0.75, HEIGHTS[kind] - 0.4) for kind in list(HEIGHTS)[:5] for end in ("fp", "bp")}
-KINDS: Final = {**HEIGHTS, **_POSTS}
+POSTS: Final = {end + kind: max(0.75, HEIGHTS[kind] - 0.4) for kind in list(HEIGHTS)[:5] for end in ("fp", "bp")}
+KINDS: Final = {**HEIGHTS, **POSTS}
 """Every plain stitch → its height."""
 
 STANDING: Final = {"ch1sc": "sc", "ch2hdc": "hdc", "ch3dc": "dc", "ch4tr": "tr", "ch5dtr": "dtr"}
@@ -98,8 +98,8 @@ BUMPS: Final = {
 _AS: Final = {
     "crab": ("sc", "it is worked onwards, not backwards"),
     "spike": ("sc", "it is worked into its stitch, not into the row below"),
-    "loopst": ("sc", "its loop is left out"),
-    "fur": ("sc", "its loops are left out"),
+    "loopst": ("sc", "its loop is drawn, but does not shape the fabric"),
+    "fur": ("sc", "its loops are drawn, but do not shape the fabric"),
 }
 
 MOST = 12
@@ -123,7 +123,7 @@ def _table() -> dict[str, Stitch]:
     ]
     for kind in KINDS:
         prefix = "" if kind == "sc" else kind
-        doubt = "it is worked into its stitch, not around the post" if kind in _POSTS else ""
+        doubt = "it is worked into its stitch, not around the post" if kind in POSTS else ""
         made.append(Stitch(kind, _worked(kind, 1, 1), approximate=doubt))
         for many in range(2, MOST + 1):
             end = "" if many == 2 else str(many)

@@ -39,7 +39,8 @@ def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
     tone = np.zeros((len(graph), 3))
     for number, own in enumerate(graph.parts):
         # One colour for a part: its own, in the shade.
-        tone[graph.part == number] = 0.42 * graph.color[own.start : own.end].mean(0)
+        if own.end > own.start:
+            tone[graph.part == number] = 0.42 * graph.color[own.start : own.end].mean(0)
     return Mesh(
         inward[used],
         renamed[faces],

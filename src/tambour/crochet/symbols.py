@@ -14,7 +14,8 @@ def _arc(cx: float, cy: float, rx: float, ry: float, first: float, last: float, 
 
 
 # Yarn overs across the posts of the taller stitches.
-BARS: Final = {"hdc": 0, "dc": 1, "tr": 2}
+BARS: Final = {"hdc": 0, "dc": 1, "tr": 2, "dtr": 3, "trtr": 4, "ehdc": 0, "edc": 1}
+_POSTS: Final = {end + kind: BARS.get(kind, -1) for kind in ("sc", "hdc", "dc", "tr", "dtr") for end in ("fp", "bp")}
 
 # What the legend calls a kind.
 NAMES: Final = {
@@ -22,23 +23,112 @@ NAMES: Final = {
     "hdc": "half double crochet",
     "dc": "double crochet",
     "tr": "treble",
+    "dtr": "double treble",
+    "trtr": "triple treble",
+    "esc": "extended single crochet",
+    "ehdc": "extended half double crochet",
+    "edc": "extended double crochet",
     "ch": "chain",
     "attach": "attached",
+    "ch1sc": "chain that counts as a single crochet",
+    "ch2hdc": "2 chains that count as a half double crochet",
+    "ch3dc": "3 chains that count as a double crochet",
+    "ch4tr": "4 chains that count as a treble",
+    "ch5dtr": "5 chains that count as a double treble",
+    "bobble": "bobble",
+    "popcorn": "popcorn",
+    "puff": "puff",
+    "cl": "cluster",
+    "picot": "picot",
+    "crab": "reverse single crochet",
+    "spike": "spike stitch",
+    "loopst": "loop stitch",
+    "fur": "fur stitch",
+    **{
+        ("fp" if front else "bp") + kind: f"{'front' if front else 'back'} post {name}"
+        for front in (True, False)
+        for kind, name in (
+            ("sc", "single crochet"),
+            ("hdc", "half double crochet"),
+            ("dc", "double crochet"),
+            ("tr", "treble"),
+            ("dtr", "double treble"),
+        )
+    },
 }
+
+# Chains that count as a stitch.
+_STACK: Final = {"ch1sc": 1, "ch2hdc": 2, "ch3dc": 3, "ch4tr": 4, "ch5dtr": 5}
+
+
+def _cross(middle: float, size: float = 0.2) -> list[Line]:
+    return [[(-size, middle - size), (size, middle + size)], [(-size, middle + size), (size, middle - size)]]
+
+
+def _lens(height: float, posts: int, bars: bool) -> list[Line]:
+    """Posts that begin and end together, bulging between."""
+    low, high, middle = 0.1, height - 0.1, height / 2
+    lines: list[Line] = []
+    for k in range(posts):
+        side = 0.3 * (2 * k / (posts - 1) - 1) if posts > 1 else 0.0
+        # A circle's arc would be a hair better and no more legible than this parabola.
+        way = [low + (high - low) * t / 12 for t in range(13)]
+        lines.append([(side * (1 - ((v - middle) / (middle - low)) ** 2), v) for v in way])
+        if bars:
+            lines.append([(side - 0.06, middle - 0.04), (side + 0.06, middle + 0.06)])
+    return lines
 
 
 def strokes(kind: str, height: float) -> list[Line]:
     """The lines of a stitch's symbol; a kind of the pattern's own is a bud on a post."""
-    middle = height / 2
+    middle, top = height / 2, (-0.24, height - 0.08)
+    head: Line = [top, (-top[0], top[1])]
     if kind in ("attach", "slst"):
         return []
     if kind == "sc":
-        return [[(-0.2, middle - 0.2), (0.2, middle + 0.2)], [(-0.2, middle + 0.2), (0.2, middle - 0.2)]]
+        return _cross(middle)
     if kind == "ch":
         return [_arc(0, middle, 0.34, 0.17, 0, 360)]
     if kind in BARS:
-        return post((0.0, 0.1), (0.0, height - 0.08), BARS[kind])
-    return [_arc(0, middle, 0.24, 0.42 * height, 0, 360), [(-0.24, height - 0.08), (0.24, height - 0.08)]]
+        lines = post((0.0, 0.1), (0.0, height - 0.08), BARS[kind])
+        return lines + [_arc(0, 0.22, 0.12, 0.1, 0, 360)] * (kind in ("ehdc", "edc"))
+    if kind in _STACK:
+        part = height / _STACK[kind]
+        return [_arc(0, part * (k + 0.5), 0.17, 0.42 * part, 0, 360) for k in range(_STACK[kind])]
+    if kind in _POSTS:
+        # The foot goes round a post: to the right in front, to the left behind.
+        side = 0.22 if kind.startswith("fp") else -0.22
+        foot = (
+            _arc(side / 2, 0.2, abs(side) / 2, 0.14, 180, 360) if side > 0 else _arc(side / 2, 0.2, 0.11, 0.14, 0, -180)
+        )
+        if _POSTS[kind] < 0:
+            return [*_cross(middle + 0.1), [(0.0, 0.2), (0.0, middle + 0.1)], foot]
+        return [*post((0.0, 0.2), (0.0, height - 0.08), _POSTS[kind]), foot]
+    if kind == "picot":
+        return [_arc(0, middle, 0.17, 0.34, 0, 360)]
+    if kind == "esc":
+        return [*_cross(middle + 0.1), [(0.0, 0.1), (0.0, middle)]]
+    if kind == "crab":
+        wave = [(-0.2 + 0.04 * k, height - 0.12 + 0.06 * math.sin(math.tau * k / 10)) for k in range(11)]
+        return [*_cross(middle - 0.06), wave]
+    if kind == "spike":
+        return [*_cross(middle + 0.15), [(0.0, middle + 0.15), (0.0, -0.5)]]
+    if kind in ("loopst", "fur"):
+        loops = (
+            [_arc(0, 0.16, 0.13, 0.13, 0, 360)]
+            if kind == "loopst"
+            else [_arc(c, 0.16, 0.1, 0.13, 0, 360) for c in (-0.11, 0.11)]
+        )
+        return [*_cross(middle + 0.15, 0.17), *loops]
+    if kind == "bobble":
+        return [*_lens(height, 5, False), head]
+    if kind == "popcorn":
+        return [*_lens(height - 0.12, 5, False), _arc(0, height - 0.12, 0.26, 0.08, 0, 360)]
+    if kind == "puff":
+        return [*_lens(height, 4, False), head]
+    if kind == "cl":
+        return [*_lens(height, 3, True), head]
+    return [_arc(0, middle, 0.24, 0.42 * height, 0, 360), head]
 
 
 def post(foot: tuple[float, float], head: tuple[float, float], bars: int) -> list[Line]:

@@ -133,6 +133,7 @@ SENTENCES: Final = {
     "terms": "deutsche Abkürzungen",
     "ring": "{count} fM in Fadenring",
     "color": "wechseln zu {color}",
+    "use color": "{color} verwenden",
     "both loops": "in beide Mg",
     "front loops": "ins vMg",
     "back loops": "ins hMg",
@@ -172,7 +173,7 @@ SENTENCES: Final = {
     "legend": "Farbe {letter}: {name} ({hex})",
     "several": "{count} {item}",
     "group": "[{items}] x {count}",
-    "copies": "({count} x häkeln)",
+    "copies": "({count}x)",
 }
 
 COLORS: Final = {

@@ -133,6 +133,7 @@ SENTENCES: Final = {
     "terms": "abreviaturas en español",
     "ring": "{count} pb en anillo mágico",
     "color": "cambiar a {color}",
+    "use color": "usar {color}",
     "both loops": "en ambas hebras",
     "front loops": "en HD",
     "back loops": "en HT",

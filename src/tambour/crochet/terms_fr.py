@@ -133,6 +133,7 @@ SENTENCES: Final = {
     "terms": "abréviations françaises",
     "ring": "{count} ms dans cercle magique",
     "color": "changer pour {color}",
+    "use color": "utiliser {color}",
     "both loops": "dans les deux brins",
     "front loops": "dans BAV",
     "back loops": "dans BAR",

@@ -140,6 +140,7 @@ SENTENCES: Final = {
     "terms": "Nederlandse afkortingen",
     "ring": "{count} v in magische ring",
     "color": "wissel naar {color}",
+    "use color": "gebruik {color}",
     "both loops": "in beide lussen",
     "front loops": "in VL",
     "back loops": "in AL",

@@ -141,6 +141,7 @@ SENTENCES: Final = {
     "terms": "US terms",
     "ring": "{count} sc in magic ring",
     "color": "change to {color}",
+    "use color": "use {color}",
     "both loops": "in both loops",
     "front loops": "in FLO",
     "back loops": "in BLO",

@@ -12,6 +12,8 @@ from tambour.crochet.ground import Ground
 
 SOFT = 0.55
 """Radius, as a share of its own, with which a stitch lifts those that are laid over it: yarn gives way."""
+LONGEST = 200
+"""Points of one stitch, about; a longer one has them further apart."""
 INSIDE = 2.4
 """How deep, in radii under the fabric's top, a stitch's ends are drawn in."""
 
@@ -22,7 +24,8 @@ def stitch(ground: Ground, start: Array, end: Array, width: float) -> Array:
     It lies on the highest yarn beneath it as a string that is drawn tight, and goes down through the fabric at both ends.
     """
     radius = width / 2
-    step = min(0.35 * width, 0.25 * ground.stitch)
+    far = float(np.sqrt(((end - start) ** 2).sum()))
+    step = max(min(0.35 * width, 0.25 * ground.stitch), far / LONGEST)
     base, normal = ground.line(np.stack([start, end]), step)
     along = np.concatenate([[0.0], np.cumsum(np.sqrt((np.diff(base, axis=0) ** 2).sum(1)))])
     high = supported(ground, base, normal, radius)

@@ -95,6 +95,7 @@ SENTENCES: Final = {
     # Within a round, between commas; on lines of their own they begin with a capital and end with a point.
     "ring": "count",
     "color": "color",
+    "use color": "color",  # the one that a part begins with
     "both loops": "",
     "front loops": "",
     "back loops": "",

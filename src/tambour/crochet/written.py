@@ -75,8 +75,14 @@ def _lines(section: Section, log: list[Done]) -> list[Written]:
             if before and _follows(before, written):
                 made[-1] = replace(before, times=before.times + 1)
             else:
+                if before and before.number == written.number and before.times == 1 and _only_chain(before):
+                    made[-1] = replace(before, number=0)  # the chain that this round is worked on
                 made.append(written)
     return made
+
+
+def _only_chain(line: Written) -> bool:
+    return all(d.what in ("ch", "oval", "color") for unit, _ in line.pieces for d in unit)
 
 
 def _follows(before: Written, written: Written) -> bool:

@@ -9,6 +9,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import BACK, JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.loops import BACK_ONLY, CHAIN, FRONT_ONLY, HEAD, SINGLE, count_points, lead
+from tambour.crochet.stitches import POSTS
 
 # What a node is to the yarn.
 NONE, STITCH, CHAINED = 0, 1, 2
@@ -30,6 +31,19 @@ _SLIP = np.array(
         (0.25, 0.2, 0.42),
         (0.4, 0.38, 0.1),
         (0.3, 0.2, -0.3),
+    ]
+)
+# The hanging loop of a loop stitch, after the LOOPED-th point of the stitch.
+LOOPED = 13
+_HANGING = np.array(
+    [
+        (0.12, 0.1, 0.75),
+        (0.2, -0.4, 1.3),
+        (0.12, -1.1, 1.45),
+        (0.0, -1.3, 1.4),
+        (-0.1, -1.1, 1.3),
+        (-0.1, -0.3, 1.1),
+        (0.0, 0.0, 0.7),
     ]
 )
 _SEAM = np.array([(0.0, 0.0, -0.55), (0.0, 0.0, 0.62)])
@@ -100,6 +114,7 @@ def way(graph: StitchGraph) -> Way:
         ridge,
         np.stack([SINGLE, FRONT_ONLY, BACK_ONLY]),
         CHAIN,
+        *_shapes(graph),
         cell,
         below,
         at,
@@ -114,6 +129,9 @@ def way(graph: StitchGraph) -> Way:
     on = np.full(n, -1, np.int64)
     on[role == STITCH] = graph.anchors[graph.anchor_offsets[1:][role == STITCH] - 1]
     pieces = _Pieces()
+    for i, loops in _loops(graph):
+        for _ in range(loops):
+            pieces.put(int(start[i]) + LOOPED, _AFTER, i, int(on[i]), _HANGING)
     drop = np.zeros(total, np.bool_)
     for i in worked[~follows[worked]].tolist():
         _begun(graph, pieces, i, int(on[i]), int(start[i]), role, ring, follows, drop)
@@ -138,6 +156,30 @@ def way(graph: StitchGraph) -> Way:
             # The last top loop is not left lying: its yarn is drawn on.
             drop[int(start[i + 1]) - (48 - HEAD) + 3 : int(start[i + 1])] = True
     return _joined(graph, cell, below, at, drop, pieces)
+
+
+def _shapes(graph: StitchGraph) -> tuple[Array, Array, Array]:
+    """How deep every node (N,) is worked, how far it stands out, and how far it bulges, for :func:`loops.lead`."""
+    deep, relief = np.zeros(len(graph.kinds)), np.zeros(len(graph.kinds))
+    for k, kind in enumerate(graph.kinds):
+        if kind in POSTS:
+            deep[k], relief[k] = 0.45, 0.28 if kind.startswith("fp") else -0.28
+        elif kind == "spike":
+            deep[k] = 1.0
+    count = np.diff(graph.anchor_offsets)
+    # It bulges outwards, also where rows are seen from their back.
+    flat = np.array([0.5 if kind.startswith("cl") else 1.0 for kind in graph.kinds])[graph.kind]
+    bump = np.where(count > 1, 0.3 + 0.16 * np.minimum(count, 6), 0.0) * flat * graph.direction
+    return deep[graph.kind], relief[graph.kind], bump
+
+
+def _loops(graph: StitchGraph) -> list[tuple[int, int]]:
+    """Stitches whose yarn hangs out in loops, and how many."""
+    found = []
+    for kind, loops in (("loopst", 1), ("fur", 2)):
+        if kind in graph.kinds:
+            found += [(n, loops) for n in np.flatnonzero(graph.kind == graph.kinds.index(kind)).tolist()]
+    return found
 
 
 def _tips(graph: StitchGraph) -> list[int]:

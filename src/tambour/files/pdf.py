@@ -29,7 +29,8 @@ def write_drawing(value: Drawing | Iterable[Drawing], path: Path) -> None:
     metadata = skia.PDF.Metadata()
     metadata.fTitle = about.get("title", path.stem)
     metadata.fCreator = metadata.fProducer = "Tambour"
-    metadata.fSubject = ", ".join(f"{k} {v}" for k, v in about.items() if k != "title")
+    metadata.fAuthor = about.get("author", "")
+    metadata.fSubject = ", ".join(f"{k} {v}" for k, v in about.items() if k not in ("title", "author"))
     document = skia.PDF.MakeDocument(stream, metadata)
     for page in pages:
         width, height = (float(s) * page.unit * _POINTS for s in page.size)

@@ -77,7 +77,6 @@ def terrace(
     return k + 1
 
 
-@kernel
 def bank(
     table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
     x: float, y: float, height: float, width: float, cut: float, planted: float, bloom: float, hutted: float, people: float,
@@ -86,9 +85,27 @@ def bank(
     """A bank with its foot at (x, y), flat at 100 ``cut`` above it, and what grows on it.
 
     planted, bloom, people : 0…1, how much of the groups, blossoms and figures is there ; hutted : above 0 for a hut
+
+    Two kernels one after the other: one that held both would be compiled, with all trees in it, twice.
     """
-    before = part(elems, n, BANK, x, y)
-    seed = math.floor(4096.0 * rnd(rng))
+    before, flat = n[OPEN], np.zeros(4)
+    ground(table, rng, pts, marks, elems, n, x, y, height, width, cut, flat)
+    left, high, wide, deep = flat.tolist()
+    if wide > 0.0:
+        group(
+            table, rng, pts, marks, elems, n, left, high, wide, deep, planted, bloom, hutted, people, forms, loops
+        )  # fmt: skip
+    n[OPEN] = before
+
+
+@kernel
+def ground(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float, cut: float, flat: Array,
+) -> None:  # fmt: skip
+    """Open a bank and draw its ground; ``flat`` (4,) becomes left, top, width and depth of its flat, 0 where it has none."""
+    part(elems, n, BANK, x, y)
+    seed = float(math.floor(4096.0 * rnd(rng)))
     grid, top = np.empty((LAYERS, COLUMNS, 2)), np.empty((10 * (LAYERS + 6), 2))
     edge = terrace(table, rng, grid, top, seed, y, height, width, cut)
     slope(rng, pts, marks, n, grid, x, y, 20.0)
@@ -104,11 +121,7 @@ def bank(
         for i in range(edge):
             left, right = min(left, top[i, 0]), max(right, top[i, 0])
             high, low = min(high, top[i, 1]), max(low, top[i, 1])
-        group(
-            table, rng, pts, marks, elems, n, x + left, y + high, right - left, low - high,
-            planted, bloom, hutted, people, forms, loops,
-        )  # fmt: skip
-    n[OPEN] = before
+        flat[0], flat[1], flat[2], flat[3] = x + left, y + high, right - left, low - high
 
 
 @kernel

@@ -89,7 +89,7 @@ def bush(
             drift = (value(table, 0.5 * i, phase + 0.5 * s, 0.0) - 0.5) * width + (s - 0.5) * width
             k = i if s == 0 else 2 * LEVELS - 1 - i
             stem[k, 0] = x + 20.0 * math.sqrt(i / LEVELS) + drift
-            stem[k, 1] = y - i * height / LEVELS
+            stem[k, 1] = y + 0.08 * height - i * height / LEVELS
     stem[2 * LEVELS] = stem[0]
     rung = np.empty((5, 2))
     for i in range(LEVELS - 1):
@@ -102,7 +102,7 @@ def bush(
         length, breadth = between(rng, 20.0, 70.0), between(rng, 11.0, 23.0)
         angle = -rnd(rng) * PI / 6.0
         cx = x + 20.0 * math.sqrt(i / LEVELS) + between(rng, -0.3, 0.3) * width * (LEVELS - i)
-        cy = y - i * height / LEVELS + between(rng, -0.25, 0.25) * width
+        cy = y - 0.07 * height - i * height / LEVELS + between(rng, -0.25, 0.25) * width
         dx, dy = 0.5 * length * math.cos(angle), 0.5 * length * math.sin(angle)
         axis[0, 0], axis[0, 1], axis[1, 0], axis[1, 1] = cx - dx, cy - dy, cx + dx, cy + dy
         touch(axis, breadth, 0.5, forms[PUFF], loops[int(rnd(rng) * len(loops))], ring)

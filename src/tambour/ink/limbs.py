@@ -118,11 +118,12 @@ def scales(
 @kernel
 def twig(
     rng: Array, pts: Array, marks: Array, n: Array,
-    x: float, y: float, depth: int, scale: float, angle: float, right: float, needles: bool, lift: float,
+    x: float, y: float, depth: int, scale: float, angle: float, right: float, needles: float, lift: float,
 ) -> None:  # fmt: skip
     """A twig that leaves sideways and turns up, with smaller ones on it down to ``depth``, and needles at the tips.
 
-    right : 1 or -1, the side it leaves to; ``angle`` turns it; ``lift``: how far the needles stand above the tip (1.7)
+    right : 1 or -1, the side it leaves to; ``angle`` turns it; ``needles``: their size, 1 in the original, 0 for none;
+    ``lift``: how far they stand above the tip (1.7)
     Needles are the paler the farther out their twig, and stand in a fan, none quite where a comb would have it.
     """
     todo = np.empty((32, 5))
@@ -145,13 +146,13 @@ def twig(
                 left += 1
             at(pts, n, way[i, 0], way[i, 1])
         stroke(rng, marks, n, 100.0, 0.5, 1.0, 0.5, FADE, 1.0)
-        if needles:
+        if needles > 0.0:
             n[HUE] = LEAF
             for k in range(5):
-                shift = (k - 2.0) * 5.0 + 3.0 * bell(rng)
+                shift = needles * ((k - 2.0) * 5.0 + 3.0 * bell(rng))
                 a = way[9, 0] + math.cos(angle) * shift
-                b = way[9, 1] + math.sin(angle) * shift - lift / (level + 1.0) + 5.0 * bell(rng)
-                length, breadth = between(rng, 16.0, 29.0), between(rng, 6.5, 10.0)
+                b = way[9, 1] + math.sin(angle) * shift - lift / (level + 1.0) + 5.0 * needles * bell(rng)
+                length, breadth = needles * between(rng, 16.0, 29.0), needles * between(rng, 6.5, 10.0)
                 lean = 0.5 * angle + 0.5 * PI + 0.012 * shift + 0.2 * PI * (rnd(rng) - 0.5)
                 alpha = 0.45 + 0.15 * level + 0.1 * rnd(rng)
                 blob(rng, pts, marks, n, a, b, length, breadth, lean, 100.0, alpha, 0.5, DROP)

@@ -109,7 +109,7 @@ def pine(
             crowd = 0.45 if (i + start) % beat > 0.55 * beat else 0.03
             if rnd(rng) < crowd or i == NODES - 1:
                 px, py = limbs[k, i, 0], limbs[k, i, 1]
-                twig(rng, pts, marks, n, px, py, 1, 0.5 * height / 300.0, angle, 1.0 if right else -1.0, True, 12.0)
+                twig(rng, pts, marks, n, px, py, 1, 0.5 * height / 300.0, angle, 1.0 if right else -1.0, 1.0, 12.0)
     n[OPEN] = before
 
 
@@ -133,6 +133,7 @@ def cedar(
             lean[min(count, LIMBS - 1)] = angle
             count = grow(table, rng, limbs, above, joint, count, 0, i, length, 0.5 * width, angle, 0.5)
     bark(table, rng, pts, marks, n, limbs, above, joint, count, 2.5, 0.9)
+    leaf = 0.5 + 0.5 * min(1.0, height / 250.0)
     for k in range(1, count):
         right = lean[k] > -0.5 * PI
         angle = lean[k] if right else lean[k] + PI
@@ -141,7 +142,7 @@ def cedar(
             if i < NODES // 2 and rnd(rng) < 0.55:
                 continue
             px, py = limbs[k, i, 0], limbs[k, i, 1]
-            twig(rng, pts, marks, n, px, py, 0, 0.25 * height / 300.0, angle, 1.0 if right else -1.0, True, 6.0)
+            twig(rng, pts, marks, n, px, py, 0, 0.25 * height / 300.0, angle, 1.0 if right else -1.0, leaf, 6.0 * leaf)
     n[OPEN] = before
 
 
@@ -186,7 +187,7 @@ def plum(
                 turn = between(rng, -0.15, 0.1) * PI * (1.0 if i >= NODES else -1.0)
                 px, py = limbs[k, i, 0], limbs[k, i, 1]
                 reach = between(rng, 0.24, 0.4) * (height / 100.0) ** 0.5
-                twig(rng, pts, marks, n, px, py, 2, reach, turn, -1.0 if i < NODES else 1.0, False, 0.0)
+                twig(rng, pts, marks, n, px, py, 2, reach, turn, -1.0 if i < NODES else 1.0, 0.0, 0.0)
     n[HUE] = BLOSSOM
     for k in range(count):
         for i in range(2, NODES):

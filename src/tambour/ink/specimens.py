@@ -188,7 +188,7 @@ def twig(
 ) -> None:
     """A twig with smaller twigs on it and needles."""
     before = part(elems, n, codes.TWIG, x, y)
-    limbs.twig(rng, pts, marks, n, x, y, 2, scale, 0.0, 1.0, True, 12.0)
+    limbs.twig(rng, pts, marks, n, x, y, 2, scale, 0.0, 1.0, 1.0, 12.0)
     n[OPEN] = before
 
 

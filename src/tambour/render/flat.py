@@ -18,6 +18,9 @@ from tambour.core.picture import Picture
 from tambour.core.reveal import Reveal, stretch
 from tambour.render.type import typeface
 
+_QUALITY = 90
+"""Of photographs kept as JPEG, of 100."""
+
 LARGEST = 400_000_000
 """Pixels above which a picture is refused rather than the machine's memory filled."""
 STRETCH = 10_000
@@ -121,6 +124,9 @@ def _image(canvas: Any, placed: Placed, origin: Array) -> None:
     image = skia.Image.fromarray(rgba, skia.kRGBA_8888_ColorType, skia.kUnpremul_AlphaType)
     where = skia.Rect.MakeXYWH(placed.x, placed.y, placed.width, placed.height)
     linear = skia.SamplingOptions(skia.FilterMode.kLinear)
+    if placed.photo and not placed.glaze and rgba[..., 3].min(initial=255) == 255:
+        # A page of a PDF takes the file as it is: a tenth of the bytes.
+        image = skia.Image.MakeFromEncoded(image.encodeToData(skia.kJPEG, _QUALITY)) or image
     if placed.repeat is None:
         canvas.drawImageRect(image, where, linear)
         return

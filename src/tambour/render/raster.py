@@ -26,7 +26,7 @@ MATERIALS: dict[str, tuple[float, ...]] = {
     "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2),
     "cloth": (0.5, 0.15, 0.0, 1.0, 0.0, 0.0),
     "felt": (0.7, 0.3, 0.0, 1.0, 0.0, 0.0),
-    "glass": (0.5, 0.0, 1.3, 420.0, 0.0, 0.0),
+    "glass": (0.0, 0.0, 1.3, 420.0, 0.0, 0.0),
     "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0),
 }
 
@@ -46,6 +46,7 @@ def picture(
     ground: bool = True,
     background: tuple[int, int, int] | None = None,
     lights: int = 50,
+    frame: Array | None = None,
 ) -> Picture:
     """A shaded picture of a mesh that fills it, on a plain ground.
 
@@ -55,11 +56,13 @@ def picture(
     ground : whether the mesh stands on a floor that takes its shadow
     background : sRGB; None is a warm grey that lightens upwards
     lights : parallel lights that sky and lamp are made of, at least 5
+    frame : (P, 3) points that fill the picture and stand on the floor, instead of the mesh's: for several in one view
 
     A face's group chooses its surface from MATERIALS ("yarn" and "thread" take ``uv`` as turns of their twist along
     and turns around). Deterministic; raises nothing for any mesh that is one: an empty one gives the background.
     """
     points = mesh.vertices[np.unique(mesh.faces)] if len(mesh.faces) else np.zeros((1, 3))
+    points = points if frame is None else frame
     camera = look(points, width=width, height=height, azimuth=azimuth, elevation=elevation, lens=lens)
     height = camera.height
     threads = min(os.cpu_count() or 1, 8)

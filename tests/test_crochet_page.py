@@ -1,0 +1,205 @@
+"""The page to sell: everything is there as real text, nothing is cut, nothing lies over something else."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pypdfium2
+import pytest
+
+from tambour.core.drawing import Drawing
+from tambour.core.errors import Text
+from tambour.core.picture import Picture
+from tambour.core.progress import Progress
+from tambour.crochet.gauge import WEIGHTS
+from tambour.crochet.materials import DENSITY, materials
+from tambour.crochet.page import pages
+from tambour.crochet.page_flow import Atom, Chunk, Frame, flow, together
+from tambour.crochet.page_pictures import steps
+from tambour.crochet.page_sheet import Sheet, width_of, wrap
+from tambour.crochet.page_text import words
+from tambour.crochet.page_words import WORDS
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import Plush, make
+from tambour.crochet.terms import TERMS
+from tambour.files import write
+
+TOY = """\
+color(#e4572e)
+== Body ==
+R1: MR(6) (6)
+R2: 6 inc (12)
+R3: [sc, inc] x 6 (18)
+R4-R6: 18 sc (18)
+color(#17838f)
+R7: [sc, dec] x 6 (12)
+R8: 6 dec (6)
+FO
+== Ear (make 2) ==
+@stuffing = none
+R1: MR(5) (5)
+R2: 5 inc (10)
+place(Ear.1, Body, round=5, stitch=4, flat)
+place(Ear.2, Body, round=5, stitch=13, flat)
+eye(Body, round=4, stitch=8, size=4)
+"""
+
+
+@cache
+def toy(**given: object) -> Plush:
+    return make(Text(TOY, "toy.acl"), CrochetParams(detail="low", **given), Progress())  # type: ignore[arg-type]
+
+
+@cache
+def booklet(**given: object) -> tuple[Drawing, ...]:
+    return pages(toy(**given))
+
+
+def said(drawings: tuple[Drawing, ...]) -> str:
+    return "\n".join(label.text for page in drawings for label in page.labels)
+
+
+def test_the_booklet_says_everything() -> None:
+    text = said(booklet(designer="Anna Weaver", title="A small toy"))
+    for wanted in (
+        *("A small toy", "Anna Weaver", "Materials", "Finished size", "Gauge", "Abbreviations", "Assembly", "Care"),
+        *("Rnd 4-6", "18 sc", "(18)", "Ear (make 2)", "1 safety eye, 4 mm, black", "3.5 mm", "worsted weight (4)"),
+        *("Step 1: Ear", "Step 2: Eyes", "single crochet", "polyester fiberfill"),
+    ):
+        assert wanted in text, wanted
+    # Abbreviations that are used and no others.
+    assert "decrease: 2 sc worked together" in text and "half double" not in text and "chain" not in text
+    rounds = [f"Rnd {n}" for n in ("1", "2", "3", "4-6", "7", "8")]
+    assert all(text.count(f"{label}\n") >= 1 for label in rounds)
+
+
+def test_the_file_holds_real_text_the_same_bytes_and_no_date(tmp_path: Path) -> None:
+    drawings = booklet(designer="Anna Weaver", title="A small toy")
+    for name in ("one.pdf", "two.pdf"):
+        write(drawings, tmp_path / name, "Drawing")
+    data = (tmp_path / "one.pdf").read_bytes()
+    assert data == (tmp_path / "two.pdf").read_bytes()
+    assert b"CreationDate" not in data and b"ModDate" not in data
+    file = pypdfium2.PdfDocument(tmp_path / "one.pdf")
+    assert (file.get_metadata_dict()["Title"], file.get_metadata_dict()["Author"]) == ("A small toy", "Anna Weaver")
+    assert len(file) == len(drawings)
+    text = "\n".join(page.get_textpage().get_text_range() for page in file)
+    for wanted in ("A small toy", "Anna Weaver", "6 sc in magic ring", "[sc, dec] x 6", "Abbreviations"):
+        assert wanted in text, wanted
+    assert len(data) < 3_000_000
+
+
+@pytest.mark.parametrize("page, size", [("a4", (210.0, 297.0)), ("letter", (215.9, 279.4))])
+def test_nothing_leaves_the_paper_or_lies_over_other_words(
+    page: str, size: tuple[float, float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    nothing = Picture(np.full((2, 3, 4), 255, np.uint8))
+    monkeypatch.setattr("tambour.crochet.page.whole", lambda *_: nothing)
+    for name in ("of_parts", "of_step", "from_side"):
+        monkeypatch.setattr(f"tambour.crochet.page_parts.{name}", lambda *_: nothing)
+    for drawing in booklet(page=page, title="A title that is so long that it hardly fits " * 3):
+        assert tuple(drawing.size) == size
+        boxes = []
+        for label in drawing.labels:
+            wide = width_of(label.text, label.size, label.bold)
+            left = label.x - {"start": 0.0, "middle": 0.5, "end": 1.0}[label.anchor] * wide
+            boxes.append((left, label.y - 0.72 * label.size, left + wide, label.y, label.text))
+            assert left > 5.0 and left + wide < size[0] - 5.0, label.text
+            assert 5.0 < label.y < size[1] - 5.0, label.text
+        for placed in drawing.images:
+            assert placed.x >= 0 and placed.x + placed.width <= size[0] + 1e-6
+            assert placed.y >= 0 and placed.y + placed.height <= size[1] + 1e-6
+        # The numbers of a chart may be crowded; lines of text may not.
+        read = [box for box in boxes if box[3] - box[1] > 1.8]
+        for k, one in enumerate(read):
+            for other in read[:k]:
+                apart = one[0] >= other[2] or other[0] >= one[2] or one[1] >= other[3] or other[1] >= one[3]
+                assert apart, (one[4], other[4])
+
+
+@pytest.mark.parametrize("code", sorted(WORDS))
+def test_every_language_has_every_word_and_fills_it(code: str) -> None:
+    assert set(WORDS["us"]) <= set(WORDS[code])
+    for key, sentence in WORDS["us"].items():
+        assert set(re.findall(r"{(\w+)}", sentence)) >= set(re.findall(r"{(\w+)}", WORDS[code][key])), key
+    assert code in TERMS
+    found = words(toy().built, code)
+    assert [block.title.split(" (")[0] for block in found.parts] == ["Body", "Ear"]
+    assert [row.count for row in found.parts[0].rows if row.label] == ["6", "12", "18", "18", "12", "6"]
+    assert len(found.assembly) == 3 and found.abbreviations
+
+
+def test_steps_add_part_after_part() -> None:
+    found = steps(toy())
+    assert [(step.parts, step.fresh, len(step.finishes)) for step in found] == [
+        ((1, 2, 3), (2, 3), 0),
+        ((1, 2, 3), (), 1),
+    ]
+    seams = "".join(f"== p{k} ==\n: MR(6)\n: 6 inc, mark(m{k})\n" for k in range(3))
+    sewn = make(Text(seams + "sew(m0, m1)\n"), CrochetParams(solver="none"), Progress())
+    assert [(step.parts, step.fresh) for step in steps(sewn)] == [((0, 2, 1), (1,))]
+
+
+def test_materials_add_up() -> None:
+    piece = toy()
+    found = materials(piece)
+    assert found["hook_mm"] == 3.5 and found["notions"] == ["needle", "marker", "scissors"]
+    assert [y["color"] for y in found["yarn"]] == ["#e4572e", "#17838f"]
+    kind = WEIGHTS[piece.gauge.weight]
+    for yarn in found["yarn"]:
+        assert yarn["yards"] == pytest.approx(yarn["metres"] / 0.9144, abs=0.1)
+        assert yarn["grams"] == pytest.approx(yarn["metres"] / kind.metres * 100, abs=0.1)
+        assert yarn["skeins"] == 1
+    litres = piece.shape.volume[1] * 5.0**3 / 1e6
+    assert found["stuffing"]["litres"] == pytest.approx(litres, abs=0.01)
+    assert found["stuffing"]["grams"] == pytest.approx(litres * 30.0, abs=0.1)
+    assert dict(DENSITY)[1.0] == 30.0
+
+
+def test_lines_are_as_wide_as_they_may_be_and_no_wider() -> None:
+    text = "the quick brown fox jumps over the lazy dog " * 4
+    for room in (20.0, 35.0, 80.0):
+        lines = wrap(text, 3.0, room)
+        assert " ".join(lines).split() == text.split()
+        assert all(width_of(line, 3.0) <= room for line in lines)
+    assert "".join(wrap("x" * 200, 3.0, 30.0)) == "x" * 200
+    assert wrap("", 3.0, 30.0) == []
+
+
+def test_headings_stay_with_rounds_and_columns_are_even() -> None:
+    drawn: list[tuple[int, float, str]] = []
+    sheets: list[Sheet] = []
+
+    def page() -> Sheet:
+        sheets.append(Sheet(100, 100))
+        return sheets[-1]
+
+    def atom(name: str, height: float) -> Atom:
+        return Atom(height, lambda sheet, x, y: drawn.append((sheets.index(sheet), x, name)))
+
+    chunks: list[Chunk] = []
+    for part in range(7):
+        rows = [atom(f"{part}.{k}", 4.0) for k in range(3 + 5 * part)]
+        chunks += together([atom(f"head {part}", 8.0)], rows, f"part {part}")
+    flow(chunks, Frame((0.0, 50.0), 45.0, 10.0, 90.0), page, "continued")
+    assert len(drawn) == sum(1 + 3 + 5 * part for part in range(7))
+    place = {name: (sheet, x) for sheet, x, name in drawn}
+    for part in range(7):
+        assert place[f"head {part}"] == place[f"{part}.0"] == place[f"{part}.2"]
+        last = 3 + 5 * part - 1
+        assert place[f"{part}.{last}"] == place[f"{part}.{last - 1}"]
+    ends = [label.text for sheet in sheets for label in sheet.labels]
+    assert ends and all(text.endswith(", continued") for text in ends)
+    counts = [sum(1 for s, x, _ in drawn if s == len(sheets) - 1 and x == left) for left in (0.0, 50.0)]
+    assert abs(counts[0] - counts[1]) <= 6
+
+
+def test_pictures_hold_the_toy() -> None:
+    cover = booklet(title="A small toy", designer="Anna Weaver")[0].images[0].picture.rgba
+    assert cover.shape[1] > 1500  # 200 dots an inch over the page
+    edge, middle = cover[[0, -1]].reshape(-1, 4)[:, :3].astype(int), cover[len(cover) // 2, cover.shape[1] // 2]
+    assert (abs(edge - np.array((241, 240, 238))) <= 4).all()
+    assert abs(middle[:3].astype(int) - 240).max() > 60
