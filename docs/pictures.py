@@ -21,6 +21,7 @@ KNIT = (
     " --colors #8d2a33 --colors #f0e6d2 -o {out}.fabric.png"
 )
 PICTURES = [
+    ("readme-bear.jpg", "crochet {x}/crochet/bear.txt -o {out}.png", 900),
     ("readme-frog.jpg", "crochet {x}/crochet/frog.acl -o {out}.png", 900),
     ("readme-knit.jpg", KNIT, 900),
     ("readme-scroll.jpg", "ink --seed 7 --span 3000 -o {out}.png", 1800),

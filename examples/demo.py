@@ -12,6 +12,7 @@ HERE = Path(__file__).parent
 
 JOBS = [
     "crochet {here}/crochet/frog.acl -o {out}/frog.glb -o {out}/frog.png --report {out}/frog.json",
+    "crochet {here}/crochet/bear.txt -o {out}/bear.pdf -o {out}/bear.png --report {out}/bear.json",
     "knit {here}/knit/fells.jpg --stitches 120 -o {out}/fells.pdf -o {out}/fells.png -o {out}/fells.fabric.png"
     " --report {out}/fells.json",
     "ink --seed 7 --span 3000 -o {out}/scroll.svg -o {out}/scroll.png --report {out}/scroll.json",

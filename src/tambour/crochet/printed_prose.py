@@ -64,7 +64,8 @@ def text_line(p: Printed, row: Row, tokens: list[Token]) -> None:
         for left in lefts:
             left_over(p, left, False)
         return
-    if found is not None and not (p.mode in ("materials", "abbreviations", "notes") and not found.strong):
+    if found is not None and (found.marked or found.strong or p.mode not in ("materials", "abbreviations", "notes")):
+        p.mode = "" if found.marked else p.mode  # a marked heading ends the list that stands before it
         if p.title is None:
             p.title = (text[found.span.start : found.span.end], found.span)
             p.heading = found if found.strong else None
