@@ -131,18 +131,37 @@ def contact(x, edges, far, near, stiffness):
 
 def straight(graph, n):
     """Stitch, the one before it, the one before that, along the yarn and down the rounds; not about root or tip, nor where
-    the yarn turns a corner (a row's or joined round's beginning); and across the join of a round."""
+    the yarn turns a corner (a row's or joined round's beginning); and across the join of a round.
+
+    A chain between stitches stands on what the stitch before it stands on, and the yarn may turn a corner there; of the
+    stitches that spread from one chain only the middle one, or two, go straight on over it.
+    """
     odd = (g.ROOT, g.TIP)
-    found = []
-    for i in range(n):
-        for before in (graph.previous, graph.parent):
-            j = before[i]
-            k = before[j] if j >= 0 else -1
-            if k >= 0 and graph.peculiarity[i] != g.TIP and graph.peculiarity[j] not in odd:
-                up, below = graph.parent[i], graph.parent[j]
-                corner = k in (up, below) or up == j or (up < 0 <= below)
-                if before is graph.parent or not corner:
-                    found.append((i, j, k))
+    chain, below = [], []
+    for i in range(len(graph)):
+        bare = graph.anchor_offsets[i] == graph.anchor_offsets[i + 1]
+        chain.append(bool(bare and graph.peculiarity[i] != g.ROOT and graph.previous[i] >= 0))
+        below.append(below[graph.previous[i]] if chain[i] else graph.parent[i])
+    found, spread = [], {}
+    for i in range(len(graph)):
+        j = graph.previous[i]
+        k = graph.previous[j] if j >= 0 else -1
+        if k >= 0 and graph.peculiarity[i] != g.TIP and graph.peculiarity[j] not in odd:
+            up, under = graph.parent[i], graph.parent[j]
+            corner = k in (up, under) or up == j or (up < 0 <= under)
+            if not corner and not (chain[j] and below[j] >= 0):
+                found.append((i, j, k))
+        j = graph.parent[i]
+        k = below[j] if j >= 0 else -1
+        if k >= 0 and graph.peculiarity[i] != g.TIP and graph.peculiarity[j] not in odd:
+            if chain[j]:
+                spread.setdefault(int(j), []).append((i, j, k))
+            else:
+                found.append((i, j, k))
+    for fan in spread.values():
+        half = len(fan) / 2
+        found += [fan[m] for m in range(len(fan)) if abs(m + 0.5 - half) < 1]
+    found = [t for t in found if t[0] < n]
     for last, first in graph.edges[graph.edge_kind == g.JOIN]:
         if last < n and first + 1 < len(graph) and graph.previous[first + 1] == first:
             found.append((first + 1, first, last))
