@@ -11,15 +11,15 @@ import time
 import numpy as np
 
 from tambour.core.errors import Text
-from tambour.crochet.arrange import fit
-from tambour.crochet.body import State, centroid_counts
-from tambour.crochet.build import build
+from tambour.crochet.finish.shape import Task, first_positions
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.parse import parse
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.parse import parse
 from tambour.crochet.plush import warm
-from tambour.crochet.settle import settle, tolerance
-from tambour.crochet.simulate import Task, first_positions
-from tambour.crochet.steps import step
+from tambour.crochet.settle.arrange import fit
+from tambour.crochet.settle.body import State, centroid_counts
+from tambour.crochet.settle.plain_steps import step
+from tambour.crochet.settle.rest import settle, tolerance
 
 NEAR = 0.1
 

@@ -23,17 +23,17 @@ from tambour import files
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.core.thread import STITCH
-from tambour.embroidery import flow as flows
-from tambour.embroidery.facts import density_map, full_cells, steps
-from tambour.embroidery.field import directions, field
-from tambour.embroidery.fill import rings, rows, to_rows
-from tambour.embroidery.make import make
-from tambour.embroidery.net import polygon_of, weave
+from tambour.embroidery.families.tatami import tatami
+from tambour.embroidery.lines import flow as flows
+from tambour.embroidery.lines.field import directions, field
+from tambour.embroidery.lines.fill import rings, rows, to_rows
+from tambour.embroidery.lines.net import polygon_of, weave
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import FILL, TRAVEL
-from tambour.embroidery.regions import to_shapely
-from tambour.embroidery.sequence import Layout
-from tambour.embroidery.tatami import tatami
+from tambour.embroidery.plan.facts import density_map, full_cells, steps
+from tambour.embroidery.plan.make import make
+from tambour.embroidery.plan.sequence import Layout
+from tambour.embroidery.regions.read import to_shapely
 
 SAMPLER = Path(__file__).resolve().parent.parent / "examples" / "embroidery" / "sampler.svg"
 ANGLE = math.radians(30)

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from tambour.core.mesh import Binding
-from tambour.embroidery.bind import bind_nearest, bind_ray, crossings, deform, net
-from tambour.embroidery.thread import curves
+from tambour.embroidery.cloth.bind import bind_nearest, bind_ray, crossings, deform, net
+from tambour.embroidery.cloth.thread import curves
 from tambour.geometry.closest import nearest, tree
 from tambour.geometry.surface import vertex_normals
 

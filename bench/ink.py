@@ -16,12 +16,16 @@ from pathlib import Path
 import numpy as np
 
 from tambour.core.progress import Progress
-from tambour.files import svg
-from tambour.ink import codes, draw, plan, press, scroll, trees
-from tambour.ink.brush import COLUMNS, END, KIND
-from tambour.ink.desk import Desk
-from tambour.ink.marks import BLOB, STROKE
+from tambour.files.svg import write as svg
+from tambour.ink.brush import press
+from tambour.ink.brush.desk import Desk
+from tambour.ink.brush.stroke import COLUMNS, END, KIND
+from tambour.ink.elements import trees
+from tambour.ink.ground import codes
+from tambour.ink.ground.marks import BLOB, STROKE
 from tambour.ink.params import Ink
+from tambour.ink.plan import draw, scroll
+from tambour.ink.plan import wholes as plan
 
 ORIGINAL_US, ORIGINAL_MB = 20.5, 16.5
 """Microseconds per polygon and MB of SVG per second of the original on a quiet machine (dossier 7)."""
@@ -227,9 +231,9 @@ def tiles(count: int = 1000) -> None:
 
 def hidden_lines() -> None:
     """Seconds to remove the hidden lines of a tile, and with every polygon taken for opaque."""
-    from tambour.ink import plot
-    from tambour.ink.plot_hidden import visible
-    from tambour.ink.plot_lines import hiding, lines, ragged
+    from tambour.ink.plotter import job as plot
+    from tambour.ink.plotter.hidden import visible
+    from tambour.ink.plotter.lines import hiding, lines, ragged
 
     plot.warm()
     for seed in ("7", "3", "5"):

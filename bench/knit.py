@@ -22,10 +22,13 @@ from tambour import color
 from tambour.core.errors import TambourError
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.knit import CRAFT, exact, floats, measure, paper, percept, tone
-from tambour.knit.edit import resolve
+from tambour.knit import CRAFT
 from tambour.knit.params import KnitParams
-from tambour.knit.solve import make, sweeps_for
+from tambour.knit.picture import tone
+from tambour.knit.solve import exact, floats, measure, percept
+from tambour.knit.solve import paper2013 as paper
+from tambour.knit.solve.edit import resolve
+from tambour.knit.solve.make import make, sweeps_for
 from tambour.knit.task import Task
 
 CASES = [

@@ -24,6 +24,19 @@ FLOORS = [
 ]
 
 
+def _inside(folder: Path) -> list[Path]:
+    """The modules of a folder, then its rooms, each followed by what is in it."""
+    modules = [p for p in sorted(folder.glob("*.py")) if p.name != "__init__.py"]
+    rooms = sorted(p.parent for p in folder.glob("*/__init__.py"))
+    return modules + [p for room in rooms for p in (room, *_inside(room))]
+
+
+def _thought(path: Path) -> str:
+    """The first paragraph of what a module, or a room, says of itself."""
+    said = ast.get_docstring(ast.parse((path / "__init__.py" if path.is_dir() else path).read_text())) or ""
+    return " ".join(said.split("\n\n")[0].split()).replace("|", "\\|")
+
+
 def text() -> str:
     """The page."""
     lines = [
@@ -33,13 +46,10 @@ def text() -> str:
     ]
     for floor in FLOORS:
         folder = SOURCE / floor
-        modules = sorted(folder.glob("*.py")) if folder.is_dir() else [SOURCE / f"{floor}.py"]
         lines += ["", f"## {floor}", "", "| module | what it holds |", "|---|---|"]
-        for path in modules:
-            said = ast.get_docstring(ast.parse(path.read_text())) or ""
-            first = " ".join(said.split("\n\n")[0].split()).replace("|", "\\|")
-            name = "" if path.name == "__init__.py" else f"/{path.name}" if folder.is_dir() else ".py"
-            lines.append(f"| `{floor}{name}` | {first} |")
+        for path in [folder, *_inside(folder)] if folder.is_dir() else [SOURCE / f"{floor}.py"]:
+            name = path.relative_to(SOURCE).as_posix()
+            lines.append(f"| `{name}{'/' if path.is_dir() else ''}` | {_thought(path)} |")
     return "\n".join(lines) + "\n"
 
 

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from tambour.core.errors import TambourError, Text
 from tambour.core.graph import ROOT, SEWN, THROUGH, TIP, YARN
-from tambour.crochet.build import build
-from tambour.crochet.parse import parse
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.parse import parse
 
 
 def made(text, **options):

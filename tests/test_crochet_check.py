@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import TambourError, Text
-from tambour.crochet.build import build
-from tambour.crochet.check import doubtful, size_edit, tech_edit
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.check import doubtful, size_edit, tech_edit
+from tambour.crochet.language.parse import parse
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.parse import parse
 
 EXAMPLES = Path(__file__).parent.parent / "examples" / "crochet"
 

@@ -8,8 +8,8 @@ import pytest
 
 from tambour.core.errors import TambourError, Text
 from tambour.core.graph import BLO, FLO
-from tambour.crochet.build import build
-from tambour.crochet.parse import parse
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.parse import parse
 
 DATA = Path(__file__).resolve().parents[1].parent / "shared" / "conformance" / "crochet"
 pytestmark = pytest.mark.skipif(not DATA.exists(), reason="the recorded runs are not here")

@@ -8,7 +8,7 @@ import pytest
 import crochet_plain as plain
 import crochet_toys as toys
 from tambour import noise
-from tambour.crochet import contact
+from tambour.crochet.settle import contact
 
 
 @pytest.mark.parametrize("size", [0.6, 2.0, 40.0])

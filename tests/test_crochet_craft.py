@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from tambour.core.errors import TambourError, Text
 from tambour.core.progress import Progress
 from tambour.crochet import CRAFT
-from tambour.crochet.gauge import gauge
+from tambour.crochet.maker.gauge import gauge
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import Plush, facts, graph, make
 from tambour.run import run
@@ -195,7 +195,7 @@ def test_yarn_is_measured_by_colour() -> None:
 
 
 def test_a_side_is_seen_from_there() -> None:
-    from tambour.crochet.portrait import SIDES, portrait
+    from tambour.crochet.page.portrait import SIDES, portrait
 
     assert set(SIDES) <= set(CRAFT.views)
     piece = made(BALL, solver="none")

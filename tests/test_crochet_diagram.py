@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import Text
-from tambour.crochet.build import build
-from tambour.crochet.chart import Chart, charts
-from tambour.crochet.diagram import CELL, diagram
-from tambour.crochet.parse import parse
-from tambour.crochet.symbols import NAMES, post, strokes
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.parse import parse
+from tambour.crochet.page.chart import Chart, charts
+from tambour.crochet.page.diagram import CELL, diagram
+from tambour.crochet.page.symbols import NAMES, post, strokes
 
 BALL = ": MR(6)\n: 6 inc (12)\n: [sc, inc] x 6 (18)\n: [sc, dec] x 6 (12)\n: 6 dec (6)\nFO\n"
 ROWS = ": ch 9, turn\n: 8 sc\n: turn, ch, 8 sc\n: turn, ch 2, [dcinc, dc] x 4\n"

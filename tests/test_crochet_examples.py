@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import Text
-from tambour.crochet.build import build
-from tambour.crochet.parse import parse
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.parse import parse
 
 FOLDER = Path(__file__).resolve().parents[1] / "examples" / "crochet"
 EXAMPLES = sorted(FOLDER.glob("*.acl"))

@@ -7,10 +7,10 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.graph import StitchGraph
-from tambour.crochet import clearance, fabric, surface
-from tambour.crochet.build import build
-from tambour.crochet.layout import rounds
-from tambour.crochet.parse import parse
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.layout import rounds
+from tambour.crochet.language.parse import parse
+from tambour.crochet.yarn import clearance, fabric, surface
 from tambour.geometry.surface import closed
 
 STRIPES = """

@@ -9,12 +9,12 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
-from tambour.crochet.features import doubts, materials, meshes, placed
-from tambour.crochet.felt import area, outline
-from tambour.crochet.finish import SHAPES
-from tambour.crochet.ground import Ground, ground
+from tambour.crochet.finish.features import doubts, materials, meshes, placed
+from tambour.crochet.finish.felt import area, outline
+from tambour.crochet.finish.ground import Ground, ground
+from tambour.crochet.finish.placing import frames
+from tambour.crochet.language.finishes import SHAPES
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.placing import frames
 from tambour.crochet.plush import Plush, facts, make, surface, yarn
 
 HEAD = """== Head ==

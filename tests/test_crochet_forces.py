@@ -11,7 +11,7 @@ import crochet_plain as plain
 import crochet_toys as toys
 from tambour import noise
 from tambour.core import graph as g
-from tambour.crochet import forces
+from tambour.crochet.settle import forces
 
 
 def shaken(n: int, name: str, size: float = 1.0) -> np.ndarray:
@@ -74,9 +74,9 @@ def test_bend_is_the_formula_and_leaves_straight_lines_alone() -> None:
 def test_what_is_kept_straight(text: str) -> None:
     """Against the plain rule, where yarn turns corners and rounds are joined."""
     from tambour.core.errors import Text
-    from tambour.crochet.body import _straight
-    from tambour.crochet.build import build
-    from tambour.crochet.parse import parse
+    from tambour.crochet.graph.build import build
+    from tambour.crochet.language.parse import parse
+    from tambour.crochet.settle.body import _straight
 
     graph = build(parse(Text("@stuffing = none\n" + text))).graph
     triples, _ = _straight(graph, np.zeros(1), 0.05)

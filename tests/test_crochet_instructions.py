@@ -8,13 +8,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tambour.core.errors import TambourError, Text
-from tambour.crochet.build import build
-from tambour.crochet.instructions import instructions
-from tambour.crochet.parse import parse
-from tambour.crochet.printed import read_printed
-from tambour.crochet.reading import read
-from tambour.crochet.restated import restated
-from tambour.crochet.terms import TERMS
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.parse import parse
+from tambour.crochet.page.instructions import instructions
+from tambour.crochet.printed.choose import read
+from tambour.crochet.printed.pattern import read_printed
+from tambour.crochet.printed.restated import restated
+from tambour.crochet.words.languages import TERMS
 from test_crochet_starts import CLOSED
 
 HERE = Path(__file__).resolve()

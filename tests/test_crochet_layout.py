@@ -8,7 +8,8 @@ import pytest
 import crochet_plain as plain
 import crochet_toys as toys
 from tambour import noise
-from tambour.crochet import arrange, layout
+from tambour.crochet.graph import layout
+from tambour.crochet.settle import arrange
 
 
 def test_a_round_is_a_ring_above_the_one_before() -> None:

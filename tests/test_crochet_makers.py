@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import TambourError, Text
-from tambour.crochet.build import Built, build
-from tambour.crochet.check import tech_edit
-from tambour.crochet.parse import parse
-from tambour.crochet.reading import read
+from tambour.crochet.graph.build import Built, build
+from tambour.crochet.graph.check import tech_edit
+from tambour.crochet.language.parse import parse
+from tambour.crochet.printed.choose import read
 
 FOLDER = Path(__file__).parent / "data" / "makers"
 PATTERNS = sorted(FOLDER.glob("*.txt"))

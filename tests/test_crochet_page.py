@@ -14,17 +14,17 @@ from tambour.core.drawing import Drawing
 from tambour.core.errors import Text
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.crochet.gauge import WEIGHTS
-from tambour.crochet.materials import DENSITY, materials
-from tambour.crochet.page import pages
-from tambour.crochet.page_flow import Atom, Chunk, Frame, flow, together
-from tambour.crochet.page_pictures import steps
-from tambour.crochet.page_sheet import Sheet, width_of, wrap
-from tambour.crochet.page_text import words
-from tambour.crochet.page_words import WORDS
+from tambour.crochet.maker.gauge import WEIGHTS
+from tambour.crochet.maker.materials import DENSITY, materials
+from tambour.crochet.page.booklet import pages
+from tambour.crochet.page.flow import Atom, Chunk, Frame, flow, together
+from tambour.crochet.page.pictures import steps
+from tambour.crochet.page.sheet import Sheet, width_of, wrap
+from tambour.crochet.page.text import words
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import Plush, make
-from tambour.crochet.terms import TERMS
+from tambour.crochet.words.languages import TERMS
+from tambour.crochet.words.page import WORDS
 from tambour.files import write
 
 TOY = """\
@@ -97,9 +97,9 @@ def test_nothing_leaves_the_paper_or_lies_over_other_words(
     page: str, size: tuple[float, float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     nothing = Picture(np.full((2, 3, 4), 255, np.uint8))
-    monkeypatch.setattr("tambour.crochet.page.whole", lambda *_: nothing)
+    monkeypatch.setattr("tambour.crochet.page.booklet.whole", lambda *_: nothing)
     for name in ("of_parts", "of_step", "from_side"):
-        monkeypatch.setattr(f"tambour.crochet.page_parts.{name}", lambda *_: nothing)
+        monkeypatch.setattr(f"tambour.crochet.page.parts.{name}", lambda *_: nothing)
     for drawing in booklet(page=page, title="A title that is so long that it hardly fits " * 3):
         assert tuple(drawing.size) == size
         boxes = []

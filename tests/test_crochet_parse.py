@@ -3,9 +3,9 @@
 import pytest
 
 from tambour.core.errors import TambourError, Text
-from tambour.crochet.build import build
-from tambour.crochet.parse import parse
-from tambour.crochet.stitches import BASIC, STITCHES, standard
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.parse import parse
+from tambour.crochet.language.stitches import BASIC, STITCHES, standard
 
 
 def wrong(text, **options):

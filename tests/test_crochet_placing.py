@@ -10,17 +10,17 @@ import pytest
 
 from tambour.core.errors import TambourError, Text
 from tambour.core.progress import Progress
-from tambour.crochet.build import build
-from tambour.crochet.contact import BESIDE, lie
-from tambour.crochet.finish import Eye, Placed, Spot
-from tambour.crochet.joining import crowded, prepare
+from tambour.crochet.finish.joining import crowded, prepare
+from tambour.crochet.finish.placing import frames
+from tambour.crochet.finish.twist import twisted
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.spots import Spots, numbers
+from tambour.crochet.language.finishes import Eye, Placed, Spot
+from tambour.crochet.language.parse import parse
+from tambour.crochet.page.own import pattern
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.parse import parse
-from tambour.crochet.placing import frames
 from tambour.crochet.plush import Plush, facts, make
-from tambour.crochet.spots import Spots, numbers
-from tambour.crochet.twist import twisted
-from tambour.crochet.write import pattern
+from tambour.crochet.settle.contact import BESIDE, lie
 
 BALL = """== Head ==
 R1: MR(6) (6)

@@ -9,10 +9,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tambour.core.errors import TambourError, Text
-from tambour.crochet.build import build
-from tambour.crochet.parse import parse
-from tambour.crochet.printed import NOTHING, read_printed
-from tambour.crochet.reading import account, read
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.parse import parse
+from tambour.crochet.printed.choose import account, read
+from tambour.crochet.printed.pattern import NOTHING, read_printed
 
 DATA = Path(__file__).resolve().parent / "data"
 MAKERS = sorted(p for folder in ("makers", "printed") for p in (DATA / folder).iterdir() if p.suffix in (".txt", ".md"))

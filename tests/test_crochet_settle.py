@@ -11,11 +11,11 @@ import pytest
 
 import crochet_plain as plain
 import crochet_toys as toys
-from tambour.crochet.arrange import fit
-from tambour.crochet.body import centroid_counts, grown
+from tambour.crochet.finish.shape import Shape, Task, first_positions, simulate
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.settle import tolerance
-from tambour.crochet.simulate import Shape, Task, first_positions, simulate
+from tambour.crochet.settle.arrange import fit
+from tambour.crochet.settle.body import centroid_counts, grown
+from tambour.crochet.settle.rest import tolerance
 
 
 def task(toy, stuffing: str, start: str = "rounds", **options) -> Task:
@@ -115,7 +115,7 @@ def test_bytes_do_not_depend_on_threads() -> None:
     code = (
         "import crochet_toys as t, hashlib\n"
         "from tambour.crochet.params import CrochetParams\n"
-        "from tambour.crochet.simulate import Task, simulate\n"
+        "from tambour.crochet.finish.shape import Task, simulate\n"
         "import numpy as np\n"
         "for s in ('pressure', 'centroid'):\n"
         "    made = simulate(Task(t.ball(9, 9), CrochetParams(), 5.0, s, 'rounds', np.array([17])))\n"

@@ -13,9 +13,9 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
-from tambour.crochet.contact import pairs, ragged
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import Plush, facts, make, surface
+from tambour.crochet.settle.contact import pairs, ragged
 from tambour.geometry.surface import closed
 
 EXAMPLES = Path(__file__).parent.parent / "examples" / "crochet"

@@ -11,11 +11,11 @@ import pytest
 
 from tambour.core.errors import Span, TambourError, Text
 from tambour.core.progress import Progress
-from tambour.crochet.gauge import WEIGHTS, class_of, expected, gauge, hook_of, ravelled, swatch_of
+from tambour.crochet.maker.gauge import WEIGHTS, class_of, expected, gauge, hook_of, ravelled, swatch_of
+from tambour.crochet.maker.size import THICK
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import DRAWN_TIGHT, Plush, facts, make
-from tambour.crochet.size import THICK
-from tambour.crochet.snug import stretch
+from tambour.crochet.settle.snug import stretch
 
 TOYS = Path(__file__).parent / "data" / "crochet_size"
 

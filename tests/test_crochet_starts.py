@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from tambour.core.errors import TambourError, Text
 from tambour.core.graph import JOIN, LAID, THROUGH, YARN
 from tambour.core.progress import Progress
+from tambour.crochet.language.stitches import STITCHES, into_one, standard
+from tambour.crochet.page.own import pattern
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
-from tambour.crochet.stitches import STITCHES, into_one, standard
-from tambour.crochet.write import pattern
 from test_crochet_build import closed, made, problems
 
 EXAMPLES = Path(__file__).parent.parent / "examples" / "crochet"

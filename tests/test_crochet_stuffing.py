@@ -7,9 +7,10 @@ import numpy as np
 import crochet_plain as plain
 import crochet_toys as toys
 from tambour import noise
-from tambour.crochet import body, layout, stuffing
-from tambour.crochet.lids import lids
+from tambour.crochet.graph import layout
+from tambour.crochet.graph.lids import lids
 from tambour.crochet.params import CrochetParams
+from tambour.crochet.settle import body, stuffing
 
 
 def shape(toy, shake: float = 0.1) -> np.ndarray:

@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tambour.crochet.finish import SHAPES, Embroidery, Eye, Felt, Hair, Placed, Spot
-from tambour.crochet.phrases import ITEMS, Phrases, number
-from tambour.crochet.stitches import STITCHES
-from tambour.crochet.terms import SENTENCES, TERMS, WORDS
+from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Hair, Placed, Spot
+from tambour.crochet.language.stitches import STITCHES
+from tambour.crochet.words.languages import SENTENCES, TERMS, WORDS
+from tambour.crochet.words.phrases import ITEMS, Phrases, number
 
 LEGEND = {"A": (1, 2, 3), "B": (200, 10, 77), "C2": (9, 9, 9)}
 COPIES = {"Head": 1, "Ear": 2, "Arm": 2, "Arm 1": 1, "Left leg": 1}

@@ -8,10 +8,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tambour.core.errors import TambourError, Text
-from tambour.crochet.build import build
-from tambour.crochet.parse import parse
-from tambour.crochet.restated import restated
-from tambour.crochet.write import pattern
+from tambour.crochet.graph.build import build
+from tambour.crochet.language.parse import parse
+from tambour.crochet.page.own import pattern
+from tambour.crochet.printed.restated import restated
 
 EXAMPLES = sorted((Path(__file__).resolve().parents[1] / "examples" / "crochet").glob("*.acl"))
 FIELDS = ("part", "color", "parent", "round", "loop", "direction", "height", "peculiarity", "plane", "edges")

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from tambour.core.mesh import Binding, Mesh
-from tambour.embroidery.bind import bind_nearest, bind_ray, crossings, deform, net
-from tambour.embroidery.cloth import sheet
+from tambour.embroidery.cloth.bind import bind_nearest, bind_ray, crossings, deform, net
+from tambour.embroidery.cloth.sheets import sheet
 from tambour.geometry.closest import nearest, on_triangle, tree
 from tambour.geometry.surface import vertex_normals
 

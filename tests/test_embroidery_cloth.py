@@ -7,8 +7,8 @@ import pytest
 
 from tambour.core.errors import TambourError
 from tambour.core.mesh import Mesh
-from tambour.embroidery.cloth import CLOTHS, cloth, sheet
-from tambour.embroidery.place import lay, place
+from tambour.embroidery.cloth.place import lay, place
+from tambour.embroidery.cloth.sheets import CLOTHS, cloth, sheet
 from test_embroidery_bind import ball
 
 ROWS = np.array([(-9.0 + 0.3 * (k % 3), y, 9.0, y) for k, y in enumerate(np.arange(-9, 9, 0.4))])

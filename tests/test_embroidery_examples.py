@@ -6,9 +6,9 @@ import pytest
 
 from tambour import files
 from tambour.core.progress import Progress
-from tambour.embroidery.facts import facts
-from tambour.embroidery.make import make
 from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.plan.facts import facts
+from tambour.embroidery.plan.make import make
 
 
 @pytest.mark.parametrize(

@@ -13,10 +13,10 @@ from tambour.core.drawing import Drawing, Groups, Styles
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.core.thread import JUMP, STITCH
-from tambour.embroidery.facts import facts, steps
-from tambour.embroidery.make import make
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import FILL, SATIN, UNDERLAY
+from tambour.embroidery.plan.facts import facts, steps
+from tambour.embroidery.plan.make import make
 
 PITCH = 0.5
 COVERING = ("tatami", "contour", "spiral", "radial", "guided", "flow")
@@ -179,8 +179,8 @@ def test_basting_and_knockdown_come_first():
 
 @pytest.mark.parametrize("guide", [True, False])
 def test_flow_follows_its_guide(guide):
-    from tambour.embroidery.field import direction, field
-    from tambour.embroidery.flow import flow
+    from tambour.embroidery.lines.field import direction, field
+    from tambour.embroidery.lines.flow import flow
 
     area = shapely.Polygon(leaf()[0], [leaf()[1]])
     line = Paths.of([np.c_[np.linspace(-16, 16, 30), 4 * np.sin(np.linspace(-2, 2, 30))]]) if guide else None

@@ -9,7 +9,7 @@ import pytest
 import shapely
 
 from tambour.core.paths import Paths
-from tambour.embroidery.fill import crossings, from_rows, inside_pairs, levels, rings, rows, to_rows
+from tambour.embroidery.lines.fill import crossings, from_rows, inside_pairs, levels, rings, rows, to_rows
 
 
 def closed(*lines):

@@ -9,10 +9,10 @@ from tambour import files
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
 from tambour.core.thread import COLOR, JUMP, STITCH, STOP, TRIM
-from tambour.embroidery.facts import facts, steps
-from tambour.embroidery.make import make
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import FILL, RUNNING, SATIN, UNDERLAY
+from tambour.embroidery.plan.facts import facts, steps
+from tambour.embroidery.plan.make import make
 
 HEAD = (
     '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '

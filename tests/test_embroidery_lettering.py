@@ -10,12 +10,12 @@ from tambour import files
 from tambour.core.errors import TambourError
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.embroidery.facts import facts
-from tambour.embroidery.make import make
-from tambour.embroidery.medial import limbs
+from tambour.embroidery.columns.medial import limbs
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import SATIN
-from tambour.embroidery.trace import outlines, traced
+from tambour.embroidery.plan.facts import facts
+from tambour.embroidery.plan.make import make
+from tambour.embroidery.regions.trace import outlines, traced
 from tambour.geometry.glyphs import capital_height, glyph
 from tambour.render.type import font_bytes
 

@@ -9,8 +9,8 @@ import numpy as np
 from tambour import files
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
-from tambour.embroidery.make import make
 from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.plan.make import make
 
 SEEDS = [
     '<svg xmlns="http://www.w3.org/2000/svg" width="20mm" height="16mm" viewBox="0 0 20 16"><style>.a{fill:#f00}</style><g transform="rotate(5)">'

@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
-from tambour.embroidery.preview import developed, field, paint, picture, stitches
+from tambour.embroidery.looks.preview import developed, field, paint, picture, stitches
 
 
 def patch(angle: float, size: float = 8.0) -> ThreadPlan:

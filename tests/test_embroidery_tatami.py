@@ -9,12 +9,12 @@ import pytest
 import shapely
 
 from tambour.core.paths import Paths
-from tambour.embroidery.facts import density_map, full_cells
-from tambour.embroidery.fill import rings
+from tambour.embroidery.families.stitches import tidy
+from tambour.embroidery.families.tatami import tatami
+from tambour.embroidery.lines.fill import rings
+from tambour.embroidery.lines.route import LINE, adjacency, euler, ring_edges
 from tambour.embroidery.piece import FILL, TRAVEL
-from tambour.embroidery.route import LINE, adjacency, euler, ring_edges
-from tambour.embroidery.stitches import tidy
-from tambour.embroidery.tatami import tatami
+from tambour.embroidery.plan.facts import density_map, full_cells
 
 ANGLE = math.radians(30)
 

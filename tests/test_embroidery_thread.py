@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tambour.embroidery.thread import curves
+from tambour.embroidery.cloth.thread import curves
 
 R = 0.2
 

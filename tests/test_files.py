@@ -15,8 +15,8 @@ from tambour.core.drawing import Drawing, Groups, Label, Placed, Styles
 from tambour.core.errors import TambourError, Text
 from tambour.core.paths import Paths
 from tambour.core.picture import Picture
-from tambour.files import svg
 from tambour.files.picture import read_picture, write_picture
+from tambour.files.svg import write as svg
 
 HOUSE = Drawing(
     Paths(

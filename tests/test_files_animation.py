@@ -18,7 +18,7 @@ from tambour.core.drawing import Drawing, Label, Placed, Styles
 from tambour.core.paths import Paths
 from tambour.core.picture import Picture
 from tambour.core.reveal import Reveal, stretch
-from tambour.files import svg
+from tambour.files.svg import write as svg
 from tambour.render import flat
 
 BLACK = Styles.of(((0, 0, 0, 120), None, 0), ((200, 30, 20, 255), (0, 0, 0, 255), 0.2))

@@ -12,7 +12,7 @@ import shapely
 
 from tambour import files
 from tambour.core.errors import TambourError
-from tambour.files.svg_path import PathError, arc, flatten, transform
+from tambour.files.svg.path import PathError, arc, flatten, transform
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" xmlns:inkstitch="http://inkstitch.org/namespace" width="100mm" height="50mm" viewBox="0 0 100 50">'
 

@@ -12,8 +12,8 @@ import pytest
 from tambour import files
 from tambour.core.errors import TambourError
 from tambour.core.scene import Scene
-from tambour.embroidery.cloth import cloth
-from tambour.embroidery.place import lay, place
+from tambour.embroidery.cloth.place import lay, place
+from tambour.embroidery.cloth.sheets import cloth
 from tambour.files import scene as scenes
 from tambour.files.glb import _INDEX, _VERTEX, Body
 from tambour.files.scene import joined, tubes

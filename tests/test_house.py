@@ -53,6 +53,14 @@ def test_public_names_are_there() -> None:
     assert "numpy" not in dir(package)
 
 
+def test_every_lazy_name_is_there() -> None:
+    from tambour.craft import Lazy
+    from tambour.run import craft
+
+    named = [f for c in map(craft, CRAFTS) for f in [c.make, c.facts, *(v.make for v in c.views.values())]]
+    assert all(callable(f.found) for f in named if isinstance(f, Lazy))
+
+
 def test_the_list_of_rooms_is_true(root: Path) -> None:
     spec = importlib.util.spec_from_file_location("rooms", root / "docs" / "rooms.py")
     assert spec and spec.loader

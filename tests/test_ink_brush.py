@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tambour import noise
-from tambour.ink import press
-from tambour.ink.brush import COLUMNS, END, KIND, bell, rnd
-from tambour.ink.marks import BLOB, BODY, RING, STROKE
-from tambour.ink.people import smooth
+from tambour.ink.brush import press
+from tambour.ink.brush.stroke import COLUMNS, END, KIND, bell, rnd
+from tambour.ink.elements.people import smooth
+from tambour.ink.ground.marks import BLOB, BODY, RING, STROKE
 
 TABLE = noise.lattice("test")
 

@@ -9,10 +9,24 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tambour.ink import banks, bushes, hills, houses, people, pines, press, ranges, rocks, sky, specimens, trees, water
-from tambour.ink.desk import Desk
-from tambour.ink.kinds import SPECIMENS
-from tambour.ink.marks import Marks
+from tambour.ink.brush import press
+from tambour.ink.brush.desk import Desk
+from tambour.ink.elements import (
+    banks,
+    bushes,
+    hills,
+    houses,
+    people,
+    pines,
+    ranges,
+    rocks,
+    sky,
+    specimens,
+    trees,
+    water,
+)
+from tambour.ink.ground.kinds import SPECIMENS
+from tambour.ink.ground.marks import Marks
 
 GOLDEN = Path(__file__).parent / "data" / "ink_elements.json"
 ORIGINAL = {

@@ -17,8 +17,9 @@ from tambour.core.errors import TambourError
 from tambour.core.font import Font
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
-from tambour.ink import CRAFT, scroll
+from tambour.ink import CRAFT
 from tambour.ink.params import Ink, stem
+from tambour.ink.plan import scroll
 from tambour.render import flat
 
 

@@ -17,11 +17,12 @@ import shapely
 from tambour import files
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
-from tambour.ink import plot, scroll
 from tambour.ink.params import Ink
-from tambour.ink.plot_hidden import visible
-from tambour.ink.plot_lines import hiding, lines, ragged
-from tambour.ink.plot_path import cut, simplified, strung, tour
+from tambour.ink.plan import scroll
+from tambour.ink.plotter import job as plot
+from tambour.ink.plotter.hidden import visible
+from tambour.ink.plotter.lines import hiding, lines, ragged
+from tambour.ink.plotter.path import cut, simplified, strung, tour
 from tambour.run import run
 
 
@@ -131,7 +132,7 @@ def steps(coords, offsets):
 
 
 def test_a_hatch_covers_what_its_tone_asks():
-    from tambour.ink.plot_lines import hatched
+    from tambour.ink.plotter.lines import hatched
 
     square = np.array([(0.0, 0), (100, 0), (100, 100), (0, 100)])
     for level in (0.0, 1.0, 3.0):

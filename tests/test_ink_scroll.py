@@ -9,12 +9,12 @@ import sys
 import numpy as np
 
 from tambour.core.progress import Progress
-from tambour.ink import scroll
-from tambour.ink.codes import BANK, HILL
-from tambour.ink.draw import roots
-from tambour.ink.marks import Marks
+from tambour.ink.ground.codes import BANK, HILL
+from tambour.ink.ground.marks import Marks
 from tambour.ink.params import Ink
-from tambour.ink.plan import TILE, Rules, hills, tile
+from tambour.ink.plan import scroll
+from tambour.ink.plan.draw import roots
+from tambour.ink.plan.wholes import TILE, Rules, hills, tile
 
 
 def _make(**given: object) -> scroll.Scroll:

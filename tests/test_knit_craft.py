@@ -18,10 +18,11 @@ from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.knit import exact, floats, tone
-from tambour.knit.edit import resolve
 from tambour.knit.params import KnitParams
-from tambour.knit.solve import make
+from tambour.knit.picture import tone
+from tambour.knit.solve import exact, floats
+from tambour.knit.solve.edit import resolve
+from tambour.knit.solve.make import make
 
 METHODS = ("random-walk", "min-conflict", "gsat", "hybrid", "texture", "exact", "perceptual")
 
@@ -228,7 +229,8 @@ def test_bytes_do_not_depend_on_threads_or_processes(monkeypatch):
 def test_lined_up_flips_are_few():
     y, x = np.mgrid[:120, :150]
     t = (0.5 + 0.5 * np.sin(x / 31 + np.cos(y / 27))).astype(np.float32)
-    from tambour.knit import measure, paper
+    from tambour.knit.solve import measure
+    from tambour.knit.solve import paper2013 as paper
     from tambour.knit.task import Task
 
     task = Task(t, tone.assign(t, "floyd-steinberg", 0.5), 4)

@@ -13,10 +13,10 @@ from tambour.core.chart import Chart, Gauge
 from tambour.core.drawing import Drawing
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
-from tambour.knit.draw import Look, float_sheet, sheet_of, sign
-from tambour.knit.fabric import front
-from tambour.knit.pages import MARGIN, OVERLAP, PAGES, Words, booklet, layout
-from tambour.knit.yarn import amounts
+from tambour.knit.hands.yarn import amounts
+from tambour.knit.sheets.draw import Look, float_sheet, sheet_of, sign
+from tambour.knit.sheets.fabric import front
+from tambour.knit.sheets.pages import MARGIN, OVERLAP, PAGES, Words, booklet, layout
 
 WOOL = Palette(np.array([[240, 230, 210], [30, 40, 90]], np.uint8), ("natural", "indigo"))
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import TambourError
-from tambour.knit import exact, floats
+from tambour.knit.solve import exact, floats
 from tambour.knit.task import Task
 
 EMPTY = np.zeros((0, 0), np.bool_)
@@ -133,7 +133,7 @@ def test_repeats_are_rounds():
 
 def test_tidy_trades_flips_for_order():
     """A white sheet between two posts: the fewest flips stand in columns; a few more do not."""
-    from tambour.knit import measure
+    from tambour.knit.solve import measure
 
     start = np.ones((40, 46), np.uint8)
     start[:, [0, -1]] = 0

@@ -11,7 +11,7 @@ import pytest
 
 from tambour import files
 from tambour.cli import main
-from tambour.knit.hand import floats
+from tambour.knit.hands.working import floats
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 COMMANDS = [

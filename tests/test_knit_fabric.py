@@ -7,8 +7,8 @@ import pytest
 
 from tambour.core.chart import Chart, Gauge
 from tambour.core.palette import Palette
-from tambour.knit.distance import distance
-from tambour.knit.fabric import back, cell, front, pixels
+from tambour.knit.sheets.distance import distance
+from tambour.knit.sheets.fabric import back, cell, front, pixels
 
 WOOL = Palette(np.array([[235, 225, 205], [30, 40, 110]], np.uint8), ("natural", "indigo"))
 

@@ -7,7 +7,7 @@ from itertools import groupby
 import numpy as np
 import pytest
 
-from tambour.knit import exact, floats
+from tambour.knit.solve import exact, floats
 from tambour.knit.task import Task
 
 

@@ -17,8 +17,8 @@ from tambour.core.chart import Chart, Gauge
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
 from tambour.files.brother import memory
-from tambour.knit.interchange import dak, silverknit
-from tambour.knit.punchcard import card, holes
+from tambour.knit.machines.interchange import dak, silverknit
+from tambour.knit.sheets.punchcard import card, holes
 
 WOOL = Palette(np.array([[240, 230, 210], [30, 40, 90]], np.uint8), ("natural", "indigo"), ("N1", ""))
 FOUR = Palette(np.array([[240, 230, 210], [30, 40, 90], [200, 60, 50], [90, 140, 80]], np.uint8), ("a", "b", "c", "d"))

@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 
 from tambour.core.chart import Chart, Gauge
 from tambour.core.palette import Palette
-from tambour.knit.catch import AGAIN, BESIDE, CATCH, IDLE, SAME, UNEVEN
-from tambour.knit.hand import catches, floats, ladders, roles, tally
-from tambour.knit.swatch import cut, swatch
-from tambour.knit.written import float_list, pattern, rows, sentence
-from tambour.knit.yarn import SPARE, STITCH, amounts
+from tambour.knit.hands.catch import AGAIN, BESIDE, CATCH, IDLE, SAME, UNEVEN
+from tambour.knit.hands.working import catches, floats, ladders, roles, tally
+from tambour.knit.hands.written import float_list, pattern, rows, sentence
+from tambour.knit.hands.yarn import SPARE, STITCH, amounts
+from tambour.knit.sheets.swatch import cut, swatch
 
 WOOL = Palette(np.array([[240, 230, 210], [30, 40, 90]], np.uint8), ("natural", "indigo"))
 FOUR = Palette(np.array([[9, 9, 9], [30, 40, 90], [200, 60, 50], [90, 140, 80]], np.uint8))

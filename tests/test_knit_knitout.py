@@ -15,7 +15,7 @@ from tambour.core.chart import Chart
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
 from tambour.files.knitout import lines
-from tambour.knit.hand import floats
+from tambour.knit.hands.working import floats
 
 WOOL = Palette(np.array([[240, 230, 210], [30, 40, 90]], np.uint8), ("natural", "indigo"))
 

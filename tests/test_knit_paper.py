@@ -7,8 +7,10 @@ from itertools import groupby
 import numpy as np
 import pytest
 
-from tambour.knit import exact, floats, measure, paper, tone
 from tambour.knit.params import KnitParams
+from tambour.knit.picture import tone
+from tambour.knit.solve import exact, floats, measure
+from tambour.knit.solve import paper2013 as paper
 from tambour.knit.task import Task
 
 

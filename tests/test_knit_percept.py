@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from tambour.knit import floats, percept
+from tambour.knit.solve import floats, percept
 from tambour.knit.task import Task
 
 

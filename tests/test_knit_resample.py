@@ -8,9 +8,9 @@ import pytest
 from tambour.core.errors import TambourError
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.knit import resample
-from tambour.knit.layout import lay
 from tambour.knit.params import KnitParams
+from tambour.knit.picture import resample
+from tambour.knit.picture.layout import lay
 
 
 def picture(rgb, alpha=255):

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tambour.knit import texture, tone
-from tambour.knit.floats import measure
 from tambour.knit.params import KnitParams
+from tambour.knit.picture import tone
+from tambour.knit.solve import texture
+from tambour.knit.solve.floats import measure
 from tambour.knit.task import Task
 
 

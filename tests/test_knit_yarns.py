@@ -10,9 +10,11 @@ import pytest
 from tambour.core.errors import TambourError, Text
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.knit import CRAFT, percept, shades, yarns
+from tambour.knit import CRAFT
 from tambour.knit.params import KnitParams
-from tambour.knit.solve import make
+from tambour.knit.picture import shades
+from tambour.knit.solve import percept, yarns
+from tambour.knit.solve.make import make
 from tambour.knit.task import Task
 
 

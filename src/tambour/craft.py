@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -29,6 +30,26 @@ def _no_objection(params: Params, views: Sequence[str]) -> None:
 
 def _no_preference(params: Params) -> Mapping[str, str]:
     return {}
+
+
+@dataclass(frozen=True, slots=True)
+class Lazy:
+    """A function by its place, ``package.module:name``, imported when it is first called.
+
+    So a craft's table names all that it can do, and loads none of it.
+    """
+
+    where: str
+
+    def __call__(self, *given: Any) -> Any:
+        return self.found(*given)
+
+    @property
+    def found(self) -> Callable[..., Any]:
+        """The function itself."""
+        module, name = self.where.split(":")
+        function: Callable[..., Any] = getattr(import_module(module), name)
+        return function
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,7 +35,7 @@ def _photo(piece: Any) -> Any:
 
 def _seen(side: str) -> Any:
     def view(piece: Any) -> Any:
-        from tambour.crochet.portrait import portrait
+        from tambour.crochet.page.portrait import portrait
 
         return portrait(piece, side)
 
@@ -55,25 +55,25 @@ def _graph(piece: Any) -> Any:
 
 
 def _page(piece: Any) -> Any:
-    from tambour.crochet.page import pages
+    from tambour.crochet.page.booklet import pages
 
     return pages(piece)
 
 
 def _pattern(piece: Any) -> Any:
-    from tambour.crochet.write import pattern
+    from tambour.crochet.page.own import pattern
 
     return pattern(piece.built)
 
 
 def _instructions(piece: Any) -> Any:
-    from tambour.crochet.instructions import instructions
+    from tambour.crochet.page.instructions import instructions
 
     return instructions(piece.built, piece.params.terms)
 
 
 def _diagram(piece: Any) -> Any:
-    from tambour.crochet.diagram import diagram
+    from tambour.crochet.page.diagram import diagram
 
     return diagram(piece.built)
 

@@ -112,7 +112,7 @@ class CrochetParams(Params):
     @classmethod
     def _gauge_yarn(cls, value: str | None) -> str | None:
         if value is not None:
-            from tambour.crochet.gauge import ravelled
+            from tambour.crochet.maker.gauge import ravelled
 
             try:
                 ravelled(value)
@@ -125,7 +125,7 @@ class CrochetParams(Params):
     def _yarn(cls, value: str | int | None) -> str | None:
         if value is None:
             return None
-        from tambour.crochet.gauge import WEIGHTS, class_of
+        from tambour.crochet.maker.gauge import WEIGHTS, class_of
 
         found = class_of(str(value))
         if found is None:

@@ -15,16 +15,16 @@ if TYPE_CHECKING:
     from tambour.core.mesh import Mesh
     from tambour.core.picture import Picture
     from tambour.core.strands import Strands
-    from tambour.crochet.build import Built
-    from tambour.crochet.gauge import Gauge
-    from tambour.crochet.joining import Joining
-    from tambour.crochet.simulate import Shape
+    from tambour.crochet.finish.joining import Joining
+    from tambour.crochet.finish.shape import Shape
+    from tambour.crochet.graph.build import Built
+    from tambour.crochet.maker.gauge import Gauge
 
 
 DRAWN_TIGHT = 0.606
 """Yarn that hands take, as a share of the yarn that is drawn. The drawn yarn is led so that it nowhere touches itself,
 13.2 widths to a single crochet in the round (13.1 in a tube, 13.3 in a ball, 13.0 in a disc); hands press it together
-to 8 (:data:`tambour.crochet.gauge.IN_A_STITCH`)."""
+to 8 (:data:`tambour.crochet.maker.gauge.IN_A_STITCH`)."""
 
 DOUBT, PALE = (206, 42, 38), (228, 224, 216)
 """Colours of the picture of a tech edit: stitches that it doubts, and what the others are mixed with."""
@@ -61,13 +61,13 @@ class Plush:
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
-    from tambour.crochet import features
-    from tambour.crochet.build import build
-    from tambour.crochet.gauge import gauge
-    from tambour.crochet.joining import crowded, prepare
-    from tambour.crochet.pose import pose
-    from tambour.crochet.reading import read
-    from tambour.crochet.twist import twisted
+    from tambour.crochet.finish import features
+    from tambour.crochet.finish.joining import crowded, prepare
+    from tambour.crochet.finish.pose import pose
+    from tambour.crochet.finish.twist import twisted
+    from tambour.crochet.graph.build import build
+    from tambour.crochet.maker.gauge import gauge
+    from tambour.crochet.printed.choose import read
 
     if params.photo:
         from tambour.render.photo import tracer
@@ -81,7 +81,7 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
         built = pose(build(pattern, stitch=stitch, strict=params.strict), params.pose)
         joining = prepare(built)
     if params.check:
-        from tambour.crochet.check import tech_edit
+        from tambour.crochet.graph.check import tech_edit
 
         found = tech_edit(built)
         if found:
@@ -104,11 +104,11 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     """The plush of a pattern that was worked."""
     import numpy as np
 
-    from tambour.crochet.body import centroid_counts
-    from tambour.crochet.fabric import strands
-    from tambour.crochet.features import doubts
-    from tambour.crochet.joining import with_seams
-    from tambour.crochet.simulate import Task, simulate
+    from tambour.crochet.finish.features import doubts
+    from tambour.crochet.finish.joining import with_seams
+    from tambour.crochet.finish.shape import Task, simulate
+    from tambour.crochet.settle.body import centroid_counts
+    from tambour.crochet.yarn.fabric import strands
 
     stitch = (known.width, known.height)
     if joining is not None and joining.steps:
@@ -141,7 +141,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     if params.solver == "settle" and built.up == "start" and shape.joined is None:
         x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
     if params.check:
-        from tambour.crochet.check import size_edit
+        from tambour.crochet.graph.check import size_edit
 
         if found := size_edit(built, tuple(np.ptp(x, axis=0))):
             raise TambourError(found)
@@ -154,8 +154,8 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
 
 def yarn(piece: Plush) -> Mesh:
     """The piece in yarn, with its face: every stitch swept to tubes, over a dark lining."""
-    from tambour.crochet.fabric import mesh
-    from tambour.crochet.features import joined, meshes
+    from tambour.crochet.finish.features import joined, meshes
+    from tambour.crochet.yarn.fabric import mesh
 
     not_empty(piece)
     detail = piece.params.detail
@@ -168,8 +168,8 @@ def checked(piece: Plush) -> Mesh:
     """The piece in pale yarn, what the tech edit doubts in red."""
     import numpy as np
 
-    from tambour.crochet.check import doubtful, size_edit, tech_edit
-    from tambour.crochet.fabric import mesh
+    from tambour.crochet.graph.check import doubtful, size_edit, tech_edit
+    from tambour.crochet.yarn.fabric import mesh
 
     not_empty(piece)
     graph, problems = piece.built.graph, tech_edit(piece.built)
@@ -187,7 +187,7 @@ def photo(piece: Plush) -> Picture:
 
 def surface(piece: Plush) -> Mesh:
     """The fabric that bounds the piece, as a mesh through its stitches; closed for every closed part."""
-    from tambour.crochet.surface import mesh
+    from tambour.crochet.yarn.surface import mesh
 
     not_empty(piece)
     graph = piece.built.graph
@@ -238,13 +238,13 @@ def facts(piece: Plush) -> dict[str, Any]:
     """What the report says: counts, size, how the shape was reached, and where the fabric is tight."""
     import numpy as np
 
-    from tambour.crochet import size
-    from tambour.crochet.features import materials
-    from tambour.crochet.forces import lengths
-    from tambour.crochet.joining import assembly
-    from tambour.crochet.materials import lengths as metres
-    from tambour.crochet.materials import materials as needed
-    from tambour.crochet.reading import account
+    from tambour.crochet.finish.features import materials
+    from tambour.crochet.finish.joining import assembly
+    from tambour.crochet.maker import size
+    from tambour.crochet.maker.materials import lengths as metres
+    from tambour.crochet.maker.materials import materials as needed
+    from tambour.crochet.printed.choose import account
+    from tambour.crochet.settle.forces import lengths
 
     built, g, shape = piece.built, piece.built.graph, piece.shape
     x, width = piece.positions, piece.stitch[0]
@@ -311,10 +311,10 @@ def facts(piece: Plush) -> dict[str, Any]:
 @cache
 def warm() -> None:
     """Load every kernel, once, by shaping a tiny piece in every way."""
-    from tambour.crochet.build import build
-    from tambour.crochet.gauge import gauge
-    from tambour.crochet.joining import prepare
-    from tambour.crochet.parse import parse
+    from tambour.crochet.finish.joining import prepare
+    from tambour.crochet.graph.build import build
+    from tambour.crochet.language.parse import parse
+    from tambour.crochet.maker.gauge import gauge
 
     one = "== a ==\n@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n"
     other = "== b ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\nplace(b, a, round=2)\n"

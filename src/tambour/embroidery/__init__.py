@@ -10,13 +10,13 @@ from tambour.embroidery.views import VIEWS
 
 
 def _make(source: Any, params: Any, progress: Any) -> Any:
-    from tambour.embroidery.make import make
+    from tambour.embroidery.plan.make import make
 
     return make(source, params, progress)
 
 
 def _facts(piece: Any) -> dict[str, Any]:
-    from tambour.embroidery.facts import facts
+    from tambour.embroidery.plan.facts import facts
 
     return facts(piece)
 

@@ -8,12 +8,12 @@ from tambour.core.drawing import Drawing, Groups, Styles
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.core.thread import END, STITCH, Thread, ThreadPlan
-from tambour.embroidery.design import piece_of
-from tambour.embroidery.facts import facts
-from tambour.embroidery.looks import scene
-from tambour.embroidery.make import make
+from tambour.embroidery.looks.preview import picture
+from tambour.embroidery.looks.scene import scene
 from tambour.embroidery.params import EmbroideryParams
-from tambour.embroidery.preview import picture
+from tambour.embroidery.plan.facts import facts
+from tambour.embroidery.plan.make import make
+from tambour.embroidery.regions.design import piece_of
 
 FAMILIES = ("tatami", "contour", "flow", "meander", "satin")
 

@@ -50,7 +50,7 @@ def write_reveal_svg(value: Reveal, path: Path) -> None:
 
     Where motion is not wanted (prefers-reduced-motion), and in readers without CSS animation, the whole stands at once.
     """
-    from tambour.files import svg
+    from tambour.files.svg import write as svg
 
     drawing, seen = value.drawing, set[str]()
     nothing = stretch(drawing, 0, 0)

@@ -12,18 +12,18 @@ from tambour.ink.params import Ink
 
 
 def make(source: None, params: Ink, progress: Progress) -> Any:
-    """The window or specimen that ``params`` ask for; see :mod:`tambour.ink.scroll`, and for pens ``ink.plot``."""
+    """The window or specimen that ``params`` ask for; see :mod:`tambour.ink.plan.scroll`, and for pens ``ink.plot``."""
     if params.plotter:
-        from tambour.ink import plot
+        from tambour.ink.plotter import job as plot
 
         return plot.make(source, params, progress)
-    from tambour.ink import scroll
+    from tambour.ink.plan import scroll
 
     return scroll.make(source, params, progress)
 
 
 def _plotted(piece: Any) -> bool:
-    from tambour.ink.scroll import Scroll
+    from tambour.ink.plan.scroll import Scroll
 
     return not isinstance(piece, Scroll)
 
@@ -31,7 +31,7 @@ def _plotted(piece: Any) -> bool:
 def _plot(piece: Any) -> Any:
     if not _plotted(piece):
         raise TambourError("this file is for a pen plotter", hint="add --plotter", where=".hpgl")
-    from tambour.ink import plot
+    from tambour.ink.plotter import job as plot
 
     return plot.whole(piece)
 
@@ -39,7 +39,7 @@ def _plot(piece: Any) -> Any:
 def _scroll(piece: Any) -> Any:
     if _plotted(piece):
         return _plot(piece)
-    from tambour.ink import scroll
+    from tambour.ink.plan import scroll
 
     return scroll.streamed(piece)
 
@@ -47,24 +47,24 @@ def _scroll(piece: Any) -> Any:
 def _sheet(piece: Any) -> Any:
     if _plotted(piece):
         return _plot(piece)
-    from tambour.ink import scroll
+    from tambour.ink.plan import scroll
 
     return scroll.whole(piece)
 
 
 def _picture(piece: Any) -> Any:
     if _plotted(piece):
-        from tambour.ink import plot
+        from tambour.ink.plotter import job as plot
 
         return plot.picture(piece)
-    from tambour.ink import scroll
+    from tambour.ink.plan import scroll
 
     return scroll.picture(piece)
 
 
 def _painting(piece: Any) -> Any:
     from tambour.core.reveal import Reveal
-    from tambour.ink import scroll
+    from tambour.ink.plan import scroll
 
     drawn = piece.scroll if _plotted(piece) else piece
     made = _plot(piece) if _plotted(piece) else scroll.whole(piece)
@@ -74,23 +74,23 @@ def _painting(piece: Any) -> Any:
 
 
 def _plan(piece: Any) -> Any:
-    from tambour.ink import scroll
+    from tambour.ink.plan import scroll
 
     return scroll.plan(piece.scroll if _plotted(piece) else piece)
 
 
 def _facts(piece: Any) -> dict[str, Any]:
     if _plotted(piece):
-        from tambour.ink import plot
+        from tambour.ink.plotter import job as plot
 
         return plot.facts(piece)
-    from tambour.ink import scroll
+    from tambour.ink.plan import scroll
 
     return scroll.facts(piece)
 
 
 def _warm() -> None:
-    from tambour.ink import scroll
+    from tambour.ink.plan import scroll
 
     scroll.warm()
 

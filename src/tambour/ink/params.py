@@ -10,7 +10,7 @@ from pydantic import Field, field_validator, model_validator
 
 from tambour.core.errors import Problem, TambourError, did_you_mean
 from tambour.core.params import Duration, Length, Params, file
-from tambour.ink.kinds import SPECIMENS
+from tambour.ink.ground.kinds import SPECIMENS
 
 FARTHEST = 1e12
 """How far from 0 the scroll is addressed: beyond it a coordinate's tenths are lost in a double."""
@@ -137,7 +137,7 @@ class Ink(Params):
     @field_validator("page")
     @classmethod
     def _paged(cls, value: str) -> str:
-        from tambour.ink.plot_sheet import page
+        from tambour.ink.plotter.sheet import page
 
         page(value)
         return value
@@ -145,7 +145,7 @@ class Ink(Params):
     @field_validator("sheets")
     @classmethod
     def _numbered(cls, value: str) -> str:
-        from tambour.ink.plot_sheet import sheets
+        from tambour.ink.plotter.sheet import sheets
 
         if value:
             sheets(value)
@@ -153,7 +153,7 @@ class Ink(Params):
 
     @model_validator(mode="after")
     def _plottable(self) -> Ink:
-        from tambour.ink.plot_sheet import inner
+        from tambour.ink.plotter.sheet import inner
 
         if min(inner(self)) < 5:
             raise ValueError(f"a margin of {self.margin:g} mm leaves nothing of the page {self.page}")
@@ -176,7 +176,7 @@ def check(params: Ink, views: Sequence[str]) -> None:
     if params.plotter or params.specimen:
         return
     if (params.inscription or params.seal) and params.font is None:
-        from tambour.ink import seal
+        from tambour.ink.paint import seal
 
         seal.check(params.inscription, params.seal, None, views)
     span, problems = params.span, []

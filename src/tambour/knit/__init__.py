@@ -16,19 +16,19 @@ def _make(source: Any, params: Any, progress: Progress) -> Any:
     from dataclasses import replace
 
     from tambour.core.chart import Chart
-    from tambour.knit.solve import make
+    from tambour.knit.solve.make import make
 
     piece = make(source, params, progress)
     if isinstance(source, Chart) and piece.chart.gauge is None:
         piece = replace(piece, chart=replace(piece.chart, gauge=source.gauge))
     if params.stash is not None:
-        from tambour.knit.shades import warn_of_shortage
+        from tambour.knit.picture.shades import warn_of_shortage
         from tambour.knit.views import yarn
 
         warn_of_shortage(piece.chart.palette, [(a.color, a.metres) for a in yarn(piece)], params, progress)
     if params.machine is not None:
         from tambour.core.errors import TambourError
-        from tambour.knit.machine import check
+        from tambour.knit.machines.limits import check
 
         problems = check(piece.chart, params.machine)
         if problems:
@@ -37,7 +37,7 @@ def _make(source: Any, params: Any, progress: Progress) -> Any:
 
 
 def _facts(piece: Any) -> dict[str, Any]:
-    from tambour.knit import measure
+    from tambour.knit.solve import measure
     from tambour.knit.views import facts
 
     return {**piece.figures, **measure.facts(piece), **facts(piece)}
@@ -47,7 +47,7 @@ def _warm() -> None:
     import numpy as np
 
     from tambour.core.picture import Picture
-    from tambour.knit.solve import make
+    from tambour.knit.solve.make import make
 
     grey = np.tile(np.linspace(0, 255, 24).astype(np.uint8)[None, :, None], (12, 1, 4))
     grey[..., 3] = 255

@@ -30,7 +30,7 @@ class Piece:
     weights : (R, C) float32 or None: how much a flip costs there
     repeat : (n, k): the chart is a multiple of n stitches plus k; None without a repeat
     figures : what was measured while solving: conflicts, conflicts_before, flips, violations, longest_float …
-    state : what :func:`tambour.knit.edit.resolve` needs to solve again after an edit
+    state : what :func:`tambour.knit.solve.edit.resolve` needs to solve again after an edit
     """
 
     chart: Chart

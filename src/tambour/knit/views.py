@@ -11,9 +11,9 @@ if TYPE_CHECKING:
     from tambour.core.drawing import Drawing
     from tambour.core.errors import Text
     from tambour.core.picture import Picture
-    from tambour.knit.draw import Look
+    from tambour.knit.hands.yarn import Amount
     from tambour.knit.piece import Piece
-    from tambour.knit.yarn import Amount
+    from tambour.knit.sheets.draw import Look
 
 
 def stitches(piece: Piece) -> Chart:
@@ -38,8 +38,8 @@ def title(piece: Piece) -> str:
 
 def look(piece: Piece, cell: float = 4.0) -> Look:
     """How the piece's chart is drawn, ``cell`` mm to the smaller side of a stitch."""
-    from tambour.knit.draw import Look
-    from tambour.knit.fabric import aspect_of
+    from tambour.knit.sheets.draw import Look
+    from tambour.knit.sheets.fabric import aspect_of
 
     aspect = aspect_of(piece.chart)
     wide = cell * max(1.0, aspect)
@@ -55,14 +55,14 @@ def look(piece: Piece, cell: float = 4.0) -> Look:
 
 def dominant(piece: Piece) -> int | None:
     """The yarn held below throughout; with more than two it changes from row to row."""
-    from tambour.knit.hand import roles
+    from tambour.knit.hands.working import roles
 
     return piece.dominant if len(roles(piece.chart)) == 2 else None
 
 
 def yarn(piece: Piece) -> list[Amount]:
     """What each colour takes."""
-    from tambour.knit.yarn import amounts
+    from tambour.knit.hands.yarn import amounts
 
     p = piece.params
     return amounts(piece.chart, p.yarn_weight, p.skein_metres, p.skein_grams, anchored(piece))
@@ -70,15 +70,15 @@ def yarn(piece: Piece) -> list[Amount]:
 
 def chart(piece: Piece) -> Drawing:
     """The whole chart on one sheet."""
-    from tambour.knit.draw import sheet_of
+    from tambour.knit.sheets.draw import sheet_of
 
     return sheet_of(piece.chart, look(piece, 6.5 if piece.params.large_cells else 4.0), title(piece))
 
 
 def pattern(piece: Piece) -> tuple[Drawing, ...]:
     """The printed pattern; with ``swatch``, its page follows the cover."""
-    from tambour.knit.fabric import aspect_of, front, pixels
-    from tambour.knit.pages import Words, booklet
+    from tambour.knit.sheets.fabric import aspect_of, front, pixels
+    from tambour.knit.sheets.pages import Words, booklet
 
     p = piece.params
     words = Words(title(piece), piece.limit, p.yarn_weight, anchored(piece))
@@ -89,8 +89,8 @@ def pattern(piece: Piece) -> tuple[Drawing, ...]:
 
 def swatch(piece: Piece) -> Drawing:
     """The swatch page."""
-    from tambour.knit.pages import PAGES
-    from tambour.knit.swatch import page
+    from tambour.knit.sheets.pages import PAGES
+    from tambour.knit.sheets.swatch import page
 
     sheet = page(piece.chart, look(piece), title(piece), piece.params.yarn_weight, PAGES[piece.params.page])
     return sheet.drawing(title=f"{title(piece)}: swatch")
@@ -98,7 +98,7 @@ def swatch(piece: Piece) -> Drawing:
 
 def written(piece: Piece) -> Text:
     """Written rows."""
-    from tambour.knit.written import pattern as told
+    from tambour.knit.hands.written import pattern as told
 
     p = piece.params
     return told(
@@ -116,28 +116,28 @@ def written(piece: Piece) -> Text:
 
 def fabric(piece: Piece) -> Picture:
     """The right side of the cloth."""
-    from tambour.knit.fabric import front
+    from tambour.knit.sheets.fabric import front
 
     return front(piece.chart)
 
 
 def back(piece: Piece) -> Picture:
     """The wrong side with its floats."""
-    from tambour.knit.fabric import back as behind
+    from tambour.knit.sheets.fabric import back as behind
 
     return behind(piece.chart, anchored(piece))
 
 
 def distance(piece: Piece) -> Drawing:
     """Source, target and cloth, as seen from afar."""
-    from tambour.knit.distance import distance as seen
+    from tambour.knit.sheets.distance import distance as seen
 
     return seen(piece.chart, piece.picture, piece.tone, piece.params.light == "linear")
 
 
 def floats(piece: Piece) -> Drawing:
     """The floats behind the stitches, the longer the redder."""
-    from tambour.knit.draw import float_sheet
+    from tambour.knit.sheets.draw import float_sheet
 
     return float_sheet(piece.chart, look(piece), title(piece))
 
@@ -145,7 +145,7 @@ def floats(piece: Piece) -> Drawing:
 def card(piece: Piece) -> Drawing:
     """The machine's card. Raises TambourError without ``machine``."""
     from tambour.core.errors import TambourError
-    from tambour.knit.machine import card as printed
+    from tambour.knit.machines.limits import card as printed
 
     if piece.params.machine is None:
         raise TambourError("the card is for a machine: say which", hint="--machine kh930-ayab", where="--machine")
@@ -154,7 +154,7 @@ def card(piece: Piece) -> Drawing:
 
 def punchcard(piece: Piece) -> Drawing:
     """The 24-stitch card at true size."""
-    from tambour.knit.punchcard import card as punched
+    from tambour.knit.sheets.punchcard import card as punched
 
     brand = piece.params.punch_card
     if piece.params.machine in ("brother-card", "silver-reed-card"):
@@ -164,14 +164,14 @@ def punchcard(piece: Piece) -> Drawing:
 
 def silverknit(piece: Piece) -> Text:
     """SilverKnit text."""
-    from tambour.knit.interchange import silverknit as told
+    from tambour.knit.machines.interchange import silverknit as told
 
     return told(piece.chart)
 
 
 def dak(piece: Piece) -> Text:
     """DesignaKnit text."""
-    from tambour.knit.interchange import dak as told
+    from tambour.knit.machines.interchange import dak as told
 
     return told(piece.chart, title(piece), piece.params.yarn_weight)
 
@@ -201,8 +201,8 @@ VIEWS: dict[str, View] = {
 
 def facts(piece: Piece) -> dict[str, Any]:
     """Yarn per colour, catches and ladders, for the report."""
-    from tambour.knit.hand import catches, ladders, roles
-    from tambour.knit.written import color_name
+    from tambour.knit.hands.working import catches, ladders, roles
+    from tambour.knit.hands.written import color_name
 
     names, catch = roles(piece.chart), piece.params.catch or piece.limit
     return {

@@ -1,0 +1,1 @@
+"""Finish: parts placed and sewn on, faces, felt and hair."""

@@ -1,0 +1,227 @@
+"""Joining: parts brought onto settled parts, in the order in which one stands on the other, and sewn there."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.errors import Problem, TambourError
+from tambour.core.graph import SEWN, StitchGraph
+from tambour.crochet.finish import sewing
+from tambour.crochet.finish.placing import Frames, frames, level
+from tambour.crochet.graph.assemble import SEWN_SHORT
+from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Placed
+from tambour.geometry.surface import vertex_normals
+
+APART = 1.0
+"""Two seams that come nearer to each other than this, in stitches, are in each other's way."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Joining:
+    """What is to be sewn on: the placed parts with the ends they are sewn by, those that others stand on first."""
+
+    built: Built
+    spots: Spots
+    steps: tuple[tuple[Placed, sewing.End], ...]
+    doubts: tuple[Problem, ...]  # of its spots
+
+    @property
+    def pinched(self) -> Array:
+        """Pairs (K, 2) of nodes drawn together where an end is pinched."""
+        return np.concatenate([np.zeros((0, 2), int), *(end.pinched for _, end in self.steps)])
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Joined:
+    """Parts in their places, not yet at rest.
+
+    x : (N, 3); upright : (P, 3) which way is up on every part
+    seams : for every placed part the pairs (S, 2) sewn, its own stitch first
+    held : pairs (H, 2) of nodes, one of either part, whose parts have their places to one another
+    stays, rest : pairs (K, 2) of nodes and lengths (K,), in stitches, that keep parts at their angles
+    lying : (L, 4) stitches of the seams and the triangles of the fabric that they lie on
+    """
+
+    x: Array
+    upright: Array
+    seams: tuple[Array, ...]
+    held: Array
+    stays: Array
+    rest: Array
+    lying: Array
+
+
+def prepare(built: Built) -> Joining | None:
+    """What a pattern places; None when nothing is done to its parts.
+
+    TambourError with all that is wrong: spots that are not there (of eyes and the like too), parts placed twice or on
+    one another in a circle.
+    """
+    finishes, text = built.pattern.finish, built.pattern.text
+    if not finishes:
+        return None
+    spots = Spots(built)
+    problems = list(spots.problems(finishes))
+    placed = [f for f in finishes if isinstance(f, Placed) and f.part in spots.parts and f.spot.part in spots.parts]
+    first: dict[int, Placed] = {}
+    for f in placed:
+        part = spots.parts[f.part]
+        if part in first:
+            hint = f"it is on {first[part].spot.part} already: keep one of the two"
+            problems.append(Problem(f'"{f.part}" is placed twice', hint, f.span, text))
+            continue
+        first[part] = f
+        if f.by is not None and spots.round_at(part, round(f.by)) is None:
+            problems.append(
+                Problem(f'"{f.part}" has no round {f.by:g} to sew it by', "by=… is its number", f.span, text)
+            )
+    order: list[Placed] = []
+    waiting = dict(first)
+    while waiting:
+        ready = [p for p, f in waiting.items() if spots.parts[f.spot.part] not in waiting]
+        if not ready:
+            names = ", ".join(f.part for f in waiting.values())
+            f = next(iter(waiting.values()))
+            message = f"these parts stand on one another in a circle: {names}"
+            problems.append(Problem(message, "one of them must stand on another part, or by itself", f.span, text))
+            break
+        order += [waiting.pop(p) for p in ready]
+    if any(not p.warning for p in problems):
+        raise TambourError(sorted(problems, key=lambda p: p.span.start if p.span else 0))
+    return Joining(built, spots, tuple((f, sewing.end_of(built, spots, f)) for f in order), tuple(problems))
+
+
+def crowded(joining: Joining) -> list[Problem]:
+    """Doubts about parts whose seams are in each other's way, or one inside of the other."""
+    spots, steps = joining.spots, joining.steps
+    found: list[Problem] = []
+    known: list[tuple[Placed, bool, Array]] = []
+    for f, end in steps:
+        frame = frames(spots.built, spots.layout, [f.spot])
+        points = sewing.line(f, end, frame)
+        for other, ring, its in known:
+            if spots.parts[f.spot.part] != spots.parts[other.spot.part]:
+                continue
+            apart = np.sqrt(((points[:, None] - its) ** 2).sum(2))
+            middles = float(np.sqrt(((points.mean(0) - its.mean(0)) ** 2).sum()))
+            sizes = [float(np.sqrt(((p - p.mean(0)) ** 2).sum(1).max())) for p in (points, its)]
+            inside = (ring and middles < sizes[1]) or (end.ring and middles < sizes[0])
+            if float(apart.min()) < APART or inside:
+                message = f'"{f.part}" and "{other.part}" are sewn to the same place'
+                hint = "their seams are in each other's way: move one of the two"
+                found.append(Problem(message, hint, f.span, spots.built.pattern.text, warning=True))
+        known.append((f, end.ring, points))
+    return found
+
+
+def with_seams(graph: StitchGraph, pairs: Array, width: float) -> StitchGraph:
+    """``graph`` with the ``pairs`` (S, 2) sewn; those that are joined already stay as they are. width : a stitch's, mm."""
+    pairs = np.sort(np.asarray(pairs, np.int64).reshape(-1, 2), axis=1)[:, ::-1]
+    n = max(len(graph), 1)
+    key = np.unique(pairs[:, 0] * n + pairs[:, 1])
+    key = key[~np.isin(key, graph.edges[:, 0].astype(np.int64) * n + graph.edges[:, 1])]
+    key = key[key // n != key % n]
+    edges = np.concatenate([graph.edges, np.column_stack([key // n, key % n])])
+    order = np.lexsort((edges[:, 1], edges[:, 0]))
+    kind = np.concatenate([graph.edge_kind, np.full(len(key), SEWN, np.uint8)])
+    rest = np.concatenate([graph.rest, np.full(len(key), SEWN_SHORT * width)])
+    return replace(graph, edges=np.ascontiguousarray(edges[order], np.int32), edge_kind=kind[order], rest=rest[order])
+
+
+def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
+    """Every placed part brought to its place.
+
+    x : (N, 3) in stitches, every part by itself, front +z; bodies : the nodes of every body of fabric
+    """
+    built, spots = joining.built, joining.spots
+    graph, x = built.graph, x.copy()
+    owner = np.zeros(len(graph), int)
+    for b, nodes in enumerate(bodies):
+        owner[nodes] = b
+    body = [int(owner[p.start]) if p.end > p.start else -1 for p in graph.parts]
+    onto = {body[spots.parts[f.part]] for f, _ in joining.steps}
+    for span, fact, b in zip(graph.parts, built.parts, body):
+        # What stands by itself stands as its pattern says; the rest is turned where it is placed.
+        if b not in onto and built.pattern.parts[fact.section].up == "start":
+            x[span.start : span.end] *= (-1.0, -1.0, 1.0)
+    upright = np.tile([0.0, 1.0, 0.0], (len(graph.parts), 1))
+    group = {b: [b] for b in range(len(bodies))}
+    shell = graph.faces[built.shell]
+    seams, held, stays, rest = [], [], [], []
+    for f, end in joining.steps:
+        part, other = spots.parts[f.part], spots.parts[f.spot.part]
+        own = bodies[body[part]]
+        frame = _frame(joining, x, f, end, upright, bodies[body[other]])
+        how = sewing.held(x, own, end)
+        straight = sewing.brought(x, own, end, how, *sewing.turned(f, end, frame, False), frame.points[0])
+        turned = sewing.turned(f, end, frame)
+        moved = sewing.brought(x, own, end, how, *turned, frame.points[0])
+        fixed = np.concatenate([bodies[b] for b in group[body[other]]])
+        outward = vertex_normals(x, shell[np.isin(shell[:, 0], fixed)])
+        at_end = np.isin(own, end.nodes)
+        rank = np.searchsorted(own, end.nodes)
+        seams.append(sewing.seam(x, graph, end, straight[rank], bodies[body[other]], frame))
+        x[own] = sewing.clear_of(moved, at_end, x[fixed], outward[fixed], frame.normals[0])
+        upright[part] = sewing.leaning(f, frame) @ upright[other]
+        springs, lengths = sewing.stays(x, moved, own, *turned, bodies[body[other]], frame)
+        stays.append(springs)
+        rest.append(lengths)
+        held.append((int(own[0]), int(fixed[0])))
+        group[body[other]].extend(group[body[part]])
+        for b in group[body[other]]:
+            group[b] = group[body[other]]
+    return Joined(
+        x,
+        upright,
+        tuple(seams),
+        np.array(held, int).reshape(-1, 2),
+        np.concatenate([np.zeros((0, 2), int), *stays]),
+        np.concatenate([np.zeros(0), *rest]),
+        np.concatenate([np.zeros((0, 4), int), *(sewing.lying(shell, pairs) for pairs in seams)]),
+    )
+
+
+def _frame(joining: Joining, x: Array, placed: Placed, end: sewing.End, upright: Array, target: Array) -> Frames:
+    """The frame at the spot of ``placed``, level with as much of the fabric (its nodes are ``target``) as its end covers."""
+    built = joining.built
+    frame = frames(built, x, [placed.spot], upright)
+    if joining.spots.place(placed.spot).opening:
+        return frame
+    m = len(end.nodes)
+    room = max(1.5, m / (2.0 * math.pi) if end.ring else 0.25 * m)
+    near = target[((x[target] - frame.points[0]) ** 2).sum(1) < room * room]
+    faces = built.graph.faces[built.shell]
+    outward = vertex_normals(x, faces[np.isin(faces, near).any(1)])[near]
+    # What lies on the other side of a thin part looks the other way.
+    mean = outward[(outward @ frame.normals[0]) > 0.0].sum(0)
+    length = float(np.sqrt(mean @ mean))
+    normals = frame.normals if length < 1e-9 else (mean / length)[None]
+    return Frames(frame.points, normals, *level(normals, upright[[joining.spots.parts[placed.spot.part]]]))
+
+
+def assembly(joining: Joining, joined: Joined, x: Array) -> list[dict[str, Any]]:
+    """What the report says of every seam: the stitches sewn, and the gap that is left between them; x : (N, 3) mm."""
+    told = []
+    for (placed, _), pairs in zip(joining.steps, joined.seams):
+        gap = np.sqrt(((x[pairs[:, 0]] - x[pairs[:, 1]]) ** 2).sum(1))
+        told.append(
+            {
+                "part": placed.part,
+                "on": placed.spot.part,
+                "round": placed.spot.round,
+                "stitches": len(pairs),
+                "gap_mm": round(float(gap.mean()), 2),
+                "widest_mm": round(float(gap.max()), 2),
+                "tilt": placed.tilt,
+                "towards": placed.towards,
+                "across": placed.across,
+            }
+        )
+    return told

@@ -1,0 +1,76 @@
+"""Placing: the frames of spots on the settled fabric, in which parts are sewn on and faces are made."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import Part
+from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Spot
+from tambour.geometry.surface import vertex_normals
+
+LEVEL = (0.94, 0.985)
+"""Fabric as level as this (the cosine of its slope) begins to have, and has, its up at the back of the toy (underneath:
+at the front), for no slope tells it there: 20 and 10 degrees."""
+
+
+class Frames(NamedTuple):
+    """K points (K, 3) and three unit directions (K, 3) at each: outwards, level to the right as one sees it, and up.
+
+    along × up = normals: from outside ``along`` is right, ``up`` up, and angles are counter-clockwise.
+    """
+
+    points: Array
+    normals: Array
+    along: Array
+    up: Array
+
+
+def frames(built: Built, positions: Array, spots: Sequence[Spot], upright: Array | None = None) -> Frames:
+    """Where ``spots`` are on the fabric and how it lies there.
+
+    positions : (N, 3) of the graph's nodes, in any unit, front +z
+    upright : (P, 3) which way is up on every part; None: +y on all. Up on a part that leans leans with it
+    """
+    known = Spots(built)
+    x = np.ascontiguousarray(positions, np.float64)
+    outward = vertex_normals(x, built.graph.faces[built.shell])
+    points, normals, tops = np.zeros((len(spots), 3)), np.zeros((len(spots), 3)), np.zeros((len(spots), 3))
+    for k, spot in enumerate(spots):
+        place = known.place(spot)
+        nodes, weights = list(place.nodes), np.array(place.weights)
+        points[k], normals[k] = weights @ x[nodes], weights @ outward[nodes]
+        if place.opening:
+            normals[k] = _out_of(x, nodes, built.graph.parts[known.parts[spot.part]])
+        tops[k] = (0.0, 1.0, 0.0) if upright is None else upright[known.parts[spot.part]]
+    normals = _unit(normals)
+    return Frames(points, normals, *level(normals, tops))
+
+
+def _out_of(x: Array, rim: list[int], part: Part) -> Array:
+    """Out of an opening: across its rim, away from the part."""
+    off = x[rim] - x[rim].mean(0)
+    across = np.cross(off, np.roll(off, -1, 0)).sum(0)
+    away = x[rim].mean(0) - x[part.start : part.end].mean(0)
+    return np.asarray(across if across @ away >= 0.0 else -across)
+
+
+def level(normals: Array, tops: Array) -> tuple[Array, Array]:
+    """Along and up (K, 3) in the planes across ``normals`` (K, 3), where ``tops`` (K, 3) is up."""
+    rises = (normals * tops).sum(1, keepdims=True)
+    share = np.clip((np.abs(rises) - LEVEL[0]) / (LEVEL[1] - LEVEL[0]), 0.0, 1.0)
+    share = share * share * (3.0 - 2.0 * share)
+    back = np.array([0.0, 0.0, -1.0]) * np.where(rises >= 0.0, 1.0, -1.0)
+    wanted = (1.0 - share) * tops + share * back
+    up = _unit(wanted - (wanted * normals).sum(1, keepdims=True) * normals)
+    return np.cross(up, normals), up
+
+
+def _unit(v: Array) -> Array:
+    length = np.sqrt((v**2).sum(1, keepdims=True))
+    return np.asarray(np.divide(v, length, out=np.zeros_like(v), where=length > 1e-12))

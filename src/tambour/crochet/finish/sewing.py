@@ -1,0 +1,242 @@
+"""Sewing: a settled part brought to its place on another, and the stitches of its end paired with those of the fabric."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import ROOT, TIP, StitchGraph
+from tambour.crochet.finish.placing import Frames
+from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.spots import Spots, rim
+from tambour.crochet.language.finishes import Placed
+
+CLEARANCE = 0.8
+"""Stitches that a part keeps at first from the fabric that it is sewn to; the end that is sewn half of that."""
+UNDER = -0.6
+"""Fabric whose outward normal falls more steeply than this (37 degrees) is underneath: parts on it look ahead, not down."""
+MOST_LIFT = 40.0
+"""Stitches that a part is moved out at the most to be clear of others."""
+AGAIN = 0.5
+"""What it costs, in square stitches, to sew into a stitch that is sewn into already."""
+STAY = 2.5
+"""How far from a seam's middle stays begin on the fabric, in stitches."""
+REACH = 5.0
+"""How far up a part they hold it at the most."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class End:
+    """The stitches by which a part is sewn.
+
+    nodes : (M,) in the order of work; ring : they run round; pinched : pairs (K, 2) of them that are drawn together
+    """
+
+    nodes: Array
+    ring: bool
+    pinched: Array
+
+
+def end_of(built: Built, spots: Spots, placed: Placed) -> End:
+    """The end by which ``placed`` is sewn: its rim where it is open, else its last round; or the round that it says."""
+    graph, part = built.graph, spots.parts[placed.part]
+    nodes = np.zeros(0, int)
+    rows = bool(spots.in_rows[part])
+    if placed.by is None:
+        nodes = np.zeros(0, int) if rows else rim(built, part)
+        if not len(nodes):
+            nodes = spots.stitches(spots.last(part))
+    else:
+        number = spots.round_at(part, round(placed.by))
+        assert number is not None
+        nodes = spots.stitches(number)
+    nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
+    m = len(nodes)
+    pinch = placed.flat and not rows
+    pairs = np.column_stack([nodes[: m // 2], nodes[::-1][: m // 2]]) if pinch else np.zeros((0, 2), int)
+    return End(nodes, not rows and not placed.flat, pairs)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Held:
+    """How a part is held before it is placed: the middle of its end, its axis out of it, and its front across that."""
+
+    middle: Array
+    axis: Array
+    front: Array
+
+
+def held(x: Array, own: Array, end: End) -> Held:
+    """How the part ``own`` (its nodes) is held by ``end``. x : (N, 3), the part as it stands by itself, front +z."""
+    loop = x[end.nodes]
+    middle = loop.mean(0)
+    rest = own[own < end.nodes.min()]
+    away = x[rest if len(rest) > 2 else own].mean(0) - middle
+    if not end.ring:
+        m = len(end.nodes)
+        if len(end.pinched):
+            line = 0.5 * (loop[m // 2 - 1] + loop[m // 2]) - 0.5 * (loop[0] + loop[-1])
+        else:
+            line = loop[-1] - loop[0]
+        front = _unit(line)
+        return Held(middle, _unit(away - (away @ front) * front), front)
+    off = loop - middle
+    axis = np.cross(off, np.roll(off, -1, 0)).sum(0)
+    axis = axis if axis @ away >= 0 else -axis
+    axis = _unit(axis) if np.sqrt(axis @ axis) > 0.1 * len(loop) else _unit(away)
+    ahead = np.array([0.0, 0.0, 1.0]) if abs(axis[2]) < 0.95 else np.array([0.0, -1.0, 0.0])
+    return Held(middle, axis, _unit(ahead - (ahead @ axis) * axis))
+
+
+def turned(placed: Placed, end: End, frame: Frames, tilted: bool = True) -> tuple[Array, Array]:
+    """Where the axis and the front of ``placed`` point on a spot with ``frame`` (K = 1): two unit vectors (3,)."""
+    n, along, up = frame.normals[0], frame.along[0], frame.up[0]
+    a = math.radians(placed.across)
+    if end.ring:
+        # The front looks down (on top: ahead); under the toy, where that would be backwards, up.
+        ahead = up if n[1] < UNDER else -up
+        front = math.cos(a) * ahead + math.sin(a) * np.cross(n, ahead)
+    else:
+        front = math.cos(a) * along + math.sin(a) * up
+    if not tilted:
+        return n, front
+    turn = leaning(placed, frame)
+    return turn @ n, turn @ front
+
+
+def leaning(placed: Placed, frame: Frames) -> Array:
+    """The rotation (3, 3) by which ``placed`` leans from straight out."""
+    n, along, up = frame.normals[0], frame.along[0], frame.up[0]
+    w, t = math.radians(placed.towards), math.radians(placed.tilt)
+    to = math.cos(w) * up - math.sin(w) * along
+    k = np.cross(n, to)
+    cross = np.array([[0.0, -k[2], k[1]], [k[2], 0.0, -k[0]], [-k[1], k[0], 0.0]])
+    made = np.eye(3) + math.sin(t) * cross + (1.0 - math.cos(t)) * cross @ cross
+    return np.asarray(made)
+
+
+def brought(x: Array, own: Array, end: End, how: Held, axis: Array, front: Array, point: Array) -> Array:
+    """The part's nodes with the middle of its end at ``point`` and its axis and front turned as told."""
+    before = np.column_stack([how.axis, how.front, np.cross(how.axis, how.front)])
+    after = np.column_stack([axis, front, np.cross(axis, front)])
+    return np.asarray((x[own] - how.middle) @ (after @ before.T).T + point)
+
+
+def clear_of(moved: Array, sewn: Array, others: Array, outward: Array, n: Array) -> Array:
+    """``moved`` (K, 3), shifted along n until it is outside of the fabric ``others`` (J, 3) with normals ``outward``.
+
+    sewn : (K,) bool, the stitches of its end, which come nearer
+    """
+    from scipy.spatial import cKDTree
+
+    tree = cKDTree(others)
+    want = np.where(sewn, 0.5 * CLEARANCE, CLEARANCE)
+    lift = 0.0
+    while lift < MOST_LIFT:
+        at = moved + lift * n
+        _, near = tree.query(at)
+        short = float((want - ((at - others[near]) * outward[near]).sum(1)).max())
+        if short <= 0.0:
+            break
+        lift += max(0.1, min(short, 1.0))
+    return np.asarray(moved + lift * n)
+
+
+def line(placed: Placed, end: End, frame: Frames) -> Array:
+    """Where a seam runs about its spot, in its tangent plane: points (K, 3) no farther apart than half a stitch."""
+    m = len(end.nodes)
+    p, along, up = frame.points[0], frame.along[0], frame.up[0]
+    if end.ring:
+        angle = np.linspace(0.0, 2.0 * math.pi, 2 * m, endpoint=False)[:, None]
+        return np.asarray(p + m / (2.0 * math.pi) * (np.cos(angle) * along + np.sin(angle) * up))
+    a, long = math.radians(placed.across), m - len(end.pinched)
+    t = (np.arange(2 * long - 1) * 0.5 - 0.5 * (long - 1))[:, None]
+    return np.asarray(p + t * (math.cos(a) * along + math.sin(a) * up))
+
+
+def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array, frame: Frames) -> Array:
+    """Pairs (S, 2): every stitch of ``end`` with the stitch among ``target`` (nodes) that it is sewn to.
+
+    straight : (M, 3) the end's stitches where they are when the part stands straight out from its spot
+    """
+    p, n = frame.points[0], frame.normals[0]
+    m = len(end.nodes)
+    target = target[~np.isin(graph.peculiarity[target], (ROOT, TIP))]
+    off = straight - p
+    off = off - (off @ n)[:, None] * n
+    if end.ring:
+        length = np.sqrt((off**2).sum(1, keepdims=True))
+        wanted = p + off / np.maximum(length, 1e-9) * (m / (2.0 * math.pi))
+        return np.column_stack([end.nodes, target[_nearest(wanted, x[target])]])
+    half = len(end.pinched)
+    line = off[m // 2] - off[0] if half else off[-1] - off[0]
+    wanted = p + (np.arange(m - half) - 0.5 * (m - half - 1))[:, None] * _unit(line)
+    near = target[_nearest(wanted, x[target])]
+    # Both sides of a pinched end go to the same stitches.
+    return np.column_stack([end.nodes, np.concatenate([near, near[:half][::-1]])])
+
+
+def _nearest(wanted: Array, there: Array) -> Array:
+    """For each of the points ``wanted`` (M, 3) one of ``there`` (J, 3), in all as near as can be; few are taken twice."""
+    from scipy.optimize import linear_sum_assignment
+    from scipy.spatial import cKDTree
+
+    _, near = cKDTree(there).query(wanted, k=min(8, len(there)))
+    some = np.unique(near)
+    cost = ((wanted[:, None] - there[some]) ** 2).sum(2)
+    times = 2 if 2 * len(some) >= len(wanted) else math.ceil(len(wanted) / len(some))
+    choices = np.concatenate([cost + AGAIN * k for k in range(times)], axis=1)
+    return np.asarray(some[linear_sum_assignment(choices)[1] % len(some)])
+
+
+def lying(faces: Array, pairs: Array) -> Array:
+    """Every stitch of a seam with the triangles about the stitch that it is sewn to: (L, 4).
+
+    faces : (F, 3) of the fabric; pairs : (S, 2) as :func:`seam` gives them
+    """
+    about = faces[np.isin(faces, pairs[:, 1]).any(1)]
+    near: dict[int, list[int]] = {}
+    for a, b, c in about.tolist():
+        for node in (a, b, c):
+            near.setdefault(node, []).extend((a, b, c))
+    at: dict[int, list[int]] = {}
+    faces = faces[np.isin(faces, about).any(1)]
+    for f, corners in enumerate(faces.tolist()):
+        for node in corners:
+            at.setdefault(node, []).append(f)
+    made = []
+    for stitch, on in pairs.tolist():
+        own = sorted({f for node in near.get(on, [on]) for f in at.get(node, ())})
+        made += [(stitch, *faces[f].tolist()) for f in own]
+    return np.array(made, int).reshape(-1, 4)
+
+
+def stays(
+    x: Array, moved: Array, own: Array, axis: Array, front: Array, target: Array, frame: Frames
+) -> tuple[Array, Array]:
+    """Springs that keep a part at the angle that it is given, as a hand and a tight seam do: pairs (K, 2), rest (K,).
+
+    From four stitches about its middle to four about the seam, as long as they are in the pose. moved : (O, 3) where
+    the nodes ``own`` are in it; axis, front : how they are turned; target : nodes of the fabric
+    """
+    from scipy.spatial import cKDTree
+
+    p, along, up = frame.points[0], frame.along[0], frame.up[0]
+    ground = cKDTree(x[target]).query(p + STAY * np.array([along, up, -along, -up]))[1]
+    off = moved - p
+    height = off @ axis
+    middle = min(0.6 * float(height.max()), REACH)
+    side = np.cross(axis, front)
+    ring = np.abs(height - middle) < 1.0
+    wide = float(np.sqrt(((off - height[:, None] * axis) ** 2).sum(1))[ring].mean()) if ring.any() else 1.0
+    held_by = cKDTree(moved).query(p + middle * axis + wide * np.array([front, side, -front, -side]))[1]
+    a, b = np.repeat(np.unique(held_by), len(np.unique(ground))), np.tile(np.unique(ground), len(np.unique(held_by)))
+    rest = np.sqrt(((moved[a] - x[target[b]]) ** 2).sum(1))
+    return np.column_stack([own[a], target[b]]), rest
+
+
+def _unit(v: Array) -> Array:
+    return np.asarray(v / max(float(np.sqrt(v @ v)), 1e-12))

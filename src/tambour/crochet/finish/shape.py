@@ -1,0 +1,274 @@
+"""Simulate: from a stitch graph to its shape, by the way that was asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.digest import digest
+from tambour.core.graph import StitchGraph
+from tambour.crochet.graph.layout import on_axis, rounds
+from tambour.crochet.settle.arrange import arrange, clusters, cut, fit, parts
+from tambour.crochet.settle.body import Body, State, build, displacement, joined_up, volumes
+from tambour.crochet.settle.snug import snug
+
+if TYPE_CHECKING:
+    from tambour.crochet.finish.joining import Joined, Joining
+    from tambour.crochet.params import CrochetParams
+
+BUILDING = 2_000_000
+"""Node-steps that building one by one may take before settling; what is left then comes at once."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Shape:
+    """Positions x (N, 3) and centroids c (C, 3), of parts first (P + 1,), all in stitches; and how it was reached.
+
+    residual : largest force left, in stitches; move : rms of the last quasi-Newton move; volume (P,)
+    settled : the goal was reached (for steps and none: nothing was promised)
+    hurried : building one by one was cut short; worked : the nodes that had their place by then
+    joined : how placed parts were sewn on, None where none are; x there is from before they settled together
+    """
+
+    x: Array
+    c: Array
+    residual: float
+    move: float
+    evaluations: int
+    settled: bool
+    volume: Array
+    hurried: bool = False
+    worked: int = -1
+    joined: Joined | None = None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Task:
+    """A graph and how to shape it.
+
+    width : mm per stitch; counts (P,) centroids of each part
+    snug : settled parts keep the size of their gauge (:mod:`tambour.crochet.settle.snug`) instead of what springs give way
+    joining : the parts to be placed
+    """
+
+    graph: StitchGraph
+    params: CrochetParams
+    width: float
+    stuffing: str
+    start: str
+    counts: Array
+    snug: bool = False
+    joining: Joining | None = None
+
+    def body(self, graph: StitchGraph, counts: Array) -> Body:
+        """The body of ``graph``, a cut of this task's."""
+        return build(graph, self.params, self.width, self.stuffing, counts)
+
+    @property
+    def used(self) -> Array:
+        """Centroids that there are: none but with centroid stuffing."""
+        return self.counts if self.stuffing == "centroid" else np.zeros_like(self.counts)
+
+
+def first_positions(task: Task) -> tuple[Array, Array]:
+    """First positions by rounds (N, 3), parts apart and each about its own axis, and centroids (C, 3) on the axes."""
+    graph = task.graph
+    x = rounds(graph, graph.rest / task.width) * task.params.link_distance
+    made = [on_axis(x, p.start, p.end, int(k)) for p, k in zip(graph.parts, task.used) if k]
+    return x, np.concatenate(made) if made else np.zeros((0, 3))
+
+
+def placed(task: Task, x: Array, c: Array) -> tuple[Task, Array, Array, Joined | None]:
+    """Every part moved as a whole to where it belongs: the task with its seams, positions and centroids."""
+    from tambour.crochet.finish.joining import join, with_seams
+
+    joined, moved = None, x
+    if task.joining is not None and task.joining.steps:
+        joined = join(task.joining, x, parts(task.graph))
+        moved = joined.x
+        task = replace(task, graph=with_seams(task.graph, np.concatenate(joined.seams), task.width))
+    moved = arrange(task.graph, moved, None if joined is None else joined.held)
+    return task, moved, _carried(task, x, moved, c), joined
+
+
+def _carried(task: Task, x: Array, moved: Array, c: Array) -> Array:
+    """Centroids moved as their parts were, from x to ``moved``."""
+    first = np.concatenate([[0], np.cumsum(task.used)])
+    c = c.copy()
+    for k, p in enumerate(task.graph.parts):
+        if first[k + 1] > first[k]:
+            a, b = x[p.start : p.end], moved[p.start : p.end]
+            turn, shift = fit(a, b, np.ones(len(a)))
+            c[first[k] : first[k + 1]] = c[first[k] : first[k + 1]] @ turn.T + shift
+    return c
+
+
+def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: None) -> Shape:
+    """The shape of ``task``'s graph by its solver: settle, steps or none. ``tell(done, total)`` hears of progress."""
+    from tambour.crochet.settle.plain_steps import Building, run
+
+    params, graph = task.params, task.graph
+    n, p = len(graph), len(graph.parts)
+    if n == 0:
+        return Shape(np.zeros((0, 3)), np.zeros((0, 3)), 0.0, 0.0, 0, True, np.zeros(p))
+    hurried = False
+    if task.start == "one-by-one" and params.solver != "none":
+        whole = task.body(graph, task.used)
+        every, d = params.nodes_per_centroid, params.link_distance
+        work = Building(graph, whole, d, params.wait_force, params.wait_steps, task.used, every)
+        if params.solver == "steps":
+            for k in range(params.steps):
+                work.tick()
+                if k % 64 == 0:
+                    tell(k, params.steps)
+            worked = len(work.body)
+            work.finish()
+            shape = replace(_measured(whole, work.state, worked < n), worked=worked)
+            if task.joining is None or not task.joining.steps:
+                return shape
+            # Parts are sewn on once they are made: nothing is left to settle them by.
+            _, x, c, joined = placed(task, shape.x, shape.c)
+            return replace(shape, x=x, c=c, joined=joined)
+        spent = 0
+        while not work.done and spent < BUILDING:
+            work.tick()
+            spent += len(work.body) + 200
+        hurried = not work.done
+        work.finish()
+        x, c, evaluations = work.state.x, work.state.c, work.state.evaluations
+    else:
+        (x, c), evaluations = first_positions(task), 0
+    if params.solver != "settle":
+        task, x, c, joined = placed(task, x, c)
+        whole = task.body(task.graph, task.used)
+        if joined is not None:
+            whole = joined_up(whole, np.arange(n), joined.stays, joined.rest, joined.lying)
+        state = State(x, c, np.zeros(p))
+        if params.solver == "steps":
+            run(whole, state, params.steps, tell)
+        return replace(_measured(whole, state, False), joined=joined)
+    return _settled(task, x, c, evaluations, hurried, tell)
+
+
+def _measured(body: Body, state: State, hurried: bool) -> Shape:
+    """A shape with the forces that it has."""
+    spent, c = state.evaluations, state.c.copy()
+    left = displacement(body, state, False)
+    residual = float(np.sqrt((left**2).sum(1).max(initial=0.0)))
+    return Shape(state.x, c, residual, 0.0, spent, True, volumes(body, state.x), hurried)
+
+
+def _settled(
+    task: Task, x: Array, c: Array, evaluations: int, hurried: bool, tell: Callable[[int, int], None]
+) -> Shape:
+    """Every body of fabric at rest by itself, then the parts of every sewn piece together."""
+    graph = task.graph
+    first = np.concatenate([[0], np.cumsum(task.used)])
+    x, c = x.copy(), c.copy()
+    volume = np.zeros(len(graph.parts))
+    ends: dict[int, tuple[float, float, bool]] = {}
+    known: dict[str, tuple[Array, Array, tuple[float, float, bool], Array]] = {}
+
+    joined: Joined | None = None
+
+    def settle(nodes: Array) -> None:
+        from tambour.crochet.settle.rest import settle as bring_to_rest
+
+        nonlocal evaluations
+        piece = cut(graph, nodes)
+        own = np.unique(graph.part[nodes])
+        mine = np.concatenate([np.arange(first[p], first[p + 1]) for p in own]).astype(int)
+        moved = x[nodes] - x[nodes[0]]
+        shape = [piece.edges, piece.rest, piece.faces, piece.plane, piece.peculiarity, task.used[own]]
+        key = digest([joined is None, *shape, [p.stuffing for p in piece.parts], np.round(moved, 9)])
+        if key not in known:
+            state = State(x[nodes], c[mine], np.zeros(len(own)))
+            body = task.body(piece, task.used[own])
+            if joined is not None:
+                body = joined_up(body, nodes, joined.stays, joined.rest, joined.lying)
+            rest = bring_to_rest(body, state, task.params.tolerance, tell=tell)
+            evaluations += rest.evaluations
+            root = body.root[0]
+            shift = x[nodes[root]] - state.x[root]
+            found = state.c if task.stuffing == "centroid" else c[mine]
+            end = (rest.residual, rest.move, rest.settled)
+            known[key] = (state.x + shift - x[nodes[0]], found + shift - x[nodes[0]], end, volumes(body, state.x))
+        there, centres, end, volume[own] = known[key]
+        x[nodes], c[mine] = there + x[nodes[0]], centres + x[nodes[0]]
+        for p in own:
+            ends[int(p)] = end
+
+    for nodes in parts(graph):
+        settle(nodes)
+    if task.snug:
+        task = replace(task, graph=snug(graph, x, task.width / task.params.link_distance))
+        graph = task.graph
+        for nodes in parts(graph):
+            settle(nodes)
+    task, x, c, joined = placed(task, x, c)
+    graph = task.graph
+    piece = clusters(graph)
+    bodies = {int(piece[nodes[0]]): 0 for nodes in parts(graph)}
+    for nodes in parts(graph):
+        bodies[int(piece[nodes[0]])] += 1
+    for k, count in bodies.items():
+        if count > 1:
+            settle(np.flatnonzero(piece == k))
+    if joined is not None:
+        x, c = _standing(task, x, c, joined, piece)
+        joined = replace(joined, upright=_upright(graph, joined, x))
+    if len(bodies) > 1:
+        if all(v == 1 for v in bodies.values()):
+            moved = arrange(graph, x)
+            x, c = moved, _carried(task, x, moved, c)
+        else:
+            x, c = _apart(task, x, c, piece)
+    residual, move = max(e[0] for e in ends.values()), max(e[1] for e in ends.values())
+    settled = all(e[2] for e in ends.values())
+    return Shape(x, c, residual, move, evaluations, settled, volume, hurried, -1, joined)
+
+
+def _standing(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:
+    """Every piece that parts were sewn to, turned back to where the part that they stand on stood by itself."""
+    x, c = x.copy(), c.copy()
+    first = np.concatenate([[0], np.cumsum(task.used)])
+    moved = {int(task.graph.part[pairs[0, 0]]) for pairs in joined.seams}
+    for k in np.unique(piece[joined.held[:, 0]]):
+        own = [p for p in np.unique(task.graph.part[piece == k]) if int(p) not in moved]
+        base = np.flatnonzero(np.isin(task.graph.part, own) & (piece == k))
+        turn, shift = fit(x[base], joined.x[base], np.ones(len(base)))
+        x[piece == k] = x[piece == k] @ turn.T + shift
+        for p in np.unique(task.graph.part[piece == k]):
+            c[first[p] : first[p + 1]] = c[first[p] : first[p + 1]] @ turn.T + shift
+    return x, c
+
+
+def _upright(graph: StitchGraph, joined: Joined, x: Array) -> Array:
+    """Which way is up on every part (P, 3), now that its nodes are at x."""
+    up = joined.upright.copy()
+    for k, p in enumerate(graph.parts):
+        if p.end > p.start:
+            turn, _ = fit(joined.x[p.start : p.end], x[p.start : p.end], np.ones(p.end - p.start))
+            up[k] = turn @ up[k]
+    return up
+
+
+def _apart(task: Task, x: Array, c: Array, piece: Array) -> tuple[Array, Array]:
+    """Settled pieces side by side, as they are."""
+    from tambour.crochet.settle.arrange import GAP
+
+    x, c, right = x.copy(), c.copy(), None
+    first = np.concatenate([[0], np.cumsum(task.used)])
+    for k in range(int(piece.max()) + 1):
+        nodes = np.flatnonzero(piece == k)
+        if right is not None:
+            shift = right + GAP - x[nodes, 0].min()
+            x[nodes, 0] += shift
+            for p in np.unique(task.graph.part[nodes]):
+                c[first[p] : first[p + 1], 0] += shift
+        right = x[nodes, 0].max()
+    return x, c

@@ -1,0 +1,442 @@
+"""Build: a Pattern, worked by the hook, becomes a StitchGraph."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.errors import Problem, Span, TambourError
+from tambour.core.graph import BACK, BOTH, FRONT, ROOT, TIP, Part, StitchGraph
+from tambour.crochet.graph.assemble import assemble
+from tambour.crochet.graph.attach import attach
+from tambour.crochet.graph.hook import Hook, HookError
+from tambour.crochet.graph.layers import fold, through_both
+from tambour.crochet.graph.moment import Round
+from tambour.crochet.graph.spaces import into_space, spaces_ahead
+from tambour.crochet.graph.starts import foundation_row, leave_spare, oval, ring
+from tambour.crochet.language.stitches import RULES, Stitch
+from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
+
+# Actions that make no node may be repeated this many times per node that a pattern may make.
+_IDLE = 4
+# Actions after which a line is no longer on the edge that it began on.
+_ELSEWHERE = {"mr", "goto", "attach", "turn", "fo", "oval", "fsc"}
+
+
+@dataclass(frozen=True, slots=True)
+class PartFacts:
+    """What a part's text asks for; None where it says nothing. ``section``: which part of the text it is, ``copy`` from 1."""
+
+    name: str
+    section: int
+    copy: int
+    centroids: int | None
+    stuffing: float | None
+    initializer: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """One thing the hook did, for writing the pattern back: ``what`` is a stitch or a key of RULES; "part" (section, copy)
+    begins a part, "round" or "line" a line, and "end" ends it, with the stitches on its edge as ``times``."""
+
+    what: str
+    times: int = 1
+    numbers: tuple[int, ...] = ()
+    labels: tuple[str, ...] = ()
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Worked:
+    """What one working of a line did. below : stitches ahead when it began; left : of these, not worked into when it ended
+    (negative: worked past); made : stitches; edge : stitches on the edge after it; ring : in rounds, and on one edge all along."""
+
+    line: Line
+    part: int
+    below: int
+    left: int
+    made: int
+    edge: int
+    ring: bool
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Built:
+    """A pattern worked.
+
+    graph : StitchGraph; its ``round`` indexes ``rounds``
+    warnings : doubts, those of the text among them
+    sewn : (S, 2) int32 pairs of nodes sewn together, as the pattern says them
+    rounds : the rounds (seed: round_spans); a node's ring root and tip count to the round beside them
+    marks : label → node
+    parts : what each part's text asks for, as many as graph.parts
+    shell : (F,) bool, the faces that bound the outside: of two sheets worked on one edge (goto), one
+    initializer : how the pattern wants to begin ("rounds", "one-by-one", None)
+    up : the end of the work that is on top ("start", "end")
+    counts : stitch or action as written → how often it was worked
+    log : what the hook did, in order
+    worked : what each line did, as often as it was worked
+    pattern : where it comes from
+    """
+
+    graph: StitchGraph
+    warnings: tuple[Problem, ...]
+    sewn: Array
+    rounds: tuple[Round, ...]
+    marks: Mapping[str, int]
+    parts: tuple[PartFacts, ...]
+    shell: Array
+    initializer: str | None
+    up: str
+    counts: Mapping[str, int]
+    log: tuple[Done, ...]
+    worked: tuple[Worked, ...]
+    pattern: Pattern
+
+
+def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict: bool = False) -> Built:
+    """Work ``pattern`` with the hook.
+
+    stitch : width and height of a single crochet, mm: the rest length of an edge along a round, and of one into the
+        round below (times the height of the stitch)
+    strict : a stated count that disagrees with what the round makes is an error
+
+    Raises TambourError with the first fault of every part.
+    """
+    worker = _Worker(pattern, strict)
+    worker.work()
+    if any(not p.warning for p in worker.problems):
+        # Doubts are told too: a count that disagrees is often where the fault began.
+        raise TambourError(sorted((*pattern.warnings, *worker.problems), key=lambda p: p.span.start if p.span else 0))
+    hook = worker.hook
+    graph, shell = assemble(hook, worker.parts, worker.sewn, stitch)
+    return Built(
+        graph,
+        tuple(sorted((*pattern.warnings, *worker.problems), key=lambda p: p.span.start if p.span else 0)),
+        np.array(worker.sewn, np.int32).reshape(-1, 2),
+        tuple(hook.rounds),
+        dict(hook.marks),
+        tuple(worker.facts),
+        shell,
+        next((f.initializer for f in worker.facts if f.initializer), None),
+        next((p.up for p in pattern.parts if p.up), "end"),
+        worker.counts,
+        tuple(worker.log),
+        tuple(worker.worked),
+        pattern,
+    )
+
+
+class _Worker:
+    """Walks the pattern's tree and tells the hook what to do."""
+
+    def __init__(self, pattern: Pattern, strict: bool) -> None:
+        self.pattern, self.strict = pattern, strict
+        self.hook = Hook(pattern.text)
+        self.problems: list[Problem] = []
+        self.parts: list[Part] = []
+        self.facts: list[PartFacts] = []
+        self.sewn: list[tuple[int, int]] = []
+        self.seams: dict[tuple[str, ...], Span] = {}
+        self.counts: dict[str, int] = {}
+        self.log: list[Done] = []
+        self.worked: list[Worked] = []
+        self.fresh = 0  # the first node of the row or round under way
+        self.left: int | None = None  # stitches not worked into when the round was joined
+        self.steps = 0
+        self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
+        self.copy = 0  # the copy of a part under way, 0 when there is only one
+        self.own: set[str] = set()  # marks of the part under way
+        self.single = {m for p in pattern.parts if p.copies == 1 for line in p.lines for m in _marks(line.items)}
+        self.broken = False
+        self.rings = 0
+        self.tip = True
+        self._told: set[Span | None] = set()
+        self._approximate: set[str] = set()
+
+    def work(self) -> None:
+        for index, section in enumerate(self.pattern.parts):
+            if section.copies_span is not None:
+                self.numbers.append((section.copies, section.copies_span))
+            for copy in range(1, section.copies + 1):
+                if not self._part(index, section, copy):
+                    break
+            if section.copies_span is not None:
+                self.numbers.pop()
+        self._sew()
+
+    def _part(self, index: int, section: Section, copy: int) -> bool:
+        hook = self.hook
+        self.copy = copy if section.copies > 1 else 0
+        self.tip, self.rings = section.tip_from_fo, 0
+        self.own = {label for line in section.lines for label in _marks(line.items)}
+        start = len(hook)
+        hook.begin_part()
+        name = section.name or "piece"
+        name = f"{name} {copy}" if self.copy else name
+        self.facts.append(PartFacts(name, index, copy, section.centroids, section.stuffing, section.initializer))
+        self.log.append(Done("part", 1, (index, copy)))
+        fine = True
+        try:
+            for line in section.lines:
+                self._line(line)
+        except HookError as error:
+            self.problems.append(error.problem)
+            fine, self.broken = False, True
+        hook.end_part()
+        self.parts.append(Part(name, start, len(hook), 1.0 if section.stuffing is None else section.stuffing))
+        return fine
+
+    def _line(self, line: Line) -> None:
+        hook = self.hook
+        if line.times_span is not None:
+            self.numbers.append((line.times, line.times_span))
+        names = set(_names(line.items))
+        elsewhere = line.in_round and (bool(_ELSEWHERE & names) or any(n.startswith("MR{") for n in names))
+        for repeat in range(line.times):
+            self.fresh, below, self.left = len(hook), hook.now.count, None
+            if line.in_round:
+                hook.now.loop, hook.now.folded = BOTH, False
+                hook.begin_line()
+                hook.written = 0 if line.number is None else line.number + repeat
+                self.log.append(Done("round", 1, (), (), line.span))
+                self._step(1)
+            else:
+                self.log.append(Done("line", 1, (), (), line.span))
+            for item in line.items:
+                self._item(item)
+            if hook.now.spare >= 0:
+                leave_spare(hook)
+            edge = hook.now.count + hook.joined
+            self.log.append(Done("end", edge))
+            # A magic ring's root, a tip and chains that only lift the yarn are nodes, but no stitches.
+            new = (n for n in range(self.fresh, len(hook)) if n not in hook.lifts)
+            made = sum(hook.styles[hook.style[n]][6] not in (ROOT, TIP) for n in new)
+            left = hook.ahead if self.left is None else self.left
+            ring = line.in_round and hook.now.ring and not elsewhere and below > 0
+            self.worked.append(Worked(line, hook.part, below, left, made, edge, ring))
+        if line.times_span is not None:
+            self.numbers.pop()
+        if line.stated is not None and line.times:
+            self._check_count(line, made)
+
+    def _check_count(self, line: Line, made: int) -> None:
+        """A stated count may mean the stitches made in the round or those on its edge; slip stitches count there."""
+        edge = self.hook.now.count + self.hook.joined
+        if line.stated in (edge, made) or line.stated is None:
+            return
+        shown = made if self.hook.now.left == self.hook.now.count else edge
+        self.problems.append(
+            Problem(
+                f"the pattern says {line.stated} stitches, the round makes {shown}",
+                "correct the number, or the stitches before it",
+                line.stated_span,
+                self.pattern.text,
+                warning=not self.strict,
+            )
+        )
+
+    def _item(self, item: Item) -> None:
+        if isinstance(item, Action):
+            self._action(item)
+            return
+        times = self._around(item) if item.times is None else item.times
+        if item.times is not None:
+            self.numbers.append((times, item.span))
+        for _ in range(times):
+            self._step(1)
+            for inner in item.items:
+                self._item(inner)
+        if item.times is not None:
+            self.numbers.pop()
+
+    def _around(self, group: Group) -> int:
+        """How often the group goes into what is left of the round."""
+        hook = self.hook
+        hook.span = group.span
+        spaces = self._spaces(group.items)
+        if spaces:
+            times = spaces_ahead(hook) // spaces
+            if times == 0:
+                raise hook.fail("the round has no chain space left for this", "give a number instead")
+            return times
+        takes = self._takes(group.items)
+        if takes == 0:
+            raise hook.fail("around never ends: these stitches use up none of the round", "give a number instead")
+        ahead = max(0, hook.ahead)
+        if hook.now.folded:
+            ahead = (ahead + 1) // 2  # pairs
+        times, over = divmod(ahead, takes)
+        if times == 0:
+            raise hook.fail(f"around needs {takes} stitches, the round has {ahead} left", "give a number instead")
+        if over:
+            self._doubt(
+                f"{over} of the {ahead} stitches of the round are left over",
+                f"the brackets use up {takes} each time",
+                group.span,
+            )
+        return times
+
+    def _takes(self, items: tuple[Item, ...]) -> int:
+        total = 0
+        for item in items:
+            if isinstance(item, Group):
+                total += (item.times or 0) * self._takes(item.items)
+            elif item.name in self.pattern.stitches:
+                total += item.times * self.pattern.stitches[item.name].takes
+        return total
+
+    def _spaces(self, items: tuple[Item, ...]) -> int:
+        """How many chain spaces the items work into."""
+        total = 0
+        for item in items:
+            if isinstance(item, Group):
+                total += (item.times or 0) * self._spaces(item.items)
+            elif item.name in self.pattern.stitches and self.pattern.stitches[item.name].where == "sp":
+                total += item.times
+        return total
+
+    def _doubt(self, message: str, hint: str, span: Span) -> None:
+        if span not in self._told:
+            self._told.add(span)
+            self.problems.append(Problem(message, hint, span, self.pattern.text, warning=True))
+
+    def _step(self, nodes: int, own: tuple[int, Span] | None = None) -> None:
+        """Stops a pattern that grows too large, before it does, at the count that is most to blame."""
+        self.steps += 1
+        most = self.pattern.max_stitches
+        if len(self.hook) + nodes <= most and self.steps <= _IDLE * most + 1000:
+            return
+        numbers = [*self.numbers, own] if own else self.numbers
+        worst = max(numbers, key=lambda n: n[0], default=None)
+        what = f"more than {most} stitches" if len(self.hook) + nodes > most else "too many repetitions of nothing"
+        raise self.hook.fail(
+            f"the pattern makes {what}", "--max-stitches sets the limit", worst[1] if worst else self.hook.span
+        )
+
+    def _action(self, action: Action) -> None:
+        hook = self.hook
+        hook.span = action.span
+        if action.name not in RULES:
+            stitch = self.pattern.stitches[action.name]
+            own = (action.times, action.times_span) if action.times_span else None
+            self._step(action.times * stitch.makes, own)
+            if action.times:
+                self._work(stitch, action)
+                self._note(action)
+            hook.last_mark = None
+            return
+        making = action.name in ("mr", "attach", "oval", "fsc") and bool(action.numbers)
+        nodes = action.numbers[0] * (2 if action.name == "fsc" else 1) if making else 0
+        self._step(nodes, (action.numbers[0], action.span) if making else None)
+        mark = hook.last_mark
+        labels = tuple(self._label(name) for name in action.labels)
+        if action.name not in ("mark", "sew") and labels and labels[0] not in hook.labels:
+            if self.broken:  # set in a part that stopped short: its own problem says so
+                return
+            raise hook.fail(f'the mark "{action.labels[0]}" is not set yet', "set it first")
+        match action.name:
+            case "mr":
+                self.rings += 1
+                if self.rings > 1 and not action.numbers[1]:
+                    self._doubt("a further magic ring in this part", "a part of its own: == name ==", action.span)
+                hook.magic_ring(action.numbers[0])
+            case "flo" | "blo" | "bl":
+                hook.loops({"flo": FRONT, "blo": BACK, "bl": BOTH}[action.name])
+            case "color":
+                red, green, blue = action.numbers
+                hook.color = (red, green, blue)
+            case "mark":
+                hook.mark(labels[0])
+            case "goto":
+                hook.goto(labels[0])
+            case "attach":
+                hook.last_mark = mark
+                attach(hook, labels[0], action.numbers[0])
+            case "sew":
+                self.seams.setdefault(labels, action.span)
+            case "fo":
+                hook.fasten_off(self.tip)
+            case "turn":
+                hook.turn()
+                self.fresh = len(hook)  # what was worked before it belongs to the row below
+            case "oval":
+                oval(hook, *action.numbers)
+            case "fsc":
+                foundation_row(hook, action.numbers[0], self.pattern.stitches["sc"])
+            case "fold":
+                fold(hook, labels[0] if labels else None)
+            case "join":
+                self.left = hook.ahead  # the next round begins with it
+                hook.join_round()
+        if action.name != "mark":
+            hook.last_mark = None
+        self._note(action)
+
+    def _work(self, stitch: Stitch, action: Action) -> None:
+        """The stitch as often as the action says, into what it is worked into."""
+        if stitch.approximate and action.name not in self._approximate:
+            self._approximate.add(action.name)
+            self._doubt(f"approximated: {action.name}", stitch.approximate, action.span)
+        if stitch.where == "ring":
+            self.rings += 1
+            if self.rings > 1:
+                self._doubt("a further magic ring in this part", "a part of its own: == name ==", action.span)
+            ring(self.hook, stitch)
+        elif stitch.where == "sp":
+            into_space(self.hook, stitch, action.times)
+        elif self.hook.now.folded:
+            through_both(self.hook, stitch, action.times)
+        else:
+            self.hook.stitch(stitch, action.times)
+
+    def _label(self, name: str) -> str:
+        """The label as the hook knows it: inside a part made several times, each copy has its own."""
+        if self.copy and name in self.own:
+            return f"{name}.{self.copy}"
+        base, _, copy = name.rpartition(".")
+        return base if copy == "1" and base in self.single else name
+
+    def _sew(self) -> None:
+        """Sews once everything is worked, so that all copies are there."""
+        marks = self.hook.marks
+        for (one, other), span in self.seams.items():
+            if one not in marks or other not in marks:
+                continue  # set in a part that stopped short: its own problem says so
+            if marks[one] == marks[other]:
+                self._doubt("both marks are on the same stitch: nothing is sewn", "mark two stitches", span)
+            else:
+                pair = sorted((marks[one], marks[other]))
+                self.sewn.append((pair[1], pair[0]))
+
+    def _note(self, action: Action) -> None:
+        self.counts[action.name] = self.counts.get(action.name, 0) + action.times
+        last = self.log[-1]
+        if action.name not in RULES and last.what == action.name:
+            self.log[-1] = Done(last.what, last.times + action.times, (), (), last.span)
+        else:
+            self.log.append(Done(action.name, action.times, action.numbers, action.labels, action.span))
+
+
+def _names(items: tuple[Item, ...]) -> Iterator[str]:
+    """The actions among ``items``."""
+    for item in items:
+        if isinstance(item, Group):
+            yield from _names(item.items)
+        else:
+            yield item.name
+
+
+def _marks(items: tuple[Item, ...]) -> list[str]:
+    """The labels that marks among ``items`` set."""
+    found: list[str] = []
+    for item in items:
+        if isinstance(item, Group):
+            found += _marks(item.items)
+        elif item.name == "mark":
+            found += item.labels
+    return found

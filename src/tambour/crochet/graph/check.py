@@ -1,0 +1,199 @@
+"""Check: the tech edit. What a reader who works the pattern through would send back to its designer."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.errors import Problem, Span
+from tambour.crochet.graph.build import Built, Worked
+from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.language.tree import Group, Item
+
+NEAR = 0.2
+"""A stated size may differ from the predicted one by this share: hands differ as much."""
+
+_LENGTH = re.compile(r"(\d+(?:[.,]\d+)?)\s*(mm|cm|inches|inch|in\b|\"|″|”)", re.IGNORECASE)
+_MM = {"mm": 1.0, "cm": 10.0}
+_YARN = re.compile(
+    r"\b(lace|fingering|sock|sport|dk|double knitting|light worsted|worsted|aran|bulky|chunky|roving|jumbo|cotton|wool|"
+    r"acrylic|merino|alpaca|chenille|velvet|mohair|linen|jute|raffia|twine|\d+[ -]ply)\b",
+    re.IGNORECASE,
+)
+_EYE = re.compile(r"(\d+(?:[.,]\d+)?)\s*-?\s*mm", re.IGNORECASE)
+
+
+def tech_edit(built: Built) -> list[Problem]:
+    """Everything wrong or doubtful in a pattern that could be worked, in the order of the text.
+
+    Stated counts against the work, numbers of rounds (:mod:`parse` and :mod:`build` tell these as doubts); rounds that
+    leave stitches or run past their end; parts that are never sewn on; stuffing in an open part; yarn and eyes that
+    the materials do not name.
+    """
+    found = [replace(p, warning=False) for p in built.warnings if not p.message.startswith("approximated")]
+    found += [*_rounds(built), *_loose(built), *_open(built), *_materials(built)]
+    return sorted(dict.fromkeys(found), key=lambda p: p.span.start if p.span else 0)
+
+
+def size_edit(built: Built, size_mm: tuple[float, ...]) -> list[Problem]:
+    """The size that the pattern states against the one predicted; no problem when it states none.
+
+    size_mm : width, height, depth of the settled piece
+    """
+    words, span = built.pattern.stated.get("size", ("", Span(0, 0)))
+    said = [float(n.replace(",", ".")) * _MM.get(unit.lower(), 25.4) for n, unit in _LENGTH.findall(words)]
+    if not said or not max(size_mm, default=0.0):
+        return []
+    largest = max(said)
+    if any(abs(largest - length) <= NEAR * length for length in size_mm):
+        return []
+    shown = " × ".join(f"{length / 10:.1f}" for length in size_mm)
+    message = f"the pattern says {largest / 10:.1f} cm; by its gauge and rounds the piece is {shown} cm"
+    return [Problem(message, "correct the size, the gauge or the hook", span, built.pattern.text)]
+
+
+def instance(built: Built, part: int) -> str:
+    """A part's name as the text calls it: ``Ear.2`` for a second copy."""
+    facts = built.parts[part]
+    section = built.pattern.parts[facts.section]
+    return f"{section.name}.{facts.copy}" if section.copies > 1 else section.name
+
+
+def _rounds(built: Built) -> Iterator[Problem]:
+    """The first round of each part that does not use up the round below: what follows it is out of step by its fault.
+
+    The last round of a part may stop where it likes.
+    """
+    told: set[int] = set()
+    last = {w.part: k for k, w in enumerate(built.worked) if w.line.in_round}
+    counted = {p.span for p in built.warnings}
+    for k, w in enumerate(built.worked):
+        # A partial round before a mark, goto or attach leaves the rest on purpose.
+        leaves = k + 1 < len(built.worked) and not built.worked[k + 1].line.in_round
+        if not w.ring or w.left == 0 or w.part in told or w.line.stated_span in counted:
+            continue
+        if w.left > 0 and (leaves or k == last[w.part] or _stops(w.line.items)):
+            continue
+        told.add(w.part)
+        yield Problem(_uneven(w), "correct the repeats, or say where the round begins", w.line.span, built.pattern.text)
+
+
+def _uneven(w: Worked) -> str:
+    if w.left > 0:
+        return f"this round leaves {w.left} of the {w.below} stitches below it unworked"
+    return f"this round needs {w.below - w.left} stitches below it, there are {w.below}"
+
+
+def _stops(items: tuple[Item, ...]) -> bool:
+    """Whether a round ends in a slip stitch: it steps down to the edge and need not go all round."""
+    last = items[-1] if items else None
+    return _stops(last.items) if isinstance(last, Group) else last is not None and last.name in ("slst", "join", "fo")
+
+
+def _loose(built: Built) -> Iterator[Problem]:
+    """Parts of a pattern with several that nothing holds to the others."""
+    graph, pattern = built.graph, built.pattern
+    if len([p for p in pattern.parts if p.lines]) < 2:
+        return
+    parent = list(range(len(graph.parts)))
+
+    def top(k: int) -> int:
+        while parent[k] != k:
+            k = parent[k]
+        return k
+
+    across = graph.part[graph.edges]
+    for a, b in np.unique(across[across[:, 0] != across[:, 1]], axis=0).tolist():
+        parent[top(a)] = top(b)
+    names = {instance(built, k): k for k in range(len(built.parts))}
+    for finish in pattern.finish:
+        if isinstance(finish, Placed):
+            a, b = (names.get(n, names.get(f"{n}.1")) for n in (finish.part, finish.spot.part))
+            if a is not None and b is not None:
+                parent[top(a)] = top(b)
+    stitches = np.zeros(len(parent), int)
+    for k, part in enumerate(graph.parts):
+        stitches[top(k)] += part.end - part.start
+    main = int(stitches.argmax())
+    for k, part in enumerate(graph.parts):
+        if part.end > part.start and top(k) != main:
+            name, at = instance(built, k), pattern.parts[built.parts[k].section].span
+            yield Problem(
+                f"{name} is never sewn on", "say where it goes: on which part, between which rounds", at, pattern.text
+            )
+
+
+def _open(built: Built) -> Iterator[Problem]:
+    """Parts of a printed pattern that are to be stuffed, left open and held to nothing: the stuffing falls out."""
+    graph, pattern = built.graph, built.pattern
+    if not pattern.terms:
+        return
+    held = {f.part for f in pattern.finish if isinstance(f, Placed)}
+    held |= {f.removesuffix(".1") for f in held}
+    across = graph.part[graph.edges]
+    sewn = set(across[across[:, 0] != across[:, 1]].ravel().tolist())
+    for k, part in enumerate(graph.parts):
+        section = pattern.parts[built.parts[k].section]
+        stuffed = section.stuffing is not None and section.stuffing > 0
+        name = instance(built, k)
+        if not stuffed or part.end == part.start or k in sewn or name in held or name.removesuffix(".1") in held:
+            continue
+        rim = _rim(built, k)
+        if rim > 2 and built.parts[k].copy == 1:
+            message = f"{name or 'the piece'} is stuffed, and its end of {rim} stitches stays open"
+            hint = "decrease and fasten off, or say where it is sewn on"
+            yield Problem(message, hint, section.span, pattern.text)
+
+
+def _rim(built: Built, part: int) -> int:
+    """Edges that bound the fabric of a part."""
+    faces = built.graph.faces[built.graph.part[built.graph.faces[:, 0]] == part]
+    sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    if not len(sides):
+        return 0
+    _, times = np.unique(sides, axis=0, return_counts=True)
+    return int((times == 1).sum())
+
+
+def _materials(built: Built) -> Iterator[Problem]:
+    """What a printed pattern uses and does not name. The own language needs no list of materials."""
+    pattern = built.pattern
+    if not pattern.terms:
+        return
+    text = pattern.text
+    if "yarn" not in pattern.stated and not _YARN.search(text.text):
+        yield Problem("the pattern names no yarn", "add a line such as: Yarn: worsted, cream", Span(0, 0), text)
+    eyes = [f for f in pattern.finish if isinstance(f, Eye)]
+    if "eyes" in pattern.stated:
+        words, span = pattern.stated["eyes"]
+        listed = {float(n.replace(",", ".")) for n in _EYE.findall(words)}
+        for size in dict.fromkeys(e.size for e in eyes):
+            if listed and size not in listed:
+                at = next(e.span for e in eyes if e.size == size)
+                shown = " or ".join(f"{n:g}" for n in sorted(listed))
+                yield Problem(f"eyes of {size:g} mm here, {shown} mm in the materials", "make them agree", at, text)
+        if not eyes:
+            yield Problem("these eyes are never put in", "say between which rounds they go", span, text)
+
+
+def doubtful(built: Built, problems: list[Problem]) -> Array:
+    """The stitches (N,) bool that ``problems`` speak of: those written on the same line, or the whole part of a heading."""
+    text, starts = built.pattern.text.text, built.graph.span[:, 0]
+    headed = np.array([p.span.start for p in built.pattern.parts], int)
+    of = np.array([f.section for f in built.parts], int)
+    wrong = np.zeros(len(built.graph), np.bool_)
+    for problem in problems:
+        if problem.span is None:
+            continue
+        first = text.rfind("\n", 0, problem.span.start) + 1
+        end = text.find("\n", problem.span.start)
+        line = (starts >= first) & (starts < (len(text) if end < 0 else end))
+        section = np.flatnonzero(headed == problem.span.start)
+        if not line.any() and len(section) and len(of):
+            line = np.isin(of[built.graph.part], section)
+        wrong |= line
+    return wrong

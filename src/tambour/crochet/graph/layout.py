@@ -1,0 +1,227 @@
+"""First positions by rounds: the seed's generalised cylinder ("Cylinder initializer"), a ring per round and part.
+
+All in stitches, y up. Seen from outside, at the ring that a part begins with, work goes counter-clockwise.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import JOIN, ROOT, THROUGH, TIP, StitchGraph
+from tambour.crochet.graph import ovals
+
+LEAST_RISE = 0.3
+"""The share of a row's height that a round lies above the one before, however much wider it is; openwork lies flat."""
+
+
+BACK = -0.5 * math.pi
+"""Where a first round begins: at the back, so that its middle is in front, towards +z."""
+NEARLY = 0.85
+"""A square whose sides grow by this share of its rows' height lies flat."""
+WAVE = 0.1
+"""How far rows lie off their plane at first, in stitches: what wants to leave it could not begin to otherwise."""
+CLEAR = 1.0
+"""Stitches that rings of different branches of one part keep between them."""
+
+
+def sections(graph: StitchGraph) -> Array:
+    """The section of every node (N,), rising: a stretch of work within one round; roots and tips stand alone."""
+    if not len(graph):
+        return np.zeros(0, np.int32)
+    alone = np.isin(graph.peculiarity, (ROOT, TIP))
+    new = (np.diff(graph.part) != 0) | (np.diff(graph.round) != 0) | alone[1:] | alone[:-1]
+    return np.concatenate([[0], np.cumsum(new)]).astype(np.int32)
+
+
+def rise(graph: StitchGraph, rest: Array) -> Array:
+    """How high above its anchors each node wants to stand (N,): its edges' rest length, 1 where it has no anchor."""
+    total, count = np.zeros(len(graph)), np.zeros(len(graph))
+    through = graph.edge_kind == THROUGH
+    np.add.at(total, graph.edges[through, 0], rest[through])
+    np.add.at(count, graph.edges[through, 0], 1.0)
+    return np.where(count > 0, total / np.maximum(count, 1.0), 1.0)
+
+
+def in_rows(graph: StitchGraph) -> Array:
+    """Which parts (P,) are worked in rows: turned, and never joined to rounds."""
+    joined = np.zeros(len(graph.parts), bool)
+    joined[graph.part[graph.edges[graph.edge_kind == JOIN, 0]]] = True
+    turned = np.zeros(len(graph.parts), bool)
+    turned[graph.part[graph.direction < 0]] = True
+    rooted = np.zeros(len(graph.parts), bool)
+    rooted[graph.part[graph.peculiarity == ROOT]] = True
+    return turned & ~joined & ~rooted
+
+
+def rounds(graph: StitchGraph, rest: Array) -> Array:
+    """First positions (N, 3), every part by itself with its beginning at the origin.
+
+    A round of n stitches is a horizontal ring of radius n / 2π about the middle of the stitches it is worked into,
+    turned so that its stitches stand over theirs, and higher than those by √(h² - ΔR²), at least 0.3 h, where ΔR is
+    the change of radius and h the height of its stitches. Rows that are turned and never joined lie flat instead;
+    rounds about a chain are stadiums, as long as it; an opening closed through both layers is a line.
+    """
+    n = len(graph)
+    x = np.zeros((n, 3))
+    section = sections(graph)
+    heights = rise(graph, rest)
+    starts = np.flatnonzero(np.diff(section, prepend=-1))
+    ends = np.append(starts[1:], n)
+    flat = in_rows(graph)
+    half = np.full(len(graph.parts), -1.0)  # of the straight sides, in parts that are ovals
+    ends_of = np.zeros(len(graph))  # the radius of the stadium that a node is in
+    folded = ovals.layers(graph)
+    flats = ovals.openwork(graph)
+    least = np.where(flats, 0.0, LEAST_RISE)
+    width = np.zeros(len(graph.parts))
+    np.maximum.at(width, graph.part[starts], (ends - starts) / (2.0 * math.pi))
+    begun = np.zeros(len(graph.parts), int)
+    forks = Forks()
+    for k, (a, b) in enumerate(zip(starts.tolist(), ends.tolist())):
+        part = int(graph.part[a])
+        nodes = np.arange(a, b)
+        below = [graph.anchors[graph.anchor_offsets[i] : graph.anchor_offsets[i + 1]] for i in nodes]
+        below = [q[(q < a)] for q in below]
+        under = np.unique(np.concatenate(below)) if below else np.zeros(0, int)
+        if not len(under):
+            on = ovals.base(graph, a, b) if half[part] < 0.0 else 0
+            if on:
+                # The hook's end at the back: the middle of a round is in front.
+                half[part], flat[part] = 0.5 * (on - 1), False
+                x[nodes, 2] = 0.5 * (on - 1) - np.arange(b - a)
+                x[nodes[on:], 2], x[nodes[on:], 1] = x[nodes[on - 1], 2], np.arange(1, b - a - on + 1)
+                begun[part] += 1
+                continue
+            x[nodes] = _begin(graph, x, nodes, width[part], begun[part], bool(flat[part]))
+            begun[part] += int(graph.previous[a] < 0 or graph.previous[a] < graph.parts[part].start)
+            continue
+        centre = x[under].mean(0)
+        h = float(heights[nodes].mean())
+        stand = np.array([x[q].mean(0) if len(q) else centre for q in below])
+        if flat[part]:
+            x[nodes, 0] = stand[:, 0].mean() + graph.direction[nodes] * (np.arange(b - a) - 0.5 * (b - a - 1))
+            x[nodes, 1] = centre[1] + h
+            x[nodes, 2] = WAVE * np.sin(0.7 * x[nodes, 0] + 1.3 * x[nodes, 1])
+            continue
+        if folded[a:b].any():
+            x[nodes] = stand + np.array([0.0, h, 0.0])
+            continue
+        if half[part] >= 0.0 and b - a > 3:
+            side, radius = ovals.straight(b - a, float(half[part]))
+            spread = float(ends_of[under].mean())
+            up = math.sqrt(max(h * h - (radius - spread) ** 2, (least[part] * h) ** 2))
+            x[nodes, 0], x[nodes, 2] = ovals.turned(b - a, side, radius, stand[:, [0, 2]]).T
+            x[nodes, 1], ends_of[nodes] = centre[1] + up, radius
+            continue
+        turns = ovals.corners(graph, a, b) if flats[part] else []
+        radius = (b - a) / (2.0 * math.pi) if b - a > 1 else 0.0
+        spread = float(np.hypot(*(x[under] - centre)[:, [0, 2]].T).mean())
+        up = math.sqrt(max(h * h - (radius - spread) ** 2, (least[part] * h) ** 2))
+        if 3 <= len(turns) <= 8:
+            flat_at = ovals.polygon(b - a, turns) * [1.0, float(graph.direction[a])]
+            # Its sides are as far out as the rows are high, or nearly: it lies flat. Else its rows rise.
+            apothem = float(np.hypot(*flat_at.T).min())
+            out = apothem - float(ends_of[under].mean())
+            up = math.sqrt(h * h - out * out) if out < NEARLY * h else 0.0
+            ends_of[nodes] = apothem
+            own, over = flat_at @ [1.0, 1.0j], (stand - centre)[:, [0, 2]] @ [1.0, 1.0j]
+            turn = (over * own.conj()).sum()
+            own = own * (turn / abs(turn) if abs(turn) > 1e-9 else np.exp(1j * BACK) * own[0].conj() / abs(own[0]))
+            x[nodes] = centre + np.column_stack([own.real, np.full(b - a, up), own.imag])
+            continue
+        angle = graph.direction[nodes] * np.arange(b - a) * (2.0 * math.pi / (b - a))
+        turn = np.exp(1j * (np.arctan2(stand[:, 2] - centre[2], stand[:, 0] - centre[0]) - angle)).sum()
+        angle = angle + (math.atan2(turn.imag, turn.real) if abs(turn) > 1e-9 else BACK)
+        place = centre + np.array([0.0, up, 0.0])
+        if b - a > 1:
+            place = forks.clear(k, np.unique(section[under]), place, radius, part)
+        x[nodes] = place + np.column_stack([radius * np.cos(angle), np.zeros(b - a), radius * np.sin(angle)])
+    return x
+
+
+class Forks:
+    """Rings placed so far, by the branch of the work that they belong to, so that branches keep clear of each other.
+
+    A branch ends where it is worked on twice, or together with another. ``upto`` says for every branch which of its
+    and of other branches' sections lie below: all up to a number.
+    """
+
+    def __init__(self) -> None:
+        self.branch: dict[int, int] = {}  # section → branch
+        self.upto: list[dict[int, int]] = []
+        self.worked: set[int] = set()
+        self.rings: dict[int, list[tuple[int, int, Array, float]]] = {}  # part → section, branch, place, radius
+        self.forked: set[int] = set()
+
+    def clear(self, k: int, below: Array, place: Array, radius: float, part: int) -> Array:
+        """Where ring ``k`` goes that is worked into the sections ``below``: beside rings of other branches, not in."""
+        known = [int(s) for s in below if int(s) in self.branch]
+        if len(known) == 1 and known[0] not in self.worked:
+            mine = self.branch[known[0]]
+        else:
+            mine = len(self.upto)
+            self.upto.append({})
+            for s in known:
+                for b, last in [*self.upto[self.branch[s]].items(), (self.branch[s], s)]:
+                    self.upto[mine][b] = max(last, self.upto[mine].get(b, -1))
+        self.worked.update(known)
+        self.branch[k] = mine
+        rings = self.rings.setdefault(part, [])
+        if rings and rings[0][1] != mine:
+            self.forked.add(part)
+        if part in self.forked:
+            for _ in range(8):
+                least, away = 0.0, place
+                for s, b, at, size in rings:
+                    if b == mine or s <= self.upto[mine].get(b, -1) or abs(at[1] - place[1]) >= 1.0:
+                        continue
+                    off = (place - at) * [1.0, 0.0, 1.0]
+                    far = float(np.sqrt((off**2).sum()))
+                    if far - size - radius - CLEAR < least:
+                        least = far - size - radius - CLEAR
+                        away = place - least * (off / far if far > 1e-9 else np.array([1.0, 0.0, 0.0]))
+                place = away
+        rings.append((k, mine, place, radius))
+        return place
+
+
+def _begin(graph: StitchGraph, x: Array, nodes: Array, width: float, begun: int, flat: bool) -> Array:
+    """Where a section goes that is worked into nothing: a new ring, a chain, or a bridge of chains."""
+    a, count = int(nodes[0]), len(nodes)
+    part = graph.parts[int(graph.part[a])]
+    before = int(graph.previous[a])
+    if before >= part.start:
+        # A chain hangs on the work: to the stitch it is joined to, or up from where it began.
+        last = graph.edges[graph.edges[:, 0] == nodes[-1], 1]
+        last = last[(last < a) & (last != before)]
+        t = np.arange(1, count + 1)[:, None] / (count + (0 if len(last) else 1))
+        far = x[last[0]] if len(last) else x[before] + [0.0, float(count + 1), 0.0]
+        arch = np.sin(math.pi * t) * (0.25 * count if len(last) else 0.0)
+        return x[before] + (far - x[before]) * np.minimum(t, 1 - 0.5 / count) + arch * [0.0, 1.0, 0.0]
+    origin = np.array([begun * (2.0 * width + 2.0), 0.0, 0.0])
+    if count == 1:
+        return origin[None]
+    if flat:
+        return origin + np.column_stack([np.arange(count) - 0.5 * (count - 1), np.zeros(count), np.zeros(count)])
+    angle = BACK + graph.direction[nodes] * np.arange(count) * (2.0 * math.pi / count)
+    radius = count / (2.0 * math.pi)
+    return origin + np.column_stack([radius * np.cos(angle), np.zeros(count), radius * np.sin(angle)])
+
+
+def on_axis(x: Array, start: int, end: int, count: int) -> Array:
+    """``count`` points (count, 3) at regular intervals on the axis of the part ``start`` … ``end``.
+
+    They divide its height into equal slices, one in the middle of each, at the middle of the nodes of that slice.
+    """
+    mine = x[start:end]
+    low, high = mine[:, 1].min(), mine[:, 1].max()
+    made = np.empty((count, 3))
+    for k in range(count):
+        a, b = low + (high - low) * k / count, low + (high - low) * (k + 1) / count
+        inside = (mine[:, 1] >= a) & (mine[:, 1] <= b)
+        made[k] = mine[inside].mean(0) if inside.any() else mine.mean(0)
+        made[k, 1] = 0.5 * (a + b)
+    return made

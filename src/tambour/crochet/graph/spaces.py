@@ -1,0 +1,118 @@
+"""Chain spaces: stitches worked around a stretch of chains instead of into one of them."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from tambour.crochet.graph.hook import Hook
+from tambour.crochet.language.stitches import KNOT, OVER, THROUGH, Stitch
+
+BETWEEN = 0.92
+"""Width of a chain between stitches, in stitches: those on either side draw it together."""
+
+
+def _is_chain(hook: Hook, n: int) -> bool:
+    return n >= 0 and hook.ends[n + 1] == hook.ends[n] and hook.styles[hook.style[n]][0] == "ch"
+
+
+def spaces_ahead(hook: Hook) -> int:
+    """How many chain spaces the round still has."""
+    found, before, left = 0, -2, hook.now.left
+    for n in hook.now.front:
+        if left <= 0:
+            break
+        if n >= 0:
+            left -= 1
+            found += _is_chain(hook, n) and not (before >= 0 and hook.previous[n] == before)
+            before = n if _is_chain(hook, n) else -2
+    return found
+
+
+def into_space(hook: Hook, stitch: Stitch, times: int) -> None:
+    """``stitch`` into the next chain space, ``times`` in a row; what lies before the space is skipped.
+
+    Chains follow one another in a space. The stitches worked into it share its chains out, each standing on the one
+    under it. HookError when the round has no chain space left.
+    """
+    hook.need_start()
+    hook.begin_sheet()
+    for _ in range(times):
+        _one(hook, stitch)
+
+
+def _one(hook: Hook, stitch: Stitch) -> None:
+    now = hook.now
+    front, path = now.front, now.spine[::-1]
+
+    def onwards() -> None:
+        n = front.popleft()
+        if path[-1] != (n if n >= 0 else ~n):
+            path.append(n if n >= 0 else ~n)
+        if n >= 0:
+            hook.used(1)
+
+    skipped = False
+    while front and now.left > 0 and not _is_chain(hook, front[0]):
+        skipped = front[0] >= 0
+        onwards()
+    before = path[-1] if skipped else -1
+    if not front or now.left <= 0:
+        raise hook.fail(
+            "there is no chain space left in this round", "sc goes into the next stitch, sp{sc} into a space"
+        )
+    space = [front[0]]
+    while len(space) < min(len(front), now.left) and _is_chain(hook, front[len(space)]):
+        if hook.previous[front[len(space)]] != space[-1]:
+            break
+        space.append(front[len(space)])
+    runs: list[list[int]] = [[]]  # stitches side by side on one chain
+    posts = sum(a.what == THROUGH and b.what == OVER for a, b in pairwise(stitch.moves))
+    post = pulled = 0
+    for move in stitch.moves:
+        if move.what == THROUGH:
+            pulled += 1
+            continue
+        if move.what == KNOT:
+            hook.knot(path)
+            continue
+        look = hook.look(move.kind, move.height, hook.single())
+        if not pulled:
+            c = hook.node(look, [], path[0], -1)
+            runs.append([])
+            path.insert(0, c)
+            hook.chained(c, move.kind != "picot")
+            continue
+        anchor = space[int((post + 0.5) * len(space) / posts)]
+        while front[0] != anchor:
+            onwards()
+            runs.append([])
+        if path[-1] != anchor:
+            path.append(anchor)
+        c = hook.node(look, [anchor] * pulled, path[0], anchor)
+        if now.starting:
+            hook.rise(c, path)
+        for a, b in pairwise(path):
+            hook.face(b, a, c)
+        front.append(c)
+        now.count += 1
+        runs[-1].append(c)
+        path = [c, anchor]
+        post, pulled = post + 1, 0
+    while front[0] != space[-1]:
+        onwards()
+    onwards()
+    # They stand upright beside one another, not leaning together to the chain that stands for the space.
+    runs = [run for run in runs if run]
+    for run in runs:
+        for k, c in enumerate(run):
+            hook.aside[c] = k - 0.5 * (len(run) - 1)
+    after = (front[0] if front[0] >= 0 else ~front[0]) if front else -1
+    if after >= runs[0][0] or hook.ends[after + 1] == hook.ends[after]:
+        after = -1
+    # The outermost also stand over the stitches on either side of the space.
+    for node, beside, side in ((runs[0][0], before, -1.0), (runs[-1][-1], after, 1.0)):
+        if beside >= 0:
+            hook.over.append((node, beside, hook.aside[node] - side * BETWEEN))
+    now.spine = path[::-1]
+    if now.left <= 0:
+        hook.round_done()

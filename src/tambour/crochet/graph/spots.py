@@ -1,0 +1,275 @@
+"""Spots: a round and a stitch as a place on the fabric; which numbers the rounds bear; what is wrong with a spot."""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.errors import Problem
+from tambour.core.graph import ROOT, TIP
+from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.lids import lids
+from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Spot
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A point of the fabric: the mean of ``nodes`` by ``weights``, which sum to 1; ``opening``: the middle of a rim."""
+
+    nodes: tuple[int, ...]
+    weights: tuple[float, ...]
+    opening: bool = False
+
+
+class Spots:
+    """The rounds of a pattern that was worked, by part and by the number that is written."""
+
+    def __init__(self, built: Built) -> None:
+        self.built = built
+        self.numbers = numbers(built)
+        self._at: dict[tuple[int, int], list[int]] = {}
+        for k, (round_, number) in enumerate(zip(built.rounds, self.numbers)):
+            self._at.setdefault((round_.part, number), []).append(k)
+
+    @cached_property
+    def parts(self) -> dict[str, int]:
+        """Name of a part, as patterns call it → its index."""
+        known: dict[str, int] = {}
+        for k, fact in enumerate(self.built.parts):
+            section = self.built.pattern.parts[fact.section]
+            known[f"{section.name}.{fact.copy}"] = k
+            if section.copies == 1:
+                known[section.name] = k
+        return known
+
+    @cached_property
+    def layout(self) -> Array:
+        """Where the rounds were laid out (N, 3), in stitches, before anything settled: every part by itself."""
+        from tambour.crochet.graph.layout import rounds
+        from tambour.crochet.yarn.fabric import stitch_width
+
+        graph = self.built.graph
+        return rounds(graph, graph.rest / stitch_width(graph))
+
+    @cached_property
+    def in_rows(self) -> Array:
+        """Which parts (P,) are worked in rows."""
+        from tambour.crochet.graph.layout import in_rows
+
+        return in_rows(self.built.graph)
+
+    def stitches(self, k: int) -> Array:
+        """The nodes of round ``k`` (an index of Built.rounds) that count, in order: lifting chains left out."""
+        r, graph = self.built.rounds[k], self.built.graph
+        nodes = np.arange(r.first, r.last + 1)
+        spare = len(nodes) - r.count
+        if spare > 0:
+            chains = np.flatnonzero(np.diff(graph.anchor_offsets)[nodes] == 0)[:spare]
+            nodes = np.delete(nodes, chains)
+        return nodes
+
+    def last(self, part: int) -> int:
+        """The last round of a part, an index of Built.rounds."""
+        return max(k for k, r in enumerate(self.built.rounds) if r.part == part)
+
+    def round_at(self, part: int, number: int) -> int | None:
+        """The round of a part that bears ``number``: the last, if there are several; None where there is none."""
+        found = self._at.get((part, number))
+        return found[-1] if found else None
+
+    def _special(self, part: int, number: int) -> int | None:
+        """The ring's root for the number before the first round's, the tip for the one after the last's."""
+        p, graph = self.built.graph.parts[part], self.built.graph
+        mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
+        if not mine:
+            return None
+        kind = ROOT if number == min(mine) - 1 else TIP
+        if kind == TIP and number != max(mine) + 1:
+            return None
+        nodes = np.flatnonzero(graph.peculiarity[p.start : p.end] == kind)
+        return p.start + int(nodes[0 if kind == ROOT else -1]) if len(nodes) else None
+
+    def opening(self, part: int, number: float) -> Array:
+        """The rim of an open part, in the order of work, where ``number`` is the one after its last round's."""
+        mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
+        if not mine or number != max(mine) + 1 or self.in_rows[part]:
+            return np.zeros(0, int)
+        return rim(self.built, part)
+
+    def place(self, spot: Spot) -> Place:
+        """Where a spot is; it must be one that :func:`problems` has nothing against."""
+        part = self.parts[spot.part]
+        opening = self.opening(part, spot.round)
+        if len(opening):
+            return Place(tuple(opening.tolist()), (1.0 / len(opening),) * len(opening), True)
+        low, share = math.floor(spot.round), spot.round - math.floor(spot.round)
+        k, node = self.round_at(part, low), self._special(part, low)
+        at: dict[int, float] = {}
+        index = None
+        if k is not None:
+            index = self._index(k, spot.stitch)
+            self._add(at, k, index, 1.0 - share)
+        elif node is not None:
+            at[node] = 1.0 - share
+        if share:
+            above, tip = self.round_at(part, low + 1), self._special(part, low + 1)
+            if above is not None:
+                free = spot.stitch is None or k is None
+                self._add(at, above, self._index(above, spot.stitch) if free else self._above(k, above, index), share)
+            elif tip is not None:
+                at[tip] = at.get(tip, 0.0) + share
+        kept = {n: w for n, w in at.items() if w > 0.0}
+        return Place(tuple(kept), tuple(kept.values()))
+
+    def _index(self, k: int, stitch: float | None) -> float:
+        """Position in round ``k``, from 0: of a stitch, or of the middle of the front."""
+        nodes = self.stitches(k)
+        n = len(nodes)
+        if stitch is not None:
+            return stitch - 1.0
+        if self.in_rows[self.built.rounds[k].part] or n < 3:
+            return 0.5 * (n - 1)
+        x = self.layout[nodes]
+        off = x - x.mean(0)
+        angle = np.arctan2(off[:, 0], off[:, 2])  # 0 towards the front
+        after = np.roll(angle, -1)
+        for i in np.flatnonzero((np.minimum(angle, after) <= 0) & (np.maximum(angle, after) > 0)):
+            if abs(angle[i] - after[i]) < math.pi:
+                return float(i + angle[i] / (angle[i] - after[i]))
+        return 0.5 * n
+
+    def _add(self, at: dict[int, float], k: int, index: float, weight: float) -> None:
+        """Adds the point at ``index`` of round ``k`` to ``at``, between its two stitches."""
+        nodes = self.stitches(k)
+        n = len(nodes)
+        if self.in_rows[self.built.rounds[k].part]:
+            index = min(max(index, 0.0), n - 1.0)
+        i, share = math.floor(index), index - math.floor(index)
+        for node, w in ((int(nodes[i % n]), 1.0 - share), (int(nodes[(i + 1) % n]), share)):
+            at[node] = at.get(node, 0.0) + w * weight
+
+    def _above(self, k: int | None, above: int, index: float | None) -> float:
+        """The position in round ``above`` that stands on position ``index`` of round ``k``."""
+        assert k is not None and index is not None
+        graph, lower, upper = self.built.graph, self.stitches(k), self.stitches(above)
+        n, rank = len(lower), {int(node): i for i, node in enumerate(lower)}
+        stands: list[tuple[float, int]] = []  # position below, position above
+        for j, node in enumerate(upper.tolist()):
+            under = graph.anchors[graph.anchor_offsets[node] : graph.anchor_offsets[node + 1]]
+            found = [rank[int(a)] for a in under if int(a) in rank]
+            if found:
+                # A decrease over the last and the first stitch stands between them, not in the middle of the round.
+                found = [f + n if f < found[0] - n / 2 else f for f in found]
+                stands.append((sum(found) / len(found), j))
+        if not stands:
+            return (index + 0.5) / n * len(upper) - 0.5
+        below = np.unwrap([s for s, _ in stands], period=n)
+        over = np.array([j for _, j in stands], float)
+        # Stitches of an increase share an anchor: they stand beside each other on it.
+        for value in np.unique(below):
+            same = np.flatnonzero(below == value)
+            if len(same) > 1:
+                below[same] += 0.5 * ((np.arange(len(same)) + 0.5) / len(same) - 0.5)
+        turns = (-1, 0, 1)
+        every = np.concatenate([below + t * n for t in turns])
+        place = np.interp(index, every, np.concatenate([over + t * len(upper) for t in turns]))
+        return float(place)
+
+    def problems(self, finishes: Sequence[Finish]) -> Iterator[Problem]:
+        """What is wrong with the spots of ``finishes``: rounds and stitches that are not there."""
+        seen: set[Spot] = set()
+        for finish in finishes:
+            for spot in finish.spots if isinstance(finish, (Embroidery, Hair)) else (finish.spot,):
+                if spot not in seen and spot.part in self.parts:
+                    seen.add(spot)
+                    yield from self._problem(spot)
+
+    def _problem(self, spot: Spot) -> Iterator[Problem]:
+        part, text = self.parts[spot.part], self.built.pattern.text
+        mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
+        wanted = [math.floor(spot.round), math.ceil(spot.round)]
+        there = [
+            self.round_at(part, n) is not None
+            or self._special(part, n) is not None
+            or (n == spot.round and len(self.opening(part, n)) > 0)
+            for n in wanted
+        ]
+        if not mine or not all(there):
+            hint = f"its rounds are {min(mine)} to {max(mine)}" if mine else "it has no rounds"
+            yield Problem(f'"{spot.part}" has no round {spot.round:g}', hint, spot.span, text)
+            return
+        if len(self._at.get((part, wanted[0]), ())) > 1:
+            many = len(self._at[part, wanted[0]])
+            hint = "the last one is taken; number the rounds without repeats"
+            yield Problem(f'"{spot.part}" has {many} rounds {wanted[0]}', hint, spot.span, text, warning=True)
+        counts = [len(self.stitches(k)) for n in wanted if (k := self.round_at(part, n)) is not None]
+        if spot.stitch is not None and counts and spot.stitch >= max(counts) + 1:
+            message = f'round {spot.round:g} of "{spot.part}" has {max(counts)} stitches, not {spot.stitch:g}'
+            yield Problem(message, "count from its first stitch, which is 1", spot.span, text)
+
+
+def rim(built: Built, part: int) -> Array:
+    """The edge of a part that was worked last, where it is open: nodes in the order of work; empty where it is closed."""
+    graph = built.graph
+    p = graph.parts[part]
+    faces = graph.faces[built.shell]
+    faces = faces[graph.part[faces[:, 0]] == part]
+    if not len(faces):
+        return np.zeros(0, int)
+    _, _, offsets, found = lids(faces, np.zeros(len(faces), np.int32), len(graph))
+    loops = [found[a:b] for a, b in pairwise(offsets)]
+    if not loops or graph.peculiarity[p.end - 1] == TIP:
+        return np.zeros(0, int)
+    loop = next((r for r in loops if p.end - 1 in r), None)
+    if loop is None:
+        return np.zeros(0, int)
+    last = int(np.flatnonzero(loop == p.end - 1)[0])
+    loop = np.roll(loop, -1 - last)  # the stitch worked last comes last
+    if len(loop) > 2 and loop[0] == p.end - 2:
+        loop = np.append(loop[:-1][::-1], loop[-1])
+    # Where a spiral ends the edge steps down by a stitch that is worked into already: no needle goes there.
+    free = loop[~np.isin(loop, graph.anchors)]
+    return np.asarray(free if len(free) > 2 else loop, int)
+
+
+def numbers(built: Built) -> list[int]:
+    """The number that every round bears: the one that is written, else one more than the round before in its part.
+
+    A foundation chain that bears none is 0, or one less than the first round.
+    """
+    graph, made = built.graph, []
+    part, last, worked = -1, 0, [0]
+    for k, r in enumerate(built.rounds):
+        if r.part != part:
+            part, last = r.part, 0
+            lines = sorted(built.pattern.parts[built.parts[part].section].lines, key=lambda line: line.span.start)
+            starts = [line.span.start for line in lines]
+            worked = [0] * len(lines)
+        # The stitch in the middle of a round tells best which line it is: counts that are wrong shift its ends.
+        at = bisect_right(starts, int(graph.span[(r.first + r.last) // 2, 0])) - 1
+        line = lines[at] if at >= 0 else None
+        bare = graph.anchor_offsets[r.last + 1] == graph.anchor_offsets[r.first]
+        if bare and r.below < 0 and (line is None or line.number is None or _shared(built, k, line.span.end)):
+            last = (line.number - 1) if line is not None and line.number is not None else 0
+        elif line is None or line.number is None:
+            last += 1
+        else:
+            last = min(line.number + worked[at], line.number + line.times - 1)
+            worked[at] += 1
+        made.append(last)
+    return made
+
+
+def _shared(built: Built, k: int, end: int) -> bool:
+    """Whether the round after ``k`` is worked in the same line, which ends at ``end``."""
+    after = built.rounds[k + 1] if k + 1 < len(built.rounds) else None
+    if after is None or after.part != built.rounds[k].part:
+        return False
+    return int(built.graph.span[(after.first + after.last) // 2, 0]) < end

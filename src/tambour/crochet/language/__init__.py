@@ -1,0 +1,1 @@
+"""Language: tambour's own words for stitches, and the tree that every reader gives."""

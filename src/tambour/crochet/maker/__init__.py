@@ -1,0 +1,1 @@
+"""Maker: what a maker needs to know: gauge, size, materials."""

@@ -1,0 +1,82 @@
+"""Materials: what the maker lays out: yarn by colour, hook, eyes, felt, stuffing, and the small things."""
+
+from __future__ import annotations
+
+from math import ceil
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from tambour.crochet.maker.gauge import WEIGHTS
+
+if TYPE_CHECKING:
+    from tambour.crochet.plush import Plush
+
+SPARE: Final = 1.1
+"""Yarn that is bought for every metre that is worked: ends, swatch and joins."""
+
+TAIL: Final = 0.3
+"""Metres of yarn left at the end of every piece that is sewn on."""
+
+DENSITY: Final = ((0.0, 0.0), (0.4, 20.0), (1.0, 30.0), (2.5, 40.0))
+"""Amount of stuffing → grams of polyester fibre in a litre. Assumed, between a bed pillow (500 to 650 g in some 28
+litres) and a hard toy; fibres differ by a third."""
+
+
+def lengths(piece: Plush) -> dict[tuple[int, ...], float]:
+    """Metres of yarn that each colour takes, in the order in which it is taken up."""
+    from tambour.crochet.plush import DRAWN_TIGHT
+
+    made: dict[tuple[int, ...], float] = {}
+    for led, color in zip(piece.yarn.paths, piece.yarn.color.tolist()):
+        run = float(np.sqrt((np.diff(led, axis=0) ** 2).sum(1)).sum()) / 1000.0 * DRAWN_TIGHT
+        made[tuple(color)] = made.get(tuple(color), 0.0) + run
+    return made
+
+
+def materials(piece: Plush) -> dict[str, Any]:
+    """All that is needed, in plain records.
+
+    yarn : per colour its metres, yards, grams and whole skeins, a tenth to spare; weight : their class, typical metres
+    in 100 g and grams of a skein
+    hook_mm; stuffing : litres and grams; eyes, embroidery, felt, hair : as :func:`tambour.crochet.finish.features.materials`
+    notions : words for the small things
+    """
+    from tambour.crochet.finish.features import materials as face
+
+    kind = WEIGHTS[piece.gauge.weight]
+    made = face(piece.built, piece.positions)
+    metres = lengths(piece)
+    ends = TAIL * max(0, len(piece.built.graph.parts) - 1)
+    whole = sum(metres.values())
+    for tuft in made["hair"]:
+        color = tuple(int(tuft["color"][k : k + 2], 16) for k in (1, 3, 5))
+        metres[color] = metres.get(color, 0.0) + tuft["metres"]
+    yarn = []
+    for color, worked in metres.items():
+        bought = (worked + (ends * worked / whole if whole else 0.0)) * SPARE
+        grams = bought / kind.metres * 100.0
+        yarn.append(
+            {
+                "color": "#{:02x}{:02x}{:02x}".format(*color),
+                "metres": round(bought, 1),
+                "yards": round(bought / 0.9144, 1),
+                "grams": round(grams, 1),
+                "skeins": max(1, ceil(grams / kind.skein)),
+            }
+        )
+    litres, grams = 0.0, 0.0
+    width = piece.stitch[0]
+    for part, volume in zip(piece.built.graph.parts, piece.shape.volume.tolist()):
+        if part.stuffing > 0.0 and piece.stuffing != "none" and volume > 0.0:
+            litres += volume * width**3 / 1e6
+            grams += volume * width**3 / 1e6 * float(np.interp(part.stuffing, *np.array(DENSITY).T))
+    sewn = len(piece.built.graph.parts) > 1 or bool(made["embroidery"])
+    return {
+        "yarn": yarn,
+        "weight": {"name": kind.name, "number": kind.number, "metres_100_g": kind.metres, "skein_g": kind.skein},
+        "hook_mm": piece.gauge.hook,
+        "stuffing": {"litres": round(litres, 2), "grams": round(grams, 1)},
+        **made,
+        "notions": ["needle"] * sewn + ["ends"] * (not sewn) + ["marker", "scissors"],
+    }

@@ -1,0 +1,1 @@
+"""Page: charts, written patterns and the booklet."""

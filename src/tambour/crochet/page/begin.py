@@ -1,0 +1,173 @@
+"""The page before the first round: materials, size, gauge, abbreviations, how to read."""
+
+from __future__ import annotations
+
+from tambour.crochet.maker.gauge import WEIGHTS
+from tambour.crochet.maker.materials import materials
+from tambour.crochet.maker.size import whole_size
+from tambour.crochet.page.book import Book, short, size_lines, weight_name
+from tambour.crochet.page.flow import Atom, Chunk, flow, together
+from tambour.crochet.page.sheet import BODY, HAIR, HEAD, LEADING, RGB, SMALL, SOFT, Sheet, width_of, wrap
+from tambour.crochet.page.text import name_of
+
+
+def heading(book: Book, text: str, width: float, note: str = "") -> list[Atom]:
+    """A section's title; ``note`` at its right."""
+    side = width_of(note, SMALL) + 3.0 if note else 0.0
+    lines = wrap(text, HEAD, width - side, True)
+
+    def draw(sheet: Sheet, x: float, y: float) -> None:
+        sheet.lines(lines, x, y + HEAD * 0.8, HEAD, True, book.accent, 1.2)
+        sheet.text(note, x + width, y + HEAD * 0.8, SMALL, color=SOFT, anchor="end")
+        sheet.line(x, y + HEAD * 1.2 * len(lines) + 0.6, x + width, y + HEAD * 1.2 * len(lines) + 0.6, HAIR)
+
+    return [Atom(HEAD * 1.2 * len(lines) + 3.0, draw, 8.0)]
+
+
+def paragraph(text: str, width: float, size: float = BODY, color: RGB | None = None, space: float = 0.0,
+              bold: bool = False) -> list[Atom]:  # fmt: skip
+    """A paragraph, each line an atom of its own."""
+    made = []
+    for k, line in enumerate(wrap(text, size, width, bold)):
+
+        def draw(sheet: Sheet, x: float, y: float, line: str = line) -> None:
+            if color is None:
+                sheet.text(line, x, y + size, size, bold)
+            else:
+                sheet.text(line, x, y + size, size, bold, color)
+
+        made.append(Atom(size * LEADING, draw, space if k == 0 else 0.0))
+    return made
+
+
+def pair(left: str, right: str, width: float, share: float = 0.45, bold: bool = True) -> Atom:
+    """A row of a table of two columns."""
+    a = wrap(left, BODY, width * share - 2.0, bold)
+    b = wrap(right, BODY, width * (1 - share))
+    tall = max(len(a), len(b)) * BODY * LEADING + 0.6
+
+    def draw(sheet: Sheet, x: float, y: float) -> None:
+        sheet.lines(a, x, y + BODY, BODY, bold)
+        sheet.lines(b, x + width * share, y + BODY, BODY)
+
+    return Atom(tall, draw)
+
+
+def begin(book: Book) -> None:
+    """Set what comes before the first round."""
+    width = book.frame.width
+    word, own = book.said.terms.word, book.own
+    chunks: list[Chunk] = []
+    chunks += together(heading(book, word("materials"), width), _materials(book, width), word("materials"))
+    size = whole_size(book.piece)
+
+    rows = [pair(what, much, width) for what, much in size_lines(book, size)]
+    if size.how in own:
+        rows += paragraph(own[size.how], width, SMALL, SOFT, 1.0)
+    chunks.append(Chunk([*heading(book, word("finished size"), width), *rows], word("finished size")))
+    chunks.append(Chunk([*heading(book, word("gauge"), width), *_gauge(book, width)], word("gauge")))
+    said = [pair(word_, meaning, width, 0.26) for word_, meaning in book.said.abbreviations]
+    if said:
+        name, _, terms = book.said.heading.partition(" (")
+        chunks += together(heading(book, name, width, terms.rstrip(")")), said, name)
+    special = [pair(said, meaning, width, 0.3) for said, meaning in book.said.special]
+    if special:
+        chunks += together(heading(book, word("special stitches"), width), special, word("special stitches"))
+    notes = paragraph(own["notes text"], width)
+    chunks.append(Chunk([*heading(book, own["notes"], width), *notes], own["notes"]))
+    flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
+
+
+def _materials(book: Book, width: float) -> list[Atom]:
+    """Yarn by colour with swatches, then all that else is needed."""
+    own, number = book.own, book.number
+    found = materials(book.piece)
+    made: list[Atom] = []
+    kind = WEIGHTS[book.piece.gauge.weight]
+    for line in book.said.stated:
+        made += paragraph(line, width)
+    made += paragraph(
+        f"{book.said.terms.word('yarn')}: {weight_name(book)}", width, BODY, None, 1.0 if made else 0.0, True
+    )
+    for yarn in found["yarn"]:
+        color = _rgb(yarn["color"])
+        letter, name = name_of(book.said, color)
+        skein = own["skein" if yarn["skeins"] == 1 else "skeins"].format(n=yarn["skeins"], grams=number(kind.skein, 0))
+        much = f"{number(max(1.0, yarn['metres']), 0)} m"
+        if book.imperial:
+            much += f" / {number(max(1.0, yarn['yards']), 0)} yd"
+        grams = f"{number(max(1.0, yarn['grams']), 0)} g"
+        made.append(_yarn(color, letter, name, much, grams, skein, width))
+    threads: dict[RGB, float] = {}
+    for thread in found["embroidery"]:
+        color = _rgb(thread["color"])
+        threads[color] = threads.get(color, 0.0) + thread["cm"]
+    for color, cm in threads.items():
+        letter, name = name_of(book.said, color)
+        made.append(_yarn(color, letter, name, "", own["embroidery"].format(cm=number(cm, 0)), "", width))
+    note = own["typical"].format(name=kind.uk if book.code == "uk" else kind.name, metres=number(kind.metres, 0))
+    made += paragraph(note, width, SMALL, SOFT, 0.8)
+    other: list[tuple[str, str]] = []
+    if "hook" not in book.piece.built.pattern.stated:
+        other.append((own["hook"], f"{number(book.piece.gauge.hook, 2)} mm"))
+    for eye in found["eyes"]:
+        word = own["eye" if eye["count"] == 1 else "eyes"]
+        name = name_of(book.said, _rgb(eye["color"]))[1]
+        other.append(
+            (book.said.terms.word("eyes"), f"{word.format(n=eye['count'], size=number(eye['size_mm']))}, {name}")
+        )
+    for felt in found["felt"]:
+        words = own["felt"].format(n=felt["count"], w=number(felt["width_mm"]), h=number(felt["height_mm"]))
+        other.append((name_of(book.said, _rgb(felt["color"]))[1], words))
+    for hair in found["hair"]:
+        words = own["hair"].format(n=hair["strands"], cm=number(hair["cut_mm"] / 10, 0))
+        other.append((name_of(book.said, _rgb(hair["color"]))[1], words))
+    filling = found["stuffing"]
+    if filling["grams"] > 0.05:
+        other.append(
+            (
+                own["stuffing"],
+                own["fill"].format(grams=number(max(1.0, filling["grams"]), 0), litres=number(filling["litres"], 2)),
+            )
+        )
+    other.append((own["notions"], "; ".join(own[n] for n in found["notions"])))
+    for k, (what, much) in enumerate(other):
+        row = pair(what[:1].upper() + what[1:], much, width, 0.3)
+        made.append(Atom(row.height, row.draw, 2.0 if k == 0 else 0.0))
+    return made
+
+
+def _yarn(color: RGB, letter: str, name: str, much: str, grams: str, skein: str, width: float) -> Atom:
+    """A row of the yarn table: swatch, letter and name, length, mass, skeins."""
+
+    def draw(sheet: Sheet, x: float, y: float) -> None:
+        sheet.box(x, y + 0.2, 6.0, 4.6, color, HAIR, 0.15, 0.9)
+        base = y + BODY + 0.6
+        sheet.text(letter, x + 8.0, base, BODY, True)
+        sheet.text(wrap(name, BODY, width - 50.0)[0] if name else "", x + (12.0 if letter else 8.0), base, BODY)
+        sheet.text(much, x + width - 17.0, base, BODY, anchor="end")
+        sheet.text(grams, x + width, base, BODY, bool(much), anchor="end")
+        sheet.text(skein, x + width, base + SMALL * 1.35, SMALL, color=SOFT, anchor="end")
+        sheet.line(x, y + tall - 0.8, x + width, y + tall - 0.8, HAIR, 0.12)
+
+    tall = 9.4 if skein else 6.8
+    return Atom(tall, draw, 0.6)
+
+
+def _gauge(book: Book, width: float) -> list[Atom]:
+    """The gauge, flat and as a circle, and where it comes from."""
+    known, own = book.piece.gauge, book.own
+    flat = own["swatch"].format(stitches=book.number(100.0 / known.width), rows=book.number(100.0 / known.height))
+    across = known.circle
+    circle = own["circle"].format(cm=book.number(across / 10), inch=book.number(across / 25.4))
+    made = [*paragraph(flat, width), *paragraph(circle, width, space=0.8)]
+    stated = book.piece.built.pattern.stated
+    if "gauge" in stated:
+        made = [*paragraph(" ".join(stated["gauge"][0].split()), width, bold=True), *made]
+    if "gauge" not in known.told:
+        made += paragraph(own["expected"], width, space=0.8)
+    return [*made, *paragraph(own["tight"], width, SMALL, SOFT, 1.0)]
+
+
+def _rgb(text: str) -> RGB:
+    return int(text[1:3], 16), int(text[3:5], 16), int(text[5:7], 16)

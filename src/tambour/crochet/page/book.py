@@ -1,0 +1,139 @@
+"""The booklet: its pages so far, and what they share: title, colours, sizes of paper, the words of its language."""
+
+from __future__ import annotations
+
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from tambour.color import linear
+from tambour.core.check import Array
+from tambour.crochet.maker.gauge import WEIGHTS
+from tambour.crochet.maker.size import Size
+from tambour.crochet.page.flow import Frame
+from tambour.crochet.page.sheet import HAIR, LEAD, RGB, Sheet, wrap
+from tambour.crochet.page.text import Words, words
+from tambour.crochet.words.page import IMPERIAL, WORDS
+
+if TYPE_CHECKING:
+    from tambour.crochet.plush import Plush
+
+PAGES: Final = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
+MARGIN, TOP, FOOT, GUTTER = 18.0, 24.0, 20.0, 9.0
+
+
+class Book:
+    """What all pages of a booklet share, and the pages so far.
+
+    piece, said : the plush and its words; own : the page's own words; code : of the terms; accent : a colour for
+    headings, the main yarn's, dark enough to read
+    """
+
+    def __init__(self, piece: Plush) -> None:
+        params = piece.params
+        self.piece = piece
+        self.said: Words = words(piece.built, params.terms)
+        self.code = self.said.terms.code
+        self.own = WORDS[self.code]
+        stated = piece.built.pattern.stated
+        stem = PurePath(piece.built.pattern.text.name).stem.replace("_", " ").strip("<> ")
+        title = params.title or stated.get("title", ("",))[0] or self.said.title or stem
+        self.title = " ".join(title.split()) or self.own["pattern"]
+        self.designer = " ".join((params.designer or stated.get("designer", ("",))[0]).split())
+        self.size = PAGES[params.page]
+        self.pages: list[Sheet] = []
+        self.used: list[RGB] = [(int(r), int(g), int(b)) for r, g, b in _in_order(piece.yarn.color)]
+        self.accent = _readable(_main(piece))
+
+    @property
+    def frame(self) -> Frame:
+        """Two columns."""
+        width = (self.size[0] - 2 * MARGIN - GUTTER) / 2
+        return Frame((MARGIN, MARGIN + width + GUTTER), width, TOP, self.size[1] - FOOT)
+
+    @property
+    def imperial(self) -> bool:
+        """Whether inches and yards are told as well."""
+        return self.code in IMPERIAL
+
+    def number(self, value: float, digits: int = 1) -> str:
+        """A number as the language writes it, without needless noughts."""
+        said = f"{value:.{digits}f}"
+        said = said.rstrip("0").rstrip(".") if "." in said else said
+        return said if self.imperial else said.replace(".", ",")
+
+    def length(self, mm: float) -> str:
+        """A length in cm, and in inches where readers want them."""
+        cm = f"{self.number(mm / 10)} cm"
+        return f"{cm} ({self.number(mm / 25.4)} in)" if self.imperial else cm
+
+    @property
+    def below(self) -> tuple[Sheet, float]:
+        """The last page, and where something else may begin on it."""
+        sheet = self.pages[-1]
+        return sheet, sheet.lowest + 12.0
+
+    def page(self, heading: str = "") -> Sheet:
+        """A new page; ``heading`` stands at its head."""
+        sheet = Sheet(*self.size)
+        if heading:
+            sheet.text(heading, MARGIN, TOP - 8.0, LEAD, True, self.accent)
+            sheet.line(MARGIN, TOP - 5.2, self.size[0] - MARGIN, TOP - 5.2, HAIR)
+        self.pages.append(sheet)
+        return sheet
+
+
+def size_lines(book: Book, size: Size) -> list[tuple[str, str]]:
+    """The finished size: (what, how much)."""
+    width, height, depth = size.extent
+    flat = size.how == "laid flat"
+    made = [("height", depth if flat else height), ("width", width)]
+    made += [] if flat else [("depth", depth)]
+    said = [(book.own[name], book.length(mm)) for name, mm in made]
+    if size.stitches and not flat:
+        said.append((book.own["around"], book.length(size.around)))
+    return said
+
+
+def short(book: Book, what: str) -> str:
+    """What stands at the head of a page: the title, cut where it is long, and what follows."""
+    return f"{cut(book.title, LEAD, 90.0)} · {what}" if what else book.title
+
+
+def cut(text: str, size: float, room: float) -> str:
+    """The text, or its first words and an ellipsis."""
+    lines = wrap(text, size, room)
+    return text if len(lines) < 2 else wrap(text, size, room - 3.0)[0] + " …"
+
+
+def weight_name(book: Book) -> str:
+    """The class of the yarn, as the language's makers call it."""
+    kind = WEIGHTS[book.piece.gauge.weight]
+    name = kind.uk if book.code == "uk" else kind.name
+    return book.own["weight"].format(name=name, number=kind.number)
+
+
+def _main(piece: Plush) -> tuple[int, int, int]:
+    """The colour that most of the yarn has."""
+    from tambour.crochet.maker.materials import lengths
+
+    metres = lengths(piece)
+    r, g, b = max(metres, key=lambda color: metres[color], default=(90, 80, 70))
+    return int(r), int(g), int(b)
+
+
+def _readable(color: RGB) -> RGB:
+    """The colour, darkened until it reads on white (contrast 4.5 to 1, WCAG 2)."""
+    shade = np.array(color, float)
+    for _ in range(60):
+        light = float(np.array([0.2126, 0.7152, 0.0722]) @ linear(shade / 255.0))
+        if 1.05 / (light + 0.05) >= 4.5:
+            break
+        shade *= 0.95
+    r, g, b = (int(v) for v in shade)
+    return r, g, b
+
+
+def _in_order(colors: Array) -> list[tuple[int, ...]]:
+    return list(dict.fromkeys(tuple(c) for c in colors.tolist()))

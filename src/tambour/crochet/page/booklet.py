@@ -1,0 +1,113 @@
+"""The page to sell: a pattern as a booklet: cover, what is needed, the rounds, diagrams, assembly and care."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tambour.core.drawing import Drawing
+from tambour.crochet.maker.size import skin, whole_size
+from tambour.crochet.page.begin import begin, heading
+from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, cut, short, weight_name
+from tambour.crochet.page.flow import flow
+from tambour.crochet.page.parts import assembly, charts, rounds, sides
+from tambour.crochet.page.pictures import whole
+from tambour.crochet.page.sheet import BODY, COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, Sheet, wrap
+
+if TYPE_CHECKING:
+    from tambour.crochet.plush import Plush
+
+
+def pages(piece: Plush) -> tuple[Drawing, ...]:
+    """The booklet, a Drawing per page."""
+    from tambour.crochet.plush import not_empty
+
+    not_empty(piece)
+    book = Book(piece)
+    _cover(book)
+    begin(book)
+    before = book.pages[-1]
+    again = book.own["continued"]
+    worked = short(book, book.said.terms.word("instructions"))
+    flow(rounds(book), book.frame, lambda: book.page(worked), again, book.below)
+    charts(book)
+    steps = assembly(book, skin(piece, np.arange(len(piece.positions))))
+    if steps:
+        title = short(book, book.said.terms.word("assembly"))
+        head = heading(book, book.said.terms.word("assembly"), book.size[0] - 2 * MARGIN)[0]
+        flow(steps, book.frame, lambda: book.page(title), again, book.below, head)
+    _care(book)
+    sides(book, before)
+    total = len(book.pages)
+    foot = book.title if not book.designer else f"{book.title} · {book.designer}"
+    for k, sheet in enumerate(book.pages):
+        if k:
+            y = book.size[1] - 11.0
+            room = book.size[0] - 2 * MARGIN - 20.0
+            sheet.text(cut(foot, SMALL, room), MARGIN, y, SMALL, color=SOFT)
+            sheet.text(f"{k + 1} / {total}", book.size[0] - MARGIN, y, SMALL, color=SOFT, anchor="end")
+    about = {"title": book.title, **({"author": book.designer} if book.designer else {})}
+    return tuple(sheet.drawing(**about) for sheet in book.pages)
+
+
+def _cover(book: Book) -> None:
+    """A large picture, the title, and what a buyer asks first."""
+    wide, high = book.size
+    sheet = Sheet(wide, high, PAPER)
+    book.pages.append(sheet)
+    tall = high - 93.0
+    sheet.image(whole(book.piece, round(wide * 8.2), round(tall * 8.2)), 0.0, 0.0, wide, tall)
+    room = wide - 2 * MARGIN
+    size = COVER
+    while len(wrap(book.title, size, room, True)) > (1 if size > 8.0 else 2) and size > 5.5:
+        size *= 0.94
+    lines = wrap(book.title, size, room, True)[:4]
+    y = tall + 8.0 + size * 0.8
+    y = sheet.lines(lines, MARGIN, y, size, True, INK, 1.18) - size * 1.18
+    y += 4.0 + LEAD
+    under = book.own["pattern"]
+    if book.designer:
+        under += f" · {book.own['by'].format(name=book.designer)}"
+    for line in wrap(under, LEAD, room)[:2]:
+        sheet.text(line, MARGIN, y, LEAD, color=SOFT)
+        y += LEAD * 1.45
+    # Three facts in a row at the foot.
+    whole_ = whole_size(book.piece)
+    upright = whole_.how != "laid flat"
+    size_of = f"{book.said.terms.word('finished size')}, {book.own['height' if upright else 'width']}"
+    facts = [
+        (size_of, book.length(whole_.extent[1] if upright else max(whole_.extent[0], whole_.extent[2]))),
+        (book.said.terms.word("yarn"), weight_name(book)),
+        (book.own["hook"][:1].upper() + book.own["hook"][1:], f"{book.number(book.piece.gauge.hook, 2)} mm"),
+    ]  # fmt: skip
+    top = high - 32.0
+    sheet.line(MARGIN, top, wide - MARGIN, top, book.accent, 0.4)
+    step = room / 3
+    for k, (what, much) in enumerate(facts):
+        x = MARGIN + k * step
+        sheet.text(what, x, top + 6.5, SMALL, color=SOFT)
+        sheet.lines(wrap(much, LEAD, step - 4.0, True)[:2], x, top + 12.0, LEAD, True)
+    dots = book.used[:12]
+    for k, color in enumerate(dots):
+        sheet.disc(wide - MARGIN - 2.4 - 6.4 * (len(dots) - 1 - k), high - 12.5, 2.4, color, HAIR)
+
+
+def _care(book: Book) -> None:
+    """Care, on the last page that has room, else on one of its own."""
+    own = book.own
+    wide, high = book.size
+    room = wide - 2 * MARGIN - 12.0
+    text = wrap(own["care text"], BODY, room)
+    small = wrap(own["made"], SMALL, room)
+    tall = 17.0 + len(text) * BODY * 1.45 + len(small) * SMALL * 1.45
+    # Where there is room, the last page first; the cover is none.
+    sheet = next((s for s in reversed(book.pages[1:]) if s.lowest + tall + 8.0 <= high - FOOT), None)
+    if sheet is None:
+        sheet, y = book.page(short(book, own["care"])), TOP
+    else:
+        y = high - FOOT - tall
+    sheet.box(MARGIN, y, wide - 2 * MARGIN, tall, PAPER, None, 0.0, 2.0)
+    sheet.text(own["care"], MARGIN + 6.0, y + 8.0, LEAD, True, book.accent)
+    y = sheet.lines(text, MARGIN + 6.0, y + 14.0, BODY)
+    sheet.lines(small, MARGIN + 6.0, y + 1.0, SMALL, color=SOFT)

@@ -1,0 +1,339 @@
+"""A pattern as a chart: rounds as rings, counter-clockwise from the centre, the usual symbols on the yarn's colours."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import PurePath
+
+import numpy as np
+
+from tambour.core.drawing import Drawing, Label, Styles
+from tambour.core.graph import BACK, FRONT, JOIN
+from tambour.core.paths import Paths
+from tambour.crochet.graph import ovals
+from tambour.crochet.graph.build import Built
+from tambour.crochet.language.stitches import BUMPS, KINDS
+from tambour.crochet.page.chart import Cell, Chart, charts
+from tambour.crochet.page.symbols import BARS, NAMES, Line, loop_mark, post, ring_mark, solid, strokes
+
+CELL = 7.0  # mm, a single crochet on paper
+_PEN = 0.35  # mm
+_TEXT = 2.6  # mm
+_INK = (40, 38, 36, 255)
+_PALE = (250, 248, 244, 255)
+_GREY = (150, 146, 140, 255)
+_GAP = 0.06  # of a cell, between two
+
+
+@dataclass
+class _Sheet:
+    """Shapes as they are drawn: outlines, their styles, and the table of styles."""
+
+    lines: list[list[tuple[float, float]]] = field(default_factory=list)
+    style: list[int] = field(default_factory=list)
+    styles: dict[tuple[object, ...], int] = field(default_factory=dict)
+    labels: list[Label] = field(default_factory=list)
+
+    def draw(
+        self,
+        line: list[tuple[float, float]],
+        fill: tuple[int, int, int, int] | None,
+        pen: tuple[int, int, int, int] | None,
+        width: float = _PEN,
+    ) -> None:
+        """One shape, in mm."""
+        self.lines.append(line)
+        self.style.append(self.styles.setdefault((fill, pen, width), len(self.styles)))
+
+    def say(self, text: str, x: float, y: float, size: float = _TEXT, middle: bool = True, bold: bool = False) -> None:
+        """A line of text."""
+        self.labels.append(Label(text, x, y, size, "middle" if middle else "start", 0.0, _INK, bold))
+
+
+def diagram(built: Built) -> Drawing:
+    """The chart of a pattern: every piece a disc of rounds (flat pieces: rows), its counts, and a legend; mm."""
+    sheet = _Sheet()
+    found = charts(built)
+    margin, title = 8.0, 9.0
+    sizes = [_extent(chart) for chart in found]
+    tall = max((up + down for _, _, up, down in sizes), default=0.0) * CELL + 2 * margin + title
+    # In columns as tall as the tallest chart.
+    x = y = width = 0.0
+    for k, (chart, (left, right, up, down)) in enumerate(zip(found, sizes)):
+        high = (up + down) * CELL + 2 * margin + title
+        if y and y + high > tall:
+            x, y, width = x + width, 0.0, 0.0
+        _chart(sheet, built, chart, x + margin + left * CELL, y + margin + title + up * CELL)
+        said = _title(sheet, built, found, k, x + margin, y + margin)
+        y += high
+        width = max(width, (left + right) * CELL + 2 * margin, said + 2 * margin)
+    width += x
+    height = _legend(sheet, built, margin, tall)
+    labels = [*sheet.labels]
+    width = max(width, *(label.x + 0.6 * label.size * len(label.text) for label in labels), 60.0)
+    return _drawing(sheet, width + margin, height + margin, PurePath(built.pattern.text.name).stem)
+
+
+def _drawing(sheet: _Sheet, width: float, height: float, title: str = "") -> Drawing:
+    return Drawing(
+        Paths.of([np.array(line) for line in sheet.lines]),
+        np.array(sheet.style, np.int32),
+        Styles.of(*sheet.styles),  # type: ignore[arg-type]
+        np.array([width, height]),
+        labels=tuple(sheet.labels),
+        background=(255, 255, 255, 255),
+        about={"title": title},
+    )
+
+
+def plates(built: Built) -> list[tuple[int, Drawing]]:
+    """Every chart by itself without words, with the number of its part; mm."""
+    made = []
+    for chart in charts(built):
+        left, right, up, down = _extent(chart)
+        sheet = _Sheet()
+        _chart(sheet, built, chart, left * CELL, up * CELL)
+        made.append((chart.part, _drawing(sheet, (left + right) * CELL, (up + down) * CELL)))
+    return made
+
+
+def symbols(built: Built) -> list[tuple[str, Drawing]]:
+    """The symbols that occur, each by itself, with the stitch's standard name, "front loops" or "back loops"; mm."""
+    made = []
+    for kind, _ in _entries(built):
+        sheet = _Sheet()
+        height = _symbol(sheet, kind, 0.5 * CELL, CELL * _TALL.get(kind, 1.0))
+        name = {"FLO": "front loops", "BLO": "back loops"}.get(kind, kind)
+        made.append((name, _drawing(sheet, CELL, height * CELL)))
+    return made
+
+
+def _extent(chart: Chart) -> tuple[float, float, float, float]:
+    """Room to the left, right, above and below the chart's origin, in cells."""
+    if not chart.rows:
+        reach = max(chart.reach, 1.0) + 0.6
+        return reach + chart.half, reach + chart.half, reach, reach
+    xs = [cell.at for cell in chart.cells.values()] or [0.0]
+    return 2.2 - min(xs), max(xs) + 2.2, chart.reach + 0.5, 0.8
+
+
+def _chart(sheet: _Sheet, built: Built, chart: Chart, x: float, y: float) -> None:
+    """One chart with its origin at x, y mm."""
+    graph = built.graph
+    colors = graph.color.tolist()
+    anchors, cuts = graph.anchors.tolist(), graph.anchor_offsets.tolist()
+    kinds, loops = [graph.kinds[k] for k in graph.kind.tolist()], graph.loop.tolist()
+    for node, cell in chart.cells.items():
+        if node in chart.base:
+            sheet.draw(
+                _around(chart, cell, [(-0.09, 0.4), (0.09, 0.4), (0.09, 0.6), (-0.09, 0.6)], x, y, True), _GREY, None
+            )
+            continue
+        red, green, blue = colors[node]
+        sheet.draw(_sector(chart, cell, x, y), (red, green, blue, 255), None)
+    # How many stitches of a round stand in each anchor.
+    rounds = graph.round.tolist()
+    shared = Counter((rounds[n], a) for n in chart.cells for a in set(anchors[cuts[n] : cuts[n + 1]]))
+    for n, cell in chart.cells.items():
+        if cell.line is not None:  # worked into on both its sides
+            for this in {rounds[m] for m in chart.cells}:
+                if shared[this, n] == 2:
+                    shared[this, n] = 1
+    double = ovals.layers(graph)
+    for node, cell in chart.cells.items():
+        if node in chart.base:
+            continue
+        pen = _contrast(colors[node])
+        height = cell.high - cell.low
+        own = [a for a in dict.fromkeys(anchors[cuts[node] : cuts[node + 1]]) if a in chart.cells]
+        own = own[-1:] if double[node] else own
+        legs = _legs(chart, cell, own, rounds[node], shared)
+        tall = kinds[node] in BARS
+        for foot, head in legs:
+            if tall:  # a slanted post stands for the leg
+                for line in post(foot, chart.spot(cell.at, cell.high - 0.08), BARS[kinds[node]]):
+                    sheet.draw([(x + CELL * u, y - CELL * v) for u, v in line], None, pen)
+            else:
+                sheet.draw([(x + CELL * u, y - CELL * v) for u, v in (foot, head)], None, pen, 0.7 * _PEN)
+        if not (tall and legs):
+            for line in strokes(kinds[node], height):
+                sheet.draw(_around(chart, cell, line, x, y), None, pen)
+        dot = solid(kinds[node], height)
+        if dot:
+            sheet.draw(_around(chart, cell, dot, x, y, True), pen, None)
+        if loops[node] in (FRONT, BACK) and own:
+            sheet.draw(_around(chart, cell, loop_mark(loops[node] == FRONT), x, y), None, pen, 0.8 * _PEN)
+    for later, earlier in graph.edges[graph.edge_kind == JOIN].tolist():
+        # A slip stitch is a dot where the end of a round meets the stitch that it is joined to.
+        here = earlier in chart.cells and later in chart.cells and kinds[later] != "picot"
+        if here and not {later, earlier} & set(chart.base):
+            cell = chart.cells[earlier]
+            edge = Cell(cell.at - (0.0 if chart.rows else cell.half), cell.half, cell.low, cell.high)
+            sheet.draw(_around(chart, edge, solid("slst", cell.high - cell.low) or [], x, y, True), _INK, None)
+    if chart.root >= 0:
+        for line in ring_mark():
+            sheet.draw([(x + CELL * u, y - CELL * v) for u, v in line], None, _INK)
+    _numbers(sheet, chart, x, y)
+
+
+def _contrast(rgb: list[int]) -> tuple[int, int, int, int]:
+    """Ink or pale, whichever shows on a colour."""
+    red, green, blue = ((c / 255) ** 2.2 for c in rgb)
+    return _INK if 0.2126 * red + 0.7152 * green + 0.0722 * blue > 0.18 else _PALE
+
+
+def _to_page(chart: Chart, place: tuple[float, float], x: float, y: float) -> tuple[float, float]:
+    """A place (angle, radius) of a disc, or (x, height) of rows, on the page: mm, y down."""
+    across, up = chart.spot(*place)
+    return x + CELL * across, y - CELL * up
+
+
+def _around(
+    chart: Chart, cell: Cell, line: Line, x: float, y: float, closed: bool = False
+) -> list[tuple[float, float]]:
+    """A symbol's line, given along and up in cells, on the page: upright in the middle of its stitch."""
+    points = [*line, line[0]] if closed else line
+    if chart.rows:
+        return [(x + CELL * (cell.at + u), y - CELL * (cell.low + v)) for u, v in points]
+    # A chart's symbols stay upright along the radius; along the round they shrink where the round is crowded.
+    if cell.line is not None:
+        return [(x + CELL * (cell.line + u), y - CELL * (v - cell.high / 2)) for u, v in points]
+    up = (cell.low + cell.high) / 2
+    room = min(1.0, 2 * cell.half * chart.stretch(cell.at, up) / _ROOM_OF_SYMBOL)
+    out = chart.out(cell.at)
+    made = []
+    for u, v in points:
+        across, up = chart.spot(cell.at, cell.low + v)
+        made.append((x + CELL * (across - out[1] * u * room), y - CELL * (up + out[0] * u * room)))
+    return made
+
+
+_ROOM_OF_SYMBOL = 0.75
+
+
+def _sector(chart: Chart, cell: Cell, x: float, y: float) -> list[tuple[float, float]]:
+    """The patch of yarn colour under a stitch."""
+    low, high = cell.low + _GAP / 2, cell.high - _GAP / 2
+    if cell.line is not None:
+        a, b, tall = cell.line - cell.half + _GAP / 2, cell.line + cell.half - _GAP / 2, (high - low) / 2
+        return [(x + CELL * u, y - CELL * v) for u, v in ((a, -tall), (b, -tall), (b, tall), (a, tall), (a, -tall))]
+    if chart.half:
+        # Its edges are where its neighbours' are, though one may lie on a straight side and one on an end.
+        up = (cell.low + cell.high) / 2
+        middle, wide = chart.way(cell.at, up), cell.half * chart.stretch(cell.at, up) - _GAP / 2
+        along = [chart.at(middle + wide * (k / 3 - 1), up) for k in range(7)]
+        ring = [(a, low) for a in along] + [(a, high) for a in reversed(along)]
+        return [_to_page(chart, p, x, y) for p in [*ring, ring[0]]]
+    gap = _GAP / 2 if chart.rows else _GAP / 2 / max(high, 0.3)
+    first, last = cell.at - cell.half + gap, cell.at + cell.half - gap
+    steps = 1 if chart.rows else max(1, min(12, int((last - first) * high * 3)))
+    along = [first + (last - first) * k / steps for k in range(steps + 1)]
+    ring = [(a, low) for a in along] + [(a, high) for a in reversed(along)]
+    return [_to_page(chart, p, x, y) for p in [*ring, ring[0]]]
+
+
+def _legs(
+    chart: Chart, cell: Cell, own: list[int], this: int, shared: Counter[tuple[int, int]]
+) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+    """The legs of increases and decreases: from each anchor's top to the foot of the stitch, as points in cells."""
+    if not own or (len(own) == 1 and shared[this, own[0]] < 2):
+        return []
+    head = chart.spot(cell.at, cell.low + 0.3 * min(1.0, cell.high - cell.low))
+    feet = [
+        (u.line, 0.0) if u.line is not None else chart.spot(u.at, u.high - 0.12) for u in (chart.cells[a] for a in own)
+    ]
+    return [(foot, head) for foot in feet]
+
+
+def _numbers(sheet: _Sheet, chart: Chart, x: float, y: float) -> None:
+    """The number of each round where it begins."""
+    for this in chart.rounds:
+        cell = chart.cells[this.first]
+        if cell.line is not None:
+            continue
+        if chart.rows:
+            forward = len(chart.cells) < 2 or this.first == this.last or cell.at <= chart.cells[this.last].at
+            at = cell.at + (-1.1 if forward else 1.1)
+            px, py = _to_page(chart, (at, (cell.low + cell.high) / 2 - 0.15), x, y)
+        else:
+            px, py = _to_page(chart, (cell.at - cell.half, (cell.low + cell.high) / 2), x, y)
+            py += 0.35 * 0.62 * _TEXT
+        if not chart.rows:
+            half = 0.3 * _TEXT * len(str(this.number)) + 0.4
+            box = [
+                (px - half, py - 0.62 * _TEXT),
+                (px + half, py - 0.62 * _TEXT),
+                (px + half, py + 0.2),
+                (px - half, py + 0.2),
+            ]
+            sheet.draw([*box, box[0]], (255, 255, 255, 230), None)
+        sheet.say(str(this.number), px, py, 0.72 * _TEXT)
+
+
+def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y: float) -> float:
+    """Name, copies, rounds and the way the piece ends; about how wide that is."""
+    chart = found[k]
+    part = built.parts[chart.part]
+    section = built.pattern.parts[part.section]
+    same = [c for c in found if c.part == chart.part]
+    name = section.name or PurePath(built.pattern.text.name).stem
+    if len(same) > 1:
+        name += f", {'abcdefghijklmnopqrstuvwxyz'[same.index(chart) % 26]}"
+    copies = f", make {section.copies}" if section.copies > 1 else ""
+    first, last = chart.rounds[0].number, chart.rounds[-1].number
+    what = "row" if chart.rows else "round"
+    first += chart.cells[chart.rounds[0].first].line is not None and last > first  # the chain of an oval
+    span = f"{what} {first}" if first == last else f"{what}s {first} to {last}"
+    below = chart.rounds[0].below
+    if chart.base and below >= 0:
+        span += f", worked on round {built.rounds[below].number}"
+    if chart.folded:
+        span += f", {what} {min(chart.folded)} through both layers"
+    end = f"{span}; {chart.rounds[-1].count} stitches at its end" + (", drawn together (FO)" if chart.tip >= 0 else "")
+    sheet.say(name + copies, x, y + 1.0, 1.5 * _TEXT, False, True)
+    sheet.say(end, x, y + 5.2, _TEXT, False)
+    return 0.55 * _TEXT * len(end)
+
+
+_TALL = {
+    kind: min(high, 1.8) for kind, high in {**KINDS, "ch3dc": 2.0, "ch4tr": 3.0, **dict.fromkeys(BUMPS, 1.2)}.items()
+}
+
+
+def _entries(built: Built) -> list[tuple[str, str]]:
+    """The kinds of symbols that occur, with their names."""
+    graph = built.graph
+    used = [graph.kinds[k] for k in sorted(set(graph.kind.tolist()))]
+    kinds = [k for k in used if k not in ("ring", "tip")]
+    entries: list[tuple[str, str]] = [(kind, NAMES.get(kind, kind)) for kind in kinds]
+    entries += [("slst", "slip stitch")] * bool((graph.edge_kind == JOIN).any())
+    loops = set(graph.loop[graph.parent >= 0].tolist())
+    entries += [("FLO", "in the front loop only")] * (FRONT in loops)
+    return entries + [("BLO", "in the back loop only")] * (BACK in loops)
+
+
+def _symbol(sheet: _Sheet, kind: str, x: float, y: float) -> float:
+    """A symbol that stands on y; its height in cells."""
+    chart = Chart(0, True)
+    height = _TALL.get(kind, 1.0)
+    cell = Cell(0.0, 0.5, 0.0, height)
+    if kind in ("FLO", "BLO"):
+        sheet.draw(_around(chart, cell, loop_mark(kind == "FLO"), x, y), None, _INK)
+        return height
+    for line in strokes(kind, height):
+        sheet.draw(_around(chart, cell, line, x, y), None, _INK)
+    dot = solid(kind, height)
+    if dot:
+        sheet.draw(_around(chart, cell, dot, x, y, True), _INK, None)
+    return height
+
+
+def _legend(sheet: _Sheet, built: Built, x: float, y: float) -> float:
+    """The symbols that occur, with their names; the height that is used up."""
+    for kind, name in _entries(built):
+        height = _TALL.get(kind, 1.0)
+        y += height * CELL + 1.0
+        _symbol(sheet, kind, x + 0.5 * CELL, y)
+        sheet.say(name, x + 1.4 * CELL, y - 0.5 * height * CELL + 0.35 * _TEXT, _TEXT, False)
+    return y + 4.0

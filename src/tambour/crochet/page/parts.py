@@ -1,0 +1,232 @@
+"""The body of the booklet: rounds part by part, their diagrams, and the steps that put the parts together."""
+
+from __future__ import annotations
+
+import re
+
+from tambour.core.check import Array
+from tambour.core.picture import Picture
+from tambour.crochet.page.begin import heading, paragraph
+from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
+from tambour.crochet.page.diagram import plates, symbols
+from tambour.crochet.page.flow import Atom, Chunk, together
+from tambour.crochet.page.pictures import Step, from_side, lies, of_parts, of_step, steps
+from tambour.crochet.page.sheet import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, Sheet, width_of, wrap
+from tambour.crochet.page.text import Block, Row, colors_in, name_of
+
+_DOTS = 7.6  # pixels a mm of the small pictures
+_THUMB = 30.0
+_TICK = 2.5
+_HEX = re.compile("#[0-9a-f]{6}")
+_LARGEST = 0.55
+"""Scale at which a chart is large enough: a stitch is 3.9 mm wide."""
+
+
+def rounds(book: Book) -> list[Chunk]:
+    """Every part: its heading and picture, then a row per line."""
+    piece, said = book.piece, book.said
+    width = book.frame.width
+    chunks: list[Chunk] = []
+    parts = piece.built.graph.parts
+    for block in said.parts:
+        heads = heading(book, block.title, width)
+        if len(said.parts) > 1 and block.part >= 0 and parts[block.part].end - parts[block.part].start > 2:
+            picture = of_parts(piece, [block.part], round(width * _DOTS), round(_THUMB * _DOTS))
+            heads.append(_photo(picture, width, _THUMB))
+        chunks += together(heads, _rows(book, block, width), block.title)
+    return chunks
+
+
+def _photo(picture: Picture, width: float, high: float) -> Atom:
+    """A picture in the middle of a column."""
+    return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x, y, width, high))
+
+
+def _rows(book: Book, block: Block, width: float) -> list[Atom]:
+    labelled = [row for row in block.rows if row.label]
+    label = max((width_of(row.label, BODY, True) for row in labelled), default=0.0) + 2.8
+    count = max((width_of(f"({row.count})", BODY, True) for row in labelled if row.count), default=0.0) + 2.0
+    return [_row(book, row, width, label, count) for row in block.rows]
+
+
+def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom:
+    """A line of a part: a box to tick, the round, what is done, its count; and the colours that it changes to."""
+    changes = colors_in(book.said, row.words, book.used)
+    if not row.label:
+        lines = wrap(row.words, BODY, width - (7.0 if changes else 0.0))
+
+        def alone(sheet: Sheet, x: float, y: float) -> None:
+            for k, color in enumerate(changes[:1]):
+                sheet.box(x + 5.4 * k, y + 0.5, 4.2, BODY + 0.2, color, HAIR, 0.15, 0.8)
+            sheet.lines(lines, x + (6.2 if changes else 0.0), y + BODY, BODY, color=SOFT)
+
+        return Atom(len(lines) * BODY * LEADING + 1.0, alone, 0.4, keep=bool(changes))
+    left = _TICK + 2.0 + label
+    lines = wrap(row.words, BODY, width - left - count) or [""]
+    tall = len(lines) * BODY * LEADING + 1.1
+
+    def draw(sheet: Sheet, x: float, y: float) -> None:
+        base = y + BODY + 0.2
+        sheet.box(x + 0.1, base - _TICK + 0.15, _TICK, _TICK, None, HAIR, 0.25, 0.4)
+        sheet.text(row.label, x + _TICK + 2.0, base, BODY, True)
+        sheet.lines(lines, x + left, base, BODY)
+        if row.count:
+            sheet.text(f"({row.count})", x + width, base, BODY, True, anchor="end")
+        for k, color in enumerate(changes[:6]):
+            sheet.disc(x + width - 1.0 - 2.6 * k, base + BODY * 0.9, 0.95, color, HAIR)
+        sheet.line(x, y + tall - 0.2, x + width, y + tall - 0.2, (236, 232, 226), 0.12)
+
+    if changes and len(lines) == 1:
+        tall += 2.0
+    return Atom(tall, draw)
+
+
+def charts(book: Book) -> None:
+    """The diagrams, as large as they may be, several on a page where they fit; the symbols on the first page."""
+    found = plates(book.piece.built)
+    if not found:
+        return
+    wide = book.size[0] - 2 * MARGIN
+    bottom = book.size[1] - FOOT
+    title = short(book, book.own["charts"])
+    scales = [min(_LARGEST, wide / d.size[0], (bottom - TOP - 12.0) / d.size[1]) for _, d in found]
+    sheet, y = book.below
+    if y + 20.0 + float(found[0][1].size[1]) * scales[0] + LEAD > bottom:
+        sheet, y = book.page(title), TOP
+    else:
+        sheet.text(book.own["charts"], MARGIN, y + HEAD * 0.8, HEAD, True, book.accent)
+        sheet.line(MARGIN, y + HEAD * 1.2 + 0.6, MARGIN + wide, y + HEAD * 1.2 + 0.6, HAIR)
+        y += HEAD * 1.2 + 3.0
+    y = sheet.lines(wrap(book.own["chart note"], BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
+    y = _symbols(book, sheet, MARGIN, y, wide)
+    names = {block.part: block.title if len(book.said.parts) > 1 else "" for block in book.said.parts}
+    row: list[tuple[str, float, float, int]] = []
+
+    def placed(row: list[tuple[str, float, float, int]], y: float) -> float:
+        x, tall = MARGIN, 0.0
+        for name, scale, _, k in row:
+            drawing = found[k][1]
+            w, h = (drawing.size * scale).tolist()
+            sheet.text(name, x, y + LEAD, LEAD, True)
+            sheet.place(drawing, x, y + LEAD + 2.0, scale)
+            x, tall = x + w + 6.0, max(tall, h + LEAD + 6.0)
+        return y + tall
+
+    room = 0.0
+    for k, (part, drawing) in enumerate(found):
+        w, h = drawing.size.tolist()
+        name = names.get(part, "")
+        scale = scales[k]
+        least = max(w * scale, width_of(name, LEAD, True))
+        if row and room + 6.0 + least > wide:
+            y = placed(row, y)
+            row, room = [], 0.0
+        tall = h * scale + LEAD + 6.0
+        highest = max([found[j][1].size[1] * s + LEAD + 6.0 for _, s, _, j in row], default=0.0)
+        if y + max(tall, highest) > bottom + 1.0:
+            # Somewhat smaller on this page rather than a page of its own.
+            left = bottom - y - LEAD - 6.0
+            if not row and left > 0.72 * h * scale:
+                scale = left / h
+            else:
+                y = placed(row, y) if row else y
+                row, room = [], 0.0
+                sheet, y = book.page(title), TOP
+        row.append((name, scale, w * scale, k))
+        room += (6.0 if len(row) > 1 else 0.0) + max(w * scale, width_of(name, LEAD, True))
+    placed(row, y)
+
+
+def _symbols(book: Book, sheet: Sheet, x: float, y: float, wide: float) -> float:
+    """The symbols that occur and what they mean; the height they end at."""
+    left = x
+    tall = 0.0
+    terms = book.said.terms
+    for name, drawing in symbols(book.piece.built):
+        meaning = terms.meaning.get(name) or (terms.stitches.get(name) or (name,))[0]
+        lines = wrap(meaning, SMALL, 40.0)
+        w = 8.0 + max(width_of(line, SMALL) for line in lines) + 5.0
+        if left + w > x + wide + 5.0 and left > x:
+            left, y, tall = x, y + tall, 0.0
+        scale = 0.85
+        high = float(drawing.size[1]) * scale
+        sheet.place(drawing, left, y + (0.0 if high > 5 else 1.0), scale)
+        sheet.lines(lines, left + 7.6, y + 4.2, SMALL, color=INK)
+        left, tall = left + w, max(tall, high + 2.0, len(lines) * SMALL * LEADING + 4.0)
+    return y + tall + 3.0
+
+
+def sides(book: Book, sheet: Sheet) -> None:
+    """The piece from three sides at the foot of a page, where that is still white."""
+    bottom, wide = book.size[1] - FOOT, book.size[0] - 2 * MARGIN
+    gap, top = 5.0, sheet.lowest + 14.0
+    width = (wide - 2 * gap) / 3
+    high = min(bottom - top - 6.0, width * 1.2)
+    if high < 0.6 * width or lies(book.piece):
+        return
+    y = bottom - high - 6.0
+    for k, side in enumerate(("front", "right", "back")):
+        x = MARGIN + k * (width + gap)
+        sheet.image(from_side(book.piece, side, round(width * _DOTS), round(high * _DOTS)), x, y, width, high)
+        sheet.text(book.own[side], x, y + high + SMALL + 1.6, SMALL, color=SOFT)
+
+
+def assembly(book: Book, frame: Array) -> list[Chunk]:
+    """The steps: a picture each, what is new in full colour, and the sentences."""
+    piece, width = book.piece, book.frame.width
+    found = steps(piece)
+    if not found:
+        return []
+    high = width * (0.66 if len(found) <= 4 else 0.55)
+    sentences = _sentences(book, found)
+    chunks = []
+    for k, (step, said) in enumerate(zip(found, sentences)):
+        picture = of_step(piece, step, frame, round(width * _DOTS), round(high * _DOTS))
+        names = _names(book, step)
+        head = f"{book.own['step'].format(n=k + 1)}: {names}"
+
+        def draw(sheet: Sheet, x: float, y: float, picture: Picture = picture, head: str = head) -> None:
+            sheet.image(picture, x, y, width, high)
+            sheet.text(head, x, y + high + LEAD + 1.8, LEAD, True, book.accent)
+
+        # Long lists of points are set smaller.
+        size = BODY if max(map(len, said), default=0) < 160 else SMALL
+        lines = [atom for k, sentence in enumerate(said)
+                 for atom in paragraph(sentence, width, size, None, 0.9 if k else 0.0)]  # fmt: skip
+        chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
+    if any(step.fresh for step in found):
+        chunks[0].atoms += paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
+    return chunks
+
+
+def _names(book: Book, step: Step) -> str:
+    built = book.piece.built
+    if not step.fresh:
+        kinds = dict.fromkeys(type(built.pattern.finish[n]).__name__.lower() for n in step.records)
+        return ", ".join(book.own[f"a {kind}"] for kind in kinds)
+    found = dict.fromkeys(built.pattern.parts[built.parts[k].section].name for k in step.fresh)
+    return ", ".join(name for name in found if name)
+
+
+def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
+    """The assembly's sentences, each with the step that it belongs to."""
+    built, said = book.piece.built, book.said.assembly
+    records = len(built.pattern.finish)
+    seams, rest = (said[: len(said) - records], said[len(said) - records :]) if records else (said, ())
+    made: list[list[str]] = [[] for _ in found]
+
+    def named(shade: re.Match[str]) -> str:
+        r, g, b = (int(shade[0][k : k + 2], 16) for k in (1, 3, 5))
+        return name_of(book.said, (r, g, b))[1]
+
+    part = built.graph.part
+    for k, line in enumerate(seams):
+        at = 0
+        if len(seams) == len(built.sewn):
+            ends = set(part[built.sewn[k]].tolist())
+            at = next((i for i, step in enumerate(found) if ends & set(step.fresh) and step.seams), 0)
+        made[at].append(line)
+    made = [[" ".join(lines)] if lines else [] for lines in made]
+    for i, step in enumerate(found):
+        made[i] += [_HEX.sub(named, rest[n]) for n in step.records if n < len(rest)]
+    return made

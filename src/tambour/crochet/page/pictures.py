@@ -1,0 +1,235 @@
+"""Pictures for the page: the whole piece, a part by itself, and the piece as it is put together, step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import radians
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from tambour.color import coded, linear
+from tambour.core.check import Array
+from tambour.core.graph import SEWN
+from tambour.core.mesh import Mesh
+from tambour.core.paths import Paths
+from tambour.core.picture import Picture
+from tambour.crochet.finish.features import joined, meshes
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, Spot
+from tambour.crochet.maker.size import skin
+from tambour.crochet.page.sheet import BACKDROP
+from tambour.crochet.yarn.fabric import mesh, stitch_width
+from tambour.crochet.yarn.loops import RATIO
+from tambour.crochet.yarn.spline import thin
+
+if TYPE_CHECKING:
+    from tambour.crochet.plush import Plush
+
+_VIEW: Final = (radians(24.0), radians(14.0))
+_ABOVE: Final = radians(52.0)
+_NEAR: Final = (radians(10.0), radians(6.0))
+_SMALL_LIGHTS: Final = 20
+AIR: Final = 1.1
+"""The cover shows so much more than the piece."""
+_QUIET: Final = (232, 228, 222)
+"""What is there already is shown nearly in this colour."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A step of the assembly.
+
+    parts : the parts that are there after it; fresh : those that it adds; finishes : records of the face so far
+    records : numbers of the pattern's finishing lines that it does; seams : whether it sews marked stitches
+    """
+
+    parts: tuple[int, ...]
+    fresh: tuple[int, ...]
+    finishes: tuple[Finish, ...]
+    records: tuple[int, ...]
+    seams: bool = False
+
+
+def steps(piece: Plush) -> list[Step]:
+    """How the piece is put together: copies of a part in one step, and what is alike on the face (eyes, say) in one."""
+    graph, built = piece.built.graph, piece.built
+    sections = [part.section for part in built.parts]
+    names: dict[str, int] = {}
+    for k, part in enumerate(built.parts):
+        section = built.pattern.parts[part.section]
+        names[section.name if section.copies == 1 else f"{section.name}.{part.copy}"] = k
+        names.setdefault(section.name, k)
+    filled = [k for k, p in enumerate(graph.parts) if p.end > p.start]
+    groups: list[tuple[list[int], list[int]]] = []  # parts, records
+    held: set[int] = set()
+    for number, record in enumerate(built.pattern.finish):
+        if isinstance(record, Placed) and record.part in names:
+            k = names[record.part]
+            if groups and groups[-1][0] and sections[groups[-1][0][-1]] == sections[k]:
+                groups[-1][0].append(k)
+                groups[-1][1].append(number)
+            else:
+                groups.append(([k], [number]))
+            held.add(k)
+        elif not isinstance(record, Placed):
+            if groups and not groups[-1][0] and type(built.pattern.finish[groups[-1][1][-1]]) is type(record):
+                groups[-1][1].append(number)
+            else:
+                groups.append(([], [number]))
+    across = graph.part[graph.edges[graph.edge_kind == SEWN]]
+    sewn = {k for pair in across.tolist() if pair[0] != pair[1] for k in pair}
+    loose = [k for k in filled if k not in held]
+    main = max(loose, key=lambda k: graph.parts[k].end - graph.parts[k].start, default=-1)
+    seams: list[tuple[list[int], list[int]]] = []
+    for k in loose:
+        if k != main and k in sewn:
+            if seams and sections[seams[-1][0][-1]] == sections[k]:
+                seams[-1][0].append(k)
+            else:
+                seams.append(([k], []))
+    first = [k for k in loose if k == main or k not in sewn]
+    there, made = list(first), []
+    face: list[Finish] = []
+    for parts, records in [*seams, *groups]:
+        there += parts
+        face += [built.pattern.finish[n] for n in records if not isinstance(built.pattern.finish[n], Placed)]
+        # A face is only shown on parts that are there.
+        shown = tuple(f for f in face if _on(f, names) in there)
+        made.append(Step(tuple(there), tuple(parts), shown, tuple(records), not records))
+    return made
+
+
+def _spots(record: Finish) -> tuple[Spot, ...]:
+    return record.spots if isinstance(record, (Embroidery, Hair)) else (record.spot,)
+
+
+def _on(record: Finish, names: dict[str, int]) -> int:
+    return names.get(_spots(record)[0].part, -1)
+
+
+def partial(
+    piece: Plush, parts: Sequence[int], face: Sequence[Finish] = (), fresh: Sequence[int] | None = None
+) -> Mesh:
+    """Some parts of the piece with some of its face; parts that are not ``fresh`` are pale (None: all are in colour)."""
+    graph = piece.built.graph
+    wanted = np.zeros(len(graph.parts), bool)
+    wanted[list(parts)] = True
+    quiet = wanted.copy()
+    quiet[list(parts if fresh is None else fresh)] = False
+    yarn = piece.yarn
+    ends, stitch = yarn.paths.offsets, yarn.point_data["stitch"]
+    owner = graph.part[stitch[ends[:-1]]]
+    # Seams only where both of their parts are.
+    there = np.minimum.reduceat(wanted[graph.part[stitch]], ends[:-1]) if len(stitch) else np.zeros(0, bool)
+    keep = np.flatnonzero(there)
+    # Small pictures need fewer points along the yarn.
+    coords = yarn.paths.coords
+    near = np.zeros(len(coords), np.bool_)
+    thin(coords, ends, 0.3 * RATIO * stitch_width(graph), near)
+    lines = [np.arange(ends[k], ends[k + 1])[near[ends[k] : ends[k + 1]]] for k in keep.tolist()]
+    points = np.concatenate(lines) if lines else np.zeros(0, int)
+    color = yarn.color[keep].astype(float)
+    pale = quiet[owner[keep]]
+    color[pale] = 0.3 * color[pale] + 0.7 * np.array(_QUIET)
+    made = replace(
+        yarn,
+        paths=Paths(coords[points], np.concatenate([[0], np.cumsum([len(line) for line in lines])]).astype(np.int64)),
+        radius=yarn.radius[points],
+        color=np.round(color).astype(np.uint8),
+        source=yarn.source[keep] if yarn.source is not None and len(yarn.source) else yarn.source,
+        point_data={"stitch": stitch[points]},
+    )
+    inside = graph.faces[wanted[graph.part[graph.faces[:, 0]]]]
+    tone = graph.color.astype(float)
+    tone[quiet[graph.part]] = 0.3 * tone[quiet[graph.part]] + 0.7 * np.array(_QUIET)
+    shown = replace(graph, faces=inside, color=np.round(tone).astype(np.uint8))
+    built = replace(piece.built, pattern=replace(piece.built.pattern, finish=tuple(face)))
+    extra, made = meshes(built, piece.positions, made, detail="medium", upright=piece.upright) if face else ([], made)
+    return joined([mesh(shown, piece.positions, detail="low", made=made), *extra])
+
+
+def lies(piece: Plush) -> bool:
+    """Whether the piece is so flat that one looks down on it."""
+    wide, high, deep = np.ptp(piece.positions, axis=0).tolist()
+    return bool(high < 0.3 * min(wide, deep))
+
+
+def whole(piece: Plush, width: int, height: int) -> Picture:
+    """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
+    from tambour.crochet.plush import yarn
+    from tambour.render.raster import film, picture
+
+    made = yarn(piece)
+    points = made.vertices[np.unique(made.faces)]
+    middle = 0.5 * (points.min(0) + points.max(0))
+    # Some air around it, but the floor stays where it stands.
+    room = middle + AIR * (points - middle)
+    room[:, 1] = np.maximum(room[:, 1], points[:, 1].min())
+    elevation = _ABOVE if lies(piece) else _VIEW[1]
+    shown = picture(
+        made, width=width, height=height, azimuth=_VIEW[0], elevation=elevation, background=BACKDROP, frame=room
+    )
+    paper = np.round(coded(film(linear(np.array(BACKDROP) / 255.0))) * 255)
+    y = np.linspace(0.0, 1.0, height)
+    x = np.linspace(0.0, 1.0, width)
+    down = np.clip(np.minimum((1.0 - y) / 0.16, y / 0.05 + 0.2), 0.0, 1.0)
+    side = np.clip(np.minimum((1.0 - x) / 0.16, x / 0.16), 0.0, 1.0)
+    keep = (down * down * (3 - 2 * down))[:, None] * (side * side * (3 - 2 * side))[None]
+    rgba = shown.rgba.astype(float)
+    rgba[..., :3] = keep[..., None] * rgba[..., :3] + (1 - keep[..., None]) * paper
+    return Picture(np.round(rgba).astype(np.uint8))
+
+
+def of_parts(piece: Plush, parts: Sequence[int], width: int, height: int) -> Picture:
+    """Some parts by themselves."""
+    from tambour.render.raster import picture
+
+    return picture(
+        partial(piece, parts), width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], ground=False,
+        background=BACKDROP, lights=_SMALL_LIGHTS,
+    )  # fmt: skip
+
+
+def from_side(piece: Plush, side: str, width: int, height: int) -> Picture:
+    """The finished piece from a side of :data:`tambour.crochet.page.portrait.SIDES`, as small pictures have it."""
+    from tambour.crochet.page.portrait import SIDES
+    from tambour.render.raster import picture
+
+    every = [k for k, part in enumerate(piece.built.graph.parts) if part.end > part.start]
+    face = tuple(f for f in piece.built.pattern.finish if not isinstance(f, Placed))
+    azimuth, elevation = SIDES[side]
+    # One scale for all sides: what fills each picture is the drum that the piece could turn in.
+    points = skin(piece, np.arange(len(piece.positions)))
+    middle = 0.5 * (points.min(0) + points.max(0))
+    reach = float(np.hypot(*(points - middle)[:, [0, 2]].T).max())
+    turn = np.linspace(0.0, 2.0 * np.pi, 25)
+    drum = [
+        np.column_stack([middle[0] + reach * np.cos(turn), np.full(25, y), middle[2] + reach * np.sin(turn)])
+        for y in (points[:, 1].min(), points[:, 1].max())
+    ]
+    return picture(
+        partial(piece, every, face), width=width, height=height, azimuth=azimuth, elevation=elevation, ground=False,
+        background=BACKDROP, lights=_SMALL_LIGHTS, frame=np.concatenate(drum),
+    )  # fmt: skip
+
+
+def of_step(piece: Plush, step: Step, frame: Array, width: int, height: int) -> Picture:
+    """The piece after a step, what is new in full colour; ``frame`` (P, 3) is what fills every step's picture."""
+    from tambour.render.raster import picture
+
+    known = Spots(piece.built)
+    fresh = step.fresh or step.parts
+    view = _VIEW
+    if not step.fresh:
+        # A face is seen from near and in front: the parts that it is on fill the picture.
+        hosts = {known.place(s).nodes[0] for r in step.finishes for s in _spots(r)}
+        part, x = piece.built.graph.part, piece.positions
+        low = x[np.isin(part, part[sorted(hosts)]), 1].min()
+        near = np.isin(part, [k for k in step.parts if x[part == k, 1].min(initial=np.inf) >= low])
+        frame, view = skin(piece, np.flatnonzero(near)), _NEAR
+    return picture(
+        partial(piece, step.parts, step.finishes, fresh), width=width, height=height, azimuth=view[0],
+        elevation=view[1], ground=False, background=BACKDROP, lights=_SMALL_LIGHTS, frame=frame,
+    )  # fmt: skip

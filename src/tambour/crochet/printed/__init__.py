@@ -1,0 +1,1 @@
+"""Printed: patterns as people print them, read into the same tree."""

@@ -1,0 +1,91 @@
+"""Reading: whether a text is in tambour's own language or printed as people write patterns, and its pattern either way."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from tambour.core.errors import TambourError, Text
+from tambour.crochet.language.parse import parse
+from tambour.crochet.language.tree import Pattern
+from tambour.crochet.printed.pattern import read_printed
+from tambour.crochet.printed.prose import NOT_UNDERSTOOD
+from tambour.crochet.printed.restated import restated
+
+# What only tambour's own language says, at the beginning of a line; and what it says besides.
+_OWN: Final = re.compile(
+    r"[ \t]*(?::|\d+[ \t]*:.*\bMR\(|define[ \t]+\w+.{0,40}=|@(?!terms\b)\w+[ \t]*=|(?:mark|goto|attach|sew|color|place|eye"
+    r"|embroider|felt|hair)[ \t]*\(|[A-Za-z_]\w*[ \t]*\{[ \t]*$)"
+)
+_ALSO: Final = re.compile(
+    r"[ \t]*(?:==.*|FO|fo|MR\(\d.*|ch\(?[ \t]*\d.*|R[ \t]*\d[^:]{0,8}:.*|\d+([ \t]*-[ \t]*\d+)?:.*|[}@].*|turn|oval\(.*)[ \t]*$"
+)
+_LOOKED_AT: Final = 60  # lines with words
+_MOST: Final = 100_000  # characters that are looked at
+_FEW: Final = 3
+_MORE: Final = 40
+_HEADING: Final = re.compile(r"^[ \t]*##", re.MULTILINE)
+
+
+def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pattern:
+    """The pattern that ``text`` says, in tambour's own language (parse) or printed (read_printed).
+
+    An ``.acl`` file is always in the language; so is a text with lines that only the language has, when it is not mostly
+    something else, and one that parses whole.
+
+    Raises TambourError with every problem of the text, or with one line when it holds no instructions.
+    """
+    known = restated(text, max_stitches=max_stitches, strict=strict)
+    if known is not None:
+        return known
+    lines = _lines(text.text)
+    if text.name.lower().endswith(".acl") or not lines or _own(lines):
+        return parse(text, max_stitches=max_stitches, strict=strict)
+    if not _HEADING.search(text.text):
+        try:
+            # A text that is no language of ours soon shows it.
+            for many in (_FEW, _MORE):
+                sample = "\n".join(text.text[: many * 200].split("\n")[:many])
+                if len(sample) < len(text.text):
+                    parse(Text(sample, text.name))
+            return parse(text, max_stitches=max_stitches, strict=strict)
+        except TambourError:
+            pass  # as print it may be read
+    return read_printed(text, max_stitches=max_stitches, strict=strict)
+
+
+def _lines(text: str) -> list[str]:
+    """The first lines of a text that are neither empty nor comments."""
+    found: list[str] = []
+    for line in text[:_MOST].split("\n"):
+        plain = line.strip()
+        if plain and (not plain.startswith("#") or plain.startswith("##")):
+            found.append(line[:500])
+            if len(found) == _LOOKED_AT:
+                break
+    return found
+
+
+def _own(lines: list[str]) -> bool:
+    """Whether lines are those of tambour's own language: one that only it has, and of the others not too few."""
+    only = sum(_OWN.match(line) is not None for line in lines)
+    also = sum(_OWN.match(line) is None and _ALSO.match(line) is not None for line in lines)
+    return only > 0 and 3 * (only + also) >= len(lines)
+
+
+def account(pattern: Pattern) -> dict[str, object]:
+    """What the report says of a printed pattern: its terms, the lines passed over, and those that were not understood."""
+    if not pattern.terms:
+        return {}
+    text = pattern.text
+    doubts = [p for p in pattern.warnings if p.message == NOT_UNDERSTOOD and p.span is not None]
+    return {
+        "terms": pattern.terms,
+        "passed_over": len({text.place(span.start)[0] for span in pattern.passed}),
+        "not_understood": [
+            {"line": text.place(p.span.start)[0], "text": text.text[p.span.start : p.span.end]}
+            for p in doubts
+            if p.span
+        ],
+        "stated": {key: words for key, (words, _) in pattern.stated.items()},
+    }

@@ -1,0 +1,167 @@
+"""Printed patterns, where a stitch goes: "in each of the next 3 sts", "in back loops only around", "in 2nd ch from hook"."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from tambour.core.errors import Span
+from tambour.crochet.printed.tokens import Token
+
+
+class NotUnderstood(Exception):
+    """A token that does not fit, and what would."""
+
+    def __init__(self, token: Token, message: str, hint: str = "") -> None:
+        super().__init__(message)
+        self.token, self.message, self.hint = token, message, hint
+
+
+@dataclass
+class Cursor:
+    """A place in a list of tokens."""
+
+    tokens: list[Token]
+    at: int = 0
+
+    def look(self, ahead: int = 0) -> Token | None:
+        """The token so far ahead, None at the end."""
+        at = self.at + ahead
+        return self.tokens[at] if 0 <= at < len(self.tokens) else None
+
+    def key(self, *names: str, ahead: int = 0) -> bool:
+        """Whether the token there is one of these concepts."""
+        token = self.look(ahead)
+        return token is not None and token.kind == "key" and token.value in names
+
+    def mark(self, *words: str, ahead: int = 0) -> bool:
+        """Whether the token there is one of these marks."""
+        token = self.look(ahead)
+        return token is not None and token.kind == "mark" and token.word in words
+
+    def kind(self, kind: str, ahead: int = 0) -> bool:
+        """Whether the token there is of this kind."""
+        token = self.look(ahead)
+        return token is not None and token.kind == kind
+
+    def take(self) -> Token:
+        """The token here; the cursor goes on."""
+        token = self.tokens[self.at]
+        self.at += 1
+        return token
+
+    def skip_key(self, *names: str) -> bool:
+        """Goes past one of these concepts, if it is here."""
+        found = self.key(*names)
+        self.at += found
+        return found
+
+    def whole(self, ahead: int = 0) -> int | None:
+        """The whole number there."""
+        token = self.look(ahead)
+        return token.value if token is not None and token.kind == "number" and isinstance(token.value, int) else None
+
+
+@dataclass
+class Where:
+    """Where a stitch goes.
+
+    kind : "next", "around", "same", "first", "ring", "space" or "hook"
+    count : how many places; each : every one of them gets all that is said
+    loops : "flo", "blo" or ""; ordinal : of a chain from the hook; together : one stitch over all the places
+    spaces : the places are spaces of chains
+    """
+
+    kind: str
+    span: Span
+    count: int = 1
+    each: bool = False
+    loops: str = ""
+    ordinal: int = 0
+    together: bool = False
+    spaces: bool = False
+
+
+_LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
+
+
+def where(c: Cursor) -> Where | None:
+    """The place that is said at the cursor, None when none is."""
+    begin = c.at
+    kind = loops = ""
+    inside = each = counted = together = placed = spaces = False
+    count, ordinal = 1, 0
+    while (token := c.look()) is not None:
+        if token.kind == "key":
+            if token.value in ("in", "over", "to") and not placed and kind != "around":
+                if token.value == "to" and not (c.kind("ordinal", 1) or c.key("next", "last", ahead=1)):
+                    break
+                inside = True
+            elif token.value in _LOOPS:
+                loops = _LOOPS[token.value]
+            elif token.value == "each" and not placed:
+                each = True
+            elif token.value == "next" and not placed:
+                kind = "next"
+            elif token.value == "next" and spaces:
+                pass  # "dans l'arceau suivant"
+            elif token.value in ("last", "rest") and not placed:
+                kind = kind or ("next" if token.value == "last" else "around")
+            elif token.value == "same" and not placed:
+                kind = "same"
+            elif token.value == "stitch" and (inside or each or kind) and not placed:
+                placed = True
+            elif token.value == "space" and (inside or each) and not placed:
+                kind, placed, spaces = ("space" if not each else kind), True, True
+            elif token.value in ("ring", "loop") and inside and not placed:
+                kind, placed = "ring", True
+            elif token.value == "around" and c.key("each", "next", "same", "stitch", ahead=1):
+                inside = True  # around the post
+            elif token.value == "around" and not (c.kind("number", 1) and not inside and not loops):
+                kind = "around"
+                c.at += 1
+                break
+            elif token.value == "together":
+                together = True
+            elif token.value == "from" and c.key("hook", ahead=1) and ordinal:
+                kind = "hook"
+                c.at += 2
+                break
+            else:
+                break
+        elif token.kind == "ordinal" and (inside or each) and not placed:
+            ordinal = token.value
+            kind = kind or "first"
+        elif token.kind == "number" and not counted and not placed and (inside or each or kind == "next"):
+            after = c.look(1)
+            if not isinstance(token.value, int) or (
+                after is not None and (after.word == "x" or c.key("times", ahead=1))
+            ):
+                break
+            count, counted = token.value, True
+            if not count:
+                raise NotUnderstood(token, "nothing goes into no stitches", "a whole number from 1")
+        elif token.kind == "stitch" and (inside or each or kind == "next") and not placed:
+            placed = True
+            ahead = 1 + c.mark("-", ahead=1)
+            ahead += c.kind("number", ahead)
+            if token.value == "ch" and c.key("space", ahead=ahead):  # "ch-2 sp"
+                kind, spaces = kind if each else "space", True
+                c.at += ahead
+        else:
+            break
+        c.at += 1
+    if c.at == begin:
+        return None
+    span = Span(c.tokens[begin].start, c.tokens[c.at - 1].end)
+    if kind == "" and not (placed or counted or each):
+        if loops:
+            return Where("loops", span, loops=loops)
+        c.at = begin
+        return None
+    if kind == "first" and ordinal > 1:
+        raise NotUnderstood(c.tokens[begin], "a stitch in a place out of order is not understood", "say it in order")
+    if kind in ("", "same") and each and not counted:
+        kind = "around"
+    if kind == "around" and counted:
+        kind = "next"
+    return Where(kind or "next", span, count, each, loops, ordinal, together, spaces)

@@ -1,0 +1,188 @@
+"""Printed patterns, what stands around the rounds: headings of parts, the pattern's own abbreviations, yarn and hook."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.printed.clauses import Cursor
+from tambour.crochet.printed.tokens import Row, Token
+
+MODES: Final = {
+    "materials": "materials",
+    "abbreviations": "abbreviations",
+    "special stitches": "abbreviations",
+    "gauge": "materials",
+    "finished size": "materials",
+    "yarn": "materials",
+    "hook": "materials",
+    "eyes": "materials",
+    "notes": "notes",
+    "instructions": "",
+    "assembly": "assembly",
+}
+"""A heading's concept → what its lines are about."""
+
+STATED: Final = {
+    "yarn": "yarn",
+    "hook": "hook",
+    "gauge": "gauge",
+    "finished size": "size",
+    "eyes": "eyes",
+    "materials": "yarn",
+}
+"""A word before a colon → what the pattern states after it."""
+
+_WORDS: Final = 6  # of a heading
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A line that may name a part. ``strong``: it looks like a heading whatever follows."""
+
+    name: str
+    span: Span
+    copies: int = 1
+    copies_span: Span | None = None
+    strong: bool = False
+    marked: bool = False
+
+
+def plain_name(words: str) -> str:
+    """A part's name as tambour's own language can write it: words of plain letters, numbers joined to them."""
+    flat = unicodedata.normalize("NFKD", words.replace("ß", "ss").replace("ø", "o").replace("æ", "ae"))
+    flat = "".join(c for c in flat if not unicodedata.combining(c))
+    made: list[str] = []
+    for word in re.findall(r"[A-Za-z0-9_]+", flat):
+        if word[0].isdigit():
+            made = [*made[:-1], f"{made[-1]}_{word}"] if made else [f"part_{word}"]
+        else:
+            made.append(word)
+    return " ".join(made)
+
+
+def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
+    """The heading that a line is, None when it cannot be one."""
+    c = Cursor(tokens)
+    name: list[Token] = []
+    copies, at = 1, None
+    if c.key("make") and c.whole(1) is not None and len(tokens) <= 5:
+        # "Make 2 ears"
+        copies, at = c.whole(1) or 1, tokens[1].span
+        c.at = 2
+    while (token := c.look()) is not None:
+        if token.kind == "mark" and token.word not in ("-", "/", "&", "'", '"', "#", "."):
+            break
+        if token.kind == "mark" and token.word == "-" and (c.key("make", ahead=1) or c.whole(1) is not None):
+            break
+        if (token.word == "." and not token.glued) or (token.kind == "key" and token.value == "make"):
+            break
+        if (token.kind == "mark" and token.word == "x") or (c.whole() is not None and c.mark("x", ahead=1)):
+            break
+        name.append(token)
+        c.at += 1
+    if not name or len([t for t in name if t.kind != "mark"]) > _WORDS or name[-1].word == ".":
+        return None
+    found = _copies(c)
+    if found is not None:
+        copies, at = found
+    colon = c.mark(":")
+    c.at += colon
+    if c.look() is not None and not (c.mark(".", "-", "*") and c.look(1) is None):
+        return None
+    begin, end = name[0].start, name[-1].end
+    words = text[max(begin, row.start) : end]
+    # What was left out as a filler still belongs to the name.
+    words = text[row.tokens[0].start : end] if at is None or at.start > end else words
+    if not any(ch.isalpha() for ch in words) or any(isinstance(t.value, float) for t in name):
+        return None
+    capitals = words.isupper()
+    strong = bool(row.marked) or at is not None or colon or capitals
+    if not strong and (len(name) > 4 or not words[0].isupper() or any(t.kind == "number" for t in name[:-1])):
+        return None
+    stitches = any(t.kind == "stitch" for t in name)
+    if stitches and (name[0].kind in ("number", "stitch") or not (at is not None or row.marked)):
+        return None
+    clean = plain_name(words)
+    if not clean:
+        return None
+    return Heading(clean, Span(row.tokens[0].start, end), copies, at, strong, bool(row.marked) or at is not None)
+
+
+def _copies(c: Cursor) -> tuple[int, Span] | None:
+    """``(make 2)``, ``x2``, ``- make two``, ``(2x)``, ``(2)`` at the cursor."""
+    begin = c.at
+    while c.mark("(", "[", "-", ",", ":", "."):
+        c.at += 1
+    worded = c.skip_key("make")
+    if c.mark("x"):
+        c.at += 1
+        worded = True
+    number = c.look()
+    count = c.whole()
+    if count is None or number is None:
+        c.at = begin
+        return None
+    c.at += 1
+    if c.mark("x") or c.key("times", "make"):
+        c.at += 1
+        worded = True
+    bracketed = c.mark(")", "]")
+    c.at += bracketed
+    if not worded and not (bracketed and c.look() is None):
+        c.at = begin
+        return None
+    if not 1 <= count <= 1000:
+        c.at = begin
+        return None
+    return count, number.span
+
+
+def stated(text: str, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]]:
+    """What a line says of yarn, hook, gauge, size and eyes: ``Hook: 3.5 mm``."""
+    found = []
+    for k, token in enumerate(tokens[:-1]):
+        if token.kind != "key" or token.value not in STATED or tokens[k + 1].word not in (":", "-", "="):
+            continue
+        if k and tokens[k - 1].word not in (".", ";", ",", "|", "-", "+") and k > 2:
+            continue
+        end = row.end
+        for later in range(k + 2, len(tokens)):
+            ends = (tokens[later].word in (".", ";") and not tokens[later].glued) or tokens[later].word == "."
+            if (
+                ends
+                and later + 1 < len(tokens)
+                and tokens[later + 1].kind == "key"
+                and tokens[later + 1].value in STATED
+            ):
+                end = tokens[later].start
+                break
+        begin = tokens[k + 1].end
+        words = text[begin:end].strip().rstrip(".").strip("*| ")
+        if words:
+            found.append((STATED[token.value], words, Span(begin, end)))
+    return found
+
+
+def definition(tokens: list[Token]) -> tuple[Token, str] | None:
+    """A word that the pattern gives to a stitch: ``bo = bobble``, ``Bobble (bo): …``, ``pc - popcorn stitch``.
+
+    Gives the word's token and the standard name of the stitch.
+    """
+    c = Cursor(tokens)
+    first = c.look()
+    if first is None or first.kind not in ("word", "stitch"):
+        return None
+    if c.mark("(", ahead=1) and c.kind("word", 2) and c.mark(")", ahead=3) and first.kind == "stitch":
+        return tokens[2], first.value
+    if c.mark("(", ahead=1) and c.kind("stitch", 2) and c.mark(")", ahead=3) and first.kind == "word":
+        return first, tokens[2].value
+    if first.kind != "word" or not (c.mark("=", ":", "-", ahead=1) and c.kind("stitch", 2)):
+        return None
+    after = tokens[3] if len(tokens) > 3 else None
+    if after is None or after.word in (",", ".", ";", ":", "(", "=", "-"):
+        return first, tokens[2].value
+    return None

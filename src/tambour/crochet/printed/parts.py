@@ -1,0 +1,332 @@
+"""Printed patterns, a part while it is read: its rounds in order, its foundation chain, and how its end is left."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+
+from tambour.core.errors import Span
+from tambour.crochet.graph.hook import MOST_AT_TIP
+from tambour.crochet.language.source import Source
+from tambour.crochet.language.stitches import into_one
+from tambour.crochet.language.tree import Action, Group, Item, Line, Section
+from tambour.crochet.printed.body import Body
+from tambour.crochet.printed.doubts import after, chainless
+from tambour.crochet.printed.heads import Head
+
+_CLOSED = (
+    8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
+)
+_STARTS = ("oval", "fsc", "goto", "attach")
+_LIFT = 5  # chains at a round's beginning that only lift the yarn
+
+
+@dataclass
+class Draft:
+    """A part while it is read.
+
+    name, span, copies, copies_span : as the heading says; lines : what was read
+    edge, peak : stitches on the edge (None: not known), and the most there were
+    last : the last round's number; rounds : number → its lines
+    chain : where in ``lines`` a foundation chain stands that is not worked into yet
+    flat : worked in rows; parted : lists of rounds came out of order; shrunk : its last round decreased
+    """
+
+    name: str
+    span: Span
+    copies: int = 1
+    copies_span: Span | None = None
+    lines: list[Line] = field(default_factory=list)
+    edge: int | None = None
+    peak: int = 0
+    last: int = 0
+    rounds: dict[int, list[Line]] = field(default_factory=dict)
+    chain: int | None = None
+    flat: bool = False
+    parted: bool = False
+    shrunk: bool = False
+    stuffing: float | None = None
+    up: str | None = None
+    ends: str = ""
+    off: Span | None = None
+
+    def begun(self) -> bool:
+        """Whether anything but colours stands in it."""
+        return any(not isinstance(i, Action) or i.name != "color" for line in self.lines for i in line.items)
+
+    def add(self, source: Source, head: Head | None, body: Body, span: Span) -> None:
+        """A round, or a line of its own, that ``body`` says."""
+        if body.ends and self.ends != "close":
+            self.ends = body.ends
+        items = list(body.items)
+        offs = [i for i in items if isinstance(i, Action) and i.name == "fo"]
+        if offs:
+            self.off = offs[0].span
+            items = [i for i in items if i not in offs]
+        if body.refers is not None:
+            self._again(source, head, body, span)
+            return
+        ring = next((k for k, i in enumerate(items) if isinstance(i, Action) and _ring(source, i)), None)
+        if ring is not None and body.lift > 1 and body.stated is not None:
+            # "ch 3, 11 dc in ring. (12)": the chains count as a stitch.
+            ringed = items[ring]
+            assert isinstance(ringed, Action)
+            if after([ringed], None, source.stitches) == body.stated - 1:
+                items[ring] = _one_more(source, ringed)
+        if body.ringed and self.chain is not None:
+            del self.lines[self.chain]
+            self.chain = None
+        if not items:
+            return
+        items = self._founded(source, head, body, items, span)
+        if items:
+            self._line(source, head, body, self._begun(source, head, items), span)
+
+    def _line(self, source: Source, head: Head | None, body: Body, items: list[Item], span: Span) -> None:
+        """A line of finished items, under the numbers of its head."""
+        numbers = head.numbers if head is not None else ()
+        worked = any(_works(i) for i in items)
+        alone = body.rounds is not None and len(numbers) < 2 and worked
+        times = body.rounds[0] if alone and body.rounds is not None else max(1, len(numbers))
+        if body.rounds is not None and not alone and body.rounds[0] != len(numbers):
+            message = f"{body.rounds[0]} rounds are said here, {len(numbers)} at the line's start"
+            source.doubt(message, "make them agree", body.rounds[1], True)
+        at = head.span if head is not None and numbers else body.rounds[1] if body.rounds is not None else None
+        line = Line(tuple(items), span, worked, 1, None, None, body.stated, body.stated_span)
+        steady = all(b == a + 1 for a, b in pairwise(numbers))
+        if numbers and head is not None:
+            self._numbered(source, head, steady)
+        if steady:
+            made = [
+                replace(line, times=times, times_span=at if times > 1 else None, number=numbers[0] if numbers else None)
+            ]
+        else:
+            self.parted = True
+            made = [replace(line, number=n) for n in numbers]
+        self.lines += made
+        for number in numbers or ((self.last + 1,) if worked else ()):
+            self.rounds[number] = [replace(line, number=number)]
+        if worked:
+            self.last = max(numbers) + (times - 1) * alone if numbers else self.last + times
+        before = self.edge
+        edge = after(items, self.edge, source.stitches)
+        if (
+            body.stated is not None
+            and edge != body.stated
+            and chainless(items, self.edge, source.stitches) == body.stated
+        ):
+            made = [replace(m, stated=None, stated_span=None) for m in made]  # chains are not counted here
+            self.lines[-len(made) :] = made
+        self.edge = edge if edge is not None else body.stated if worked else self.edge
+        if times > 1 and edge is not None and body.stated is not None and body.stated != edge:
+            self.edge = body.stated
+        if worked:
+            fewer = self.edge is not None and before is not None and self.edge < before
+            self.shrunk = fewer and not any(_skips(i) for i in items)
+        self.peak = max(self.peak, self.edge or 0)
+
+    def _numbered(self, source: Source, head: Head, steady: bool) -> None:
+        """Doubts about numbers that do not follow."""
+        first, before = head.numbers[0], self.last
+        if steady and self.rounds and not self.parted and first not in (1, before + 1):
+            said = "is there already" if first <= before else "leaves rounds out"
+            source.doubt(
+                f"round {first} {said}: the one before is {before}", f"{before + 1} would follow", head.span, True
+            )
+
+    def _again(self, source: Source, head: Head | None, body: Body, span: Span) -> None:
+        """Rounds that were written already, worked once more."""
+        assert body.refers is not None
+        first, last, at = body.refers
+        known = [line for n in range(first, min(last, first + 1000) + 1) for line in self.rounds.get(n, ())]
+        if not known or last < first:
+            source.error(f"round {first} is not there to be repeated", "name one that stands before this", at)
+            return
+        numbers = head.numbers if head is not None else ()
+        total = len(numbers) or (body.rounds[0] if body.rounds is not None else len(known))
+        if len(known) == 1:
+            again = Body(list(known[0].items), body.stated, body.stated_span, body.rounds)
+            self._line(source, head, again, self._begun(source, head, again.items), span)
+            return
+        for k in range(min(total, 10_000)):
+            line = known[k % len(known)]
+            one = Body(list(line.items), body.stated if k == total - 1 else None, body.stated_span)
+            own = Head((numbers[k],), head.span, 0, head.row, True) if head is not None and numbers else None
+            self._line(source, own, one, list(line.items), span)
+
+    # -- foundations ------------------------------------------------------------------------------------------------
+
+    def _founded(self, source: Source, head: Head | None, body: Body, items: list[Item], span: Span) -> list[Item]:
+        """``items`` without the chain or ring that the part begins with, which is put before them."""
+        fresh = body.fresh
+        if (self.begun() and self.chain is None) or any(isinstance(i, Action) and i.name in _STARTS for i in items):
+            return items
+        chain: Action | None = None
+        if self.chain is not None:
+            chain = next(i for i in self.lines[self.chain].items if isinstance(i, Action) and i.name == "ch")
+        lead = [i for i in items if isinstance(i, Action) and i.name in ("color", "flo", "blo")]
+        if chain is None:
+            own = next((k for k, i in enumerate(items) if isinstance(i, Action) and i.name == "ch"), None)
+            if own is None or any(_works(i) for i in items[:own]):
+                return self._ringed(source, items)
+            chain = items[own]  # type: ignore[assignment]
+            assert isinstance(chain, Action)
+            rest = [i for i in items[own + 1 :] if not (isinstance(i, Action) and i.name == "join")]
+            self.lines.append(Line((*items[:own], chain), span, False))
+            self.chain, self.edge = len(self.lines) - 1, chain.times
+            turned = rest[:1] if rest and isinstance(rest[0], Action) and rest[0].name == "turn" else []
+            items, fresh = rest, max(0, fresh - own - 1)
+            if turned and len(rest) == 1:
+                return []
+        elif all(isinstance(i, Action) and i.name in ("join", "color") for i in items):
+            return [i for i in items if isinstance(i, Action) and i.name == "color"]
+        if not any(_works(i) for i in items):
+            return [i for i in items if i not in lead or not self.chain] if items else []
+        return self._chained(source, head, body, items, fresh, chain, span)
+
+    def _ringed(self, source: Source, items: list[Item]) -> list[Item]:
+        """A first round that names no ring: its plain stitches are one."""
+        for k, item in enumerate(items):
+            if isinstance(item, Action) and item.name in source.stitches and source.stitches[item.name].makes:
+                kind = source.stitches[item.name]
+                if kind.where == "ring" or item.times < 2 or kind.takes != 1 or any(_works(i) for i in items[k + 1 :]):
+                    return items
+                ring: Item = Action("mr", item.span, numbers=(item.times, 0))
+                if item.name != "sc":
+                    made = into_one([(kind, item.times)], "ring")
+                    source.stitches.setdefault(made.name, made)
+                    ring = Action(made.name, item.span)
+                return [*items[:k], ring, *items[k + 1 :]]
+        return items
+
+    def _chained(
+        self, source: Source, head: Head | None, body: Body, items: list[Item], fresh: int, chain: Action, span: Span
+    ) -> list[Item]:
+        """The first stitches into a foundation chain: a ring, an oval, a row or a tube."""
+        assert self.chain is not None
+        at, self.chain = self.chain, None
+        base = self.lines[at]
+        before = [i for i in base.items if not isinstance(i, Action) or i.name in ("color", "flo", "blo")]
+        items = [
+            i for k, i in enumerate(items) if not (k < fresh and isinstance(i, Action) and i.name in ("ch", "turn"))
+        ]
+        items = [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "turn")]
+        first = next(i for i in items if _works(i))
+        hook = body.hook or 2
+        inner = first.items[0] if isinstance(first, Group) else first
+        kind = source.stitches.get(inner.name) if isinstance(inner, Action) else None
+        row = head is not None and head.row
+        if body.hook and chain.times - hook + 1 <= 1 and kind is not None and not row and isinstance(first, Action):
+            many = kind.makes * first.times
+            if many >= 3:
+                self.lines[at] = replace(base, items=tuple(before))
+                name = kind.inner[0][0] if kind.inner else "sc"
+                ring: Item = Action("mr", first.span, numbers=(many, 0))
+                base_name = next((n for n in ("hdc", "dc", "tr") if kind.name.startswith(n)), name)
+                if base_name != "sc":
+                    made = into_one([(source.stitches[base_name], many)], "ring")
+                    source.stitches.setdefault(made.name, made)
+                    ring = Action(made.name, first.span)
+                return [ring if i is first else i for i in items]
+        if body.sides:
+            numbers = (chain.times, hook)
+            self.lines[at] = replace(base, items=(*before, Action("oval", chain.span, numbers=numbers)))
+            self.edge = 2 * (chain.times - hook + 1) - 1  # the chain that it ends on may be left out
+            return items
+        if body.hook or row:
+            self.flat = True
+            lift = Action("ch", chain.span, chain.times - max(0, hook - 2), chain.times_span)
+            more = [Action("ch", chain.span, hook - 2)] if hook > 2 else []
+            self.lines[at] = replace(base, items=(*before, lift, Action("turn", chain.span), *more))
+            self.edge = lift.times - 1
+        return [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "ch")]
+
+    def _begun(self, source: Source, head: Head | None, items: list[Item]) -> list[Item]:
+        """``items`` with the chains at a round's beginning understood, and rows turned where nobody says so."""
+        at = next(
+            (k for k, i in enumerate(items) if not isinstance(i, Action) or i.name not in ("color", "flo", "blo")), 0
+        )
+        lead = items[at] if items else None
+        turns = any(isinstance(i, Action) and i.name == "turn" for i in items[at : at + 3])
+        last = next((i for line in reversed(self.lines) for i in reversed(line.items) if _moves(i)), None)
+        lifted = isinstance(last, Action) and last.name in ("join", "turn")
+        worked = any(_works(line_item) for line in self.lines for line_item in line.items)
+        if self.flat and worked and not turns and not lifted and (head is None or head.row) and any(map(_works, items)):
+            return [*items[:at], Action("turn", span_of(items[at])), *items[at:]]
+        if (
+            isinstance(lead, Action)
+            and lead.name == "ch"
+            and lead.times <= _LIFT
+            and not turns
+            and not lifted
+            and worked
+        ):
+            next_one = items[at + 1] if at + 1 < len(items) else None
+            if next_one is not None and not (isinstance(next_one, Action) and next_one.name == "skip"):
+                return [*items[:at], *items[at + 1 :]]
+        return items
+
+    # -- the part ---------------------------------------------------------------------------------------------------
+
+    def section(self, source: Source) -> Section:
+        """The part, its end closed or open."""
+        lines = self._sorted()
+        most = MOST_AT_TIP if self.shrunk else _CLOSED
+        small = self.edge is not None and 2 <= self.edge <= most and self.edge < self.peak
+        closing = self.ends == "close" or (self.off is not None and self.ends != "open" and small)
+        if closing and not self.flat and lines:
+            end = self.off or lines[-1].span
+            if self.edge is not None and self.edge > MOST_AT_TIP:
+                if self.off is not None and self.ends == "close":
+                    message = f"{self.edge} stitches are too many to draw together: the end stays open"
+                    source.doubt(message, "decrease further before closing", end)
+            else:
+                lines.append(Line((Action("fo", end),), end, False))
+        return Section(
+            self.name, self.span, tuple(lines), self.copies, self.copies_span, None, self.stuffing, None, self.up
+        )
+
+    def _sorted(self) -> list[Line]:
+        lines = [line for line in self.lines if line.items]
+        if not self.parted:
+            return lines
+        keyed, key = [], 0
+        for line in lines:
+            key = line.number if line.number is not None else key
+            keyed.append((key, line))
+        return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
+
+
+def _ring(source: Source, action: Action) -> bool:
+    return action.name == "mr" or (action.name in source.stitches and source.stitches[action.name].where == "ring")
+
+
+def _one_more(source: Source, ring: Action) -> Action:
+    """A ring with one stitch more, of its last kind."""
+    if ring.name == "mr":
+        return replace(ring, numbers=(ring.numbers[0] + 1, 0))
+    inner = [(source.stitches[name], n) for name, n in source.stitches[ring.name].inner]
+    made = into_one([*inner[:-1], (inner[-1][0], inner[-1][1] + 1)], "ring")
+    source.stitches.setdefault(made.name, made)
+    return replace(ring, name=made.name)
+
+
+def span_of(item: Item) -> Span:
+    """The place of an item."""
+    return item.span
+
+
+def _works(item: Item) -> bool:
+    """Whether an item works stitches (chains aside)."""
+    if isinstance(item, Group):
+        return any(map(_works, item.items))
+    return item.name not in ("ch", "color", "turn", "join", "flo", "blo", "bl", "fo", "mark", "goto", "sew", "attach")
+
+
+def _skips(item: Item) -> bool:
+    return any(map(_skips, item.items)) if isinstance(item, Group) else item.name == "skip"
+
+
+def _moves(item: Item) -> bool:
+    """Whether an item is more than a choice of colour or loops, or a chain."""
+    return not isinstance(item, Action) or item.name not in ("color", "flo", "blo", "bl", "ch", "mark")

@@ -1,0 +1,224 @@
+"""Printed patterns, what is repeated: brackets, asterisks, and the words that say how often."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+from tambour.core.errors import Span
+from tambour.crochet.language.tree import Action, Group, Item
+from tambour.crochet.printed.brackets import OPEN, closing
+from tambour.crochet.printed.clauses import NotUnderstood, where
+from tambour.crochet.printed.counts import bracketed_count, counted_at
+from tambour.crochet.printed.stitch import placed, standing
+from tambour.crochet.printed.tokens import Token
+
+if TYPE_CHECKING:
+    from tambour.crochet.printed.body import Reader
+
+Times = tuple[int | None, Span]
+
+
+def bracket(r: Reader, found: list[Item], token: Token) -> None:
+    """At an opening bracket: a count, a remark, or items that are repeated or worked into one stitch."""
+    c = r.c
+    begin, end = c.at, closing(r)
+    if bracketed_count(r, found, end):
+        return
+    words = c.tokens[begin + 1 : end]
+    if any(t.kind == "key" and t.value == "count" for t in words):
+        # "(does not count as a stitch)", "(counts as the first dc)"
+        if not any(t.kind == "key" and t.value == "not" for t in words):
+            standing(found)
+        c.at = end + 1
+        return
+    outer, c.tokens = c.tokens, c.tokens[:end]
+    c.at += 1
+    r.depth += 1
+    inner: list[Item] = []
+    body = (r.body.ends, r.body.sides)
+    try:
+        r.items(inner, frozenset())
+    except NotUnderstood:
+        if _instructs(words):
+            raise
+        inner, (r.body.ends, r.body.sides) = [], body  # words in brackets are a remark
+    finally:
+        c.tokens = outer
+        r.depth -= 1
+    c.at = end + 1
+    if inner and all(isinstance(i, Action) and i.name in ("color", "flo", "blo", "bl") for i in inner):
+        found += inner
+    elif inner:
+        repeated(r, found, inner, Span(token.start, outer[end].end), star=False)
+
+
+def _instructs(words: list[Token]) -> bool:
+    """Whether words in brackets are instructions, and not a remark that names stitches."""
+    stitches = sum(t.kind == "stitch" for t in words)
+    return stitches * 3 >= sum(t.kind in ("word", "key", "stitch") for t in words) > 0
+
+
+def star(r: Reader, found: list[Item], token: Token) -> None:
+    """``*items; rep from * around``, ``*items* 6 times``; a star without its pair repeats all before it."""
+    c = r.c
+    c.at += 1
+    lead, inner = led(found)
+    ends = c.look() is None or c.key("repeat", "around", "times") or c.mark("x", ".", "=")
+    if inner and (ends or (c.mark(*OPEN) and counted_at(r, closing(r)))):
+        found[:] = lead
+        repeated(r, found, inner, token.span, star=True)
+        return
+    inner = []
+    while True:
+        _starred(r, inner)
+        if not c.mark(".") or not any(
+            t.word in ("*", "**") or (t.kind == "key" and t.value == "repeat") for t in c.tokens[c.at :]
+        ):
+            break
+        c.at += 1  # a sentence ends, the repeat goes on
+    if c.mark("*", "**"):
+        c.at += 1
+    if not inner:
+        raise NotUnderstood(token, "nothing stands after this asterisk", "say what is repeated")
+    repeated(r, found, inner, token.span, star=True)
+
+
+def _starred(r: Reader, inner: list[Item]) -> None:
+    """Clauses up to the closing star, the word repeat, or a full stop."""
+    c = r.c
+    r.depth += 1
+    r.stars += 1
+    try:
+        while (token := c.look()) is not None and not c.mark("*", "**", ".") and not c.key("repeat"):
+            if not r.between(token):
+                if token.kind == "mark" and token.word in OPEN and counted_at(r, closing(r)):
+                    return
+                r.clause(inner, token)
+    finally:
+        r.depth -= 1
+        r.stars -= 1
+
+
+def led(found: list[Item]) -> tuple[list[Item], list[Item]]:
+    """Items parted in those that begin a round (chains, turns, colours, loops) and those that repeat."""
+    at = 0
+    while at < len(found):
+        item = found[at]
+        if not isinstance(item, Action) or item.name not in ("ch", "turn", "color", "flo", "blo", "join", "mr"):
+            break
+        at += 1
+    return found[:at], found[at:]
+
+
+def repeated(r: Reader, found: list[Item], inner: list[Item], span: Span, star: bool) -> None:
+    """``inner`` as often as the words after it say, or into the one stitch that they name."""
+    c = r.c
+    begin = c.at
+    place = None if star else where(c)
+    if place is not None and place.loops:
+        given = times(r, star)
+        middle = list(inner) if given is False else [Group(tuple(inner), *given)]
+        found += [Action(place.loops, place.span), *middle, Action("bl", place.span)]
+        return
+    if place is not None and place.kind != "loops":
+        if place.kind == "around" and not place.each:
+            found.append(Group(tuple(inner), None, place.span))
+        else:
+            found += placed(r, found, inner, place, span)
+        return
+    c.at = begin
+    given = times(r, star)
+    if given is not False:
+        found.append(Group(tuple(inner), *given))
+    elif star:
+        found.append(Group(tuple(inner), None, span))
+    else:
+        r.ask("once", span)
+        found.append(Group(tuple(inner), None if "once" in r.choices else 1, span))
+
+
+def multiplier(r: Reader) -> Times | Literal[False]:
+    """``x 6``, ``6 times``, ``twice`` right at the cursor."""
+    c = r.c
+    token = c.look()
+    if token is None:
+        return False
+    if (c.mark("x") or (c.mark("*") and not r.stars)) and c.whole(1) is not None:
+        c.at += 1
+        number = c.take()
+        c.skip_key("times")
+        return _checked(number.value, number)
+    if c.whole() is not None and (c.key("times", ahead=1) or (c.mark("x", ahead=1) and not c.kind("stitch", 2))):
+        c.at += 2
+        c.skip_key("total")
+        return _checked(token.value, token)
+    if c.key("twice", "once"):
+        c.at += 1
+        return (2 if token.value == "twice" else 1), token.span
+    return False
+
+
+def _checked(number: int, token: Token) -> Times:
+    if number == 0:
+        raise NotUnderstood(token, "a repeat is worked at least once", "leave the brackets out instead")
+    return number, token.span
+
+
+def times(r: Reader, star: bool) -> Times | Literal[False]:
+    """How often, by the words at the cursor: a number, or None for around, and its place; False when nothing is said."""
+    c = r.c
+    begin = c.at
+    while c.mark(",", ";", "-", ".", ":", "and") and (c.key("repeat", "around", ahead=1) or c.mark("x", ahead=1)):
+        c.at += 1
+    said = c.at if c.key("repeat") else -1
+    from_star = False
+    if said >= 0:
+        c.at += 1
+        # "from * to *", "between * and *", "this", "between brackets"
+        while (
+            c.key("from", "to", "between", "and")
+            or c.mark("*", "**")
+            or (c.mark("-") and c.mark("*", ahead=-1))
+            or (c.kind("word") and c.at - said < 6)
+        ):
+            if c.mark("*") and c.whole(1) is not None and not c.key("from", "to", "between", "and", ahead=-1):
+                break
+            from_star = from_star or c.key("from")
+            c.at += 1
+        if c.mark(",") and (c.key("around") or c.whole(1) is not None):
+            c.at += 1
+    c.skip_key("total")
+    if c.mark("(") and c.whole(1) is not None and c.mark(")", ahead=2) and c.key("times", "more", ahead=3):
+        number = c.tokens[c.at + 1]
+        c.at += 3
+        more = c.skip_key("more")
+        c.skip_key("times")
+        return _checked(number.value + more, number)
+    given = multiplier(r)
+    token = c.look()
+    if given is not False:
+        count, span = given
+        if c.skip_key("more") and count is not None:
+            count += 1
+        elif star and from_star and count is not None:
+            r.ask("more", span)
+            count += "more" not in r.choices
+        while count is not None and c.key("around", "total"):
+            c.at += 1
+        return count, span
+    if token is not None and c.whole() is not None:
+        if c.key("more", ahead=1):
+            c.at += 2
+            c.skip_key("times")
+            return _checked(token.value + 1, token)
+        if token.glued or (said >= 0 and not c.kind("stitch", 1)):
+            c.at += 1
+            return _checked(token.value, token)
+    if token is not None and c.key("around"):
+        c.at += 1
+        return None, token.span
+    if said >= 0:
+        place = where(c)
+        return None, place.span if place is not None else c.tokens[said].span
+    c.at = begin
+    return False

@@ -1,0 +1,244 @@
+"""Printed patterns, one stitch: how many of it, and into which places."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+from tambour.core.errors import Span
+from tambour.crochet.language.stitches import STANDING, Stitch, into_one
+from tambour.crochet.language.tree import Action, Group, Item
+from tambour.crochet.printed.clauses import NotUnderstood, Where, where
+from tambour.crochet.printed.tokens import Token
+
+if TYPE_CHECKING:
+    from tambour.crochet.printed.body import Reader
+
+_TWO = ("inc", "dec")
+_MOST = 64  # stitches in one place
+
+
+def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
+    """A stitch at the cursor; ``before`` is the number that stood before it."""
+    from tambour.crochet.printed.repeats import multiplier
+
+    c = r.c
+    token = c.take()
+    name, after = token.value, None
+    if before is None and c.whole() is not None and not (c.key("times", "more", ahead=1) or c.mark("x", ahead=1)):
+        after = c.take()
+    if c.key("stitch") or (c.kind("stitch") and c.look().glued):  # type: ignore[union-attr]
+        c.at += c.key("stitch")
+    if name == "slst" and _joins(r):
+        found.append(Action("join", token.span))
+        return
+    place = r.before or where(c)
+    if place is not None and place.kind == "hook":
+        r.body.hook, r.body.fresh = place.ordinal, len(found)
+        if r.before is not None:  # "starting in 2nd ch from hook: 5 sc"
+            place = None
+    r.before = None
+    if place is not None and place.kind == "loops":
+        more = where(c)
+        if more is not None and more.kind != "loops":
+            more.loops, place = place.loops, more
+    if name == "slst" and place is not None and place.kind == "first":
+        r.to_separator()
+        found.append(Action("join", token.span))
+        return
+    if name != "slst" and len(words := token.word.split(" ")) == 2 and words[1] in _TWO:
+        r.ask("pair", token.span)
+        if "pair" in r.choices:
+            base = name[: name.index(words[1][:3])] or "sc"
+            found.append(Action(base, token.span, (before.value if before else None) or 1))
+            before = None
+    number = before or after
+    if r.ring is not None and name == "ch":
+        r.body.lift = number.value if number is not None else 1
+        return
+    if (place is not None and place.kind == "ring") or (
+        r.ring is not None and (place is None or place.kind == "loops")
+    ):
+        _ring(r, found, name, number, token)
+        return
+    made = _lower(r, found, name, before, after, token, place)
+    given = multiplier(r) if place is None or place.kind != "around" else False
+    if given is not False:
+        times, span = given
+        single = len(made) == 1 and isinstance(made[0], Action) and number is None and place is None
+        made = [Action(name, token.span, times or 1, span)] if single else [Group(tuple(made), times, span)]
+    if place is not None and place.loops:
+        made = [Action(place.loops, place.span), *made, Action("bl", place.span)]
+    found += made
+    # "sc in 2nd ch from hook and in each ch across": the same stitch goes on
+    while place is not None and (c.key("and") or c.mark(",")) and c.key("in", ahead=1):
+        begin = c.at
+        c.at += 1
+        place = where(c)
+        if place is None or place.kind in ("loops", "ring") or c.kind("stitch") or c.kind("number"):
+            c.at = begin
+            break
+        found += _lower(r, found, name, before, after, token, place)
+
+
+def _joins(r: Reader) -> bool:
+    """Whether the slip stitch just read closes its round: "to join", "to top of ch-3", "in beginning ch"."""
+    c = r.c
+    ahead = 0
+    while c.key("in", "to", ahead=ahead):
+        ahead += 1
+    word = c.look(ahead)
+    if word is None or not ahead:
+        return False
+    if c.key("join", "begin", "form", ahead=ahead) or word.word in ("top", "close"):
+        r.to_separator()
+        return True
+    return False
+
+
+def _ring(r: Reader, found: list[Item], name: str, number: Token | None, token: Token) -> None:
+    """Stitches into a magic ring, or into a ring of chains."""
+    count = number.value if number is not None else 1
+    if r.ring is None and any(isinstance(i, Action) and i.name in ("join", "ch", *STANDING) for i in found):
+        r.body.ringed = True
+    if not isinstance(count, int) or count < 1:
+        raise NotUnderstood(number or token, "a ring has at least one stitch", "say how many: 6 sc in magic ring")
+    stands = any(isinstance(i, Action) and i.name in STANDING for i in found)  # "ch 3 (counts as dc), 11 dc in ring"
+    count += stands
+    chains = [i.times for i in found if isinstance(i, Action) and i.name == "ch"]
+    r.body.lift = chains[-1] if chains and not r.body.rings else r.body.lift
+    found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join", *STANDING))]
+    r.ring = None
+    r.body.rings += 1
+    last = found[-1] if found else None
+    stitches = r.stitches[name]
+    if name == "sc" and not (isinstance(last, Action) and r.is_ring(last)):
+        found.append(Action("mr", number.span if number is not None else token.span, numbers=(count, 0)))
+        return
+    inner = [(stitches, count)]
+    if isinstance(last, Action) and r.is_ring(last):
+        found.pop()
+        old = (
+            [(r.stitches["sc"], last.numbers[0])]
+            if last.name == "mr"
+            else [(r.stitches[s], k) for s, k in r.stitches[last.name].inner]
+        )
+        inner = [*old, *inner]
+    found.append(_together(r, inner, token, "ring"))
+
+
+def _together(
+    r: Reader, inner: list[tuple[Stitch, int]], token: Token, place: Literal["", "sp", "ring"] = ""
+) -> Action:
+    """One action for stitches that go into one place."""
+    if sum(k for _, k in inner) > _MOST:
+        raise NotUnderstood(token, "too many stitches in one place", f"at most {_MOST}")
+    try:
+        made = into_one(inner, place)
+    except ValueError as error:
+        raise NotUnderstood(token, str(error), "stitches that go into one place are worked ones and chains") from None
+    r.stitches.setdefault(made.name, made)
+    return Action(made.name, token.span)
+
+
+def _lower(
+    r: Reader,
+    found: list[Item],
+    name: str,
+    before: Token | None,
+    after: Token | None,
+    token: Token,
+    place: Where | None,
+) -> list[Item]:
+    """The items of ``before`` (or ``after``) stitches ``name`` at ``place``."""
+    given = before or after
+    k = given.value if given is not None else None
+    at = given.span if given is not None else None
+    kind = r.stitches[name]
+    if k is not None and (not isinstance(k, int) or k == 0):
+        raise NotUnderstood(given or token, "so many stitches cannot be made", "a whole number from 1")
+    if place is None or place.kind == "loops":
+        plain = kind.makes == 1 and kind.takes == 1
+        if before is not None and k in (2, 3) and plain and name != "ch":
+            word = "one" if not token.glued else "one glued"
+            r.ask(word, Span(before.start, token.end))
+            if word in r.choices:
+                return [_together(r, [(kind, k)], token)]
+        return [Action(name, token.span, k or 1, at)]
+    if place.spaces:
+        return placed(r, found, [Action(name, token.span, k or 1, at)], place, token.span)
+    if place.kind == "around":
+        if k is None or (after is not None and k == 1):
+            return [Group((Action(name, token.span),), None, place.span)]
+        if name in ("ch", "skip", "slst") or kind.makes != 1 or kind.takes != 1:
+            return [Action(name, token.span, k, at)]
+        if not place.each and before is not None and k < 4:
+            r.ask("all", place.span)
+        if place.each or (before is not None and k < 4 and "all" not in r.choices):
+            return [Group((_together(r, [(kind, k)], token),), None, place.span)]
+        return [Action(name, token.span, k, at)]
+    if place.kind == "same" or (place.kind == "hook" and (k or 1) > 1):
+        return placed(r, found, [Action(name, token.span, k or 1, at)], place, token.span)
+    count = place.count
+    if name in ("ch", "slst", "skip"):
+        return [Action(name, token.span, k if k is not None and count == 1 else count, place.span)]
+    if place.together:
+        prefix = "" if name == "sc" else name
+        many = f"{prefix}dec{count if count > 2 else ''}"
+        if many not in r.stitches:
+            raise NotUnderstood(token, f"{count} stitches together are not known", "at most 12")
+        return [Action(many, token.span, k or 1, at)]
+    if kind.takes > 1:
+        fits = count // kind.takes if count % kind.takes == 0 else 1
+        return [Action(name, token.span, k or max(fits, 1), at or place.span)]
+    if kind.makes > 1:
+        return [Action(name, token.span, count if count > 1 else k or 1, place.span)]
+    if k is None or k == 1 or (k == count and not place.each and count > 1):
+        return [Action(name, token.span, count, place.span)]
+    if place.each or count == 1:
+        one = _together(r, [(kind, k)], token)
+        return [Action(one.name, one.span, count, place.span)]
+    if k % count == 0:
+        one = _together(r, [(kind, k // count)], token)
+        return [Action(one.name, one.span, count, place.span)]
+    raise NotUnderstood(given or token, f"{k} stitches do not go evenly into {count}", "say how many go into each")
+
+
+def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: Span) -> list[Item]:
+    """``inner`` worked into one place, once or in each of several."""
+    token = Token("stitch", "", span.start, span.end)
+    flat = [one for i in inner for one in _flat(i)]
+    parts = [(r.stitches[i.name], i.times) for i in flat if isinstance(i, Action) and i.name in r.stitches]
+    if len(parts) != len(flat):
+        raise NotUnderstood(token, "this does not go into one stitch", "stitches only, without repeats")
+    if place.kind == "same" and found:
+        last = found[-1]
+        if isinstance(last, Action) and last.name in r.stitches and r.stitches[last.name].fits_in_one:
+            kind = r.stitches[last.name]
+            old = [(r.stitches[s], k) for s, k in kind.inner] or [(kind, 1)]
+            more = _together(r, [*old, *parts], token)
+            found[-1:] = [Action(last.name, last.span, last.times - 1, last.times_span)] if last.times > 1 else []
+            return [more]
+    if place.kind == "ring":
+        found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join"))]
+        r.ring = None
+        return [_together(r, parts, token, "ring")]
+    one = _together(r, parts, token, "sp" if place.spaces else "")
+    if place.kind == "around":
+        return [Group((one,), None, place.span)]
+    return [Action(one.name, one.span, place.count, place.span)]
+
+
+def _flat(item: Item) -> list[Item]:
+    """An item without brackets, if they say how often; so that it can go into one place."""
+    if isinstance(item, Group) and item.times is not None and item.times <= _MOST:
+        return [one for i in item.items for one in _flat(i)] * item.times
+    return [item]
+
+
+def standing(found: list[Item]) -> None:
+    """Chains at the end of ``found`` that count as a stitch become it."""
+    last = found[-1] if found else None
+    if isinstance(last, Action) and last.name == "ch":
+        name = next((s for s, kind in STANDING.items() if s.startswith(f"ch{last.times}")), None)
+        if name is not None:
+            found[-1] = Action(name, last.span)

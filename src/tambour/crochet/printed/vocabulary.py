@@ -1,0 +1,215 @@
+"""Printed patterns, the vocabulary of one language: its words and phrases found in a line, the longest first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from copy import copy
+from functools import lru_cache
+from typing import Any, Final
+
+from tambour.crochet.language.stitches import STITCHES, standard
+from tambour.crochet.printed.tokens import Token, rows
+from tambour.crochet.words.heard import (
+    DECREASES,
+    ENGLISH,
+    FILLERS,
+    FOREIGN,
+    INCREASES,
+    LETTERS,
+    NUMBERS,
+    ORDINALS,
+    UK,
+    US,
+)
+from tambour.crochet.words.languages import TERMS
+
+_SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
+_JOINS: Final = frozenset("-.'/")
+_YARNS: Final = frozenset(("with", "to", "color", "colour", "yarn", "in", "join", "."))
+_ARTICLES: Final = frozenset(("the", "a", "your"))
+_SIGNS: Final = frozenset("xX×*")
+_LATER: Final = frozenset(
+    ("circle", "oval", "half", "triangle", "heart", "square", "height", "pull through", "pull over", "next anchor")
+)
+
+
+class Vocabulary:
+    """Phrases → what they mean, of the terms ``code``.
+
+    Meanings are pairs: ("stitch", standard name), ("key", concept), ("ordinal", n), ("number", n) or ("filler", None).
+    ``basic`` is the stitch that a bare number of stitches means.
+    """
+
+    def __init__(self, code: str) -> None:
+        self.code = code
+        self._first: dict[str, list[tuple[tuple[str, ...], str, Any]]] = {}
+        self.english = code in ("us", "uk", "letters")
+        language = "en" if self.english else code
+        for key, said in ENGLISH.items() if self.english else ():
+            self._add(said.split("|"), "key", key)
+        if self.english:
+            for n, word in enumerate(ORDINALS.split("|"), 1):
+                self._add([word], "ordinal", n)
+            for n, word in enumerate(NUMBERS.split("|"), 1):
+                self._add([word], "number", n)
+        self._add(FILLERS.get(language, "").split("|"), "filler", None)
+        if self.english:
+            self._families(UK if code == "uk" else US)
+        for key, said in FOREIGN.get(code, {}).items():
+            kind, _, name = key.rpartition(":")
+            self._add(said.split("|"), kind or "key", name)
+        if code == "letters":
+            for name, said in LETTERS.items():
+                self._add(said.split("|"), "key" if name == "fo" else "stitch", "fasten off" if name == "fo" else name)
+        table = TERMS.get(code)
+        if table is not None:
+            for key, spellings in table.words.items():
+                if key not in _LATER:
+                    self._add([s for s in spellings if s not in _SIGNS], "key", _SAME.get(key, key))
+            for name, spellings in table.stitches.items():
+                self._add(spellings, "stitch", name)
+        for phrases in self._first.values():
+            phrases.sort(key=lambda p: -len(p[0]))
+
+    def _families(self, base: Mapping[str, str]) -> None:
+        """Plain stitches, and the increases and decreases that are said of them."""
+        for name, said in base.items():
+            self._add(said.split("|"), "stitch", name)
+            if name in ("slst", "skip", "ch"):
+                continue
+            prefix = "" if name == "sc" else name
+            for word in said.split("|"):
+                for n in range(2, 6):
+                    what = f"{prefix}dec{n if n > 2 else ''}"
+                    self._add([f"{word}{n}tog", f"{word} {n} tog", f"{word} {n} together"], "stitch", what)
+                for inc in INCREASES.split("|"):
+                    self._add([f"{word} {inc}", f"{word}{inc}"], "stitch", f"{prefix}inc")
+                    self._add([f"{word} {inc} 3", f"{word}{inc}3"], "stitch", f"{prefix}inc3")
+                for dec in DECREASES.split("|"):
+                    self._add([f"{word} {dec}", f"{word}{dec}"], "stitch", f"{prefix}dec")
+        for said, what in ((INCREASES, "inc"), (DECREASES, "dec")):
+            self._add(said.split("|"), "stitch", what)
+            for n in range(3, 7):
+                self._add([f"{word}{n}" for word in said.split("|") if " " not in word], "stitch", f"{what}{n}")
+
+    def _add(self, spellings: Iterable[str], kind: str, value: Any, new: bool = False) -> None:
+        for said in spellings:
+            words = tuple(t.word for t in rows(said)[0].tokens if t.word not in _JOINS)
+            if not words:
+                continue
+            if kind == "stitch" and value not in STITCHES and not new:
+                continue
+            phrases = self._first.setdefault(words[0], [])
+            # What comes later is the table's own word, and goes before what people write besides.
+            phrases[:] = [p for p in phrases if p[0] != words]
+            phrases.append((words, kind, value))
+
+    def define(self, word: str, stitch: str) -> None:
+        """A stitch's name that the pattern itself explains."""
+        self._add([word], "stitch", stitch, True)
+        for phrases in self._first.values():
+            phrases.sort(key=lambda p: -len(p[0]))
+
+    def own(self) -> None:
+        """Makes the phrases this vocabulary's own; those of another that it was copied from stay as they are."""
+        self._first = {word: list(phrases) for word, phrases in self._first.items()}
+
+    def knows(self, word: str) -> bool:
+        """Whether a phrase begins with ``word``."""
+        return word in self._first
+
+    def stitches(self) -> list[str]:
+        """The words of one piece that mean a stitch, for suggestions."""
+        return [p[0][0] for phrases in self._first.values() for p in phrases if p[1] == "stitch" and len(p[0]) == 1]
+
+    def read(self, tokens: list[Token]) -> list[Token]:
+        """``tokens`` with phrases made one token each, of kind "stitch" or "key", and fillers left out."""
+        made: list[Token] = []
+        at, n = 0, len(tokens)
+        while at < n:
+            token = tokens[at]
+            if token.kind in ("number", "ordinal", "mark") and token.word not in self._first:
+                made.append(token)
+                at += 1
+                continue
+            found = self._longest(tokens, at)
+            if token.word == "x" and (
+                token.kind == "mark" or found is None or (made and made[-1].word in (")", "]", "}", "*"))
+            ):
+                made.append(Token("mark", "x", token.start, token.end, None, token.glued))
+                at += 1
+                continue
+            if found is None:
+                made += self._parted(token)
+                at += 1
+                continue
+            end, kind, value = found
+            if kind == "filler":
+                if token.value == "A" and (
+                    tokens[at - 1].word in _YARNS or (end < n and tokens[end].word in ("=", ":"))
+                ):
+                    made.append(token)
+                at = end
+                continue
+            last = tokens[end - 1]
+            word = token.word if end == at + 1 else " ".join(t.word for t in tokens[at:end])
+            made.append(Token(kind, word, token.start, last.end, value, token.glued))
+            # The point of an abbreviation: "rnd. 4", "sl. st. in".
+            if end < n and tokens[end].word == "." and tokens[end].glued and end + 1 < n and kind in ("stitch", "key"):
+                after = tokens[end + 1]
+                if not after.glued and (after.kind == "number" or after.kind == "word") and len(token.word) <= 4:
+                    end += 1 if kind == "key" and value in ("round", "row", "repeat", "stitch") else 0
+            at = end
+        return made
+
+    def _longest(self, tokens: list[Token], at: int) -> tuple[int, str, Any] | None:
+        for words, kind, value in self._first.get(tokens[at].word, ()):
+            end = at + 1
+            for word in words[1:]:
+                # "sl-st", "sl. st."
+                if (end + 1 < len(tokens) and tokens[end].word in _JOINS and tokens[end].glued) or (
+                    end + 1 < len(tokens) and tokens[end].word in _ARTICLES and word != tokens[end].word
+                ):
+                    end += 1
+                if end >= len(tokens) or tokens[end].word != word:
+                    break
+                end += 1
+            else:
+                return end, kind, value
+        return None
+
+    def _parted(self, token: Token) -> list[Token]:
+        """A word of letters and digits grown together (``sc6``, ``x6``, ``r12``), or one that the stitch table knows."""
+        word = token.word
+        if token.kind != "word" or len(word) > 20:
+            return [token]
+        name = standard(word)
+        if name in STITCHES and (self.code != "uk" or _of_both(name)):
+            return [Token("stitch", word, token.start, token.end, name, token.glued)]
+        if not word[-1].isdigit():
+            return [token]
+        head = word.rstrip("0123456789")
+        phrase = self._longest([Token("word", head, token.start, token.end)], 0) if head else None
+        if head == "x" or phrase is not None or head == "r":
+            middle = token.start + len(head)
+            kind, value = ("mark", None) if head == "x" else (phrase[1], phrase[2]) if phrase else ("key", "round")
+            number = Token("number", word[len(head) :], middle, token.end, int(word[len(head) :]), True)
+            return [Token(kind, head, token.start, middle, value, token.glued), number]
+        return [token]
+
+
+def _of_both(name: str) -> bool:
+    """Whether a stitch has one name on both sides of the Atlantic."""
+    return not any(kind in name for kind in ("sc", "dc", "tr"))
+
+
+@lru_cache(maxsize=16)
+def _shared(code: str) -> Vocabulary:
+    return Vocabulary(code)
+
+
+def vocabulary(code: str) -> Vocabulary:
+    """The vocabulary of the terms ``code``, to which a pattern may add its own words."""
+    made = copy(_shared(code))
+    made.own()
+    return made

@@ -1,0 +1,1 @@
+"""Settle: from a StitchGraph to the shape at which its fabric rests."""

@@ -1,0 +1,367 @@
+"""Body: a stitch graph as arrays for the kernels, and the one function that sums all of its forces.
+
+Lengths are in stitches (the stitch's width is 1). `displacement` is the seed's D: what a step adds to the positions.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import BLO, FLO, JOIN, ROOT, SEWN, TIP, StitchGraph
+
+if TYPE_CHECKING:
+    from tambour.crochet.params import CrochetParams
+
+SKIN = 0.5
+"""How much farther than the reach of contact pairs are listed, so that the list serves several evaluations."""
+LEAST_VOLUME = 0.01
+"""Below this share of A^1.5, A the part's area in stitches, the pressure rises no further (a ball has 0.094)."""
+SEAM_HEIGHT = 0.4
+"""How far above the fabric that they are sewn to stitches of a seam lie at least, in stitches."""
+SMOOTHING = 2
+"""How often the skeleton's centres are smoothed."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Body:
+    """Everything that the forces need and that does not move. Every list is sorted by its latest node.
+
+    Shapes: part (N,), root (N,) the node that stays where it is for each node; edges (E, 2), rest (E,);
+    loop_nodes (L,), loop_planes (L, 3), loop_strength (L,); triples (T, 3), bending (T,);
+    fabric (G, 3) faces without lids; faces (F, 3), face_part (F,), lid_offsets, lid_nodes with them; amount (P,) of
+    stuffing, per_edge and pressure (P,) its ln V energy per edge and in all, least (P,) volume;
+    lying (K, 4) : stitches of placed parts' seams and triangles that they lie on
+    offsets, neighbours : the edges as ragged lists; reach, near, touch : contact's distances and stiffness (0: none)
+    centroid : f, cap, b, c; first (P + 1,) each part's centroids
+    radius (S,), section_offsets, members, section_neighbours : the skeleton, see bones; bone (P + 1,) each part's sections
+    """
+
+    stuffing: str
+    part: Array
+    root: Array
+    edges: Array
+    rest: Array
+    loop_nodes: Array
+    loop_planes: Array
+    loop_strength: Array
+    triples: Array
+    bending: Array
+    fabric: Array
+    faces: Array
+    face_part: Array
+    lid_offsets: Array
+    lid_nodes: Array
+    amount: Array
+    per_edge: Array
+    pressure: Array
+    least: Array
+    offsets: Array
+    neighbours: Array
+    reach: float
+    near: float
+    touch: float
+    centroid: tuple[float, float, float, float]
+    first: Array
+    bone: Array
+    radius: Array
+    section_offsets: Array
+    members: Array
+    section_neighbours: Array
+    skeleton: float
+    lying: Array
+
+    def __len__(self) -> int:
+        return len(self.part)
+
+    @property
+    def cubic(self) -> bool:
+        """Whether links follow the seed's cubic law rather than springs."""
+        return self.stuffing in ("centroid", "skeleton")
+
+    @property
+    def step(self) -> float:
+        """The factor of a plain step: the seed's 1, and 0.2 for springs, which would swing at 1."""
+        return 1.0 if self.cubic else 0.2
+
+
+@dataclass(eq=False, slots=True)
+class State:
+    """What moves: positions x (N, 3) and centroids c (C, 3); and what was last measured."""
+
+    x: Array
+    c: Array
+    volume: Array
+    pair: Array = field(default_factory=lambda: np.zeros((0, 2), np.int32))
+    reach: Array = field(default_factory=lambda: np.zeros(0))
+    listed: Array | None = None
+    evaluations: int = 0
+
+
+def volumes(body: Body, x: Array) -> Array:
+    """The volume of every part (P,) in cubic stitches, openings closed by lids."""
+    from tambour.crochet.settle.stuffing import pressure
+
+    made, none = np.zeros(len(body.amount)), np.zeros(len(body.amount))
+    pressure(x, body.faces, body.face_part, body.lid_offsets, body.lid_nodes, none, body.least, made, np.zeros_like(x))
+    return made
+
+
+def displacement(body: Body, state: State, move_centroids: bool = True) -> Array:
+    """D (N, 3): the sum of all forces on every node, less that on its root. Moves the centroids of ``state``."""
+    from tambour.crochet.settle import contact, forces, stuffing
+
+    x = state.x
+    D = np.zeros_like(x)
+    forces.link(x, body.edges, body.rest, body.cubic, D)
+    if len(body.triples):
+        forces.bend(x, body.triples, body.bending, D)
+    if body.stuffing == "pressure":
+        stuffing.pressure(
+            x, body.faces, body.face_part, body.lid_offsets, body.lid_nodes, body.pressure, body.least, state.volume, D
+        )
+    elif body.stuffing == "centroid":
+        c = state.c if move_centroids else state.c.copy()
+        stuffing.centroids(x, body.part, body.first, c, *body.centroid, body.amount, D)
+    elif body.stuffing == "skeleton":
+        centres = np.zeros((len(body.radius), 3))
+        stuffing.sections(x, body.section_offsets, body.members, body.section_neighbours, SMOOTHING, centres)
+        cap = body.centroid[1]
+        stuffing.skeleton(x, body.part, body.bone, centres, body.radius, body.skeleton, cap, body.amount, D)
+        state.c = centres
+    forces.single_loop(x, body.loop_nodes, body.loop_planes, body.loop_strength, D)
+    if body.touch > 0.0:
+        touching(body, state)
+        contact.contact(x, state.pair, state.reach, body.touch, D)
+        if len(body.lying):
+            contact.lie(x, body.lying, SEAM_HEIGHT, body.touch, D)
+    state.evaluations += 1
+    D -= D[body.root]
+    return D
+
+
+def touching(body: Body, state: State) -> None:
+    """List the pairs of ``state`` that may touch, unless the last list still serves."""
+    from tambour.crochet.settle import contact
+
+    x = state.x
+    known = state.listed
+    if known is not None and len(known) == len(x) and contact.strayed(x, known) < (0.5 * SKIN) ** 2:
+        return
+    out, reach = np.empty((max(256, 4 * len(x)), 2), np.int32), np.empty(max(256, 4 * len(x)))
+    found = contact.pairs(x, body.offsets, body.neighbours, body.reach, body.near, SKIN, out, reach)
+    if found > len(out):
+        out, reach = np.empty((found, 2), np.int32), np.empty(found)
+        contact.pairs(x, body.offsets, body.neighbours, body.reach, body.near, SKIN, out, reach)
+    state.pair, state.reach, state.listed = out[:found], reach[:found], x.copy()
+
+
+def build(
+    graph: StitchGraph, params: CrochetParams, width: float, stuffing: str, centroids: Array | None = None
+) -> Body:
+    """The body of a graph.
+
+    width : the stitch's width in mm, the unit of length; stuffing : what fills it
+    centroids : (P,) the number of each part's centroids, for centroid stuffing
+    """
+    from tambour.crochet.graph.layout import rise, sections
+    from tambour.crochet.graph.lids import lids
+    from tambour.crochet.settle.bones import bones
+    from tambour.crochet.settle.contact import ragged
+
+    n, parts = len(graph), len(graph.parts)
+    order = np.argsort(graph.edges[:, 0], kind="stable")
+    edges = graph.edges[order]
+    rest = graph.rest[order] / width * params.link_distance
+    faces = graph.faces[np.argsort(graph.faces.max(1, initial=0), kind="stable")]
+    face_part = graph.part[faces.max(1, initial=0)]
+    fabric = faces
+    faces, face_part, rims, rim = lids(faces, face_part, n)
+    inside = np.bincount(graph.part[edges[:, 0]], minlength=parts)
+    amount = np.array([0.0 if stuffing == "none" else p.stuffing for p in graph.parts], np.float64)
+    area = np.array([p.end - p.start for p in graph.parts], np.float64)
+    loops = np.flatnonzero(np.isin(graph.peculiarity, (FLO, BLO)) & (graph.plane >= 0).all(1))
+    loops = loops[np.argsort(np.maximum(loops, graph.plane[loops].max(1, initial=0)), kind="stable")]
+    sign = np.where(graph.peculiarity[loops] == BLO, 1.0, -1.0)
+    offsets, neighbours = ragged(n, edges, graph.edge_kind[order] == SEWN)
+    radius, section_offsets, members, beside = bones(graph, sections(graph), rise(graph, graph.rest / width))
+    bone = np.searchsorted(graph.part[members[section_offsets[:-1]]], np.arange(parts + 1)).astype(np.int64)
+    triples, stiff = _straight(graph, amount, params.bending) if not _cubic(stuffing) else (np.zeros((0, 3)), [])
+    first = np.zeros(parts + 1, np.int64)
+    if centroids is not None:
+        np.cumsum(centroids, out=first[1:])
+    stiffness = params.contact_stiffness or (0.2 if _cubic(stuffing) else 1.0)
+    return Body(
+        stuffing=stuffing,
+        part=graph.part,
+        root=roots(graph),
+        edges=edges,
+        rest=rest,
+        loop_nodes=loops.astype(np.int32),
+        loop_planes=np.ascontiguousarray(graph.plane[loops]),
+        loop_strength=sign * params.single_loop_force,
+        triples=np.asarray(triples, np.int32).reshape(-1, 3),
+        bending=np.asarray(stiff, np.float64),
+        fabric=fabric,
+        faces=faces.astype(np.int32),
+        face_part=face_part.astype(np.int32),
+        lid_offsets=rims,
+        lid_nodes=rim,
+        amount=amount,
+        per_edge=params.pressure * amount,
+        pressure=params.pressure * amount * inside,
+        least=LEAST_VOLUME * area**1.5,
+        offsets=offsets,
+        neighbours=neighbours,
+        reach=params.contact_distance,
+        near=params.contact_near,
+        touch=stiffness if params.contact else 0.0,
+        centroid=(params.centroid_force, params.centroid_cap, params.weight_peak, params.weight_width),
+        first=first,
+        bone=bone,
+        radius=radius,
+        section_offsets=section_offsets,
+        members=members,
+        section_neighbours=beside,
+        skeleton=params.skeleton_force,
+        lying=np.zeros((0, 4), np.int32),
+    )
+
+
+def grown(body: Body, m: int) -> Body:
+    """The body when only its first ``m`` nodes are worked."""
+    from tambour.crochet.graph.lids import lids
+
+    def upto(latest: Array) -> int:
+        return int(np.searchsorted(latest, m))
+
+    edges = body.edges[: upto(body.edges[:, 0])]
+    loops = upto(np.maximum(body.loop_nodes, body.loop_planes.max(1, initial=0)))
+    straight = upto(body.triples.max(1, initial=0))
+    fabric = body.fabric[: upto(body.fabric.max(1, initial=0))]
+    part = body.part[:m]
+    faces, face_part, rims, rim = lids(fabric, part[fabric.max(1, initial=0)], m)
+    root = body.root[:m]
+    lowest = np.full(len(body), m)
+    np.minimum.at(lowest, root, np.arange(m))
+    kept = upto(body.members)
+    sections = int(np.searchsorted(body.section_offsets[:-1], kept))
+    beside = body.section_neighbours[:sections]
+    return replace(
+        body,
+        part=part,
+        root=np.where(root < m, root, lowest[root]).astype(np.int32),
+        edges=edges,
+        rest=body.rest[: len(edges)],
+        loop_nodes=body.loop_nodes[:loops],
+        loop_planes=body.loop_planes[:loops],
+        loop_strength=body.loop_strength[:loops],
+        triples=body.triples[:straight],
+        bending=body.bending[:straight],
+        fabric=fabric,
+        faces=faces.astype(np.int32),
+        face_part=face_part.astype(np.int32),
+        lid_offsets=rims,
+        lid_nodes=rim,
+        pressure=body.per_edge * np.bincount(part[edges[:, 0]], minlength=len(body.amount)),
+        bone=np.minimum(body.bone, sections),
+        radius=body.radius[:sections],
+        section_offsets=np.minimum(body.section_offsets[: sections + 1], kept),
+        members=body.members[:kept],
+        section_neighbours=np.where(beside < sections, beside, -1).astype(np.int32),
+    )
+
+
+def joined_up(body: Body, nodes: Array, stays: Array, rest: Array, lying: Array) -> Body:
+    """The body of ``nodes`` (rising) whose parts were placed.
+
+    stays : pairs (K, 2) of nodes with springs of lengths ``rest`` (K,) between them, no fabric; lying : (L, 4), as in Body
+    """
+    inside = np.isin(stays, nodes).all(1)
+    own = np.searchsorted(nodes, stays[inside])
+    edges = np.concatenate([body.edges, np.column_stack([own.max(1, initial=0), own.min(1, initial=len(nodes))])])
+    order = np.argsort(edges[:, 0], kind="stable")
+    return replace(
+        body,
+        edges=np.ascontiguousarray(edges[order], body.edges.dtype),
+        rest=np.concatenate([body.rest, rest[inside]])[order],
+        lying=np.searchsorted(nodes, lying[np.isin(lying, nodes).all(1)]).astype(np.int32),
+    )
+
+
+def _cubic(stuffing: str) -> bool:
+    return stuffing in ("centroid", "skeleton")
+
+
+def roots(graph: StitchGraph) -> Array:
+    """For each node the node of its connected piece that stays in place (N,): its first root, else its first node."""
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
+    n = len(graph)
+    if not n:
+        return np.zeros(0, np.int32)
+    ones = np.ones(len(graph.edges), np.int8)
+    _, label = connected_components(coo_matrix((ones, (graph.edges[:, 0], graph.edges[:, 1])), shape=(n, n)), False)
+    order = np.lexsort((np.arange(n), graph.peculiarity != ROOT, label))
+    _, first = np.unique(label[order], return_index=True)
+    return order[first][label].astype(np.int32)
+
+
+def _straight(graph: StitchGraph, amount: Array, stiffness: float) -> tuple[Array, Array]:
+    """Triples a, b, c that fabric without stuffing keeps straight: along the yarn, and from round to round."""
+    loose = amount[graph.part] == 0.0
+    if stiffness == 0.0 or not loose.any():
+        return np.zeros((0, 3)), np.zeros(0)
+    b, p = graph.previous, graph.parent
+    # Below a chain between stitches lies what the stitch before it stands on.
+    below, free = p.copy(), (np.diff(graph.anchor_offsets) == 0) & (graph.peculiarity != ROOT) & (b >= 0)
+    for n in np.flatnonzero(free & loose).tolist():
+        below[n] = below[b[n]]
+    found = []
+    for before in (b, p):
+        middle = before
+        last = np.where(middle >= 0, (b if before is b else below)[middle], -1)
+        ok = loose & (middle >= 0) & (last >= 0) & (graph.peculiarity != TIP)
+        same = graph.part[middle] == graph.part
+        ok &= same & ~np.isin(graph.peculiarity[middle], (ROOT, TIP))
+        if before is b:
+            # The yarn turns a corner where a row or a joined round begins: it rises from the stitch it goes on in.
+            rises = (p < 0) & (p[middle] >= 0)
+            ok &= (p != last) & (p[middle] != last) & (p != middle) & ~rises
+            # Chains between stitches turn corners as they please.
+            ok &= ~(free[middle] & (below[middle] >= 0))
+        else:
+            # Of the stitches that spread from one chain, those in the middle stand straight over it.
+            spread = np.flatnonzero(ok & free[middle])
+            for m in np.unique(middle[spread]).tolist():
+                own = spread[middle[spread] == m]
+                ok[own] = False
+                ok[own[(len(own) - 1) // 2 : len(own) // 2 + 1]] = True
+        nodes = np.flatnonzero(ok)
+        found.append(np.column_stack([nodes, middle[nodes], last[nodes]]))
+    # Across the join of a round the yarn does not lead on, but the fabric does.
+    last, first = graph.edges[(graph.edge_kind == JOIN) & loose[graph.edges[:, 0]]].T
+    second = np.minimum(first + 1, len(graph) - 1)
+    for ends, ok in (((second, first, last), b[second] == first), ((first, last, b[last]), b[last] >= 0)):
+        found.append(np.column_stack(ends)[ok])
+    triples = np.concatenate(found)
+    triples = triples[np.argsort(triples.max(1, initial=0), kind="stable")]
+    return triples, np.full(len(triples), stiffness)
+
+
+def centroid_counts(graph: StitchGraph, params: CrochetParams, told: Sequence[int | None] = ()) -> Array:
+    """How many centroids each part has (P,): the option's, else what the pattern told, else one per so many nodes."""
+    made = []
+    for k, part in enumerate(graph.parts):
+        size = part.end - part.start
+        wanted = params.centroids
+        if wanted is None and k < len(told):
+            wanted = told[k]
+        made.append(min(size, math.ceil(size / params.nodes_per_centroid) if wanted is None else wanted))
+    return np.array(made, np.int64)

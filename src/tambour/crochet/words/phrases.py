@@ -1,0 +1,328 @@
+"""Phrases: the sentences of a table of terms, filled and read back by one template.
+
+A template is plain words with ``{fields}``; ``[…]`` is said only where its field is not the usual value. ``{flat}`` and
+``{front}`` are empty: their bracket alone says them. Reading does not mind case, spaces, or the point at the end.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property, lru_cache
+from typing import Any, Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.finishes import RGB, SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
+from tambour.crochet.words.table import SENTENCES, Terms
+
+ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
+    "ring": ("mr", ()),
+    "color": ("color", ()),
+    "use color": ("color", ()),
+    "both loops": ("bl", ()),
+    "front loops": ("flo", ()),
+    "back loops": ("blo", ()),
+    "mark": ("mark", ()),
+    "goto": ("goto", ()),
+    "attach chain": ("attach", ()),
+    "attach over": ("attach", (0,)),
+    "attach merge": ("attach", (-1,)),
+    "turn": ("turn", ()),
+    "join": ("join", ()),
+    "close": ("fo", ()),
+    "sew": ("sew", ()),
+    "oval": ("oval", ()),
+    "foundation": ("fsc", ()),
+    "fold": ("fold", ()),
+    "fold to": ("fold", ()),
+}
+"""Sentence → the action that it says, and the numbers that it implies."""
+
+_NOWHERE: Final = Span(0, 0)
+_FINISH: Final = ("place", "eye", "embroider", "felt", "hair")
+_SILENT: Final = ("flat", "front")
+_NUMBER = r"-?\d{1,9}(?:\.\d+)?"
+_LABEL = r"[A-Za-z0-9_]+(?:\.\d+)?"
+_PIECES = re.compile(r"\{(\w+)\}|\[([^\]]*)\](?!\s*[x*])|([^{\[]+|\[)")
+
+
+@lru_cache(maxsize=512)
+def _pieces(template: str) -> tuple[tuple[str, str], ...]:
+    """("field", name), ("maybe", inner template) and ("words", text)."""
+    made = []
+    for field, maybe, words in _PIECES.findall(template):
+        made.append(("field", field) if field else ("maybe", maybe) if maybe else ("words", words))
+    return tuple(made)
+
+
+def number(value: float) -> str:
+    """A number as it is read back, without an exponent."""
+    return str(int(value)) if value == int(value) else format(Decimal(repr(float(value))), "f")
+
+
+def hexed(color: Iterable[int]) -> str:
+    """``#rrggbb``."""
+    return "#{:02x}{:02x}{:02x}".format(*color)
+
+
+@dataclass(frozen=True)
+class Phrases:
+    """The sentences of ``terms`` for one pattern.
+
+    copies : the name of every part → how often it is made; empty while the parts are not known: any words then are a name
+    legend : letter → the colour that the pattern calls so
+    """
+
+    terms: Terms
+    copies: Mapping[str, int]
+    legend: Mapping[str, RGB]
+
+    # -- names and colours ----------------------------------------------------------------------------------------
+
+    @cached_property
+    def _spoken(self) -> dict[str, str]:
+        """Part → what it is called: ``Ear.1`` is ``Ear 1`` unless another part has that name."""
+        made = {}
+        for name, n in self.copies.items():
+            made[name] = name
+            for k in range(1, n + 1):
+                plain = f"{name} {k}"
+                made[f"{name}.{k}"] = f"{name}.{k}" if n == 1 or plain in self.copies else plain
+        return made
+
+    @cached_property
+    def _parts(self) -> dict[str, str]:
+        return {said.lower(): name for name, said in self._spoken.items()}
+
+    @cached_property
+    def _shades(self) -> dict[RGB, str]:
+        from PIL import ImageColor
+
+        made = {hue: self.say("shade", letter=letter) for letter, hue in self.legend.items()}
+        for css, spellings in self.terms.colors.items():
+            made[ImageColor.getrgb(css)[:3]] = spellings[0]
+        return made
+
+    def shade(self, color: tuple[int, ...]) -> str:
+        """A colour: its name, else its letter in the legend, else ``#rrggbb``."""
+        red, green, blue = color
+        return self._shades.get((red, green, blue)) or hexed(color)
+
+    def color(self, words: str) -> RGB | None:
+        """The colour that ``words`` say; None where they say none."""
+        from PIL import ImageColor
+
+        said = " ".join(words.split()).lower()
+        for hue, spoken in self._shades.items():
+            if said == spoken.lower():
+                return hue
+        for css, spellings in self.terms.colors.items():
+            if said in (s.lower() for s in spellings):
+                return ImageColor.getrgb(css)[:3]
+        try:
+            return ImageColor.getrgb(said)[:3]
+        except ValueError:
+            return None
+
+    # -- saying ---------------------------------------------------------------------------------------------------
+
+    def say(self, key: str, **fields: Any) -> str:
+        """The sentence ``key``. A field that is None leaves out the brackets it stands in."""
+
+        def filled(template: str) -> str | None:
+            made = []
+            for what, words in _pieces(template):
+                if what == "maybe":
+                    made.append(filled(words) or "")
+                elif what == "words":
+                    made.append(words)
+                elif fields[words] is None:
+                    return None
+                else:
+                    made.append(self._value(words, fields[words]))
+            return "".join(made)
+
+        said = filled(self.terms.sentences[key])
+        assert said is not None, key
+        return said
+
+    def _value(self, field: str, value: Any) -> str:
+        if field in _SILENT:
+            return ""
+        if field == "color":
+            return self.shade(value)
+        if field == "shape":
+            return self.terms.word(value)
+        if field in ("part", "onto"):
+            return self._spoken.get(value, value)
+        if field == "spot":
+            return self._at(value)
+        if field == "spots":
+            return "; ".join(map(self._at, value))
+        return number(value) if isinstance(value, (int, float)) else str(value)
+
+    def _at(self, spot: Spot) -> str:
+        front = True if spot.stitch is None else None
+        whole = int(spot.round)
+        if spot.round - whole == 0.5:
+            return self.say("at between", round=whole, next=whole + 1, stitch=spot.stitch, front=front)
+        return self.say("at round", round=spot.round, stitch=spot.stitch, front=front)
+
+    def finish(self, record: Finish) -> str:
+        """The sentence of a finishing record."""
+
+        def odd(name: str) -> Any:
+            value = getattr(record, name)
+            usual = type(record).__dataclass_fields__[name].default
+            return None if value == usual else value
+
+        match record:
+            case Placed():
+                clauses = {name: odd(name) for name in ("flat", "across", "tilt", "towards", "by")}
+                return self.say("place", part=record.part, onto=record.spot.part, spot=record.spot, **clauses)
+            case Eye():
+                return self.say("eye", part=record.spot.part, spot=record.spot, size=record.size, color=odd("color"))
+            case Embroidery():
+                spots, part = record.spots, record.spots[0].part
+                return self.say("embroider", part=part, spots=spots, color=odd("color"), width=odd("width"))
+            case Felt():
+                return self.say(
+                    "felt",
+                    part=record.spot.part,
+                    spot=record.spot,
+                    shape=record.shape,
+                    width=record.width,
+                    height=record.height,
+                    turn=odd("turn"),
+                    color=odd("color"),
+                )
+            case Hair():
+                spots, part = record.spots, record.spots[0].part
+                return self.say(
+                    "hair", part=part, spots=spots, count=record.count, length=record.length, color=odd("color")
+                )
+
+    # -- reading --------------------------------------------------------------------------------------------------
+
+    def read(self, text: str, keys: Iterable[str] = tuple(SENTENCES)) -> tuple[str, dict[str, Any]] | None:
+        """Which sentence ``text`` is, whole, and its fields (those left out are not there); None for none of ``keys``."""
+        said = text.strip().rstrip(".").rstrip()
+        for key in keys:
+            found = self._compiled(key).fullmatch(said)
+            if not found:
+                continue
+            fields = {f: self._heard(f, words) for f, words in found.groupdict().items() if words is not None}
+            if all(value is not None for value in fields.values()):
+                return key, fields
+        return None
+
+    def item(self, text: str) -> tuple[str, tuple[int, ...], tuple[str, ...]] | None:
+        """The action (name, numbers, labels) that a piece of a round, or a line, says; None where it says none."""
+        found = self.read(text, ITEMS)
+        if found is None:
+            return None
+        key, fields = found
+        name, numbers = ITEMS[key]
+        labels = tuple(fields[f] for f in ("label", "one", "other") if f in fields)
+        if key == "ring":
+            numbers = (fields["count"], 0)
+        elif name == "color":
+            numbers = fields["color"]
+        elif key == "oval":
+            numbers = (fields["count"], fields["next"])
+        elif "count" in fields:
+            numbers = (fields["count"],)
+        return name, numbers, labels
+
+    def finishing(self, text: str, span: Span = _NOWHERE) -> Finish | None:
+        """The record that ``text`` says; None where it is no finishing sentence as :meth:`finish` makes them."""
+        found = self.read(text, _FINISH)
+        if found is None:
+            return None
+        key, fields = found
+        part = fields.pop("part")
+
+        def spot(at: tuple[float, float | None], where: str = part) -> Spot:
+            return Spot(where, *at, span)
+
+        if key == "place":
+            return Placed(part, spot(fields.pop("spot"), fields.pop("onto")), span=span, **fields)
+        if key in ("eye", "felt"):
+            return {"eye": Eye, "felt": Felt}[key](spot(fields.pop("spot")), span=span, **fields)
+        spots = tuple(spot(at) for at in fields.pop("spots"))
+        return {"embroider": Embroidery, "hair": Hair}[key](spots, span=span, **fields)
+
+    @cached_property
+    def _patterns(self) -> dict[str, re.Pattern[str]]:
+        return {}
+
+    def _compiled(self, key: str) -> re.Pattern[str]:
+        found = self._patterns.get(key)
+        if found is None:
+            found = self._patterns[key] = re.compile(self._regex(self.terms.sentences[key], True), re.IGNORECASE)
+        return found
+
+    def _regex(self, template: str, named: bool) -> str:
+        made = []
+        for what, words in _pieces(template):
+            if what == "maybe":
+                made.append(f"(?:{self._regex(words, named)})?")
+            elif what == "words":
+                made.append(r"\s+".join(re.escape(w) for w in re.split(r"\s+", words)))
+            else:
+                made.append(f"(?P<{words}>{self._field(words)})" if named else f"(?:{self._field(words)})")
+        return "".join(made)
+
+    def _field(self, field: str) -> str:
+        words = self.terms.words
+        if field in _SILENT:
+            return ""
+        if field in ("part", "onto"):
+            known = sorted(self._parts, key=len, reverse=True)
+            return "|".join(map(re.escape, known)) if known else r"[^,.:;()]+?(?:\.\d+)?"
+        if field == "color":
+            said = [s for spellings in self.terms.colors.values() for s in spellings]
+            shade = self._regex(self.terms.sentences["shade"], False)
+            return "|".join([r"#[0-9a-f]{6}\b", r"#[0-9a-f]{3}\b", shade, *map(re.escape, said)])
+        if field == "shape":
+            return "|".join(re.escape(s) for shape in SHAPES for s in words[shape])
+        if field in ("spot", "spots"):
+            spot = "|".join(self._regex(self.terms.sentences[k], False) for k in ("at between", "at round"))
+            return rf"(?:{spot})(?:\s*;\s*(?:{spot}))*" if field == "spots" else spot
+        if field in ("label", "one", "other"):
+            return _LABEL
+        if field == "letter":
+            return r"[A-Z]\d*"
+        if field == "hex":
+            return r"#[0-9a-f]{6}"
+        if field in ("count", "next"):
+            return r"\d{1,9}"
+        if field in ("name", "item", "items"):
+            return ".+?"
+        return _NUMBER
+
+    def _heard(self, field: str, words: str) -> Any:
+        if field in _SILENT:
+            return True
+        if field in ("part", "onto"):
+            return self._parts.get(words.lower(), words)
+        if field in ("color", "hex"):
+            return self.color(words)
+        if field == "shape":
+            return next(s for s in SHAPES if words.lower() in (w.lower() for w in self.terms.words[s]))
+        if field == "spot":
+            return self._place(words)
+        if field == "spots":
+            return [self._place(piece) for piece in words.split(";")]
+        if field in ("label", "one", "other", "letter", "name", "item", "items"):
+            return words.upper() if field == "letter" else words
+        return int(words) if field in ("count", "next") else float(words)
+
+    def _place(self, words: str) -> tuple[float, float | None]:
+        found = self.read(words, ("at between", "at round"))
+        assert found is not None  # it was matched by the same templates
+        fields = found[1]
+        middle = (fields["round"] + fields["next"]) / 2 if "next" in fields else fields["round"]
+        return middle, fields.get("stitch")

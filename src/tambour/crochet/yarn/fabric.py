@@ -1,0 +1,124 @@
+"""The fabric: the piece's yarn in space, one unbroken strand per run of a colour, as a hook would have led it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import ROOT, YARN, StitchGraph
+from tambour.core.mesh import Mesh
+from tambour.core.paths import Paths
+from tambour.core.strands import Strands
+from tambour.crochet.yarn.clearance import clear
+from tambour.crochet.yarn.course import course, place
+from tambour.crochet.yarn.lead import way
+from tambour.crochet.yarn.loops import RATIO
+from tambour.crochet.yarn.spline import smooth, thin
+from tambour.crochet.yarn.surface import lining
+from tambour.geometry.tube import sweep
+
+BLOOM = 1.32
+"""Radius drawn, in radii of the yarn's core: wool is soft outside, and neighbours press into each other."""
+
+SMALL, LARGE = 2000, 5000
+"""Stitches above which strands are pushed apart less thoroughly, and above which still less."""
+
+_DETAIL = {"low": (1, 1.0), "medium": (1, 0.1), "high": (2, 0.02)}
+"""Detail → pieces that a segment is split into, and how far points may stray, in radii."""
+
+
+def strands(
+    graph: StitchGraph,
+    positions: Array,
+    *,
+    yarn_radius: float | None = None,
+    detail: str = "medium",
+    bloom: float = BLOOM,
+) -> Strands:
+    """The yarn of a piece.
+
+    positions : (N, 3) mm of the graph's nodes
+    yarn_radius : mm; None takes an eighth of the stitch's width (a yarn a quarter as thick as the stitch is wide)
+    detail : low, medium, high: points along the yarn
+    bloom : radius drawn, in yarn radii
+
+    Returns a strand per run of one colour within which every stitch follows the one before, in the order of work, then
+    the yarn of the seams. ``source`` is the first stitch of a strand (-1 for seams), ``point_data["stitch"]`` (P,)
+    the stitch that every point belongs to.
+    """
+    x = np.ascontiguousarray(positions, np.float64)
+    radius = stitch_width(graph) * RATIO / 2 if yarn_radius is None else yarn_radius
+    led = way(graph)
+    rows = course(graph, x)
+    coords, ends = np.zeros((len(led.cell), 3)), led.ends
+    place(
+        led.cell, led.below, led.at, graph.height, graph.direction, 2 * radius / RATIO, rows.x, rows.along, rows.normal,
+        rows.up, rows.after, rows.before, rows.foot, rows.pace, graph.peculiarity == ROOT,
+        np.diff(graph.anchor_offsets) == 0, coords,
+    )  # fmt: skip
+    coords, ends, stitch = _dense(coords, ends, led.cell, 3.6 * radius)
+    if len(graph) <= LARGE:
+        clear(coords, ends, 2 * radius, looks=6 if len(graph) <= SMALL else 3)
+    else:
+        # Once, and no nearer to a diameter than is seen: the rest of the gain would take many seconds.
+        clear(coords, ends, 2 * radius, looks=1, rounds=8, apart=0.97)
+    pieces, stray = _DETAIL[detail]
+    if pieces > 1:
+        lengths = np.where(np.diff(ends) > 0, (np.diff(ends) - 1) * pieces + 1, 0)
+        later = np.concatenate([[0], np.cumsum(lengths)])
+        fine = np.zeros((int(later[-1]), 3))
+        smooth(coords, ends, pieces, fine)
+        inner = np.arange(len(fine)) - np.repeat(later[:-1], lengths)
+        stitch = stitch[np.repeat(ends[:-1], lengths) + inner // pieces]
+        coords, ends = fine, later
+    keep = np.zeros(len(coords), np.bool_)
+    thin(coords, ends, stray * radius, keep)
+    ends = np.concatenate([[0], np.cumsum(keep)])[ends]
+    coords = coords[keep]
+    return Strands(
+        Paths(coords, ends),
+        np.full(len(coords), radius * bloom),
+        led.color,
+        source=led.first,
+        point_data={"stitch": stitch[keep]},
+    )
+
+
+def _dense(coords: Array, ends: Array, stitch: Array, longest: float) -> tuple[Array, Array, Array]:
+    """Polylines without segments over ``longest``, for contact: those that are longer are split evenly."""
+    step = np.zeros(len(coords))
+    step[:-1] = np.linalg.norm(np.diff(coords, axis=0), axis=1)
+    step[ends[1:] - 1] = 0.0
+    times = np.maximum(1, np.ceil(step / longest)).astype(np.int64)
+    begin = np.concatenate([[0], np.cumsum(times)])
+    of = np.repeat(np.arange(len(coords)), times)
+    part = ((np.arange(len(of)) - begin[of]) / times[of])[:, None]
+    after = np.minimum(of + 1, len(coords) - 1)
+    return (1 - part) * coords[of] + part * coords[after], begin[ends], stitch[of]
+
+
+SIDES = {"low": 4, "medium": 5, "high": 10}
+"""Detail → corners of the yarn's cross-section."""
+
+
+def mesh(graph: StitchGraph, positions: Array, *, detail: str = "medium", made: Strands | None = None) -> Mesh:
+    """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, swept to tubes over a dark lining."""
+    made = strands(graph, positions, detail=detail) if made is None else made
+    yarn = sweep(made, sides=SIDES[detail])
+    inner = lining(graph, positions, stitch_width(graph))
+    v = len(yarn.vertices)
+    assert yarn.color is not None and inner.color is not None and yarn.uv is not None
+    return Mesh(
+        np.vstack([yarn.vertices, inner.vertices]),
+        np.vstack([yarn.faces, inner.faces + v]),
+        color=np.vstack([yarn.color, inner.color]),
+        uv=np.vstack([yarn.uv, np.zeros((len(inner.vertices), 2))]),
+        face_group=np.repeat(np.array([0, 1], np.int32), [len(yarn.faces), len(inner.faces)]),
+        group_names=("yarn", "lining"),
+    )
+
+
+def stitch_width(graph: StitchGraph) -> float:
+    """Width of a stitch, mm: the mean rest length along the yarn; 5 where there is no such edge."""
+    along = graph.edge_kind == YARN
+    return float(graph.rest[along].mean()) if along.any() else 5.0

@@ -1,0 +1,269 @@
+"""The yarn's way through the whole piece: stitch after stitch, its ends, rings, closings, joins and seams."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import BACK, JOIN, ROOT, SEWN, TIP, StitchGraph
+from tambour.crochet.language.stitches import POSTS
+from tambour.crochet.yarn.loops import BACK_ONLY, CHAIN, FRONT_ONLY, HEAD, SINGLE, count_points, lead
+
+# What a node is to the yarn.
+NONE, STITCH, CHAINED = 0, 1, 2
+
+# Ends and joins in (u, v, w); heights are those in a single crochet.
+_INWARD = np.array([(-0.12, 0.40, -0.45), (0.18, 0.30, -0.80), (0.45, 0.45, -0.95)])
+_OUTWARD = np.array([(0.45, 0.75, -0.95), (0.10, 0.65, -0.75), (-0.18, 0.60, -0.30)])
+_BEGIN = np.array([(-1.0, 0.5, -0.95), (-1.2, 0.6, -0.6)])
+_RING = np.array([(0.3, -0.4, -1.1), (0.1, -0.35, -0.6), (0.05, -0.2, -0.1)])
+_ROUND = np.array([(0.2, -0.06, 0.1), (0.7, -0.06, 0.1)])
+_GATHER = np.array([(0.3, 0.5, 0.1), (0.75, 0.5, 0.1)])
+_CLOSE = np.array([(0.2, 0.85, 0.0), (0.2, 1.0, -0.5), (0.2, 0.9, -1.2)])
+# A slip stitch, from the top of the stitch that it is worked into.
+_SLIP = np.array(
+    [
+        (0.19, -0.26, -0.28),
+        (0.06, -0.41, 0.0),
+        (0.12, -0.12, 0.38),
+        (0.25, 0.2, 0.42),
+        (0.4, 0.38, 0.1),
+        (0.3, 0.2, -0.3),
+    ]
+)
+# The hanging loop of a loop stitch, after the LOOPED-th point of the stitch.
+LOOPED = 13
+_HANGING = np.array(
+    [
+        (0.12, 0.1, 0.75),
+        (0.2, -0.4, 1.3),
+        (0.12, -1.1, 1.45),
+        (0.0, -1.3, 1.4),
+        (-0.1, -1.1, 1.3),
+        (-0.1, -0.3, 1.1),
+        (0.0, 0.0, 0.7),
+    ]
+)
+_SEAM = np.array([(0.0, 0.0, -0.55), (0.0, 0.0, 0.62)])
+
+# What comes first where several things happen at one place of the yarn.
+_AFTER, _END, _BREAK, _START = range(4)
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """P control points of S strands.
+
+    cell, below : (P,) and at : (P, 3), as :func:`tambour.crochet.yarn.course.place` takes them; ends : (S + 1,)
+    first : (S,) the first stitch of each strand, -1 for a seam; color : (S, 3) uint8
+    """
+
+    cell: Array
+    below: Array
+    at: Array
+    ends: Array
+    first: Array
+    color: Array
+
+
+class _Pieces:
+    """Points to put in between those of the stitches, and where strands begin."""
+
+    def __init__(self) -> None:
+        self.rows: list[tuple[int, int, int, int, float, float, float]] = []
+        self.breaks: list[tuple[int, int]] = []
+
+    def put(self, where: int, when: int, cell: int, below: int, rows: Array, rise: float = 0.0) -> None:
+        """Points ``rows`` (K, 3) in a cell, before the point that is now number ``where``."""
+        self.rows += [(where, when, cell, below, u, v + rise, w) for u, v, w in rows.tolist()]
+
+    def begin(self, where: int, stitch: int) -> None:
+        """A strand begins with the point that is now number ``where``."""
+        self.breaks.append((where, stitch))
+
+
+def roles(graph: StitchGraph) -> Array:
+    """What every node is to the yarn: NONE, STITCH or CHAINED."""
+    role = np.full(len(graph), STITCH, np.int8)
+    role[np.diff(graph.anchor_offsets) == 0] = CHAINED
+    role[(graph.peculiarity == ROOT) | (graph.peculiarity == TIP)] = NONE
+    return role
+
+
+def way(graph: StitchGraph) -> Way:
+    """The way of the yarn through a graph."""
+    n = len(graph)
+    role = roles(graph)
+    count = np.zeros(n, np.int64)
+    count_points(role, graph.anchor_offsets, graph.height, count)
+    start = np.concatenate([[0], np.cumsum(count)])
+    total = int(start[-1])
+    cell, below, at = np.zeros(total, np.int32), np.zeros(total, np.int32), np.zeros((total, 3))
+    ridge = np.zeros(n, np.bool_)
+    ridge[graph.parent[(graph.loop == BACK) & (graph.parent >= 0)]] = True
+    ring = (graph.parent >= 0) & (graph.peculiarity[np.maximum(graph.parent, 0)] == ROOT) & (role == STITCH)
+    lead(
+        role,
+        start,
+        graph.anchors,
+        graph.anchor_offsets,
+        graph.height,
+        np.where(ring, 0, graph.loop.astype(np.int64)),
+        ridge,
+        np.stack([SINGLE, FRONT_ONLY, BACK_ONLY]),
+        CHAIN,
+        *_shapes(graph),
+        cell,
+        below,
+        at,
+    )
+    follows = np.zeros(n, np.bool_)  # the yarn comes straight from the node before
+    worked = np.flatnonzero(role != NONE)
+    later = worked[worked > 0]
+    follows[later] = (
+        (graph.previous[later] == later - 1) & (role[later - 1] != NONE) & (graph.part[later] == graph.part[later - 1])
+    )
+    # The last node that a stitch was worked into; a chain has none.
+    on = np.full(n, -1, np.int64)
+    on[role == STITCH] = graph.anchors[graph.anchor_offsets[1:][role == STITCH] - 1]
+    pieces = _Pieces()
+    for i, loops in _loops(graph):
+        for _ in range(loops):
+            pieces.put(int(start[i]) + LOOPED, _AFTER, i, int(on[i]), _HANGING)
+    drop = np.zeros(total, np.bool_)
+    for i in worked[~follows[worked]].tolist():
+        _begun(graph, pieces, i, int(on[i]), int(start[i]), role, ring, follows, drop)
+    changed = worked[follows[worked]]
+    changed = changed[(graph.color[changed] != graph.color[changed - 1]).any(1)]
+    for i in changed.tolist():
+        # The new colour is taken up with the top loop of the stitch before.
+        p, where = i - 1, int(start[i]) - (48 - HEAD)
+        rise = float(graph.height[p]) - 1
+        pieces.put(where, _END, p, int(on[p]), _INWARD, rise)
+        pieces.begin(where, i)
+        pieces.put(where, _START, p, int(on[p]), _OUTWARD, rise)
+    joins = graph.edges[graph.edge_kind == JOIN]
+    for i, a in joins[(role[joins] != NONE).all(1)].tolist():
+        pieces.put(int(start[i + 1]), _AFTER, a, -1, _SLIP, float(graph.height[a]))
+    tips = {int(graph.previous[t]) if graph.previous[t] >= 0 else int(t) - 1: t for t in _tips(graph)}
+    last = np.ones(n, np.bool_)
+    last[:-1] = ~follows[1:]
+    for i in worked[last[worked]].tolist():
+        _ended(graph, pieces, i, int(on[i]), int(start[i + 1]), tips.get(i))
+        if i in tips:
+            # The last top loop is not left lying: its yarn is drawn on.
+            drop[int(start[i + 1]) - (48 - HEAD) + 3 : int(start[i + 1])] = True
+    return _joined(graph, cell, below, at, drop, pieces)
+
+
+def _shapes(graph: StitchGraph) -> tuple[Array, Array, Array]:
+    """How deep every node (N,) is worked, how far it stands out, and how far it bulges, for :func:`loops.lead`."""
+    deep, relief = np.zeros(len(graph.kinds)), np.zeros(len(graph.kinds))
+    for k, kind in enumerate(graph.kinds):
+        if kind in POSTS:
+            deep[k], relief[k] = 0.45, 0.28 if kind.startswith("fp") else -0.28
+        elif kind == "spike":
+            deep[k] = 1.0
+    count = np.diff(graph.anchor_offsets)
+    # It bulges outwards, also where rows are seen from their back.
+    flat = np.array([0.5 if kind.startswith("cl") else 1.0 for kind in graph.kinds])[graph.kind]
+    bump = np.where(count > 1, 0.3 + 0.16 * np.minimum(count, 6), 0.0) * flat * graph.direction
+    return deep[graph.kind], relief[graph.kind], bump
+
+
+def _loops(graph: StitchGraph) -> list[tuple[int, int]]:
+    """Stitches whose yarn hangs out in loops, and how many."""
+    found = []
+    for kind, loops in (("loopst", 1), ("fur", 2)):
+        if kind in graph.kinds:
+            found += [(n, loops) for n in np.flatnonzero(graph.kind == graph.kinds.index(kind)).tolist()]
+    return found
+
+
+def _tips(graph: StitchGraph) -> list[int]:
+    return [int(t) for t in np.flatnonzero(graph.peculiarity == TIP)]
+
+
+def _begun(
+    graph: StitchGraph,
+    pieces: _Pieces,
+    i: int,
+    on: int,
+    where: int,
+    role: Array,
+    ring: Array,
+    follows: Array,
+    drop: Array,
+) -> None:
+    """The yarn's beginning before stitch ``i``: a magic ring, the first chain, or yarn joined anew."""
+    pieces.begin(where, i)
+    if ring[i]:
+        # A tail, once around the ring, then into it.
+        pieces.put(where, _START, i, on, _RING)
+        k = i
+        while k < len(graph) and ring[k] and graph.parent[k] == graph.parent[i] and (k == i or follows[k]):
+            pieces.put(where, _START, k, on, _ROUND)
+            k += 1
+        drop[where : where + 4] = True
+    elif role[i] == CHAINED:
+        pieces.put(where, _START, i, -1, _OUTWARD)
+        drop[where : where + 4] = True
+    else:
+        pieces.put(where, _START, i, on, _BEGIN, float(graph.height[i]) - 1)
+
+
+def _ended(graph: StitchGraph, pieces: _Pieces, i: int, on: int, where: int, tip: int | None) -> None:
+    """The yarn's end after stitch ``i``: drawn through the last round's stitches and inside, or only inside."""
+    if tip is None:
+        pieces.put(where, _END, i, on, _INWARD, float(graph.height[i]) - 0.9)
+        return
+    for a in graph.anchors[graph.anchor_offsets[tip] : graph.anchor_offsets[tip + 1]].tolist():
+        pieces.put(where, _END, a, -2 - tip, _GATHER)
+    pieces.put(where, _END, i, -2 - tip, _CLOSE)
+
+
+def _joined(graph: StitchGraph, cell: Array, below: Array, at: Array, drop: Array, pieces: _Pieces) -> Way:
+    """Stitches, pieces in between and the seams' yarn, in the order of the yarn."""
+    total = len(cell)
+    seams = _seams(graph)
+    for number, (later, earlier) in enumerate(seams):
+        if number == 0 or (graph.part[seams[number - 1]] != graph.part[[later, earlier]]).any():
+            pieces.breaks.append((total, -1 - later))
+            seam = len(pieces.breaks)
+        for node, rows in ((earlier, _SEAM), (later, _SEAM[::-1])):
+            pieces.put(total, _START + seam, node, -1, rows, float(graph.height[node]))
+    rows = np.array(pieces.rows).reshape(-1, 7)
+    order = np.lexsort((np.arange(len(rows)), rows[:, 1], rows[:, 0]))
+    rows = rows[order]
+    where, when = rows[:, 0].astype(np.int64), rows[:, 1].astype(np.int64)
+    cell = np.insert(cell, where, rows[:, 2].astype(np.int32))
+    below = np.insert(below, where, rows[:, 3].astype(np.int32))
+    at = np.insert(at, where, rows[:, 4:], axis=0)
+    keep = np.insert(~drop, where, True)
+    # A strand begins behind what ends there and before what starts there.
+    marks = []
+    for number, (place, stitch) in enumerate(pieces.breaks, 1):
+        level = _BREAK if stitch >= 0 else _START + number
+        marks.append((place + int(((where < place) | ((where == place) & (when < level))).sum()), stitch))
+    marks.sort()
+    kept = np.concatenate([[0], np.cumsum(keep)])
+    begins = kept[[place for place, _ in marks]] if marks else np.zeros(0, np.int64)
+    first = np.array([stitch for _, stitch in marks], np.int64)
+    color = graph.color[np.where(first >= 0, first, -1 - first)] if len(first) else np.zeros((0, 3), np.uint8)
+    return Way(
+        np.ascontiguousarray(cell[keep]),
+        np.ascontiguousarray(below[keep]),
+        np.ascontiguousarray(at[keep]),
+        np.concatenate([begins, [int(keep.sum())]]).astype(np.int64),
+        np.maximum(first, -1).astype(np.int32),
+        color,
+    )
+
+
+def _seams(graph: StitchGraph) -> Array:
+    """Pairs (S, 2) sewn together, later node first, in the order that a needle would take them."""
+    pairs = graph.edges[graph.edge_kind == SEWN]
+    part = graph.part[pairs]
+    return np.asarray(pairs[np.lexsort((pairs[:, 0], part[:, 1], part[:, 0]))])

@@ -1,0 +1,1 @@
+"""Cloth: thread as it lies on cloth that moves."""

@@ -1,0 +1,1 @@
+"""Columns: satin, along two rails or across an area's middle lines."""

@@ -1,0 +1,325 @@
+"""Satin for areas: an area's middle lines, and the columns across them (letters, leaves, stems)."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.embroidery.columns.satin import Column, resample
+
+SAMPLE = 0.35  # mm between the outline's samples (finer in small areas)
+SPUR = 1.46  # a branch that reaches no farther than this many radii beyond its fork is a corner, not a limb
+
+
+def skeleton(area: Any) -> tuple[Array, Array, list[tuple[int, int]]]:
+    """The middle lines of a shapely polygon: (places (n, 2), radii (n,), edges), corners' spurs left out.
+
+    The Voronoi vertices of dense outline samples that lie inside (Blum's medial axis, approximated).
+    """
+    import shapely
+    from scipy.spatial import Voronoi
+
+    step = min(SAMPLE, max(0.05, area.length / 400))
+    samples = [shapely.get_coordinates(shapely.segmentize(r, step))[:-1] for r in (area.exterior, *area.interiors)]
+    ring = np.concatenate([np.full(len(s), k) for k, s in enumerate(samples)])
+    place = np.concatenate([np.arange(len(s)) for s in samples])
+    size = np.array([len(s) for s in samples])
+    points = np.concatenate(samples)
+    # A grain of unevenness keeps Qhull from degenerate fans on perfect circles and grids.
+    points = points + 1e-6 * np.c_[np.sin(np.arange(len(points)) * 12.9898), np.cos(np.arange(len(points)) * 78.233)]
+    net = Voronoi(points)
+    shapely.prepare(area)
+    inside = shapely.contains_xy(area, net.vertices)
+    edges = []
+    for (p, q), (a, b) in zip(net.ridge_points.tolist(), net.ridge_vertices):
+        if a < 0 or b < 0 or not inside[a] or not inside[b]:
+            continue
+        near = abs(int(place[p]) - int(place[q]))
+        if ring[p] == ring[q] and min(near, size[ring[p]] - near) < 3:
+            continue  # between neighbours of the outline: a branch into its grain
+        edges.append((a, b))
+    used = np.unique(np.array(edges, np.int64).reshape(-1))
+    number = {int(v): k for k, v in enumerate(used)}
+    places = net.vertices[used]
+    radius = np.asarray(shapely.distance(shapely.points(places), area.boundary)) if len(places) else np.zeros(0)
+    return places, radius, [(number[a], number[b]) for a, b in edges]
+
+
+def branches(places: Array, radius: Array, edges: list[tuple[int, int]]) -> list[tuple[Array, bool, bool]]:
+    """The limbs of a skeleton: (indices along it, whether its first end is free, whether its last end is).
+
+    Spurs into corners go first, shortest first, each time joining what is left at their fork.
+    """
+    near: list[set[int]] = [set() for _ in range(len(places))]
+    for a, b in edges:
+        if a != b:
+            near[a].add(b)
+            near[b].add(a)
+
+    def limb(a: int, b: int) -> list[int]:
+        path = [a, b]
+        while len(near[path[-1]]) == 2 and path[-1] != a:
+            step = next(n for n in near[path[-1]] if n != path[-2])
+            if step == path[0]:
+                path.append(step)
+                break
+            path.append(step)
+        return path
+
+    def length(path: list[int]) -> float:
+        return float(np.hypot(*np.diff(places[path], axis=0).T).sum())
+
+    while True:
+        spurs: dict[int, list[tuple[float, list[int]]]] = {}
+        for a in range(len(near)):
+            if len(near[a]) != 1:
+                continue
+            path = limb(a, next(iter(near[a])))
+            if len(near[path[-1]]) <= 1:
+                continue
+            excess = (length(path) + radius[path[0]]) / max(SPUR * radius[path[-1]], 1e-9)
+            if excess < 1:
+                spurs.setdefault(path[-1], []).append((excess, path))
+        if not spurs:
+            break
+        fork = min(spurs, key=lambda f: min(spurs[f])[0])
+        gone = sorted(spurs[fork])
+        if len(near[fork]) <= len(gone):
+            gone = gone[:1]  # nothing but corners meet here: the longer ones are its limbs
+        for _, path in gone:
+            for p, q in itertools.pairwise(path):
+                near[p].discard(q)
+                near[q].discard(p)
+    made = []
+    seen: set[tuple[int, int]] = set()
+    starts = [a for a in range(len(near)) if len(near[a]) not in (0, 2)]
+    for a in starts:
+        for b in sorted(near[a]):
+            if (a, b) in seen:
+                continue
+            path = limb(a, b)
+            seen.add((a, b))
+            seen.add((path[-1], path[-2]))
+            made.append((np.array(path), len(near[a]) == 1, len(near[path[-1]]) == 1))
+    visited = {i for path, _, _ in made for i in path.tolist()}
+    for a in range(len(near)):
+        if len(near[a]) == 2 and a not in visited:
+            path = limb(a, min(near[a]))
+            visited.update(path)
+            made.append((np.array(path), False, False))
+    return made
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Limb:
+    """A column of a branched area.
+
+    start, end : the forks (or free ends) that it begins and ends at; through : forks that it passes, with their places
+    """
+
+    column: Column
+    start: int
+    end: int
+    through: tuple[tuple[int, Array], ...] = ()
+
+
+def straightened(
+    parts: list[tuple[Array, bool, bool]], places: Array, radius: Array
+) -> list[tuple[Array, bool, bool, list[int]]]:
+    """Limbs joined where two of a fork lie almost in one line, as strokes do: (path, free start, free end, forks passed).
+
+    At each fork the straightest pair (within 50 degrees) goes on; the others end there, below it.
+    """
+    ends: dict[int, list[tuple[float, int, int]]] = {}
+    limbs = [(path.tolist(), a, b, [0][:0]) for path, a, b in parts]
+    heading: dict[tuple[int, bool], Array] = {}
+    for k, (path, free_a, free_b, _) in enumerate(limbs):
+        if path[0] == path[-1]:
+            continue
+        for last in (False, True):
+            line = path[::-1] if last else path
+            away = np.hypot(*(places[line] - places[line[0]]).T)
+            far = int(np.argmax(away > 1.6 * radius[line[0]])) or len(line) - 1
+            near = min(far, int(np.argmax(away > 0.8 * radius[line[0]])))
+            d = places[line[far]] - places[line[near if far > near else 0]]
+            heading[k, last] = d / max(float(np.hypot(*d)), 1e-9)
+            if not (free_b if last else free_a):
+                ends.setdefault(line[0], []).append((0.0, k, int(last)))
+    pairs = []
+    for fork, here in ends.items():
+        for i, (_, a, la) in enumerate(here):
+            for _, b, lb in here[i + 1 :]:
+                if a != b:
+                    pairs.append(
+                        (float(heading[a, bool(la)] @ heading[b, bool(lb)]), fork, (a, bool(la)), (b, bool(lb)))
+                    )
+    whose = {k: k for k in range(len(limbs))}
+    taken: set[tuple[int, bool]] = set()
+    joined: dict[int, Any] = dict(enumerate(limbs))
+    for straight, fork, one, two in sorted(pairs, key=lambda p: (p[0], p[1], p[2], p[3])):
+        if straight > -math.cos(math.radians(50)) or one in taken or two in taken:
+            continue
+        a, b = whose[one[0]], whose[two[0]]
+        if a == b:
+            continue
+        pa, pb = joined[a], joined.pop(b)
+        if pa[0][0] == fork and pa[0][-1] != fork:
+            pa = (pa[0][::-1], pa[2], pa[1], pa[3])
+        if pb[0][-1] == fork and pb[0][0] != fork:
+            pb = (pb[0][::-1], pb[2], pb[1], pb[3])
+        taken |= {one, two}
+        joined[a] = (pa[0] + pb[0][1:], pa[1], pb[2], [*pa[3], fork, *pb[3]])
+        for k, v in whose.items():
+            if v == b:
+                whose[k] = a
+    return [(np.array(p), fa, fb, forks) for p, fa, fb, forks in joined.values()]
+
+
+def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
+    """Satin columns that cover a shapely polygon, and what they leave of it: limbs wider than ``widest`` are left.
+
+    Across every limb of the skeleton chords are cast to both sides, no farther than the limb is wide away from forks.
+    """
+    import shapely
+
+    places, radius, edges = skeleton(area)
+    made: list[Limb] = []
+    same: dict[int, int] = {}  # forks that only a stump lies between are one
+
+    def fork_of(k: int) -> int:
+        while k in same:
+            k = same[k]
+        return k
+
+    parts = branches(places, radius, edges) if len(places) > 1 else []
+    for path, free_start, free_end, forks in straightened(parts, places, radius):
+        wide = np.minimum(radius[path], 1.2 * float(np.median(radius[path])))
+        if np.median(wide) * 2 > widest:
+            continue
+        closed = bool(path[0] == path[-1] and len(path) > 3)
+        column = across(area, places[path], wide, (free_start, free_end), closed, (radius[path[0]], radius[path[-1]]))
+        if column is not None:
+            made.append(Limb(column, int(path[0]), int(path[-1]), tuple((f, places[f]) for f in forks)))
+        elif fork_of(int(path[0])) != fork_of(int(path[-1])):
+            same[fork_of(int(path[0]))] = fork_of(int(path[-1]))
+    if not made:
+        return [], area
+    made = [
+        Limb(m.column, fork_of(m.start), fork_of(m.end), tuple((fork_of(f), at) for f, at in m.through)) for m in made
+    ]
+    covered = shapely.union_all([_outline(m.column).buffer(0.25, join_style="mitre") for m in made])
+    left = area.buffer(-0.1).difference(covered)
+    pieces = [
+        p.buffer(0.3).intersection(area) for p in shapely.get_parts(left) if p.geom_type == "Polygon" and p.area > 0.4
+    ]
+    return made, shapely.union_all(pieces) if pieces else shapely.Polygon()
+
+
+def _outline(column: Column) -> Any:
+    import shapely
+
+    n = max(2, len(column.left) // 4)
+    a, b = resample(column.left, n), resample(column.right, n)
+    quads = [shapely.Polygon([a[i], a[i + 1], b[i + 1], b[i]]).buffer(0) for i in range(n - 1)]
+    return shapely.union_all(quads)
+
+
+def across(
+    area: Any, line: Array, wide: Array, free: tuple[bool, bool], closed: bool, forks: tuple[float, float]
+) -> Column | None:
+    """The column across one limb: its middle line smoothed, run out to the outline at free ends and straight into
+    forks (whose radii are given) at the others; then chords are cast."""
+    import shapely
+
+    step = np.hypot(*np.diff(line, axis=0).T)
+    size = float(step.sum())
+    half = float(np.median(wide))
+    if size + (free[0] + free[1]) * half < 0.8 * half:
+        return None
+    way = np.r_[0, np.cumsum(step)]
+    n = max(4, math.ceil(size / 0.2))
+    at = np.linspace(0, size, n)
+    p = np.c_[np.interp(at, way, line[:, 0]), np.interp(at, way, line[:, 1])]
+    r = np.interp(at, way, wide)
+    reach = max(1, round(0.8 * half / max(size / (n - 1), 1e-9)))
+    p = _smoothed(p, min(reach, max(1, n // 4)), closed)
+    if not closed:
+        for last in (False, True):
+            p, r = (p, r) if last else (p[::-1], r[::-1])
+            p, r = _run_out(area, p, r, half) if free[last] else _into_fork(p, r, float(forks[last]))
+            p, r = (p, r) if last else (p[::-1], r[::-1])
+    if len(p) < 3:
+        return None
+    d = np.gradient(p, axis=0)
+    if closed:
+        d[0] = d[-1] = p[1] - p[-2]
+    heading = np.unwrap(np.arctan2(d[:, 1], d[:, 0]))
+    k = min(reach, max(1, len(p) // 4))
+    heading = _smoothed(np.c_[heading, heading], k, False)[:, 0] if not closed else heading
+    normal = np.c_[-np.sin(heading), np.cos(heading)]
+    limit = np.maximum(1.25 * r, 0.3)[:, None]
+    limit = np.minimum(limit, 1.5 * half)
+    chords = shapely.linestrings(np.stack([p - limit * normal, p + limit * normal], 1))
+    left, right = p.copy(), p.copy()
+    cut = shapely.intersection(chords, area)
+    for i, piece in enumerate(cut):
+        parts = [q for q in shapely.get_parts(piece) if q.geom_type == "LineString"]
+        if not parts:
+            continue
+        best = parts[int(np.argmin([shapely.distance(q, shapely.points(p[i])) for q in parts]))]
+        ends = np.asarray(shapely.get_coordinates(best))[[0, -1]]
+        side = (ends - p[i]) @ normal[i]
+        right[i], left[i] = ends[np.argmin(side)], ends[np.argmax(side)]
+    return Column(left, right)
+
+
+def _smoothed(p: Array, reach: int, closed: bool) -> Array:
+    window = np.hanning(2 * reach + 3)[1:-1]
+    window /= window.sum()
+    if closed:
+        padded = np.concatenate([p[-reach - 1 : -1], p, p[1 : reach + 1]])
+    else:
+        # Mirrored through the ends, so that they stay where they are.
+        padded = np.concatenate([2 * p[0] - p[reach:0:-1], p, 2 * p[-1] - p[-2 : -reach - 2 : -1]])
+    return np.c_[np.convolve(padded[:, 0], window, "valid"), np.convolve(padded[:, 1], window, "valid")]
+
+
+def _into_fork(p: Array, r: Array, fork: float) -> tuple[Array, Array]:
+    """The line cut where the fork begins to bend it, and carried on straight to about the fork's middle."""
+    away = np.hypot(*(p - p[-1]).T)
+    keep = away > 0.9 * fork
+    if keep.sum() < 4:
+        return p, r
+    last = int(np.flatnonzero(keep)[-1])
+    back = max(0, last - max(2, round(fork / 0.2)))
+    d = p[last] - p[back]
+    d = d / max(float(np.hypot(*d)), 1e-9)
+    n = max(1, math.ceil(0.75 * fork / 0.2))
+    more = p[last] + np.linspace(0, 0.75 * fork, n + 1)[1:, None] * d
+    return np.concatenate([p[: last + 1], more]), np.r_[r[: last + 1], np.full(n, r[last])]
+
+
+def _run_out(area: Any, p: Array, r: Array, half: float) -> tuple[Array, Array]:
+    """The line carried on in its last direction until it meets the outline."""
+    import shapely
+
+    back = min(len(p) - 1, max(2, round(half / 0.2)))
+    d = p[-1] - p[-1 - back]
+    size = float(np.hypot(*d))
+    if size < 1e-9:
+        return p, r
+    d = d / size
+    ray = shapely.intersection(shapely.linestrings([p[-1], p[-1] + 4 * max(float(r[-1]), half) * d]), area)
+    parts = [q for q in shapely.get_parts(ray) if q.geom_type == "LineString"]
+    if not parts:
+        return p, r
+    first = min(parts, key=lambda q: shapely.distance(q, shapely.points(p[-1])))
+    far = float(np.hypot(*(shapely.get_coordinates(first) - p[-1]).T).max())
+    n = max(1, math.ceil(far / 0.2))
+    more = p[-1] + np.linspace(0, far - 0.02, n + 1)[1:, None] * d if far > 0.05 else np.zeros((0, 2))
+    return np.concatenate([p, more]), np.r_[r, np.full(len(more), max(float(r[-1]), 0.5 * half))]

@@ -1,0 +1,332 @@
+"""Satin columns: thread from side to side between two rails, close together."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.embroidery.families.stitches import Stitches, chain, line_stitches
+from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.piece import SATIN, TRAVEL, UNDERLAY
+from tambour.noise import key, uniform
+
+CROWDED = 0.25  # mm: needle points closer than this on the inner side are drawn in, every other one
+DRAWN = 0.15  # share of the width that they are drawn in
+EDGE_INSET = 0.4  # mm that underlay keeps from a column's edges
+STEP = 0.1  # mm between samples of a column
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Column:
+    """A satin column: ``left`` and ``right`` (n, 2), opposite points on its two sides, dense, from start to end."""
+
+    left: Array
+    right: Array
+
+    @property
+    def middle(self) -> Array:
+        """The centre line (n, 2)."""
+        return (self.left + self.right) / 2
+
+    def reversed(self) -> Column:
+        """The column from its other end."""
+        return Column(np.ascontiguousarray(self.right[::-1]), np.ascontiguousarray(self.left[::-1]))
+
+
+def resample(line: Array, n: int) -> Array:
+    """``n`` points at even distance along a polyline."""
+    way = np.r_[0, np.cumsum(np.hypot(*np.diff(line, axis=0).T))]
+    at = np.linspace(0, way[-1], n)
+    return np.c_[np.interp(at, way, line[:, 0]), np.interp(at, way, line[:, 1])]
+
+
+def from_rails(lines: list[Array]) -> Column:
+    """A column between two rails; the other lines are rungs that tie a place of one rail to a place of the other.
+
+    The two rails are the two longest lines. Between neighbouring rungs places are paired by their share of the way.
+    """
+    size = [float(np.hypot(*np.diff(line, axis=0).T).sum()) for line in lines]
+    by_size = sorted(range(len(lines)), key=lambda i: -size[i])
+    a, b = (np.array(lines[i], np.float64) for i in sorted(by_size[:2]))
+    if np.hypot(*(a[0] - b[0])) + np.hypot(*(a[-1] - b[-1])) > np.hypot(*(a[0] - b[-1])) + np.hypot(*(a[-1] - b[0])):
+        b = b[::-1]
+    wa, wb = (np.r_[0, np.cumsum(np.hypot(*np.diff(r, axis=0).T))] for r in (a, b))
+    ties = [(0.0, 0.0), (float(wa[-1]), float(wb[-1]))]
+    import shapely
+
+    la, lb = shapely.linestrings(a), shapely.linestrings(b)
+    for i in by_size[2:]:
+        rung = shapely.linestrings(lines[i])
+        s, t = (_meets(rail, rung) for rail in (la, lb))
+        ties.append((s, t))
+    ties.sort()
+    good = [ties[0]]
+    for s, t in ties[1:]:
+        if s > good[-1][0] + 1e-6 and t > good[-1][1] + 1e-6:
+            good.append((s, t))
+    if good[-1] != ties[-1]:
+        good[-1:] = [ties[-1]] if len(good) > 1 else [good[0], ties[-1]]
+    left: list[Array] = []
+    right: list[Array] = []
+    for (s0, t0), (s1, t1) in itertools.pairwise(good):
+        n = max(2, math.ceil(max(s1 - s0, t1 - t0) / STEP) + 1)
+        sa, ta = np.linspace(s0, s1, n), np.linspace(t0, t1, n)
+        keep = slice(None) if not left else slice(1, None)
+        left.append(np.c_[np.interp(sa, wa, a[:, 0]), np.interp(sa, wa, a[:, 1])][keep])
+        right.append(np.c_[np.interp(ta, wb, b[:, 0]), np.interp(ta, wb, b[:, 1])][keep])
+    return Column(np.concatenate(left), np.concatenate(right))
+
+
+def _meets(rail: Any, rung: Any) -> float:
+    """The place of a rail nearest to a rung."""
+    import shapely
+
+    near = shapely.get_point(shapely.shortest_line(rail, rung), 0)
+    return float(shapely.line_locate_point(rail, near))
+
+
+def from_stroke(line: Array, width: float) -> list[Column]:
+    """Columns of a line with a width: one, or several where the line turns by more than 75° at a corner.
+
+    Along a bend the inner side is kept from folding over itself: where the bend's radius is below half the width the
+    inner points stay at its centre.
+    """
+    line = line[np.r_[True, np.hypot(*np.diff(line, axis=0).T) > 1e-6]]
+    if len(line) < 2:
+        return []
+    closed = bool((line[0] == line[-1]).all())
+    d = np.diff(line, axis=0)
+    heading = np.unwrap(np.arctan2(d[:, 1], d[:, 0]))
+    turns = np.abs((np.diff(heading) + math.pi) % (2 * math.pi) - math.pi)
+    corners = (np.flatnonzero(turns > math.radians(75)) + 1).tolist()
+    turned = None
+    if closed and corners:
+        turned = _wrapped(float(heading[corners[0]] - heading[corners[0] - 1]))
+        line = np.concatenate([line[corners[0] : -1], line[: corners[0] + 1]])
+        corners = [c - corners[0] for c in corners[1:]]
+        closed = False
+    pieces = [line[a : b + 1] for a, b in zip([0, *corners], [*corners, len(line) - 1])]
+    d = np.diff(line, axis=0)
+    heading = np.arctan2(d[:, 1], d[:, 0])
+    turn = {c: _wrapped(float(heading[c] - heading[c - 1])) for c in corners}
+    if turned is not None:
+        turn[0] = turn[len(line) - 1] = turned
+    made = []
+    at = 0
+    for piece in pieces:
+        column = _swept(piece, width / 2, closed and len(pieces) == 1)
+        begin, at = at, at + len(piece) - 1
+        column = _mitred(column, width / 2, turn.get(at, 0.0))
+        made.append(_mitred(column.reversed(), width / 2, -turn.get(begin, 0.0)).reversed())
+    return made
+
+
+def _mitred(column: Column, half: float, turn: float) -> Column:
+    """The column with its end slanted to meet the next one after a turn (radians, positive towards ``left``)."""
+    if turn == 0:
+        return column
+    slant = math.copysign(min(abs(math.tan(turn / 2)), 1.2) * half, turn)
+    middle = column.middle
+    way = np.r_[0, np.cumsum(np.hypot(*np.diff(middle, axis=0).T))]
+    zone = min(3 * half, 0.5 * way[-1])
+    share = np.clip(1 - (way[-1] - way) / max(zone, 1e-9), 0, 1)[:, None] ** 2
+    ahead = np.gradient(middle, axis=0)
+    ahead /= np.maximum(np.hypot(*ahead.T)[:, None], 1e-12)
+    return Column(column.left - slant * share * ahead, column.right + slant * share * ahead)
+
+
+def _swept(line: Array, half: float, closed: bool) -> Column:
+    size = float(np.hypot(*np.diff(line, axis=0).T).sum())
+    n = max(3, math.ceil(size / STEP) + 1)
+    p = resample(line, n)
+    d = np.diff(p, axis=0)
+    heading = np.unwrap(np.arctan2(d[:, 1], d[:, 0]))
+    # Directions are averaged over half a width, so that a polyline's kinks become bends.
+    reach = max(1, int(0.5 * half / (size / (n - 1))))
+    window = np.hanning(2 * reach + 3)[1:-1]
+    window /= window.sum()
+    if closed:
+        turn = heading[-1] - heading[0] + _wrapped(heading[0] - heading[-1])
+        padded = np.concatenate([heading[-reach:] - turn, heading, heading[:reach] + turn])
+    else:
+        padded = np.concatenate([np.full(reach, heading[0]), heading, np.full(reach, heading[-1])])
+    smooth = np.convolve(padded, window, "valid")
+    at = np.r_[smooth[0], (smooth[:-1] + smooth[1:]) / 2, smooth[-1]]
+    if closed:
+        at[0] = at[-1] = (smooth[0] + smooth[-1] - (smooth[-1] - smooth[0] - _wrapped(smooth[-1] - smooth[0]))) / 2
+        at[-1] = at[0] + (smooth[-1] - smooth[0] - _wrapped(smooth[-1] - smooth[0]))
+    bend = np.gradient(at) / (size / (n - 1))
+    normal = np.c_[-np.sin(at), np.cos(at)]
+    inner = np.minimum(half, 1 / np.maximum(np.abs(bend), 1e-9))
+    to_left = np.where(bend > 0, inner, half)[:, None]
+    to_right = np.where(bend < 0, inner, half)[:, None]
+    return Column(p + to_left * normal, p - to_right * normal)
+
+
+def _wrapped(angle: float) -> float:
+    return (angle + math.pi) % (2 * math.pi) - math.pi
+
+
+@kernel
+def zigzag(left: Any, right: Any, spacing: Any, crowded: Any, drawn: Any, pull: Any, jagged: Any, key: Any) -> Any:
+    """Needle points from side to side: (n, 2), the longer of both sides going on by ``spacing`` from pair to pair.
+
+    Points that come closer than ``crowded`` to the one before on their side are drawn in by a share of the width,
+    every other one. ``pull`` widens, ``jagged`` draws ends back at random (mm).
+    """
+    n = len(left)
+    total = 0.0
+    for i in range(n - 1):
+        total += max(
+            math.hypot(left[i + 1, 0] - left[i, 0], left[i + 1, 1] - left[i, 1]),
+            math.hypot(right[i + 1, 0] - right[i, 0], right[i + 1, 1] - right[i, 1]),
+        )
+    pairs = max(1, round(total / spacing))
+    step = total / pairs / 2
+    out = np.empty((2 * pairs + 1, 2))
+    m = 0
+    i = 0
+    run = 0.0
+    here = 0.0
+    last = np.zeros((2, 2))
+    have = np.zeros(2, np.bool_)
+    was_drawn = np.zeros(2, np.bool_)
+    while m <= 2 * pairs:
+        target = m * step
+        while i < n - 2:
+            d = max(
+                math.hypot(left[i + 1, 0] - left[i, 0], left[i + 1, 1] - left[i, 1]),
+                math.hypot(right[i + 1, 0] - right[i, 0], right[i + 1, 1] - right[i, 1]),
+            )
+            if run + d >= target:
+                break
+            run += d
+            i += 1
+        here = max(
+            math.hypot(left[i + 1, 0] - left[i, 0], left[i + 1, 1] - left[i, 1]),
+            math.hypot(right[i + 1, 0] - right[i, 0], right[i + 1, 1] - right[i, 1]),
+        )
+        f = min(1.0, max(0.0, (target - run) / here)) if here > 0 else 0.0
+        lx, ly = left[i, 0] + f * (left[i + 1, 0] - left[i, 0]), left[i, 1] + f * (left[i + 1, 1] - left[i, 1])
+        rx, ry = right[i, 0] + f * (right[i + 1, 0] - right[i, 0]), right[i, 1] + f * (right[i + 1, 1] - right[i, 1])
+        side = m % 2
+        x, y, ox, oy = (lx, ly, rx, ry) if side == 0 else (rx, ry, lx, ly)
+        wide = math.hypot(ox - x, oy - y)
+        back = -pull
+        near = have[side] and math.hypot(x - last[side, 0], y - last[side, 1]) < crowded
+        if near and not was_drawn[side]:
+            back += drawn * wide
+            was_drawn[side] = True
+        else:
+            was_drawn[side] = False
+        if jagged > 0:
+            back += min(jagged, 0.4 * wide) * uniform(np.uint64(key), np.uint64(m))
+        last[side, 0], last[side, 1] = x, y
+        have[side] = True
+        if wide > 1e-9:
+            x, y = x + back * (ox - x) / wide, y + back * (oy - y) / wide
+        out[m, 0], out[m, 1] = x, y
+        m += 1
+    return out
+
+
+def split(points: Array, most: float) -> Array:
+    """Side-to-side points with needle points put into stitches longer than ``most``, shifted from stitch to stitch."""
+    size = np.hypot(*np.diff(points, axis=0).T)
+    if not len(size) or size.max() <= most:
+        return points
+    parts = [points[:1]]
+    for k, d in enumerate(size.tolist()):
+        if d > most:
+            # Shifted by a third of a part to and fro, so that the places of neighbours form no line.
+            n = math.ceil(1.3 * d / most)
+            f = (np.arange(1, n) + 0.3 * (k % 3 - 1)) / n
+            parts.append(points[k] + f[:, None] * (points[k + 1] - points[k]))
+        parts.append(points[k + 1 : k + 2])
+    return np.concatenate(parts)
+
+
+def side_to_side(column: Column, params: EmbroideryParams, name: str, spacing: float | None = None) -> Stitches:
+    """The satin stitches of a column, from its start to its end; a run per stitch."""
+    pair = params.row_spacing if spacing is None else spacing
+    number = np.uint64(key(params.seed, name, "jagged"))
+    xy = zigzag(column.left, column.right, pair, CROWDED, DRAWN, params.pull, params.jagged, number)
+    made = Stitches.of(xy, SATIN, per_stitch=True)
+    size = np.hypot(*np.diff(xy, axis=0).T)
+    if not len(size) or size.max() <= params.split:
+        return made
+    cut = split(xy, params.split)
+    # A split stitch stays one run: its thread lies in one line.
+    ends = {(float(x), float(y)) for x, y in xy}
+    run = np.cumsum([0, *(1 if (float(x), float(y)) in ends else 0 for x, y in cut[:-1])])
+    return Stitches(cut, np.full(len(cut), SATIN, np.uint8), run)
+
+
+def underlays(column: Column, asked: str) -> list[str]:
+    """Which underlays a column gets: what was asked for, or by its width (spec 2.4)."""
+    wide = float(np.median(np.hypot(*(column.left - column.right).T)))
+    if asked == "auto":
+        return ["center"] if wide < 2 else ["edge"] if wide < 4 else ["edge", "zigzag"]
+    return [] if asked == "none" else ["zigzag" if w == "tatami" else w for w in asked.split("+")]
+
+
+def edge_walk(column: Column, params: EmbroideryParams) -> list[Stitches]:
+    """Running stitch along both edges, drawn in, there and back."""
+    made = []
+    for side in (column, column.reversed()):
+        across = side.right - side.left
+        wide = np.hypot(*across.T)[:, None]
+        line = side.left + across * np.minimum(0.4, EDGE_INSET / np.maximum(wide, 1e-9))
+        made.append(line_stitches(line, min(params.length, 2.5), UNDERLAY, 0.1))
+    return made
+
+
+def center_walk(column: Column, params: EmbroideryParams, kind: int = UNDERLAY) -> Stitches:
+    """Running stitch along the middle."""
+    return line_stitches(column.middle, min(params.length, 2.5), kind, 0.1)
+
+
+def zigzag_walk(column: Column, params: EmbroideryParams) -> Stitches:
+    """Wide zigzag, drawn in."""
+    across = column.right - column.left
+    share = np.minimum(0.4, EDGE_INSET / np.maximum(np.hypot(*across.T)[:, None], 1e-9))
+    left, right = (
+        np.ascontiguousarray(column.left + share * across),
+        np.ascontiguousarray(column.right - share * across),
+    )
+    return Stitches.of(split(zigzag(left, right, 2.0, 0.0, 0.0, 0.0, 0.0, np.uint64(0)), params.split), UNDERLAY)
+
+
+def column_stitches(column: Column, params: EmbroideryParams, name: str, start: Any = None) -> Stitches:
+    """Underlay and satin of one column, one thread: what runs one way is followed by what runs back."""
+    if start is not None:
+        here = np.array(start)
+        if np.hypot(*(column.middle[-1] - here)) < np.hypot(*(column.middle[0] - here)):
+            column = column.reversed()
+    parts: list[Stitches] = []
+    forward = True  # the next pass runs from start to end
+    for word in underlays(column, params.underlay):
+        it = column if forward else column.reversed()
+        if word == "edge":
+            parts += edge_walk(it, params)
+        else:
+            parts.append(center_walk(it, params) if word == "center" else zigzag_walk(it, params))
+            forward = not forward
+    parts.append(side_to_side(column if forward else column.reversed(), params, name))
+    return chain(parts, params.length)
+
+
+def there_and_back(column: Column, params: EmbroideryParams, name: str) -> tuple[Stitches, Stitches]:
+    """A limb of a branched satin: underlay that ends at its far end, and the satin that comes back over it."""
+    words = underlays(column, params.underlay)
+    parts = edge_walk(column, params) if "edge" in words else []
+    there = (
+        zigzag_walk(column, params) if "zigzag" in words else center_walk(column, params, UNDERLAY if words else TRAVEL)
+    )
+    return chain([*parts, there], params.length), side_to_side(column.reversed(), params, name)

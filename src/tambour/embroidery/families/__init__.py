@@ -1,0 +1,1 @@
+"""Families: which stitches a region is made of."""

@@ -1,0 +1,70 @@
+"""What is sewn for hands: appliqué patches with their stops, a basting box, a knockdown below everything."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.paths import Paths
+from tambour.embroidery.columns.satin import column_stitches, from_stroke, zigzag
+from tambour.embroidery.families.stitches import Stitches, line_stitches
+from tambour.embroidery.families.tatami import tatami
+from tambour.embroidery.lines.fill import rings
+from tambour.embroidery.lines.run import TOLERANCE
+from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.piece import RUNNING, UNDERLAY, Region
+
+COVER = 3.0  # mm, width of the satin over a patch's edge
+TACK = 1.2  # mm, width of the zigzag that holds a patch
+BASTE = 6.0  # mm, stitch of the basting box
+ROOM = 5.0  # mm between the design and the basting box
+
+
+def applique(region: Region) -> list[list[Stitches]]:
+    """The stages of a patch, with a stop of the machine between them.
+
+    Placement line (lay the patch on it), tack-down zigzag just inside (then trim the patch close to it), satin cover.
+    """
+    outlines = [r for r in region.paths if len(r) > 3]
+    p = region.params
+    place = [line_stitches(r, p.length, RUNNING, TOLERANCE) for r in outlines]
+    tack = []
+    for r in outlines:
+        for column in from_stroke(r, TACK):
+            xy = zigzag(column.left, column.right, 2.0, 0.0, 0.0, 0.0, 0.0, np.uint64(0))
+            tack.append(Stitches.of(xy, RUNNING))
+    width = region.width if region.width > 0 else COVER
+    cover = [column_stitches(c, p, region.id) for r in outlines for c in from_stroke(r, width)]
+    return [place, tack, cover]
+
+
+def basting_box(low: Array, high: Array) -> Stitches:
+    """Long running stitches round the design: they hold the cloth, and are pulled out afterwards."""
+    (x0, y0), (x1, y1) = low - ROOM, high + ROOM
+    return line_stitches(np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]), BASTE, RUNNING, 0.0)
+
+
+def knockdown(regions: tuple[Region, ...], p: EmbroideryParams) -> list[Stitches]:
+    """Thin rows, 45° from the fills', under the whole design and 2 mm round it."""
+    import shapely
+
+    from tambour.embroidery.regions.read import of_shapely, to_shapely
+
+    shapes = [a for r in regions if r.role == "area" for a in to_shapely(r.paths)]
+    shapes += [
+        shapely.LineString(line).buffer(r.width / 2 + 0.5)
+        for r in regions
+        if r.role != "area"
+        for line in r.paths
+        if len(line) > 1
+    ]
+    whole = of_shapely(shapely.union_all(shapes).buffer(2.0))
+    made = []
+    if whole is not None and whole.parts is not None:
+        angle = math.radians(p.angle + 45)
+        for a, b in zip(whole.parts[:-1].tolist(), whole.parts[1:].tolist()):
+            area = rings(Paths.of([whole[i] for i in range(a, b)]), angle)
+            made.append(tatami(area, angle, max(1.2, 3 * p.row_spacing), 4.0, kind=UNDERLAY))
+    return made

@@ -1,0 +1,254 @@
+"""Families: which stitches a region is made of, in the order in which they are sewn."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.paths import Paths
+from tambour.embroidery.columns.branch import branched
+from tambour.embroidery.columns.satin import column_stitches, from_rails, from_stroke
+from tambour.embroidery.families.stitches import Stitches, join, line_stitches
+from tambour.embroidery.families.tatami import tatami
+from tambour.embroidery.lines import curves, grids
+from tambour.embroidery.lines.fill import Rings, rings
+from tambour.embroidery.lines.flow import flow
+from tambour.embroidery.lines.net import polygon_of, weave
+from tambour.embroidery.lines.run import bean, from_nearest, motif, running
+from tambour.embroidery.lines.ways import nearest_on_outline, way
+from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.piece import TRAVEL, UNDERLAY, Region
+from tambour.noise import key
+
+Place = tuple[float, float] | None
+COVERED = ("tatami", "contour", "spiral", "radial", "guided", "flow", "gradient", "satin")
+
+
+def region_stitches(region: Region, start: Place, end: Place) -> list[Stitches]:
+    """The threads of a region: one per connected area or line; between them the needle jumps.
+
+    start : where the needle comes from; end : where it will go on; both in drawing coordinates, None when free
+    """
+    if region.role == "area":
+        return area_stitches(region, start, end)
+    if region.role == "rails":
+        return [column_stitches(from_rails(list(region.paths)), region.params, region.id, region.start or start)]
+    return line_family(region, region.start or start)
+
+
+def line_family(region: Region, start: Place) -> list[Stitches]:
+    """Every line of a region, nearest first."""
+    p = region.params
+    lines = list(region.paths)
+    made: list[Stitches] = []
+    here = start
+    while lines:
+        k = _nearest([Paths.of([line[[0, -1]]]) for line in lines], here)
+        line = from_nearest(lines.pop(k), here)
+        if region.stitch == "satin":
+            threads = [
+                column_stitches(c, p, region.id, here if i == 0 else None)
+                for i, c in enumerate(from_stroke(line, region.width))
+            ]
+        elif region.stitch == "bean":
+            threads = [bean(line, p)]
+        elif region.stitch == "motif":
+            threads = [motif(line, p)]
+        else:
+            threads = [running(line, p)]
+        for thread in threads:
+            if len(thread):
+                made.append(thread)
+                here = (float(thread.xy[-1, 0]), float(thread.xy[-1, 1]))
+    return made
+
+
+def area_stitches(region: Region, start: Place, end: Place) -> list[Stitches]:
+    """Every polygon of an area, nearest first."""
+    polygons = _split(grown(region.paths, region.params.pull))
+    made = []
+    here = region.start or start
+    while polygons:
+        k = _nearest(polygons, here)
+        made.append(polygon_stitches(region, polygons.pop(k), here, region.end or end))
+        if len(made[-1]):
+            here = (float(made[-1].xy[-1, 0]), float(made[-1].xy[-1, 1]))
+    return made
+
+
+def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -> Stitches:
+    """Underlay and fill of one connected polygon, without a jump."""
+    p = region.params
+    area = rings(polygon)
+    parts = area_underlay(polygon, p, start) if region.stitch in COVERED else []
+    if end is not None and (parts or start is not None):
+        # The fill begins, and so ends, at the place nearest to where the thread goes on; the way there lies below it.
+        here = nearest_on_outline(area, np.array(end))[2]
+        start = (float(here[0]), float(here[1]))
+    elif parts:
+        start = (float(parts[-1].xy[-1, 0]), float(parts[-1].xy[-1, 1]))
+    if region.stitch == "satin":
+        # The area is grown by the pull already.
+        satin, left = branched(polygon_of(area), p.model_copy(update={"pull": 0.0}), region.id, start)
+        rest = _rest(left, region, parts, satin)
+        return linked([*rest, *satin], area, p.length)
+    parts.append(fill(region, polygon, area, start))
+    return linked(parts, area, p.length)
+
+
+def _rest(left: Any, region: Region, below: list[Stitches], satin: list[Stitches]) -> list[Stitches]:
+    """What satin leaves of an area, as tatami below it; the whole area's underlay only when it is all tatami."""
+    from tambour.embroidery.regions.read import of_shapely
+
+    rest = None if left.is_empty else of_shapely(left)
+    if rest is None:
+        return []
+    p = region.params
+    angle = math.radians(p.angle)
+    made = [] if satin else below
+    for piece in _split(rest):
+        fill = tatami(rings(piece, angle), angle, p.row_spacing, p.length, stagger=p.stagger, travel=p.travel)
+        made.append(Stitches(fill.xy, fill.kind, fill.run, {**fill.facts, "not_satin_mm2": float(left.area)}))
+    return made
+
+
+def fill(region: Region, polygon: Paths, area: Rings, start: Place) -> Stitches:
+    """The visible stitches of one connected polygon."""
+    p = region.params
+    angle, name = math.radians(p.angle), region.stitch
+    number = key(p.seed, region.id)
+    if name in ("tatami", "gradient"):
+        turned = rings(polygon, angle)
+        at = None
+        # Thin rows hide nothing.
+        travel = "outline" if name == "gradient" or p.row_spacing > 1.75 * p.thread else p.travel
+        if name == "gradient":
+            v = turned.points[:, 1]
+            at = gradient_levels(float(v.min()), float(v.max()), p.row_spacing, p.row_spacing_end or 3 * p.row_spacing)
+        return tatami(
+            turned, angle, p.row_spacing, p.length, stagger=p.stagger, jitter=p.jitter, key=number, travel=travel,
+            start=start, at=at,
+        )  # fmt: skip
+    shape = polygon_of(area)
+    if name == "meander":
+        return grids.meander(shape, area, p.motif_size, p.length, f"{p.seed} {region.id}", start)
+    if name == "cross":
+        return grids.cross(shape, area, p.motif_size / 2, start)
+    lines: list[Array]
+    if name == "contour":
+        lines = curves.contour(shape, p.row_spacing)
+    elif name == "spiral":
+        lines = curves.spiral(shape, p.row_spacing)
+    elif name == "radial":
+        lines = curves.radial(shape, p.row_spacing, p.seed)
+    elif name == "guided":
+        lines = curves.guided(shape, region.guide, p.row_spacing, angle)
+    elif name == "flow":
+        lines = flow(shape, p.row_spacing, region.guide, angle, f"{p.seed} {region.id}")
+    elif name == "ripple":
+        lines = curves.ripple(shape, max(2, round(math.sqrt(shape.area) / 4)))
+    else:
+        raise AssertionError(name)
+    return weave(lines, area, p.length, p.row_spacing, start=start, stagger=p.stagger, tolerance=0.05)
+
+
+def gradient_levels(low: float, high: float, first: float, last: float) -> Array:
+    """Row heights from ``high`` (drawn below) up to ``low``, their distance growing evenly from first to last."""
+    n = max(1, round((high - low) / ((first + last) / 2)))
+    gap = np.linspace(first, last, n)
+    at = high - first / 2 - np.r_[0, np.cumsum(gap[:-1])]
+    return np.ascontiguousarray(np.sort(at[(at > low) & (at < high)]))
+
+
+def area_underlay(polygon: Paths, p: EmbroideryParams, start: Place) -> list[Stitches]:
+    """What lies below a fill: outlines drawn in, and thin rows across the fill's."""
+    words = p.underlay.split("+")
+    wide = 4 * 2 * p.row_spacing
+    if "none" in words:
+        return []
+    made: list[Stitches] = []
+    inner = grown(polygon, -min(0.5, 1.25 * p.row_spacing) - max(p.pull, 0.0), empty=True)
+    if inner is None:
+        return []
+    here = start
+    for piece in _split(inner):
+        area = rings(piece)
+        if "edge" in words or ("auto" in words and float(np.ptp(piece.coords, axis=0).min()) > wide):
+            made.append(weave(list(piece), area, min(p.length, 2.5), 1.0, kind=UNDERLAY, start=here, stagger=1))
+            here = _last(made, here)
+        if (
+            "tatami" in words
+            or "zigzag" in words
+            or ("auto" in words and float(np.ptp(piece.coords, axis=0).min()) > wide)
+        ):
+            across = math.radians(p.angle + 90)
+            made.append(
+                tatami(
+                    rings(piece, across),
+                    across,
+                    3 * p.row_spacing,
+                    p.length,
+                    stagger=p.stagger,
+                    start=here,
+                    kind=UNDERLAY,
+                )
+            )
+            here = _last(made, here)
+    return [m for m in made if len(m)]
+
+
+def _last(made: list[Stitches], here: Place) -> Place:
+    return (float(made[-1].xy[-1, 0]), float(made[-1].xy[-1, 1])) if made and len(made[-1]) else here
+
+
+def linked(parts: list[Stitches], area: Rings, length: float) -> Stitches:
+    """Threads of one area as one, with ways between them that stay inside."""
+    made: list[Stitches] = []
+    for part in parts:
+        if not len(part):
+            continue
+        if made:
+            a, b = made[-1].xy[-1], part.xy[0]
+            away = float(np.hypot(*(b - a)))
+            if away > 1e-9:
+                line = way(area, a, b)
+                link = line_stitches(line, length, TRAVEL, 0.04)
+                mm = float(np.hypot(*np.diff(line, axis=0).T).sum())
+                made.append(Stitches(link.xy[1:], link.kind[1:], link.run[1:], {"connector_mm": mm}))
+            part = Stitches(part.xy[1:], part.kind[1:], part.run[1:], part.facts)
+        made.append(part)
+    return join(made)
+
+
+def grown(area: Paths, by: float, empty: bool = False) -> Any:
+    """An area grown (or shrunk) on all sides; where nothing stays, the area itself, or None if ``empty``."""
+    if by == 0:
+        return area
+    import shapely
+
+    from tambour.embroidery.regions.read import of_shapely, to_shapely
+
+    made = of_shapely(shapely.union_all([a.buffer(by, join_style="mitre", mitre_limit=2) for a in to_shapely(area)]))
+    return (None if empty else area) if made is None else made
+
+
+def polygon_parts(polygon: Paths) -> Paths:
+    """The rings of one polygon as Paths with parts."""
+    return Paths(polygon.coords, polygon.offsets, np.array([0, len(polygon)]))
+
+
+def _split(area: Paths) -> list[Paths]:
+    assert area.parts is not None
+    found = []
+    for a, b in zip(area.parts[:-1].tolist(), area.parts[1:].tolist()):
+        found.append(polygon_parts(Paths.of([area[i] for i in range(a, b)])))
+    return found
+
+
+def _nearest(polygons: list[Paths], here: Place) -> int:
+    if here is None:
+        return 0
+    return int(np.argmin([((p.coords - np.array(here)) ** 2).sum(1).min() for p in polygons]))

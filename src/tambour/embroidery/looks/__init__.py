@@ -1,0 +1,1 @@
+"""Looks: previews, drawings and pages of a finished plan."""

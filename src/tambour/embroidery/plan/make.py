@@ -1,0 +1,122 @@
+"""The craft's way from a drawing to a piece: regions, their order, their stitches, one plan."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tambour.core.errors import TambourError
+from tambour.core.picture import Picture
+from tambour.core.progress import Progress
+from tambour.core.thread import Thread, ThreadPlan
+from tambour.embroidery.families.applique import applique, basting_box, knockdown
+from tambour.embroidery.families.choose import Place, region_stitches
+from tambour.embroidery.families.stitches import Stitches
+from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.piece import Piece, Region
+from tambour.embroidery.plan.layers import elevation
+from tambour.embroidery.plan.sequence import Layout, order
+from tambour.embroidery.regions.catalogue import with_catalogue
+from tambour.embroidery.regions.design import piece_of
+from tambour.embroidery.regions.lettering import lettered
+from tambour.embroidery.regions.read import regions
+from tambour.embroidery.regions.trace import traced
+
+MOST = 5000  # regions above which their order is not sought: pairs of them would be counted in millions
+
+
+def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
+    """A Piece of a Drawing: regions, order, stitches, plan. TambourError for drawings that cannot be embroidered."""
+    if isinstance(source, ThreadPlan):
+        with progress.stage("read"):
+            return piece_of(source, params, progress)
+    with progress.stage("read"):
+        drawing = source
+        if isinstance(drawing, Picture):
+            drawing = traced(drawing, params)
+            params = params.model_copy(update={"width": None})
+        if params.text is not None:
+            drawing = lettered(drawing, params.text, params.text_size, params.font, progress)
+        if drawing is None:
+            raise TambourError("there is nothing to embroider", hint="give a drawing, or --text")
+        if drawing.about.get("ignored"):
+            progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
+        found = regions(drawing, params, progress)
+    how = params.order
+    if len(found) > MOST and how == "auto":
+        progress.warn(
+            f"{len(found):,} regions: sewn in the drawing's order",
+            hint="embroider a picture of it instead",
+            where="--order",
+        )
+        how = "file"
+    with progress.stage("route"):
+        sequence = order(found, how)
+    layout = Layout(params)
+    with progress.stage("fill"):
+        below = knockdown(found, params) if params.knockdown else []
+        box = _box(found) if params.baste else None
+    if below or box is not None:
+        layout.color(Thread(found[sequence[0]].color))
+    if box is not None:
+        layout.stitches(box, -1, tie=False)
+    for thread in below:
+        layout.stitches(thread, -1)
+    for done, k in enumerate(sequence):
+        region = found[k]
+        progress.step(done, len(sequence))
+        start = region.start or _place(layout.here)
+        end = region.end or _ahead(found, sequence, done, params)
+        with progress.stage("fill"):
+            patch = region.role == "area" and region.params.applique
+            stages = applique(region) if patch else [region_stitches(region, start, end)]
+        with progress.stage("sequence"):
+            layout.color(Thread(region.color))
+            for number, threads in enumerate(stages):
+                if number:
+                    layout.stop()
+                for thread in threads:
+                    layout.stitches(thread, k)
+            if "stop" in region.flags:
+                layout.stop()
+            elif "trim" in region.flags:
+                layout.finish(cut=True)
+    with progress.stage("sequence"):
+        if layout.here is None:
+            raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: --width 100mm")
+        plan, region_of, kind, rows = layout.plan()
+        plan = with_catalogue(plan, params.catalogue)
+    wide = layout.facts.pop("not_satin_mm2", 0.0)
+    if wide > 0:
+        progress.warn(
+            f"{wide:.1f} mm² are too wide for satin and are tatami", hint="make --split longer, or the shape narrower"
+        )
+    with progress.stage("bind"):
+        lies = elevation(plan, region_of.astype(int) * 64 + kind, params.thread)
+    return Piece(drawing, found, params, plan, region_of, kind, lies, rows, dict(layout.facts))
+
+
+def _box(found: tuple[Region, ...]) -> Stitches:
+    low = np.min([r.paths.coords.min(0) - r.width / 2 for r in found], axis=0)
+    high = np.max([r.paths.coords.max(0) + r.width / 2 for r in found], axis=0)
+    return basting_box(low, high)
+
+
+def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:
+    """Where the thread goes on after a region: a place of the next one, if it is of the same colour and near."""
+    if done + 1 >= len(sequence):
+        return None
+    this, next_one = found[sequence[done]], found[sequence[done + 1]]
+    if this.color != next_one.color:
+        return None
+    a, b = this.paths.coords, next_one.paths.coords
+    from scipy.spatial import cKDTree
+
+    far = np.asarray(cKDTree(a).query(b)[0])
+    k = int(np.argmin(far))
+    return (float(b[k, 0]), float(b[k, 1])) if far[k] < 30 else None
+
+
+def _place(here: Any) -> Place:
+    return None if here is None else (float(here[0]), float(here[1]))

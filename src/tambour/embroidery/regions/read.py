@@ -1,0 +1,248 @@
+"""Drawing → regions: what is to be stitched, where, and how each part differs from what was asked for in general."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.drawing import Drawing
+from tambour.core.errors import Problem, TambourError
+from tambour.core.params import Params
+from tambour.core.paths import Paths
+from tambour.core.progress import Progress
+from tambour.embroidery.params import EmbroideryParams, hoop_size
+from tambour.embroidery.piece import Region
+from tambour.embroidery.regions.inkstitch import flags as inkstitch_flags
+from tambour.embroidery.regions.inkstitch import is_satin, overrides
+
+SMALLEST = 0.05  # mm²: areas below are not stitched
+LINES = ("running", "bean", "motif")
+LARGEST = 4_000_000.0  # mm² of design
+
+
+def place(drawing: Drawing, params: EmbroideryParams) -> tuple[float, Array]:
+    """Scale and shift that bring the drawing to millimetres round the hoop's centre; checks size and hoop."""
+    shown = drawing.styles.fill[:, 3] + drawing.styles.stroke[:, 3].astype(int) > 0
+    visible = np.repeat(shown[drawing.style], _points_per_shape(drawing.paths))
+    coords = drawing.paths.coords[visible]
+    if not len(coords):
+        raise TambourError(
+            "there is nothing to embroider in this drawing", hint="it needs shapes with a fill or a stroke"
+        )
+    low, high = coords.min(0), coords.max(0)
+    scale = drawing.unit
+    if params.width is not None:
+        if not high[0] > low[0]:
+            raise TambourError("the drawing has no width to scale", where="--width")
+        scale = params.width / float(high[0] - low[0])
+    size = (high - low) * scale
+    if size[0] * size[1] > LARGEST:
+        raise TambourError(
+            f"the design is {size[0]:.0f} x {size[1]:.0f} mm, more than any machine sews",
+            hint="give its size: --width 100mm",
+        )
+    if params.hoop is not None:
+        hoop = hoop_size(params.hoop)
+        if size[0] > hoop[0] + 1e-6 or size[1] > hoop[1] + 1e-6:
+            fits = min(hoop[0] / size[0], hoop[1] / size[1]) * size[0]
+            raise TambourError(
+                f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the hoop {hoop[0]:g} x {hoop[1]:g} mm",
+                hint=f"--width {math.floor(fits * 10) / 10:g}mm would fit",
+                where="--hoop",
+            )
+    return scale, -(low + high) / 2 * scale
+
+
+def _points_per_shape(paths: Paths) -> Array:
+    ends = paths.offsets if paths.parts is None else paths.offsets[paths.parts]
+    return np.diff(ends)
+
+
+def regions(drawing: Drawing, params: EmbroideryParams, progress: Progress) -> tuple[Region, ...]:
+    """The areas and lines of a drawing, in painter's order, mm round the hoop's centre.
+
+    A group's data (``tambour-angle``, …) hold for all in it, the innermost last; ``inkstitch-…`` for its own shape.
+    Raises TambourError with everything that is wrong in any of them.
+    """
+    scale, shift = place(drawing, params)
+    paths = drawing.paths
+    parts = np.arange(len(paths) + 1) if paths.parts is None else paths.parts
+    fill, stroke = drawing.styles.fill, drawing.styles.stroke
+    problems: list[Problem] = []
+    cache: dict[int, tuple[EmbroideryParams, Mapping[str, str], str]] = {}
+    found: list[Region] = []
+    guides = _guides(drawing, parts, scale, shift)
+    tiny = 0
+    for m, style in enumerate(drawing.style.tolist()):
+        group = int(drawing.group[m])
+        if group not in cache:
+            cache[group] = _own(drawing, group, params, problems)
+        own, data, name = cache[group]
+        if (
+            data.get("tambour-role") == "guide"
+            or data.get("inkstitch-marker")
+            or "inkstitch-command-ignore_object" in data
+        ):
+            continue
+        lines = [paths[i] * scale + shift for i in range(int(parts[m]), int(parts[m + 1]))]
+        common = {
+            "guide": guides.get(int(drawing.groups.parent[group]) if group >= 0 else -1),
+            "start": _point(data, ("inkstitch-command-starting_point", "inkstitch-command-fill_start"), scale, shift),
+            "end": _point(data, ("inkstitch-command-ending_point", "inkstitch-command-fill_end"), scale, shift),
+            "flags": inkstitch_flags(data),
+        }
+        name = name or f"shape {m + 1}"
+        if fill[style, 3] and not is_satin(data):
+            area = polygons(lines, bool(drawing.styles.evenodd[style]))
+            if area is None:
+                tiny += 0 if stroke[style, 3] else 1
+            else:
+                family = str(own.stitch or "tatami")
+                if family in LINES and "inkstitch-stroke_method" in data:
+                    family = "tatami"  # that method was said of the stroke
+                role = "line" if family in LINES else "area"
+                made = area if role == "area" else Paths(area.coords, area.offsets)
+                rgb = tuple(int(c) for c in fill[style, :3])
+                found.append(Region(name, made, family, rgb, own, role, **common))  # type: ignore[arg-type]
+        width = float(drawing.styles.width[style]) * scale
+        if (stroke[style, 3] and width > 0) or is_satin(data):
+            rgb = tuple(int(c) for c in (stroke if stroke[style, 3] else fill)[style, :3])
+            role = "line"
+            family = str(own.stitch or "")
+            if is_satin(data) and len(lines) >= 2:
+                role, family = "rails", "satin"
+            elif family not in (*LINES, "satin"):
+                satin = width >= own.satin_from and "inkstitch-stroke_method" not in data
+                family = "satin" if satin else "running"
+            made = Paths.of([line for line in lines if len(line) > 1])
+            if len(made):
+                found.append(Region(name, made, family, rgb, own, role, width, **common))  # type: ignore[arg-type]
+    if problems:
+        raise TambourError(problems)
+    if tiny:
+        progress.warn(f"{tiny} shape(s) have no area and were left out")
+    if not found:
+        raise TambourError(
+            "there is nothing to embroider in this drawing", hint="its shapes have no area and no stroke"
+        )
+    return tuple(found)
+
+
+def _own(
+    drawing: Drawing, group: int, params: EmbroideryParams, problems: list[Problem]
+) -> tuple[EmbroideryParams, Mapping[str, str], str]:
+    """Parameters, data and id of a group: its surroundings' ``tambour-…``, then its own."""
+    chain: list[int] = []
+    while group >= 0:
+        chain.insert(0, group)
+        group = int(drawing.groups.parent[group])
+    if not chain or not drawing.groups.data:
+        return params, {}, ""
+    own = drawing.groups.data[chain[-1]]
+    name = drawing.groups.ids[chain[-1]]
+    given: dict[str, Any] = {}
+    for g in chain:
+        for key, value in drawing.groups.data[g].items():
+            if key.startswith("tambour-") and key not in ("tambour-role",):
+                given[key[8:].replace("-", "_")] = value
+    role = [drawing.groups.data[g].get("tambour-role", "") for g in chain]
+    data = {**own, "tambour-role": next(filter(None, reversed(role)), "")}
+    try:
+        given = {**overrides(own, name), **given}
+        if not given:
+            return params, data, name
+        files = set(EmbroideryParams.files()) & set(given)
+        if files:
+            raise TambourError(f"{min(files)} cannot stand on a region", where=name)
+        base = {k: v for k, v in params.model_dump().items() if k not in EmbroideryParams.files()}
+        made = type(params).of({**base, **given}, spell=f"{name}: data-tambour-{{}}")
+        return made.model_copy(update={k: getattr(params, k) for k in Params.files()}), data, name
+    except TambourError as error:
+        problems += error.problems
+        return params, data, name
+
+
+def _guides(drawing: Drawing, parts: Array, scale: float, shift: Array) -> dict[int, Paths]:
+    """Guide lines by the group they stand in."""
+    found: dict[int, list[Array]] = {}
+    for m, group in enumerate(drawing.group.tolist()):
+        if group < 0 or not drawing.groups.data:
+            continue
+        data = drawing.groups.data[group]
+        if data.get("tambour-role") == "guide" or data.get("inkstitch-marker") == "guide-line":
+            lines = [drawing.paths[i] * scale + shift for i in range(int(parts[m]), int(parts[m + 1]))]
+            found.setdefault(int(drawing.groups.parent[group]), []).extend(lines)
+    return {g: Paths.of([line for line in lines if len(line) > 1]) for g, lines in found.items()}
+
+
+def _point(data: Mapping[str, str], names: tuple[str, ...], scale: float, shift: Array) -> tuple[float, float] | None:
+    for name in names:
+        if name in data:
+            x, y = (float(v) for v in data[name].split())
+            return x * scale + float(shift[0]), y * scale + float(shift[1])
+    return None
+
+
+def polygons(lines: list[Array], evenodd: bool) -> Paths | None:
+    """Valid polygons (``parts`` given) of the area that rings enclose by a fill rule; None when there is none.
+
+    Open lines are closed. Where rings cross themselves or each other the plane is cut into faces along all of them,
+    and each face judged by its winding number.
+    """
+    import shapely
+
+    closed = [line for line in lines if len(line) >= 3]
+    if not closed:
+        return None
+    if len(closed) == 1 or not evenodd:
+        simple = shapely.polygons(closed[0])
+        if len(closed) == 1 and shapely.is_valid(simple):
+            return of_shapely(simple)
+    rings = [np.concatenate([c, c[:1]]) if (c[0] != c[-1]).any() else c for c in closed]
+    noded = shapely.unary_union(shapely.MultiLineString(rings))
+    faces = shapely.get_parts(shapely.polygonize([noded]))
+    if not len(faces):
+        return None
+    inside = shapely.get_coordinates(shapely.point_on_surface(faces))
+    winding = np.zeros(len(faces), np.int64)
+    for ring in rings:
+        a, b = ring[:-1], ring[1:]
+        for k in range(0, len(faces), 256):
+            x, y = inside[k : k + 256, 0, None], inside[k : k + 256, 1, None]
+            up, down = (a[:, 1] <= y) & (b[:, 1] > y), (a[:, 1] > y) & (b[:, 1] <= y)
+            left = (b[:, 0] - a[:, 0]) * (y - a[:, 1]) - (x - a[:, 0]) * (b[:, 1] - a[:, 1])
+            winding[k : k + 256] += (up & (left > 0)).sum(1) - (down & (left < 0)).sum(1)
+    keep = winding % 2 == 1 if evenodd else winding != 0
+    return of_shapely(shapely.union_all(faces[keep]))
+
+
+def of_shapely(area: Any) -> Paths | None:
+    """Polygons of a shapely area as Paths with parts, slivers left out; None when nothing stays."""
+    import shapely
+
+    rings, parts = [], [0]
+    for polygon in shapely.get_parts(area):
+        if polygon.geom_type != "Polygon" or polygon.area < SMALLEST:
+            continue
+        outline = [polygon.exterior, *(h for h in polygon.interiors if shapely.Polygon(h).area >= SMALLEST)]
+        rings += [shapely.get_coordinates(r) for r in outline]
+        parts.append(len(rings))
+    if not rings:
+        return None
+    made = Paths.of(rings)
+    return Paths(made.coords, made.offsets, np.array(parts))
+
+
+def to_shapely(area: Paths) -> list[Any]:
+    """Each polygon of an area as a shapely Polygon."""
+    import shapely
+
+    assert area.parts is not None
+    return [
+        shapely.Polygon(area[int(a)], [area[i] for i in range(int(a) + 1, int(b))])
+        for a, b in zip(area.parts[:-1], area.parts[1:])
+    ]

@@ -1,0 +1,222 @@
+"""SVG, written: groups, layers, true size, fixed decimals, and streams that never lie in memory whole."""
+
+from __future__ import annotations
+
+import base64
+import io
+import math
+import re
+import zlib
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
+from pathlib import Path
+from xml.sax.saxutils import escape, quoteattr
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.drawing import Drawing, Groups, Placed
+from tambour.core.picture import Picture
+from tambour.files.svg import spell
+
+_HEAD = (
+    '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+    ' stroke-linecap="round" stroke-linejoin="round"'
+)
+_PLAIN = re.compile(r"[\w.:-]*").fullmatch
+_BLOCK = 1 << 17
+"""Points written by one call: as much memory as the writer takes."""
+
+
+def write_drawing(value: Drawing | Iterable[Drawing], path: Path) -> None:
+    """A Drawing, or an iterator of Drawings on one sheet (the first one's), written as they come.
+
+    The pages of a booklet (a tuple) become name-1.svg, name-2.svg, …
+    """
+    if isinstance(value, tuple):
+        for number, page in enumerate(value, 1):
+            write_drawing(page, path.with_name(f"{path.stem}-{number}{path.suffix}"))
+        return
+    with path.open("wb", buffering=1 << 20) as out:
+        seen: set[str] = set()
+        for k, drawing in enumerate([value] if isinstance(value, Drawing) else value):
+            if k == 0:
+                out.write(head(drawing).encode())
+            out.writelines(body(drawing, seen))
+        out.write(b"</svg>\n")
+
+
+def text(drawing: Drawing) -> str:
+    """The SVG of one drawing."""
+    return head(drawing) + b"".join(body(drawing, set())).decode() + "</svg>\n"
+
+
+def number(x: float, decimals: int = 3) -> str:
+    """The shortest fixed-point spelling: no exponent, no trailing zeros, no negative zero."""
+    spelt = f"{x:.{decimals}f}".rstrip("0").rstrip(".") if decimals else f"{x:.0f}"
+    return "0" if spelt in ("-0", "") else spelt
+
+
+def head(drawing: Drawing) -> str:
+    """The root's opening tag, title and ground."""
+    x, y = map(number, drawing.origin.tolist())
+    w, h = map(number, drawing.size.tolist())
+    mm = [number(s * drawing.unit) for s in drawing.size.tolist()]
+    facts = "".join(f" data-{k}={quoteattr(v)}" for k, v in drawing.about.items() if k != "title")
+    text = f'{_HEAD} width="{mm[0]}mm" height="{mm[1]}mm" viewBox="{x} {y} {w} {h}"{facts}>\n'
+    if "title" in drawing.about:
+        text += f"<title>{escape(drawing.about['title'])}</title>\n"
+    if drawing.background is not None:
+        text += f'<rect x="{x}" y="{y}" width="{w}" height="{h}"{paint("fill", drawing.background)}/>\n'
+    return text
+
+
+def paint(name: str, rgba: Iterable[int]) -> str:
+    """The attributes ``fill`` or ``stroke`` with their opacity."""
+    r, g, b, a = rgba
+    if a == 0:
+        return f' {name}="none"'
+    opacity = "" if a == 255 else f' {name}-opacity="{number(a / 255)}"'
+    return f' {name}="#{r:02x}{g:02x}{b:02x}"{opacity}'
+
+
+def _style(drawing: Drawing) -> list[str]:
+    styles = drawing.styles
+    made = []
+    for fill, stroke, width, evenodd in zip(
+        styles.fill.tolist(), styles.stroke.tolist(), styles.width.tolist(), styles.evenodd.tolist()
+    ):
+        text = paint("fill", fill)
+        if stroke[3] and width > 0:
+            text += paint("stroke", stroke) + f' stroke-width="{number(width)}"'
+        if evenodd and fill[3]:
+            text += ' fill-rule="evenodd"'
+        made.append(text)
+    return made
+
+
+def body(drawing: Drawing, seen: set[str]) -> Iterator[bytes]:
+    """Everything between the root's tags; ``seen`` holds the group ids already used (a second run goes without)."""
+    for placed in drawing.images:
+        if not placed.glaze:
+            yield _image(placed).encode()
+    yield from _shapes(drawing, seen)
+    for label in drawing.labels:
+        at = f'x="{number(label.x)}" y="{number(label.y)}"'
+        look = f'font-family="Inter, sans-serif" font-size="{number(label.size)}" text-anchor="{label.anchor}"'
+        bold = ' font-weight="bold"' if label.bold else ""
+        turn = (
+            f' transform="rotate({number(-math.degrees(label.angle))} {number(label.x)} {number(label.y)})"'
+            if label.angle
+            else ""
+        )
+        yield f"<text {at} {look}{bold}{turn}{paint('fill', label.color)}>{escape(label.text)}</text>\n".encode()
+    for placed in drawing.images:
+        if placed.glaze:
+            yield _image(placed).encode()
+
+
+@lru_cache(maxsize=4)
+def _png(picture: Picture) -> tuple[bytes, str]:
+    """A picture as PNG, and that in base 64; kept, because a paper comes again with every file of a batch."""
+    from PIL import Image
+
+    raw = io.BytesIO()
+    image = Image.fromarray(picture.rgba)
+    grey = (picture.rgba[..., 0] == picture.rgba[..., 1]).all() and (picture.rgba[..., 1] == picture.rgba[..., 2]).all()
+    (image.convert("LA") if grey else image).save(raw, "PNG")
+    return raw.getvalue(), base64.b64encode(raw.getvalue()).decode()
+
+
+def _shapes(drawing: Drawing, seen: set[str]) -> Iterator[bytes]:
+    """All shapes in their groups, a block of points at a time."""
+    paths, m = drawing.paths, len(drawing)
+    if m == 0:
+        return
+    heads, head = _heads(drawing, seen)
+    looks, look = _joined([text.encode() for text in _style(drawing)])
+    parts = np.arange(m + 1) if paths.parts is None else paths.parts
+    ends = paths.offsets[parts]
+    decimals, terse = (3, False) if drawing.terse is None else (drawing.terse, True)
+    widest = int(np.diff(look).max())
+    begin = 0
+    out = np.empty(0, np.uint8)
+    while begin < m:
+        # At least one shape, and as many as keep within a block.
+        end = max(begin + 1, min(int(np.searchsorted(ends, ends[begin] + _BLOCK, "right")) - 1, begin + _BLOCK // 8))
+        room = spell.bound(
+            int(ends[end] - ends[begin]), end - begin, int(head[end] - head[begin]) + (end - begin) * widest
+        )
+        out = out if len(out) >= room else np.empty(room, np.uint8)
+        size = spell.shapes(
+            out, paths.coords, paths.offsets, parts, begin, end,
+            drawing.style, looks, look, heads, head, decimals, terse, spell.brief(decimals),
+        )  # fmt: skip
+        yield out[:size].tobytes()
+        begin = end
+    yield heads[head[m] :].tobytes()
+
+
+def _heads(drawing: Drawing, seen: set[str]) -> tuple[Array, Array]:
+    """The groups that open and close before each shape, joined, and (M + 1,) where each begins; the last close after."""
+    group, groups = drawing.group, drawing.groups
+    turns = np.flatnonzero(np.concatenate([[True], group[1:] != group[:-1]]))
+    parent = groups.parent.tolist()
+    depth: list[int] = []
+    for above in parent:
+        depth.append(depth[above] + 1 if above >= 0 else 1)
+    opened: list[int] = []
+    texts: list[bytes] = []
+    for g in [*group[turns].tolist(), -1]:
+        # Close what is not above g, then open from there down to g.
+        wanted: list[int] = []
+        above = g
+        while above >= 0 and (depth[above] > len(opened) or opened[depth[above] - 1] != above):
+            wanted.append(above)
+            above = parent[above]
+        same = depth[above] if above >= 0 else 0
+        text = "</g>\n" * (len(opened) - same)
+        del opened[same:]
+        for name in reversed(wanted):
+            text += _tag(groups, name, seen)
+            opened.append(name)
+        texts.append(text.encode())
+    sizes = np.zeros(len(group), np.int64)
+    sizes[turns] = [len(text) for text in texts[:-1]]
+    return _joined(texts)[0], np.concatenate([[0], np.cumsum(sizes)])
+
+
+def _joined(texts: list[bytes]) -> tuple[Array, Array]:
+    """Texts in one array of bytes, and where each begins."""
+    ends = np.concatenate([[0], np.cumsum([len(text) for text in texts])]).astype(np.int64)
+    return np.frombuffer(b"".join(texts), np.uint8), ends
+
+
+def _image(placed: Placed) -> str:
+    """An image, or a rectangle filled with copies of it."""
+    raw, data = _png(placed.picture)
+    box = f'x="{number(placed.x)}" y="{number(placed.y)}"'
+    box += f' width="{number(placed.width)}" height="{number(placed.height)}"'
+    if placed.repeat is None:
+        return f'<image {box} preserveAspectRatio="none" href="data:image/png;base64,{data}"/>\n'
+    size = f'width="{number(placed.repeat[0])}" height="{number(placed.repeat[1])}"'
+    name = f"p{zlib.crc32(raw):08x}"
+    return (
+        f'<pattern id="{name}" patternUnits="userSpaceOnUse" {size}>'
+        f'<image {size} preserveAspectRatio="none" href="data:image/png;base64,{data}"/></pattern>\n'
+        f'<rect {box} fill="url(#{name})"/>\n'
+    )
+
+
+def _tag(groups: Groups, g: int, seen: set[str]) -> str:
+    """What opens a group; its id only where it stands for the first time."""
+    name = groups.ids[g]
+    text = "" if name in seen else f' id="{name}"' if _PLAIN(name) else f" id={quoteattr(name)}"
+    seen.add(name)
+    if groups.layer[g]:
+        text += ' inkscape:groupmode="layer"'
+    if groups.names[g]:
+        text += f" inkscape:label={quoteattr(groups.names[g])}"
+    if groups.data:
+        text += "".join(f" data-{k}={quoteattr(v)}" for k, v in groups.data[g].items())
+    return f"<g{text}>\n"

@@ -1,0 +1,208 @@
+"""Brush: how elements put marks down. A mark is noted as the way of the brush and how it is held; ``press`` inks it.
+
+Every drawing kernel takes the same six arrays, the *desk*:
+
+table : (4096,) lattice values of the value noise
+rng : (2,) uint64, the element's own stream of chance: its key, and how many numbers were taken
+pts : (P, 2) float64, the points of all spines, one after the other
+marks : (K, COLUMNS) float64, one row per mark
+elems : (E, 4) float64, one row per element: kind, parent, x, y
+n : (8,) int64, how much is used: points, marks, elements; a flag that something did not fit; the open element; the tint
+
+Kernels never fail for want of room: they raise the flag, and :mod:`tambour.ink.brush.desk` draws the element again on a
+larger desk. The stream belongs to the element, so the second drawing is the same.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.ink.ground.codes import numbers
+from tambour.ink.ground.marks import BLOB, BODY, INK, LINE, RING, STROKE, WASH
+from tambour.noise import uniform
+
+# Columns of a mark.
+END, KIND, FILL, FILL_ALPHA, EDGE, EDGE_ALPHA, EDGE_WIDTH, BREADTH, NOISE, ROW, SHAPE, ELEMENT, TINT = range(13)
+COLUMNS = 13
+# Places of n.
+POINTS, MARKS, ELEMENTS, FULL, OPEN, HUE = range(6)
+# Tapers: how a stroke's breadth runs from its start to its end.
+SINE, EVEN, FADE, BEAD = numbers(4)
+# Forms of a blob: a lens; a drop, fat at its end; a puff, round at its start.
+LENS, DROP, PUFF = numbers(3)
+
+PI = math.pi
+
+
+@kernel
+def rnd(rng: Array) -> float:
+    """The next number of the element's stream, uniform in [0, 1)."""
+    rng[1] += np.uint64(1)
+    return uniform(rng[0], rng[1])
+
+
+@kernel
+def between(rng: Array, low: float, high: float) -> float:
+    """Uniform in [low, high)."""
+    return low + (high - low) * rnd(rng)
+
+
+@kernel
+def pick(rng: Array, count: int) -> int:
+    """A whole number in 0 … count - 1."""
+    return int(rnd(rng) * count)
+
+
+@kernel
+def side(rng: Array) -> float:
+    """-1 or 1."""
+    return -1.0 if rnd(rng) < 0.5 else 1.0
+
+
+@kernel
+def bell(rng: Array) -> float:
+    """A bell over (-1, 1) with deviation 1/√12: half the sum of four uniforms in (-1/2, 1/2).
+
+    The original rejects draws of a normal of the same deviation and support (dossier 1.3); four sums are cheaper.
+    """
+    return 0.5 * (rnd(rng) + rnd(rng) + rnd(rng) + rnd(rng)) - 1.0
+
+
+@kernel
+def at(pts: Array, n: Array, x: float, y: float) -> None:
+    """The brush goes to (x, y)."""
+    k = n[POINTS]
+    if k < len(pts):
+        pts[k, 0], pts[k, 1] = x, y
+        n[POINTS] = k + 1
+    else:
+        n[FULL] = 1
+
+
+@kernel
+def lift(
+    marks: Array,
+    n: Array,
+    kind: int,
+    fill: float,
+    fill_alpha: float,
+    edge: float,
+    edge_alpha: float,
+    edge_width: float,
+    breadth: float,
+    noise: float,
+    row: float,
+    shape: int,
+) -> None:
+    """The points since the last mark become one. Fewer than two are dropped."""
+    k = n[MARKS]
+    first = int(marks[k - 1, END]) if k > 0 else 0
+    if n[POINTS] - first < 2:
+        n[POINTS] = first
+        return
+    if k >= len(marks):
+        n[FULL] = 1
+        return
+    m = marks[k]
+    m[END], m[KIND] = n[POINTS], kind
+    m[FILL], m[FILL_ALPHA], m[EDGE], m[EDGE_ALPHA], m[EDGE_WIDTH] = fill, fill_alpha, edge, edge_alpha, edge_width
+    m[BREADTH], m[NOISE], m[ROW], m[SHAPE] = breadth, noise, row, shape
+    m[ELEMENT], m[TINT] = n[OPEN], n[HUE]
+    n[MARKS] = k + 1
+
+
+@kernel
+def body(marks: Array, n: Array) -> None:
+    """The points since the last mark are the outline of something opaque."""
+    hue = n[HUE]
+    n[HUE] = INK
+    lift(marks, n, BODY, 255.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0)
+    n[HUE] = hue
+
+
+@kernel
+def wash(marks: Array, n: Array, grey: float, alpha: float, seam: float) -> None:
+    """The points since the last mark are filled with a flat tone; its edge, ``seam`` wide, hides joints."""
+    lift(marks, n, WASH, grey, alpha, grey, alpha if seam > 0 else 0.0, seam, 0.0, 0.0, 0.0, 0)
+
+
+@kernel
+def line(marks: Array, n: Array, grey: float, alpha: float, width: float) -> None:
+    """The points since the last mark are a thin open line."""
+    lift(marks, n, LINE, 0.0, 0.0, grey, alpha, width, width, 0.0, 0.0, 0)
+
+
+@kernel
+def stroke(
+    rng: Array, marks: Array, n: Array, grey: float, alpha: float, breadth: float, noise: float, taper: int, edge: float
+) -> None:
+    """The points since the last mark are a stroke with pressure.
+
+    breadth : half the greatest width, units; ``taper`` runs it along the way, and ``noise`` (0…1) makes it tremble
+    edge : width of the line around it in its own tone, which makes it look heavier (dossier 0)
+    """
+    lift(marks, n, STROKE, grey, alpha, grey, alpha if edge > 0 else 0.0, edge, breadth, noise, rnd(rng), taper)
+
+
+@kernel
+def blob(
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    x: float,
+    y: float,
+    length: float,
+    breadth: float,
+    angle: float,
+    grey: float,
+    alpha: float,
+    noise: float,
+    form: int,
+) -> None:
+    """One touch of the brush about (x, y): ``length`` along ``angle`` (clockwise, y down), ``breadth`` across."""
+    dx, dy = 0.5 * length * math.cos(angle), 0.5 * length * math.sin(angle)
+    at(pts, n, x - dx, y - dy)
+    at(pts, n, x + dx, y + dy)
+    lift(marks, n, BLOB, grey, alpha, grey, 0.0, 0.0, breadth, noise, rnd(rng), form)
+
+
+@kernel
+def ring(
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    x: float,
+    y: float,
+    length: float,
+    breadth: float,
+    angle: float,
+    grey: float,
+    alpha: float,
+    pen: float,
+) -> None:
+    """The outline of a blob, drawn with a line that swells three half waves on its way round: a scale of bark."""
+    dx, dy = 0.5 * length * math.cos(angle), 0.5 * length * math.sin(angle)
+    at(pts, n, x - dx, y - dy)
+    at(pts, n, x + dx, y + dy)
+    lift(marks, n, RING, grey, alpha, grey, 0.0, pen, breadth, 0.5, rnd(rng), int(rnd(rng) * 256.0))
+
+
+@kernel
+def part(elems: Array, n: Array, kind: int, x: float, y: float) -> int:
+    """Open a part of the open element (or, with none open, a whole) standing at (x, y); gives what was open."""
+    before = n[OPEN]
+    k = n[ELEMENTS]
+    if k >= len(elems):
+        n[FULL] = 1
+        return before
+    e = elems[k]
+    e[0], e[1], e[2], e[3] = kind, before, x, y
+    n[ELEMENTS] = k + 1
+    n[OPEN] = k
+    return before

@@ -1,0 +1,208 @@
+"""Near banks: low sweeping ground with flat tops, and one group that stands on each."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.ink.brush.stroke import OPEN, PI, SINE, at, bell, between, body, part, pick, rnd, stroke
+from tambour.ink.elements.bushes import bush, reed
+from tambour.ink.elements.cun import SHOULDERS, slope, wrinkles
+from tambour.ink.elements.houses import hut
+from tambour.ink.elements.pines import cedar, pine, plum
+from tambour.ink.elements.rocks import rock
+from tambour.ink.elements.trees import sapling
+from tambour.ink.ground.codes import BANK
+from tambour.noise import value
+
+LAYERS, COLUMNS = 5, 50
+STONES, CEDARS, PINES, PLUMS, BUSHES, NOTHING = range(6)
+"""The group that a bank carries."""
+
+
+@kernel
+def terrace(
+    table: Array, rng: Array, grid: Array, top: Array, seed: float, y: float, height: float, width: float, cut: float
+) -> int:
+    """Fill ``grid`` (LAYERS, COLUMNS, 2), cut flat at 100 ``cut`` above its foot, and ``top`` (k, 2): the round of the
+    flat's edge, cut ends of the contours joined and scalloped; gives k (dossier 1.8)."""
+    lefts, rights = np.empty((LAYERS + 6, 2)), np.empty((LAYERS + 6, 2))
+    count = 0
+    drop = 0.0
+    for j in range(LAYERS):
+        drop += rnd(rng) * y / 100.0
+        p = 1.0 - 0.6 * j / LAYERS
+        first, last = -1, -1
+        for i in range(COLUMNS):
+            t = (i / COLUMNS - 0.5) * PI
+            h = (math.cos(2.0 * t) + 1.0) * value(table, t + 10.0, 0.1 * j, seed)
+            grid[j, i, 0] = t / PI * width * p
+            grid[j, i, 1] = drop - h * height * p
+            if grid[j, i, 1] < drop - 100.0 * cut:
+                grid[j, i, 1] = drop - 100.0 * cut
+                first = i if first < 0 else first
+                last = i
+        if first >= 0 and last > first + 2:
+            lefts[count + 3] = grid[j, first]
+            rights[count + 3] = grid[j, last]
+            count += 1
+    if count < 2:
+        return 0
+    for k in range(3):
+        p = 0.2 + 0.2 * k
+        lefts[k, 0], lefts[k, 1] = lefts[3, 0] * p, lefts[3, 1] - 5.0
+        rights[k, 0], rights[k, 1] = rights[3, 0] * p, rights[3, 1] - 5.0
+        p = 0.6 - 0.1 * k * k
+        e = count + 2
+        lefts[e + 1 + k, 0], lefts[e + 1 + k, 1] = lefts[e, 0] * p, lefts[e, 1] + 1.0 + k
+        rights[e + 1 + k, 0], rights[e + 1 + k, 1] = rights[e, 0] * p, rights[e, 1] + 1.0 + k
+    total = count + 6
+    k = 0
+    for s in range(2):
+        for a in range(total - 1):
+            i = total - 1 - a if s == 0 else a
+            j = i - 1 if s == 0 else i + 1
+            edge = lefts if s == 0 else rights
+            for q in range(5):
+                p = 0.2 * q
+                v = (1.0 - abs(q - 2.5) / 2.5) * 0.12
+                x, z = edge[i, 0] + p * (edge[j, 0] - edge[i, 0]), edge[i, 1] + p * (edge[j, 1] - edge[i, 1])
+                top[k, 0] = x * (1.0 - v + v * value(table, 0.5 * z, seed + s, 0.0))
+                top[k, 1] = z
+                k += 1
+    top[k] = top[0]
+    return k + 1
+
+
+def bank(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float, cut: float, planted: float, bloom: float, hutted: float, people: float,
+    forms: Array, loops: Array,
+) -> None:  # fmt: skip
+    """A bank with its foot at (x, y), flat at 100 ``cut`` above it, and what grows on it.
+
+    planted, bloom, people : 0…1, how much of the groups, blossoms and figures is there ; hutted : above 0 for a hut
+
+    Two kernels one after the other: one that held both would be compiled, with all trees in it, twice.
+    """
+    before, flat = n[OPEN], np.zeros(4)
+    ground(table, rng, pts, marks, elems, n, x, y, height, width, cut, flat)
+    left, high, wide, deep = flat.tolist()
+    if wide > 0.0:
+        group(
+            table, rng, pts, marks, elems, n, left, high, wide, deep, planted, bloom, hutted, people, forms, loops
+        )  # fmt: skip
+    n[OPEN] = before
+
+
+@kernel
+def ground(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, height: float, width: float, cut: float, flat: Array,
+) -> None:  # fmt: skip
+    """Open a bank and draw its ground; ``flat`` (4,) becomes left, top, width and depth of its flat, 0 where it has none."""
+    part(elems, n, BANK, x, y)
+    seed = float(math.floor(4096.0 * rnd(rng)))
+    grid, top = np.empty((LAYERS, COLUMNS, 2)), np.empty((10 * (LAYERS + 6), 2))
+    edge = terrace(table, rng, grid, top, seed, y, height, width, cut)
+    slope(rng, pts, marks, n, grid, x, y, 20.0)
+    wrinkles(table, rng, pts, marks, n, grid, x, y, 80, 2.0, 0.2, SHOULDERS, 100.0, 0.3, 0.0, 30.0)
+    if edge > 0:
+        for i in range(edge):
+            at(pts, n, top[i, 0] + x, top[i, 1] + y)
+        body(marks, n)
+        for i in range(edge):
+            at(pts, n, top[i, 0] + x, top[i, 1] + y)
+        stroke(rng, marks, n, 100.0, 0.2, 3.0, 0.5, SINE, 1.0)
+        left, high, right, low = 1e9, 1e9, -1e9, -1e9
+        for i in range(edge):
+            left, right = min(left, top[i, 0]), max(right, top[i, 0])
+            high, low = min(high, top[i, 1]), max(low, top[i, 1])
+        flat[0], flat[1], flat[2], flat[3] = x + left, y + high, right - left, low - high
+
+
+@kernel
+def along(rng: Array, low: float, size: float) -> float:
+    """A place between ``low`` and ``low + size``, rather in the middle."""
+    return low + size * (0.5 + 0.5 * bell(rng))
+
+
+@kernel
+def group(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    left: float, high: float, width: float, depth: float,
+    planted: float, bloom: float, hutted: float, people: float, forms: Array, loops: Array,
+) -> None:  # fmt: skip
+    """What stands on a flat top that spans (left, high) and ``width`` × ``depth``: dossier 1.8, flatDec."""
+    middle = high + 0.5 * depth
+    kind = pick(rng, 6)
+    kind = STONES if kind == 5 or (kind == BUSHES and hutted > 0.0) else kind
+    if rnd(rng) >= planted:
+        kind = NOTHING
+    for _ in range(pick(rng, 6)):
+        a, b = along(rng, left, width), middle + 10.0 * bell(rng) + 10.0
+        rock(table, rng, pts, marks, elems, n, a, b, between(rng, 10.0, 30.0), between(rng, 10.0, 30.0), 40, 2.0)
+    for _ in range(max(0, pick(rng, 4) - 1) if planted > 0.0 else 0):
+        a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
+        for _ in range(2 + pick(rng, 4)):
+            c = min(max(a + 30.0 * bell(rng), left), left + width)
+            reed(table, rng, pts, marks, elems, n, c, b, between(rng, 60.0, 100.0), 1.0)
+    if kind == STONES:
+        for _ in range(pick(rng, 4)):
+            a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
+            rock(table, rng, pts, marks, elems, n, a, b, between(rng, 40.0, 60.0), between(rng, 50.0, 70.0), 40, 5.0)
+    elif kind == CEDARS:
+        first, last = 0.5 * rnd(rng), between(rng, 0.5, 1.0)
+        a = left + width * first
+        while a < left + width * last:
+            tx, ty = a + 20.0 * bell(rng), middle + 10.0 * bell(rng) + 10.0
+            cedar(table, rng, pts, marks, elems, n, tx, ty, between(rng, 100.0, 300.0), 5.0)
+            a += 30.0
+        for _ in range(pick(rng, 5)):
+            a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
+            rock(table, rng, pts, marks, elems, n, a, b, between(rng, 40.0, 60.0), between(rng, 50.0, 70.0), 40, 5.0)
+    elif kind == PINES:
+        for _ in range(max(1, pick(rng, 7) - 3)):
+            a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
+            pine(table, rng, pts, marks, elems, n, a, b, 300.0, 6.0)
+            for _ in range(pick(rng, 3)):
+                c = max(left, min(left + width, a + 50.0 * bell(rng)))
+                rock(
+                    table, rng, pts, marks, elems, n, c, b + 10.0 + 5.0 * bell(rng),
+                    between(rng, 40.0, 60.0), between(rng, 50.0, 70.0), 40, 5.0,
+                )  # fmt: skip
+    elif kind == PLUMS:
+        for _ in range(max(1, pick(rng, 7) - 3)):
+            a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
+            plum(table, rng, pts, marks, elems, n, a, b, between(rng, 60.0, 120.0), 6.0, bloom)
+    elif kind == BUSHES:
+        first, last = 0.5 * rnd(rng), between(rng, 0.5, 1.0)
+        a, tone = left + width * first, math.floor(4096.0 * rnd(rng)) + 0.5
+        while a < left + width * last:
+            tx, ty = a + 20.0 * bell(rng), middle + 5.0 * bell(rng) + 23.0
+            bush(table, rng, pts, marks, elems, n, tx, ty, 60.0, 4.0, tone, forms, loops)
+            a += 20.0
+    for _ in range(int(50.0 * rnd(rng) * planted)):
+        a, b = along(rng, left, width), middle + 20.0 * bell(rng) + 10.0
+        sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 1, 0.55)
+    if hutted > 0.0:
+        count = pick(rng, 3) if rnd(rng) < people else 0
+        a, b = along(rng, left, width), middle + 15.0
+        hut(
+            table,
+            rng,
+            pts,
+            marks,
+            elems,
+            n,
+            a,
+            b,
+            between(rng, 70.0, 80.0),
+            between(rng, 160.0, 200.0),
+            rnd(rng),
+            4.0,
+            count,
+        )

@@ -1,0 +1,159 @@
+"""Cun: the wrinkle strokes that model a slope, and the outline, body and foot that slopes share."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.ink.brush.stroke import SINE, at, between, body, rnd, stroke
+from tambour.ink.ground.codes import numbers
+from tambour.noise import ease, value
+
+FLANKS, SHOULDERS, SIDES, SPREAD = numbers(4)
+"""Where wrinkles gather along a ridge: the outer thirds; broadly beside the middle; narrowly at the sides; more and
+more towards one end."""
+OWN = 0.5
+"""How much a stroke trembles by itself, as a part of the slope's relief: lines of a bundle touch and part again."""
+
+
+@kernel
+def place(rng: Array, where: int) -> float:
+    """A place in 0…1 along the ridge (dossier 1.6, 1.8)."""
+    u, right = rnd(rng), rnd(rng) < 0.5
+    if where == FLANKS:
+        return (2.0 + u) / 3.0 if right else u / 3.0
+    if where == SHOULDERS:
+        return 0.9 - 0.4 * u if right else 0.1 + 0.4 * u
+    if where == SIDES:
+        return 0.85 - 0.15 * u if right else 0.15 + 0.15 * u
+    return u ** (1.0 / 3.0)
+
+
+@kernel
+def grit(table: Array, place: int) -> float:
+    """A number spread as the value noise is, but without its smoothness: the lattice itself, four octaves of it."""
+    return (
+        0.5 * table[place & 4095] + 0.25 * table[(place + 1619) & 4095]
+        + 0.125 * table[(place + 2971) & 4095] + 0.0625 * table[(place + 811) & 4095]
+    )  # fmt: skip
+
+
+@kernel
+def relief(table: Array, phase: int, layers: int, columns: int) -> Array:
+    """The roughness of a slope: (layers, columns, 2) in about -1/2 … 1/2, smoothed along the contours.
+
+    It belongs to the slope, not to the stroke: strokes that run side by side are pushed the same way, and stay parallel.
+    """
+    rough = np.empty((layers, columns, 2))
+    for i in range(layers):
+        for c in range(2):
+            row = phase + 977 * i + 2048 * c
+            before, here = grit(table, row - 1), grit(table, row)
+            for j in range(columns):
+                after = grit(table, row + j + 1)
+                rough[i, j, c] = 0.2 * before + 0.6 * here + 0.2 * after - 0.47
+                before, here = here, after
+    return rough
+
+
+@kernel
+def wrinkles(
+    table: Array, rng: Array, pts: Array, marks: Array, n: Array,
+    grid: Array, x: float, y: float, count: int, breadth: float, reach: float, where: int,
+    grey: float, alpha: float, shade: float, tremble: float,
+) -> None:  # fmt: skip
+    """``count`` strokes over a surface, each a run along its contours.
+
+    grid : (L, M, 2) contours from the foot (0) inwards, about (x, y)
+    reach : greatest half length of a stroke, as a part of M; where : see above; alpha : of the darkest
+    shade : breadth of a first, faint pass under every second line, and lines are then thinned by it; 0 for none
+    tremble : how far the slope's relief may carry the lines of the foot, falling as 1 / layer (dossier 1.6)
+    Each stroke lies between two contours. The skyline itself is not carried away: lines stay on the slope.
+    """
+    layers, columns = grid.shape[0], grid.shape[1]
+    rough = relief(table, int(4096.0 * rnd(rng)), layers, columns)
+    for wet in range(0 if shade > 0.0 else 1, 2):
+        step = 2.0 if wet == 0 else 1.0 + shade
+        for k in range(int(count / step)):
+            i = shade + k * step if wet == 1 else k * step
+            if i >= count:
+                break
+            mid = int(place(rng, where) * columns)
+            half = math.floor(rnd(rng) * columns * reach)
+            first, last = max(0, min(columns, mid - half)), max(0, min(columns, mid + half))
+            layer = i / count * (layers - 1)
+            low = int(layer)
+            high, p = min(low + 1, layers - 1), layer - low
+            drift = tremble / (layer + 1.0) * min(1.0, 0.25 + layer)
+            q = ease(p)
+            spot = int(4096.0 * rnd(rng))
+            mine = grit(table, spot + first) - 0.47
+            for j in range(first, last):
+                before, mine = mine, grit(table, spot + j + 1) - 0.47
+                push = OWN * 0.5 * (before + mine)
+                a = (1.0 - p) * grid[low, j, 0] + p * grid[high, j, 0]
+                b = (1.0 - p) * grid[low, j, 1] + p * grid[high, j, 1]
+                a += drift * (rough[low, j, 0] + q * (rough[high, j, 0] - rough[low, j, 0]) + push)
+                b += drift * (rough[low, j, 1] + q * (rough[high, j, 1] - rough[low, j, 1]) - push)
+                at(pts, n, a + x, b + y)
+            if wet == 0:
+                stroke(rng, marks, n, grey, 0.1, shade, 0.5, SINE, 1.0)
+            else:
+                stroke(
+                    rng,
+                    marks,
+                    n,
+                    grey,
+                    alpha * between(rng, 0.1, 1.0),
+                    breadth * between(rng, 0.7, 1.2),
+                    0.5,
+                    SINE,
+                    1.0,
+                )
+
+
+@kernel
+def slope(rng: Array, pts: Array, marks: Array, n: Array, grid: Array, x: float, y: float, sink: float) -> None:
+    """The body of a slope (its outermost contour, closed ``sink`` below its foot) and its trembling outline."""
+    for j in range(grid.shape[1]):
+        at(pts, n, grid[0, j, 0] + x, grid[0, j, 1] + y)
+    if sink > 0.0:
+        at(pts, n, x, y + sink)
+    body(marks, n)
+    for j in range(grid.shape[1]):
+        at(pts, n, grid[0, j, 0] + x, grid[0, j, 1] + y)
+    stroke(rng, marks, n, 100.0, 0.3, 3.0, 1.0, SINE, 1.0)
+
+
+@kernel
+def foot(table: Array, rng: Array, pts: Array, marks: Array, n: Array, grid: Array, x: float, y: float) -> None:
+    """Skirts on both sides that break the contours' ends: paper first, faint strokes over it (dossier 1.8)."""
+    layers, columns = grid.shape[0], grid.shape[1]
+    phase = 4096.0 * rnd(rng)
+    mark = rng[1]
+    for wet in range(2):
+        rng[1] = mark  # both passes walk the same way
+        i = 0
+        while i < layers - 2:
+            above = min(i + (1 if rnd(rng) < 0.5 else 2), layers - 1)
+            for s in range(2):
+                edge, inward = (0, 1) if s == 0 else (columns - 1, -1)
+                for k in range(min(columns // 8, 10), -1, -1):
+                    j = edge + inward * k
+                    shift = 10.0 * inward * value(table, 0.1 * k, i + phase, 0.0)
+                    at(pts, n, grid[i, j, 0] + shift + x, grid[i, j, 1] + y)
+                for k in range(10):
+                    p = k / 10.0
+                    a = grid[i, edge, 0] * (1.0 - p) + grid[above, edge, 0] * p
+                    b = grid[i, edge, 1] * (1.0 - p) + grid[above, edge, 1] * p
+                    b += 8.5 * (1.0 - p) * p**0.2 + 5.0 * value(table, 0.05 * (y + b) + phase, i * 1.0, 0.0)
+                    at(pts, n, a + x, b + y)
+                if wet == 0:
+                    body(marks, n)
+                else:
+                    tone = 0.1 + 0.1 * value(table, 7.3 * i + s + phase, 0.5, 0.0)
+                    stroke(rng, marks, n, 100.0, tone, 1.0, 0.5, SINE, 1.0)
+            i = above

@@ -1,0 +1,165 @@
+"""People in robes, and the fisherman's boat."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.ink.brush.stroke import EVEN, OPEN, PI, SINE, at, between, body, lift, part, stroke
+from tambour.ink.ground.codes import BOAT, FIGURE, numbers
+from tambour.ink.ground.marks import BODY, WASH
+
+BARE, BUN, STRAW = numbers(3)
+"""What is on the head: a cap of hair, a bun with its band, a wide straw hat."""
+
+
+@kernel
+def smooth(control: Array, way: Array) -> None:
+    """Fill ``way`` (k, 2) along quadratic Beziers through the middles of ``control``'s edges, ends included (1.3)."""
+    c, k = len(control), len(way)
+    for i in range(k):
+        t = i / (k - 1.0) * (c - 2.0)
+        s = min(int(t), c - 3)
+        u = t - s
+        for d in range(2):
+            a = control[0, d] if s == 0 else 0.5 * (control[s, d] + control[s + 1, d])
+            b = control[s + 1, d]
+            e = control[c - 1, d] if s == c - 3 else 0.5 * (control[s + 1, d] + control[s + 2, d])
+            way[i, d] = (1.0 - u) ** 2 * a + 2.0 * u * (1.0 - u) * b + u * u * e
+
+
+@kernel
+def cloth(
+    rng: Array, pts: Array, marks: Array, n: Array,
+    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, first: float, last: float,
+) -> None:  # fmt: skip
+    """A sleeve or a robe: a lobe from a over b to c, its half width ``first`` to ``last``, closed by a round hem."""
+    control, fine, way, sides = np.empty((3, 2)), np.empty((64, 2)), np.empty((16, 2)), np.empty((2, 16, 2))
+    control[0, 0], control[0, 1], control[1, 0], control[1, 1] = ax, ay, bx, by
+    control[2, 0], control[2, 1] = cx, cy
+    smooth(control, fine)
+    for i in range(16):
+        # Closer together towards the hem, which is round.
+        way[i] = fine[int(63.0 * (1.0 - (1.0 - i / 15.0) ** 1.8))]
+    for i in range(16):
+        a, b = max(i - 1, 0), min(i + 1, 15)
+        dx, dy = way[b, 0] - way[a, 0], way[b, 1] - way[a, 1]
+        d = math.sqrt(dx * dx + dy * dy) + 1e-9
+        p = 1.0 - (1.0 - i / 15.0) ** 1.8
+        w = (first + (last - first) * math.sin(0.5 * PI * p) ** 0.9) * math.sqrt(max(0.0, 1.0 - p**9))
+        for s in range(2):
+            f = w * (1.0 - 2.0 * s) / d
+            sides[s, i, 0], sides[s, i, 1] = way[i, 0] + f * dy, way[i, 1] - f * dx
+    for wet in range(2):
+        for s in range(2):
+            for k in range(s, 16):
+                i = k if s == 0 else 15 - k
+                at(pts, n, sides[s, i, 0], sides[s, i, 1])
+        if wet == 0:
+            body(marks, n)
+        else:
+            stroke(rng, marks, n, 100.0, 0.7, 0.45 + 0.06 * last, 0.6, EVEN, 0.7)
+
+
+@kernel
+def figure(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, scale: float, right: float, hat: int, staff: float,
+) -> None:  # fmt: skip
+    """A robed figure whose hem touches (x, y), about 95 × ``scale`` tall, looking right (1) or left (-1).
+
+    hat : see above ; staff : length of the rod it holds, in units of 30 ``scale``; 0 for none (dossier 1.10)
+    """
+    before = part(elems, n, FIGURE, x, y)
+    u = scale * 30.0
+    f = right * u
+    neck_x, neck_y = x - f * between(rng, 0.5, 1.0), y - 2.3 * u
+    hand_x, hand_y = neck_x + f * between(rng, 1.5, 2.0), neck_y + u * between(rng, 0.5, 1.0)
+    if staff > 0.0:
+        tilt = between(rng, 0.3, 0.55)
+        for i in range(13):
+            p = i / 12.0 - 0.08
+            at(pts, n, hand_x - 0.1 * f + f * p * staff, hand_y - 0.2 * u + u * staff * (0.08 * p * p - tilt * p))
+        stroke(rng, marks, n, 100.0, 0.6, 0.035 * u + 0.15, 0.4, SINE, 0.6)
+    # The sleeve that hangs behind, the robe that swings forward, the sleeve in front: each hides what is behind it.
+    back = between(rng, 0.5, 0.9)
+    cloth(
+        rng, pts, marks, n, neck_x - 0.05 * f, neck_y, neck_x - 1.5 * back * f, neck_y + 0.7 * u,
+        neck_x - 0.7 * back * f, neck_y + 2.0 * u, 0.06 * u, 0.3 * u,
+    )  # fmt: skip
+    cloth(
+        rng, pts, marks, n, neck_x, neck_y - 0.1 * u, neck_x - 0.05 * f, neck_y + 1.35 * u,
+        x, y, 0.1 * u, 0.46 * u,
+    )  # fmt: skip
+    cloth(
+        rng, pts, marks, n, neck_x, neck_y, neck_x + 0.7 * f, neck_y + 0.75 * u,
+        hand_x, hand_y, 0.07 * u, 0.34 * u,
+    )  # fmt: skip
+    cloth(
+        rng, pts, marks, n, neck_x + 0.08 * f, neck_y - 0.75 * u, neck_x + 0.1 * f, neck_y - 0.35 * u,
+        neck_x, neck_y + 0.05 * u, 0.21 * u, 0.14 * u,
+    )  # fmt: skip
+    crown(rng, pts, marks, n, neck_x + 0.06 * f, neck_y - 0.62 * u, u, right, hat)
+    n[OPEN] = before
+
+
+@kernel
+def crown(rng: Array, pts: Array, marks: Array, n: Array, x: float, y: float, u: float, right: float, hat: int) -> None:
+    """Hair or hat on a head whose middle is (x, y); u is 30 × scale."""
+    if hat == STRAW:
+        for i in range(25):
+            t = 2.0 * PI * i / 24.0
+            rim = math.cos(t)
+            dome = max(0.0, 1.0 - (rim / 0.3) ** 2) if math.sin(t) < 0.0 else 0.0
+            at(pts, n, x + 0.87 * u * rim, y + 0.08 * u + 0.07 * u * math.sin(t) - 0.26 * u * dome)
+        lift(marks, n, BODY, 100.0, 0.9, 100.0, 0.9, 0.5, 0.0, 0.0, 0.0, 0)
+        return
+    # From the brow over the crown, down the back of the head to the nape, and back behind the face.
+    f = right * u
+    for i in range(12):
+        t = PI * i / 11.0
+        at(pts, n, x + (0.29 * math.cos(t) - 0.01) * f, y - 0.4 * u * math.sin(t) + 0.04 * u)
+    at(pts, n, x - 0.33 * f, y + (0.5 if hat == BUN else 0.25) * u)
+    at(pts, n, x - 0.17 * f, y + 0.3 * u)
+    at(pts, n, x - 0.1 * f, y - 0.05 * u)
+    at(pts, n, x + 0.06 * f, y - 0.16 * u)
+    at(pts, n, x + 0.21 * f, y + 0.02 * u)
+    lift(marks, n, BODY, 100.0, 0.9, 100.0, 0.9, 0.4, 0.0, 0.0, 0.0, 0)
+    if hat == BUN:
+        for i in range(13):
+            t = 2.0 * PI * i / 12.0
+            at(pts, n, x - right * 0.16 * u + 0.12 * u * math.cos(t), y - 0.42 * u + 0.11 * u * math.sin(t))
+        lift(marks, n, BODY, 100.0, 0.9, 100.0, 0.9, 0.4, 0.0, 0.0, 0.0, 0)
+        for i in range(9):
+            p = i / 8.0
+            at(pts, n, x - right * (0.22 + 0.22 * p) * u, y + (-0.3 + 1.05 * p) * u)
+        stroke(rng, marks, n, 100.0, 0.7, 0.07 * u, 0.3, SINE, 0.4)
+
+
+@kernel
+def boat(
+    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
+    x: float, y: float, length: float, scale: float, right: float, manned: bool,
+) -> None:  # fmt: skip
+    """A flat boat about (x, y), ``length`` × ``scale`` long, and a fisherman in a straw hat with his rod."""
+    before = part(elems, n, BOAT, x, y)
+    if manned:
+        where = x + right * 0.38 * length * scale
+        figure(table, rng, pts, marks, elems, n, where, y + 2.5 * scale, 0.43 * scale, right, STRAW, 5.0)
+    half = 0.5 * length * scale
+    top, bottom = 2.0 * scale, 3.0 * scale
+    for wet in range(2):
+        for s in range(2):
+            for i in range(21):
+                p = i / 20.0
+                deep = math.sqrt(math.sin(PI * p)) if 0.0 < p < 1.0 else 0.0
+                q = p if s == 0 else 1.0 - p
+                at(pts, n, x - half + 2.0 * half * q, y + deep * (top if s == 0 else bottom + top))
+        if wet == 0:
+            body(marks, n)
+        else:
+            lift(marks, n, WASH, 100.0, 0.5, 100.0, 0.5, 1.0, 0.0, 0.0, 0.0, 0)
+    n[OPEN] = before

@@ -1,0 +1,1 @@
+"""Ground: what every room of the craft speaks of: constants, kinds, marks."""

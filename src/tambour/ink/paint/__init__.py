@@ -1,0 +1,1 @@
+"""Paint: marks become a picture on paper, with its inscription and seal."""

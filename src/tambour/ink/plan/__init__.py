@@ -1,0 +1,1 @@
+"""Plan: where everything stands, and a window of it drawn."""

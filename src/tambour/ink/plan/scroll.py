@@ -1,0 +1,230 @@
+"""Scroll: a window of the endless scroll, planned at once and drawn in batches."""
+
+from __future__ import annotations
+
+import os
+from collections import deque
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.drawing import Drawing, Label, Placed
+from tambour.core.picture import Picture
+from tambour.core.progress import Progress
+from tambour.ink.elements import specimens
+from tambour.ink.ground.kinds import NAMES
+from tambour.ink.ground.marks import Marks
+from tambour.ink.paint import seal
+from tambour.ink.params import Ink
+from tambour.ink.plan.draw import Manner, draw, join
+from tambour.ink.plan.wholes import HEIGHT, Planned, Rules, tile, window
+
+BATCH = 60
+"""Wholes drawn at a time: about a tile's worth of marks."""
+MARGIN = 20.0
+"""Blank about a specimen, units."""
+KEPT = 6_000_000
+"""Points up to which the marks of a window are kept; a longer window is drawn again for every file."""
+
+SKIES = {"ink": "none", "dusk": "sun", "night": "moon"}
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Scroll:
+    """A window of a scroll: its plan, and what was counted when it was drawn.
+
+    planned : the wholes that lie in the window, in painter's order ; elements : how many of each kind lie in the window
+    kept : the marks, or None where the window is too long to hold
+    origin, size : (2,) float64 the sheet in scroll units
+    names : what stands under the specimens
+    """
+
+    params: Ink
+    planned: tuple[Planned, ...]
+    elements: dict[str, int]
+    polygons: int
+    points: int
+    kept: Marks | None
+    origin: Array
+    size: Array
+    names: tuple[Label, ...] = ()
+
+    def batches(self) -> Iterator[Marks]:
+        """The marks in painter's order, a batch at a time."""
+        if self.kept is not None:
+            yield self.kept
+            return
+        yield from batches(self.params, self.planned)
+
+    def marks(self) -> Marks:
+        """All marks at once."""
+        return join(list(self.batches()))
+
+
+def rules(params: Ink) -> Rules:
+    """What of the params the plan depends on."""
+    return Rules(
+        params.seed, params.edition, params.density, params.height, params.mist, params.boats, params.birds,
+        SKIES[params.time], params.season == "winter",
+    )  # fmt: skip
+
+
+def manner(params: Ink) -> Manner:
+    """What of the params the drawing of each whole depends on."""
+    planted = 0.75 if params.season == "winter" else 1.0
+    return Manner(planted, float(params.season == "spring"), params.buildings, params.figures, params.waterfalls)
+
+
+def batches(params: Ink, planned: tuple[Planned, ...]) -> Iterator[Marks]:
+    """Draw wholes in their order, on all cores; what only might have reached into the window is left out.
+
+    A batch is drawn by itself, so the marks do not depend on how many are drawn at once; as many wait as there are cores.
+    """
+    begin, end = params.from_, params.from_ + params.span
+    workers = os.cpu_count() or 1
+    waiting: deque[Future[Marks]] = deque()
+    with ThreadPoolExecutor(workers) as pool:
+        for i in range(0, len(planned), BATCH):
+            waiting.append(pool.submit(draw, planned[i : i + BATCH], manner(params), params.edition, begin, end))
+            if len(waiting) > workers:
+                yield waiting.popleft().result()
+        while waiting:
+            yield waiting.popleft().result()
+
+
+def make(source: None, params: Ink, progress: Progress) -> Scroll:
+    """Plan and draw the window, or draw the specimen, that ``params`` ask for."""
+    if params.specimen:
+        return _specimen(params, progress)
+    if params.font is not None:
+        seal.check(params.inscription, params.seal, params.font)
+    how = rules(params)
+    with progress.stage("plan"):
+        first, last = int(params.from_ // 512), int((params.from_ + params.span) // 512)
+        for k in range(first, last + 1):
+            progress.step(k - first, last + 1 - first)
+            tile(how, k)
+        planned = tuple(window(how, params.from_, params.from_ + params.span))
+    with progress.stage("draw"):
+        count = np.zeros(len(NAMES), np.int64)
+        polygons = points = 0
+        kept: list[Marks] | None = []
+        found: set[str] = set()
+        for k, marks in enumerate(batches(params, planned)):
+            progress.step(k * BATCH, len(planned))
+            count += np.bincount(marks.elements.kind, minlength=len(NAMES))
+            found.update(marks.elements.id[e] for e in np.flatnonzero(marks.elements.parent < 0).tolist())
+            polygons, points = polygons + len(marks), points + len(marks.coords)
+            if kept is not None:
+                kept = [*kept, marks] if points <= KEPT else None
+        whole = join(kept) if kept else None
+    planned = tuple(p for p in planned if p.id in found)
+    counts = {name: int(c) for name, c in zip(NAMES, count) if c}
+    origin, size = np.array([params.from_, 0.0]), np.array([params.span, HEIGHT])
+    return Scroll(params, planned, counts, polygons, points, whole, origin, size)
+
+
+def _specimen(params: Ink, progress: Progress) -> Scroll:
+    """One element with a margin about it, or the sheet of all."""
+    name = str(params.specimen)
+    names: tuple[Label, ...] = ()
+    with progress.stage("plan"):
+        origin = np.zeros(2)
+    with progress.stage("draw"):
+        if name == "all":
+            marks, names, size = specimens.sheet(params.seed, params.edition)
+        else:
+            marks = specimens.specimen(name, params.seed, params.edition)
+            box = marks.elements.bounds[0]
+            origin, size = box[:2] - MARGIN, box[2:] - box[:2] + 2 * MARGIN
+    return Scroll(params, (), marks.elements.counts, len(marks), len(marks.coords), marks, origin, size, names)
+
+
+def about(params: Ink) -> dict[str, str]:
+    """Facts for a file's metadata."""
+    return {
+        "title": f"Shan shui, seed {params.seed}, from {params.from_:g}, {params.span:g} long",
+        "craft": "ink",
+        "seed": params.seed,
+        "edition": str(params.edition),
+        "from": f"{params.from_:g}",
+        "span": f"{params.span:g}",
+    }
+
+
+def sheet(scroll: Scroll, marks: Marks, last: bool = True) -> Drawing:
+    """A Drawing of some of the scroll's marks; the sheet's own things come with the first and the last."""
+    from tambour.ink.paint import layers as paint
+    from tambour.ink.paint import paper
+
+    p = scroll.params
+    seals = scroll.names if last else ()
+    if last and (p.inscription or p.seal):
+        right = float(scroll.origin[0] + scroll.size[0])
+        marks, seals = seal.written(marks, p.inscription, p.seal, right, paint.LIGHTS[p.time], p.font)
+    glaze: tuple[Placed, ...] = ()
+    if last and p.paper:
+        side = float(paper.SIDE)
+        (x, y), (width, height) = scroll.origin.tolist(), scroll.size.tolist()
+        glaze = (Placed(paper.grain(), x, y, width, height, (side, side), glaze=True),)
+    white = (255, 255, 255) if not p.paper and p.time != "night" else None
+    return paint.drawing(
+        marks, scroll.origin, scroll.size, p.tall / HEIGHT, p.season, p.time, white, seals, glaze, about(p)
+    )
+
+
+def whole(scroll: Scroll) -> Drawing:
+    """The window as one Drawing."""
+    return sheet(scroll, scroll.marks())
+
+
+def streamed(scroll: Scroll) -> Iterator[Drawing]:
+    """The window as a stream of Drawings on one sheet, in painter's order: memory holds one batch."""
+    waiting: Marks | None = None
+    for marks in scroll.batches():
+        if waiting is not None:
+            yield sheet(scroll, waiting, last=False)
+        waiting = marks
+    if waiting is not None:
+        yield sheet(scroll, waiting)
+
+
+def picture(scroll: Scroll) -> Picture:
+    """The window rasterised, ``pixels`` wide."""
+    from tambour.render import flat
+
+    return flat.picture(streamed(scroll), width=scroll.params.pixels)
+
+
+def plan(scroll: Scroll) -> dict[str, Any]:
+    """The plan as plain values: every whole with its kind, place and depth."""
+    return {
+        **about(scroll.params),
+        "elements": scroll.elements,
+        "wholes": [
+            {"id": p.id, "kind": NAMES[p.kind], "x": round(p.x, 3), "y": round(p.y, 3), "depth": round(p.depth, 3)}
+            for p in scroll.planned
+        ],
+    }
+
+
+def facts(scroll: Scroll) -> dict[str, Any]:
+    """Report keys: elements, polygons, points."""
+    return {"elements": scroll.elements, "polygons": scroll.polygons, "points": scroll.points}
+
+
+def warm() -> None:
+    """Load all kernels: a tile with a little of everything."""
+    from tambour.ink.ground import codes
+
+    how: dict[int, tuple[Any, ...]] = {
+        codes.HILL: (300.0, 400.0), codes.BANK: (100.0, 600.0, 0.5, 1.0), codes.BOAT: (120.0, 0.5, 1.0),
+        codes.RANGE: (150.0, 100.0, 0.0), codes.WATER: (2.0, 20.0, 1), codes.MIST: (0.1, 400.0), codes.BIRDS: (1,),
+        codes.MOON: (9.0,), codes.SUN: (9.0,), codes.SKY: (512.0, 900.0),
+    }  # fmt: skip
+    draw([Planned(k, 0.0, 300.0, 0.0, f"{k}", (k,), h, 0.0, 0.0) for k, h in how.items()], Manner())
+    window(Rules("warm"), 0.0, 1.0)

@@ -1,0 +1,261 @@
+"""Plot: a window of the scroll as pen lines on pages, with what it will take to draw them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.drawing import Drawing, Groups, Styles
+from tambour.core.paths import Paths
+from tambour.core.picture import Picture
+from tambour.core.progress import Progress
+from tambour.ink.params import Ink
+from tambour.ink.plan import scroll
+from tambour.ink.plan.wholes import HEIGHT
+from tambour.ink.plotter.hidden import visible
+from tambour.ink.plotter.lines import Lines, hiding, lines, ragged
+from tambour.ink.plotter.path import cut, simplified, strung, tour
+from tambour.ink.plotter.sheet import Sheet, laid, reach, windowed
+
+UP = 165.0
+"""Speed of the raised pen, mm/s: 75 % of an AxiDraw's."""
+LIFT = 0.3
+"""Seconds to raise and lower the pen once."""
+TOLERANCE = 0.02
+"""How far a simplified line may leave the exact one, mm."""
+SPECK = 0.05
+"""A piece shorter than this, mm, is not worth a lift: it is left out."""
+BLUE = (120, 170, 230, 255)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Pen:
+    """One pen's lines on one page, in the order they are drawn, mm from the page's corner."""
+
+    coords: Array
+    offsets: Array
+
+    @property
+    def lifts(self) -> int:
+        """How often the pen is lowered."""
+        return len(self.offsets) - 1
+
+    @property
+    def down(self) -> float:
+        """Length drawn, mm."""
+        step = np.hypot(*np.diff(self.coords, axis=0).T)
+        step[self.offsets[1:-1] - 1] = 0.0
+        return float(step.sum())
+
+    @property
+    def up(self) -> float:
+        """Length travelled between lines, mm, without the way from home and back."""
+        return float(np.hypot(*(self.coords[self.offsets[1:-1]] - self.coords[self.offsets[1:-1] - 1]).T).sum())
+
+    def seconds(self, speed: float) -> float:
+        """How long it takes with the pen down at ``speed`` mm/s."""
+        return self.down / speed + self.up / UP + self.lifts * LIFT
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Plot:
+    """A scroll on pages: for each page a Pen for every pen; ``thinned`` lines of ``lines`` were given up for time."""
+
+    scroll: scroll.Scroll
+    sheets: tuple[Sheet, ...]
+    pages: tuple[tuple[Pen, ...], ...]
+    lines: int
+    thinned: int
+
+
+def make(source: None, params: Ink, progress: Progress) -> Plot:
+    """The window, specimen or sheets that ``params`` ask for, as pen lines."""
+    with progress.stage("start"):
+        warm()
+    reach(params, progress)
+    painted = scroll.make(source, windowed(params, HEIGHT), progress)
+    if params.inscription or params.seal:
+        progress.warn("the inscription and the seal are painted, not plotted", hint="write them by hand")
+    with progress.stage("plot"):
+        (x, y), (wide, high) = painted.origin.tolist(), painted.size.tolist()
+        sheets = laid(params, x, y, wide, high)
+        seen = unhidden(painted, params.nib / sheets[0].scale)
+        pages = tuple(routed(seen, sheet, params) for sheet in sheets)
+        left = len(seen.order)
+        total = taken(pages, params)
+        if params.budget and total > params.budget:
+            seen, pages = thinned(seen, tuple(sheets), pages, params)
+        given_up = left - len(seen.order)
+        if given_up:
+            progress.warn(f"{given_up} of {left} lines are left out to keep to the budget", where="--budget")
+    return Plot(painted, tuple(sheets), pages, left, given_up)
+
+
+def unhidden(painted: scroll.Scroll, nib: float) -> Lines:
+    """What is seen of the scroll's pen lines, scroll units."""
+    marks = painted.marks()
+    drawn = lines(marks, nib)
+    opaque = hiding(marks, drawn.order)
+    outlines, ends = ragged(marks.coords, marks.offsets, opaque)
+    coords, offsets, source = visible(drawn.coords, drawn.offsets, drawn.order, outlines, ends, opaque)
+    return Lines(coords, offsets, drawn.order[source], drawn.tone[source], drawn.worth[source])
+
+
+def pens(tone: Array, count: int) -> Array:
+    """(N,) which pen, 0 the darkest, draws a line of each tone: bands of equal breadth."""
+    return np.clip(count - 1 - np.ceil(tone * count - 1).astype(np.int64), 0, count - 1)
+
+
+def grey(pen: int, count: int) -> int:
+    """What a pen of ``count`` is shown as, 0 black."""
+    return round(255 * 0.85 * pen / count)
+
+
+def routed(seen: Lines, sheet: Sheet, params: Ink) -> tuple[Pen, ...]:
+    """The lines on one page, cut to it, shared among the pens, each pen's in the order it is drawn."""
+    mm = (seen.coords - (sheet.x, sheet.y)) * sheet.scale + (sheet.left, sheet.top)
+    coords, offsets, source = cut(mm, seen.offsets, *sheet.box)
+    # To the file's own thousandths first, so that a sheet made alone chooses as the same sheet of a booklet does.
+    coords, offsets = simplified(np.round(coords, 3), offsets, TOLERANCE)
+    which = pens(seen.tone[source], params.pens)
+    step = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))]) if len(coords) else np.zeros(1)
+    long = step[offsets[1:] - 1] - step[offsets[:-1]] >= SPECK if len(source) else np.zeros(0, np.bool_)
+    made = []
+    home = (0.0, 0.0)
+    for k in range(params.pens):
+        part, ends = ragged(coords, offsets, np.flatnonzero(long & (which == k)))
+        order, turned = tour(part[ends[:-1]], part[ends[1:] - 1], *home)
+        made.append(Pen(*strung(part, ends, order, turned, 0.25 * params.nib, *home)))
+    return tuple(made)
+
+
+def taken(pages: tuple[tuple[Pen, ...], ...], params: Ink) -> float:
+    """Seconds for all pages."""
+    return sum(pen.seconds(params.speed) for page in pages for pen in page)
+
+
+def thinned(
+    seen: Lines, sheets: tuple[Sheet, ...], pages: tuple[tuple[Pen, ...], ...], params: Ink
+) -> tuple[Lines, tuple[tuple[Pen, ...], ...]]:
+    """The lines that matter most and can be drawn within the budget.
+
+    Lines are given up by their worth for the time they take: a lift costs as much as drawing LIFT · speed mm. How many
+    is found by halving, and measured on the finished routes.
+    """
+    step = np.hypot(*np.diff(seen.coords, axis=0).T)
+    step[seen.offsets[1:-1] - 1] = 0.0
+    along = np.concatenate([[0.0], np.cumsum(step)])
+    length = (along[seen.offsets[1:] - 1] - along[seen.offsets[:-1]]) * sheets[0].scale
+    by = np.argsort(-seen.worth * length / (length + LIFT * params.speed), kind="stable")
+    low, high = 0, len(by)
+    best: tuple[Lines, tuple[tuple[Pen, ...], ...]] | None = None
+    for _ in range(9):
+        middle = (low + high) // 2
+        chosen = np.sort(by[:middle])
+        coords, offsets = ragged(seen.coords, seen.offsets, chosen)
+        some = Lines(coords, offsets, seen.order[chosen], seen.tone[chosen], seen.worth[chosen])
+        tried = tuple(routed(some, sheet, params) for sheet in sheets)
+        if taken(tried, params) <= params.budget:
+            low, best = middle, (some, tried)
+        else:
+            high = middle
+    if best is None:
+        none = Lines(np.zeros((0, 2)), np.zeros(1, np.int64), *(np.zeros(0, np.int64) for _ in range(3)))
+        return none, tuple(routed(none, sheet, params) for sheet in sheets)
+    return best
+
+
+def drawings(plot: Plot) -> tuple[Drawing, ...]:
+    """A Drawing in mm for every page: a layer per pen; a frame, where asked for, on a layer that is not plotted."""
+    return tuple(_drawing(plot, k) for k in range(len(plot.pages)))
+
+
+def _drawing(plot: Plot, k: int) -> Drawing:
+    params, sheet, page = plot.scroll.params, plot.sheets[k], plot.pages[k]
+    # A number first, so that layers are drawn in turn; "!" stops the plotter for the change of pen.
+    names = [f"{'!' if i else ''}{i + 1} pen {i + 1}, {params.nib:g} mm" for i in range(len(page))]
+    ids = [f"pen-{i + 1}" for i in range(len(page))]
+    coords = [pen.coords for pen in page]
+    counts = [np.diff(pen.offsets) for pen in page]
+    colors = [(g, g, g, 255) for g in (grey(i, len(page)) for i in range(len(page)))]
+    if params.frame:
+        x0, y0, x1, y1 = sheet.box
+        coords.append(np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]))
+        counts.append(np.array([5]))
+        names.append("% frame, not plotted")
+        ids.append("frame")
+        colors.append(BLUE)
+    which = np.repeat(np.arange(len(counts)), [len(c) for c in counts]).astype(np.int32)
+    about = scroll.about(params)
+    if len(plot.pages) > 1:
+        about = {**about, "sheet": f"{k + 1} of {len(plot.pages)}"}
+    return Drawing(
+        Paths(np.concatenate(coords), np.concatenate([[0], np.cumsum(np.concatenate(counts))]).astype(np.int64)),
+        which,
+        Styles.of(*((None, color, params.nib) for color in colors)),
+        np.array([sheet.width, sheet.height]),
+        group=which,
+        groups=Groups(tuple(ids), tuple(names), np.full(len(ids), -1, np.int32), np.ones(len(ids), np.bool_)),
+        background=None,
+        about=about,
+    )
+
+
+def whole(plot: Plot) -> Drawing | tuple[Drawing, ...]:
+    """The page, or the booklet of pages where there is more than one."""
+    pages = drawings(plot)
+    return pages[0] if len(pages) == 1 else pages
+
+
+def picture(plot: Plot) -> Picture:
+    """The pages side by side on white, ``pixels`` wide in all."""
+    from dataclasses import replace
+
+    from tambour.render import flat
+
+    width = max(16, plot.scroll.params.pixels // len(plot.pages))
+    made = [flat.picture(replace(d, background=(255, 255, 255, 255)), width=width).rgba for d in drawings(plot)]
+    return Picture(np.concatenate(made, axis=1))
+
+
+def facts(plot: Plot) -> dict[str, Any]:
+    """Report keys: those of the scroll, and ``plot``: per pen metres drawn and travelled, lifts, minutes; in all."""
+    params = plot.scroll.params
+    each = []
+    for k in range(params.pens):
+        mine = [page[k] for page in plot.pages]
+        each.append(
+            {
+                "pen": k + 1,
+                "down_m": round(sum(p.down for p in mine) / 1000, 3),
+                "up_m": round(sum(p.up for p in mine) / 1000, 3),
+                "lifts": sum(p.lifts for p in mine),
+                "minutes": round(sum(p.seconds(params.speed) for p in mine) / 60, 2),
+            }
+        )
+    return {
+        **scroll.facts(plot.scroll),
+        "pages": len(plot.pages),
+        "pens": each,
+        "minutes": math.ceil(taken(plot.pages, params) / 0.6) / 100,
+        "thinned": plot.thinned,
+    }
+
+
+def warm() -> None:
+    """Load the plotter's kernels."""
+    square = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+    from tambour.ink.plotter.lines import areas, hatched
+
+    one, line = np.array([0, 4], np.int64), np.zeros(1, np.int64)
+    areas(square, one)
+    hatched(square, one, 0.3, np.zeros(1), 0.7)
+    coords, offsets, _ = visible(square, one, line, square, one, line + 1)
+    coords, offsets, _ = cut(square, one, 0.0, 0.0, 0.5, 0.5)
+    coords, offsets = simplified(coords, offsets, 0.1)
+    order, turned = tour(coords[offsets[:-1]], coords[offsets[1:] - 1], 0.0, 0.0)
+    strung(coords, offsets, order, turned, 0.1, 0.0, 0.0)

@@ -1,0 +1,1 @@
+"""Hands: what a knitter follows: charts, rows, catches, yarn."""

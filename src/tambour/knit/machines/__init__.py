@@ -1,0 +1,1 @@
+"""Machines: what each can take, and text that other programs read."""

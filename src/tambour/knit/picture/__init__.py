@@ -1,0 +1,1 @@
+"""Picture: from pixels to what each stitch should be."""

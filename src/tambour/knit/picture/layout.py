@@ -1,0 +1,163 @@
+"""Layout: how the picture lies in the chart: frame, edge stitches, repeats, masks, weights."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.errors import TambourError
+from tambour.core.picture import Picture
+from tambour.core.progress import Progress
+from tambour.knit.params import KnitParams
+from tambour.knit.picture import resample
+from tambour.knit.task import NONE, PLAIN
+
+HEAVY = 9.0  # the dearest flips cost 1 + HEAVY
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Layout:
+    """The cells that are solved (one repeat, when there is one); arrays are (R, C), row 0 the cast-on row.
+
+    picture : (R, C, 3) uint8, white in the frame
+    inner : (top, bottom, left, right) widths of the frame about the picture
+    frame : (R, C) bool, or empty: border and edge stitches; ``pattern`` their colour (R, C) uint8
+    knit, relaxed, locked : bool, or empty
+    weights : (R, C) float32, or empty
+    repeat : (n, k), or None; ``copies`` of the motif stand side by side, plus k stitches
+    """
+
+    picture: Array
+    inner: tuple[int, int, int, int]
+    frame: Array
+    pattern: Array
+    knit: Array
+    relaxed: Array
+    locked: Array
+    weights: Array
+    repeat: tuple[int, int] | None
+    copies: int
+
+    def tiled(self, cells: Array) -> Array:
+        """The whole chart of what was solved."""
+        if self.repeat is None or (self.copies == 1 and self.repeat[1] == 0):
+            return cells
+        extra = cells[:, : self.repeat[1]]
+        return np.concatenate([cells] * self.copies + [extra], axis=1)
+
+
+def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
+    """Resample ``source`` and its masks into the chart.
+
+    Raises TambourError for a frame that leaves no room, a width that is no multiple of the repeat, and masks of a size
+    that fits neither the chart nor the picture.
+    """
+    whole = resample.upright(source, params, progress)
+    height, width = whole.shape[:2]
+    edge, border = params.edge_stitches, params.border
+    sides = 2 * (edge + border)
+    repeat, copies = None, 1
+    if params.repeat:
+        n, _, k = params.repeat.partition("+")
+        repeat = (int(n), int(k or 0))
+        copies = multiple(params.stitches, repeat)
+        rows, stitches = (
+            (height, width)
+            if width == repeat[0] and params.rows is None
+            else resample.size(params.model_copy(update={"stitches": repeat[0]}), width, height)
+        )
+    elif sides and params.stitches is not None:
+        if params.stitches <= sides:
+            raise TambourError(
+                f"a frame of {edge + border} stitches on either side leaves none of {params.stitches} for the picture",
+                where="--border" if border else "--edge-stitches",
+            )
+        within = {"stitches": params.stitches - sides, "rows": params.rows and max(1, params.rows - 2 * border)}
+        rows, stitches = resample.size(params.model_copy(update=within), width, height)
+    else:
+        rows, stitches = resample.size(params, width, height)
+    picture = resample.resample(whole, rows, stitches)[::-1]
+    inner = (border, border, edge + border, edge + border)
+    full = (rows + 2 * border, stitches + sides)
+    frame, pattern = framed(full, edge, border)
+    if frame.size:
+        blank = np.full((*full, 3), 255, np.uint8)
+        blank[inside(inner)] = picture
+        picture = blank
+
+    def mask(name: str, elsewhere: float) -> Array | None:
+        found = resample.mask(getattr(params, name), name, params, source.rgba.shape[:2], (rows, stitches), full)
+        if found is None or found.shape == full:
+            return found
+        grown = np.full(full, elsewhere, np.float32)
+        grown[inside(inner)] = found
+        return grown
+
+    shape, relax, lock, grey = (mask(n, e) for n, e in (("shape", 1), ("relax", 0), ("lock", 0), ("weights", 0)))
+    knit = NONE if shape is None else shape > 0.5
+    if knit.size and not knit.any():
+        raise TambourError("the mask leaves nothing to knit", hint="light cells are knitted", where="--shape")
+    locked = NONE if lock is None else lock > 0.5
+    if frame.size:
+        locked = frame | locked if locked.size else frame
+    return Layout(
+        np.ascontiguousarray(picture),
+        inner,
+        frame,
+        pattern,
+        knit,
+        NONE if relax is None else relax > 0.5,
+        locked,
+        weighed(grey, picture, params),
+        repeat,
+        copies,
+    )
+
+
+def inside(inner: tuple[int, int, int, int]) -> tuple[slice, slice]:
+    """The index of the picture within its frame."""
+    top, bottom, left, right = inner
+    return slice(bottom, -top or None), slice(left, -right or None)
+
+
+def multiple(stitches: int | None, repeat: tuple[int, int]) -> int:
+    """How many copies of the motif a chart of ``stitches`` holds; TambourError when they do not come out even."""
+    n, k = repeat
+    if stitches is None:
+        return 1
+    copies, rest = divmod(stitches - k, n)
+    if rest or copies < 1:
+        near = max(1, copies)
+        raise TambourError(
+            f"{stitches} stitches are not a multiple of {n}" + (f" plus {k}" if k else ""),
+            hint=f"{near * n + k} and {(near + 1) * n + k} are",
+            where="--stitches",
+        )
+    return copies
+
+
+def framed(shape: tuple[int, int], edge: int, border: int) -> tuple[Array, Array]:
+    """(where, colour) of edge stitches (dark) and of a border in a check of both yarns; both empty without any."""
+    if not edge and not border:
+        return NONE, np.zeros((0, 0), np.uint8)
+    rows, stitches = shape
+    frame = np.ones(shape, np.bool_)
+    frame[border : rows - border, edge + border : stitches - edge - border] = False
+    pattern = ((np.arange(rows)[:, None] + np.arange(stitches)[None]) % 2).astype(np.uint8)
+    pattern[:, :edge] = 0
+    pattern[:, stitches - edge :] = 0
+    return frame, pattern
+
+
+def weighed(grey: Array | None, picture: Array, params: KnitParams) -> Array:
+    """(R, C) float32: what a flip costs, 1 to 1 + HEAVY; empty when all cost alike."""
+    if grey is None and params.focus == "none":
+        return PLAIN
+    weight = np.zeros(picture.shape[:2], np.float32) if grey is None else grey.astype(np.float32)
+    if params.focus != "none":
+        from tambour.knit.picture import focus
+
+        weight = np.maximum(weight, (focus.faces if params.focus == "faces" else focus.saliency)(picture[::-1])[::-1])
+    return np.ascontiguousarray(1 + HEAVY * weight, np.float32)

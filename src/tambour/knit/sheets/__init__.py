@@ -1,0 +1,1 @@
+"""Sheets: the chart and the cloth, drawn for eyes and for printers."""

@@ -1,0 +1,1 @@
+"""Solve: from what stitches should be to rows that can be knitted."""

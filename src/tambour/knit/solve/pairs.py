@@ -1,0 +1,202 @@
+"""Pairs: the exact best row in colour, for each pair of yarns, or for rows whose pairs are known.
+
+A row of dark and light yarn has the colours dark + b (light - dark), so the blurred error in three channels is again a
+quadratic form of its bits; only |light - dark|² scales its pair terms. Divided by that it is the form of ``lanes``.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.kernels import kernel
+from tambour.knit.solve.floats import sequence
+from tambour.knit.solve.lanes import best_rows
+from tambour.knit.solve.percept import lay_line, lay_ring, linear
+
+
+@kernel
+def terms(
+    y: int, error: Array, aim: Array, across: Array, down: Array, columns: Array, n: int, ring: bool, z: Array,
+    rest: Array, goal: Array, one: Array,
+) -> None:  # fmt: skip
+    """What the costs of row ``y`` are made of, filtered along the row (twice the sum over scales), at knitted columns.
+
+    rest (3, n) : of the error of the rows about it; goal (3, n) : of its own target; one (n,) : of 1.
+    """
+    rows, stitches = aim.shape[:2]
+    reach = down.shape[1] - 1
+    for c in range(3):
+        for s in range(down.shape[0]):
+            for x in range(stitches):
+                z[s, x] = 0
+            for d in range(-reach, reach + 1):
+                w = down[s, abs(d)]
+                if d != 0 and 0 <= y + d < rows and w != 0:
+                    for x in range(stitches):
+                        z[s, x] += w * error[y + d, x, c]
+        linear(z, across, columns, n, ring, rest[c])
+        for s in range(down.shape[0]):
+            z[s, :] = 0
+            for k in range(n):
+                z[s, columns[k]] = down[s, 0] * aim[y, columns[k], c]
+        linear(z, across, columns, n, ring, goal[c])
+    for s in range(down.shape[0]):
+        z[s, :] = 0
+        for k in range(n):
+            z[s, columns[k]] = down[s, 0]
+    linear(z, across, columns, n, ring, one)
+
+
+@kernel
+def colour_line(
+    y: int, aim: Array, dark: Array, way: Array, own: np.float32, columns: Array, n: int, rest: Array, goal: Array,
+    one: Array, u: Array,
+) -> float:  # fmt: skip
+    """u (n,): linear costs of the light yarn, over |way|²; gives the cost of an all dark row."""
+    size = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
+    constant = 0.0
+    for k in range(n):
+        u[k] = own
+    for c in range(3):
+        for k in range(n):
+            whole = rest[c, k] + dark[c] * one[k] - goal[c, k]
+            u[k] += way[c] * whole / size
+            constant += 0.5 * (dark[c] - aim[y, columns[k], c]) * (rest[c, k] + whole)
+    return constant
+
+
+@kernel
+def pair_rows(
+    y: int, error: Array, aim: Array, dark: Array, ways: Array, knit: Array, relaxed: Array, soft: float, f: int,
+    free: bool, cap: int, across: Array, down: Array, table: Array, costs: Array, rows_out: Array,
+) -> None:  # fmt: skip
+    """For each pair of yarns (dark, dark + way; (N, 3)) the best row ``y`` and its cost, the other rows as they are."""
+    stitches = aim.shape[1]
+    pairs = len(dark)
+    bits = across.shape[1] - 1
+    states = 1 << bits
+    columns = np.zeros(stitches, np.int32)
+    n = sequence(y, stitches, knit, columns)
+    if n == 0:
+        return
+    z = np.zeros((across.shape[0], stitches), np.float32)
+    rest = np.zeros((3, stitches), np.float32)
+    goal = np.zeros((3, stitches), np.float32)
+    one = np.zeros(stitches, np.float32)
+    u = np.zeros(stitches, np.float32)
+    terms(y, error, aim, across, down, columns, n, False, z, rest, goal, one)
+    own = np.float32(0)
+    for s in range(across.shape[0]):
+        own += across[s, 0] * down[s, 0]
+    m = n * 8
+    U = np.zeros(m, np.float32)
+    Z = np.zeros(m, np.float32)
+    pen = np.zeros(m, np.float32)
+    out = np.zeros(m, np.uint8)
+    count = np.zeros(8, np.int64)
+    cost = np.zeros(8, np.float64)
+    constant = np.zeros(8, np.float64)
+    V = np.zeros(states * 8, np.float32)
+    W = np.zeros(states * 8, np.float32)
+    A = np.zeros(states * 8, np.float32)
+    B = np.full(states * 8, np.float32(1e30))
+    P = np.zeros(n * states, np.uint8)
+    Q = np.zeros(n * (states >> f) * 8 if free else 1, np.uint8)
+    nothing = np.zeros((0, 0), np.bool_)
+    blank = np.zeros((1, 1), np.uint8)
+    for first in range(0, pairs, 8):
+        used = min(8, pairs - first)
+        for lane in range(8):
+            p = min(first + lane, pairs - 1)
+            way = ways[p]
+            constant[lane] = colour_line(y, aim, dark[p], way, own, columns, n, rest, goal, one, u)
+            size = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
+            Z[:] = np.float32(0)
+            lay_line(y, blank, u, columns, n, f, np.float32(soft / size), relaxed, nothing, lane, U, Z, pen)
+            count[lane] = n
+        best_rows(U, Z, pen, count, table, bits, f, free, cap, V, W, P, A, B, Q, out, cost)
+        for lane in range(used):
+            way = ways[first + lane]
+            size = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
+            costs[first + lane] = constant[lane] + size * cost[lane]
+            for k in range(n):
+                rows_out[first + lane, columns[k]] = out[k * 8 + lane]
+
+
+@kernel
+def colour_batches(
+    mine: Array, cells: Array, error: Array, aim: Array, dark: Array, ways: Array, knit: Array, relaxed: Array,
+    soft: float, f: int, free: bool, cap: int, ring: bool, shift: int, across: Array, down: Array, table: Array,
+    changed: Array,
+) -> None:  # fmt: skip
+    """Solve the rows ``mine`` with their pairs, eight at a time, given all others; keeps ``error`` true."""
+    stitches = cells.shape[1]
+    bits = across.shape[1] - 1
+    states = 1 << bits
+    length = stitches + (bits if ring else 0)
+    U = np.zeros(length * 8, np.float32)
+    Z = np.zeros(length * 8, np.float32)
+    pen = np.zeros(length * 8, np.float32)
+    out = np.zeros(length * 8, np.uint8)
+    count = np.zeros(8, np.int64)
+    cost = np.zeros(8, np.float64)
+    V = np.zeros(states * 8, np.float32)
+    W = np.zeros(states * 8, np.float32)
+    A = np.zeros(states * 8, np.float32)
+    B = np.full(states * 8, np.float32(1e30))
+    P = np.zeros(length * states, np.uint8)
+    Q = np.zeros(length * (states >> f) * 8 if free else 1, np.uint8)
+    columns = np.zeros((8, stitches), np.int32)
+    z = np.zeros((across.shape[0], stitches), np.float32)
+    rest = np.zeros((3, stitches), np.float32)
+    goal = np.zeros((3, stitches), np.float32)
+    one = np.zeros(stitches, np.float32)
+    u = np.zeros(stitches, np.float32)
+    nothing = np.zeros((0, 0), np.bool_)
+    own = np.float32(0)
+    for s in range(across.shape[0]):
+        own += across[s, 0] * down[s, 0]
+    for first in range(0, mine.size, 8):
+        used = min(8, mine.size - first)
+        longest = 0
+        U[:] = np.float32(1e30)
+        Z[:] = np.float32(0)
+        pen[:] = np.float32(0)
+        count[:] = 0
+        for lane in range(used):
+            y = mine[first + lane]
+            n = sequence(y, stitches, knit, columns[lane])
+            # Short rounds stay as the exact solver left them.
+            if n == 0 or (ring and n <= 2 * bits):
+                continue
+            terms(y, error, aim, across, down, columns[lane], n, ring, z, rest, goal, one)
+            way = ways[y]
+            colour_line(y, aim, dark[y], way, own, columns[lane], n, rest, goal, one, u)
+            size = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
+            price = np.float32(soft / size)
+            if ring:
+                lay_ring(y, cells, u, columns[lane], n, bits, f, price, shift, relaxed, nothing, lane, U, Z, pen)
+                count[lane] = n + bits
+            else:
+                lay_line(y, cells, u, columns[lane], n, f, price, relaxed, nothing, lane, U, Z, pen)
+                count[lane] = n
+            longest = max(longest, count[lane])
+        if longest == 0:
+            continue
+        m = longest * 8
+        best_rows(U[:m], Z[:m], pen[:m], count, table, bits, f, free, cap, V, W, P, A, B, Q, out, cost)
+        for lane in range(used):
+            if count[lane] == 0 or cost[lane] >= 1e29:
+                continue
+            y = mine[first + lane]
+            n = count[lane] - bits if ring else count[lane]
+            turn = (shift * (n // 2 + 1)) % n if ring else 0
+            for k in range(n):
+                x = columns[lane, (k + turn) % n]
+                bit = out[k * 8 + lane]
+                if cells[y, x] != bit:
+                    cells[y, x] = bit
+                    changed[y] = True
+                    for c in range(3):
+                        error[y, x, c] = dark[y, c] + bit * ways[y, c] - aim[y, x, c]

@@ -1,0 +1,293 @@
+"""More than two yarns, two in a row: which pair each row has, and the lawful row of that pair that looks most like it.
+
+Colours mix between rows as well as along them, so the pair of a row is chosen by what the rows before it have left to be
+shown: for each pair the exact best row is found (eight pairs at a time) and the pair that leaves least error, with a
+price for changing it, is taken. The rows' costs then go through a dynamic programme over rows that keeps to a limit of
+changes, and sweeps over the rows with their pairs fixed end it. Errors are taken in the three channels alike.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tambour import color
+from tambour.core.check import Array
+from tambour.core.errors import TambourError
+from tambour.core.palette import Palette
+from tambour.core.picture import Picture
+from tambour.core.progress import Progress
+from tambour.knit.params import KnitParams
+from tambour.knit.picture import shades, tone
+from tambour.knit.picture.layout import lay
+from tambour.knit.piece import Piece
+from tambour.knit.solve import exact, floats, percept
+from tambour.knit.solve.lanes import FORBIDDEN
+from tambour.knit.solve.pairs import colour_batches, pair_rows
+from tambour.knit.task import Task
+
+SWITCH = 1e-3  # squared error on every stitch of a row that a change of pair is worth
+SWEEPS = 4
+
+
+def make(source: Picture, params: KnitParams, limit: int, progress: Progress) -> Piece:
+    """The Piece of a picture in ``params.yarns`` yarns.
+
+    Raises TambourError for what needs two yarns only (locked stitches, frames, weights, patches), and for yarns that
+    have too little contrast to share any row.
+    """
+    from tambour.knit.solve import make as solve
+
+    for what, given in (
+        ("lock", params.lock),
+        ("weights", params.weights),
+        ("border", params.border),
+        ("edge-stitches", params.edge_stitches),
+        ("keep", params.keep),
+    ):
+        if given:
+            raise TambourError(f"--{what} is for two yarns", where=f"--{what}")
+    if params.focus != "none" or params.start == "patches":
+        raise TambourError(
+            f"this is for two yarns ({params.yarns} were asked for)",
+            where="--focus" if params.focus != "none" else "--start patches",
+        )
+    with progress.stage("tone"):
+        layout = lay(source, params, progress)
+        palette = shades.palette_of(layout.picture, params, progress)
+        space = space_of(palette, params)
+        aim = target(layout.picture, space, params, limit)
+        kind = tone.recognise(tone.brightness(layout.picture, params.light))
+    with progress.stage("start_assignment"):
+        blank = np.zeros(aim.shape[:2], np.uint8)
+        seen = min(limit, percept.LARGEST)
+        task = solve.task_of(blank.astype(np.float32), blank, seen, params, layout)
+        possible = pairs_of(palette, params)
+        eye = solve.sight(limit, params)
+        chosen, bits = choose(task, aim, space, possible, eye, params, progress)
+        pairs = possible[chosen]
+        projected = project(aim, space, pairs)
+        how = params.start or ("threshold" if kind == "line drawing" else "floyd-steinberg")
+        start = tone.assign(projected, how, params.threshold)
+    whole = solve.task_of(projected, start, limit, params, layout)
+    before = floats.measure(whole, start)
+    solve.advise(before, params, progress)
+    with progress.stage("solve"):
+        if params.method == "perceptual":
+            cells = sweep(task, aim, space, pairs, bits, eye, SWEEPS)
+        else:
+            cells = solve.solved(whole, params, progress)
+    switches = int((chosen[1:] != chosen[:-1]).sum())
+    piece = solve.assemble(solve.State(whole, cells, layout, pairs), palette, kind, how, params, before, progress)
+    figures = {**piece.figures, "yarns": len(palette), "switches": switches, **colour_error(piece, aim, space)}
+    return Piece(
+        piece.chart,
+        params,
+        piece.tone,
+        piece.start,
+        limit,
+        piece.picture,
+        piece.dominant,
+        piece.background,
+        kind,
+        None,
+        piece.repeat,
+        figures,
+        piece.state,
+    )
+
+
+def colour_error(piece: Piece, aim: Array, space: Array) -> dict[str, float]:
+    """PSNR of the chart's colours against the target, both blurred by 1.5 stitches, over all channels."""
+    from scipy.ndimage import gaussian_filter
+
+    wide = aim.shape[1]
+    error = space[piece.chart.cells[:, :wide]] - aim
+    if piece.chart.no_stitch is not None:
+        error = np.where(piece.chart.no_stitch[:, :wide, None], 0, error)
+    mean = float((gaussian_filter(error.astype(np.float32), (1.5, 1.5, 0)) ** 2).mean())
+    return {"colour_psnr": round(float(-10 * np.log10(max(mean, 1e-12))), 2)}
+
+
+def space_of(palette: Palette, params: KnitParams) -> Array:
+    """(K, 3) float32: the yarns where errors are taken: code values in 0…1, or linear light."""
+    rgb = palette.rgb / 255.0
+    return np.asarray(color.linear(rgb) if params.light == "linear" else rgb, np.float32)
+
+
+def target(picture: Array, space: Array, params: KnitParams, limit: int) -> Array:
+    """(R, C, 3) float32: the picture, its contrast drawn in towards the yarns' middle as far as ``tone`` asks."""
+    t = picture.astype(np.float32) / np.float32(255)
+    if params.light == "linear":
+        t = color.linear(t).astype(np.float32)
+    if params.contrast != 1.0 or params.brightness:
+        t = np.clip((t - 0.5) * np.float32(params.contrast) + np.float32(0.5 + params.brightness), 0, 1)
+    low, high = tone.reach(limit, tone.amount(params.tone))
+    middle = (space.min(0) + space.max(0)) / 2
+    return np.ascontiguousarray(middle + (t - middle) * np.float32(high - low), np.float32)
+
+
+def pairs_of(palette: Palette, params: KnitParams) -> Array:
+    """(N, 2) uint8: the pairs that may share a row, dark and light, by their contrast."""
+    count = len(palette)
+    rgb = [(int(c[0]), int(c[1]), int(c[2])) for c in palette.rgb]
+    found = [
+        (a, b)
+        for a in range(count)
+        for b in range(a + 1, count)
+        if shades.contrast(rgb[a], rgb[b]) >= params.min_contrast
+    ]
+    if not found:
+        raise TambourError(
+            f"no two of the yarns have a contrast of {params.min_contrast:g}, so none can share a row",
+            where="--min-contrast",
+        )
+    return np.array(found, np.uint8)
+
+
+def project(aim: Array, space: Array, pairs: Array) -> Array:
+    """(R, C) float32 in 0…1: where each target colour lies between its row's dark and its light yarn."""
+    dark, light = space[pairs[:, 0]], space[pairs[:, 1]]
+    way = light - dark
+    share = ((aim - dark[:, None]) * way[:, None]).sum(2) / (way * way).sum(1)[:, None]
+    return np.ascontiguousarray(np.clip(share, 0, 1), np.float32)
+
+
+def choose(
+    task: Task, aim: Array, space: Array, possible: Array, eye: percept.Eye, params: KnitParams, progress: Progress
+) -> tuple[Array, Array]:
+    """(R,) index of each row's pair, and (R, C) uint8 bits of a first chart with these pairs."""
+    rows, stitches = aim.shape[:2]
+    price = params.switch * SWITCH * stitches
+    chosen, bits, error = first_pass(task, aim, space, possible, eye, price, np.full(rows, -1, np.int64))
+    if len(possible) == 1:
+        return chosen, bits
+    costs = np.zeros((rows, len(possible)), np.float64)
+    table_of(task, aim, space, possible, eye, error, costs)
+    better = over_rows(costs, price, params.max_switches)
+    again, more, rest = first_pass(task, aim, space, possible, eye, price, better)
+    changes = int((chosen[1:] != chosen[:-1]).sum())
+    fits = params.max_switches is None or changes <= params.max_switches
+    old = energy(error, eye) + price * changes
+    new = energy(rest, eye) + price * int((again[1:] != again[:-1]).sum())
+    return (chosen, bits) if fits and old <= new else (again, more)
+
+
+def over_rows(costs: Array, price: float, most: int | None) -> Array:
+    """(R,) pair of each row of least total cost (R, N), with ``price`` a change and at most ``most`` changes."""
+    rows, pairs = costs.shape
+    # Without a limit the number of changes need not be told apart.
+    free = most is None or most >= rows - 1
+    kept = 1 if most is None or free else most + 1
+    best = np.full((kept, pairs), np.inf)
+    best[0] = costs[0]
+    back = np.zeros((rows, kept, pairs, 2), np.int32)
+    for y in range(1, rows):
+        after = best.copy()
+        back[y, :, :, 0] = np.arange(pairs)
+        back[y, :, :, 1] = np.arange(kept)[:, None]
+        for used in range(kept):
+            source = used if free else used - 1
+            if source < 0:
+                continue
+            k = int(best[source].argmin())
+            value = best[source, k] + price
+            less = value < after[used]
+            after[used][less] = value
+            back[y, used, less] = (k, source)
+        best = after + costs[y]
+    used, k = divmod(int(best.argmin()), pairs)
+    path = np.zeros(rows, np.int64)
+    for y in range(rows - 1, -1, -1):
+        path[y] = k
+        k, used = (int(v) for v in back[y, used, k])
+    return path
+
+
+def energy(error: Array, eye: percept.Eye) -> float:
+    """The perceptual energy of an error (R, C, 3)."""
+    from scipy.ndimage import correlate1d
+
+    total = 0.0
+    for across, down in zip(eye.across.astype(np.float64), eye.down.astype(np.float64)):
+        along = correlate1d(error.astype(np.float64), np.r_[across[:0:-1], across], axis=1, mode="constant")
+        total += float((error * correlate1d(along, np.r_[down[:0:-1], down], axis=0, mode="constant")).sum())
+    return total
+
+
+def masks(task: Task) -> tuple[Array, Array, float]:
+    """Masks and the price of a long window, as the kernels take them."""
+    return task.knit, task.relaxed, float(FORBIDDEN) if task.soft is None else task.soft
+
+
+def first_pass(
+    task: Task, aim: Array, space: Array, possible: Array, eye: percept.Eye, price: float, fixed: Array
+) -> tuple[Array, Array, Array]:
+    """(pairs, bits, error): row by row upwards, each the best given those below; ``fixed`` pairs (or -1) are kept."""
+    rows, stitches = aim.shape[:2]
+    bits = np.zeros((rows, stitches), np.uint8)
+    error = np.zeros(aim.shape, np.float32)
+    chosen = np.zeros(rows, np.int64)
+    table = percept.trellis(eye.across, eye.down)
+    knit, relaxed, soft = masks(task)
+    ways = space[possible[:, 1]] - space[possible[:, 0]]
+    for y in range(rows):
+        costs = np.zeros(len(possible))
+        out = np.zeros((len(possible), stitches), np.uint8)
+        pair_rows(
+            y, error, aim, space[possible[:, 0]], ways, knit, relaxed, soft, task.limit, task.free, task.cap,
+            eye.across, eye.down, table, costs, out,
+        )  # fmt: skip
+        if y and price:
+            costs[np.arange(len(possible)) != chosen[y - 1]] += price
+        k = int(costs.argmin()) if fixed[y] < 0 else int(fixed[y])
+        chosen[y] = k
+        line = out[k : k + 1]
+        if task.ring:
+            sub = task.rows(y, y + 1)
+            line = exact.solve(
+                Task(sub.tone, line, task.limit, ring=True, knit=sub.knit, relaxed=sub.relaxed, seed=task.seed)
+            )
+        bits[y] = line[0]
+        error[y] = space[possible[k]][bits[y]] - aim[y]
+        if task.knit.size:
+            error[y][~task.knit[y]] = 0
+    return chosen, bits, error
+
+
+def table_of(
+    task: Task, aim: Array, space: Array, possible: Array, eye: percept.Eye, error: Array, costs: Array
+) -> None:
+    """Fill ``costs`` (R, N): the least error of each row with each pair, all other rows as they are."""
+    table = percept.trellis(eye.across, eye.down)
+    knit, relaxed, soft = masks(task)
+    ways = space[possible[:, 1]] - space[possible[:, 0]]
+    out = np.zeros((len(possible), aim.shape[1]), np.uint8)
+    for y in range(len(aim)):
+        pair_rows(
+            y, error, aim, space[possible[:, 0]], ways, knit, relaxed, soft, task.limit, task.free, task.cap,
+            eye.across, eye.down, table, costs[y], out,
+        )  # fmt: skip
+
+
+def sweep(task: Task, aim: Array, space: Array, pairs: Array, bits: Array, eye: percept.Eye, sweeps: int) -> Array:
+    """(R, C) uint8: the chart after sweeps of exact row steps with the pairs fixed."""
+    error = space[np.where(bits == 1, pairs[:, 1:], pairs[:, :1])] - aim
+    if task.knit.size:
+        error[~task.knit] = 0
+    error = np.ascontiguousarray(error, np.float32)
+    table = percept.trellis(eye.across, eye.down)
+    knit, relaxed, soft = masks(task)
+    dark = space[pairs[:, 0]]
+    ways = space[pairs[:, 1]] - dark
+    reach = eye.down.shape[1] - 1
+    for turn in range(sweeps):
+        changed = np.zeros(len(bits), np.bool_)
+        for phase in range(min(reach + 1, len(bits))):
+            mine = np.arange(phase, len(bits), reach + 1)
+            colour_batches(
+                mine, bits, error, aim, dark, ways, knit, relaxed, soft, task.limit, task.free, task.cap, task.ring, turn,
+                eye.across, eye.down, table, changed,
+            )  # fmt: skip
+        if not changed.any():
+            break
+    return bits
