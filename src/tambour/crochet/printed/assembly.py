@@ -9,8 +9,8 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import RGB, Embroidery, Eye, Felt, Finish, Placed, Spot
-from tambour.crochet.printed.clauses import Cursor
 from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.tokens import Token
 
 _SEWS: Final = frozenset(

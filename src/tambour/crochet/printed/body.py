@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
-
 from tambour.core.errors import Span
-from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item
-from tambour.crochet.printed.brackets import OPEN
-from tambour.crochet.printed.clauses import Cursor, NotUnderstood, Where, where
-from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.clauses import where
 from tambour.crochet.printed.counts import count, ends_with_number
+from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.reader import Body, Reader
 from tambour.crochet.printed.repeats import bracket, led, repeated, star
 from tambour.crochet.printed.stitch import standing, stitch
 from tambour.crochet.printed.tokens import Token
@@ -19,59 +15,11 @@ from tambour.crochet.printed.tokens import Token
 _BETWEEN = frozenset(",;:.-/+!&~|><·")
 _LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
 _PHRASE = frozenset(",;.()[]{}*=")
-_STOPS = (".", ",", ";", ":", "(", "[", "{", "*", ")", "]", "}")
 _ENDS = frozenset((".", ";"))
 
 
-@dataclass
-class Body:
-    """What the body of a round says.
-
-    items : its items; stated, stated_span : the count that it states
-    rounds : "for 5 rounds", with its place; refers : the rounds that it repeats, and their place
-    hook : which chain from the hook its first stitch goes into, 0 when nothing is said; fresh : its items before that
-    rings, ringed : how many rings it begins; it works into a ring that was made of a chain
-    lift : chains before the ring's first stitch
-    sides : it goes on around the other side of its foundation chain
-    ends : "close" or "open" when it says how its end is left
-    left : sentences that were not understood
-    asked : wordings that can be read in two ways → their place
-    """
-
-    items: list[Item] = field(default_factory=list)
-    stated: int | None = None
-    stated_span: Span | None = None
-    rounds: tuple[int, Span] | None = None
-    refers: tuple[int, int, Span] | None = None
-    hook: int = 0
-    fresh: int = 0
-    rings: int = 0
-    lift: int = 0
-    ringed: bool = False
-    sides: bool = False
-    ends: str = ""
-    left: list[list[Token]] = field(default_factory=list)
-    asked: dict[str, Span] = field(default_factory=dict)
-
-
-class Reader:
-    """Reads one body; ``choices`` are the doubtful wordings that are read the second way (printed_doubts)."""
-
-    def __init__(
-        self,
-        tokens: list[Token],
-        stitches: dict[str, Stitch],
-        palette: Palette,
-        choices: frozenset[str] = frozenset(),
-        phrases: Callable[[int, int], Action | None] | None = None,
-    ) -> None:
-        self.c = Cursor(tokens)
-        self.phrases = phrases  # the sentence from one place to another, as the table of terms says it
-        self.stitches, self.palette, self.choices = stitches, palette, choices
-        self.body = Body()
-        self.ring: Token | None = None  # a magic ring that still wants its stitches
-        self.before: Where | None = None  # "in next st", said before its stitches
-        self.depth = self.stars = 0  # brackets, and asterisks, that are open
+class Walk(Reader):
+    """Reads one body, clause after clause."""
 
     def read(self) -> Body:
         """The body; NotUnderstood when its first sentence is not understood."""
@@ -95,14 +43,6 @@ class Reader:
         if self.ring is not None:
             raise NotUnderstood(self.ring, "the ring has no stitches", "say how many: 6 sc in magic ring")
         return body
-
-    def ask(self, what: str, span: Span) -> None:
-        """Notes a wording that can be read in two ways."""
-        self.body.asked.setdefault(what, span)
-
-    def is_ring(self, action: Action) -> bool:
-        """Whether an action begins with a magic ring."""
-        return action.name == "mr" or (action.name in self.stitches and self.stitches[action.name].where == "ring")
 
     # -- clauses ----------------------------------------------------------------------------------------------------
 
@@ -319,14 +259,6 @@ class Reader:
             elif (c.key("open") or (left and c.tokens[c.at].word == "tail")) and self.body.ends != "close":
                 self.body.ends = "open"
             left = left or (c.key("leave") and c.tokens[c.at].word.startswith("leav"))
-            c.at += 1
-
-    def to_separator(self, *keys: str) -> None:
-        """Goes on to the end of a clause."""
-        c = self.c
-        while c.look() is not None and not c.mark(*_STOPS) and not c.key(*keys):
-            if c.key("form") and not keys:
-                break
             c.at += 1
 
     def color(self, found: list[Item]) -> bool:

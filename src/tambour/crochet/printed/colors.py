@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import Final
 
 from tambour.crochet.language.finishes import RGB
-from tambour.crochet.printed.clauses import Cursor
+from tambour.crochet.printed.cursor import Cursor
 
 _MORE: Final[dict[str, RGB]] = {
     "cream": (245, 235, 210),

@@ -1,15 +1,18 @@
-"""Printed patterns, stated counts: ``[18]``, ``(18 sts total)``, ``= 18``, ``- 18 sts``, and ``18 sc.`` as a sentence."""
+"""Printed patterns, numbers: counts that are stated (``[18]``, ``= 18``, ``- 18 sts``), repeats, and where a bracket closes."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import Final, Literal
 
+from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Item
-from tambour.crochet.printed.brackets import OPEN, closing
+from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
 
-if TYPE_CHECKING:
-    from tambour.crochet.printed.body import Reader
+DEEPEST: Final = 24  # brackets within brackets
+
+Times = tuple[int | None, Span]
 
 
 def ends_with_number(r: Reader, ahead: int) -> bool:
@@ -89,3 +92,46 @@ def bracketed_count(r: Reader, found: list[Item], end: int) -> bool:
     c.at = end + 1
     c.skip_key("stitch")
     return True
+
+
+def closing(r: Reader) -> int:
+    """Where the bracket at the cursor closes; any closing mark closes any opening one."""
+    depth = 0
+    tokens, begin = r.c.tokens, r.c.at
+    for at in range(begin, len(tokens)):
+        token = tokens[at]
+        if token.kind == "mark":
+            depth += (token.word in OPEN) - (token.word in ")]}>")
+            if depth > DEEPEST:
+                raise NotUnderstood(token, "brackets are nested too deep", f"at most {DEEPEST} levels")
+            if depth == 0:
+                return at
+    raise NotUnderstood(tokens[begin], "this bracket is not closed", f'"{OPEN[tokens[begin].word]}" closes it')
+
+
+def multiplier(r: Reader) -> Times | Literal[False]:
+    """``x 6``, ``6 times``, ``twice`` right at the cursor."""
+    c = r.c
+    token = c.look()
+    if token is None:
+        return False
+    if (c.mark("x") or (c.mark("*") and not r.stars)) and c.whole(1) is not None:
+        c.at += 1
+        number = c.take()
+        c.skip_key("times")
+        return checked(number.value, number)
+    if c.whole() is not None and (c.key("times", ahead=1) or (c.mark("x", ahead=1) and not c.kind("stitch", 2))):
+        c.at += 2
+        c.skip_key("total")
+        return checked(token.value, token)
+    if c.key("twice", "once"):
+        c.at += 1
+        return (2 if token.value == "twice" else 1), token.span
+    return False
+
+
+def checked(number: int, token: Token) -> Times:
+    """A number of repeats, which is at least one."""
+    if number == 0:
+        raise NotUnderstood(token, "a repeat is worked at least once", "leave the brackets out instead")
+    return number, token.span

@@ -12,9 +12,10 @@ from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item
-from tambour.crochet.printed.body import Body, Reader
-from tambour.crochet.printed.clauses import NotUnderstood
+from tambour.crochet.printed.body import Walk
 from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.repeats import led
 from tambour.crochet.printed.stitch import standing
 from tambour.crochet.printed.tokens import Token
@@ -113,7 +114,7 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
     def read(choices: frozenset[str] = frozenset()) -> Body:
-        return Reader(list(tokens), source.stitches, palette, choices, phrase).read()
+        return Walk(list(tokens), source.stitches, palette, choices, phrase).read()
 
     body = read()
     one = body.items[0] if len(body.items) == 1 else None

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tambour.core.errors import Span
-from tambour.crochet.printed.brackets import OPEN
-from tambour.crochet.printed.clauses import Cursor
+from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.tokens import Token
 
 _BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))

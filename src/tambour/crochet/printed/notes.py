@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from tambour.core.errors import Span
-from tambour.crochet.printed.clauses import Cursor
+from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.tokens import Row, Token
 
 MODES: Final = {

@@ -10,9 +10,9 @@ from tambour.crochet.graph.hook import MOST_AT_TIP
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import into_one
 from tambour.crochet.language.tree import Action, Group, Item, Line, Section
-from tambour.crochet.printed.body import Body
 from tambour.crochet.printed.doubts import after, chainless
 from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.reader import Body
 
 _CLOSED = (
     8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing

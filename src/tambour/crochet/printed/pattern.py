@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
 from tambour.crochet.graph.build import build
@@ -10,41 +10,19 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Action, Line, Pattern
-from tambour.crochet.printed.assembly import Assembly, Made, Sentence
-from tambour.crochet.printed.brackets import OPEN
-from tambour.crochet.printed.clauses import NotUnderstood
-from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.assembly import Assembly, Made
+from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import Head, heads
-from tambour.crochet.printed.notes import Heading
-from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.prose import WRAPPED, left_over, text_line
-from tambour.crochet.printed.recognise import recognised
-from tambour.crochet.printed.restated import lettered
-from tambour.crochet.printed.tokens import Row, Token, rows
-from tambour.crochet.printed.vocabulary import vocabulary
-from tambour.crochet.words.languages import TERMS
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.phrases import Phrases
 
 NOTHING: Final = "this holds no crochet instructions"
 _LINES = 100  # lines of other text to a round of one that is a pattern at all
 _HINTED = 20  # errors that suggestions are looked for
 _LONG = 50  # characters of a line that was broken
-_KNOWN = (
-    "around",
-    "next",
-    "each",
-    "stitches",
-    "repeat",
-    "times",
-    "magic",
-    "from",
-    "turn",
-    "join",
-    "skip",
-    "loops",
-    "fasten",
-)
 
 
 def read_printed(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pattern:
@@ -55,27 +33,8 @@ def read_printed(text: Text, *, max_stitches: int = 200_000, strict: bool = Fals
     return Printed(Source(text, strict)).pattern(max_stitches)
 
 
-class Printed:
+class Printed(State):
     """Goes through the lines of a text, top to bottom."""
-
-    def __init__(self, source: Source) -> None:
-        self.source = source
-        self.rows = rows(source.text.text)
-        self.language = recognised(source, self.rows)
-        self.vocabulary = vocabulary(self.language.code)
-        self.palette = Palette([*self.vocabulary.stitches(), *_KNOWN])
-        self.phrases = Phrases(TERMS[self.language.code], {}, lettered(source.text.text, TERMS[self.language.code]))
-        self.palette.given.update((letter.lower(), hue) for letter, hue in self.phrases.legend.items())
-        self.parts: list[Draft] = []
-        self.lead: list[Line] = []  # colours said before the part that they begin
-        self.heading: Heading | None = None
-        self.mode = ""
-        self.title: tuple[str, Span] | None = None
-        self.stated: dict[str, tuple[str, Span]] = {}
-        self.passed: list[Span] = []
-        self.understood = self.failed = self.row_at = 0
-        self.early: dict[str, Any] = {}  # what is said of a part before its first round
-        self.sentences: list[Sentence] = []  # of finishing, read once the parts are known
 
     def pattern(self, max_stitches: int) -> Pattern:
         """The whole text read."""
@@ -242,37 +201,6 @@ class Printed:
         if wrong.token.kind == "word" and self.failed <= _HINTED:
             hint = did_you_mean(wrong.token.word, self.palette.known) or hint
         self.source.error(wrong.message, hint, wrong.token.span)
-
-    def begin(self, first: bool, span: Span) -> None:
-        """Goes on with the part, or begins another."""
-        last = self.parts[-1] if self.parts else None
-        title = self.heading is not None and self.title is not None and self.heading.span == self.title[1]
-        if last is not None and last.begun() and not (first and (last.last or self.heading)):
-            if self.heading is not None and not title:
-                self.passed.append(self.heading.span)
-                self.heading = None
-            last.lines += self.lead
-            self.lead = []
-            return
-        if last is not None and not last.begun():
-            self.lead = [*last.lines, *self.lead]
-            self.parts.pop()
-        found, self.heading, self.mode = self.heading, None, ""
-        name = found.name if found is not None else ""
-        if not name and self.parts:
-            name = f"part_{len(self.parts) + 1}"
-            self.source.doubt("rounds begin at 1 again: this is taken for another part", "give it a heading", span)
-        taken = {draft.name for draft in self.parts}
-        if name in taken:
-            name = next(f"{name}_{k}" for k in range(2, len(taken) + 3) if f"{name}_{k}" not in taken)
-        draft = Draft(name, found.span if found is not None else span)
-        if found is not None:
-            draft.copies, draft.copies_span = found.copies, found.copies_span
-        draft.lines, self.lead = self.lead, []
-        for key, value in self.early.items():
-            setattr(draft, key, value)
-        self.early = {}
-        self.parts.append(draft)
 
 
 def _names(line: Line) -> list[str]:

@@ -2,28 +2,25 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.assembly import Sentence, finishes
-from tambour.crochet.printed.brackets import OPEN
-from tambour.crochet.printed.clauses import Cursor, NotUnderstood
+from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.notes import MODES, Heading, definition, heading, plain_name, stated
+from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.special import explained
-
-if TYPE_CHECKING:
-    from tambour.crochet.printed.pattern import Printed
 
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
 WRAPPED: Final = 12  # lines of a paragraph
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
 
-def text_line(p: Printed, row: Row, tokens: list[Token]) -> None:
+def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     """A line that begins no round."""
     whole = Span(row.start, row.end)
     if not tokens:
@@ -83,7 +80,7 @@ def text_line(p: Printed, row: Row, tokens: list[Token]) -> None:
         left_over(p, left, False)
 
 
-def _said(p: Printed, span: Span) -> bool:
+def _said(p: State, span: Span) -> bool:
     """A line that is one of the writer's own sentences: of colour, of seams, of the end."""
     text = p.source.text.text[span.start : span.end]
     own = explained(text, p.source.stitches, p.phrases.terms) if not p.parts else []
@@ -109,7 +106,7 @@ def _said(p: Printed, span: Span) -> bool:
     return True
 
 
-def _copied(p: Printed, row: Row, line: str) -> Heading | None:
+def _copied(p: State, row: Row, line: str) -> Heading | None:
     """A heading that says its copies as the table of terms does: ``Arm (make 2)``."""
     mark = line.rfind("(")
     said = p.phrases.read(line[mark:], ("copies",)) if mark > 0 else None
@@ -120,7 +117,7 @@ def _copied(p: Printed, row: Row, line: str) -> Heading | None:
     return Heading(name, span, max(1, said[1]["count"]), span, True, True)
 
 
-def _named_color(p: Printed, tokens: list[Token]) -> bool:
+def _named_color(p: State, tokens: list[Token]) -> bool:
     """``A = brown``, ``Color B: white``, ``Main color (MC): cream``; whether the line says such."""
     found = False
     for k in range(len(tokens) - 2):
@@ -134,7 +131,7 @@ def _named_color(p: Printed, tokens: list[Token]) -> bool:
     return found
 
 
-def _sentences(p: Printed, tokens: list[Token], lefts: list[list[Token]]) -> bool:
+def _sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
     """Reads what instructions a line of text holds; whether there were any. What was not read goes to ``lefts``."""
     any_read = False
     begin = 0
@@ -151,7 +148,7 @@ def _sentences(p: Printed, tokens: list[Token], lefts: list[list[Token]]) -> boo
     return any_read
 
 
-def _sentence(p: Printed, tokens: list[Token]) -> bool:
+def _sentence(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds; whether it was understood."""
     if p.parts and finishes(raw := _raw(p, tokens), tokens):
         p.sentences.append(Sentence(raw, tokens, p.parts[-1].name))
@@ -203,14 +200,14 @@ def _sentence(p: Printed, tokens: list[Token]) -> bool:
     return True
 
 
-def _raw(p: Printed, tokens: list[Token]) -> list[Token]:
+def _raw(p: State, tokens: list[Token]) -> list[Token]:
     """The same words as they were written."""
     begin, end = tokens[0].start, tokens[-1].end
     first = p.row_at
     return [t for row in p.rows[first : first + WRAPPED] for t in row.tokens if begin <= t.start and t.end <= end]
 
 
-def _stuffing(p: Printed, tokens: list[Token]) -> float | None:
+def _stuffing(p: State, tokens: list[Token]) -> float | None:
     """How much a sentence wants the part stuffed; -1 when it says only that it is."""
     if not any(t.kind == "key" and t.value == "stuff" for t in tokens) or len(tokens) > 14:
         return None
@@ -222,7 +219,7 @@ def _stuffing(p: Printed, tokens: list[Token]) -> float | None:
     return -1.0
 
 
-def left_over(p: Printed, tokens: list[Token], in_round: bool) -> None:
+def left_over(p: State, tokens: list[Token], in_round: bool) -> None:
     """A sentence that was not read: a doubt when it looks like instructions, else it is passed over."""
     span = Span(tokens[0].start, tokens[-1].end)
     words = [t for t in tokens if t.kind != "mark"] or tokens

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item
-from tambour.crochet.printed.brackets import OPEN, closing
-from tambour.crochet.printed.clauses import NotUnderstood, where
-from tambour.crochet.printed.counts import bracketed_count, counted_at
+from tambour.crochet.printed.clauses import where
+from tambour.crochet.printed.counts import Times, bracketed_count, checked, closing, counted_at, multiplier
+from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.stitch import placed, standing
 from tambour.crochet.printed.tokens import Token
-
-if TYPE_CHECKING:
-    from tambour.crochet.printed.body import Reader
-
-Times = tuple[int | None, Span]
 
 
 def bracket(r: Reader, found: list[Item], token: Token) -> None:
@@ -137,33 +133,6 @@ def repeated(r: Reader, found: list[Item], inner: list[Item], span: Span, star: 
         found.append(Group(tuple(inner), None if "once" in r.choices else 1, span))
 
 
-def multiplier(r: Reader) -> Times | Literal[False]:
-    """``x 6``, ``6 times``, ``twice`` right at the cursor."""
-    c = r.c
-    token = c.look()
-    if token is None:
-        return False
-    if (c.mark("x") or (c.mark("*") and not r.stars)) and c.whole(1) is not None:
-        c.at += 1
-        number = c.take()
-        c.skip_key("times")
-        return _checked(number.value, number)
-    if c.whole() is not None and (c.key("times", ahead=1) or (c.mark("x", ahead=1) and not c.kind("stitch", 2))):
-        c.at += 2
-        c.skip_key("total")
-        return _checked(token.value, token)
-    if c.key("twice", "once"):
-        c.at += 1
-        return (2 if token.value == "twice" else 1), token.span
-    return False
-
-
-def _checked(number: int, token: Token) -> Times:
-    if number == 0:
-        raise NotUnderstood(token, "a repeat is worked at least once", "leave the brackets out instead")
-    return number, token.span
-
-
 def times(r: Reader, star: bool) -> Times | Literal[False]:
     """How often, by the words at the cursor: a number, or None for around, and its place; False when nothing is said."""
     c = r.c
@@ -193,7 +162,7 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
         c.at += 3
         more = c.skip_key("more")
         c.skip_key("times")
-        return _checked(number.value + more, number)
+        return checked(number.value + more, number)
     given = multiplier(r)
     token = c.look()
     if given is not False:
@@ -210,10 +179,10 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
         if c.key("more", ahead=1):
             c.at += 2
             c.skip_key("times")
-            return _checked(token.value + 1, token)
+            return checked(token.value + 1, token)
         if token.glued or (said >= 0 and not c.kind("stitch", 1)):
             c.at += 1
-            return _checked(token.value, token)
+            return checked(token.value, token)
     if token is not None and c.key("around"):
         c.at += 1
         return None, token.span

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STANDING, Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item
-from tambour.crochet.printed.clauses import NotUnderstood, Where, where
+from tambour.crochet.printed.clauses import Where, where
+from tambour.crochet.printed.counts import multiplier
+from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
-
-if TYPE_CHECKING:
-    from tambour.crochet.printed.body import Reader
 
 _TWO = ("inc", "dec")
 _MOST = 64  # stitches in one place
@@ -19,8 +19,6 @@ _MOST = 64  # stitches in one place
 
 def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     """A stitch at the cursor; ``before`` is the number that stood before it."""
-    from tambour.crochet.printed.repeats import multiplier
-
     c = r.c
     token = c.take()
     name, after = token.value, None

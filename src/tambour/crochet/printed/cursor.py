@@ -1,0 +1,63 @@
+"""Printed patterns, the cursor: a place in a list of tokens, and the fault that points at one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from tambour.crochet.printed.tokens import Token
+
+OPEN: Final = {"(": ")", "[": "]", "{": "}", "<": ">"}
+
+
+class NotUnderstood(Exception):
+    """A token that does not fit, and what would."""
+
+    def __init__(self, token: Token, message: str, hint: str = "") -> None:
+        super().__init__(message)
+        self.token, self.message, self.hint = token, message, hint
+
+
+@dataclass
+class Cursor:
+    """A place in a list of tokens."""
+
+    tokens: list[Token]
+    at: int = 0
+
+    def look(self, ahead: int = 0) -> Token | None:
+        """The token so far ahead, None at the end."""
+        at = self.at + ahead
+        return self.tokens[at] if 0 <= at < len(self.tokens) else None
+
+    def key(self, *names: str, ahead: int = 0) -> bool:
+        """Whether the token there is one of these concepts."""
+        token = self.look(ahead)
+        return token is not None and token.kind == "key" and token.value in names
+
+    def mark(self, *words: str, ahead: int = 0) -> bool:
+        """Whether the token there is one of these marks."""
+        token = self.look(ahead)
+        return token is not None and token.kind == "mark" and token.word in words
+
+    def kind(self, kind: str, ahead: int = 0) -> bool:
+        """Whether the token there is of this kind."""
+        token = self.look(ahead)
+        return token is not None and token.kind == kind
+
+    def take(self) -> Token:
+        """The token here; the cursor goes on."""
+        token = self.tokens[self.at]
+        self.at += 1
+        return token
+
+    def skip_key(self, *names: str) -> bool:
+        """Goes past one of these concepts, if it is here."""
+        found = self.key(*names)
+        self.at += found
+        return found
+
+    def whole(self, ahead: int = 0) -> int | None:
+        """The whole number there."""
+        token = self.look(ahead)
+        return token.value if token is not None and token.kind == "number" and isinstance(token.value, int) else None

@@ -1,0 +1,99 @@
+"""Printed patterns, the reader: the body of a round while it is read, and what was found in it."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from tambour.core.errors import Span
+from tambour.crochet.language.stitches import Stitch
+from tambour.crochet.language.tree import Action, Item
+from tambour.crochet.printed.clauses import Where
+from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.tokens import Token
+
+_STOPS = (".", ",", ";", ":", "(", "[", "{", "*", ")", "]", "}")
+
+
+@dataclass
+class Body:
+    """What the body of a round says.
+
+    items : its items; stated, stated_span : the count that it states
+    rounds : "for 5 rounds", with its place; refers : the rounds that it repeats, and their place
+    hook : which chain from the hook its first stitch goes into, 0 when nothing is said; fresh : its items before that
+    rings, ringed : how many rings it begins; it works into a ring that was made of a chain
+    lift : chains before the ring's first stitch
+    sides : it goes on around the other side of its foundation chain
+    ends : "close" or "open" when it says how its end is left
+    left : sentences that were not understood
+    asked : wordings that can be read in two ways → their place
+    """
+
+    items: list[Item] = field(default_factory=list)
+    stated: int | None = None
+    stated_span: Span | None = None
+    rounds: tuple[int, Span] | None = None
+    refers: tuple[int, int, Span] | None = None
+    hook: int = 0
+    fresh: int = 0
+    rings: int = 0
+    lift: int = 0
+    ringed: bool = False
+    sides: bool = False
+    ends: str = ""
+    left: list[list[Token]] = field(default_factory=list)
+    asked: dict[str, Span] = field(default_factory=dict)
+
+
+class Reader(ABC):
+    """One body while it is read: what its clauses share, and the clauses that hold clauses.
+
+    ``choices`` are the doubtful wordings that are read the second way (:mod:`tambour.crochet.printed.doubts`).
+    """
+
+    def __init__(
+        self,
+        tokens: list[Token],
+        stitches: dict[str, Stitch],
+        palette: Palette,
+        choices: frozenset[str] = frozenset(),
+        phrases: Callable[[int, int], Action | None] | None = None,
+    ) -> None:
+        self.c = Cursor(tokens)
+        self.phrases = phrases  # the sentence from one place to another, as the table of terms says it
+        self.stitches, self.palette, self.choices = stitches, palette, choices
+        self.body = Body()
+        self.ring: Token | None = None  # a magic ring that still wants its stitches
+        self.before: Where | None = None  # "in next st", said before its stitches
+        self.depth = self.stars = 0  # brackets, and asterisks, that are open
+
+    @abstractmethod
+    def items(self, found: list[Item], closers: frozenset[str]) -> None:
+        """Clauses into ``found`` up to a closing mark, which is left at the cursor."""
+
+    @abstractmethod
+    def clause(self, found: list[Item], token: Token) -> None:
+        """One clause at the cursor."""
+
+    @abstractmethod
+    def between(self, token: Token) -> bool:
+        """Goes past what only stands between clauses."""
+
+    def ask(self, what: str, span: Span) -> None:
+        """Notes a wording that can be read in two ways."""
+        self.body.asked.setdefault(what, span)
+
+    def is_ring(self, action: Action) -> bool:
+        """Whether an action begins with a magic ring."""
+        return action.name == "mr" or (action.name in self.stitches and self.stitches[action.name].where == "ring")
+
+    def to_separator(self, *keys: str) -> None:
+        """Goes on to the end of a clause."""
+        c = self.c
+        while c.look() is not None and not c.mark(*_STOPS) and not c.key(*keys):
+            if c.key("form") and not keys:
+                break
+            c.at += 1

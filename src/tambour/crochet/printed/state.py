@@ -1,0 +1,89 @@
+"""Printed patterns, the state: a text while it is read, and the parts that were begun."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.source import Source
+from tambour.crochet.language.tree import Line
+from tambour.crochet.printed.assembly import Sentence
+from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.notes import Heading
+from tambour.crochet.printed.parts import Draft
+from tambour.crochet.printed.recognise import recognised
+from tambour.crochet.printed.restated import lettered
+from tambour.crochet.printed.tokens import rows
+from tambour.crochet.printed.vocabulary import vocabulary
+from tambour.crochet.words.languages import TERMS
+from tambour.crochet.words.phrases import Phrases
+
+_KNOWN: Final = (
+    "around",
+    "next",
+    "each",
+    "stitches",
+    "repeat",
+    "times",
+    "magic",
+    "from",
+    "turn",
+    "join",
+    "skip",
+    "loops",
+    "fasten",
+)
+
+
+class State:
+    """What is known of a text so far: its lines, its words, its parts, and what waits for the part that comes next."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.rows = rows(source.text.text)
+        self.language = recognised(source, self.rows)
+        self.vocabulary = vocabulary(self.language.code)
+        self.palette = Palette([*self.vocabulary.stitches(), *_KNOWN])
+        self.phrases = Phrases(TERMS[self.language.code], {}, lettered(source.text.text, TERMS[self.language.code]))
+        self.palette.given.update((letter.lower(), hue) for letter, hue in self.phrases.legend.items())
+        self.parts: list[Draft] = []
+        self.lead: list[Line] = []  # colours said before the part that they begin
+        self.heading: Heading | None = None
+        self.mode = ""
+        self.title: tuple[str, Span] | None = None
+        self.stated: dict[str, tuple[str, Span]] = {}
+        self.passed: list[Span] = []
+        self.understood = self.failed = self.row_at = 0
+        self.early: dict[str, Any] = {}  # what is said of a part before its first round
+        self.sentences: list[Sentence] = []  # of finishing, read once the parts are known
+
+    def begin(self, first: bool, span: Span) -> None:
+        """Goes on with the part, or begins another."""
+        last = self.parts[-1] if self.parts else None
+        title = self.heading is not None and self.title is not None and self.heading.span == self.title[1]
+        if last is not None and last.begun() and not (first and (last.last or self.heading)):
+            if self.heading is not None and not title:
+                self.passed.append(self.heading.span)
+                self.heading = None
+            last.lines += self.lead
+            self.lead = []
+            return
+        if last is not None and not last.begun():
+            self.lead = [*last.lines, *self.lead]
+            self.parts.pop()
+        found, self.heading, self.mode = self.heading, None, ""
+        name = found.name if found is not None else ""
+        if not name and self.parts:
+            name = f"part_{len(self.parts) + 1}"
+            self.source.doubt("rounds begin at 1 again: this is taken for another part", "give it a heading", span)
+        taken = {draft.name for draft in self.parts}
+        if name in taken:
+            name = next(f"{name}_{k}" for k in range(2, len(taken) + 3) if f"{name}_{k}" not in taken)
+        draft = Draft(name, found.span if found is not None else span)
+        if found is not None:
+            draft.copies, draft.copies_span = found.copies, found.copies_span
+        draft.lines, self.lead = self.lead, []
+        for key, value in self.early.items():
+            setattr(draft, key, value)
+        self.early = {}
+        self.parts.append(draft)
