@@ -14,9 +14,12 @@ from hypothesis import strategies as st
 from tambour.core.errors import TambourError, Text
 from tambour.core.progress import Progress
 from tambour.crochet import CRAFT
+from tambour.crochet.looks import graph
+from tambour.crochet.maker.facts import facts
 from tambour.crochet.maker.gauge import gauge
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.plush import Plush, facts, graph, make
+from tambour.crochet.piece import Plush
+from tambour.crochet.plush import make
 from tambour.run import run
 
 BALL = "R1: MR(6)\nR2: 6 inc (12)\nR3: [sc, inc] x 6 (18)\n3: 18 sc (18)\n: [sc, dec] x 6 (12)\n: 6 dec (6)\nFO\n"

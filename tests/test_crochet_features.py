@@ -14,8 +14,11 @@ from tambour.crochet.finish.felt import area, outline
 from tambour.crochet.finish.ground import Ground, ground
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.language.finishes import SHAPES
+from tambour.crochet.looks import surface, yarn
+from tambour.crochet.maker.facts import facts
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.plush import Plush, facts, make, surface, yarn
+from tambour.crochet.piece import Plush
+from tambour.crochet.plush import make
 
 HEAD = """== Head ==
 R1: MR(6) (6)

@@ -14,7 +14,6 @@ from tambour.core.drawing import Drawing
 from tambour.core.errors import Text
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.crochet.maker.gauge import WEIGHTS
 from tambour.crochet.maker.materials import DENSITY, materials
 from tambour.crochet.page.booklet import pages
 from tambour.crochet.page.flow import Atom, Chunk, Frame, flow, together
@@ -22,9 +21,11 @@ from tambour.crochet.page.pictures import steps
 from tambour.crochet.page.sheet import Sheet, width_of, wrap
 from tambour.crochet.page.text import words
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.plush import Plush, make
+from tambour.crochet.piece import Plush
+from tambour.crochet.plush import make
 from tambour.crochet.words.languages import TERMS
 from tambour.crochet.words.page import WORDS
+from tambour.crochet.yarns import WEIGHTS
 from tambour.files import write
 
 TOY = """\

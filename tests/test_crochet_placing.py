@@ -17,9 +17,11 @@ from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots, numbers
 from tambour.crochet.language.finishes import Eye, Placed, Spot
 from tambour.crochet.language.parse import parse
+from tambour.crochet.maker.facts import facts
 from tambour.crochet.page.own import pattern
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.plush import Plush, facts, make
+from tambour.crochet.piece import Plush
+from tambour.crochet.plush import make
 from tambour.crochet.settle.contact import BESIDE, lie
 
 BALL = """== Head ==

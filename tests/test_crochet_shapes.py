@@ -13,8 +13,11 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
+from tambour.crochet.looks import surface
+from tambour.crochet.maker.facts import facts
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.plush import Plush, facts, make, surface
+from tambour.crochet.piece import Plush
+from tambour.crochet.plush import make
 from tambour.crochet.settle.contact import pairs, ragged
 from tambour.geometry.surface import closed
 

@@ -11,11 +11,15 @@ import pytest
 
 from tambour.core.errors import Span, TambourError, Text
 from tambour.core.progress import Progress
-from tambour.crochet.maker.gauge import WEIGHTS, class_of, expected, gauge, hook_of, ravelled, swatch_of
-from tambour.crochet.maker.size import THICK
+from tambour.crochet.maker.facts import facts
+from tambour.crochet.maker.gauge import gauge
+from tambour.crochet.maker.materials import DRAWN_TIGHT
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.plush import DRAWN_TIGHT, Plush, facts, make
+from tambour.crochet.piece import Plush
+from tambour.crochet.plush import make
 from tambour.crochet.settle.snug import stretch
+from tambour.crochet.yarn.loops import THICK
+from tambour.crochet.yarns import WEIGHTS, class_of, expected, hook_of, ravelled, swatch_of
 
 TOYS = Path(__file__).parent / "data" / "crochet_size"
 

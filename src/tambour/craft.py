@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -96,4 +96,3 @@ class Craft:
     optional_source: bool = False
     check: Callable[[Any, Sequence[str]], None] = _no_objection
     prefer: Callable[[Any], Mapping[str, str]] = _no_preference
-    notes: Mapping[str, str] = field(default_factory=dict)

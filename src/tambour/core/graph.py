@@ -129,3 +129,9 @@ class StitchGraph:
 
     def __len__(self) -> int:
         return len(self.kind)
+
+    @property
+    def stitch_width(self) -> float:
+        """Width of a stitch, mm: the mean rest length along the yarn; 5 where there is no such edge."""
+        along = self.edge_kind == YARN
+        return float(self.rest[along].mean()) if along.any() else 5.0

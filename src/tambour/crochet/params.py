@@ -9,6 +9,7 @@ from pydantic import Field, field_validator
 
 from tambour.core.errors import TambourError
 from tambour.core.params import Length, Params
+from tambour.crochet.yarns import WEIGHTS, class_of, ravelled
 
 _GAUGE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*[xX×]\s*(\d+(?:\.\d+)?)\s*$")
 
@@ -112,8 +113,6 @@ class CrochetParams(Params):
     @classmethod
     def _gauge_yarn(cls, value: str | None) -> str | None:
         if value is not None:
-            from tambour.crochet.maker.gauge import ravelled
-
             try:
                 ravelled(value)
             except TambourError:
@@ -125,8 +124,6 @@ class CrochetParams(Params):
     def _yarn(cls, value: str | int | None) -> str | None:
         if value is None:
             return None
-        from tambour.crochet.maker.gauge import WEIGHTS, class_of
-
         found = class_of(str(value))
         if found is None:
             raise ValueError(f"a yarn is {', '.join(WEIGHTS)}, or a number from 0 to 7")

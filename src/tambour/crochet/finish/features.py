@@ -95,11 +95,11 @@ def meshes(
     from tambour.crochet.finish.ground import Ground, ground
     from tambour.crochet.finish.hair import hair
     from tambour.crochet.finish.thread import knot, stitch
-    from tambour.crochet.yarn.fabric import SIDES, stitch_width
+    from tambour.crochet.yarn.fabric import SIDES
     from tambour.geometry.tube import sweep
 
     what = placed(built, positions, upright)
-    graph, width = built.graph, stitch_width(built.graph)
+    graph, width = built.graph, built.graph.stitch_width
     faces = graph.faces[built.shell]
     parts = Spots(built).parts
     every = [pair for pair in zip(what.records, what.where) if _fabric(built, pair[0])]

@@ -20,13 +20,12 @@ def twisted(built: Built) -> list[Problem]:
     """Doubts about seams that twist: a part's mirror image would fit them far better than the part does."""
     from tambour.crochet.graph.layout import rounds
     from tambour.crochet.settle.arrange import fit
-    from tambour.crochet.yarn.fabric import stitch_width
     from tambour.geometry.surface import vertex_normals
 
     graph, sewn = built.graph, np.asarray(built.sewn, int)
     if len(sewn) < FEW:
         return []
-    x = rounds(graph, graph.rest / stitch_width(graph))
+    x = rounds(graph, graph.rest / graph.stitch_width)
     outward = vertex_normals(x, graph.faces[built.shell])
     part = graph.part[sewn]
     found = []

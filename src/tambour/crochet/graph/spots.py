@@ -53,10 +53,9 @@ class Spots:
     def layout(self) -> Array:
         """Where the rounds were laid out (N, 3), in stitches, before anything settled: every part by itself."""
         from tambour.crochet.graph.layout import rounds
-        from tambour.crochet.yarn.fabric import stitch_width
 
         graph = self.built.graph
-        return rounds(graph, graph.rest / stitch_width(graph))
+        return rounds(graph, graph.rest / graph.stitch_width)
 
     @cached_property
     def in_rows(self) -> Array:

@@ -11,15 +11,11 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import THROUGH, YARN
 from tambour.crochet.settle.arrange import clusters
-from tambour.crochet.yarn.fabric import BLOOM
-from tambour.crochet.yarn.loops import RATIO
+from tambour.crochet.yarn.loops import THICK
 from tambour.geometry.surface import vertex_normals
 
 if TYPE_CHECKING:
-    from tambour.crochet.plush import Plush
-
-THICK: Final = 2 * RATIO * BLOOM
-"""Thickness of the fabric, in stitch widths: two strands of yarn, as they lie on each other."""
+    from tambour.crochet.piece import Plush
 
 FLAT: Final = 0.8
 """A piece lies flat as a disc while its rim is at least this share of the rim of a flat one; less is a cup, or a tube."""

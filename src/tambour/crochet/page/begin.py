@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from tambour.crochet.maker.gauge import WEIGHTS
 from tambour.crochet.maker.materials import materials
 from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.book import Book, short, size_lines, weight_name
 from tambour.crochet.page.flow import Atom, Chunk, flow, together
 from tambour.crochet.page.sheet import BODY, HAIR, HEAD, LEADING, RGB, SMALL, SOFT, Sheet, width_of, wrap
 from tambour.crochet.page.text import name_of
+from tambour.crochet.yarns import WEIGHTS
 
 
 def heading(book: Book, text: str, width: float, note: str = "") -> list[Atom]:

@@ -9,15 +9,15 @@ import numpy as np
 
 from tambour.color import linear
 from tambour.core.check import Array
-from tambour.crochet.maker.gauge import WEIGHTS
 from tambour.crochet.maker.size import Size
 from tambour.crochet.page.flow import Frame
 from tambour.crochet.page.sheet import HAIR, LEAD, RGB, Sheet, wrap
 from tambour.crochet.page.text import Words, words
 from tambour.crochet.words.page import IMPERIAL, WORDS
+from tambour.crochet.yarns import WEIGHTS
 
 if TYPE_CHECKING:
-    from tambour.crochet.plush import Plush
+    from tambour.crochet.piece import Plush
 
 PAGES: Final = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
 MARGIN, TOP, FOOT, GUTTER = 18.0, 24.0, 20.0, 9.0

@@ -16,12 +16,12 @@ from tambour.crochet.page.pictures import whole
 from tambour.crochet.page.sheet import BODY, COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, Sheet, wrap
 
 if TYPE_CHECKING:
-    from tambour.crochet.plush import Plush
+    from tambour.crochet.piece import Plush
 
 
 def pages(piece: Plush) -> tuple[Drawing, ...]:
     """The booklet, a Drawing per page."""
-    from tambour.crochet.plush import not_empty
+    from tambour.crochet.piece import not_empty
 
     not_empty(piece)
     book = Book(piece)

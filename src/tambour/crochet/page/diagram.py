@@ -16,6 +16,7 @@ from tambour.crochet.graph.build import Built
 from tambour.crochet.language.stitches import BUMPS, KINDS
 from tambour.crochet.page.chart import Cell, Chart, charts
 from tambour.crochet.page.symbols import BARS, NAMES, Line, loop_mark, post, ring_mark, solid, strokes
+from tambour.crochet.piece import Plush
 
 CELL = 7.0  # mm, a single crochet on paper
 _PEN = 0.35  # mm
@@ -49,6 +50,11 @@ class _Sheet:
     def say(self, text: str, x: float, y: float, size: float = _TEXT, middle: bool = True, bold: bool = False) -> None:
         """A line of text."""
         self.labels.append(Label(text, x, y, size, "middle" if middle else "start", 0.0, _INK, bold))
+
+
+def view(piece: Plush) -> Drawing:
+    """The chart of a piece."""
+    return diagram(piece.built)
 
 
 def diagram(built: Built) -> Drawing:

@@ -15,6 +15,7 @@ from tambour.crochet.language.finishes import RGB, Embroidery, Hair
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section
 from tambour.crochet.page.written import Written, sections
+from tambour.crochet.piece import Plush
 from tambour.crochet.words.hues import plain_name
 from tambour.crochet.words.languages import TERMS, Terms
 from tambour.crochet.words.phrases import Phrases, hexed
@@ -62,6 +63,11 @@ class Sheet:
     special: tuple[str, ...]
     parts: tuple[PartText, ...]
     assembly: tuple[str, ...]
+
+
+def view(piece: Plush) -> Text:
+    """The pattern of a piece as a printed text, in the words that its params ask for."""
+    return instructions(piece.built, piece.params.terms)
 
 
 def instructions(piece: Built | Pattern, terms: str | None = None) -> Text:

@@ -14,6 +14,7 @@ from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hai
 from tambour.crochet.language.stitches import RULES, SPELT, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section
 from tambour.crochet.page.written import Written, sections
+from tambour.crochet.piece import Plush
 from tambour.crochet.words.phrases import hexed, number
 from tambour.crochet.words.special import told
 from tambour.crochet.words.table import Terms
@@ -28,6 +29,11 @@ _WORDS: Final = Terms(
     {"several": "{count} {item}"},
     {},
 )
+
+
+def view(piece: Plush) -> Text:
+    """The pattern of a piece, written back."""
+    return pattern(piece.built)
 
 
 def pattern(piece: Built | Pattern) -> Text:

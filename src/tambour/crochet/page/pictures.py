@@ -20,12 +20,12 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, Spot
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.sheet import BACKDROP
-from tambour.crochet.yarn.fabric import mesh, stitch_width
+from tambour.crochet.yarn.fabric import mesh
 from tambour.crochet.yarn.loops import RATIO
 from tambour.crochet.yarn.spline import thin
 
 if TYPE_CHECKING:
-    from tambour.crochet.plush import Plush
+    from tambour.crochet.piece import Plush
 
 _VIEW: Final = (radians(24.0), radians(14.0))
 _ABOVE: Final = radians(52.0)
@@ -127,7 +127,7 @@ def partial(
     # Small pictures need fewer points along the yarn.
     coords = yarn.paths.coords
     near = np.zeros(len(coords), np.bool_)
-    thin(coords, ends, 0.3 * RATIO * stitch_width(graph), near)
+    thin(coords, ends, 0.3 * RATIO * graph.stitch_width, near)
     lines = [np.arange(ends[k], ends[k + 1])[near[ends[k] : ends[k + 1]]] for k in keep.tolist()]
     points = np.concatenate(lines) if lines else np.zeros(0, int)
     color = yarn.color[keep].astype(float)
@@ -158,7 +158,7 @@ def lies(piece: Plush) -> bool:
 
 def whole(piece: Plush, width: int, height: int) -> Picture:
     """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
-    from tambour.crochet.plush import yarn
+    from tambour.crochet.looks import yarn
     from tambour.render.raster import film, picture
 
     made = yarn(piece)

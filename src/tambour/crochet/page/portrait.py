@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from math import pi, radians
 from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
     from tambour.core.mesh import Mesh
     from tambour.core.picture import Picture
-    from tambour.crochet.plush import Plush
+    from tambour.crochet.piece import Plush
 
 SIDES: Final[dict[str, tuple[float, float]]] = {
     "front": (0.0, radians(8.0)),
@@ -22,9 +23,12 @@ SIDES: Final[dict[str, tuple[float, float]]] = {
 
 def portrait(piece: Plush, side: str, *, width: int = 1200, height: int | None = None, ground: bool = True) -> Picture:
     """The piece in yarn, with its face, seen from a side of SIDES."""
-    from tambour.crochet.plush import yarn
+    from tambour.crochet.looks import yarn
 
     return seen(yarn(piece), side, width=width, height=height, ground=ground)
+
+
+front, back, left, right, top = (partial(portrait, side=side) for side in SIDES)
 
 
 def seen(mesh: Mesh, side: str, *, width: int = 1200, height: int | None = None, ground: bool = True) -> Picture:

@@ -5,20 +5,17 @@ from __future__ import annotations
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import ROOT, YARN, StitchGraph
+from tambour.core.graph import ROOT, StitchGraph
 from tambour.core.mesh import Mesh
 from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.crochet.yarn.clearance import clear
 from tambour.crochet.yarn.course import course, place
 from tambour.crochet.yarn.lead import way
-from tambour.crochet.yarn.loops import RATIO
+from tambour.crochet.yarn.loops import BLOOM, RATIO
 from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
 from tambour.geometry.tube import sweep
-
-BLOOM = 1.32
-"""Radius drawn, in radii of the yarn's core: wool is soft outside, and neighbours press into each other."""
 
 SMALL, LARGE = 2000, 5000
 """Stitches above which strands are pushed apart less thoroughly, and above which still less."""
@@ -47,7 +44,7 @@ def strands(
     the stitch that every point belongs to.
     """
     x = np.ascontiguousarray(positions, np.float64)
-    radius = stitch_width(graph) * RATIO / 2 if yarn_radius is None else yarn_radius
+    radius = graph.stitch_width * RATIO / 2 if yarn_radius is None else yarn_radius
     led = way(graph)
     rows = course(graph, x)
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
@@ -105,7 +102,7 @@ def mesh(graph: StitchGraph, positions: Array, *, detail: str = "medium", made: 
     """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, swept to tubes over a dark lining."""
     made = strands(graph, positions, detail=detail) if made is None else made
     yarn = sweep(made, sides=SIDES[detail])
-    inner = lining(graph, positions, stitch_width(graph))
+    inner = lining(graph, positions, graph.stitch_width)
     v = len(yarn.vertices)
     assert yarn.color is not None and inner.color is not None and yarn.uv is not None
     return Mesh(
@@ -116,9 +113,3 @@ def mesh(graph: StitchGraph, positions: Array, *, detail: str = "medium", made: 
         face_group=np.repeat(np.array([0, 1], np.int32), [len(yarn.faces), len(inner.faces)]),
         group_names=("yarn", "lining"),
     )
-
-
-def stitch_width(graph: StitchGraph) -> float:
-    """Width of a stitch, mm: the mean rest length along the yarn; 5 where there is no such edge."""
-    along = graph.edge_kind == YARN
-    return float(graph.rest[along].mean()) if along.any() else 5.0

@@ -22,6 +22,12 @@ from tambour.core.kernels import kernel
 RATIO: Final = 0.25
 """Yarn diameter, in stitch widths, for which the course was found."""
 
+BLOOM: Final = 1.32
+"""Radius drawn, in radii of the yarn's core: wool is soft outside, and neighbours press into each other."""
+
+THICK: Final = 2 * RATIO * BLOOM
+"""Thickness of the fabric, in stitch widths: two strands of yarn, as they lie on each other."""
+
 BAR: Final = (0, 7)
 LOOP: Final = (7, 27)
 TOP: Final = (27, 48)

@@ -15,6 +15,7 @@ from tambour.core.check import Array
 from tambour.core.drawing import Drawing, Label, Placed
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
+from tambour.core.reveal import Reveal
 from tambour.ink.elements import specimens
 from tambour.ink.ground.kinds import NAMES
 from tambour.ink.ground.marks import Marks
@@ -198,6 +199,11 @@ def picture(scroll: Scroll) -> Picture:
     from tambour.render import flat
 
     return flat.picture(streamed(scroll), width=scroll.params.pixels)
+
+
+def painting(scroll: Scroll) -> Reveal:
+    """The window coming into being, in painter's order."""
+    return Reveal(whole(scroll), scroll.params.painting, scroll.params.steps)
 
 
 def plan(scroll: Scroll) -> dict[str, Any]:

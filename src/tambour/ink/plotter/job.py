@@ -10,9 +10,11 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.drawing import Drawing, Groups, Styles
+from tambour.core.errors import TambourError
 from tambour.core.paths import Paths
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
+from tambour.core.reveal import Reveal
 from tambour.ink.params import Ink
 from tambour.ink.plan import scroll
 from tambour.ink.plan.wholes import HEIGHT
@@ -209,6 +211,24 @@ def whole(plot: Plot) -> Drawing | tuple[Drawing, ...]:
     """The page, or the booklet of pages where there is more than one."""
     pages = drawings(plot)
     return pages[0] if len(pages) == 1 else pages
+
+
+def streamed(plot: Plot) -> Drawing | tuple[Drawing, ...]:
+    """The same: a page's lines are one value."""
+    return whole(plot)
+
+
+def painting(plot: Plot) -> Reveal:
+    """The one page being plotted. Raises TambourError where there are several."""
+    pages = drawings(plot)
+    if len(pages) > 1:
+        raise TambourError("one sheet at a time can be seen being plotted", hint="--sheets 0", where="painting")
+    return Reveal(pages[0], plot.scroll.params.painting, plot.scroll.params.steps)
+
+
+def plan(plot: Plot) -> dict[str, Any]:
+    """The plan of the scroll that is plotted."""
+    return scroll.plan(plot.scroll)
 
 
 def picture(plot: Plot) -> Picture:

@@ -1,0 +1,82 @@
+"""Facts: what the report says of a piece."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from tambour.crochet.piece import Plush
+
+
+def facts(piece: Plush) -> dict[str, Any]:
+    """What the report says: counts, size, how the shape was reached, and where the fabric is tight."""
+    import numpy as np
+
+    from tambour.crochet.finish.features import materials
+    from tambour.crochet.finish.joining import assembly
+    from tambour.crochet.maker import size
+    from tambour.crochet.maker.materials import lengths as metres
+    from tambour.crochet.maker.materials import materials as needed
+    from tambour.crochet.printed.choose import account
+    from tambour.crochet.settle.forces import lengths
+
+    built, g, shape = piece.built, piece.built.graph, piece.shape
+    x, width = piece.positions, piece.stitch[0]
+    kinds, counts = np.unique(g.kind, return_counts=True)
+
+    measured = size.report(piece)
+    length = metres(piece)
+    ml = shape.volume * width**3 / 1000.0
+    stretch = lengths(x, g.edges) / (g.rest * piece.params.link_distance) - 1.0 if len(g.edges) else np.zeros(0)
+    tension: dict[str, Any] = {"mean": 0.0, "worst": 0.0, "node": None, "at": None}
+    if len(stretch):
+        k = int(abs(stretch).argmax())
+        node = int(g.edges[k, 0])
+        line, column = built.pattern.text.place(int(g.span[node, 0]))
+        tension = {
+            "mean": round(float(stretch.mean()), 5),
+            "worst": round(float(stretch[k]), 5),
+            "node": node,
+            "at": f"{built.pattern.text.name}:{line}:{column}",
+        }
+    said = sum(w.line.stated is not None for w in built.worked)
+    checked = f"no mistake found: {len(built.rounds)} rounds, {said} stated counts" if piece.params.check else None
+    return {
+        **({"check": checked} if checked else {}),
+        **account(built.pattern),
+        "nodes": len(g),
+        "edges": len(g.edges),
+        "stitches": {g.kinds[k]: int(n) for k, n in zip(kinds, counts)},
+        "parts": [
+            {
+                "name": p.name,
+                "nodes": p.end - p.start,
+                "size_mm": [measured["parts"][k][side]["mm"] for side in ("width", "height", "depth")],
+                "volume_ml": round(float(ml[k]), 3),
+                "stuffing": p.stuffing,
+            }
+            for k, p in enumerate(g.parts)
+        ],
+        "rounds": [{"part": r.part, "number": r.number, "stitches": r.count} for r in built.rounds],
+        "size": measured,
+        "size_mm": [measured[side]["mm"] for side in ("width", "height", "depth")],
+        "size_in": [measured[side]["in"] for side in ("width", "height", "depth")],
+        "volume_ml": round(float(ml.sum()), 3),
+        "yarn": [
+            {"color": "#{:02x}{:02x}{:02x}".format(*shade), "metres": round(m, 2), "yards": round(m / 0.9144, 2)}
+            for shade, m in length.items()
+        ],
+        "features": materials(built, x),
+        "materials": needed(piece),
+        "yarn_metres": round(sum(length.values()), 2),
+        "stitch_mm": list(piece.stitch),
+        "stuffing": piece.stuffing,
+        "start": piece.start,
+        "residual": shape.residual,
+        "settled": shape.settled,
+        "evaluations": shape.evaluations,
+        "tension": tension,
+        "assembly": (
+            assembly(piece.joining, shape.joined, x) if piece.joining is not None and shape.joined is not None else []
+        ),
+    }

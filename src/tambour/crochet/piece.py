@@ -1,0 +1,56 @@
+"""Piece: Plush, the pattern in its shape."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from tambour.core.check import Array
+from tambour.core.errors import TambourError
+
+if TYPE_CHECKING:
+    from tambour.core.strands import Strands
+    from tambour.crochet.finish.joining import Joining
+    from tambour.crochet.finish.shape import Shape
+    from tambour.crochet.graph.build import Built
+    from tambour.crochet.params import CrochetParams
+    from tambour.crochet.yarns import Gauge
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Plush:
+    """A pattern in its shape.
+
+    built : the pattern worked; params : what was asked for; stitch : width and height of a single crochet, mm
+    gauge : where that size comes from; stuffing, start : what the options and the pattern together chose
+    shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm
+    yarn : the yarn of every stitch, in mm
+    joining : what was sewn on and where, None where the pattern says nothing of it
+    """
+
+    built: Built
+    params: CrochetParams
+    stitch: tuple[float, float]
+    gauge: Gauge
+    stuffing: str
+    start: str
+    shape: Shape
+    positions: Array
+    centroids: Array
+    yarn: Strands
+    joining: Joining | None = None
+
+    @property
+    def upright(self) -> Array | None:
+        """Which way is up on every part (P, 3), None where all stand as they were worked."""
+        return None if self.shape.joined is None else self.shape.joined.upright
+
+
+def not_empty(piece: Plush) -> None:
+    """Refuses a piece without a stitch, for views that show one."""
+    if not len(piece.built.graph):
+        raise TambourError(
+            "the pattern makes no stitch: there is nothing to show",
+            hint="begin with a magic ring: a line such as : MR(6)",
+            where=piece.built.pattern.text.name,
+        )

@@ -1,0 +1,51 @@
+"""Views: what can be made of a piece, a table; nothing is loaded before its view is asked for."""
+
+from __future__ import annotations
+
+from tambour.craft import Lazy, View
+
+VIEWS: dict[str, View] = {
+    "yarn": View(
+        Lazy("tambour.crochet.looks:yarn"),
+        "Mesh",
+        "the piece in its yarn",
+        (".glb", ".obj", ".ply", ".stl", ".png", ".jpg"),
+        "fabric",
+    ),
+    "check": View(
+        Lazy("tambour.crochet.looks:checked"),
+        "Mesh",
+        "the piece in pale yarn, in red what --check would doubt",
+        stage="fabric",
+    ),
+    "photo": View(
+        Lazy("tambour.crochet.looks:photo"),
+        "Picture",
+        "the piece in its yarn, path-traced (needs the extra photo)",
+        stage="photo",
+    ),
+    **{
+        side: View(Lazy(f"tambour.crochet.page.portrait:{side}"), "Picture", f"the piece in its yarn, from the {side}")
+        for side in ("front", "back", "left", "right", "top")
+    },
+    "surface": View(
+        Lazy("tambour.crochet.looks:surface"),
+        "Mesh",
+        "the fabric as a surface, closed where the piece is",
+        stage="fabric",
+    ),
+    "diagram": View(Lazy("tambour.crochet.page.diagram:view"), "Drawing", "a chart in the usual symbols", (".svg",)),
+    "page": View(
+        Lazy("tambour.crochet.page.booklet:pages"), "Drawing", "the pattern as a booklet to sell", (".pdf",), "page"
+    ),
+    "pattern": View(
+        Lazy("tambour.crochet.page.own:view"), "Text", "the pattern written back in tambour's own language", (".acl",)
+    ),
+    "instructions": View(
+        Lazy("tambour.crochet.page.instructions:view"),
+        "Text",
+        "the pattern as makers print it, in the words of --terms",
+        (".txt", ".md"),
+    ),
+    "graph": View(Lazy("tambour.crochet.looks:graph"), "dict", "the stitch graph and its shape as data", (".json",)),
+}

@@ -1,0 +1,176 @@
+"""Yarns: their classes, hooks, how large a single crochet is in them, and the phrases that say a gauge."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from typing import Final
+
+from tambour.core.errors import TambourError
+
+IN_A_STITCH: Final = 8.0
+"""Yarn in a single crochet, in stitch widths, once hands have drawn it tight: swatches that makers unravelled and
+published (31.4 in of worsted to a square inch at a 5 mm hook; 2.75 in of bulky to a stitch at 6.5 mm) give 8."""
+
+SQUARE: Final = 3.0 / math.pi
+"""Height over width of a single crochet where only one of them is known: with it the flat circle lies flat, whose
+rounds grow by six stitches: 2π heights are six widths."""
+
+CIRCLE: Final = 5
+"""Rounds of the gauge circle; its last has 30 stitches."""
+
+
+@dataclass(frozen=True, slots=True)
+class Weight:
+    """A class of yarn: number and names of the Craft Yarn Council's system.
+
+    stitches : single crochets in 4 in, the middle of the range; hook : mm, the middle of the range (lace: hands' usual)
+    amigurumi : mm, the hook for toys, several sizes smaller, so that no stuffing shows
+    metres : in 100 g, typically; skein : grams, typically
+    """
+
+    number: int
+    name: str
+    uk: str
+    stitches: float
+    hook: float
+    amigurumi: float
+    metres: float
+    skein: float
+
+
+WEIGHTS: Final[dict[str, Weight]] = {
+    "lace": Weight(0, "lace", "2-ply", 37.0, 1.9, 1.5, 800.0, 50.0),
+    "fingering": Weight(1, "fingering", "4-ply", 26.5, 2.9, 2.0, 400.0, 50.0),
+    "sport": Weight(2, "sport", "5-ply", 18.0, 4.0, 2.5, 300.0, 50.0),
+    "dk": Weight(3, "DK", "DK", 14.5, 5.0, 2.75, 225.0, 50.0),
+    "worsted": Weight(4, "worsted", "aran", 12.5, 6.0, 3.5, 190.0, 100.0),
+    "bulky": Weight(5, "bulky", "chunky", 9.5, 7.75, 5.0, 110.0, 100.0),
+    "super-bulky": Weight(6, "super bulky", "super chunky", 7.5, 12.0, 8.0, 65.0, 100.0),
+    "jumbo": Weight(7, "jumbo", "jumbo", 5.0, 16.0, 12.0, 40.0, 200.0),
+}
+"""Yarn classes: stitches and hooks are the middles of the Craft Yarn Council's ranges (Standard Yarn Weight System);
+hooks for toys and metres are what bands and patterns usually say."""
+
+_ALIASES: Final = {
+    "4-ply": "fingering", "4 ply": "fingering", "sock": "fingering", "super fine": "fingering", "5-ply": "sport",
+    "5 ply": "sport", "double knit": "dk", "light worsted": "dk", "8-ply": "dk", "8 ply": "dk", "aran": "worsted",
+    "10-ply": "worsted", "10 ply": "worsted", "medium": "worsted", "super chunky": "super-bulky",
+    "super bulky": "super-bulky", "super-bulky": "super-bulky", "chunky": "bulky", "12-ply": "bulky",
+}  # fmt: skip
+
+HOOKS: Final = {
+    "B": 2.25, "C": 2.75, "D": 3.25, "E": 3.5, "F": 3.75, "G": 4.0, "7": 4.5, "H": 5.0, "I": 5.5, "J": 6.0, "K": 6.5,
+    "L": 8.0, "M": 9.0, "N": 10.0, "P": 11.5,
+}  # fmt: skip
+"""Hooks of the US by letter, mm."""
+
+_NUMBER = r"(\d+(?:[.,]\d+)?)"
+_UNITS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "inch": 25.4, "inches": 25.4, '"': 25.4, "″": 25.4, "”": 25.4}
+_LENGTH = re.compile(_NUMBER + r"\s*-?\s*(mm|cm|m|inches|inch|in|\"|″|”)(?![a-z])", re.IGNORECASE)
+_SWATCH = re.compile(
+    _NUMBER + r"\s*(?:sc|dc|sts?|stitches|m|p|v)?\b[^\d]{0,40}?(?:[x×*]|and|by|,|&|und|y|et|en)\s*" + _NUMBER
+    + r"\s*(?:rows?|rounds?|rnds?|r\b)?", re.IGNORECASE,
+)  # fmt: skip
+_RAVELLED = re.compile(r"\s*(\d+)\s*[^\d]*?" + _NUMBER + r"\s*(mm|cm|m|inches|inch|in|\")\s*$", re.IGNORECASE)
+_LETTER = re.compile(r"\b([B-P])\s*[-/]\s*\d|\b([B-P])\b(?=\s*(?:hook|size|$|,|\())|size\s+([B-P])\b")
+
+
+@dataclass(frozen=True, slots=True)
+class Gauge:
+    """The size of a single crochet and where it comes from.
+
+    width, height : mm; source : a sentence for reports; weight : the class of the yarn, a key of WEIGHTS
+    hook : mm; told : what of "gauge", "yarn", "hook" was said rather than taken as usual
+    """
+
+    width: float
+    height: float
+    source: str
+    weight: str
+    hook: float
+    told: tuple[str, ...] = ()
+
+    @property
+    def circle(self) -> float:
+        """Width, mm, of the flat circle of five rounds."""
+        return 2.0 * CIRCLE * 0.5 * (self.height + self.width * SQUARE)
+
+
+def expected(weight: str, hook: float) -> float:
+    """Width, mm, of a single crochet in a yarn with a hook: its class's own at the usual hook, less with a smaller one.
+
+    Yarn keeps its thickness, so that 0.15 of the stitch does not follow the hook: a fit to the Council's middles and to
+    the gauge circle of a book of toys, two inches across five rounds at 3.5 mm.
+    """
+    kind = WEIGHTS[weight]
+    return 101.6 / kind.stitches * (0.15 + 0.85 * hook / kind.hook)
+
+
+def class_of(words: str) -> str | None:
+    """The class of yarn that words name: ``DK``, ``4``, ``#3``, ``aran (medium)``."""
+    text = words.lower()
+    found = re.fullmatch(r"\s*#?\s*([0-7])\s*", text) or re.search(
+        r"(?:weight|category|cyc|size|#)\s*#?\s*([0-7])\b", text
+    )
+    if found:
+        return list(WEIGHTS)[int(found[1])]
+    for word in sorted([*_ALIASES, *WEIGHTS], key=len, reverse=True):
+        if re.search(rf"(?<![a-z0-9]){re.escape(word)}(?![a-z])", text):
+            return _ALIASES.get(word, word)
+    return None
+
+
+def hook_of(words: str) -> float | None:
+    """Millimetres of the hook that words name: ``3.5 mm``, ``E/4``, ``size E``."""
+    found = re.search(_NUMBER + r"\s*-?\s*mm", words, re.IGNORECASE)
+    if found:
+        return _float(found[1])
+    letter = _LETTER.search(words)
+    if letter:
+        return HOOKS.get(letter[1] or letter[2] or letter[3])
+    plain = re.fullmatch(r"\s*" + _NUMBER + r"\s*", words)
+    return _float(plain[1]) if plain and 0.5 <= _float(plain[1]) <= 30 else None
+
+
+def swatch_of(words: str) -> tuple[float, float] | None:
+    """Width and height, mm, that a stated gauge gives: ``20 sc x 22 rows = 10 cm``, ``5 sts and 6 rows = 1 inch``,
+    ``first 5 rounds = 5 cm across``; None where it is not understood."""
+    lengths = [_float(n) * _UNITS[u.lower()] for n, u in _LENGTH.findall(words)]
+    around = re.search(r"\b(?:circle|rounds?|rnds?|diameter|across)\b", words, re.IGNORECASE)
+    swatch = _SWATCH.search(_LENGTH.sub(" ", words))
+    if swatch and lengths:
+        stitches, rows = _float(swatch[1]), _float(swatch[2])
+        if stitches > 0 and rows > 0:
+            return lengths[0] / stitches, lengths[0] / rows
+    if around and lengths:
+        rounds = re.search(
+            r"(?:rounds?|rnds?)\s*(?:1\s*(?:-|–|to)\s*)?(\d+)|(\d+)\s*(?:rounds?|rnds?)", words, re.IGNORECASE
+        )
+        count = int(rounds[1] or rounds[2]) if rounds else CIRCLE
+        if 1 <= count <= 100:
+            return lengths[-1] * math.pi / (6 * count), lengths[-1] / (2 * count)
+    one = re.search(_NUMBER + r"\s*(?:sc|dc|sts?|stitches)\b", words, re.IGNORECASE)
+    if one and lengths and _float(one[1]) > 0:
+        width = lengths[-1] / _float(one[1])
+        return width, width * SQUARE
+    return None
+
+
+def ravelled(words: str) -> float:
+    """Width, mm, of a single crochet from ``20 stitches are 64 cm``: the yarn of 20 unravelled stitches.
+
+    Raises TambourError when it is not said so.
+    """
+    found = _RAVELLED.match(words)
+    if not found or int(found[1]) < 1 or _float(found[2]) <= 0:
+        raise TambourError(
+            f'"{words}" does not say how much yarn stitches take', hint="such as: 20 stitches are 64 cm",
+            where="--gauge-yarn",
+        )  # fmt: skip
+    return _float(found[2]) * _UNITS[found[3].lower()] / int(found[1]) / IN_A_STITCH
+
+
+def _float(text: str) -> float:
+    return float(text.replace(",", "."))

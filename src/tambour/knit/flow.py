@@ -1,0 +1,57 @@
+"""Flow: a picture or a chart becomes the piece, and what is told of it; the whole craft on one page."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from tambour.core.progress import Progress
+from tambour.knit.params import KnitParams
+
+if TYPE_CHECKING:
+    from tambour.knit.piece import Piece
+
+
+def make(source: Any, params: KnitParams, progress: Progress) -> Piece:
+    """The piece of a Picture or a Chart; TambourError for what --stash or --machine cannot do."""
+    from dataclasses import replace
+
+    from tambour.core.chart import Chart
+    from tambour.knit.solve.make import make as solved
+
+    piece = solved(source, params, progress)
+    if isinstance(source, Chart) and piece.chart.gauge is None:
+        piece = replace(piece, chart=replace(piece.chart, gauge=source.gauge))
+    if params.stash is not None:
+        from tambour.knit.picture.shades import warn_of_shortage
+        from tambour.knit.views import yarn
+
+        warn_of_shortage(piece.chart.palette, [(a.color, a.metres) for a in yarn(piece)], params, progress)
+    if params.machine is not None:
+        from tambour.core.errors import TambourError
+        from tambour.knit.machines.limits import check
+
+        problems = check(piece.chart, params.machine)
+        if problems:
+            raise TambourError(problems)
+    return piece
+
+
+def facts(piece: Piece) -> dict[str, Any]:
+    """What the report says."""
+    from tambour.knit.solve import measure
+    from tambour.knit.views import facts as told
+
+    return {**piece.figures, **measure.facts(piece), **told(piece)}
+
+
+def warm() -> None:
+    """Load all kernels: a small ramp, by both methods."""
+    import numpy as np
+
+    from tambour.core.picture import Picture
+    from tambour.knit.solve.make import make
+
+    grey = np.tile(np.linspace(0, 255, 24).astype(np.uint8)[None, :, None], (12, 1, 4))
+    grey[..., 3] = 255
+    for method in ("exact", "perceptual"):
+        make(Picture(grey), KnitParams(method=method, start="floyd-steinberg"), Progress())
