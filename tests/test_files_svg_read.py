@@ -9,9 +9,13 @@ import time
 import numpy as np
 import pytest
 import shapely
+import svgelements
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
 
 from tambour import files
 from tambour.core.errors import TambourError
+from tambour.files.svg import css
 from tambour.files.svg.path import PathError, arc, flatten, transform
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" xmlns:inkstitch="http://inkstitch.org/namespace" width="100mm" height="50mm" viewBox="0 0 100 50">'
@@ -82,6 +86,82 @@ def test_arcs_lie_on_their_ellipse():
     a = np.c_[2 * scaled, np.ones(len(scaled))]
     center = np.linalg.lstsq(a, (scaled**2).sum(1), rcond=None)[0]
     assert np.allclose(np.hypot(*(scaled - center[:2]).T), 1, atol=1e-6)
+
+
+_place = st.integers(-40, 40).map(lambda v: v / 4)
+_radius = st.integers(1, 60).map(lambda v: v / 4)
+
+
+@settings(max_examples=60, deadline=None)
+@given(_place, _place, _radius, _radius, st.integers(-180, 180), st.booleans(), st.booleans())
+@example(4.0, 1.0, 5.0, 3.0, 30, False, False)
+@example(4.0, 1.0, 5.0, 3.0, 30, True, False)
+def test_arcs_are_those_of_another_program(x, y, rx, ry, turn, large, sweep):
+    if math.hypot(x, y) < 0.5:
+        return
+    points = np.array([(0.0, 0.0), *arc((0.0, 0.0), rx, ry, turn, large, sweep, (x, y), 0.001)])
+    data = f"M0 0A{rx} {ry} {turn} {int(large)} {int(sweep)} {x} {y}"
+    other = next(s for s in svgelements.Path(data) if isinstance(s, svgelements.Arc))
+    exact = np.array([(q.x, q.y) for q in map(other.point, np.linspace(0, 1, 300))])
+    wide = np.ptp(exact, axis=0).max()
+    ours, theirs = shapely.LineString(points), shapely.LineString(exact)
+    assert shapely.hausdorff_distance(ours, theirs) < 0.002 + 2e-4 * wide
+    assert np.allclose(points[[0, -1]], exact[[0, -1]], atol=1e-6)
+
+
+_mark = st.sampled_from("ab")
+_compound = st.tuples(st.sampled_from(["*", "g", "rect"]), st.sampled_from(["", "i", "j"]), st.frozensets(_mark))
+_selector = st.lists(st.tuples(_compound, st.sampled_from(" >")), min_size=1, max_size=5)
+_chain = st.lists(
+    st.tuples(st.sampled_from(["g", "rect"]), st.sampled_from(["", "i", "j"]), st.frozensets(_mark)),
+    min_size=1,
+    max_size=7,
+)
+
+
+def _selects(selector, chain):
+    """Whether a selector fits the last of a chain of elements, by its definition."""
+    (name, named, classed), joined = selector[-1]
+    element, its_id, classes = chain[-1]
+    if name not in ("*", element) or named not in ("", its_id) or not classed <= classes:
+        return False
+    if len(selector) == 1:
+        return True
+    ends = range(1, len(chain)) if joined == " " else range(max(1, len(chain) - 1), len(chain))
+    return any(_selects(selector[:-1], chain[:end]) for end in ends)
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.lists(_selector, min_size=1, max_size=4), _chain)
+def test_selectors_select_what_they_say(selectors, chain):
+    def spelt(selector):
+        text = ""
+        for k, ((name, named, classed), joined) in enumerate(selector):
+            text += (
+                (joined if k else "") + name + "".join("." + c for c in sorted(classed)) + ("#" + named) * bool(named)
+            )
+        return text
+
+    rules = css.Rules(css.sheet("".join(f"{spelt(s)}{{p{k}: 1}}" for k, s in enumerate(selectors))))
+    met = css.NOTHING
+    for element in chain:
+        met = rules.meet(met, *element)
+    assert set(rules.declared(met)) == {f"p{k}" for k, s in enumerate(selectors) if _selects(s, chain)}
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "<style>q g g g g g g g g rect{fill:red}</style>" + "<g>" * 150 + "<rect width='9' height='9'/>" + "</g>" * 150,
+        "<style>" + "a" * 400_000 + "</style><rect width='9' height='9'/>",
+        "<style>" + "@a{" * 60_000 + "</style><rect width='9' height='9'/>",
+        "<rect style='" + "/* " * 200_000 + "' width='9' height='9'/>",
+        "<rect id='a' width='9' height='9'/>" * 20_000,
+    ],
+    ids=["many ways", "no rule", "open rules", "open comment", "one id"],
+)
+def test_small_files_do_not_stop_the_machine(tmp_path, body):
+    assert len(read(tmp_path, body)) >= 1  # a second or two; without memory, hours
 
 
 def test_transforms_are_done_from_right_to_left(tmp_path):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import colorsys
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 INHERITED = frozenset(
@@ -53,11 +53,22 @@ def length(text: str, whole: float = 0.0, em: float = 16.0) -> float:
 def declarations(text: str) -> dict[str, str]:
     """``name: value; …`` as a mapping; what is not of that form is left out, as browsers do."""
     found = {}
-    for part in re.sub(r"/\*.*?\*/", "", text, flags=re.S).split(";"):
+    for part in _bare(text).split(";"):
         name, colon, value = part.partition(":")
         if colon:
-            found[name.strip().lower()] = re.sub(r"\s*!\s*important\s*$", "", value.strip())
+            found[name.strip().lower()] = re.sub(r"!\s*important$", "", value.strip()).rstrip()
     return found
+
+
+def _bare(text: str) -> str:
+    """The text without its comments; one that is not closed goes to the end."""
+    kept, *rest = text.split("/*")
+    inside = False
+    for piece in rest:
+        _, closed, after = piece.partition("*/")
+        inside = not closed
+        kept += "" if inside else after
+    return kept
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,35 +80,45 @@ class Rule:
     declares: Mapping[str, str]
 
 
-_COMPOUND = re.compile(r"([\w-]+|\*)?((?:[#.][\w-]+)*)$")
+_COMPOUND = re.compile(r"([\w-]+|\*)?((?:[#.][\w-]+)*)")
+_BITS = 64  # compounds in a selector
 
 
 def sheet(text: str) -> list[Rule]:
     """The rules of a style sheet; at-rules and selectors beyond type, class, id, descendant and child are left out."""
-    text = re.sub(r"/\*.*?\*/|<!--|-->", "", text, flags=re.S)
-    text = re.sub(r"@[\w-]+[^{};]*\{(?:[^{}]*\{[^{}]*\})*[^{}]*\}|@[^;{]*;", "", text)
-    rules = []
-    for selectors, body in re.findall(r"([^{}]+)\{([^{}]*)\}", text):
-        declares = declarations(body)
-        for selector in selectors.split(","):
-            rule = _selector(selector.strip(), declares)
-            if rule is not None:
-                rules.append(rule)
-    return sorted(rules, key=lambda r: r.weight)
+    rules: list[Rule] = []
+    depth, prelude, body = 0, "", ""
+    for piece in re.split(r"([{};])", _bare(text).replace("<!--", "").replace("-->", "")):
+        if piece == "{":
+            depth += 1
+        elif piece == "}":
+            if depth == 1 and not prelude.lstrip().startswith("@"):
+                declares = declarations(body)
+                rules += filter(None, (_selector(one.strip(), declares) for one in prelude.split(",")))
+            if depth <= 1:
+                prelude = body = ""
+            depth = max(0, depth - 1)
+        elif depth:
+            body += piece if depth == 1 else ""
+        elif piece == ";":
+            prelude = ""
+        else:
+            prelude = piece
+    return rules
 
 
 def _selector(text: str, declares: Mapping[str, str]) -> Rule | None:
-    compounds = []
+    compounds: list[tuple[str, str, frozenset[str], str]] = []
     ids = classes = types = 0
     combinator = ""
-    for word in re.sub(r"\s*>\s*", " > ", text).split():
+    for word in text.replace(">", " > ").split():
         if word == ">":
             combinator = ">"
             continue
-        found = _COMPOUND.match(word)
-        if not found:
+        found = _COMPOUND.fullmatch(word)
+        if not found or len(compounds) == _BITS:
             return None
-        name = (found[1] or "*").split("|")[-1]
+        name = found[1] or "*"
         marks = re.findall(r"([#.])([\w-]+)", found[2])
         named = [m for k, m in marks if k == "#"]
         classed = frozenset(m for k, m in marks if k == ".")
@@ -107,21 +128,57 @@ def _selector(text: str, declares: Mapping[str, str]) -> Rule | None:
     return Rule(tuple(compounds), (ids, classes, types), declares) if compounds else None
 
 
-def matches(rule: Rule, chain: Sequence[tuple[str, str, frozenset[str]]]) -> bool:
-    """Whether the last of ``chain`` (element, id, classes from the root down) is selected."""
+@dataclass(frozen=True, slots=True)
+class Met:
+    """How far the rules were met on the way down to an element: rule → a bit for each of its compounds.
 
-    def fits(k: int, at: int) -> bool:
-        name, named, classed, combinator = rule.compounds[k]
-        element, its_id, its_classes = chain[at]
-        if name not in ("*", element) or (named and named != its_id) or not classed <= its_classes:
-            return False
-        if k == 0:
-            return True
-        if combinator == ">":
-            return at > 0 and fits(k - 1, at - 1)
-        return any(fits(k - 1, up) for up in range(at - 1, -1, -1))
+    here : the compound, with all before it, ends at the element; above : at it, or at an ancestor of it
+    """
 
-    return fits(len(rule.compounds) - 1, len(chain) - 1)
+    here: Mapping[int, int]
+    above: Mapping[int, int]
+
+
+NOTHING = Met({}, {})
+
+
+class Rules:
+    """The rules of all sheets of a file, the weaker ones first.
+
+    Every element is held once against the compounds that may fit it; what its ancestors met is remembered, so that no
+    selector is tried along many ways.
+    """
+
+    def __init__(self, rules: Iterable[Rule] = ()) -> None:
+        self.rules = sorted(rules, key=lambda r: r.weight)
+        self.by_mark: dict[str, list[tuple[int, int]]] = {}
+        for r, rule in enumerate(self.rules):
+            for k, (name, named, classed, _) in enumerate(rule.compounds):
+                mark = f"#{named}" if named else f".{min(classed)}" if classed else name
+                self.by_mark.setdefault(mark, []).append((r, k))
+
+    def meet(self, above: Met, element: str, its_id: str, classes: frozenset[str]) -> Met:
+        """What an element meets below one that met ``above``."""
+        here: dict[int, int] = {}
+        for mark in ("*", element, f"#{its_id}", *(f".{c}" for c in classes)):
+            for r, k in self.by_mark.get(mark, ()):
+                name, named, classed, combinator = self.rules[r].compounds[k]
+                if name not in ("*", element) or (named and named != its_id) or not classed <= classes:
+                    continue
+                way = above.here if combinator == ">" else above.above
+                if k == 0 or way.get(r, 0) >> (k - 1) & 1:
+                    here[r] = here.get(r, 0) | 1 << k
+        if all(above.above.get(r, 0) | bits == above.above.get(r, 0) for r, bits in here.items()):
+            return Met(here, above.above)
+        return Met(here, {**above.above, **{r: above.above.get(r, 0) | bits for r, bits in here.items()}})
+
+    def declared(self, met: Met) -> dict[str, str]:
+        """What the rules declare that select the element."""
+        made: dict[str, str] = {}
+        for r in sorted(met.here):
+            if met.here[r] >> (len(self.rules[r].compounds) - 1) & 1:
+                made.update(self.rules[r].declares)
+        return made
 
 
 def color(text: str) -> tuple[int, int, int, int] | None:

@@ -89,7 +89,7 @@ class _Reader:
         self.path = path
         self.problems: list[Problem] = []
         self.ignored: dict[str, int] = {}
-        self.rules: list[css.Rule] = []
+        self.rules = css.Rules()
         self.by_id: dict[str, Node] = {}
         self.lines: list[Array] = []
         self.parts = [0]
@@ -97,7 +97,7 @@ class _Reader:
         self.styles: dict[tuple[Any, ...], int] = {}
         self.group: list[int] = []
         self.ids: list[str] = []
-        self.known: set[str] = set()
+        self.known: dict[str, int] = {}  # id → how often it was met
         self.names: list[str] = []
         self.parent: list[int] = []
         self.layer: list[bool] = []
@@ -119,16 +119,17 @@ class _Reader:
     def drawing(self, root: Node) -> Drawing:
         """Walk the tree; all problems are raised together."""
         stack = [root]
+        rules: list[css.Rule] = []
         while stack:
             node = stack.pop()
             if "id" in node.attributes:
                 self.by_id.setdefault(node.attributes["id"], node)
             if node.name == "style":
-                self.rules += css.sheet(node.text + "".join(c.tail for c in node.children))
-            stack += node.children
-        self.rules.sort(key=lambda r: r.weight)
+                rules += css.sheet(node.text + "".join(c.tail for c in node.children))
+            stack += reversed(node.children)
+        self.rules = css.Rules(rules)
         matrix, size = self.viewport(root)
-        self.walk(root, matrix, {}, (), -1, 0, size)
+        self.walk(root, matrix, {}, css.NOTHING, -1, 0, size)
         if self.problems:
             more = len(self.problems) - 30
             if more > 0:
@@ -197,14 +198,12 @@ class _Reader:
             matrix = after(matrix, fitted(box, 0, 0, size[0], size[1], a.get("preserveAspectRatio", "")))
         return matrix, (size[0], size[1])
 
-    def styled(self, node: Node, chain: tuple[Any, ...], inherited: dict[str, str]) -> dict[str, str]:
+    def styled(self, node: Node, met: css.Met, inherited: dict[str, str]) -> dict[str, str]:
         """The properties of an element: what it inherits, its attributes, the rules, its ``style``."""
         props = {k: v for k, v in inherited.items() if k in css.INHERITED}
         props["opacity"] = "1"
         own = {k: v for k, v in node.attributes.items() if k in css.PRESENTED and k != "transform"}
-        for rule in self.rules:
-            if css.matches(rule, chain):
-                own.update(rule.declares)
+        own.update(self.rules.declared(met))
         own.update(css.declarations(node.attributes.get("style", "")))
         for name, value in own.items():
             if value == "inherit":
@@ -225,7 +224,7 @@ class _Reader:
         node: Node,
         matrix: Array,
         inherited: dict[str, str],
-        chain: tuple[Any, ...],
+        met: css.Met,
         group: int,
         depth: int,
         view: Any,
@@ -239,8 +238,8 @@ class _Reader:
         if node.name in _EMPTY:
             self.leave(node.name)
             return
-        chain = (*chain, (node.name, a.get("id", ""), frozenset(a.get("class", "").split())))
-        props = self.styled(node, chain, inherited)
+        met = self.rules.meet(met, node.name, a.get("id", ""), frozenset(a.get("class", "").split()))
+        props = self.styled(node, met, inherited)
         if props.get("display", "").strip() == "none":
             return
         for name in ("clip-path", "mask", "filter"):
@@ -260,7 +259,7 @@ class _Reader:
         if depth > 0 or node.name != "svg":
             group = self.enter(node, group)
         try:
-            self.element(node, matrix, props, chain, group, depth, view)
+            self.element(node, matrix, props, met, group, depth, view)
         except (PathError, ValueError, OverflowError) as error:
             self.wrong(node, str(error))
 
@@ -269,7 +268,7 @@ class _Reader:
         node: Node,
         matrix: Array,
         props: dict[str, str],
-        chain: tuple[Any, ...],
+        met: css.Met,
         group: int,
         depth: int,
         view: Any,
@@ -296,7 +295,7 @@ class _Reader:
         elif node.name == "text":
             made = outlined(node, props, em, view, self.leave)
         elif node.name == "use":
-            self.use(node, matrix, props, chain, group, depth, view, size)
+            self.use(node, matrix, props, met, group, depth, view, size)
         elif node.name in ("svg", "g", "a", "switch"):
             if node.name == "svg" and depth > 0:
                 matrix, view = self.nested(
@@ -306,7 +305,7 @@ class _Reader:
             if node.name == "switch":
                 children = [c for c in children if "systemLanguage" not in c.attributes][:1]
             for child in children:
-                self.walk(child, matrix, props, chain, group, depth + 1, view)
+                self.walk(child, matrix, props, met, group, depth + 1, view)
         if made:
             self.shape(node, made, matrix, props, group, em, diagonal)
 
@@ -319,7 +318,15 @@ class _Reader:
         return after(matrix, np.array([[1, 0, x], [0, 1, y]], np.float64)), (w, h)
 
     def use(
-        self, node: Node, matrix: Array, props: dict[str, str], chain: Any, group: int, depth: int, view: Any, size: Any
+        self,
+        node: Node,
+        matrix: Array,
+        props: dict[str, str],
+        met: css.Met,
+        group: int,
+        depth: int,
+        view: Any,
+        size: Any,
     ) -> None:
         """``<use>``: what it names, drawn again; Ink/Stitch's command symbols are notes, not shapes."""
         a = node.attributes
@@ -348,9 +355,9 @@ class _Reader:
             )
             inner, view = self.nested(target, inner, 0, 0, w, h)
             for child in target.children:
-                self.walk(child, inner, props, chain, group, depth + 20, view)
+                self.walk(child, inner, props, met, group, depth + 20, view)
         else:
-            self.walk(target, inner, props, chain, group, depth + 20, view)
+            self.walk(target, inner, props, met, group, depth + 20, view)
 
     def enter(self, node: Node, group: int) -> int:
         """The group of an element: a new one when it has a name or notes of its own."""
@@ -365,11 +372,12 @@ class _Reader:
         if not (data or label or layer or "id" in a):
             return group
         name = a.get("id", f"{node.name}-{len(self.ids) + 1}")
-        unique, n = name, 1
+        unique, n = name, self.known.get(name, 0)
         while unique in self.known:
             n += 1
             unique = f"{name}-{n}"
-        self.known.add(unique)
+        self.known[name] = max(n, 1)
+        self.known.setdefault(unique, 1)
         self.ids.append(unique)
         self.names.append(label)
         self.parent.append(group)
