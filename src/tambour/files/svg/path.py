@@ -251,6 +251,20 @@ def apply(matrix: Array, points: Array) -> Array:
         return np.asarray(points @ matrix[:, :2].T + matrix[:, 2])
 
 
+def fitted(box: list[float], x: float, y: float, w: float, h: float, aspect: str) -> Array:
+    """The matrix that puts a viewBox into a rectangle (``preserveAspectRatio``)."""
+    sx, sy = w / box[2], h / box[3]
+    words = aspect.split() or ["xMidYMid"]
+    if words[0] != "none":
+        sx = sy = max(sx, sy) if "slice" in words else min(sx, sy)
+    share = {"Min": 0.0, "Mid": 0.5, "Max": 1.0}
+    fx = 0.0 if words[0] == "none" else share.get(words[0][1:4], 0.5)
+    fy = 0.0 if words[0] == "none" else share.get(words[0][5:8], 0.5)
+    return np.array(
+        [[sx, 0, x + fx * (w - sx * box[2]) - sx * box[0]], [0, sy, y + fy * (h - sy * box[3]) - sy * box[1]]]
+    )
+
+
 def _single(name: str, v: list[float]) -> Array:
     n = len(v)
     if name == "matrix" and n == 6:

@@ -20,6 +20,7 @@ from tambour.files.svg.path import (
     PathError,
     after,
     apply,
+    fitted,
     flatten,
     transform,
 )
@@ -480,20 +481,6 @@ class _Reader:
         for use, (name, x, y) in self.symbols.items():
             if use not in tied and self.data:
                 self.data[0].setdefault(f"inkstitch-command-{name}", f"{x:.6f} {y:.6f}")
-
-
-def fitted(box: list[float], x: float, y: float, w: float, h: float, aspect: str) -> Array:
-    """The matrix that puts a viewBox into a rectangle (``preserveAspectRatio``)."""
-    sx, sy = w / box[2], h / box[3]
-    words = aspect.split() or ["xMidYMid"]
-    if words[0] != "none":
-        sx = sy = max(sx, sy) if "slice" in words else min(sx, sy)
-    share = {"Min": 0.0, "Mid": 0.5, "Max": 1.0}
-    fx = 0.0 if words[0] == "none" else share.get(words[0][1:4], 0.5)
-    fy = 0.0 if words[0] == "none" else share.get(words[0][5:8], 0.5)
-    return np.array(
-        [[sx, 0, x + fx * (w - sx * box[2]) - sx * box[0]], [0, sy, y + fy * (h - sy * box[3]) - sy * box[1]]]
-    )
 
 
 def _title(root: Node) -> str:
