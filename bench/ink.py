@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
+from tambour import files
 from tambour.core.progress import Progress
 from tambour.files.svg import write as svg
 from tambour.ink.brush import press
@@ -59,7 +60,7 @@ def whole_pipeline(folder: Path) -> None:
         how = scroll.manner(params)
         drawing, _ = best(lambda b=batches, h=how: [draw.draw(x, h, 1, 0.0, 4096.0) for x in b])
         path = folder / "a.svg"
-        writing, _ = best(lambda p=piece, f=path: svg.write_drawing(scroll.streamed(p), f))
+        writing, _ = best(lambda p=piece, f=path: files.write(scroll.streamed(p), f, "Drawing"))
         wall, _ = best(lambda p=params: scroll.make(None, p, Progress()), clock=time.perf_counter)
         totals += [piece.polygons, planning, drawing, writing, path.stat().st_size, wall]
     n, planning, drawing, writing, size, wall = totals
@@ -79,7 +80,7 @@ def first_screen() -> None:
     begin = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         piece = scroll.make(None, Ink(seed="first screen", span=4096.0), Progress())
-        svg.write_drawing(scroll.streamed(piece), Path(folder) / "a.svg")
+        files.write(scroll.streamed(piece), Path(folder) / "a.svg", "Drawing")
     print(f"first screen, 8 tiles to SVG after start: {time.perf_counter() - begin:.3f} s, {piece.polygons:,} polygons")
 
 
@@ -202,7 +203,7 @@ def writing(folder: Path) -> None:
             parts.append(('<path d="M' + "%g,%g " * (len(ring) // 2) + '"%s/>\n') % (*ring.tolist(), looks[style]))
         path.write_text("".join(parts))
 
-    ours, _ = best(lambda: svg.write_drawing(drawing, path))
+    ours, _ = best(lambda: files.write(drawing, path))
     size = path.stat().st_size
     numpy, _ = best(theirs, 2)
     n = len(drawing)
@@ -220,7 +221,7 @@ def tiles(count: int = 1000) -> None:
         for k in range(count):
             piece = scroll.make(None, Ink(seed="journey", from_=512.0 * k, span=512.0), Progress())
             path = Path(folder) / f"{k:04}.svg"
-            svg.write_drawing(scroll.streamed(piece), path)
+            files.write(scroll.streamed(piece), path, "Drawing")
             size, polygons = size + path.stat().st_size, polygons + piece.polygons
     rss = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     seconds = time.perf_counter() - begin

@@ -15,7 +15,7 @@ from tambour.core.drawing import Drawing, Groups, Label, Placed, Styles
 from tambour.core.errors import TambourError, Text
 from tambour.core.paths import Paths
 from tambour.core.picture import Picture
-from tambour.files.picture import read_picture, write_picture
+from tambour.files.picture import read_picture
 from tambour.files.svg import write as svg
 
 HOUSE = Drawing(
@@ -112,7 +112,7 @@ def test_pictures_come_back(tmp_path: Path, suffix: str) -> None:
     rgba = np.zeros((5, 7, 4), np.uint8)
     rgba[..., 3] = 255
     rgba[:, 3:, 0] = 200
-    write_picture(Picture(rgba), tmp_path / f"a{suffix}")
+    files.write(Picture(rgba), tmp_path / f"a{suffix}")
     back = read_picture(tmp_path / f"a{suffix}").rgba
     assert back.shape == rgba.shape
     assert np.abs(back.astype(int) - rgba).max() <= (60 if suffix == ".jpg" else 0)

@@ -221,6 +221,24 @@ def test_files_in_each_others_way_are_told_before_any_work(tmp_path: Path) -> No
         assert sorted(p.name for p in tmp_path.iterdir()) == ["d.txt"] and source.read_text() == "draft"
 
 
+def test_a_report_that_cannot_be_written_takes_the_files_with_it(tmp_path: Path) -> None:
+    (tmp_path / "a.svg").write_text("old")
+    code, text = call("weave", "-o", tmp_path / "a.svg", "-o", tmp_path / "b.svg", "--report", "/dev/full")
+    assert code == 2 and text.startswith("/dev/full: cannot be written: No space left"), text
+    assert {p.name: p.read_text() for p in tmp_path.iterdir()} == {"a.svg": "old"}
+
+
+def test_what_is_made_once_can_be_written_often(tmp_path: Path) -> None:
+    made = runner.make(WEAVE, Text("1 2"), WeaveParams(width=30))
+    one = runner.write(made, [tmp_path / "a.svg"])
+    other = runner.write(made, [tmp_path / "b.svg", tmp_path / "b.txt"], tmp_path / "r.json")
+    assert one["files"] == [str(tmp_path / "a.svg")] and len(other["files"]) == 2
+    assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
+    assert json.loads((tmp_path / "r.json").read_text())["source"] == one["source"]
+    whole = runner.run(WEAVE, Text("1 2"), WeaveParams(width=30), [tmp_path / "a.svg"])
+    assert {k: v for k, v in whole.items() if k != "seconds"} == {k: v for k, v in one.items() if k != "seconds"}
+
+
 @pytest.mark.parametrize(
     "text",
     ["[" * 100_000, "{}", '{"craft": ["ink"]}', '{"craft": "weave", "params": [1], "source": null}',

@@ -6,15 +6,19 @@ import time
 
 BEGAN = time.perf_counter()
 
+import signal  # noqa: E402
 import sys  # noqa: E402
+import threading  # noqa: E402
 import types  # noqa: E402
-from collections.abc import Callable  # noqa: E402
+from collections.abc import Callable, Iterator  # noqa: E402
+from contextlib import contextmanager  # noqa: E402
 from typing import Any, Literal, Union, get_args, get_origin  # noqa: E402
 
 import click  # noqa: E402
 
 from tambour import __version__  # noqa: E402
 from tambour.core.errors import TambourError, did_you_mean  # noqa: E402
+from tambour.core.progress import Stopped  # noqa: E402
 from tambour.run import CRAFTS  # noqa: E402
 
 ISSUES = "please report it, with the command, the input and the lines above"
@@ -134,9 +138,6 @@ def run_craft(
     what: Any, source: str | None, out: tuple[str, ...], report: str | None, quiet: bool, **given: Any
 ) -> None:
     """Run one craft from the words of the command line."""
-    from pathlib import Path
-
-    from tambour.files.text import write_json
     from tambour.run import run
 
     values = {name: value for name, value in given.items() if value is not None and value != ()}
@@ -147,18 +148,10 @@ def run_craft(
         ):
             raise TambourError("holds bytes that are no text", where=f"--{name.rstrip('_').replace('_', '-')}")
     params = what.params.of(values)
-    if report and not Path(report).parent.is_dir():
-        raise TambourError("its folder does not exist", where=report)
-    if report and Path(report).is_dir():
-        raise TambourError("this is a folder, name a file in it", where=report)
-    if report and Path(report).absolute() in {Path(o).absolute() for o in (*out, *([source] if source else []))}:
-        raise TambourError("the report would overwrite another file", hint="name it differently", where=report)
     with _bar(quiet) as progress:
-        made = run(what, source, params, out, progress, BEGAN)
+        made = run(what, source, params, out, progress, BEGAN, report)
     for problem in progress.warnings:
         click.echo(str(problem), err=True)
-    if report:
-        write_json(made, Path(report))
     if not quiet:
         summary(made)
 
@@ -253,23 +246,43 @@ def formats() -> None:
     click.echo("write  " + " ".join(sorted({s for s, _ in WRITE})))
 
 
+@contextmanager
+def _stoppable() -> Iterator[None]:
+    """Signals that ask the process to end are raised as Stopped, so that what is being made is cleared away."""
+
+    def leave(number: int, frame: Any) -> None:
+        raise Stopped(number)
+
+    names = [getattr(signal, n) for n in ("SIGTERM", "SIGHUP") if hasattr(signal, n)]
+    before = {s: signal.getsignal(s) for s in names if threading.current_thread() is threading.main_thread()}
+    before = {s: handler for s, handler in before.items() if handler is not signal.SIG_IGN}
+    for number in before:
+        signal.signal(number, leave)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, signal.SIG_DFL if handler is None else handler)
+
+
 def main(arguments: list[str] | None = None) -> None:
     """Run the command line; leaves with 0, 2 for bad input, 1 for a fault of ours, 130 when interrupted."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")  # a terminal that cannot show "→" is no reason to stop
     try:
-        code = tambour.main(arguments, prog_name="tambour", standalone_mode=False)
+        with _stoppable():
+            code = tambour.main(arguments, prog_name="tambour", standalone_mode=False)
     except TambourError as error:
         for problem in error.problems:
             click.echo(str(problem) if problem.warning else f"{problem}", err=True)
         sys.exit(2)
-    except click.exceptions.Abort:
-        click.echo("interrupted; nothing was written", err=True)
+    except (click.exceptions.Abort, KeyboardInterrupt):
+        click.echo("interrupted; no file is left half written", err=True)
         sys.exit(130)
-    except KeyboardInterrupt:
-        click.echo("interrupted; nothing was written", err=True)
-        sys.exit(130)
+    except Stopped as stopped:
+        click.echo("stopped; no file is left half written", err=True)
+        sys.exit(128 + stopped.args[0])
     except click.ClickException as error:
         error.show()
         sys.exit(2)

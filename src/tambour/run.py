@@ -1,12 +1,10 @@
-"""Run: read → make → view → write, with a report. The command line, the studio and batches are callers of it."""
+"""Run: read → make → view → write, with a report. Every caller goes through it."""
 
 from __future__ import annotations
 
 import os
-import tempfile
 import time
 from collections.abc import Mapping, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
@@ -94,7 +92,7 @@ def outputs(
             problems.append(Problem("its folder does not exist", f"make it first: mkdir -p {path.parent}", where=text))
         elif os.path.isdir(path):  # as os.path asks: a name that no disk can hold is simply no folder
             problems.append(Problem("this is a folder, name a file in it", where=text))
-        if any(path.absolute() == o.path.absolute() for o in found):
+        if any(_same(path, o.path) for o in found):
             problems.append(Problem("asked for twice", "name each file once", where=text))
         found.append(Output(path, view, suffix))
     if problems:
@@ -124,48 +122,47 @@ def load_files(params: Params) -> Params:
     return params.model_copy(update=loaded) if loaded else params
 
 
-def run(
+@dataclass(frozen=True, slots=True)
+class Made:
+    """A piece, and all that a report says of its making; any number of files can be written of it.
+
+    params : as given, fields that name files still naming them
+    source : path (where it was read from one) and sha256 of the source, or None
+    stem : the name of files that are asked for by suffix alone
+    progress : the stages' seconds and the warnings of the making
+    """
+
+    craft: Craft
+    piece: Any
+    params: Params
+    source: Mapping[str, str] | None
+    stem: str
+    progress: Progress
+
+
+def make(
     what: Craft | str,
     source: Any = None,
     params: Params | None = None,
-    out: Sequence[str | Path] = (),
     progress: Progress | None = None,
-    began: float | None = None,
-) -> dict[str, Any]:
-    """Make a piece of ``source`` and write the files ``out``; gives the report.
+) -> Made:
+    """Make a piece of ``source``.
 
     what : a Craft or its name
     source : a path (read by its suffix), a value, or None
     params : the craft's Params (defaults when None); fields that name files are read here
-    out : file names, see :func:`outputs`; all are written, or, on any error, none
-    began : ``time.perf_counter()`` at the process's start, so that imports count to the stage "start"
 
-    Raises TambourError for input that cannot be used. The report holds craft, version, edition, params, source, the
-    craft's facts, warnings, files, and seconds per stage.
+    Raises TambourError for input that cannot be used.
     """
-    from tambour import __version__
-
-    begin = time.perf_counter() if began is None else began
     what = craft(what) if isinstance(what, str) else what
     progress = progress or Progress()
     given = what.params() if params is None else params
-    origin: dict[str, Any] = {}
     if source is None and what.reads and not what.optional_source:
         raise TambourError(f"{what.name} needs a source", hint=f"tambour {what.name} SOURCE -o OUT; --help tells more")
     if source is not None and not what.reads:
         raise TambourError(f"{what.name} takes no source", where=str(source))
-    stem = what.stem(given)
-    if isinstance(source, (str, Path)):
-        stem = stem or Path(source).stem
-    plan = outputs(what, out, stem, what.prefer(given))
-    what.check(given, [item.view for item in plan])
-    for item in plan:
-        if isinstance(source, (str, Path)) and item.path.absolute() == Path(source).absolute():
-            raise TambourError(
-                "this is the source, it would be overwritten", hint="name another file", where=str(item.path)
-            )
-    progress.seconds["start"] = time.perf_counter() - begin
-
+    origin: dict[str, str] = {}
+    stem = _stem(what, source, given)
     with progress.stage("read"):
         if isinstance(source, (str, Path)):
             origin["path"] = str(source)
@@ -173,57 +170,115 @@ def run(
         if source is not None:
             origin["sha256"] = digest(source)
         full = load_files(given)
-
     # After reading: what cannot be read is told at once, not when the kernels are loaded.
     with progress.stage("start"):
         what.warm()
-    piece = what.make(source, full, progress)
+    return Made(what, what.make(source, full, progress), given, origin or None, stem, progress)
 
-    with ExitStack() as stack:
-        made: list[tuple[Path, Path]] = []
-        cache: dict[str, Any] = {}
+
+def _stem(what: Craft, source: Any, params: Params) -> str:
+    return what.stem(params) or (Path(source).stem if isinstance(source, (str, Path)) else "")
+
+
+def write(
+    made: Made, out: Sequence[str | Path] = (), report: str | Path | None = None, progress: Progress | None = None
+) -> dict[str, Any]:
+    """Write files of a piece, and the report beside them; gives the report.
+
+    out : file names, see :func:`outputs`
+    report : where the report is written as JSON
+    progress : for this writing (the making's own when None)
+
+    All files appear, or, on any error, none. Raises TambourError. The report holds craft, version, edition, params,
+    source, the craft's facts, warnings, files, and seconds per stage.
+    """
+    from tambour import __version__
+    from tambour.files.sink import Writing, refused
+    from tambour.files.text import write_json
+
+    what, progress = made.craft, progress or made.progress
+    plan = outputs(what, out, made.stem, what.prefer(made.params))
+    guard(plan, (made.source or {}).get("path"), report)
+    what.check(made.params, [item.view for item in plan])
+    cache: dict[str, Any] = {}
+    with Writing() as writing:
         for k, item in enumerate(plan):
             view: View = what.views[item.view]
             if item.view not in cache:
                 with progress.stage(view.stage):
-                    cache[item.view] = view.make(piece)
-            try:
-                hidden_place = tempfile.TemporaryDirectory(prefix=".tambour-", dir=item.path.parent)
-                beside = Path(stack.enter_context(hidden_place))
-            except OSError as error:
-                raise TambourError(f"cannot be written: {error.strerror}", where=str(item.path)) from None
+                    cache[item.view] = view.make(made.piece)
             with progress.stage("write"):
                 progress.step(k, len(plan))
                 value = cache[item.view]
                 if hasattr(value, "__next__"):
                     del cache[item.view]  # a stream can be written once
-                try:
-                    files.write(value, beside / item.path.name, view.value)
-                except OSError as error:
-                    raise TambourError(f"cannot be written: {error.strerror}", where=str(item.path)) from None
-                except TambourError as error:
-                    # Made beside its place: the place is what was asked for.
-                    hidden, shown = str(beside), str(item.path.parent)
-                    moved = [replace(p, where=p.where.replace(hidden, shown)) for p in error.problems]
-                    raise TambourError(
-                        [replace(p, where=os.path.normpath(p.where)) if p.where else p for p in moved]
-                    ) from None
-            made += [(p, item.path.parent / p.name) for p in sorted(beside.iterdir())]
-        for temporary, final in made:
-            os.replace(temporary, final)
+                files.leave(value, writing.sink(item.path), view.value)
+        told: dict[str, Any] = {
+            "craft": what.name,
+            "version": __version__,
+            "edition": made.params.edition,
+            "params": {
+                **made.params.plain(),
+                **{n: str(getattr(made.params, n)) for n in made.params.files() if getattr(made.params, n) is not None},
+            },
+            "source": made.source,
+            **what.facts(made.piece),
+            "warnings": [str(w) for w in progress.warnings],
+            "files": [str(path) for path in writing.paths],
+            "seconds": {stage: round(s, 6) for stage, s in progress.seconds.items()},
+        }
+        if report is not None:
+            with refused(Path(report)):
+                write_json(told, writing.sink(report))
+        writing.commit()
+    return told
 
-    report: dict[str, Any] = {
-        "craft": what.name,
-        "version": __version__,
-        "edition": given.edition,
-        "params": {
-            **given.plain(),
-            **{n: str(getattr(given, n)) for n in given.files() if getattr(given, n) is not None},
-        },
-        "source": origin or None,
-        **what.facts(piece),
-        "warnings": [str(w) for w in progress.warnings],
-        "files": [str(final) for _, final in made],
-        "seconds": {stage: round(s, 6) for stage, s in progress.seconds.items()},
-    }
-    return report
+
+def guard(plan: Sequence[Output], source: str | Path | None, report: str | Path | None) -> None:
+    """Refuse files that would overwrite the source or each other; TambourError."""
+    problems = [
+        Problem("this is the source, it would be overwritten", "name another file", where=str(item.path))
+        for item in plan
+        if source is not None and _same(item.path, Path(source))
+    ]
+    if report is not None:
+        at = Path(report)
+        if not at.parent.is_dir():
+            problems.append(Problem("its folder does not exist", where=str(report)))
+        elif at.is_dir():
+            problems.append(Problem("this is a folder, name a file in it", where=str(report)))
+        elif any(_same(at, other) for other in (*(i.path for i in plan), *([Path(source)] if source else []))):
+            problems.append(
+                Problem("the report would overwrite another file", "name it differently", where=str(report))
+            )
+    if problems:
+        raise TambourError(problems)
+
+
+def _same(a: Path, b: Path) -> bool:
+    """Whether two names are one file."""
+    return a.absolute() == b.absolute() or os.path.realpath(a) == os.path.realpath(b)
+
+
+def run(
+    what: Craft | str,
+    source: Any = None,
+    params: Params | None = None,
+    out: Sequence[str | Path] = (),
+    progress: Progress | None = None,
+    began: float | None = None,
+    report: str | Path | None = None,
+) -> dict[str, Any]:
+    """:func:`make` and :func:`write` in one; what cannot be written is told before anything is made.
+
+    began : ``time.perf_counter()`` at the process's start, so that imports count to the stage "start"
+    """
+    begin = time.perf_counter() if began is None else began
+    what = craft(what) if isinstance(what, str) else what
+    progress = progress or Progress()
+    given = what.params() if params is None else params
+    plan = outputs(what, out, _stem(what, source, given), what.prefer(given))
+    guard(plan, source if isinstance(source, (str, Path)) else None, report)
+    what.check(given, [item.view for item in plan])
+    progress.seconds["start"] = time.perf_counter() - begin
+    return write(make(what, source, given, progress), out, report)

@@ -8,6 +8,11 @@ from contextlib import contextmanager
 
 from tambour.core.errors import Problem
 
+
+class Stopped(BaseException):
+    """Raised where work shall end at once and leave nothing: by a signal, or by ``show`` for a caller who left."""
+
+
 Show = Callable[[str, int, int], None]
 
 

@@ -1,8 +1,8 @@
 """Files: one small module per family of formats, and two tables.
 
 ``READ[suffix][type]`` and ``WRITE[suffix, type]`` name functions as ``"module:function"``, so that a format's library
-is loaded only when the format is met. A reader is ``read(path) -> value``; a writer ``write(value, path)`` may put
-companions beside ``path``. Readers raise TambourError for a file that is not what its suffix says.
+is loaded only when the format is met. A reader is ``read(path) -> value``; a writer ``write(value, sink)`` may put
+companions beside it. Readers raise TambourError for a file that is not what its suffix says.
 """
 
 from __future__ import annotations
@@ -10,9 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tambour.core.errors import TambourError, did_you_mean
+
+if TYPE_CHECKING:
+    from tambour.files.sink import Sink
 
 # Machine files that pystitch reads and writes, and those it only reads.
 _MACHINE = (".pes", ".pec", ".jef", ".sew", ".vp3", ".xxx", ".u01", ".tbf")
@@ -130,13 +133,29 @@ def can_write(suffix: str, kind: str) -> bool:
 
 
 def write(value: Any, path: str | Path, kind: str | None = None) -> None:
-    """Write a value by the suffix of ``path``; ``kind`` names its type where the value cannot (a stream, a booklet)."""
-    path = Path(path)
+    """Write a value by the suffix of ``path``; ``kind`` names its type where the value cannot (a stream, a booklet).
+
+    The file and its companions appear whole, or, on any failure, not at all.
+    """
+    from tambour.files.sink import Writing
+
+    with Writing() as writing:
+        leave(value, writing.sink(path), kind)
+        writing.commit()
+
+
+def leave(value: Any, sink: Sink, kind: str | None = None) -> None:
+    """Write a value into a sink, as :func:`write` does."""
     kind = kind or type(value).__name__
-    name = WRITE.get((path.suffix.lower(), kind))
+    name = WRITE.get((sink.suffix, kind))
     if name is None:
         known = sorted(s for s, k in WRITE if k == kind)
         raise TambourError(
-            f'a {kind} cannot be written as "{path.suffix}"', hint=f"these can: {' '.join(known)}", where=str(path)
+            f'a {kind} cannot be written as "{sink.path.suffix}"',
+            hint=f"these can: {' '.join(known)}",
+            where=str(sink.path),
         )
-    _load(name)(value, path)
+    from tambour.files.sink import refused
+
+    with refused(sink.path):
+        _load(name)(value, sink)

@@ -7,12 +7,11 @@ machine keeps a row from right to left, so that the design reads rightly on the 
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 
 from tambour.core.chart import Chart
 from tambour.core.errors import Problem, TambourError
+from tambour.files.sink import Sink
 
 NEEDLES = 200
 ROWS = 999
@@ -24,14 +23,14 @@ _FIRST = 0x02AE
 """Address of its first byte."""
 
 
-def write_memory(value: Chart, path: Path) -> None:
+def write_memory(value: Chart, sink: Sink) -> None:
     """The 32 KiB memory image (``.dat``): the first 32 sectors of a disk."""
-    path.write_bytes(memory(value))
+    sink.put(memory(value))
 
 
-def write_disk(value: Chart, path: Path) -> None:
+def write_disk(value: Chart, sink: Sink) -> None:
     """The whole disk (``.img``): 80 sectors of 1024 bytes, then their 80 identifiers of 12 bytes."""
-    path.write_bytes(memory(value) + bytes(48 * 1024) + bytes(80 * 12))
+    sink.put(memory(value) + bytes(48 * 1024) + bytes(80 * 12))
 
 
 def memory(chart: Chart) -> bytes:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import warnings
 from pathlib import Path
@@ -14,13 +15,14 @@ from tambour.core.chart import LONGEST, Chart, Gauge
 from tambour.core.check import Array
 from tambour.core.errors import LawError, Problem, TambourError
 from tambour.core.palette import Palette
+from tambour.files.sink import Sink
 from tambour.files.text import read_text, write_json
 
 _COLOURS = 64
 """Distinct colours above which a picture is a photograph, not a chart."""
 
 
-def write_png(value: Chart, path: Path) -> None:
+def write_png(value: Chart, sink: Sink) -> None:
     """Indexed PNG, one pixel per stitch, upright, unmirrored: what every knitting machine's loader reads.
 
     Palette entries are the chart's, in its order; cells that are not knitted are a transparent entry of their own.
@@ -43,7 +45,9 @@ def write_png(value: Chart, path: Path) -> None:
     note = PngImagePlugin.PngInfo()
     note.add_text("tambour", json.dumps(told, ensure_ascii=True))
     bits = next(b for b in (1, 2, 4, 8) if colours <= 1 << b)
-    image.save(path, bits=bits, pnginfo=note, optimize=False, **extra)
+    made = io.BytesIO()
+    image.save(made, "PNG", bits=bits, pnginfo=note, optimize=False, **extra)
+    sink.put(made.getvalue())
 
 
 def read_png(path: Path) -> Chart:
@@ -104,13 +108,13 @@ def read_png(path: Path) -> Chart:
     return _chart(cells, Palette(rgb), absent, path)
 
 
-def write_csv(value: Chart, path: Path) -> None:
+def write_csv(value: Chart, sink: Sink) -> None:
     """A table that looks like the chart: the top row first, ``#rrggbb`` per stitch, an empty field for no stitch."""
     names = np.array(["#{:02x}{:02x}{:02x}".format(*rgb) for rgb in value.palette.rgb.tolist()])
     table = names[value.cells]
     if value.no_stitch is not None:
         table = np.where(value.no_stitch, "", table)
-    path.write_bytes("".join(",".join(row) + "\n" for row in table[::-1].tolist()).encode())
+    sink.put("".join(",".join(row) + "\n" for row in table[::-1].tolist()).encode())
 
 
 def read_csv(path: Path) -> Chart:
@@ -153,9 +157,9 @@ def read_csv(path: Path) -> Chart:
     return _chart(cells, palette, absent, path)
 
 
-def write_json_chart(value: Chart, path: Path) -> None:
+def write_json_chart(value: Chart, sink: Sink) -> None:
     """The chart with all its masks, lossless."""
-    write_json(value.plain(), path)
+    write_json(value.plain(), sink)
 
 
 def read_json(path: Path) -> Chart:

@@ -14,6 +14,7 @@ from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, ThreadPlan
 from tambour.files.records import Records, load, needle_points, plan_of, records, same, split
+from tambour.files.sink import Sink
 
 LIMIT = 121
 _HEADER = 512
@@ -112,15 +113,16 @@ def header(r: Records, title: str) -> bytes:
     return text.encode("ascii").ljust(_HEADER, b" ")
 
 
-def write_plan(value: ThreadPlan, path: Path) -> None:
+def write_plan(value: ThreadPlan, sink: Sink) -> None:
     """A DST file, read back before it is left. TambourError for a plan without stitches."""
     wanted = records(value)
     r = split(with_trims(wanted), LIMIT)
-    path.write_bytes(header(r, value.about.get("title", "")) + encode(r))
-    got = decode(path.read_bytes()[_HEADER:])
+    raw = header(r, value.about.get("title", "")) + encode(r)
+    got = decode(raw[_HEADER:])
     wrong = same(needle_points(wanted.xy, wanted.command), needle_points(*trims_from_jumps(*got[:2])))
     if wrong:
         raise AssertionError(f"the DST file read back differs from the design: {wrong}")
+    sink.put(raw)
 
 
 def fields(raw: bytes) -> dict[str, int]:

@@ -14,6 +14,7 @@ from tambour.core.errors import TambourError
 from tambour.core.kernels import kernel
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, ThreadPlan
 from tambour.files.records import Records, load, needle_points, plan_of, records, same, split
+from tambour.files.sink import Sink
 
 LIMIT = 127
 
@@ -76,14 +77,15 @@ def decode(raw: bytes) -> tuple[Array, Array, int]:
     return xy[:n], command[:n], stopped
 
 
-def write_plan(value: ThreadPlan, path: Path) -> None:
+def write_plan(value: ThreadPlan, sink: Sink) -> None:
     """An EXP file, read back before it is left."""
     wanted = records(value)
-    path.write_bytes(encode(split(wanted, LIMIT)))
-    got = decode(path.read_bytes())
+    raw = encode(split(wanted, LIMIT))
+    got = decode(raw)
     wrong = same(needle_points(wanted.xy, wanted.command), needle_points(*got[:2]))
     if wrong:
         raise AssertionError(f"the EXP file read back differs from the design: {wrong}")
+    sink.put(raw)
 
 
 def read_plan(path: Path) -> ThreadPlan:

@@ -17,6 +17,7 @@ from tambour.core.check import Array
 from tambour.core.errors import LawError, TambourError
 from tambour.core.mesh import Mesh
 from tambour.files.gltf_motion import with_motion
+from tambour.files.sink import Sink
 from tambour.geometry.surface import closed, vertex_normals
 
 _TYPES = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
@@ -162,11 +163,11 @@ def _runs(faces: Array, count: int) -> list[tuple[int, int, int, int]]:
     return runs
 
 
-def write_mesh(value: Mesh, path: Path) -> None:
+def write_mesh(value: Mesh, sink: Sink) -> None:
     """A .glb: positions in metres, colours as linear light, a primitive and a material for every group of faces."""
     body = Body()
     if not len(value.faces):
-        path.write_bytes(body.file({"scene": 0, "scenes": [{}]}))
+        sink.put(body.file({"scene": 0, "scenes": [{}]}))
         return
     made, materials = primitives(value, body)
     scene = {
@@ -176,7 +177,7 @@ def write_mesh(value: Mesh, path: Path) -> None:
         "meshes": [{"primitives": made}],
         "materials": materials,
     }
-    path.write_bytes(body.file(scene))
+    sink.put(body.file(scene))
 
 
 def read_mesh(path: Path) -> Mesh:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 
 from tambour.core.drawing import Drawing
 from tambour.core.errors import TambourError
+from tambour.files.sink import Sink
 
 UNITS = 40.0
 """Plotter units per mm."""
@@ -15,7 +14,7 @@ LIMIT = 32767
 """Coordinates are 16-bit whole numbers on the machines of the time."""
 
 
-def write_drawing(value: Drawing | tuple[Drawing, ...], path: Path) -> None:
+def write_drawing(value: Drawing | tuple[Drawing, ...], sink: Sink) -> None:
     """The lines of a Drawing, y up from the sheet's lower left; layers named "%…" are left out.
 
     The pages of a booklet (a tuple) become name-1.hpgl, name-2.hpgl, … Shapes without a stroke are not drawn.
@@ -23,9 +22,9 @@ def write_drawing(value: Drawing | tuple[Drawing, ...], path: Path) -> None:
     """
     if isinstance(value, tuple):
         for number, page in enumerate(value, 1):
-            write_drawing(page, path.with_name(f"{path.stem}-{number}{path.suffix}"))
+            write_drawing(page, sink.beside(f"{sink.path.stem}-{number}"))
         return
-    path.write_text(text(value), "ascii", newline="\n")
+    sink.put(text(value).encode("ascii"))
 
 
 def text(drawing: Drawing) -> str:

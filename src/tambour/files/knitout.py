@@ -15,6 +15,7 @@ import numpy as np
 from tambour.core.chart import Chart
 from tambour.core.errors import LawError, Problem, Span, TambourError, Text
 from tambour.core.palette import Palette
+from tambour.files.sink import Sink
 from tambour.files.text import read_text, write_text
 
 _CARRIERS = 10
@@ -41,13 +42,13 @@ def course(row: int, stitches: int, circular: bool) -> list[Stop]:
     ]
 
 
-def write(value: Chart, path: Path) -> None:
+def write(value: Chart, sink: Sink) -> None:
     """A chart of one or two yarns: cast on in the first yarn, the chart's rows, the last loops dropped.
 
     Every course takes both carriers to the side where the next begins, so the floats are the chart's and no others.
     Raises TambourError for more than two yarns, cells without stitch, or too few stitches.
     """
-    write_text(Text("\n".join(lines(value)) + "\n"), path)
+    write_text(Text("\n".join(lines(value)) + "\n"), sink)
 
 
 def lines(chart: Chart) -> list[str]:

@@ -19,6 +19,7 @@ from tambour.core.errors import TambourError
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
 from tambour.files.headers import Watched, doubts
 from tambour.files.records import Records, blocks, load, needle_points, plan_of, records, same, split
+from tambour.files.sink import Sink
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,12 +80,12 @@ def matched(threads: list[Thread], name: str) -> list[int]:
     return [entries[k][0] for k in chosen.tolist()]
 
 
-def write_plan(value: ThreadPlan, path: Path) -> None:
-    """A machine file by the suffix of ``path``, read back and compared.
+def write_plan(value: ThreadPlan, sink: Sink) -> None:
+    """A machine file by the suffix of ``sink``, read back and compared.
 
     Raises TambourError for a design that the format cannot hold (colours, hoop).
     """
-    kind = path.suffix.lower()[1:]
+    kind = sink.suffix[1:]
     form = FORMS[kind]
     wanted = records(value)
     order = blocks(wanted, stops=not form.stops)
@@ -93,11 +94,11 @@ def write_plan(value: ThreadPlan, path: Path) -> None:
         raise TambourError(
             f"{kind.upper()} files hold {form.colors} colours, the design has {max(len(used), len(order))}",
             hint="write PES 6, VP3 or DST, or use fewer colours",
-            where=str(path),
+            where=str(sink.path),
         )
     if kind in ("pes", "pec") and len(order) > 255:
         raise TambourError(
-            f"{kind.upper()} files hold 255 blocks of colour, the design has {len(order)}", where=str(path)
+            f"{kind.upper()} files hold 255 blocks of colour, the design has {len(order)}", where=str(sink.path)
         )
     version = value.about.get("pes", "1")
     threads = _threads(value, used, form, kind, version)
@@ -106,9 +107,10 @@ def write_plan(value: ThreadPlan, path: Path) -> None:
     pattern.metadata("name", value.about.get("title", "") or "tambour")
     raw = _write(pattern, kind, {"version": version, "trims": value.about.get("jef-trims") == "yes"})
     if kind == "jef":
-        raw = _jef_hoop(raw, wanted, path)
-    path.write_bytes(raw)
-    _compare(wanted, form, path, order, value, kind == "jef" and value.about.get("jef-trims") == "yes", version)
+        raw = _jef_hoop(raw, wanted, sink)
+    trims = kind == "jef" and value.about.get("jef-trims") == "yes"
+    _compare(wanted, form, _decode(raw, kind), kind, value, trims, version)
+    sink.put(raw)
 
 
 def _threads(value: ThreadPlan, used: list[int], form: Form, kind: str, version: str) -> list[Any]:
@@ -183,7 +185,7 @@ def _write(pattern: Any, kind: str, settings: dict[str, Any]) -> bytes:
     return stream.getvalue()
 
 
-def _jef_hoop(raw: bytes, r: Records, path: Path) -> bytes:
+def _jef_hoop(raw: bytes, r: Records, sink: Sink) -> bytes:
     """The file with the code of the smallest hoop that holds the design, measured from its centre."""
     size = r.xy.max(axis=0) - r.xy.min(axis=0)
     for (w, h), code in _JEF_HOOPS:
@@ -192,15 +194,14 @@ def _jef_hoop(raw: bytes, r: Records, path: Path) -> bytes:
     raise TambourError(
         f"the design is {size[0] / 10:g} x {size[1] / 10:g} mm, the largest hoop of a JEF file is 200 x 200 mm",
         hint="make it smaller with --width, or write another format",
-        where=str(path),
+        where=str(sink.path),
     )
 
 
 def _compare(
-    wanted: Records, form: Form, path: Path, order: list[int], value: ThreadPlan, jef_trims: bool, version: str
+    wanted: Records, form: Form, got: ThreadPlan, kind: str, value: ThreadPlan, jef_trims: bool, version: str
 ) -> None:
     """Raise AssertionError unless the file says what the records say."""
-    got = read_plan(path)
     a = needle_points(wanted.xy, wanted.command)
     b = needle_points(np.rint(got.xy * 10).astype(np.int64), got.command)
     if not form.trims and not jef_trims:
@@ -210,12 +211,12 @@ def _compare(
     wrong = same(a, b)
     if "doubts" in got.about:
         wrong = wrong or got.about["doubts"]
-    if not wrong and (form.exact or (path.suffix.lower() == ".pes" and version == "6")):
+    if not wrong and (form.exact or (kind == "pes" and version == "6")):
         back = [got.threads[int(k)].rgb for k in got.thread[got.command == STITCH]]
         here = [value.threads[int(k)].rgb for k in wanted.thread[wanted.command == STITCH]]
         wrong = "" if back == here else "colours changed"
     if wrong:
-        raise AssertionError(f"the {path.suffix[1:].upper()} file read back differs from the design: {wrong}")
+        raise AssertionError(f"the {kind.upper()} file read back differs from the design: {wrong}")
 
 
 def read_plan(path: Path) -> ThreadPlan:
@@ -227,12 +228,16 @@ def read_plan(path: Path) -> ThreadPlan:
     kind = path.suffix.lower()[1:]
     raw = load(path)
     try:
-        pattern, stream = _read(raw, kind)
-        made, said = _plan(pattern, kind), doubts(kind, raw, stream, pattern)
+        return _decode(raw, kind)
     except TambourError as error:
         raise TambourError(
             f"this is not a {kind.upper()} design: {error.problems[0].message}", where=str(path)
         ) from None
+
+
+def _decode(raw: bytes, kind: str) -> ThreadPlan:
+    pattern, stream = _read(raw, kind)
+    made, said = _plan(pattern, kind), doubts(kind, raw, stream, pattern)
     about = {**made.about, "format": kind.upper()}
     if said:
         about["doubts"] = "\n".join(said)

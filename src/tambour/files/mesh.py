@@ -12,6 +12,7 @@ from tambour.core.check import Array
 from tambour.core.errors import LawError, TambourError
 from tambour.core.mesh import Mesh
 from tambour.core.picture import Picture
+from tambour.files.sink import Sink
 
 _PLY_TYPES = {
     **dict.fromkeys(("char", "int8"), "i1"),
@@ -25,13 +26,13 @@ _PLY_TYPES = {
 }
 
 
-def write_picture(value: Mesh, path: Path) -> None:
+def write_picture(value: Mesh, sink: Sink) -> None:
     """The mesh, shaded, in the pixel format of the suffix."""
     from tambour.files.picture import write_picture
     from tambour.render.raster import picture
 
     made: Picture = picture(value)
-    write_picture(made, path)
+    write_picture(made, sink)
 
 
 def _faulty(path: Path, kind: str, why: object) -> TambourError:
@@ -50,7 +51,7 @@ def _mesh(path: Path, vertices: Array, faces: Array, color: Array | None = None,
 # OBJ -----------------------------------------------------------------------------------------------------------------
 
 
-def write_obj(value: Mesh, path: Path) -> None:
+def write_obj(value: Mesh, sink: Sink) -> None:
     """OBJ with a group per group of faces; colours follow the coordinates as 0…1 sRGB, as most programs read them."""
     lines = ["# tambour, millimetres"]
     rows = value.vertices.tolist()
@@ -71,7 +72,7 @@ def write_obj(value: Mesh, path: Path) -> None:
         if name:
             lines.append(f"g {name}")
         lines += [form.format(*row) for row in (value.faces[group == number] + 1).tolist()]
-    path.write_bytes(("\n".join(lines) + "\n").encode())
+    sink.put(("\n".join(lines) + "\n").encode())
 
 
 def read_obj(path: Path) -> Mesh:
@@ -132,7 +133,7 @@ def read_obj(path: Path) -> Mesh:
 # PLY -----------------------------------------------------------------------------------------------------------------
 
 
-def write_ply(value: Mesh, path: Path) -> None:
+def write_ply(value: Mesh, sink: Sink) -> None:
     """Binary PLY, little-endian: float coordinates, uchar sRGB colours, triangles."""
     fields = [("x", "<f4"), ("y", "<f4"), ("z", "<f4")]
     head = ["ply", "format binary_little_endian 1.0", "comment tambour, millimetres"]
@@ -150,7 +151,7 @@ def write_ply(value: Mesh, path: Path) -> None:
     triangles = np.zeros(len(value.faces), [("n", "u1"), ("v", "<i4", (3,))])
     triangles["n"] = 3
     triangles["v"] = value.faces
-    path.write_bytes("\n".join([*head, ""]).encode() + rows.tobytes() + triangles.tobytes())
+    sink.put("\n".join([*head, ""]).encode() + rows.tobytes() + triangles.tobytes())
 
 
 def read_ply(path: Path) -> Mesh:
@@ -256,14 +257,14 @@ def _ply_binary(raw: bytes, at: int, elements: list[tuple[str, int, list[list[st
 _STL = np.dtype([("normal", "<f4", (3,)), ("corner", "<f4", (3, 3)), ("spare", "<u2")])
 
 
-def write_stl(value: Mesh, path: Path) -> None:
+def write_stl(value: Mesh, sink: Sink) -> None:
     """Binary STL; it knows no colours."""
     rows = np.zeros(len(value.faces), _STL)
     rows["corner"] = value.vertices[value.faces]
     from tambour.geometry.surface import face_normals
 
     rows["normal"] = face_normals(value.vertices, value.faces)
-    path.write_bytes(b"tambour, millimetres".ljust(80) + struct.pack("<I", len(rows)) + rows.tobytes())
+    sink.put(b"tambour, millimetres".ljust(80) + struct.pack("<I", len(rows)) + rows.tobytes())
 
 
 def read_stl(path: Path) -> Mesh:

@@ -15,6 +15,7 @@ import numpy as np
 from tambour.core.drawing import Drawing
 from tambour.core.errors import TambourError
 from tambour.core.picture import Picture
+from tambour.files.sink import Sink
 
 LARGEST = 200_000_000
 """Pixels above which a file is refused: a small file can claim any size."""
@@ -80,12 +81,12 @@ def _eight_bits(image: Any) -> Any:
     return Image.fromarray(np.round(np.clip(values / top, 0, 1) * 255).astype(np.uint8))
 
 
-def write_picture(value: Picture, path: Path) -> None:
+def write_picture(value: Picture, sink: Sink) -> None:
     """The format of the suffix; formats without transparency get a white ground."""
     from PIL import Image
 
     image = Image.fromarray(value.rgba)
-    suffix = path.suffix.lower()
+    suffix = sink.suffix
     opaque = bool((value.rgba[..., 3] == 255).all())
     if opaque:
         image = image.convert("RGB")
@@ -100,15 +101,17 @@ def write_picture(value: Picture, path: Path) -> None:
         options |= {"quality": 92, "subsampling": 0}
     elif suffix == ".webp":
         options["lossless"] = True
-    image.save(path, **options)
+    made = io.BytesIO()
+    image.save(made, Image.registered_extensions()[suffix], **options)
+    sink.put(made.getvalue())
 
 
-def write_drawing(value: Drawing | tuple[Drawing, ...], path: Path) -> None:
+def write_drawing(value: Drawing | tuple[Drawing, ...], sink: Sink) -> None:
     """A Drawing as pixels; the pages of a booklet, or the tiles of a stream, as name-1.png, name-2.png and so on."""
     from tambour.render.flat import picture
 
     if isinstance(value, Drawing):
-        write_picture(picture(value), path)
+        write_picture(picture(value), sink)
         return
     for number, page in enumerate(value, 1):
-        write_picture(picture(page), path.with_name(f"{path.stem}-{number}{path.suffix}"))
+        write_picture(picture(page), sink.beside(f"{sink.path.stem}-{number}"))

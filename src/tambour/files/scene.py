@@ -6,7 +6,6 @@ glTF has no curves, so thread becomes tubes there and in OBJ files; USD (``files
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,6 +18,7 @@ from tambour.core.paths import Paths
 from tambour.core.scene import Scene
 from tambour.core.strands import Strands
 from tambour.files.glb import _INDEX, _VERTEX, Body
+from tambour.files.sink import Sink
 from tambour.geometry.surface import closed, vertex_normals
 from tambour.geometry.tube import sweep
 
@@ -90,7 +90,7 @@ def _material(name: str, color: Array | None, open_: bool) -> dict[str, Any]:
     return made
 
 
-def write_glb(value: Scene, path: Path) -> None:
+def write_glb(value: Scene, sink: Sink) -> None:
     """A .glb in metres: a node for each thing, tubes for strands, a morph target for every frame after the first.
 
     Raises TambourError when a moving scene needs more than BUDGET bytes with tubes of three sides.
@@ -98,7 +98,7 @@ def write_glb(value: Scene, path: Path) -> None:
     moving = value.frame_count > 1
     sides = 6
     if moving:
-        sides = _affordable(value, path)
+        sides = _affordable(value, sink)
     body = Body()
     nodes: list[dict[str, Any]] = []
     meshes: list[dict[str, Any]] = []
@@ -163,10 +163,10 @@ def write_glb(value: Scene, path: Path) -> None:
     if channels:
         scene["extensionsRequired"] = ["KHR_mesh_quantization"]
         scene["animations"] = [{"name": "frames", "channels": channels, "samplers": samplers}]
-    path.write_bytes(body.file(scene))
+    sink.put(body.file(scene))
 
 
-def _affordable(value: Scene, path: Path) -> int:
+def _affordable(value: Scene, sink: Sink) -> int:
     """The sides of tubes, six to three, with which a moving scene keeps to the budget."""
     for sides in (6, 5, 4, 3):
         need = 0
@@ -182,7 +182,7 @@ def _affordable(value: Scene, path: Path) -> int:
     raise TambourError(
         f"{value.frame_count} frames of this scene need about {need / 1e6:.0f} MB as .glb, more than {BUDGET / 1e6:.0f}",
         hint="write .usdc, which holds curves, or use fewer --frames",
-        where=str(path),
+        where=str(sink.path),
     )
 
 
@@ -237,16 +237,16 @@ def _one(value: Scene, parts: list[tuple[Mesh, Array]]) -> Mesh:
     )
 
 
-def write_obj(value: Scene, path: Path) -> None:
+def write_obj(value: Scene, sink: Sink) -> None:
     """OBJ files in mm: one, or for a moving scene one a frame, ``name.0001.obj`` and so on."""
     from tambour.files.mesh import write_obj
 
     many = value.frame_count > 1
     for k, mesh in enumerate(joined(value, sides=5)):
-        write_obj(mesh, path.with_name(f"{path.stem}.{k + 1:04d}.obj") if many else path)
+        write_obj(mesh, sink.beside(f"{sink.path.stem}.{k + 1:04d}") if many else sink)
 
 
-def write_npz(value: Scene, path: Path) -> None:
+def write_npz(value: Scene, sink: Sink) -> None:
     """NumPy arrays in mm: for each thing ``NAME.points`` (T, N, 3) float32, then its ``faces``, or its ``offsets``,
     ``radius``, ``color`` and attributes; and ``seconds_per_frame``."""
     arrays: dict[str, Array] = {"seconds_per_frame": np.array(value.seconds_per_frame)}
@@ -259,11 +259,11 @@ def write_npz(value: Scene, path: Path) -> None:
         arrays[f"{name}.radius"], arrays[f"{name}.color"] = thing.radius.astype(np.float32), thing.color
         for key, rows in (*thing.strand_data.items(), *thing.point_data.items()):
             arrays[f"{name}.{key}"] = np.asarray(rows)
-    with path.open("wb") as stream:
+    with sink.stream() as stream:
         np.savez_compressed(stream, **arrays)  # type: ignore[arg-type]
 
 
-def write_picture(value: Scene, path: Path) -> None:
+def write_picture(value: Scene, sink: Sink) -> None:
     """The first frame, shaded; upright things are seen from the front, what lies from above."""
     from tambour.files.picture import write_picture
     from tambour.render.raster import picture
@@ -274,4 +274,4 @@ def write_picture(value: Scene, path: Path) -> None:
     out, area = cross.sum(axis=0), np.linalg.norm(cross, axis=1).sum()
     lies = np.linalg.norm(out) > 0.1 * area and abs(out[1]) > 0.7 * np.linalg.norm(out)
     made = picture(mesh, width=1400, azimuth=np.radians(22), elevation=np.radians(48 if lies else 10))
-    write_picture(made, path)
+    write_picture(made, sink)

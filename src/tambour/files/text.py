@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from tambour.core.errors import TambourError, Text
+from tambour.files.sink import Sink
 
 
 def read_text(path: Path) -> Text:
@@ -21,14 +22,14 @@ def read_text(path: Path) -> Text:
     return Text(text.replace("\r\n", "\n").replace("\r", "\n"), str(path))
 
 
-def write_text(value: Text, path: Path) -> None:
+def write_text(value: Text, sink: Sink) -> None:
     """UTF-8, line ends as they are."""
-    path.write_bytes(value.text.encode())
+    sink.put(value.text.encode())
 
 
-def write_json(value: Any, path: Path) -> None:
+def write_json(value: Any, sink: Sink) -> None:
     """JSON with arrays as lists: rows on one line each, so that it can be read and compared."""
-    path.write_bytes(dumps(value).encode())
+    sink.put(dumps(value).encode())
 
 
 def dumps(value: Any, depth: int = 0) -> str:

@@ -6,6 +6,8 @@ diameters and stand still (some renderers take no others), materials of UsdPrevi
 
 from __future__ import annotations
 
+import errno
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -19,6 +21,7 @@ from tambour.core.mesh import Mesh
 from tambour.core.scene import Scene
 from tambour.core.strands import Strands
 from tambour.files.scene import positions
+from tambour.files.sink import Sink
 
 
 def _library(path: Path) -> Any:
@@ -36,11 +39,11 @@ def _library(path: Path) -> Any:
     return pxr
 
 
-def write_scene(value: Scene, path: Path) -> None:
+def write_scene(value: Scene, sink: Sink) -> None:
     """A .usdc, .usda or .usd file of the scene. TambourError without usd-core."""
-    pxr = _library(path)
+    pxr = _library(sink.path)
     usd, geom, sdf, vt = pxr.Usd, pxr.UsdGeom, pxr.Sdf, pxr.Vt
-    stage = usd.Stage.CreateInMemory(f"scene{path.suffix}")
+    stage = usd.Stage.CreateInMemory(f"scene{sink.suffix}")
     geom.SetStageUpAxis(stage, geom.Tokens.y)
     geom.SetStageMetersPerUnit(stage, 0.001)
     root = geom.Xform.Define(stage, "/embroidery")
@@ -70,7 +73,41 @@ def write_scene(value: Scene, path: Path) -> None:
             prim = _curves(pxr, stage, place, thing)
         _points(pxr, prim, thing)
         _material(pxr, stage, prim, f"/embroidery/materials/{name}", isinstance(thing, Strands))
-    stage.GetRootLayer().Export(str(path))
+    with sink.folder() as folder:
+        _export(pxr, stage.GetRootLayer(), folder / f"scene{sink.suffix}")
+        sink.put((folder / f"scene{sink.suffix}").read_bytes())
+
+
+def _export(pxr: Any, layer: Any, path: Path) -> None:
+    """Let the library write to a place of its own, and see that it says the same when read: its writer passes over
+    what a full disk does to it. Raises OSError."""
+    try:
+        whole = layer.Export(str(path))
+        back = pxr.Sdf.Layer.OpenAsAnonymous(str(path)) if whole else None
+    except pxr.Tf.ErrorException:
+        back = None
+    if back is None or not _same(layer, back):
+        left = os.statvfs(path.parent).f_bavail if hasattr(os, "statvfs") else 0
+        number = errno.EIO if left else errno.ENOSPC
+        raise OSError(number, os.strerror(number))
+
+
+def _same(a: Any, b: Any) -> bool:
+    """Whether two layers hold the same attributes with the same values at the same times."""
+    places: list[Any] = []
+    a.Traverse(a.pseudoRoot.path, places.append)
+    for place in (p for p in places if not p.IsTargetPath()):
+        one, other = a.GetObjectAtPath(place), b.GetObjectAtPath(place)
+        if other is None:
+            return False
+        if hasattr(one, "default") and one.default != other.default:
+            return False
+        times = a.ListTimeSamplesForPath(place)
+        if times != b.ListTimeSamplesForPath(place):
+            return False
+        if any(a.QueryTimeSample(place, t) != b.QueryTimeSample(place, t) for t in times):
+            return False
+    return True
 
 
 def _curves(pxr: Any, stage: Any, place: str, thing: Strands) -> Any:

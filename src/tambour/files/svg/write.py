@@ -9,7 +9,6 @@ import re
 import zlib
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
-from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
@@ -17,6 +16,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.drawing import Drawing, Groups, Placed
 from tambour.core.picture import Picture
+from tambour.files.sink import Sink
 from tambour.files.svg import spell
 
 _HEAD = (
@@ -28,16 +28,16 @@ _BLOCK = 1 << 17
 """Points written by one call: as much memory as the writer takes."""
 
 
-def write_drawing(value: Drawing | Iterable[Drawing], path: Path) -> None:
+def write_drawing(value: Drawing | Iterable[Drawing], sink: Sink) -> None:
     """A Drawing, or an iterator of Drawings on one sheet (the first one's), written as they come.
 
     The pages of a booklet (a tuple) become name-1.svg, name-2.svg, …
     """
     if isinstance(value, tuple):
         for number, page in enumerate(value, 1):
-            write_drawing(page, path.with_name(f"{path.stem}-{number}{path.suffix}"))
+            write_drawing(page, sink.beside(f"{sink.path.stem}-{number}"))
         return
-    with path.open("wb", buffering=1 << 20) as out:
+    with sink.stream() as out:
         seen: set[str] = set()
         for k, drawing in enumerate([value] if isinstance(value, Drawing) else value):
             if k == 0:

@@ -1,0 +1,254 @@
+"""Files appear whole and together, or not at all: full disks for every format, kills at every step."""
+
+from __future__ import annotations
+
+import errno
+import os
+import resource
+import stat
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tambour import files
+from tambour.core.chart import Chart
+from tambour.core.errors import TambourError, Text
+from tambour.core.palette import Palette
+from tambour.core.picture import Picture
+from tambour.core.reveal import Reveal
+from tambour.files.sink import PREFIX, Writing
+from test_files import HOUSE
+from test_files_machine import design
+from test_files_mesh import painted
+
+GREY = Picture(np.tile(np.arange(48, dtype=np.uint8)[:, None, None], (1, 32, 4)) | np.uint8(128))
+
+
+def value(kind: str) -> Any:
+    """A value of the kind, anew each time: streams can be written once."""
+    if kind == "Scene":
+        from test_files_usd import scene
+
+        return scene(2)
+    if kind == "Chart":
+        cells = (np.indices((12, 24)).sum(axis=0) % 3 > 1).astype(np.uint8)
+        return Chart(cells, Palette(np.array([[0, 0, 0], [255, 255, 255]], np.uint8)))
+    return {
+        "Text": Text("R1: MR(6)\n" * 40),
+        "dict": {"numbers": list(range(200))},
+        "Drawing": HOUSE,
+        "Picture": GREY,
+        "ThreadPlan": design(),
+        "Pictures": iter([GREY, GREY]),
+        "Reveal": Reveal(HOUSE, 1.0, 3),
+        "Mesh": painted(),
+    }[kind]
+
+
+@contextmanager
+def full_after(size: int) -> Iterator[None]:
+    """A disk that takes no file beyond ``size`` bytes."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+
+
+def holds(folder: Path) -> dict[str, bytes]:
+    return {p.name: p.read_bytes() if p.is_file() else b"/" for p in folder.iterdir()}
+
+
+@pytest.mark.parametrize(("suffix", "kind"), sorted(files.WRITE))
+def test_a_full_disk_is_told_and_keeps_the_old_files(
+    suffix: str, kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tambour.render.raster.picture", lambda *_, **__: GREY)  # what a mesh looks like is slow
+    if suffix.startswith(".usd"):
+        pytest.importorskip("pxr")
+    path = tmp_path / f"a{suffix}"
+    files.write(value(kind), path, kind)
+    made = holds(tmp_path)
+    assert made and all(made.values())
+    for name in made:
+        (tmp_path / name).write_bytes(b"old")
+    old = holds(tmp_path)
+    largest = max(map(len, made.values()))
+    for size in sorted({0, 1, largest // 2, largest - 1}):
+        with full_after(size), pytest.raises(TambourError) as caught:
+            files.write(value(kind), path, kind)
+        assert "cannot be written" in str(caught.value) and str(tmp_path) in str(caught.value)
+        assert holds(tmp_path) == old
+    files.write(value(kind), path, kind)
+    assert holds(tmp_path) == made, "and the same bytes once there is room"
+
+
+def test_modes_links_and_pipes_stay_what_they_are(tmp_path: Path) -> None:
+    private, target, link, pipe = (tmp_path / n for n in ("private.txt", "target.txt", "link.txt", "pipe.txt"))
+    private.write_text("old")
+    private.chmod(0o600)
+    target.write_text("old")
+    link.symlink_to("target.txt")
+    (tmp_path / "to-come.txt").symlink_to("came.txt")
+    os.mkfifo(pipe)
+    read: list[str] = []
+    reader = threading.Thread(target=lambda: read.append(pipe.read_text()))
+    reader.start()
+    for path in (private, link, pipe, tmp_path / "to-come.txt", tmp_path / "new.txt"):
+        files.write(Text("new" * 50_000), path)
+    reader.join(10)
+    assert read == ["new" * 50_000] and stat.S_ISFIFO(pipe.stat().st_mode)
+    assert stat.S_IMODE(private.stat().st_mode) == 0o600
+    assert link.is_symlink() and target.read_text() == (tmp_path / "came.txt").read_text() == "new" * 50_000
+    mask = os.umask(0)
+    os.umask(mask)
+    assert stat.S_IMODE((tmp_path / "new.txt").stat().st_mode) == 0o666 & ~mask
+    assert not list(tmp_path.glob(f"{PREFIX}*"))
+
+
+def test_a_device_without_room_puts_everything_back(tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_text("old")
+    (tmp_path / "full.txt").symlink_to("/dev/full")
+    with Writing() as writing:
+        for name in ("a.txt", "b.txt", "full.txt"):
+            files.leave(Text("new"), writing.sink(tmp_path / name))
+        with pytest.raises(TambourError, match=rf"full\.txt: cannot be written: {os.strerror(errno.ENOSPC)}"):
+            writing.commit()
+    assert (tmp_path / "a.txt").read_text() == "old" and not (tmp_path / "b.txt").exists()
+
+
+def test_a_companion_in_anothers_place_leaves_all_as_it_was(tmp_path: Path) -> None:
+    (tmp_path / "q.txt").write_text("old")
+    (tmp_path / "p-2.svg").mkdir()
+    with Writing() as writing, pytest.raises(TambourError, match=r"p-2\.svg: this is a folder"):
+        files.leave(Text("new"), writing.sink(tmp_path / "q.txt"))
+        files.leave((HOUSE, HOUSE), writing.sink(tmp_path / "p.svg"), "Drawing")
+    assert holds(tmp_path) == {"q.txt": b"old", "p-2.svg": b"/"}
+    with Writing() as writing, pytest.raises(TambourError, match=r"p-1\.svg: this file would be written twice"):
+        files.leave(HOUSE, writing.sink(tmp_path / "p-1.svg"))
+        files.leave((HOUSE,), writing.sink(tmp_path / "p.svg"), "Drawing")
+    assert holds(tmp_path) == {"q.txt": b"old", "p-2.svg": b"/"}
+
+
+def test_a_library_that_asks_for_a_number_gets_none(tmp_path: Path) -> None:
+    with Writing() as writing, writing.sink(tmp_path / "a.bin").stream() as out, pytest.raises(OSError):
+        out.fileno()
+
+
+KILLS = """
+import os, signal, sys
+from pathlib import Path
+from tambour.cli import _stoppable
+from tambour.core.progress import Stopped
+from tambour.files.sink import Writing
+
+class Counted:
+    def __init__(self): self.left = -1; self.seen = 0
+    def __call__(self, event, args):
+        if event.split(".")[0] in ("os", "open", "shutil", "tempfile", "fcntl") and event != "os.kill":
+            self.seen += 1
+            if self.seen == self.left:
+                os.kill(os.getpid(), self.number)
+
+hook = Counted()
+sys.addaudithook(hook)
+NAMES = ["x/a", "x/b", "y/c", "x/report"]
+
+def write(word):
+    with Writing() as writing:
+        for name in NAMES:
+            writing.sink(name).put(word)
+        writing.commit()
+
+def child(number, at):
+    hook.number, hook.left, hook.seen = number, at, 0
+    try:
+        with _stoppable():
+            write(b"new")
+    except (Stopped, KeyboardInterrupt):
+        os._exit(3)
+    os._exit(0 if hook.seen < at else 4)
+
+def held(): return sorted((str(p), p.read_bytes()) for p in Path(".").rglob("*") if p.is_file())
+
+for name in ("SIGTERM", "SIGHUP", "SIGINT", "SIGKILL"):
+    at, most = 0, 0
+    while True:
+        at += 1
+        for place in NAMES:
+            Path(place).parent.mkdir(exist_ok=True)
+            Path(place).write_bytes(b"old")
+        if at % 2:
+            Path("x/b").unlink()  # a file that was not there before
+        old = held()
+        new = [(n, b"new") for n in sorted(NAMES)]
+        pid = os.fork()
+        if not pid:
+            child(getattr(signal, name), at)
+        _, status = os.waitpid(pid, 0)
+        litter = sorted(map(str, Path(".").rglob(".tambour-*")))
+        if name == "SIGKILL":
+            for parent in ("x", "y"):  # what the next run in these folders does first
+                from tambour.files.sink import sweep
+                sweep(Path(parent))
+        else:
+            assert not litter, (name, at, litter)
+        assert not list(Path(".").rglob(".tambour-*")), (name, at)
+        now = held()
+        mixed = [n for n, word in now if word == b"new"]
+        assert all(word in (b"old", b"new") for _, word in now), (name, at, "half")
+        whole = now in (old, new)
+        if name == "SIGKILL":  # each folder is whole; that both are is more than a dead process can promise
+            for folder in ("x/", "y/"):
+                part = [p for p in now if p[0].startswith(folder)]
+                assert part in ([p for p in old if p[0].startswith(folder)], [p for p in new if p[0].startswith(folder)]), (at, now)
+        else:
+            assert whole, (name, at, now)
+            if os.WEXITSTATUS(status) == 0:
+                assert now == new
+        if os.WIFEXITED(status) and os.WEXITSTATUS(status) == 0:
+            break
+    print(name, at - 1)
+"""
+
+
+@pytest.mark.slow
+def test_a_kill_at_any_step_leaves_all_or_nothing(tmp_path: Path) -> None:
+    made = subprocess.run([sys.executable, "-c", KILLS], cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert made.returncode == 0, made.stdout + made.stderr
+    steps = dict(line.split() for line in made.stdout.splitlines())
+    assert set(steps) == {"SIGTERM", "SIGHUP", "SIGINT", "SIGKILL"} and min(map(int, steps.values())) > 40, steps
+
+
+def test_what_has_changed_since_a_kill_is_left_alone(tmp_path: Path) -> None:
+    with Writing() as writing:
+        for name in ("a.txt", "b.txt"):
+            (tmp_path / name).write_text("old")
+            files.leave(Text("new"), writing.sink(tmp_path / name))
+        (room,) = (r for r in tmp_path.glob(f"{PREFIX}*"))
+        (room / "whole").write_bytes(b"a.txt\0b.txt")
+        os.link(tmp_path / "b.txt", room / "old" / "b.txt")
+        os.replace(room / "new" / "a.txt", tmp_path / "a.txt")  # and here it was killed
+        os.rename(room, tmp_path / f"{PREFIX}dead")
+    (tmp_path / "b.txt").unlink()
+    (tmp_path / "b.txt").write_text("written by hand")
+    files.write(Text("c"), tmp_path / "c.txt")
+    assert holds(tmp_path) == {"a.txt": b"new", "b.txt": b"written by hand", "c.txt": b"c"}
+
+
+def test_two_writers_at_once_do_not_sweep_each_other(tmp_path: Path) -> None:
+    with Writing() as one, Writing() as other:
+        one.sink(tmp_path / "a.txt").put(b"one")
+        other.sink(tmp_path / "b.txt").put(b"other")
+        one.sink(tmp_path / "c.txt").put(b"one")
+        other.commit()
+        one.commit()
+    assert holds(tmp_path) == {"a.txt": b"one", "b.txt": b"other", "c.txt": b"one"}
