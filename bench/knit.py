@@ -164,9 +164,11 @@ def pictures(small: bool, with_bound: bool) -> None:
         print(f"{'flips':16}" + "".join(f"{s:>14}" for s in ("exact", *SOLVERS)) + "   lined-up flips per 1000 (mean)")
         for start in STARTS:
             print(
-                f"{start:16}" + "".join(f"{sum(flips[start][s]):14}" for s in ("exact", *SOLVERS))
-                + "   " + "".join(f"{np.mean(lines[start][s]):9.1f}" for s in ("exact", *SOLVERS))
-            )  # fmt: skip
+                f"{start:16}"
+                + "".join(f"{sum(flips[start][s]):14}" for s in ("exact", *SOLVERS))
+                + "   "
+                + "".join(f"{np.mean(lines[start][s]):9.1f}" for s in ("exact", *SOLVERS))
+            )
 
 
 def flat_greys() -> None:

@@ -60,9 +60,7 @@ def test_a_ball_from_text(tmp_path: Path) -> None:
     assert report["nodes"] == 110 and report["warnings"] == [] and report["settled"]
     data = json.loads((tmp_path / "ball.json").read_text())
     assert list(data) == ["craft", "parts", "nodes", "edges", "sewn", "centroids", "positions", "faces", "stitch_mm"]
-    assert list(data["nodes"]) == [
-        "kind", "part", "color", "parent", "round", "loop", "peculiarity", "plane", "span",
-    ]  # fmt: skip
+    assert list(data["nodes"]) == ["kind", "part", "color", "parent", "round", "loop", "peculiarity", "plane", "span"]
     assert all(i > j for i, j in data["edges"]) and len(data["positions"]) == report["nodes"]
     assert data["nodes"]["peculiarity"][0] == "root" and data["nodes"]["peculiarity"][-1] == "tip"
     start, end = data["nodes"]["span"][20]

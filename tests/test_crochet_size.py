@@ -120,13 +120,13 @@ def test_the_circle_of_five_rounds_comes_out_as_it_was_measured() -> None:
         ("20 sc x 22 rows = 10 cm", (5.0, 100 / 22)),
         ("20 sc and 22 rows to 10 cm", (5.0, 100 / 22)),
         ("5 sts and 6 rounds = 1 inch", (5.08, 25.4 / 6)),
-        ("10 sc x 10 rnds = 2\"", (5.08, 5.08)),
+        ('10 sc x 10 rnds = 2"', (5.08, 5.08)),
         ("5 rounds = 5 cm across", (50 * math.pi / 30, 5.0)),
         ("Circle of 6 rnds measures 2.4 in", (2.4 * 25.4 * math.pi / 36, 2.4 * 25.4 / 12)),
         ("gauge is not important", None),
         ("", None),
     ],
-)  # fmt: skip
+)
 def test_stated_gauges_are_understood(words: str, size: tuple[float, float] | None) -> None:
     assert swatch_of(words) == (size if size is None else pytest.approx(size))
 
@@ -148,9 +148,9 @@ def test_stated_words_count_where_options_are_silent_and_the_report_says_so() ->
 
 
 def test_words_for_yarn_and_hook() -> None:
-    assert [class_of(w) for w in ("Aran weight", "DK", "super bulky", "chunky chenille", "#2", "weight 5", "red wool")] == [
-        "worsted", "dk", "super-bulky", "bulky", "sport", "bulky", None,
-    ]  # fmt: skip
+    assert [
+        class_of(w) for w in ("Aran weight", "DK", "super bulky", "chunky chenille", "#2", "weight 5", "red wool")
+    ] == ["worsted", "dk", "super-bulky", "bulky", "sport", "bulky", None]
     assert [hook_of(w) for w in ("3.5mm", "size E", "US G/6 hook", "2,5 mm", "a hook")] == [3.5, 3.5, 4.0, 2.5, None]
     with pytest.raises(TambourError):
         ravelled("twenty are long")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import importlib
 import importlib.util
 import os
 import re
@@ -11,6 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import tambour as package
+from tambour.core.kernels import signature
 from tambour.run import CRAFTS
 
 HEAVY = {"numpy", "numba", "scipy", "shapely", "skia", "PIL", "pydantic", "lark", "rich", "pystitch", "fontTools"}
@@ -100,3 +103,41 @@ def test_version_and_unknown_commands(tambour: Callable[..., subprocess.Complete
     assert tambour("--version").stdout.startswith("tambour, version 0.")
     made = tambour("crotchet")
     assert made.returncode == 2 and 'did you mean "crochet"' in made.stderr
+
+
+def _called(root: Path) -> dict[str, set[str]]:
+    """The kernels that modules of ours name outside kernels, and those modules."""
+    paths = {p: ".".join(p.relative_to(root / "src").with_suffix("").parts) for p in (root / "src").rglob("*.py")}
+    paths |= {p: f"{f}.{p.stem}" for f in ("tests", "bench") for p in (root / f).rglob("*.py")}
+    trees = {name.removesuffix(".__init__"): ast.parse(p.read_text()) for p, name in paths.items()}
+
+    def marked(node: ast.AST) -> bool:
+        return isinstance(node, ast.FunctionDef) and any(ast.unparse(d) == "kernel" for d in node.decorator_list)
+
+    kernels = {
+        f"{m}.{n.name}" for m, t in trees.items() for n in t.body if marked(n) and isinstance(n, ast.FunctionDef)
+    }
+    called: dict[str, set[str]] = {}
+    for module, tree in trees.items():
+        names = {k.rpartition(".")[2]: k for k in kernels if k.rpartition(".")[0] == module}
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ImportFrom) and node.module:
+                names |= {a.asname or a.name: f"{node.module}.{a.name}" for a in node.names}
+        outside = [n for n in tree.body if not marked(n)]
+        for node in (n for top in outside for n in ast.walk(top)):
+            if isinstance(node, ast.Name) and names.get(node.id) in kernels:
+                called.setdefault(names[node.id], set()).add(module)
+            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+                full = f"{names.get(node.value.id)}.{node.attr}"
+                if full in kernels:
+                    called.setdefault(full, set()).add(module)
+    return called
+
+
+def test_kernels_that_python_calls_declare_their_types(root: Path) -> None:
+    called = _called(root)
+    assert len(called) > 100
+    for full in sorted(called):
+        module, _, name = full.rpartition(".")
+        made = getattr(importlib.import_module(module), name)
+        assert signature(getattr(made, "py_func", made)) is not None, f"{full}, called in {called[full]}"

@@ -250,8 +250,10 @@ def test_a_font_sets_inscription_and_seal_as_outlines() -> None:
     one = flat.picture(drawing, width=8000).rgba[:, :, :3].astype(int)
     # The first letter's square runs 0.8 em up from its baseline (740, 70), in the middle of its advance; its hole is open.
     left, base, em = 740.0 - 0.5 * 20.0, 70.0, 20.0
-    at = {q: one[int(10 * (base - y * em)), int(10 * (left + x * em))] for q, (x, y) in
-          {"stem": (0.1, 0.4), "hole": (0.4, 0.4), "outside": (0.9, 0.4)}.items()}  # fmt: skip
+    at = {
+        q: one[int(10 * (base - y * em)), int(10 * (left + x * em))]
+        for q, (x, y) in {"stem": (0.1, 0.4), "hole": (0.4, 0.4), "outside": (0.9, 0.4)}.items()
+    }
     assert at["stem"].max() < 90 and at["hole"].min() > 240 and at["outside"].min() > 240
 
 

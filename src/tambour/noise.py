@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from tambour.core.arrays import F8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
@@ -54,7 +55,7 @@ def ease(t: float) -> float:
 
 
 @kernel
-def value(table: Array, x: float, y: float, z: float) -> float:
+def value(table: F8x1, x: float, y: float, z: float) -> float:
     """Value noise: four octaves of a smoothly blended lattice, in [0, 0.9375), mean 0.47.
 
     table : (4096,) lattice values; cell (i, j, k) reads place i + 1619 j + 2971 k of it, wrapped
@@ -85,7 +86,7 @@ def value(table: Array, x: float, y: float, z: float) -> float:
 
 
 @kernel
-def close(values: Array) -> None:
+def close(values: F8x1) -> None:
     """Make a run of noise fit a ring, in place: take out the rise from first to last, then stretch it to 0…1.
 
     values : (k,) float64; a flat run becomes 0.5

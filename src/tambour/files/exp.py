@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from tambour.core.arrays import I8x2, U1x1
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.kernels import kernel
@@ -37,7 +38,7 @@ def encode(r: Records) -> bytes:
 
 
 @kernel
-def _walk(raw: Array, xy: Array, command: Array) -> tuple[int, int]:
+def _walk(raw: U1x1, xy: I8x2, command: U1x1) -> tuple[int, int]:
     """Fill units and commands; gives how many, and where reading stopped (-1: an unknown control)."""
     x = y = 0
     n = i = 0
@@ -71,7 +72,7 @@ def _walk(raw: Array, xy: Array, command: Array) -> tuple[int, int]:
 
 def decode(raw: bytes) -> tuple[Array, Array, int]:
     """Units (N, 2), commands (N,), and the byte where reading stopped (negative: -1 - byte of an unknown control)."""
-    data = np.frombuffer(raw, np.uint8)
+    data = np.frombuffer(bytearray(raw), np.uint8)
     xy, command = np.zeros((len(data) // 2 + 1, 2), np.int64), np.zeros(len(data) // 2 + 1, np.uint8)
     n, stopped = _walk(data, xy, command)
     return xy[:n], command[:n], stopped

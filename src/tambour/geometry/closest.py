@@ -8,10 +8,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numba import prange
 
+from tambour.core.arrays import F8x1, F8x2, I4x1, I8x1, I8x2
 from tambour.core.check import Array
-from tambour.core.kernels import kernel, parallel_kernel
+from tambour.core.kernels import kernel
+from tambour.core.threads import share
 
 _LEAF = 4
 _RUN = 512  # points that one thread takes in a row, each starting from where the last one ended
@@ -40,7 +41,7 @@ def tree(vertices: Array, faces: Array) -> Tree:
 
 
 @kernel
-def _grow(corner: Array, middle: Array, order: Array, box: Array, child: Array) -> int:
+def _grow(corner: F8x2, middle: F8x2, order: I8x1, box: F8x2, child: I8x2) -> int:
     stack = np.empty((128, 3), np.int64)
     stack[0, 0], stack[0, 1], stack[0, 2] = 0, 0, len(order)
     top, used = 1, 1
@@ -73,7 +74,7 @@ def _grow(corner: Array, middle: Array, order: Array, box: Array, child: Array) 
 
 
 @kernel
-def on_triangle(corner: Array, f: int, x: float, y: float, z: float) -> tuple[float, float, float]:
+def on_triangle(corner: F8x2, f: int, x: float, y: float, z: float) -> tuple[float, float, float]:
     """Squared distance of (x, y, z) from triangle ``f``, and the nearest point's weights of its 2nd and 3rd corner."""
     ax, ay, az = corner[f, 0], corner[f, 1], corner[f, 2]
     bx, by, bz = corner[f, 3] - ax, corner[f, 4] - ay, corner[f, 5] - az
@@ -111,55 +112,56 @@ def _apart(box: Array, node: int, x: float, y: float, z: float) -> float:
     return dx * dx + dy * dy + dz * dz
 
 
-@parallel_kernel
+@kernel
 def _nearest(
-    points: Array,
-    box: Array,
-    child: Array,
-    order: Array,
-    corner: Array,
-    near: Array,
-    face: Array,
-    uv: Array,
-    far: Array,
+    low: int,
+    high: int,
+    points: F8x2,
+    box: F8x2,
+    child: I8x2,
+    order: I8x1,
+    corner: F8x2,
+    near: I4x1,
+    face: I4x1,
+    uv: F8x2,
+    far: F8x1,
 ) -> None:
-    runs = (len(points) + _RUN - 1) // _RUN
-    for run in prange(runs):
-        stack = np.empty(128, np.int64)
-        keys = np.empty(128, np.float64)
-        guess = 0
-        for q in range(run * _RUN, min(len(points), (run + 1) * _RUN)):
-            x, y, z = points[q, 0], points[q, 1], points[q, 2]
-            if len(near) > 0:
-                guess = near[q]
-            best, bu, bv = on_triangle(corner, guess, x, y, z)
-            found = guess
-            stack[0], keys[0], top = 0, _apart(box, 0, x, y, z), 1
-            while top > 0:
-                top -= 1
-                if keys[top] > best:
-                    continue
-                node = stack[top]
-                if child[node, 0] < 0:
-                    first = -1 - child[node, 0]
-                    for i in range(first, first + child[node, 1]):
-                        f = order[i]
-                        d, u, v = on_triangle(corner, f, x, y, z)
-                        if d < best or (d == best and f < found):
-                            best, bu, bv, found = d, u, v, f
-                    continue
-                a, b = child[node, 0], child[node, 1]
-                da, db = _apart(box, a, x, y, z), _apart(box, b, x, y, z)
-                if da < db:
-                    a, b, da, db = b, a, db, da
-                if da <= best:
-                    stack[top], keys[top] = a, da
-                    top += 1
-                if db <= best:
-                    stack[top], keys[top] = b, db
-                    top += 1
-            guess = found
-            face[q], uv[q, 0], uv[q, 1], far[q] = found, bu, bv, best
+    """Fill the answers for points ``low`` … ``high`` - 1, each sought from where the last one's was found."""
+    stack = np.empty(128, np.int64)
+    keys = np.empty(128, np.float64)
+    guess = 0
+    for q in range(low, high):
+        x, y, z = points[q, 0], points[q, 1], points[q, 2]
+        if len(near) > 0:
+            guess = near[q]
+        best, bu, bv = on_triangle(corner, guess, x, y, z)
+        found = guess
+        stack[0], keys[0], top = 0, _apart(box, 0, x, y, z), 1
+        while top > 0:
+            top -= 1
+            if keys[top] > best:
+                continue
+            node = stack[top]
+            if child[node, 0] < 0:
+                first = -1 - child[node, 0]
+                for i in range(first, first + child[node, 1]):
+                    f = order[i]
+                    d, u, v = on_triangle(corner, f, x, y, z)
+                    if d < best or (d == best and f < found):
+                        best, bu, bv, found = d, u, v, f
+                continue
+            a, b = child[node, 0], child[node, 1]
+            da, db = _apart(box, a, x, y, z), _apart(box, b, x, y, z)
+            if da < db:
+                a, b, da, db = b, a, db, da
+            if da <= best:
+                stack[top], keys[top] = a, da
+                top += 1
+            if db <= best:
+                stack[top], keys[top] = b, db
+                top += 1
+        guess = found
+        face[q], uv[q, 0], uv[q, 1], far[q] = found, bu, bv, best
 
 
 def nearest(t: Tree, points: Array, near: Array | None = None) -> tuple[Array, Array, Array]:
@@ -168,5 +170,9 @@ def nearest(t: Tree, points: Array, near: Array | None = None) -> tuple[Array, A
     points = np.ascontiguousarray(points, np.float64)
     face, uv, far = np.empty(len(points), np.int32), np.empty((len(points), 2)), np.empty(len(points))
     close = np.zeros(0, np.int32) if near is None else np.ascontiguousarray(near, np.int32)
-    _nearest(points, t.box, t.child, t.order, t.corner, close, face, uv, far)
+    share(
+        len(points),
+        _RUN,
+        lambda low, high: _nearest(low, high, points, t.box, t.child, t.order, t.corner, close, face, uv, far),
+    )
     return face, uv, np.sqrt(far)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from tambour.core.arrays import F8x2, I4x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
 
 @kernel
-def _gather(vertices: Array, faces: Array, normals: Array) -> None:
+def _gather(vertices: F8x2, faces: I4x2, normals: F8x2) -> None:
     for f in range(len(faces)):
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
         ux, uy, uz = vertices[b, 0] - vertices[a, 0], vertices[b, 1] - vertices[a, 1], vertices[b, 2] - vertices[a, 2]
@@ -46,7 +47,7 @@ def face_normals(vertices: Array, faces: Array) -> Array:
 
 
 @kernel
-def _tally(faces: Array) -> np.uint64:
+def _tally(faces: I4x2) -> np.uint64:
     total = np.uint64(0)
     for f in range(len(faces)):
         for k in range(3):

@@ -6,6 +6,7 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I4x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.mesh import Mesh
@@ -13,7 +14,7 @@ from tambour.core.strands import Strands
 
 
 @kernel
-def frames(coords: Array, offsets: Array, tangent: Array, across: Array, side: Array) -> None:
+def frames(coords: F8x2, offsets: I8x1, tangent: F8x2, across: F8x2, side: F8x2) -> None:
     """Unit tangents and rotation-minimising normals (P, 3) of polylines.
 
     coords : (P, 3); offsets : (N + 1,); tangent, across : (P, 3), filled
@@ -42,8 +43,11 @@ def frames(coords: Array, offsets: Array, tangent: Array, across: Array, side: A
             else:
                 rx, ry, rz = across[i - 1, 0], across[i - 1, 1], across[i - 1, 2]
                 ox, oy, oz = tangent[i - 1, 0], tangent[i - 1, 1], tangent[i - 1, 2]
-                vx, vy, vz = (coords[i, 0] - coords[i - 1, 0], coords[i, 1] - coords[i - 1, 1],
-                              coords[i, 2] - coords[i - 1, 2])  # fmt: skip
+                vx, vy, vz = (
+                    coords[i, 0] - coords[i - 1, 0],
+                    coords[i, 1] - coords[i - 1, 1],
+                    coords[i, 2] - coords[i - 1, 2],
+                )
                 c = vx * vx + vy * vy + vz * vz
                 if c > 0.0:
                     d = 2.0 * (vx * rx + vy * ry + vz * rz) / c
@@ -65,8 +69,8 @@ def frames(coords: Array, offsets: Array, tangent: Array, across: Array, side: A
 
 
 @kernel
-def _rings(coords: Array, offsets: Array, radius: Array, tangent: Array, across: Array, sides: int, lay: float,
-           plies: int, groove: float, vertices: Array, uv: Array, faces: Array) -> None:  # fmt: skip
+def _rings(coords: F8x2, offsets: I8x1, radius: F8x1, tangent: F8x2, across: F8x2, sides: int, lay: float,
+           plies: int, groove: float, vertices: F8x2, uv: F8x2, faces: I4x2) -> None:  # fmt: skip
     """Vertices, uv and faces of all tubes: per strand a pole, its rings, a pole; two more rings round off the ends."""
     vertex, face = 0, 0
     for s in range(len(offsets) - 1):
@@ -79,8 +83,11 @@ def _rings(coords: Array, offsets: Array, radius: Array, tangent: Array, across:
         for r in range(rings):
             i = min(max(first + r - 1, first), last - 1)
             if 1 < r < rings - 1:
-                dx, dy, dz = (coords[i, 0] - coords[i - 1, 0], coords[i, 1] - coords[i - 1, 1],
-                              coords[i, 2] - coords[i - 1, 2])  # fmt: skip
+                dx, dy, dz = (
+                    coords[i, 0] - coords[i - 1, 0],
+                    coords[i, 1] - coords[i - 1, 1],
+                    coords[i, 2] - coords[i - 1, 2],
+                )
                 along += sqrt(dx * dx + dy * dy + dz * dz)
             wide, out = radius[i], 0.0
             if r == 0:

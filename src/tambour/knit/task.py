@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -13,7 +11,6 @@ from tambour.noise import key
 
 NONE = np.zeros((0, 0), np.bool_)
 PLAIN = np.zeros((0, 0), np.float32)
-WORKERS = 2
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -69,14 +66,3 @@ class Task:
             )
         }
         return replace(self, **cut)
-
-
-def share(count: int, block: int, work: Callable[[int, int], None]) -> None:
-    """Call ``work(low, high)`` for blocks of ``count`` things, two at a time; blocks do not depend on the workers."""
-    spans = [(k, min(k + block, count)) for k in range(0, count, block)]
-    if len(spans) == 1:
-        work(*spans[0])
-        return
-    with ThreadPoolExecutor(WORKERS) as pool:
-        for done in [pool.submit(work, *span) for span in spans]:
-            done.result()

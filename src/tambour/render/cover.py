@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from tambour.core.check import Array
+from tambour.core.arrays import F4x2, F8x1, F8x2, I4x2
 from tambour.core.kernels import kernel
 
 
 @kernel
-def cover(x: Array, y: Array, z: Array, faces: Array, near: Array, face: Array, side: int) -> None:
+def cover(x: F8x1, y: F8x1, z: F8x1, faces: I4x2, near: F4x2, face: I4x2, side: int) -> None:
     """Keep, for every sample, the greatest z of the faces over it, and which face that is.
 
     x, y : (V,) float64, in samples; sample (row, column) lies at (column + ½, row + ½)
@@ -60,7 +60,7 @@ def cover(x: Array, y: Array, z: Array, faces: Array, near: Array, face: Array, 
 
 
 @kernel
-def turn(points: Array, axes: Array) -> Array:
+def turn(points: F8x2, axes: F8x2) -> F8x2:
     """Coordinates (3, P), rows apart in memory, of points (P, 3) along three axes (3, 3)."""
     out = np.empty((3, len(points)))
     for i in range(len(points)):

@@ -12,6 +12,7 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 
+from tambour.core.arrays import F4x3, F8x1, F8x2, F8x3
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.render.cover import cover, turn
@@ -121,9 +122,17 @@ def shine(
 
 @kernel
 def seen(
-    k: int, px: float, py: float, pz: float, axes: Array, origin: Array, texel: Array, direction: Array, depth: Array,
+    k: int,
+    px: float,
+    py: float,
+    pz: float,
+    axes: F8x3,
+    origin: F8x2,
+    texel: F8x1,
+    direction: F8x2,
+    depth: F4x3,
     slack: float,
-) -> float:  # fmt: skip
+) -> float:
     """1 when nothing stands between a point and light ``k``, else 0; ``slack`` texels in height count as nothing."""
     size = depth.shape[1]
     s = (px * axes[k, 0, 0] + py * axes[k, 0, 1] + pz * axes[k, 0, 2] - origin[k, 0]) / texel[k]
@@ -136,9 +145,21 @@ def seen(
 
 @kernel
 def _pool(
-    share: Array, low_x: float, low_z: float, step: float, height: float, middle: Array, width: Array,
-    direction: Array, weight: Array, axes: Array, origin: Array, texel: Array, depth: Array, taps: int,
-) -> None:  # fmt: skip
+    share: F8x3,
+    low_x: float,
+    low_z: float,
+    step: float,
+    height: float,
+    middle: F8x1,
+    width: F8x1,
+    direction: F8x2,
+    weight: F8x2,
+    axes: F8x3,
+    origin: F8x2,
+    texel: F8x1,
+    depth: F4x3,
+    taps: int,
+) -> None:
     """Fill ``share`` (G, G, 3): the part of the open light that reaches cells of the floor."""
     whole = np.zeros(3)
     for k in range(len(direction)):
@@ -153,8 +174,11 @@ def _pool(
                     continue
                 # A light stands for a patch of the sky: its shadow is blurred by the patch's size, as seen past the
                 # middle of the thing.
-                away = ((middle[0] - px) * direction[k, 0] + (middle[1] - height) * direction[k, 1]
-                        + (middle[2] - pz) * direction[k, 2])  # fmt: skip
+                away = (
+                    (middle[0] - px) * direction[k, 0]
+                    + (middle[1] - height) * direction[k, 1]
+                    + (middle[2] - pz) * direction[k, 2]
+                )
                 blur = max(away, 0.0) * width[k]
                 lit = 0.0
                 for tap in range(taps):

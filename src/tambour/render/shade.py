@@ -6,7 +6,7 @@ from math import cos, floor, pi, sin, sqrt
 
 import numpy as np
 
-from tambour.core.check import Array
+from tambour.core.arrays import B1x1, F4x2, F4x3, F8x1, F8x2, F8x3, I4x1, I4x2
 from tambour.core.kernels import kernel
 from tambour.render.light import seen
 
@@ -25,10 +25,10 @@ def _noise(row: int, column: int) -> float:
 
 @kernel
 def shade(
-    out: Array, first: int, last: int, samples: int, near: Array, face: Array, x: Array, y: Array, z: Array,
-    vertices: Array, normals: Array, faces: Array, smooth: bool, color: Array, uv: Array, material: Array,
-    table: Array, eye: Array, axes: Array, scale: float, direction: Array, weight: Array, key: Array, maps: Array,
-    origin: Array, texel: Array, depth: Array, backdrop: Array, ground: float, pool: Array, plot: Array,
+    out: F4x3, first: int, last: int, samples: int, near: F4x2, face: I4x2, x: F8x1, y: F8x1, z: F8x1,
+    vertices: F8x2, normals: F8x2, faces: I4x2, smooth: bool, color: F8x2, uv: F8x2, material: I4x1,
+    table: F8x2, eye: F8x1, axes: F8x2, scale: float, direction: F8x2, weight: F8x2, key: B1x1, maps: F8x3,
+    origin: F8x2, texel: F8x1, depth: F4x3, backdrop: F8x2, ground: float, pool: F8x3, plot: F8x1,
 ) -> None:  # fmt: skip
     """Fill rows ``first`` to ``last`` - 1 of ``out`` (H, W, 4) float32: linear light and coverage.
 
@@ -106,10 +106,16 @@ def shade(
                     px = wa * vertices[a0, 0] + wb * vertices[b0, 0] + wc * vertices[c0, 0]
                     py = wa * vertices[a0, 1] + wb * vertices[b0, 1] + wc * vertices[c0, 1]
                     pz = wa * vertices[a0, 2] + wb * vertices[b0, 2] + wc * vertices[c0, 2]
-                    ex, ey, ez = (vertices[b0, 0] - vertices[a0, 0], vertices[b0, 1] - vertices[a0, 1],
-                                  vertices[b0, 2] - vertices[a0, 2])  # fmt: skip
-                    hx, hy, hz = (vertices[c0, 0] - vertices[a0, 0], vertices[c0, 1] - vertices[a0, 1],
-                                  vertices[c0, 2] - vertices[a0, 2])  # fmt: skip
+                    ex, ey, ez = (
+                        vertices[b0, 0] - vertices[a0, 0],
+                        vertices[b0, 1] - vertices[a0, 1],
+                        vertices[b0, 2] - vertices[a0, 2],
+                    )
+                    hx, hy, hz = (
+                        vertices[c0, 0] - vertices[a0, 0],
+                        vertices[c0, 1] - vertices[a0, 1],
+                        vertices[c0, 2] - vertices[a0, 2],
+                    )
                     gx, gy, gz = ey * hz - ez * hy, ez * hx - ex * hz, ex * hy - ey * hx
                     twice = sqrt(gx * gx + gy * gy + gz * gz)
                     if twice == 0.0:
@@ -180,8 +186,9 @@ def shade(
                         if d <= 0.0:
                             continue
                         off = (1.0 + jitter) * texel[k]
-                        q = seen(k, px + off * gx, py + off * gy, pz + off * gz, maps, origin, texel, direction,
-                                  depth, 0.6)  # fmt: skip
+                        q = seen(
+                            k, px + off * gx, py + off * gy, pz + off * gz, maps, origin, texel, direction, depth, 0.6
+                        )
                         if key[k]:
                             for c in range(3):
                                 lamp[c] += q * d * dealt * weight[k, c]
@@ -201,8 +208,9 @@ def shade(
                         share = sky[c] / open_sky[c] if open_sky[c] > 0.0 else 0.0
                         share *= occlude
                         # Light that bounces in a hollow keeps the hollow's colour (Jimenez et al. 2016, multi-bounce).
-                        bounced = ((share * (2.0404 * tone - 0.3324) - 4.7951 * tone + 0.6417) * share
-                                   + 2.7552 * tone + 0.6903) * share  # fmt: skip
+                        bounced = (
+                            (share * (2.0404 * tone - 0.3324) - 4.7951 * tone + 0.6417) * share + 2.7552 * tone + 0.6903
+                        ) * share
                         light = open_sky[c] * max(share, bounced) + lamp[c] * (0.4 + 0.6 * occlude)
                         total[c] += tone * light + rim * light * (0.35 * tone + 0.08) + gloss * shine
                     total[3] += 1.0

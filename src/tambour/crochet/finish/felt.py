@@ -7,6 +7,7 @@ from math import exp, pi, radians
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.mesh import Mesh
@@ -153,7 +154,7 @@ def drape(flat: Array, high: Array) -> Array:
 
 
 @kernel
-def _drape(flat: Array, high: Array, bend: float, blur: float, over: Array, smooth: Array) -> None:
+def _drape(flat: F8x2, high: F8x1, bend: float, blur: float, over: F8x1, smooth: F8x1) -> None:
     """Hollows bridged by arcs of the radius that felt bends to (over, (P,)), then smoothed (smooth, (P,))."""
     n = len(flat)
     for i in range(n):

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.strands import Strands
@@ -105,7 +106,7 @@ def ground(vertices: Array, faces: Array, yarn: Strands, stitch: float) -> Groun
     some = used[:: max(1, len(used) // 400)]
     rise = np.full(len(some), -np.inf)
     near = made.balls[:: max(1, len(made.balls) // 60_000)]
-    _over(np.ascontiguousarray(vertices[some]), normals[some], near, stitch, 0.0, rise)
+    _over(np.ascontiguousarray(vertices[some]), np.ascontiguousarray(normals[some]), near, stitch, 0.0, rise)
     rise = rise[np.isfinite(rise)]
     made.lift = float(np.quantile(rise, LIFT)) if len(rise) else 0.5 * stitch
     return made
@@ -134,7 +135,7 @@ def unit(v: Array) -> Array:
 
 
 @kernel
-def _over(points: Array, normals: Array, balls: Array, reach: float, low: float, out: Array) -> None:
+def _over(points: F8x2, normals: F8x2, balls: F8x2, reach: float, low: float, out: F8x1) -> None:
     """Raise ``out`` (P,) to the height over each point, along its normal, of the balls that stand there."""
     for p in range(len(points)):
         for b in range(len(balls)):

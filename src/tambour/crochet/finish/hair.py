@@ -99,9 +99,16 @@ def _loop(middle: Array, normal: Array, forward: Array, side: Array, thick: floa
 
 
 def _comb(
-    ground: Ground, record: Hair, number: int, start: Array, normal: Array, forward: Array, side: Array, thick: float,
+    ground: Ground,
+    record: Hair,
+    number: int,
+    start: Array,
+    normal: Array,
+    forward: Array,
+    side: Array,
+    thick: float,
     eyes: Array,
-) -> Array:  # fmt: skip
+) -> Array:
     """Both ends of every strand (2 count, K, 3) as they fall: step by step, limp, and outside the fabric."""
     count = len(start)
     draw = stream("hair", number, count).random((2 * count, 4)) - 0.5

@@ -24,8 +24,9 @@ def heading(book: Book, text: str, width: float, note: str = "") -> list[Atom]:
     return [Atom(HEAD * 1.2 * len(lines) + 3.0, draw, 8.0)]
 
 
-def paragraph(text: str, width: float, size: float = BODY, color: RGB | None = None, space: float = 0.0,
-              bold: bool = False) -> list[Atom]:  # fmt: skip
+def paragraph(
+    text: str, width: float, size: float = BODY, color: RGB | None = None, space: float = 0.0, bold: bool = False
+) -> list[Atom]:
     """A paragraph, each line an atom of its own."""
     made = []
     for k, line in enumerate(wrap(text, size, width, bold)):

@@ -80,7 +80,7 @@ def _cover(book: Book) -> None:
         (size_of, book.length(whole_.extent[1] if upright else max(whole_.extent[0], whole_.extent[2]))),
         (book.said.terms.word("yarn"), weight_name(book)),
         (book.own["hook"][:1].upper() + book.own["hook"][1:], f"{book.number(book.piece.gauge.hook, 2)} mm"),
-    ]  # fmt: skip
+    ]
     top = high - 32.0
     sheet.line(MARGIN, top, wide - MARGIN, top, book.accent, 0.4)
     step = room / 3

@@ -229,8 +229,11 @@ def _place_round(chart: Chart, this: Round, anchors: list[list[int]], heights: l
     if this.whole or not any(over):
         around = chart.around(middle)
         step = around / max(count, 3 if this.whole else 6)
-        offsets = [_mean([_way(chart, c, k < count / 2, middle) for c in cells], around) - k * step
-                   for k, cells in enumerate(over) if cells]  # fmt: skip
+        offsets = [
+            _mean([_way(chart, c, k < count / 2, middle) for c in cells], around) - k * step
+            for k, cells in enumerate(over)
+            if cells
+        ]
         begin = _mean(offsets, around) if offsets else 0.0
         places = [chart.at(begin + k * step, middle) for k in range(count)]
         halves = [step / 2 / chart.stretch(at, middle) for at in places]

@@ -191,8 +191,11 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
 
         # Long lists of points are set smaller.
         size = BODY if max(map(len, said), default=0) < 160 else SMALL
-        lines = [atom for k, sentence in enumerate(said)
-                 for atom in paragraph(sentence, width, size, None, 0.9 if k else 0.0)]  # fmt: skip
+        lines = [
+            atom
+            for k, sentence in enumerate(said)
+            for atom in paragraph(sentence, width, size, None, 0.9 if k else 0.0)
+        ]
         chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
     if any(step.fresh for step in found):
         chunks[0].atoms += paragraph(book.own["new"], width, SMALL, SOFT, 1.0)

@@ -150,10 +150,13 @@ class Sheet:
             self._rings.append(np.diff(ends[a : b + 1]))
             self._shapes.append(b - a)
             fill, stroke = drawing.styles.fill[style].tolist(), drawing.styles.stroke[style].tolist()
-            self._styles.append((
-                tuple(fill) if fill[3] else None, tuple(stroke) if stroke[3] else None,
-                float(drawing.styles.width[style]) * scale,
-            ))  # fmt: skip
+            self._styles.append(
+                (
+                    tuple(fill) if fill[3] else None,
+                    tuple(stroke) if stroke[3] else None,
+                    float(drawing.styles.width[style]) * scale,
+                )
+            )
         for label in drawing.labels:
             px, py = (np.array([label.x, label.y]) - drawing.origin) * scale + corner
             self.labels.append(

@@ -10,6 +10,7 @@ import math
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I4x1, I4x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
@@ -47,7 +48,7 @@ def _between(offsets: Array, neighbours: Array, i: int, j: int) -> int:
 
 @kernel
 def pairs(
-    x: Array, offsets: Array, neighbours: Array, far: float, near: float, skin: float, out: Array, reach: Array
+    x: F8x2, offsets: I8x1, neighbours: I4x1, far: float, near: float, skin: float, out: I4x2, reach: F8x1
 ) -> int:
     """List the pairs i > j that may touch before anything has moved half the ``skin``; gives how many there are.
 
@@ -95,7 +96,7 @@ def pairs(
 
 
 @kernel
-def strayed(x: Array, before: Array) -> float:
+def strayed(x: F8x2, before: F8x2) -> float:
     """The square of the farthest that a node has moved since ``before``."""
     most = 0.0
     for i in range(len(x)):
@@ -105,7 +106,7 @@ def strayed(x: Array, before: Array) -> float:
 
 
 @kernel
-def contact(x: Array, pair: Array, reach: Array, stiffness: float, D: Array) -> None:
+def contact(x: F8x2, pair: I4x2, reach: F8x1, stiffness: float, D: F8x2) -> None:
     """Add the contact of listed pairs: stiffness * (reach - r) apart where r < reach."""
     for k in range(len(pair)):
         i, j = pair[k, 0], pair[k, 1]
@@ -125,7 +126,7 @@ def contact(x: Array, pair: Array, reach: Array, stiffness: float, D: Array) -> 
 
 
 @kernel
-def lie(x: Array, lying: Array, height: float, stiffness: float, D: Array) -> None:
+def lie(x: F8x2, lying: I4x2, height: float, stiffness: float, D: F8x2) -> None:
     """Keep stitches of a seam outside of the fabric that they are sewn to: ``height`` above the triangles near them.
 
     lying : (K, 4) a stitch and the corners of a triangle, counter-clockwise outside. A stitch over the triangle, but

@@ -10,12 +10,13 @@ import math
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I4x1, I4x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
 
 @kernel
-def link(x: Array, edges: Array, rest: Array, cubic: bool, D: Array) -> None:
+def link(x: F8x2, edges: I4x2, rest: F8x1, cubic: bool, D: F8x2) -> None:
     """Add the link force of every edge to D (N, 3).
 
     x : (N, 3) positions; edges : (E, 2); rest : (E,) the distance d at which the two nodes leave each other alone
@@ -44,7 +45,7 @@ def link(x: Array, edges: Array, rest: Array, cubic: bool, D: Array) -> None:
 
 
 @kernel
-def single_loop(x: Array, nodes: Array, planes: Array, strength: Array, D: Array) -> None:
+def single_loop(x: F8x2, nodes: I4x1, planes: I4x2, strength: F8x1, D: F8x2) -> None:
     """Push each node worked into one loop along its plane's normal (seed, "Handling front-loop-only …").
 
     nodes : (L,); planes : (L, 3) nodes a, b, c with the normal (b - a) × (c - a); strength : (L,) signed
@@ -65,7 +66,7 @@ def single_loop(x: Array, nodes: Array, planes: Array, strength: Array, D: Array
 
 
 @kernel
-def bend(x: Array, triples: Array, stiffness: Array, D: Array) -> None:
+def bend(x: F8x2, triples: I4x2, stiffness: F8x1, D: F8x2) -> None:
     """Keep a → b → c straight: energy ½ s |a - 2b + c|², with triples (T, 3) and stiffness s (T,)."""
     for t in range(len(triples)):
         a, b, c = triples[t, 0], triples[t, 1], triples[t, 2]

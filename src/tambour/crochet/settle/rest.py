@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.crochet.settle.body import Body, State, displacement
@@ -50,7 +51,7 @@ def budget(n: int) -> int:
 
 
 @kernel
-def dot(a: Array, b: Array) -> float:
+def dot(a: F8x1, b: F8x1) -> float:
     """Sum of products in a fixed order; eight sums side by side for speed."""
     n = len(a) - len(a) % 8
     s0, s1, s2, s3, s4, s5, s6, s7 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -69,7 +70,7 @@ def dot(a: Array, b: Array) -> float:
 
 
 @kernel
-def newest_first(S: Array, Y: Array, rho: Array, order: Array, q: Array, a: Array) -> None:
+def newest_first(S: F8x2, Y: F8x2, rho: F8x1, order: I8x1, q: F8x1, a: F8x1) -> None:
     """The first half of the two-loop recursion, on q in place; a keeps its coefficients."""
     for t in range(len(order) - 1, -1, -1):
         k = order[t]
@@ -79,7 +80,7 @@ def newest_first(S: Array, Y: Array, rho: Array, order: Array, q: Array, a: Arra
 
 
 @kernel
-def oldest_first(S: Array, Y: Array, rho: Array, order: Array, z: Array, a: Array) -> None:
+def oldest_first(S: F8x2, Y: F8x2, rho: F8x1, order: I8x1, z: F8x1, a: F8x1) -> None:
     """The second half, on z in place."""
     for t in range(len(order)):
         k = order[t]
@@ -89,7 +90,7 @@ def oldest_first(S: Array, Y: Array, rho: Array, order: Array, z: Array, a: Arra
 
 
 @kernel
-def _moments(x: Array, D: Array, label: Array, out: Array) -> None:
+def _moments(x: F8x2, D: F8x2, label: I8x1, out: F8x2) -> None:
     """Per piece: nodes, Σx, ΣD, then about the mean the six of Σ r rᵀ and the torque Σ r × D; out (K, 16)."""
     out[:] = 0.0
     for i in range(len(x)):
@@ -115,7 +116,7 @@ def _moments(x: Array, D: Array, label: Array, out: Array) -> None:
 
 
 @kernel
-def _still(x: Array, label: Array, moments: Array, spin: Array, D: Array) -> None:
+def _still(x: F8x2, label: I8x1, moments: F8x2, spin: F8x2, D: F8x2) -> None:
     """Take the pieces' mean motion and their spin (K, 3) out of D."""
     for i in range(len(x)):
         k = label[i]
@@ -228,7 +229,7 @@ def settle(
 
 
 @kernel
-def _largest(v: Array) -> float:
+def _largest(v: F8x1) -> float:
     most = 0.0
     for i in range(0, len(v), 3):
         most = max(most, v[i] * v[i] + v[i + 1] * v[i + 1] + v[i + 2] * v[i + 2])

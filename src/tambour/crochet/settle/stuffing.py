@@ -6,22 +6,22 @@ import math
 
 import numpy as np
 
-from tambour.core.check import Array
+from tambour.core.arrays import F8x1, F8x2, I4x1, I4x2, I8x1
 from tambour.core.kernels import kernel
 
 
 @kernel
 def centroids(
-    x: Array,
-    owner: Array,
-    first: Array,
-    c: Array,
+    x: F8x2,
+    owner: I4x1,
+    first: I8x1,
+    c: F8x2,
     force: float,
     cap: float,
     b: float,
     w: float,
-    amount: Array,
-    D: Array,
+    amount: F8x1,
+    D: F8x2,
 ) -> None:
     """Push every node from every centroid of its part, then move the centroids (seed, "Centroid stuffing").
 
@@ -60,7 +60,7 @@ def centroids(
 
 
 @kernel
-def sections(x: Array, offsets: Array, members: Array, neighbours: Array, passes: int, out: Array) -> None:
+def sections(x: F8x2, offsets: I8x1, members: I4x1, neighbours: I4x2, passes: int, out: F8x2) -> None:
     """Centres (S, 3) of the skeleton's sections: means of their nodes, then smoothed ``passes`` times.
 
     offsets, members : ragged nodes of each section; neighbours : (S, 2) sections before and after, -1 for none
@@ -85,15 +85,15 @@ def sections(x: Array, offsets: Array, members: Array, neighbours: Array, passes
 
 @kernel
 def skeleton(
-    x: Array,
-    owner: Array,
-    first: Array,
-    centres: Array,
-    radius: Array,
+    x: F8x2,
+    owner: I4x1,
+    first: I8x1,
+    centres: F8x2,
+    radius: F8x1,
     force: float,
     cap: float,
-    amount: Array,
-    D: Array,
+    amount: F8x1,
+    D: F8x2,
 ) -> None:
     """Push every node from every section centre of its part: amount * force / R * min((R / r)², cap).
 
@@ -114,15 +114,15 @@ def skeleton(
 
 @kernel
 def pressure(
-    x: Array,
-    faces: Array,
-    face_part: Array,
-    lid_offsets: Array,
-    lid_nodes: Array,
-    amount: Array,
-    least: Array,
-    volume: Array,
-    D: Array,
+    x: F8x2,
+    faces: I4x2,
+    face_part: I4x1,
+    lid_offsets: I8x1,
+    lid_nodes: I4x1,
+    amount: F8x1,
+    least: F8x1,
+    volume: F8x1,
+    D: F8x2,
 ) -> None:
     """Press outwards: add amount / V * dV/dx, the force of the energy -amount ln V, part by part.
 

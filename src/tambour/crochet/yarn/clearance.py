@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tambour.core.arrays import F4x2, F8x1, F8x2, I4x1, I4x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
@@ -13,7 +14,7 @@ back on itself as tightly as it can is half a circle, π/2 diameters, away."""
 
 
 @kernel
-def _segments(coords: Array, ends: Array, strand: Array, arc: Array, middle: Array, half: Array) -> None:
+def _segments(coords: F8x2, ends: I8x1, strand: I4x1, arc: F8x1, middle: F8x2, half: F8x1) -> None:
     """Per point, the segment to the next one: strand (-1 for none), arc length at its middle, middle, half its length."""
     for s in range(len(ends) - 1):
         run = 0.0
@@ -31,7 +32,7 @@ def _segments(coords: Array, ends: Array, strand: Array, arc: Array, middle: Arr
 
 
 @kernel
-def nearest(coords: Array, i: int, j: int, found: Array) -> float:
+def nearest(coords: F8x2, i: int, j: int, found: F8x1) -> float:
     """Squared distance of segments (i, i + 1) and (j, j + 1); found = (s, t), where on them, 0…1.
 
     C. Ericson, "Real-Time Collision Detection" (2005), 5.1.9.
@@ -62,9 +63,19 @@ def nearest(coords: Array, i: int, j: int, found: Array) -> float:
 
 @kernel
 def _bins(
-    coords: Array, strand: Array, arc: Array, middle: Array, half: Array, low: Array, cell: float, shape: Array, head: Array,
-    order: Array, near: Array, owner: Array,
-) -> None:  # fmt: skip
+    coords: F8x2,
+    strand: I4x1,
+    arc: F8x1,
+    middle: F8x2,
+    half: F8x1,
+    low: F8x1,
+    cell: float,
+    shape: I8x1,
+    head: I8x1,
+    order: I4x1,
+    near: F4x2,
+    owner: I4x1,
+) -> None:
     """Segments by cell of a grid: those of cell k are order[head[k]:head[k + 1]].
 
     In that order, near : (M, 8) float32, middle from ``low``, half the length, arc length, direction; owner : (M,) strand
@@ -75,8 +86,11 @@ def _bins(
         if strand[i] < 0:
             where[i] = -1
             continue
-        p, q, r = (int((middle[i, 0] - low[0]) / cell), int((middle[i, 1] - low[1]) / cell),
-                   int((middle[i, 2] - low[2]) / cell))  # fmt: skip
+        p, q, r = (
+            int((middle[i, 0] - low[0]) / cell),
+            int((middle[i, 1] - low[1]) / cell),
+            int((middle[i, 2] - low[2]) / cell),
+        )
         where[i] = (p * shape[1] + q) * shape[2] + r
         head[where[i] + 1] += 1
     for k in range(len(head) - 1):
@@ -95,9 +109,8 @@ def _bins(
 
 @kernel
 def close_pairs(
-    coords: Array, shape: Array, head: Array, order: Array, near: Array, owner: Array, reach: float, along: float,
-    pairs: Array,
-) -> int:  # fmt: skip
+    coords: F8x2, shape: I8x1, head: I8x1, order: I4x1, near: F4x2, owner: I4x1, reach: float, along: float, pairs: I4x2
+) -> int:
     """Pairs (Q, 2) of segments nearer than ``reach``, and further apart than ``along`` on a common strand.
 
     Returns how many there are; those that ``pairs`` has no room for are only counted.
@@ -146,7 +159,7 @@ def close_pairs(
 
 
 @kernel
-def push(coords: Array, pairs: Array, apart: float, rounds: int, move: Array, weight: Array) -> None:
+def push(coords: F8x2, pairs: I4x2, apart: float, rounds: int, move: F8x2, weight: F8x1) -> None:
     """Push pairs of segments ``apart``, ``rounds`` times: all pushes at once, each point's shared by what pushes it.
 
     Pairs that are apart are looked at again after some rounds, the later the further apart they are.

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tambour.core.arrays import B1x1, F8x1, F8x2, I1x1, I4x1, I8x1
 from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP, StitchGraph
 from tambour.core.kernels import kernel
@@ -52,9 +53,7 @@ def course(graph: StitchGraph, x: Array) -> Course:
 
 
 @kernel
-def _neighbours(
-    previous: Array, part: Array, plain: Array, parent: Array, root: Array, after: Array, before: Array
-) -> None:
+def _neighbours(previous: I4x1, part: I4x1, plain: B1x1, parent: I4x1, root: B1x1, after: I4x1, before: I4x1) -> None:
     for i in range(len(previous)):
         p = previous[i]
         if p >= 0 and plain[i] and plain[p] and part[i] == part[p]:
@@ -73,9 +72,18 @@ def _neighbours(
 
 @kernel
 def _vectors(
-    x: Array, normal: Array, after: Array, before: Array, anchors: Array, offsets: Array, height: Array, plain: Array,
-    width: float, along: Array, up: Array,
-) -> None:  # fmt: skip
+    x: F8x2,
+    normal: F8x2,
+    after: I4x1,
+    before: I4x1,
+    anchors: I4x1,
+    offsets: I8x1,
+    height: F8x1,
+    plain: B1x1,
+    width: float,
+    along: F8x2,
+    up: F8x2,
+) -> None:
     n = len(x)
     count = np.zeros(n)
     for i in range(n):
@@ -134,13 +142,13 @@ def _vectors(
 
 @kernel
 def _feet(
-    anchors: Array,
-    offsets: Array,
-    along: Array,
-    direction: Array,
-    plain: Array,
-    foot: Array,
-    pace: Array,
+    anchors: I4x1,
+    offsets: I8x1,
+    along: F8x2,
+    direction: I1x1,
+    plain: B1x1,
+    foot: F8x1,
+    pace: F8x1,
 ) -> None:
     n = len(foot)
     i = 0
@@ -193,10 +201,24 @@ def on_row(
 
 @kernel
 def place(
-    cell: Array, below: Array, at: Array, height: Array, direction: Array, thick: float, x: Array, along: Array,
-    normal: Array, up: Array, after: Array, before: Array, foot: Array, pace: Array, root: Array, free: Array,
-    out: Array,
-) -> None:  # fmt: skip
+    cell: I4x1,
+    below: I4x1,
+    at: F8x2,
+    height: F8x1,
+    direction: I1x1,
+    thick: float,
+    x: F8x2,
+    along: F8x2,
+    normal: F8x2,
+    up: F8x2,
+    after: I4x1,
+    before: I4x1,
+    foot: F8x1,
+    pace: F8x1,
+    root: B1x1,
+    free: B1x1,
+    out: F8x2,
+) -> None:
     """Fill ``out`` (P, 3) with the places of points in stitches' cells.
 
     cell : (P,) the stitch; below : (P,) the node its cell stands on, or -1 for a cell of its own; -2 - t for points

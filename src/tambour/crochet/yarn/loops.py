@@ -16,6 +16,7 @@ from typing import Final
 
 import numpy as np
 
+from tambour.core.arrays import B1x1, F8x1, F8x2, F8x3, I1x1, I4x1, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
@@ -96,7 +97,7 @@ def _stories(height: float) -> int:
 
 
 @kernel
-def count_points(role: Array, offsets: Array, height: Array, out: Array) -> None:
+def count_points(role: I1x1, offsets: I8x1, height: F8x1, out: I8x1) -> None:
     """Fill ``out`` (N,): control points of every node's stretch of yarn."""
     for i in range(len(role)):
         if role[i] == 2:
@@ -120,9 +121,22 @@ def _stretched(v: float, more: float) -> float:
 
 @kernel
 def lead(
-    role: Array, start: Array, anchors: Array, offsets: Array, height: Array, table_of: Array, ridge: Array,
-    tables: Array, chain: Array, deep: Array, relief: Array, bump: Array, cell: Array, below: Array, at: Array,
-) -> None:  # fmt: skip
+    role: I1x1,
+    start: I8x1,
+    anchors: I4x1,
+    offsets: I8x1,
+    height: F8x1,
+    table_of: I8x1,
+    ridge: B1x1,
+    tables: F8x3,
+    chain: F8x2,
+    deep: F8x1,
+    relief: F8x1,
+    bump: F8x1,
+    cell: I4x1,
+    below: I4x1,
+    at: F8x2,
+) -> None:
     """Fill cell, below (P,) and at (P, 3), from ``start[i]`` on, with the course of the yarn through every node.
 
     table_of : (N,) which of ``tables`` (K, 48, 3) is the course by the loops worked under, 0 being both

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from tambour.core.check import Array
+from tambour.core.arrays import B1x1, F8x2, I8x1
 from tambour.core.kernels import kernel
 
 
 @kernel
-def smooth(coords: Array, offsets: Array, times: int, out: Array) -> None:
+def smooth(coords: F8x2, offsets: I8x1, times: int, out: F8x2) -> None:
     """Catmull-Rom splines through polylines: every segment in ``times`` pieces; out (sum of (n - 1) times + 1, 3)."""
     at = 0
     for s in range(len(offsets) - 1):
@@ -19,8 +19,9 @@ def smooth(coords: Array, offsets: Array, times: int, out: Array) -> None:
                     b, d = coords[i, c], coords[i + 1, c]
                     a = coords[i - 1, c] if i > first else 2 * b - d
                     e = coords[i + 2, c] if i + 1 < last else 2 * d - b
-                    out[at, c] = 0.5 * (2 * b + (d - a) * t + (2 * a - 5 * b + 4 * d - e) * t * t
-                                        + (3 * b - a - 3 * d + e) * t * t * t)  # fmt: skip
+                    out[at, c] = 0.5 * (
+                        2 * b + (d - a) * t + (2 * a - 5 * b + 4 * d - e) * t * t + (3 * b - a - 3 * d + e) * t * t * t
+                    )
                 at += 1
         if last >= first:
             out[at] = coords[last]
@@ -28,7 +29,7 @@ def smooth(coords: Array, offsets: Array, times: int, out: Array) -> None:
 
 
 @kernel
-def thin(coords: Array, offsets: Array, tolerance: float, keep: Array) -> None:
+def thin(coords: F8x2, offsets: I8x1, tolerance: float, keep: B1x1) -> None:
     """Mark in ``keep`` (P,) the points of polylines without which they would stray by more than ``tolerance``.
 
     Walks along: a point may go while the straight line over all that went stays near them; at most five in a row go.

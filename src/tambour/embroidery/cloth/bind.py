@@ -9,12 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numba import prange
 
+from tambour.core.arrays import B1x1, F8x1, F8x2, I4x1, I4x2, I8x1
 from tambour.core.check import Array
-from tambour.core.kernels import kernel, parallel_kernel
+from tambour.core.kernels import kernel
 from tambour.core.mesh import Binding
+from tambour.core.threads import share
 
+_BLOCK = 4096  # points that one thread takes at a time
 _EDGE = 1e-9  # weights this far below zero still count as on the face
 
 
@@ -84,7 +86,7 @@ def net(flat: Array, depth: Array, face: Array, corners: Array) -> Net:
 
 
 @kernel
-def _fill(boxes: Array, x0: float, y0: float, cell: float, nx: int, ny: int) -> tuple[Array, Array]:
+def _fill(boxes: F8x2, x0: float, y0: float, cell: float, nx: int, ny: int) -> tuple[I8x1, I4x1]:
     """Offsets and items of the cells that boxes (N, 4) touch, each cell's items rising."""
     count = np.zeros(nx * ny + 1, np.int64)
     for step in range(2):
@@ -106,21 +108,23 @@ def _fill(boxes: Array, x0: float, y0: float, cell: float, nx: int, ny: int) -> 
     return offsets, items
 
 
-@parallel_kernel
+@kernel
 def _locate(
-    points: Array,
-    plane: Array,
-    offsets: Array,
-    items: Array,
+    low: int,
+    high: int,
+    points: F8x2,
+    plane: F8x2,
+    offsets: I8x1,
+    items: I4x1,
     x0: float,
     y0: float,
     cell: float,
     nx: int,
     ny: int,
-    found: Array,
-    uv: Array,
+    found: I4x1,
+    uv: F8x2,
 ) -> None:
-    for q in prange(len(points)):
+    for q in range(low, high):
         x, y = points[q, 0], points[q, 1]
         found[q] = -1
         if not (x >= x0 - cell and y >= y0 - cell):
@@ -149,24 +153,30 @@ def bind_ray(n: Net, points: Array, elevation: Array) -> Binding:
     """
     points = np.ascontiguousarray(points, np.float64)
     found, uv = np.empty(len(points), np.int32), np.zeros((len(points), 2))
-    _locate(points, n.plane, n.offsets, n.items, *n.origin, n.cell, *n.shape, found, uv)
+    share(
+        len(points),
+        _BLOCK,
+        lambda low, high: _locate(
+            low, high, points, n.plane, n.offsets, n.items, *n.origin, n.cell, *n.shape, found, uv
+        ),
+    )
     return Binding(np.where(found >= 0, n.face[found], -1), uv, np.asarray(elevation, np.float64))
 
 
 @kernel
 def _cross(
-    a: Array,
-    b: Array,
-    edges: Array,
-    offsets: Array,
-    items: Array,
+    a: F8x2,
+    b: F8x2,
+    edges: F8x2,
+    offsets: I8x1,
+    items: I4x1,
     x0: float,
     y0: float,
     cell: float,
     nx: int,
     ny: int,
-    starts: Array,
-    out: Array,
+    starts: I8x1,
+    out: F8x1,
 ) -> None:
     """Fill ``starts`` with counts (when ``out`` is empty) or ``out`` with parameters along a → b, unsorted."""
     fill = len(out) > 0
@@ -200,7 +210,7 @@ def _cross(
 
 
 @kernel
-def _tidy(offsets: Array, t: Array, kept: Array) -> int:
+def _tidy(offsets: I8x1, t: F8x1, kept: I8x1) -> int:
     """Sort each segment's parameters and drop those met twice (an edge lies in several cells); gives how many stay."""
     total = 0
     for s in range(len(offsets) - 1):
@@ -229,9 +239,9 @@ def crossings(n: Net, a: Array, b: Array) -> tuple[Array, Array]:
     return kept, t[: _tidy(starts, t, kept)].copy()
 
 
-@parallel_kernel
-def _ride(face: Array, uv: Array, lift: Array, faces: Array, both: Array, out: Array) -> None:
-    for q in prange(len(face)):
+@kernel
+def _ride(low: int, high: int, face: I4x1, uv: F8x2, lift: F8x1, faces: I4x2, both: F8x2, out: F8x2) -> None:
+    for q in range(low, high):
         f = face[q]
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
         u, v = uv[q, 0], uv[q, 1]
@@ -252,15 +262,22 @@ def deform(binding: Binding, faces: Array, vertices: Array, normals: Array, out:
     """
     both = np.hstack([vertices, normals])
     made = np.empty((len(binding.face), 3)) if out is None else out
-    _ride(binding.face, binding.uv, binding.elevation, np.ascontiguousarray(faces, np.int32), both, made)
+    flat = np.ascontiguousarray(faces, np.int32)
+    share(
+        len(made),
+        _BLOCK,
+        lambda low, high: _ride(low, high, binding.face, binding.uv, binding.elevation, flat, both, made),
+    )
     return made
 
 
-@parallel_kernel
-def _settle(points: Array, faces: Array, both: Array, face: Array, uv: Array, lift: Array, left: Array) -> None:
+@kernel
+def _settle(
+    low: int, high: int, points: F8x2, faces: I4x2, both: F8x2, face: I4x1, uv: F8x2, lift: F8x1, left: B1x1
+) -> None:
     """Newton steps on each point's face towards the foot from which the interpolated normal meets the point; ``left``
     stays True where the foot lies beyond the face."""
-    for q in prange(len(points)):
+    for q in range(low, high):
         f = face[q]
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
         u, v, h = uv[q, 0], uv[q, 1], 0.0
@@ -331,7 +348,7 @@ def bind_nearest(vertices: Array, faces: Array, normals: Array, points: Array) -
     box = tree(vertices, faces)
     face, uv, _ = nearest(box, points)
     lift, wrong = np.zeros(len(points)), np.ones(len(points), np.bool_)
-    _settle(points, flat, both, face, uv, lift, wrong)
+    share(len(points), _BLOCK, lambda low, high: _settle(low, high, points, flat, both, face, uv, lift, wrong))
     left = np.flatnonzero(wrong)
     for _ in range(6):
         if not len(left):

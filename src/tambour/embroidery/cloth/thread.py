@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
@@ -37,21 +38,21 @@ class Curves:
 
 @kernel
 def _lay(
-    start: Array,
-    end: Array,
-    length: Array,
-    lift: Array,
+    start: F8x2,
+    end: F8x2,
+    length: F8x1,
+    lift: F8x1,
     exact: bool,
-    offsets: Array,
-    t: Array,
+    offsets: I8x1,
+    t: F8x1,
     r: float,
     theta: float,
     arc: int,
-    first: Array,
-    plan: Array,
-    height: Array,
-    u: Array,
-    stitch: Array,
+    first: I8x1,
+    plan: F8x2,
+    height: F8x1,
+    u: F8x1,
+    stitch: I8x1,
 ) -> int:
     """Fill the curves; with an empty ``plan`` count points into ``first``. Gives the number of curves."""
     sine, cosine = np.sin(theta), np.cos(theta)

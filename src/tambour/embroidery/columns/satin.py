@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import F8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.embroidery.families.stitches import Stitches, chain, line_stitches
@@ -174,7 +175,9 @@ def _wrapped(angle: float) -> float:
 
 
 @kernel
-def zigzag(left: Any, right: Any, spacing: Any, crowded: Any, drawn: Any, pull: Any, jagged: Any, key: Any) -> Any:
+def zigzag(
+    left: F8x2, right: F8x2, spacing: float, crowded: float, drawn: float, pull: float, jagged: float, key: np.uint64
+) -> F8x2:
     """Needle points from side to side: (n, 2), the longer of both sides going on by ``spacing`` from pair to pair.
 
     Points that come closer than ``crowded`` to the one before on their side are drawn in by a share of the width,

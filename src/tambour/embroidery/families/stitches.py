@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import B1x1, F8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.embroidery.piece import RUNNING, TRAVEL
@@ -70,7 +70,7 @@ def join(parts: Iterable[Stitches]) -> Stitches:
 
 
 @kernel
-def walk(line: Any, length: Any, tolerance: Any) -> Any:
+def walk(line: F8x2, length: float, tolerance: float) -> F8x2:
     """Needle points along a polyline (n, 2): stitches of at most ``length`` that keep within ``tolerance`` of it.
 
     From each point on, the farthest place is taken that a straight stitch reaches so; the places left over at the end
@@ -149,7 +149,7 @@ def walk(line: Any, length: Any, tolerance: Any) -> Any:
 
 
 @kernel
-def drop_short(xy: Any, least: Any, slack: Any) -> Any:
+def drop_short(xy: F8x2, least: float, slack: float) -> B1x1:
     """Which needle points stay when stitches shorter than ``least`` are joined with the next: (n,) bool.
 
     A point goes only when it lies within ``slack`` of the stitch that takes its place, so that outlines keep their

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import B1x1, F8x1, F8x2, I8x1, U1x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.embroidery.families.stitches import Stitches
@@ -23,7 +23,7 @@ STARTS = 16
 
 
 @kernel
-def put_line(xy: Any, n: Any, px: Any, py: Any, qx: Any, qy: Any, most: Any) -> Any:
+def put_line(xy: Array, n: int, px: float, py: float, qx: float, qy: float, most: float) -> int:
     """Write the points of a straight way from p (left out) to q in equal stitches of at most ``most``; gives the new n."""
     parts = max(1, math.ceil(math.hypot(qx - px, qy - py) / most - 1e-9))
     for k in range(1, parts + 1):
@@ -33,7 +33,7 @@ def put_line(xy: Any, n: Any, px: Any, py: Any, qx: Any, qy: Any, most: Any) -> 
 
 
 @kernel
-def simplify_into(xy: Any, n: Any, way: Any, m: Any, most: Any, tolerance: Any) -> Any:
+def simplify_into(xy: Array, n: int, way: Array, m: int, most: float, tolerance: float) -> int:
     """Write ``way[:m]`` (its first point left out) with as few stitches as keep within ``tolerance`` of it."""
     i = 0
     while i < m - 1:
@@ -60,8 +60,8 @@ def simplify_into(xy: Any, n: Any, way: Any, m: Any, most: Any, tolerance: Any) 
 
 @kernel
 def along_ring(
-    points: Any, at: Any, offsets: Any, base: Any, ring: Any, begin: Any, way: Any, first: Any, last: Any
-) -> Any:
+    points: F8x2, at: F8x1, offsets: I8x1, base: F8x1, ring: int, begin: float, way: float, first: F8x1, last: F8x1
+) -> F8x2:
     """The outline from place ``begin`` on for a signed ``way``: (n, 2), from point ``first`` to point ``last``."""
     lo, hi = offsets[ring], offsets[ring + 1]
     perimeter = base[ring + 1] - base[ring]
@@ -98,8 +98,18 @@ def along_ring(
 
 @kernel
 def tour_start(
-    tour: Any, turned: Any, lo: Any, hi: Any, v: Any, row: Any, ring: Any, at: Any, base: Any, u: Any, w: Any
-) -> Any:
+    tour: I8x1,
+    turned: B1x1,
+    lo: F8x1,
+    hi: F8x1,
+    v: F8x1,
+    row: I8x1,
+    ring: I8x1,
+    at: F8x1,
+    base: F8x1,
+    u: float,
+    w: float,
+) -> int:
     """Where the closed tour is best cut open: near (u, w) if that is finite, and before a long way."""
     best, cut = np.inf, 0
     n = len(tour)
@@ -116,26 +126,26 @@ def tour_start(
 
 @kernel
 def emit(
-    points: Any,
-    way_at: Any,
-    offsets: Any,
-    base: Any,
-    v: Any,
-    row: Any,
-    number: Any,
-    lo: Any,
-    hi: Any,
-    ring: Any,
-    at: Any,
-    tour: Any,
-    turned: Any,
-    length: Any,
-    stagger: Any,
-    least: Any,
-    jitter: Any,
-    key: Any,
-    hidden: Any,
-) -> Any:
+    points: F8x2,
+    way_at: F8x1,
+    offsets: I8x1,
+    base: F8x1,
+    v: F8x1,
+    row: I8x1,
+    number: I8x1,
+    lo: F8x1,
+    hi: F8x1,
+    ring: I8x1,
+    at: F8x1,
+    tour: I8x1,
+    turned: B1x1,
+    length: float,
+    stagger: int,
+    least: float,
+    jitter: float,
+    key: np.uint64,
+    hidden: bool,
+) -> tuple[F8x2, U1x1, I8x1, float, float, float]:
     """Needle points of a tour over spans: (uv (n, 2), kind (n,), run (n,), mm of ways, mm of hidden ways, mm covered).
 
     v, row, lo, hi : heights, and the spans in them; number : (R,) the row's number from the origin, for the stagger

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I8x1
 from tambour.core.kernels import kernel
 
 
 @kernel
-def neighbours(row: Any, lo: Any, hi: Any) -> Any:
+def neighbours(row: I8x1, lo: F8x1, hi: F8x1) -> tuple[I8x1, I8x1]:
     """Spans of the next and the previous row that overlap each span: (offsets (S + 1,), span). Spans sorted by row."""
     n = len(row)
     count = np.zeros(n + 1, np.int64)
@@ -50,22 +50,22 @@ def neighbours(row: Any, lo: Any, hi: Any) -> Any:
 
 @kernel
 def find(
-    offsets: Any,
-    near: Any,
-    row: Any,
-    v: Any,
-    lo: Any,
-    hi: Any,
-    rank: Any,
-    now: Any,
-    a: Any,
-    ua: Any,
-    b: Any,
-    ub: Any,
-    margin: Any,
-    over: Any,
-    most: Any,
-) -> Any:
+    offsets: I8x1,
+    near: I8x1,
+    row: I8x1,
+    v: F8x1,
+    lo: F8x1,
+    hi: F8x1,
+    rank: I8x1,
+    now: int,
+    a: int,
+    ua: float,
+    b: int,
+    ub: float,
+    margin: float,
+    over: float,
+    most: float,
+) -> tuple[I8x1, float]:
     """Cheapest way from span ``a`` at ``ua`` to span ``b`` at ``ub``: (spans, cost), empty when dearer than ``most``.
 
     A millimetre below rows that come later (rank above ``now``) costs 1, on rows that are done ``over``. Dijkstra on
@@ -144,7 +144,7 @@ def find(
 
 
 @kernel
-def straighten(path: Any, row: Any, v: Any, lo: Any, hi: Any, ua: Any, ub: Any, margin: Any) -> Any:
+def straighten(path: I8x1, row: I8x1, v: F8x1, lo: F8x1, hi: F8x1, ua: float, ub: float, margin: float) -> F8x2:
     """The way through the spans ``path`` with few corners: (n, 2) of (u, v), both ends included."""
     m = len(path)
     out = np.empty((m + 1, 2))
@@ -187,7 +187,7 @@ def straighten(path: Any, row: Any, v: Any, lo: Any, hi: Any, ua: Any, ub: Any, 
 
 
 @kernel
-def holds(points: Any, offsets: Any, x: Any, y: Any) -> Any:
+def holds(points: F8x2, offsets: I8x1, x: float, y: float) -> bool:
     """Whether (x, y) is inside the rings (even-odd)."""
     inside = False
     for k in range(len(offsets) - 1):
@@ -202,7 +202,7 @@ def holds(points: Any, offsets: Any, x: Any, y: Any) -> Any:
 
 
 @kernel
-def leaves(points: Any, offsets: Any, way: Any, slack: Any) -> Any:
+def leaves(points: F8x2, offsets: I8x1, way: F8x2, slack: float) -> bool:
     """Whether the polyline ``way`` (n, 2) is anywhere outside the rings (even-odd), but for ``slack`` mm at its ends."""
     for i in range(len(way) - 1):
         px, py, qx, qy = way[i, 0], way[i, 1], way[i + 1, 0], way[i + 1, 1]

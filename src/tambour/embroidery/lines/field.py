@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import F8x2, F8x3
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.paths import Paths
@@ -79,7 +79,9 @@ def _smooth(value: Array, held: Array) -> Array:
 
 
 @kernel
-def direction(grid: Any, left: Any, top: Any, cell: Any, x: Any, y: Any, px: Any, py: Any) -> Any:
+def direction(
+    grid: F8x3, left: float, top: float, cell: float, x: float, y: float, px: float, py: float
+) -> tuple[float, float]:
     """The field's direction at (x, y), bilinear in the doubled angle, on the side of (px, py)."""
     rows, columns = grid.shape[0], grid.shape[1]
     u, v = (x - left) / cell, (y - top) / cell
@@ -100,7 +102,7 @@ def direction(grid: Any, left: Any, top: Any, cell: Any, x: Any, y: Any, px: Any
 
 
 @kernel
-def directions(grid: Any, left: Any, top: Any, cell: Any, at: Any) -> Any:
+def directions(grid: F8x3, left: float, top: float, cell: float, at: F8x2) -> F8x2:
     """The field's direction (P, 2) at many places."""
     out = np.empty_like(at)
     for k in range(len(at)):

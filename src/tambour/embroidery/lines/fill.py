@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I1x1, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.paths import Paths
@@ -53,7 +53,7 @@ def rings(paths: Paths, angle: float = 0.0) -> Rings:
 
 
 @kernel
-def _rings(coords: Any, ends: Any) -> Any:
+def _rings(coords: F8x2, ends: I8x1) -> tuple[F8x2, I8x1, F8x1, F8x1]:
     points = np.empty_like(coords)
     at = np.empty(len(coords))
     offsets = np.zeros(len(ends), np.int64)
@@ -80,7 +80,7 @@ def _rings(coords: Any, ends: Any) -> Any:
 
 
 @kernel
-def crossings(points: Any, offsets: Any, levels: Any) -> Any:
+def crossings(points: F8x2, offsets: I8x1, levels: F8x1) -> tuple[I8x1, F8x1, I8x1, I1x1]:
     """Where rings cross the lines v = level: (row offsets (R + 1,), u, vertex that the edge starts at, ±1 per crossing).
 
     points (V, 2), offsets (K + 1,) as in Rings; levels (R,) rising. Sorted by u in each row. Each edge takes the
@@ -128,7 +128,7 @@ def crossings(points: Any, offsets: Any, levels: Any) -> Any:
 
 
 @kernel
-def inside_pairs(starts: Any, sign: Any, evenodd: Any) -> Any:
+def inside_pairs(starts: I8x1, sign: I1x1, evenodd: bool) -> tuple[I8x1, I8x1, I8x1]:
     """Crossings that begin and end the inside: (row (S,), first crossing (S,), last crossing (S,)) by the fill rule."""
     most = len(sign) // 2 + 1
     row = np.empty(most, np.int64)

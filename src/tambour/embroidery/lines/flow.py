@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import B1x2, F8x2, F8x3, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.paths import Paths
@@ -29,7 +30,7 @@ SPREAD = 12  # points to both sides that a push is averaged over
 
 
 @kernel
-def inside_mask(points: Any, offsets: Any, x0: Any, y0: Any, cell: Any, rows: Any, columns: Any) -> Any:
+def inside_mask(points: F8x2, offsets: I8x1, x0: float, y0: float, cell: float, rows: int, columns: int) -> B1x2:
     """Which grid nodes lie inside rings (even-odd), row by row."""
     mask = np.zeros((rows, columns), np.bool_)
     for k in range(len(offsets) - 1):
@@ -53,21 +54,21 @@ def inside_mask(points: Any, offsets: Any, x0: Any, y0: Any, cell: Any, rows: An
 
 @kernel
 def free_of(
-    x: Any,
-    y: Any,
-    near2: Any,
-    bx: Any,
-    by: Any,
-    size: Any,
-    head: Any,
-    follow: Any,
-    xy: Any,
-    line: Any,
-    at: Any,
-    mine: Any,
-    position: Any,
-    skip: Any,
-) -> Any:
+    x: float,
+    y: float,
+    near2: float,
+    bx: float,
+    by: float,
+    size: float,
+    head: Array,
+    follow: Array,
+    xy: Array,
+    line: Array,
+    at: Array,
+    mine: int,
+    position: int,
+    skip: int,
+) -> bool:
     """Whether no point is within the square root of ``near2`` of (x, y): of other lines, or of the same line farther
     back than ``skip`` points."""
     i, j = int((y - by) / size), int((x - bx) / size)
@@ -86,25 +87,28 @@ def free_of(
 
 @kernel
 def streamlines(
-    grid: Any,
-    left: Any,
-    top: Any,
-    cell: Any,
-    mask: Any,
-    mx: Any,
-    my: Any,
-    fine: Any,
-    spacing: Any,
-    step: Any,
-    near: Any,
-    seed: Any,
-    first: Any,
-    most: Any,
-    key: Any,
-) -> Any:
+    grid: F8x3,
+    left: float,
+    top: float,
+    cell: float,
+    mask: B1x2,
+    mx: float,
+    my: float,
+    fine: float,
+    spacing: float,
+    step: float,
+    near_low: float,
+    near_high: float,
+    seed_low: float,
+    seed_high: float,
+    first: F8x2,
+    most: int,
+    key: np.uint64,
+) -> tuple[F8x2, I8x1]:
     """Evenly spaced streamlines: (xy (P, 2), line (P,), place in the line (P,)), sorted by line and place.
 
     mask, mx, my, fine : where lines may run, on a grid of its own; first : (F, 2) starting places, tried in order
+    near, seed : how close to another line one ends, and may begin: between the low and the high number
     """
     rows = int((mask.shape[0] * fine) / spacing) + 3
     columns = int((mask.shape[1] * fine) / spacing) + 3
@@ -131,7 +135,7 @@ def streamlines(
             sx, sy = xy[k, 0] - side * dy * spacing, xy[k, 1] + side * dx * spacing
             found = True
             share = uniform(np.uint64(key), np.uint64((1 << 40) + 2 * line[k] + (1 if side > 0 else 0)))
-            open_at = seed[0] + (seed[1] - seed[0]) * share
+            open_at = seed_low + (seed_high - seed_low) * share
             i, j = int((sy - my) / fine + 0.5), int((sx - mx) / fine + 0.5)
             if (
                 i < 0
@@ -147,12 +151,12 @@ def streamlines(
             trial += 1
             i, j = int((sy - my) / fine + 0.5), int((sx - mx) / fine + 0.5)
             if 0 <= i < mask.shape[0] and 0 <= j < mask.shape[1] and mask[i, j]:
-                found = free_of(sx, sy, seed[1] * seed[1], mx, my, spacing, head, follow, xy, line, at, -1, 0, 0)
+                found = free_of(sx, sy, seed_high * seed_high, mx, my, spacing, head, follow, xy, line, at, -1, 0, 0)
         if not found:
             break
         begin = n
         # Every line ends at another nearness, so that where lines draw together they do not all end in one place.
-        near2 = (near[0] + (near[1] - near[0]) * uniform(np.uint64(key), np.uint64(count + trial))) ** 2
+        near2 = (near_low + (near_high - near_low) * uniform(np.uint64(key), np.uint64(count + trial))) ** 2
         for way in range(2):
             x, y = sx, sy
             px, py = (1.0, 0.0) if way == 0 else (-1.0, 0.0)
@@ -211,18 +215,18 @@ def streamlines(
 
 @kernel
 def relax(
-    xy: Any,
-    line: Any,
-    grid: Any,
-    left: Any,
-    top: Any,
-    cell: Any,
-    x0: Any,
-    y0: Any,
-    spacing: Any,
-    rounds: Any,
-    share: Any,
-) -> Any:
+    xy: F8x2,
+    line: I8x1,
+    grid: F8x3,
+    left: float,
+    top: float,
+    cell: float,
+    x0: float,
+    y0: float,
+    spacing: float,
+    rounds: int,
+    share: float,
+) -> None:
     """Push points across the field until the gaps to both neighbouring lines agree: xy is changed in place.
 
     Gaps wider than 1.6 spacings count as that, so that lines beside a hole move into it only so far. Moves are
@@ -312,7 +316,7 @@ def flow(area: Any, spacing: float, guide: Paths | None, angle: float, seed: str
     most = int(3 * grown.area / (step * spacing)) + 1000
     pitch = spacing * CALIBRATION
     xy, line = streamlines(
-        grid, left, top, cell, mask, bounds[0], bounds[1], fine, pitch, step, (NEAR[0] * pitch, NEAR[1] * pitch), (SEED[0] * pitch, SEED[1] * pitch),
+        grid, left, top, cell, mask, bounds[0], bounds[1], fine, pitch, step, *(k * pitch for k in (*NEAR, *SEED)),
         np.ascontiguousarray(np.concatenate([c, spread])), most, np.uint64(name_key(seed, "flow ends")),
     )  # fmt: skip
     relax(xy, line, grid, left, top, cell, bounds[0] - wide, bounds[1] - wide, spacing, ROUNDS, 0.3)

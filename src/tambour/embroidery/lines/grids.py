@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import B1x1, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.embroidery.families.stitches import Stitches, join, line_stitches
@@ -33,7 +34,7 @@ def cells_inside(area: Any, size: float, share: float) -> tuple[Array, float, fl
 
 
 @kernel
-def spanning(a: Any, b: Any, weight_order: Any, cells: Any) -> Any:
+def spanning(a: I8x1, b: I8x1, weight_order: I8x1, cells: int) -> B1x1:
     """Which edges (a, b) belong to the spanning forest that takes them in ``weight_order`` (Kruskal)."""
     root = np.arange(cells)
     keep = np.zeros(len(a), np.bool_)

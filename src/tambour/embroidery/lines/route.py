@@ -7,10 +7,10 @@ sections). Of that walk only the order of the lines is kept; between two lines t
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
+from tambour.core.arrays import B1x1, F8x1, I1x1, I8x1
+from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
 LINE = 0
@@ -19,7 +19,7 @@ LINK = 2
 
 
 @kernel
-def ring_edges(order: Any, ring: Any, at: Any, base: Any) -> Any:
+def ring_edges(order: I8x1, ring: I8x1, at: F8x1, base: F8x1) -> tuple[I8x1, I8x1, F8x1]:
     """Edges along rings between neighbouring nodes: (a, b, length), every other one doubled.
 
     order : nodes sorted by their way along the outlines; ring, at : per node; base : (K + 1,) see Rings. Of the two
@@ -61,7 +61,7 @@ def ring_edges(order: Any, ring: Any, at: Any, base: Any) -> Any:
 
 
 @kernel
-def adjacency(nodes: Any, a: Any, b: Any) -> Any:
+def adjacency(nodes: int, a: I8x1, b: I8x1) -> tuple[I8x1, I8x1]:
     """Edges at each node: (offsets (nodes + 1,), edge). A loop stands twice at its node."""
     offsets = np.zeros(nodes + 1, np.int64)
     for e in range(len(a)):
@@ -79,7 +79,7 @@ def adjacency(nodes: Any, a: Any, b: Any) -> Any:
 
 
 @kernel
-def euler(start: Any, a: Any, b: Any, length: Any, kind: Any, offsets: Any, edge: Any) -> Any:
+def euler(start: int, a: I8x1, b: I8x1, length: F8x1, kind: I1x1, offsets: I8x1, edge: I8x1) -> tuple[I8x1, I8x1]:
     """An Eulerian walk from ``start`` (Hierholzer): edges in order, and the node each one begins at.
 
     All nodes reached must have even degree, or ``start`` and one other odd degree. At a node the walk takes a LINE
@@ -119,7 +119,7 @@ def euler(start: Any, a: Any, b: Any, length: Any, kind: Any, offsets: Any, edge
 
 
 @kernel
-def ring_way(p: Any, q: Any, ring: Any, at: Any, base: Any) -> Any:
+def ring_way(p: int, q: int, ring: Array, at: Array, base: Array) -> float:
     """Shorter signed way from node p to node q of one ring: positive along the ring."""
     perimeter = base[ring[p] + 1] - base[ring[p]]
     way = at[q] - at[p]
@@ -131,7 +131,7 @@ def ring_way(p: Any, q: Any, ring: Any, at: Any, base: Any) -> Any:
 
 
 @kernel
-def row_tour(spans: Any, order: Any, ring: Any, at: Any, base: Any, starts: Any) -> Any:
+def row_tour(spans: int, order: I8x1, ring: I8x1, at: F8x1, base: F8x1, starts: int) -> tuple[I8x1, B1x1, float]:
     """Best of several Eulerian tours over spans whose ends are nodes 2k and 2k + 1: (span (S,), reversed (S,), mm).
 
     starts : how many starting nodes are tried, evenly spread. mm is the way between spans, the longest left out.

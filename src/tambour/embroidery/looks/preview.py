@@ -11,17 +11,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numba import prange
 
 from tambour.color import coded, linear
+from tambour.core.arrays import B1x2, F4x2, F4x3, F8x1, F8x2, I4x2
 from tambour.core.check import Array
-from tambour.core.kernels import kernel, parallel_kernel
+from tambour.core.kernels import kernel
 from tambour.core.picture import Picture
 from tambour.core.thread import JUMP, STITCH, ThreadPlan
+from tambour.core.threads import share
 
 MARGIN = 6.0
 """Cloth shown around the design, mm."""
 
+_ROWS = 64  # of painted pixels that one thread takes at a time
 _SAMPLES = 2  # painted pixels along each side of one of the picture's
 # Light from the upper left, 40 degrees above the cloth, y down.
 _LIGHT = np.array([-0.50, -0.58, 0.64]) / np.linalg.norm([-0.50, -0.58, 0.64])
@@ -39,19 +41,19 @@ def stitches(plan: ThreadPlan) -> Array:
 
 @kernel
 def _paint(
-    a: Array,
-    b: Array,
-    base: Array,
+    a: F8x2,
+    b: F8x2,
+    base: F8x1,
     radius: float,
     scale: float,
     x0: float,
     y0: float,
     first: int,
     past: int,
-    top: Array,
-    owner: Array,
-    along: Array,
-    across: Array,
+    top: F4x2,
+    owner: I4x2,
+    along: F4x2,
+    across: F4x2,
 ) -> None:
     """Paint stitches ``first`` … ``past`` - 1 of a → b: the height of what is on top (mm), whose it is, mm along it, and -1…1 across it."""
     rise = 2.2 * radius
@@ -106,10 +108,10 @@ def _hash(i: int, j: int) -> float:
     return float(z >> np.uint64(40)) / 16777216.0
 
 
-@parallel_kernel
-def _weave(top: Array, tint: Array, scale: float, pitch: float) -> None:
+@kernel
+def _weave(low: int, high: int, top: F4x2, tint: F4x2, scale: float, pitch: float) -> None:
     """The ground: a plain weave of ``pitch`` mm; its height (mm, at most 0) and its tone."""
-    for j in prange(top.shape[0]):
+    for j in range(low, high):
         y = (j + 0.5) / scale / pitch
         for i in range(top.shape[1]):
             x = (i + 0.5) / scale / pitch
@@ -124,48 +126,54 @@ def _weave(top: Array, tint: Array, scale: float, pitch: float) -> None:
             tint[j, i] = 0.95 + 0.06 * _hash(line, 3) + 0.02 * _hash(cx, cy)
 
 
-@parallel_kernel
+@kernel
+def _find(top: F4x2, owner: I4x2, block: int, thread: B1x2) -> float:
+    """Mark the blocks of pixels that hold thread, with a rim of one block; gives the greatest height, mm."""
+    highest = 0.0
+    for j in range(top.shape[0]):
+        for i in range(top.shape[1]):
+            highest = max(highest, top[j, i])
+            if owner[j, i] >= 0:
+                thread[j // block + 1, i // block + 1] = True
+    return highest
+
+
+@kernel
 def _light(
-    top: Array,
-    owner: Array,
-    along: Array,
-    across: Array,
-    a: Array,
-    b: Array,
-    base: Array,
-    color: Array,
-    tint: Array,
-    ground: Array,
+    low: int,
+    high: int,
+    top: F4x2,
+    owner: I4x2,
+    along: F4x2,
+    across: F4x2,
+    a: F8x2,
+    b: F8x2,
+    base: F8x1,
+    color: F8x2,
+    tint: F4x2,
+    ground: F8x1,
     radius: float,
     scale: float,
-    light: Array,
-    r0: int,
-    c0: int,
-    r1: int,
-    c1: int,
-    out: Array,
+    light: F8x1,
+    thread: B1x2,
+    block: int,
+    highest: float,
+    first: int,
+    past: int,
+    out: F4x3,
 ) -> None:
-    """Linear light (H, W, 3) of the painted field, from row and column (r0, c0) to (r1, c1)."""
-    high, wide = top.shape
+    """Linear light (H, W, 3) of rows ``low`` … ``high`` - 1 and columns ``first`` … ``past`` - 1 of the painted field.
+
+    thread, block, highest : what :func:`_find` gave for the whole of it
+    """
+    rows, columns = top.shape
     lx, ly, lz = light[0], light[1], light[2]
     hx, hy, hz = lx, ly, lz + 1.0
     hl = np.sqrt(hx * hx + hy * hy + hz * hz)
     hx, hy, hz = hx / hl, hy / hl, hz / hl
     rise = 2.2 * radius
-    highest = 0.0
-    for j in range(high):
-        for i in range(wide):
-            highest = max(highest, top[j, i])
-    # Blocks without thread in them or beside them are bare cloth, lit alike: nothing need be looked for.
-    block = int(1.2 * scale) + 1
-    rows, columns = high // block + 1, wide // block + 1
-    thread = np.zeros((rows + 2, columns + 2), np.bool_)
-    for j in range(high):
-        for i in range(wide):
-            if owner[j, i] >= 0:
-                thread[j // block + 1, i // block + 1] = True
-    for j in prange(r0, r1):
-        for i in range(c0, c1):
+    for j in range(low, high):
+        for i in range(first, past):
             z = top[j, i]
             near = False
             for dj in range(3):
@@ -178,7 +186,7 @@ def _light(
                 if not near or z + step * lz / 0.766 > highest:
                     break
                 si, sj = int(i + lx * step * scale / 0.766), int(j + ly * step * scale / 0.766)
-                if si < 0 or sj < 0 or si >= wide or sj >= high:
+                if si < 0 or sj < 0 or si >= columns or sj >= rows:
                     break
                 over = top[sj, si] - z - step * lz / 0.766
                 if over > 0.0 and owner[sj, si] >= 0:
@@ -190,7 +198,7 @@ def _light(
                 for ring in range(2 if near else 0):
                     step = (0.16 + 0.30 * ring) * scale
                     si, sj = int(i + np.cos(angle) * step), int(j + np.sin(angle) * step)
-                    if 0 <= si < wide and 0 <= sj < high and owner[sj, si] >= 0:
+                    if 0 <= si < columns and 0 <= sj < rows and owner[sj, si] >= 0:
                         open_ += min(1.0, max(0.0, (top[sj, si] - z) / (0.3 + 0.3 * ring)))
             open_ = 1.0 - 0.72 * open_ / 16.0 * 2.0
             open_ = max(0.12, open_)
@@ -281,7 +289,7 @@ def field(
     width, height = max(1, int(np.ceil(size[0] * density))), max(1, int(np.ceil(size[1] * density)))
     shape = (height * _SAMPLES, width * _SAMPLES)
     top, tint = np.empty(shape, np.float32), np.empty(shape, np.float32)
-    _weave(top, tint, density * _SAMPLES, 0.42)
+    share(shape[0], _ROWS, lambda low, high: _weave(low, high, top, tint, density * _SAMPLES, 0.42))
     k = stitches(plan)
     rgb = np.array([t.rgb for t in plan.threads] or [(0, 0, 0)], np.float64) / 255
     made = Field(
@@ -342,10 +350,16 @@ def relight(f: Field, window: tuple[int, int, int, int]) -> None:
         np.ascontiguousarray(g[cut]) for g in (f.top, f.owner, f.along, f.across, f.tint)
     )
     out = np.empty((*top.shape, 3), np.float32)
-    _light(
-        top, owner, along, across, f.a, f.b, f.below, f.color, tint, f.ground, f.radius, scale, _LIGHT,
-        r0 - y0, c0 - x0, r1 - y0, c1 - x0, out,
-    )  # fmt: skip
+    # Blocks without thread in them or beside them are bare cloth, lit alike: nothing need be looked for.
+    block = int(1.2 * scale) + 1
+    thread = np.zeros((top.shape[0] // block + 3, top.shape[1] // block + 3), np.bool_)
+    highest = _find(top, owner, block, thread)
+    painted = (top, owner, along, across, f.a, f.b, f.below, f.color, tint, f.ground, f.radius, scale, _LIGHT)
+
+    def light(low: int, high: int) -> None:
+        _light(low + r0 - y0, high + r0 - y0, *painted, thread, block, highest, c0 - x0, c1 - x0, out)
+
+    share(r1 - r0, _ROWS, light)
     f.light[r0:r1, c0:c1] = out[r0 - y0 : r1 - y0, c0 - x0 : c1 - x0]
 
 

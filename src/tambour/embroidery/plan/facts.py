@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.thread import COLOR, JUMP, STITCH, STOP, TRIM
@@ -22,7 +23,7 @@ EXTRA = {TRIM: 7.0, COLOR: 45.0, STOP: 45.0}  # seconds
 
 
 @kernel
-def deposit(xy: Any, weight: Any, x0: Any, y0: Any, cell: Any, grid: Any) -> Any:
+def deposit(xy: F8x2, weight: F8x1, x0: float, y0: float, cell: float, grid: F8x2) -> None:
     """Add the length of each stitch (xy (S, 4): from, to) to the cells that it crosses, cut exactly at their borders."""
     rows, columns = grid.shape
     for i in range(len(xy)):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.thread import STITCH, ThreadPlan
@@ -14,7 +15,7 @@ PRESSED = 0.6
 
 @kernel
 def _pile(
-    a: Array, b: Array, layer: Array, thread: float, cell: float, x0: float, y0: float, top: Array, out: Array
+    a: F8x2, b: F8x2, layer: I8x1, thread: float, cell: float, x0: float, y0: float, top: F8x2, out: F8x1
 ) -> None:
     """Fill ``out`` with the height below each stitch a → b; ``top`` (R, C) is the height of thread so far, zero."""
     whose = np.full(top.shape, -1, np.int64)

@@ -25,9 +25,7 @@ INHERITED = frozenset(
     ]
 )
 PRESENTED = INHERITED | {"opacity", "display", "stop-color", "stop-opacity", "transform"}
-PX = {
-    "px": 1.0, "": 1.0, "mm": 96 / 25.4, "cm": 960 / 25.4, "in": 96.0, "pt": 96 / 72, "pc": 16.0, "q": 24 / 25.4,
-}  # fmt: skip
+PX = {"px": 1.0, "": 1.0, "mm": 96 / 25.4, "cm": 960 / 25.4, "in": 96.0, "pt": 96 / 72, "pc": 16.0, "q": 24 / 25.4}
 _LENGTH = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(px|mm|cm|in|pt|pc|q|em|ex|rem|%)?\s*$", re.I)
 
 

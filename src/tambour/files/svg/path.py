@@ -213,8 +213,11 @@ def rectangle(x: float, y: float, w: float, h: float, rx: float, ry: float, tole
         return np.array([[x, y], [x + w, y], [x + w, y + h], [x, y + h]])
     half = math.pi / 2
     corners = [
-        (x + w - rx, y + ry, -half), (x + w - rx, y + h - ry, 0.0), (x + rx, y + h - ry, half), (x + rx, y + ry, 2 * half)
-    ]  # fmt: skip
+        (x + w - rx, y + ry, -half),
+        (x + w - rx, y + h - ry, 0.0),
+        (x + rx, y + h - ry, half),
+        (x + rx, y + ry, 2 * half),
+    ]
     return np.array([p for cx, cy, a in corners for p in ellipse(cx, cy, rx, ry, a, half, tolerance)])
 
 

@@ -6,6 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from tambour.core.arrays import F8x2, I4x1, I8x1, U1x1, U1x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
@@ -27,7 +28,7 @@ def copied(out: Array, at: int, text: Array, begin: int, end: int) -> int:
 
 
 @kernel
-def spelt(out: Array, at: int, value: int, decimals: int, short: bool) -> int:
+def spelt(out: U1x1, at: int, value: int, decimals: int, short: bool) -> int:
     """Write value / 10^decimals to ``out`` from ``at`` without trailing zeros; gives the place after it.
 
     value : int64, a coordinate counted in the last decimal ; short : no zero before the point
@@ -123,9 +124,21 @@ def way(out: Array, at: int, coords: Array, first: int, last: int, tens: float, 
 
 @kernel
 def shapes(
-    out: Array, coords: Array, offsets: Array, parts: Array, begin: int, end: int,
-    style: Array, looks: Array, look: Array, heads: Array, head: Array, decimals: int, terse: bool, table: Array,
-) -> int:  # fmt: skip
+    out: U1x1,
+    coords: F8x2,
+    offsets: I8x1,
+    parts: I8x1,
+    begin: int,
+    end: int,
+    style: I4x1,
+    looks: U1x1,
+    look: I8x1,
+    heads: U1x1,
+    head: I8x1,
+    decimals: int,
+    terse: bool,
+    table: U1x2,
+) -> int:
     """Write shapes begin … end - 1 as ``<path d="…" …/>`` lines; gives how many bytes.
 
     coords (P, 2), offsets (N + 1,), parts (M + 1,): as in Paths ; style (M,) → looks

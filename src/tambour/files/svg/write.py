@@ -189,7 +189,7 @@ def _heads(drawing: Drawing, seen: set[str]) -> tuple[Array, Array]:
 def _joined(texts: list[bytes]) -> tuple[Array, Array]:
     """Texts in one array of bytes, and where each begins."""
     ends = np.concatenate([[0], np.cumsum([len(text) for text in texts])]).astype(np.int64)
-    return np.frombuffer(b"".join(texts), np.uint8), ends
+    return np.frombuffer(bytearray().join(texts), np.uint8), ends
 
 
 def _image(placed: Placed) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import F8x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush import press
@@ -117,7 +118,7 @@ def _elements(elems: Array, names: list[str], coords: Array, ends: Array, notes:
 
 
 @kernel
-def bound(coords: Array, ends: Array, element: Array, parent: Array, bounds: Array) -> None:
+def bound(coords: F8x2, ends: I8x1, element: I8x1, parent: I8x1, bounds: F8x2) -> None:
     """Widen ``bounds`` (E, 4) to hold the marks of each element and of its parts."""
     fresh = np.ones(len(bounds), np.bool_)
     for k in range(len(element)):

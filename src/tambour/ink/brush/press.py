@@ -7,6 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, F8x3, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import (
@@ -62,7 +63,7 @@ def tools() -> tuple[Array, Array, Array, Array]:
 
 
 @kernel
-def _tremble(table: Array, wobble: Array, loops: Array) -> None:
+def _tremble(table: F8x1, wobble: F8x2, loops: F8x2) -> None:
     for r in range(len(wobble)):
         y = 10.0 * r / len(wobble)
         for i in range(wobble.shape[1]):
@@ -81,9 +82,7 @@ def sizes(marks: Array) -> Array:
 
 
 @kernel
-def ink(
-    pts: Array, marks: Array, offsets: Array, tapers: Array, forms: Array, wobble: Array, loops: Array, out: Array
-) -> None:
+def ink(pts: F8x2, marks: F8x2, offsets: I8x1, tapers: F8x2, forms: F8x3, wobble: F8x2, loops: F8x2, out: F8x2) -> None:
     """Write the outline of every mark k to ``out[offsets[k]:offsets[k + 1]]``.
 
     pts (P, 2), marks (K, COLUMNS) as in :mod:`tambour.ink.brush.stroke`; offsets from :func:`sizes`; the rest from

@@ -19,6 +19,7 @@ import math
 
 import numpy as np
 
+from tambour.core.arrays import U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.ground.codes import numbers
@@ -39,7 +40,7 @@ PI = math.pi
 
 
 @kernel
-def rnd(rng: Array) -> float:
+def rnd(rng: U8x1) -> float:
     """The next number of the element's stream, uniform in [0, 1)."""
     rng[1] += np.uint64(1)
     return uniform(rng[0], rng[1])
@@ -64,7 +65,7 @@ def side(rng: Array) -> float:
 
 
 @kernel
-def bell(rng: Array) -> float:
+def bell(rng: U8x1) -> float:
     """A bell over (-1, 1) with deviation 1/√12: half the sum of four uniforms in (-1/2, 1/2).
 
     The original rejects draws of a normal of the same deviation and support (dossier 1.3); four sums are cheaper.

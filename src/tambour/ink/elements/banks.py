@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, F8x3, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import OPEN, PI, SINE, at, bell, between, body, part, pick, rnd, stroke
@@ -78,10 +79,24 @@ def terrace(
 
 
 def bank(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, cut: float, planted: float, bloom: float, hutted: float, people: float,
-    forms: Array, loops: Array,
-) -> None:  # fmt: skip
+    table: Array,
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    elems: Array,
+    n: Array,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    cut: float,
+    planted: float,
+    bloom: float,
+    hutted: float,
+    people: float,
+    forms: Array,
+    loops: Array,
+) -> None:
     """A bank with its foot at (x, y), flat at 100 ``cut`` above it, and what grows on it.
 
     planted, bloom, people : 0…1, how much of the groups, blossoms and figures is there ; hutted : above 0 for a hut
@@ -92,17 +107,25 @@ def bank(
     ground(table, rng, pts, marks, elems, n, x, y, height, width, cut, flat)
     left, high, wide, deep = flat.tolist()
     if wide > 0.0:
-        group(
-            table, rng, pts, marks, elems, n, left, high, wide, deep, planted, bloom, hutted, people, forms, loops
-        )  # fmt: skip
+        group(table, rng, pts, marks, elems, n, left, high, wide, deep, planted, bloom, hutted, people, forms, loops)
     n[OPEN] = before
 
 
 @kernel
 def ground(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, cut: float, flat: Array,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    cut: float,
+    flat: F8x1,
+) -> None:
     """Open a bank and draw its ground; ``flat`` (4,) becomes left, top, width and depth of its flat, 0 where it has none."""
     part(elems, n, BANK, x, y)
     seed = float(math.floor(4096.0 * rnd(rng)))
@@ -132,10 +155,23 @@ def along(rng: Array, low: float, size: float) -> float:
 
 @kernel
 def group(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    left: float, high: float, width: float, depth: float,
-    planted: float, bloom: float, hutted: float, people: float, forms: Array, loops: Array,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    left: float,
+    high: float,
+    width: float,
+    depth: float,
+    planted: float,
+    bloom: float,
+    hutted: float,
+    people: float,
+    forms: F8x3,
+    loops: F8x2,
+) -> None:
     """What stands on a flat top that spans (left, high) and ``width`` × ``depth``: dossier 1.8, flatDec."""
     middle = high + 0.5 * depth
     kind = pick(rng, 6)

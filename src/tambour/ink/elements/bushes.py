@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, F8x3, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush.press import TOUCH, touch
@@ -21,9 +22,19 @@ GRAIN = 0.02
 
 @kernel
 def shatter(
-    table: Array, pts: Array, marks: Array, n: Array,
-    ring: Array, largest: float, grain: float, phase: float, low: float, range_: float, alpha: float, seam: float,
-) -> None:  # fmt: skip
+    table: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    ring: Array,
+    largest: float,
+    grain: float,
+    phase: float,
+    low: float,
+    range_: float,
+    alpha: float,
+    seam: float,
+) -> None:
     """A wash: a polygon cut to a fan of triangles, each halved across its longest side until below ``largest``.
 
     ring (k, 2), convex enough for a fan from its second point; each triangle takes the grey ``low + range_ × noise`` at
@@ -73,9 +84,20 @@ def shatter(
 
 @kernel
 def bush(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, tone: float, forms: Array, loops: Array,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    tone: float,
+    forms: F8x3,
+    loops: F8x2,
+) -> None:
     """A bush of slanting washes on a thin stem that leans: tree07; forms and loops are the press's tools.
 
     tone : where the field of tones begins. The field lies over the whole scroll, so that bushes which are given the same
@@ -113,9 +135,17 @@ def bush(
 
 @kernel
 def reed(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+) -> None:
     """A dry thorny fan: a leaning stem, with sprays of forked curved strokes along it (tree08)."""
     before = part(elems, n, REED, x, y)
     stem = np.empty((16, 2))

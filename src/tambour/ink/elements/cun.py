@@ -36,9 +36,11 @@ def place(rng: Array, where: int) -> float:
 def grit(table: Array, place: int) -> float:
     """A number spread as the value noise is, but without its smoothness: the lattice itself, four octaves of it."""
     return (
-        0.5 * table[place & 4095] + 0.25 * table[(place + 1619) & 4095]
-        + 0.125 * table[(place + 2971) & 4095] + 0.0625 * table[(place + 811) & 4095]
-    )  # fmt: skip
+        0.5 * table[place & 4095]
+        + 0.25 * table[(place + 1619) & 4095]
+        + 0.125 * table[(place + 2971) & 4095]
+        + 0.0625 * table[(place + 811) & 4095]
+    )
 
 
 @kernel
@@ -61,10 +63,23 @@ def relief(table: Array, phase: int, layers: int, columns: int) -> Array:
 
 @kernel
 def wrinkles(
-    table: Array, rng: Array, pts: Array, marks: Array, n: Array,
-    grid: Array, x: float, y: float, count: int, breadth: float, reach: float, where: int,
-    grey: float, alpha: float, shade: float, tremble: float,
-) -> None:  # fmt: skip
+    table: Array,
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    grid: Array,
+    x: float,
+    y: float,
+    count: int,
+    breadth: float,
+    reach: float,
+    where: int,
+    grey: float,
+    alpha: float,
+    shade: float,
+    tremble: float,
+) -> None:
     """``count`` strokes over a surface, each a run along its contours.
 
     grid : (L, M, 2) contours from the foot (0) inwards, about (x, y)

@@ -21,9 +21,17 @@ PLAIN, SLATS, BARS, LATTICE = numbers(4)
 
 @kernel
 def run(
-    rng: Array, pts: Array, marks: Array, n: Array,
-    ax: float, ay: float, bx: float, by: float, breadth: float, alpha: float,
-) -> None:  # fmt: skip
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    breadth: float,
+    alpha: float,
+) -> None:
     """A straight edge as a trembling stroke of even breadth, in ten steps."""
     for i in range(11):
         p = 0.1 * i
@@ -33,9 +41,18 @@ def run(
 
 @kernel
 def quad(
-    pts: Array, marks: Array, n: Array,
-    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, dx: float, dy: float,
-) -> None:  # fmt: skip
+    pts: Array,
+    marks: Array,
+    n: Array,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    cx: float,
+    cy: float,
+    dx: float,
+    dy: float,
+) -> None:
     """Four corners of paper."""
     at(pts, n, ax, ay)
     at(pts, n, bx, by)
@@ -46,9 +63,17 @@ def quad(
 
 @kernel
 def lattice_face(
-    rng: Array, pts: Array, marks: Array, n: Array,
-    ax: float, ay: float, bx: float, by: float, height: float, style: int,
-) -> None:  # fmt: skip
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    height: float,
+    style: int,
+) -> None:
     """Doors and windows on an upright face whose foot runs from a to b (1.9: styles 1 to 3)."""
     if style == SLATS:
         for k in range(3):
@@ -76,10 +101,20 @@ def lattice_face(
 
 @kernel
 def box(
-    rng: Array, pts: Array, marks: Array, n: Array,
-    x: float, y: float, height: float, width: float, turn: float, depth: float, breadth: float,
-    open_: bool, style: int,
-) -> None:  # fmt: skip
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    turn: float,
+    depth: float,
+    breadth: float,
+    open_: bool,
+    style: int,
+) -> None:
     """A storey: three uprights, the edges of its foot and head; paper walls unless ``open_``."""
     left, right, front = x - 0.5 * width, x + 0.5 * width, x + (turn - 0.5) * width
     low = y + depth
@@ -106,9 +141,21 @@ def box(
 
 @kernel
 def rail(
-    table: Array, rng: Array, pts: Array, marks: Array, n: Array,
-    x: float, y: float, height: float, width: float, turn: float, depth: float, posts: int, breadth: float, lower: float,
-) -> None:  # fmt: skip
+    table: Array,
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    turn: float,
+    depth: float,
+    posts: int,
+    breadth: float,
+    lower: float,
+) -> None:
     """A railing along the two front edges: two wavy rails, the second at ``lower`` of its height, posts, and a gap to go
     in by."""
     left, right, front = x - 0.5 * width, x + 0.5 * width, x + (turn - 0.5) * width
@@ -142,9 +189,19 @@ def eave(pts: Array, n: Array, ax: float, ay: float, bx: float, by: float, sag: 
 
 @kernel
 def roof(
-    rng: Array, pts: Array, marks: Array, n: Array,
-    x: float, y: float, height: float, width: float, turn: float, depth: float, breadth: float, corner: float,
-) -> None:  # fmt: skip
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    turn: float,
+    depth: float,
+    breadth: float,
+    corner: float,
+) -> None:
     """A hip roof over a box, plain: curved eaves that turn up at the corners, a ridge, the hip that comes forward (1.9)."""
     left, right, front = x - 0.5 * width - corner, x + 0.5 * width + corner, x + (turn - 0.5) * width
     low, high = y + depth, y - height
@@ -181,9 +238,7 @@ def sign(
     lean : how far its right end stands below its left one
     """
     left, right, half = x - 0.5 * width, x + 0.5 * width, 0.5 * lean
-    quad(
-        pts, marks, n, left, y - half, right, y + half, right, y + half + height, left, y - half + height,
-    )  # fmt: skip
+    quad(pts, marks, n, left, y - half, right, y + half, right, y + half + height, left, y - half + height)
     run(rng, pts, marks, n, left, y - half, right, y + half, 0.5, 0.5)
     run(rng, pts, marks, n, right, y + half, right, y + half + height, 0.5, 0.5)
     run(rng, pts, marks, n, right, y + half + height, left, y - half + height, 0.5, 0.5)
@@ -201,9 +256,19 @@ def sign(
 
 @kernel
 def spire(
-    rng: Array, pts: Array, marks: Array, n: Array,
-    x: float, y: float, height: float, width: float, depth: float, breadth: float, sides: int, corner: float,
-) -> None:  # fmt: skip
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    depth: float,
+    breadth: float,
+    sides: int,
+    corner: float,
+) -> None:
     """A pointed roof with ribs: ``sides`` eave segments seen, corners turned up (pagodas and pavilions, 1.9)."""
     half = 0.5 * width + corner
     for k in range(sides):
@@ -238,9 +303,17 @@ def spire(
 
 @kernel
 def thatch(
-    table: Array, rng: Array, pts: Array, marks: Array, n: Array,
-    x: float, y: float, height: float, width: float, straws: int,
-) -> None:  # fmt: skip
+    table: Array,
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    straws: int,
+) -> None:
     """A thatched cone: paper, then ``straws`` short strokes down its sides, denser towards the eaves (1.9, hut).
 
     Its sides are bowed outwards; the eaves have no line of their own, the straws' ends make them.

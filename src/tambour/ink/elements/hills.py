@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import OPEN, PI, SINE, at, between, part, pick, rnd, stroke
@@ -52,9 +53,21 @@ def skyline(contour: Array, x: float) -> float:
 
 @kernel
 def hill(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, wrinkled: int, planted: float, housed: float, falls: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    wrinkled: int,
+    planted: float,
+    housed: float,
+    falls: float,
+) -> None:
     """A hill with its foot at (x, y).
 
     height, width : units (its crest stands at about half of ``height``); wrinkled : strokes on its flanks
@@ -111,9 +124,20 @@ def leaf(table: Array, x: float, y: float) -> float:
 
 @kernel
 def fringe(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    grid: Array, x: float, y: float, height: float, seed: float, planted: float, crowd: float,
-) -> None:  # fmt: skip
+    table: Array,
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    elems: Array,
+    n: Array,
+    grid: Array,
+    x: float,
+    y: float,
+    height: float,
+    seed: float,
+    planted: float,
+    crowd: float,
+) -> None:
     """Saplings that look over the skyline from behind: in stretches, bare between them, and crowded on some summits."""
     top = -grid[0, :, 1].min()
     for j in range(COLUMNS - 1):
@@ -130,9 +154,20 @@ def fringe(
 
 @kernel
 def crown(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    grid: Array, x: float, y: float, height: float, seed: float, planted: float, crowd: float,
-) -> None:  # fmt: skip
+    table: Array,
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    elems: Array,
+    n: Array,
+    grid: Array,
+    x: float,
+    y: float,
+    height: float,
+    seed: float,
+    planted: float,
+    crowd: float,
+) -> None:
     """Saplings that crowd on the summits and thin out below them; none stand alone on the face."""
     top = -grid[0, :, 1].min()
     for i in range(LAYERS - 1):
@@ -151,9 +186,19 @@ def crown(
 
 @kernel
 def grove(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    grid: Array, x: float, y: float, height: float, seed: float, planted: float,
-) -> None:  # fmt: skip
+    table: Array,
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    elems: Array,
+    n: Array,
+    grid: Array,
+    x: float,
+    y: float,
+    height: float,
+    seed: float,
+    planted: float,
+) -> None:
     """Junipers low on the flanks where the noise is low, but none that would stand alone."""
     spots = np.empty((LAYERS * COLUMNS, 2))
     k = 0
@@ -176,9 +221,18 @@ def grove(
 
 @kernel
 def settle(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    grid: Array, x: float, y: float, seed: float, housed: float,
-) -> None:  # fmt: skip
+    table: Array,
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    elems: Array,
+    n: Array,
+    grid: Array,
+    x: float,
+    y: float,
+    seed: float,
+    housed: float,
+) -> None:
     """Houses and pavilions at the feet of a hill, a pagoda on its crest, a pylon, where their noises are low (1.8)."""
     for i in range(1, LAYERS):
         for s in range(2):

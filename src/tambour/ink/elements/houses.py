@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tambour.core.check import Array
+from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import OPEN, between, part, rnd, side
 from tambour.ink.elements.frames import LATTICE, PLAIN, box, rail, roof, run, sign, spire, thatch
@@ -12,9 +12,20 @@ from tambour.ink.ground.codes import HOUSE, HUT, PAGODA, PAVILION, PYLON
 
 @kernel
 def hut(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, turn: float, depth: float, people: int,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    turn: float,
+    depth: float,
+    people: int,
+) -> None:
     """A thatched shelter on four posts over a deck with its railing, and ``people`` in it (1.9 arch01)."""
     before = part(elems, n, HUT, x, y)
     eaves, rails = 0.52 * height, 0.15 * height
@@ -34,9 +45,22 @@ def hut(
 
 @kernel
 def house(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, turn: float, depth: float, storeys: int, style: int, railed: bool,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    turn: float,
+    depth: float,
+    storeys: int,
+    style: int,
+    railed: bool,
+) -> None:
     """A house of ``storeys`` boxes under hip roofs, each narrower than the one below (1.9 arch02).
 
     railed : a low fence before it ; a house of one storey has a sign over its door now and then
@@ -61,9 +85,18 @@ def house(
 
 @kernel
 def pagoda(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, storeys: int,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    storeys: int,
+) -> None:
     """A tower of ``storeys``, each ``height`` high under its own pointed roof (1.9 arch03)."""
     before = part(elems, n, PAGODA, x, y)
     w = width
@@ -81,9 +114,18 @@ def pagoda(
 
 @kernel
 def pavilion(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, storeys: int,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    storeys: int,
+) -> None:
     """An open pavilion: posts, railing, pointed roof (1.9 arch04)."""
     before = part(elems, n, PAVILION, x, y)
     w = width
@@ -98,9 +140,17 @@ def pavilion(
 
 @kernel
 def pylon(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+) -> None:
     """The power line's pylon that stands now and then among the hills (1.9)."""
     before = part(elems, n, PYLON, x, y)
     half = 0.5 * width

@@ -19,9 +19,8 @@ SIDES = 2 * NODES
 
 @kernel
 def branch(
-    table: Array, rng: Array, limb: Array,
-    x: float, y: float, length: float, width: float, angle: float, bend: float,
-) -> None:  # fmt: skip
+    table: Array, rng: Array, limb: Array, x: float, y: float, length: float, width: float, angle: float, bend: float
+) -> None:
     """Fill ``limb`` (SIDES, 2): up one side of a branch, down the other; the tip is in the middle.
 
     From (x, y) over three straight runs whose headings wander by up to ``bend``, turned so that the whole points along
@@ -117,9 +116,19 @@ def scales(
 
 @kernel
 def twig(
-    rng: Array, pts: Array, marks: Array, n: Array,
-    x: float, y: float, depth: int, scale: float, angle: float, right: float, needles: float, lift: float,
-) -> None:  # fmt: skip
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    x: float,
+    y: float,
+    depth: int,
+    scale: float,
+    angle: float,
+    right: float,
+    needles: float,
+    lift: float,
+) -> None:
     """A twig that leaves sideways and turns up, with smaller ones on it down to ``depth``, and needles at the tips.
 
     right : 1 or -1, the side it leaves to; ``angle`` turns it; ``needles``: their size, 1 in the original, 0 for none;

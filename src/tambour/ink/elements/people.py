@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import EVEN, OPEN, PI, SINE, at, between, body, lift, part, stroke
@@ -17,7 +18,7 @@ BARE, BUN, STRAW = numbers(3)
 
 
 @kernel
-def smooth(control: Array, way: Array) -> None:
+def smooth(control: F8x2, way: F8x2) -> None:
     """Fill ``way`` (k, 2) along quadratic Beziers through the middles of ``control``'s edges, ends included (1.3)."""
     c, k = len(control), len(way)
     for i in range(k):
@@ -33,9 +34,19 @@ def smooth(control: Array, way: Array) -> None:
 
 @kernel
 def cloth(
-    rng: Array, pts: Array, marks: Array, n: Array,
-    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, first: float, last: float,
-) -> None:  # fmt: skip
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    ax: float,
+    ay: float,
+    bx: float,
+    by: float,
+    cx: float,
+    cy: float,
+    first: float,
+    last: float,
+) -> None:
     """A sleeve or a robe: a lobe from a over b to c, its half width ``first`` to ``last``, closed by a round hem."""
     control, fine, way, sides = np.empty((3, 2)), np.empty((64, 2)), np.empty((16, 2)), np.empty((2, 16, 2))
     control[0, 0], control[0, 1], control[1, 0], control[1, 1] = ax, ay, bx, by
@@ -66,9 +77,19 @@ def cloth(
 
 @kernel
 def figure(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, scale: float, right: float, hat: int, staff: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    scale: float,
+    right: float,
+    hat: int,
+    staff: float,
+) -> None:
     """A robed figure whose hem touches (x, y), about 95 × ``scale`` tall, looking right (1) or left (-1).
 
     hat : see above ; staff : length of the rod it holds, in units of 30 ``scale``; 0 for none (dossier 1.10)
@@ -90,14 +111,8 @@ def figure(
         rng, pts, marks, n, neck_x - 0.05 * f, neck_y, neck_x - 1.5 * back * f, neck_y + 0.7 * u,
         neck_x - 0.7 * back * f, neck_y + 2.0 * u, 0.06 * u, 0.3 * u,
     )  # fmt: skip
-    cloth(
-        rng, pts, marks, n, neck_x, neck_y - 0.1 * u, neck_x - 0.05 * f, neck_y + 1.35 * u,
-        x, y, 0.1 * u, 0.46 * u,
-    )  # fmt: skip
-    cloth(
-        rng, pts, marks, n, neck_x, neck_y, neck_x + 0.7 * f, neck_y + 0.75 * u,
-        hand_x, hand_y, 0.07 * u, 0.34 * u,
-    )  # fmt: skip
+    cloth(rng, pts, marks, n, neck_x, neck_y - 0.1 * u, neck_x - 0.05 * f, neck_y + 1.35 * u, x, y, 0.1 * u, 0.46 * u)
+    cloth(rng, pts, marks, n, neck_x, neck_y, neck_x + 0.7 * f, neck_y + 0.75 * u, hand_x, hand_y, 0.07 * u, 0.34 * u)
     cloth(
         rng, pts, marks, n, neck_x + 0.08 * f, neck_y - 0.75 * u, neck_x + 0.1 * f, neck_y - 0.35 * u,
         neck_x, neck_y + 0.05 * u, 0.21 * u, 0.14 * u,
@@ -141,9 +156,19 @@ def crown(rng: Array, pts: Array, marks: Array, n: Array, x: float, y: float, u:
 
 @kernel
 def boat(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, length: float, scale: float, right: float, manned: bool,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    length: float,
+    scale: float,
+    right: float,
+    manned: bool,
+) -> None:
     """A flat boat about (x, y), ``length`` × ``scale`` long, and a fisherman in a straw hat with his rod."""
     before = part(elems, n, BOAT, x, y)
     if manned:

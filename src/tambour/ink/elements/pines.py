@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import EVEN, HUE, LENS, OPEN, PI, at, bell, between, blob, body, part, pick, rnd, stroke
@@ -19,9 +20,19 @@ LIMBS = 48
 
 @kernel
 def grow(
-    table: Array, rng: Array, limbs: Array, above: Array, joint: Array, k: int,
-    parent: int, node: int, length: float, width: float, angle: float, bend: float,
-) -> int:  # fmt: skip
+    table: Array,
+    rng: Array,
+    limbs: Array,
+    above: Array,
+    joint: Array,
+    k: int,
+    parent: int,
+    node: int,
+    length: float,
+    width: float,
+    angle: float,
+    bend: float,
+) -> int:
     """Grow limb ``k`` from ``node`` of limb ``parent``; gives k + 1, or k where there is no room."""
     if k >= len(limbs):
         return k
@@ -36,9 +47,18 @@ def grow(
 
 @kernel
 def bark(
-    table: Array, rng: Array, pts: Array, marks: Array, n: Array,
-    limbs: Array, above: Array, joint: Array, count: int, breadth: float, often: float,
-) -> None:  # fmt: skip
+    table: Array,
+    rng: Array,
+    pts: Array,
+    marks: Array,
+    n: Array,
+    limbs: Array,
+    above: Array,
+    joint: Array,
+    count: int,
+    breadth: float,
+    often: float,
+) -> None:
     """Body, outline and bark of a tree whose limbs grow out of one another: one outline goes round all of them.
 
     breadth : of the outline; often : as in :func:`scales`, less than half of it from each limb to the next
@@ -83,9 +103,17 @@ def bark(
 
 @kernel
 def pine(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+) -> None:
     """A big bent pine: ringed bark, drooping branches in its middle and at its tip, tufts of needles (tree04)."""
     before = part(elems, n, PINE, x, y)
     limbs = np.empty((LIMBS, SIDES, 2))
@@ -115,9 +143,17 @@ def pine(
 
 @kernel
 def cedar(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+) -> None:
     """An upright tiered tree: a straight trunk, short dense branches above, few long ones below (tree05)."""
     before = part(elems, n, CEDAR, x, y)
     limbs = np.empty((LIMBS, SIDES, 2))
@@ -148,9 +184,18 @@ def cedar(
 
 @kernel
 def plum(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, bloom: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    bloom: float,
+) -> None:
     """A bare gnarled tree that forks three times near the tips of its branches (tree06).
 
     bloom : 0…1, how thick blossoms stand on its outer branches

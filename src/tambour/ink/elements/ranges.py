@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import OPEN, part, rnd, wash
@@ -41,9 +42,18 @@ def cloud(table: Array, x: float, y: float) -> float:
 
 @kernel
 def distant(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, length: float, pale: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    length: float,
+    pale: float,
+) -> None:
     """A range from (x, y) to the right, ``length`` long, its crest at about half of ``height``; ``pale`` 0…1: how far off.
 
     Uneven columns of uneven facets, each of one tone: grey 205 + 40 c of its middle (200 + 55 N, with finer clouds, in the original:

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from tambour.core.check import Array
+from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import EVEN, OPEN, PI, at, part, rnd, stroke
 from tambour.ink.elements.cun import SIDES, slope, wrinkles
@@ -18,9 +18,19 @@ LAYERS, COLUMNS = 10, 50
 
 @kernel
 def rock(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, wrinkled: int, shade: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    wrinkled: int,
+    shade: float,
+) -> None:
     """A rock about (x, y): ``width`` to either side, ``height`` above, a fifth of it below (dossier 1.8)."""
     before = part(elems, n, ROCK, x, y)
     seed = 4096.0 * rnd(rng)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import (
@@ -23,16 +24,14 @@ from tambour.ink.brush.stroke import (
     rnd,
     side,
     stroke,
-)  # fmt: skip
+)
 from tambour.ink.ground.codes import BIRDS, MIST, MOON, SKY, SUN, WATERFALL
 from tambour.ink.ground.marks import INK, LIGHT, SEAL, VEIL, WASH
 from tambour.noise import value
 
 
 @kernel
-def birds(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array, x: float, y: float, count: int
-) -> None:
+def birds(table: F8x1, rng: U8x1, pts: F8x2, marks: F8x2, elems: F8x2, n: I8x1, x: float, y: float, count: int) -> None:
     """A straggling skein of ``count`` birds about (x, y), each two bowed strokes."""
     before = part(elems, n, BIRDS, x, y)
     heading = side(rng)
@@ -60,7 +59,7 @@ def disc(pts: Array, n: Array, x: float, y: float, radius: float) -> None:
 
 @kernel
 def moon(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array, x: float, y: float, radius: float
+    table: F8x1, rng: U8x1, pts: F8x2, marks: F8x2, elems: F8x2, n: I8x1, x: float, y: float, radius: float
 ) -> None:
     """A full moon: a pale disc with faint rings of light."""
     before = part(elems, n, MOON, x, y)
@@ -76,7 +75,7 @@ def moon(
 
 @kernel
 def sun(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array, x: float, y: float, radius: float
+    table: F8x1, rng: U8x1, pts: F8x2, marks: F8x2, elems: F8x2, n: I8x1, x: float, y: float, radius: float
 ) -> None:
     """A low sun: one touch of vermilion."""
     before = part(elems, n, SUN, x, y)
@@ -89,9 +88,17 @@ def sun(
 
 @kernel
 def mist(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, thickness: float, width: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    thickness: float,
+    width: float,
+) -> None:
     """A bank of mist that lies about the foot of a hill ``width`` wide: veils of paper one over the other."""
     before = part(elems, n, MIST, x, y)
     for _ in range(int(6.0 + 12.0 * thickness)):
@@ -110,9 +117,17 @@ def mist(
 
 @kernel
 def snow_sky(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, width: float, height: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    width: float,
+    height: float,
+) -> None:
     """A flat grey behind everything, so that what is left as paper is snow. It overlaps its neighbours by a unit."""
     before = part(elems, n, SKY, x, y)
     at(pts, n, x, y)
@@ -126,9 +141,17 @@ def snow_sky(
 
 @kernel
 def waterfall(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+) -> None:
     """A fall of ``height`` down to (x, y): a blank band between two wavering edges, threads in it, foam below."""
     before = part(elems, n, WATERFALL, x, y)
     phase = 4096.0 * rnd(rng)

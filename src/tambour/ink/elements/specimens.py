@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.drawing import Label
 from tambour.core.kernels import kernel
@@ -124,7 +125,7 @@ def sheet(seed: str, edition: int = 1) -> tuple[Marks, tuple[Label, ...], Array]
 
 @kernel
 def copse(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array, x: float, y: float, width: float
+    table: F8x1, rng: U8x1, pts: F8x2, marks: F8x2, elems: F8x2, n: I8x1, x: float, y: float, width: float
 ) -> None:
     """A copse of the three small trees, as in the seed diary."""
     before = part(elems, n, codes.COPSE, x, y)
@@ -143,9 +144,17 @@ def copse(
 
 @kernel
 def veiled(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, thickness: float, width: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    thickness: float,
+    width: float,
+) -> None:
     """Mist, and a range behind it: mist alone is paper."""
     before = part(elems, n, codes.MIST, x, y)
     ranges.distant(table, rng, pts, marks, elems, n, x - 0.75 * width, y, 150.0, 1.5 * width, 0.0)
@@ -155,9 +164,17 @@ def veiled(
 
 @kernel
 def branch(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, length: float, width: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    length: float,
+    width: float,
+) -> None:
     """A branch by itself, lying almost level, with its bark."""
     before = part(elems, n, codes.BRANCH, x, y)
     limb = np.empty((SIDES, 2))
@@ -171,7 +188,7 @@ def branch(
 
 @kernel
 def twig(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array, x: float, y: float, scale: float
+    table: F8x1, rng: U8x1, pts: F8x2, marks: F8x2, elems: F8x2, n: I8x1, x: float, y: float, scale: float
 ) -> None:
     """A twig with smaller twigs on it and needles."""
     before = part(elems, n, codes.TWIG, x, y)
@@ -181,9 +198,17 @@ def twig(
 
 @kernel
 def bark(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, length: float, breadth: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    length: float,
+    breadth: float,
+) -> None:
     """One scale of bark, large."""
     before = part(elems, n, codes.BARK, x, y)
     ring(rng, pts, marks, n, x, y - 0.5 * length, length, breadth, -0.5 * PI, 100.0, 0.6, 1.6)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from tambour.core.check import Array
+from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import DROP, HUE, LENS, OPEN, PI, at, bell, between, blob, lift, line, part, rnd, side
 from tambour.ink.ground.codes import FIR, JUNIPER, SAPLING
@@ -16,9 +16,18 @@ LEVELS = 10
 
 @kernel
 def juniper(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, alpha: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    alpha: float,
+) -> None:
     """A small bushy conifer: dashes of the brush in levels that narrow upwards, on two thin trembling lines.
 
     Foot at (x, y); ``height`` and ``width`` (of the trunk) in units; ``alpha`` of the lightest leaf. Dossier 1.7 tree01;
@@ -49,9 +58,19 @@ def juniper(
 
 @kernel
 def sapling(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, cluster: int, alpha: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    cluster: int,
+    alpha: float,
+) -> None:
     """A cluster of upright drops: far trees on a ridge. Dossier 1.7 tree02."""
     before = part(elems, n, SAPLING, x, y)
     n[HUE] = LEAF
@@ -65,9 +84,19 @@ def sapling(
 
 @kernel
 def fir(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, width: float, bend: float, alpha: float,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    bend: float,
+    alpha: float,
+) -> None:
     """A tall fir with a pale tapering trunk, bent by ``bend`` × 100 units at its tip. Dossier 1.7 tree03."""
     before = part(elems, n, FIR, x, y)
     phase = 64.0 * rnd(rng)

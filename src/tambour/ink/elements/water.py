@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from tambour.core.check import Array
+from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import OPEN, SINE, at, between, part, rnd, stroke
 from tambour.ink.ground.codes import WATER
@@ -15,9 +15,18 @@ STEP = 5.0
 
 @kernel
 def water(
-    table: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    x: float, y: float, height: float, length: float, lines: int,
-) -> None:  # fmt: skip
+    table: F8x1,
+    rng: U8x1,
+    pts: F8x2,
+    marks: F8x2,
+    elems: F8x2,
+    n: I8x1,
+    x: float,
+    y: float,
+    height: float,
+    length: float,
+    lines: int,
+) -> None:
     """``lines`` lines about (x, y), each up to ``length`` to either side, ``height`` how high they wave (1.11).
 
     Short lines are commoner than long ones, and levels come in bunches: water is close-lined at the shore and thins out.

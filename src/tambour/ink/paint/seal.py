@@ -88,7 +88,7 @@ def _set(
     fill, stroke = each(grey, alpha), each(grey, alpha if edge else 0)
     return Marks(
         points, ends, points, ends, each(kind), fill, stroke, each(edge), each(0.0), each(tint), each(0), element
-    )  # fmt: skip
+    )
 
 
 def _outline(label: Label, font: Font) -> Array:

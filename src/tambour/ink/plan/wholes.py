@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tambour.core.check import Array
+from tambour.core.arrays import F8x2
 from tambour.core.kernels import kernel
 from tambour.ink.ground import codes, kinds
 from tambour.noise import drift, key, stream, uniform
@@ -105,9 +105,17 @@ def _near(rules: Rules, k: int, spread: Any, reach: int) -> list[Planned]:
 
 
 def _place(
-    rules: Rules, kind: int, k: int, number: int, x: float, y: float, depth: float, how: tuple[Any, ...],
-    left: float, right: float,
-) -> Planned:  # fmt: skip
+    rules: Rules,
+    kind: int,
+    k: int,
+    number: int,
+    x: float,
+    y: float,
+    depth: float,
+    how: tuple[Any, ...],
+    left: float,
+    right: float,
+) -> Planned:
     name = kinds.NAMES[kind]
     names = ("ink", rules.seed, rules.edition, name, k, number)
     word = f"{key(*names) & 0xFFFFFFFFFFFF:012x}".translate(_LETTERS)
@@ -115,7 +123,7 @@ def _place(
 
 
 @kernel
-def _profile(line: np.uint64, begin: int, out: Array) -> None:
+def _profile(line: np.uint64, begin: int, out: F8x2) -> None:
     """Three noises at every step from ``begin`` (in steps): where columns rise, how deep, where land is: out (k, 3)."""
     for i in range(len(out)):
         x = 5.0 * (begin + i)
@@ -236,14 +244,12 @@ def _water(rules: Rules, hill: Planned) -> Planned:
     k, number, reach = int(hill.stream[4]), int(hill.stream[5]), 0.5 * hill.how[1] + 180.0
     return _place(
         rules, codes.WATER, k, number, hill.x, hill.y, hill.y - 10_000.0, (2.0, reach, 9), reach + 5.0, reach + 5.0
-    )  # fmt: skip
+    )
 
 
 def _mist(rules: Rules, hill: Planned) -> Planned:
     k, number = int(hill.stream[4]), int(hill.stream[5])
-    return _place(
-        rules, codes.MIST, k, number, hill.x, hill.y, hill.y + 0.5, (rules.mist, hill.how[1]), 700.0, 700.0
-    )  # fmt: skip
+    return _place(rules, codes.MIST, k, number, hill.x, hill.y, hill.y + 0.5, (rules.mist, hill.how[1]), 700.0, 700.0)
 
 
 @lru_cache(maxsize=512)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tambour.core.arrays import F8x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
@@ -86,8 +87,8 @@ def _grown(a: Array, need: int) -> Array:
 
 @kernel
 def visible(
-    coords: Array, offsets: Array, order: Array, outlines: Array, ends: Array, rank: Array
-) -> tuple[Array, Array, Array]:
+    coords: F8x2, offsets: I8x1, order: I8x1, outlines: F8x2, ends: I8x1, rank: I8x1
+) -> tuple[F8x2, I8x1, I8x1]:
     """What is seen of lines before which opaque polygons lie.
 
     coords (P, 2), offsets (N + 1,): lines ; order (N,) int64: when each is drawn

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tambour.core.arrays import F8x1, F8x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.ground.codes import BOAT, FIGURE, HOUSE, HUT, PAGODA, PAVILION, PYLON
@@ -87,7 +88,7 @@ def chances(marks: Marks) -> Array:
 
 
 @kernel
-def areas(coords: Array, offsets: Array) -> tuple[Array, Array]:
+def areas(coords: F8x2, offsets: I8x1) -> tuple[F8x1, F8x1]:
     """Area and perimeter of closed outlines."""
     n = len(offsets) - 1
     area, around = np.zeros(n), np.zeros(n)
@@ -102,7 +103,7 @@ def areas(coords: Array, offsets: Array) -> tuple[Array, Array]:
 
 
 @kernel
-def hatched(coords: Array, offsets: Array, pitch: float, level: Array, slant: float) -> tuple[Array, Array]:
+def hatched(coords: F8x2, offsets: I8x1, pitch: float, level: F8x1, slant: float) -> tuple[F8x2, I8x1]:
     """Segments (S, 4) of hatching within outlines (even-odd) and the outline (S,) each is in.
 
     Lines lie ``pitch`` apart from the origin on; an outline of level j takes every 2^j-th.

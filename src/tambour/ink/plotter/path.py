@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
-from tambour.core.check import Array
+from tambour.core.arrays import B1x1, F8x2, I8x1
 from tambour.core.kernels import kernel
 
 
 @kernel
-def cut(coords: Array, offsets: Array, x0: float, y0: float, x1: float, y1: float) -> tuple[Array, Array, Array]:
+def cut(coords: F8x2, offsets: I8x1, x0: float, y0: float, x1: float, y1: float) -> tuple[F8x2, I8x1, I8x1]:
     """Lines within a rectangle (Liang and Barsky 1984): coords, offsets, and the line each piece came from."""
     n = len(offsets) - 1
     out = np.empty((2 * len(coords) + 2, 2))
@@ -54,7 +54,7 @@ def cut(coords: Array, offsets: Array, x0: float, y0: float, x1: float, y1: floa
 
 
 @kernel
-def simplified(coords: Array, offsets: Array, tolerance: float) -> tuple[Array, Array]:
+def simplified(coords: F8x2, offsets: I8x1, tolerance: float) -> tuple[F8x2, I8x1]:
     """Lines without the points that lie within ``tolerance`` of what is left (Douglas and Peucker 1973)."""
     kept = np.zeros(len(coords), np.bool_)
     stack = np.empty((len(coords) + 1, 2), np.int64)
@@ -96,7 +96,7 @@ def simplified(coords: Array, offsets: Array, tolerance: float) -> tuple[Array, 
 
 
 @kernel
-def tour(heads: Array, tails: Array, x: float, y: float) -> tuple[Array, Array]:
+def tour(heads: F8x2, tails: F8x2, x: float, y: float) -> tuple[I8x1, B1x1]:
     """From (x, y) always to the nearest end of a line not yet drawn: the order (N,), and whether each is turned round.
 
     heads, tails (N, 2): first and last points. The ends lie in a grid of about two to a cell, searched ring by ring.
@@ -155,9 +155,7 @@ def tour(heads: Array, tails: Array, x: float, y: float) -> tuple[Array, Array]:
 
 
 @kernel
-def strung(
-    coords: Array, offsets: Array, order: Array, turned: Array, gap: float, x: float, y: float
-) -> tuple[Array, Array]:
+def strung(coords: F8x2, offsets: I8x1, order: I8x1, turned: B1x1, gap: float, x: float, y: float) -> tuple[F8x2, I8x1]:
     """Lines in the order of a tour from (x, y); those that begin within ``gap`` of the last one's end go on from it.
 
     A closed line begins where it lies nearest to the pen.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tambour.core.check import Array
+from tambour.core.arrays import B1x2, I8x1
 from tambour.core.kernels import kernel
 
 CATCH, SAME, BESIDE, AGAIN, IDLE, UNEVEN = 4.0, 100.0, 4.0, 1.0, 3.0, 0.01
@@ -13,7 +13,7 @@ of its own yarn; of a stretch of n stitches, times n²."""
 
 
 @kernel
-def mark(row: Array, start: Array, length: Array, absent: Array, limit: int, marks: Array) -> None:
+def mark(row: I8x1, start: I8x1, length: I8x1, absent: B1x2, limit: int, marks: B1x2) -> None:
     """Set the catches of floats (N,), ordered by row, in ``marks`` (R, C) bool.
 
     A dynamic programme over each float's stitches: cost[p] is the least cost of all that lies before a catch at p,

@@ -7,6 +7,7 @@ from typing import Literal
 import numpy as np
 
 from tambour import color
+from tambour.core.arrays import F4x2, U1x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.knit.params import KnitParams
@@ -140,7 +141,7 @@ def ordered(t: Array, level: float) -> Array:
 
 
 @kernel
-def diffuse_floyd(t: Array, level: float, out: Array) -> None:
+def diffuse_floyd(t: F4x2, level: float, out: U1x2) -> None:
     """Floyd and Steinberg (1976): 7, 3, 5 and 1 sixteenths of each error go right and down."""
     rows, stitches = t.shape
     here = np.zeros(stitches + 2)
@@ -162,7 +163,7 @@ def diffuse_floyd(t: Array, level: float, out: Array) -> None:
 
 
 @kernel
-def diffuse_atkinson(t: Array, level: float, out: Array) -> None:
+def diffuse_atkinson(t: F4x2, level: float, out: U1x2) -> None:
     """Atkinson: an eighth of each error goes to six neighbours, a quarter of it is dropped."""
     rows, stitches = t.shape
     errors = np.zeros((3, stitches + 3))

@@ -10,11 +10,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from tambour.core.arrays import B1x1, B1x2, F4x2, U1x2
 from tambour.core.check import Array
 from tambour.core.errors import Problem, TambourError
 from tambour.core.kernels import kernel
+from tambour.core.threads import share
 from tambour.knit.solve.floats import sequence
-from tambour.knit.task import Task, share
+from tambour.knit.task import Task
 from tambour.noise import mix
 
 UNIT = 1000  # weights count to three decimals
@@ -127,7 +129,7 @@ def preference(start: Array, cells: Array, y: int, x: int, key: np.uint64) -> np
 
 
 @kernel
-def break_runs(start: Array, f: int, low: int, high: int, key: np.uint64, out: Array) -> None:
+def break_runs(start: U1x2, f: int, low: int, high: int, key: np.uint64, out: U1x2) -> None:
     """Flip ⌊L / (f + 1)⌋ stitches of every run, where they line up least; for plain anchored rows, f ≥ 2.
 
     In a run of L = q (f + 1) + r the j-th flip stands at most f - r before stitch j (f + 1) of it, and no flip lags
@@ -179,22 +181,22 @@ def break_runs(start: Array, f: int, low: int, high: int, key: np.uint64, out: A
 
 @kernel
 def solve_rows(
-    start: Array,
+    start: U1x2,
     f: int,
     free: bool,
     cap: int,
     ring: bool,
     soft: np.int64,
-    knit: Array,
-    relaxed: Array,
-    locked: Array,
-    weights: Array,
+    knit: B1x2,
+    relaxed: B1x2,
+    locked: B1x2,
+    weights: F4x2,
     tidy: np.int64,
     low: int,
     high: int,
     key: np.uint64,
-    out: Array,
-    failed: Array,
+    out: U1x2,
+    failed: B1x1,
 ) -> None:
     """The general case, row by row."""
     stitches = start.shape[1]

@@ -12,13 +12,15 @@ from math import floor
 
 import numpy as np
 
+from tambour.core.arrays import B1x1, B1x2, I8x1, I8x2, U1x1, U1x2
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.kernels import kernel
 from tambour.core.params import length
+from tambour.core.threads import share
 from tambour.knit.params import KnitParams
 from tambour.knit.picture.resample import gauge_of
-from tambour.knit.task import Task, share
+from tambour.knit.task import Task
 
 HISTOGRAM = 64
 
@@ -119,17 +121,17 @@ def sequence(y: int, stitches: int, knit: Array, columns: Array) -> int:
 
 @kernel
 def measure_rows(
-    cells: Array,
+    cells: U1x2,
     low: int,
     high: int,
     f: int,
     free: bool,
     cap: int,
     ring: bool,
-    knit: Array,
-    relaxed: Array,
-    found: Array,
-    histogram: Array,
+    knit: B1x2,
+    relaxed: B1x2,
+    found: I8x2,
+    histogram: I8x1,
 ) -> None:
     """For each row: stitches, conflicts, violations, longest float; and the histogram of floats of them all."""
     stitches = cells.shape[1]
@@ -170,7 +172,7 @@ def turning(row: Array, loose: Array, n: int, ring: bool) -> int:
 
 
 @kernel
-def mark(row: Array, loose: Array, n: int, f: int, free: bool, cap: int, ring: bool, bad: Array) -> tuple[int, int]:
+def mark(row: U1x1, loose: B1x1, n: int, f: int, free: bool, cap: int, ring: bool, bad: B1x1) -> tuple[int, int]:
     """Mark the stitches in conflict among the first ``n`` of ``row``; gives (conflicts, violated windows)."""
     turn = turning(row, loose, n, ring)
     conflicts = violations = 0

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tambour.core.arrays import B1x1, B1x2, F4x1, F4x2, F4x3, F8x1, I8x1, U1x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.knit.solve.floats import sequence
@@ -17,9 +18,19 @@ from tambour.knit.solve.percept import lay_line, lay_ring, linear
 
 @kernel
 def terms(
-    y: int, error: Array, aim: Array, across: Array, down: Array, columns: Array, n: int, ring: bool, z: Array,
-    rest: Array, goal: Array, one: Array,
-) -> None:  # fmt: skip
+    y: int,
+    error: Array,
+    aim: Array,
+    across: Array,
+    down: Array,
+    columns: Array,
+    n: int,
+    ring: bool,
+    z: Array,
+    rest: Array,
+    goal: Array,
+    one: Array,
+) -> None:
     """What the costs of row ``y`` are made of, filtered along the row (twice the sum over scales), at knitted columns.
 
     rest (3, n) : of the error of the rows about it; goal (3, n) : of its own target; one (n,) : of 1.
@@ -50,9 +61,18 @@ def terms(
 
 @kernel
 def colour_line(
-    y: int, aim: Array, dark: Array, way: Array, own: np.float32, columns: Array, n: int, rest: Array, goal: Array,
-    one: Array, u: Array,
-) -> float:  # fmt: skip
+    y: int,
+    aim: Array,
+    dark: Array,
+    way: Array,
+    own: np.float32,
+    columns: Array,
+    n: int,
+    rest: Array,
+    goal: Array,
+    one: Array,
+    u: Array,
+) -> float:
     """u (n,): linear costs of the light yarn, over |way|²; gives the cost of an all dark row."""
     size = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
     constant = 0.0
@@ -68,9 +88,23 @@ def colour_line(
 
 @kernel
 def pair_rows(
-    y: int, error: Array, aim: Array, dark: Array, ways: Array, knit: Array, relaxed: Array, soft: float, f: int,
-    free: bool, cap: int, across: Array, down: Array, table: Array, costs: Array, rows_out: Array,
-) -> None:  # fmt: skip
+    y: int,
+    error: F4x3,
+    aim: F4x3,
+    dark: F4x2,
+    ways: F4x2,
+    knit: B1x2,
+    relaxed: B1x2,
+    soft: float,
+    f: int,
+    free: bool,
+    cap: int,
+    across: F4x2,
+    down: F4x2,
+    table: F4x1,
+    costs: F8x1,
+    rows_out: U1x2,
+) -> None:
     """For each pair of yarns (dark, dark + way; (N, 3)) the best row ``y`` and its cost, the other rows as they are."""
     stitches = aim.shape[1]
     pairs = len(dark)
@@ -126,9 +160,9 @@ def pair_rows(
 
 @kernel
 def colour_batches(
-    mine: Array, cells: Array, error: Array, aim: Array, dark: Array, ways: Array, knit: Array, relaxed: Array,
-    soft: float, f: int, free: bool, cap: int, ring: bool, shift: int, across: Array, down: Array, table: Array,
-    changed: Array,
+    mine: I8x1, cells: U1x2, error: F4x3, aim: F4x3, dark: F4x2, ways: F4x2, knit: B1x2, relaxed: B1x2,
+    soft: float, f: int, free: bool, cap: int, ring: bool, shift: int, across: F4x2, down: F4x2, table: F4x1,
+    changed: B1x1,
 ) -> None:  # fmt: skip
     """Solve the rows ``mine`` with their pairs, eight at a time, given all others; keeps ``error`` true."""
     stitches = cells.shape[1]

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.core.arrays import B1x1, B1x2, U1x1, U1x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.knit.params import KnitParams
@@ -92,7 +93,7 @@ def stretch(row: Array, loose: Array, n: int, f: int, free: bool, cap: int, ring
 
 
 @kernel
-def gain(row: Array, loose: Array, n: int, f: int, free: bool, cap: int, ring: bool, x: int) -> int:
+def gain(row: U1x1, loose: B1x1, n: int, f: int, free: bool, cap: int, ring: bool, x: int) -> int:
     """By how much the conflicts of a row fall when stitch ``x`` is flipped."""
     before = conflicts_within(row, loose, n, f, free, cap, ring, x)
     row[x] = 1 - row[x]
@@ -118,7 +119,7 @@ def conflicts_within(row: Array, loose: Array, n: int, f: int, free: bool, cap: 
 
 @kernel
 def greedy(
-    cells: Array, f: int, free: bool, cap: int, ring: bool, knit: Array, relaxed: Array, locked: Array, key: np.uint64
+    cells: U1x2, f: int, free: bool, cap: int, ring: bool, knit: B1x2, relaxed: B1x2, locked: B1x2, key: np.uint64
 ) -> None:
     """GSAT (section 4.3): rank the row's stitches by gain, flip one of the best, rank that row again.
 
@@ -162,14 +163,14 @@ def greedy(
 
 @kernel
 def random_walk(
-    cells: Array,
+    cells: U1x2,
     f: int,
     free: bool,
     cap: int,
     ring: bool,
-    knit: Array,
-    relaxed: Array,
-    locked: Array,
+    knit: B1x2,
+    relaxed: B1x2,
+    locked: B1x2,
     sample: int,
     stop: int,
     threshold: int,
@@ -207,7 +208,7 @@ def random_walk(
 
 @kernel
 def min_conflict(
-    cells: Array, f: int, free: bool, cap: int, ring: bool, knit: Array, relaxed: Array, locked: Array, key: np.uint64
+    cells: U1x2, f: int, free: bool, cap: int, ring: bool, knit: B1x2, relaxed: B1x2, locked: B1x2, key: np.uint64
 ) -> None:
     """Min-Conflict (section 4.2), averse to flips: a random stitch in conflict is flipped if that lessens conflicts.
 
@@ -244,7 +245,7 @@ def min_conflict(
 
 @kernel
 def texturing(
-    cells: Array, f: int, free: bool, cap: int, ring: bool, knit: Array, relaxed: Array, locked: Array, key: np.uint64
+    cells: U1x2, f: int, free: bool, cap: int, ring: bool, knit: B1x2, relaxed: B1x2, locked: B1x2, key: np.uint64
 ) -> None:
     """Pseudo-random texturing (section 4.5, algorithm 4.2): break each long run at a random shift, then every f + 1.
 

@@ -17,14 +17,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tambour.core.arrays import B1x1, B1x2, F4x1, F4x2, I8x1, U1x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.progress import Progress
+from tambour.core.threads import share
 from tambour.knit.picture.tone import diffuse_floyd
 from tambour.knit.solve import exact
 from tambour.knit.solve.floats import sequence
 from tambour.knit.solve.lanes import FORBIDDEN, LANES, best_rows
-from tambour.knit.task import Task, share
+from tambour.knit.task import Task
 
 SCALES = ((2.3, 1.0), (1.0, 0.4))  # blur in stitches, weight
 RADIUS = 4  # stitches at which the blurs are cut off: their products reach twice as far
@@ -141,14 +143,14 @@ def solve(
 
 @kernel
 def solve_batches(
-    mine: Array,
-    cells: Array,
-    tone: Array,
-    start: Array,
-    knit: Array,
-    relaxed: Array,
-    locked: Array,
-    weights: Array,
+    mine: I8x1,
+    cells: U1x2,
+    tone: F4x2,
+    start: U1x2,
+    knit: B1x2,
+    relaxed: B1x2,
+    locked: B1x2,
+    weights: F4x2,
     keep: np.float32,
     soft: np.float32,
     f: int,
@@ -156,11 +158,11 @@ def solve_batches(
     cap: int,
     ring: bool,
     shift: int,
-    across: Array,
-    down: Array,
-    table: Array,
-    changed: Array,
-    failed: Array,
+    across: F4x2,
+    down: F4x2,
+    table: F4x1,
+    changed: B1x1,
+    failed: B1x1,
 ) -> None:
     """Solve the rows ``mine``, eight at a time, given all others; note which changed, and which have no lawful way."""
     stitches = cells.shape[1]
