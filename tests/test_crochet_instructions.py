@@ -14,7 +14,7 @@ from tambour.crochet.page.instructions import instructions
 from tambour.crochet.printed.choose import read
 from tambour.crochet.printed.pattern import read_printed
 from tambour.crochet.printed.restated import restated
-from tambour.crochet.words.languages import TERMS
+from tambour.crochet.words.table import TERMS
 from test_crochet_starts import CLOSED
 
 HERE = Path(__file__).resolve()

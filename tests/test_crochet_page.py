@@ -23,8 +23,7 @@ from tambour.crochet.page.text import words
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 from tambour.crochet.plush import make
-from tambour.crochet.words.languages import TERMS
-from tambour.crochet.words.page import WORDS
+from tambour.crochet.words.table import TERMS
 from tambour.crochet.yarns import WEIGHTS
 from tambour.files import write
 
@@ -121,12 +120,11 @@ def test_nothing_leaves_the_paper_or_lies_over_other_words(
                 assert apart, (one[4], other[4])
 
 
-@pytest.mark.parametrize("code", sorted(WORDS))
+@pytest.mark.parametrize("code", sorted(TERMS))
 def test_every_language_has_every_word_and_fills_it(code: str) -> None:
-    assert set(WORDS["us"]) <= set(WORDS[code])
-    for key, sentence in WORDS["us"].items():
-        assert set(re.findall(r"{(\w+)}", sentence)) >= set(re.findall(r"{(\w+)}", WORDS[code][key])), key
-    assert code in TERMS
+    assert set(TERMS["us"].page) <= set(TERMS[code].page)
+    for key, sentence in TERMS["us"].page.items():
+        assert set(re.findall(r"{(\w+)}", sentence)) >= set(re.findall(r"{(\w+)}", TERMS[code].page[key])), key
     found = words(toy().built, code)
     assert [block.title.split(" (")[0] for block in found.parts] == ["Body", "Ear"]
     assert [row.count for row in found.parts[0].rows if row.label] == ["6", "12", "18", "18", "12", "6"]

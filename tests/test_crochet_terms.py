@@ -1,16 +1,23 @@
 """Tables of terms: whole, unambiguous, and every sentence is read back as it was said."""
 
+import json
+import os
+import re
+import shutil
 import string
+import subprocess
+import sys
 from collections import Counter
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tambour.core.errors import TambourError
 from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Hair, Placed, Spot
 from tambour.crochet.language.stitches import STITCHES
-from tambour.crochet.words.languages import SENTENCES, TERMS, WORDS
 from tambour.crochet.words.phrases import ITEMS, Phrases, number
+from tambour.crochet.words.table import SENTENCES, TERMS, Tables
 
 LEGEND = {"A": (1, 2, 3), "B": (200, 10, 77), "C2": (9, 9, 9)}
 COPIES = {"Head": 1, "Ear": 2, "Arm": 2, "Arm 1": 1, "Left leg": 1}
@@ -20,9 +27,9 @@ each = pytest.mark.parametrize("terms", TERMS.values(), ids=TERMS)
 @each
 def test_tables_are_whole(terms):
     assert set(STITCHES) <= set(terms.stitches)
-    assert set(terms.words) == set(WORDS)
+    assert set(terms.words) == set(TERMS["us"].words)
     assert set(terms.sentences) == set(SENTENCES)
-    assert set(terms.stitches) <= set(terms.meaning) <= set(terms.stitches) | set(WORDS)
+    assert set(terms.stitches) <= set(terms.meaning) <= set(terms.stitches) | set(TERMS["us"].words)
     assert all(terms.meaning.values())
     assert all(spellings and all(spellings) for spellings in [*terms.stitches.values(), *terms.words.values()])
 
@@ -126,3 +133,70 @@ def test_numbers():
 def test_uk_terms_are_moved_by_one():
     us, uk = TERMS["us"].stitches, TERMS["uk"].stitches
     assert (uk["sc"][0], uk["dc"][0], uk["tr"][0]) == (us["dc"][0], us["tr"][0], "dtr")
+
+
+def _made_up(folder, drop=()):
+    """A language of our own, as one file: every word of the US table backwards; without the keys ``drop``."""
+    import tomllib
+
+    whole = tomllib.loads((folder / "us.toml").read_text(encoding="utf-8"))
+
+    def turned(said):
+        """A template with its words turned around; fields and brackets stay where they are."""
+        return re.sub(r"(\{\w+\}|\[[^{\]]*)|([^\W\d]{2,})", lambda m: m[1] or f"{m[2][::-1]}o", said)
+
+    def written(said):
+        return json.dumps(turned(said) if isinstance(said, str) else [turned(s) for s in said], ensure_ascii=False)
+
+    rows = ['name = "Backwards"', f"standing = {written(whole['standing'])}"]
+    for name in ("kinds", "posts", "increase", "decrease", "bumps", "stitches", "explained", "meaning", "words",
+                 "sentences", "colors", "page"):  # fmt: skip
+        rows += [f"[{name}]", *(f'"{k}" = {written(v)}' for k, v in whole[name].items() if (name, k) not in drop)]
+    return "\n".join(rows)
+
+
+def test_a_language_is_one_file(root, tmp_path):
+    package = tmp_path / "tambour"
+    shutil.copytree(root / "src" / "tambour", package, ignore=shutil.ignore_patterns("__pycache__"))
+    words = package / "crochet" / "words"
+    (words / "xx.toml").write_text(_made_up(words), encoding="utf-8")
+    code = """
+from tambour.core.errors import Text
+from tambour.crochet.graph.build import build
+from tambour.crochet.page.instructions import instructions
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.printed.choose import read
+from tambour.crochet.printed.pattern import read_printed
+from tambour.crochet.words.table import TERMS
+assert CrochetParams(terms="xx").terms == "xx"
+source = "== Ear ==\\n: MR(6)\\n: 6 inc\\n: [sc, inc] x 6\\n2: 18 sc\\n: [sc, dec] x 6\\nFO\\n"
+said = instructions(build(read(Text(source))), "xx").text
+print(said)
+plain = said[said.rindex("## "):]
+for text in (said, plain):
+    again = read_printed(Text(text))
+    assert again.terms == "xx", again.terms
+    assert len(build(again).graph) == len(build(read(Text(source))).graph)
+"""
+    env = os.environ | {"PYTHONPATH": str(tmp_path)}
+    made = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=env)
+    assert made.returncode == 0, made.stderr
+    assert "dnRo" in made.stdout and "cnio" in made.stdout and "Rnd" not in made.stdout
+
+
+def test_what_a_language_lacks_is_told_at_once(root, tmp_path):
+    words = root / "src" / "tambour" / "crochet" / "words"
+    shutil.copy(words / "us.toml", tmp_path)
+    text = _made_up(words, drop=[("words", "turn"), ("page", "care")])
+    (tmp_path / "xx.toml").write_text(text.replace("{count} cso nio cigamo gniro", "cso nio cigamo gniro"))
+    with pytest.raises(TambourError) as told:
+        Tables(tmp_path)["xx"]
+    said = [p.message for p in told.value.problems]
+    assert said == [
+        '[words] "turn" is missing',
+        '[page] "care" is missing',
+        '[sentences] "ring" wants the fields count',
+    ]
+    (tmp_path / "yy.toml").write_text("name = ")
+    with pytest.raises(TambourError, match="no TOML"):
+        Tables(tmp_path)["yy"]

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import re
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from pydantic import Field, field_validator
 
 from tambour.core.errors import TambourError
 from tambour.core.params import Length, Params
+from tambour.crochet.words.table import TERMS
 from tambour.crochet.yarns import WEIGHTS, class_of, ravelled
+
+if TYPE_CHECKING:
+    Code = str
+else:
+    Code = Literal[tuple(TERMS)]  # a language is a file of words/
 
 _GAUGE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*[xX×]\s*(\d+(?:\.\d+)?)\s*$")
 
@@ -60,8 +66,8 @@ class CrochetParams(Params):
 
     check: bool = False
     """Tech edit: every mistake and doubt of the pattern is an error, told with its place; nothing is made."""
-    terms: Literal["us", "uk", "es", "de", "fr", "nl", "letters"] | None = None
-    """The words of written instructions: US or UK terms, Spanish, German, French, Dutch, or letters (else the pattern's own, else US)."""
+    terms: Code | None = None
+    """The words of written instructions: US or UK terms, another language, or letters (else the pattern's own, else US)."""
     strict: bool = False
     """Stated counts that do not agree with the work, and other doubts, are errors."""
     max_stitches: int = Field(default=200_000, ge=1)

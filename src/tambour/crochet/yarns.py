@@ -23,7 +23,7 @@ CIRCLE: Final = 5
 
 @dataclass(frozen=True, slots=True)
 class Weight:
-    """A class of yarn: number and names of the Craft Yarn Council's system.
+    """A class of yarn: number and name of the Craft Yarn Council's system.
 
     stitches : single crochets in 4 in, the middle of the range; hook : mm, the middle of the range (lace: hands' usual)
     amigurumi : mm, the hook for toys, several sizes smaller, so that no stuffing shows
@@ -32,7 +32,6 @@ class Weight:
 
     number: int
     name: str
-    uk: str
     stitches: float
     hook: float
     amigurumi: float
@@ -41,14 +40,14 @@ class Weight:
 
 
 WEIGHTS: Final[dict[str, Weight]] = {
-    "lace": Weight(0, "lace", "2-ply", 37.0, 1.9, 1.5, 800.0, 50.0),
-    "fingering": Weight(1, "fingering", "4-ply", 26.5, 2.9, 2.0, 400.0, 50.0),
-    "sport": Weight(2, "sport", "5-ply", 18.0, 4.0, 2.5, 300.0, 50.0),
-    "dk": Weight(3, "DK", "DK", 14.5, 5.0, 2.75, 225.0, 50.0),
-    "worsted": Weight(4, "worsted", "aran", 12.5, 6.0, 3.5, 190.0, 100.0),
-    "bulky": Weight(5, "bulky", "chunky", 9.5, 7.75, 5.0, 110.0, 100.0),
-    "super-bulky": Weight(6, "super bulky", "super chunky", 7.5, 12.0, 8.0, 65.0, 100.0),
-    "jumbo": Weight(7, "jumbo", "jumbo", 5.0, 16.0, 12.0, 40.0, 200.0),
+    "lace": Weight(0, "lace", 37.0, 1.9, 1.5, 800.0, 50.0),
+    "fingering": Weight(1, "fingering", 26.5, 2.9, 2.0, 400.0, 50.0),
+    "sport": Weight(2, "sport", 18.0, 4.0, 2.5, 300.0, 50.0),
+    "dk": Weight(3, "DK", 14.5, 5.0, 2.75, 225.0, 50.0),
+    "worsted": Weight(4, "worsted", 12.5, 6.0, 3.5, 190.0, 100.0),
+    "bulky": Weight(5, "bulky", 9.5, 7.75, 5.0, 110.0, 100.0),
+    "super-bulky": Weight(6, "super bulky", 7.5, 12.0, 8.0, 65.0, 100.0),
+    "jumbo": Weight(7, "jumbo", 5.0, 16.0, 12.0, 40.0, 200.0),
 }
 """Yarn classes: stitches and hooks are the middles of the Craft Yarn Council's ranges (Standard Yarn Weight System);
 hooks for toys and metres are what bands and patterns usually say."""

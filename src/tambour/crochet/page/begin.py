@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tambour.crochet.maker.materials import materials
 from tambour.crochet.maker.size import whole_size
-from tambour.crochet.page.book import Book, short, size_lines, weight_name
+from tambour.crochet.page.book import Book, short, size_lines, weight_name, yarn_name
 from tambour.crochet.page.flow import Atom, Chunk, flow, together
 from tambour.crochet.page.sheet import BODY, HAIR, HEAD, LEADING, RGB, SMALL, SOFT, Sheet, width_of, wrap
 from tambour.crochet.page.text import name_of
@@ -106,7 +106,7 @@ def _materials(book: Book, width: float) -> list[Atom]:
     for color, cm in threads.items():
         letter, name = name_of(book.said, color)
         made.append(_yarn(color, letter, name, "", own["embroidery"].format(cm=number(cm, 0)), "", width))
-    note = own["typical"].format(name=kind.uk if book.code == "uk" else kind.name, metres=number(kind.metres, 0))
+    note = own["typical"].format(name=yarn_name(book), metres=number(kind.metres, 0))
     made += paragraph(note, width, SMALL, SOFT, 0.8)
     other: list[tuple[str, str]] = []
     if "hook" not in book.piece.built.pattern.stated:

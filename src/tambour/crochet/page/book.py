@@ -13,7 +13,6 @@ from tambour.crochet.maker.size import Size
 from tambour.crochet.page.flow import Frame
 from tambour.crochet.page.sheet import HAIR, LEAD, RGB, Sheet, wrap
 from tambour.crochet.page.text import Words, words
-from tambour.crochet.words.page import IMPERIAL, WORDS
 from tambour.crochet.yarns import WEIGHTS
 
 if TYPE_CHECKING:
@@ -35,7 +34,7 @@ class Book:
         self.piece = piece
         self.said: Words = words(piece.built, params.terms)
         self.code = self.said.terms.code
-        self.own = WORDS[self.code]
+        self.own = self.said.terms.page
         stated = piece.built.pattern.stated
         stem = PurePath(piece.built.pattern.text.name).stem.replace("_", " ").strip("<> ")
         title = params.title or stated.get("title", ("",))[0] or self.said.title or stem
@@ -55,7 +54,7 @@ class Book:
     @property
     def imperial(self) -> bool:
         """Whether inches and yards are told as well."""
-        return self.code in IMPERIAL
+        return self.said.terms.inches
 
     def number(self, value: float, digits: int = 1) -> str:
         """A number as the language writes it, without needless noughts."""
@@ -109,9 +108,13 @@ def cut(text: str, size: float, room: float) -> str:
 
 def weight_name(book: Book) -> str:
     """The class of the yarn, as the language's makers call it."""
-    kind = WEIGHTS[book.piece.gauge.weight]
-    name = kind.uk if book.code == "uk" else kind.name
-    return book.own["weight"].format(name=name, number=kind.number)
+    return book.own["weight"].format(name=yarn_name(book), number=WEIGHTS[book.piece.gauge.weight].number)
+
+
+def yarn_name(book: Book) -> str:
+    """The same without its number."""
+    weight = book.piece.gauge.weight
+    return book.said.terms.yarns.get(weight, WEIGHTS[weight].name)
 
 
 def _main(piece: Plush) -> tuple[int, int, int]:

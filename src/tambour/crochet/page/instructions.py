@@ -17,9 +17,9 @@ from tambour.crochet.language.tree import Pattern, Section
 from tambour.crochet.page.written import Written, sections
 from tambour.crochet.piece import Plush
 from tambour.crochet.words.hues import plain_name
-from tambour.crochet.words.languages import TERMS, Terms
 from tambour.crochet.words.phrases import Phrases, hexed
 from tambour.crochet.words.special import told
+from tambour.crochet.words.table import TERMS, Terms
 
 _LETTERS: Final = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 _PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring"}

@@ -10,9 +10,8 @@ from tambour.crochet.page.instructions import instructions
 from tambour.crochet.page.sheet import RGB
 from tambour.crochet.page.written import sections
 from tambour.crochet.words.hues import plain_name
-from tambour.crochet.words.languages import TERMS
 from tambour.crochet.words.phrases import Phrases
-from tambour.crochet.words.table import Terms
+from tambour.crochet.words.table import TERMS, Terms
 
 _HEX = re.compile(r"\(#([0-9a-f]{6})\)")
 

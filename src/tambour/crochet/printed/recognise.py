@@ -11,20 +11,8 @@ from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
 from tambour.crochet.printed.restated import printed_in
 from tambour.crochet.printed.tokens import Row, Token
-from tambour.crochet.words.languages import TERMS
+from tambour.crochet.words.table import TERMS
 
-_ENGLISH: Final = ("us", "uk", "letters")
-_SAID: Final = {
-    "us": "us",
-    "usa": "us",
-    "american": "us",
-    "u": "",
-    "uk": "uk",
-    "british": "uk",
-    "english": "",
-    "aus": "uk",
-    "australian": "uk",
-}
 _ABOUT: Final = frozenset(
     ("terms", "term", "terminology", "abbreviations", "crochet", "pattern", "stitches", "notation", "instructions")
 )
@@ -84,15 +72,22 @@ def recognised(source: Source, rows: list[Row]) -> Language:
 _DIGITS: Final = str.maketrans("", "", "0123456789")
 
 
+@lru_cache(maxsize=1)
+def _called() -> dict[str, str]:
+    """What texts call a language → its code; "" for words that say it only with the next ones."""
+    return {"u": "", "english": "", **{word: code for code, terms in TERMS.items() for word in terms.called}}
+
+
 def _said(rows: list[Row]) -> Language | None:
+    called = _called()
     for row in rows:
         tokens = row.tokens
         if tokens[0].word == "@" and len(tokens) >= 4 and tokens[1].word == "terms":
-            code = _SAID.get(tokens[3].word, tokens[3].word)
+            code = called.get(tokens[3].word, tokens[3].word)
             if code in TERMS:
                 return Language(code, Span(tokens[0].start, tokens[3].end))
         for k, token in enumerate(tokens):
-            code = _SAID.get(token.word, "")
+            code = called.get(token.word, "")
             near = tokens[k + 1 : k + 4]
             if token.word == "u" and len(near) >= 2 and near[0].word == "." and near[1].word in ("s", "k"):
                 code, near = ("us" if near[1].word == "s" else "uk"), tokens[k + 3 : k + 6]
@@ -123,7 +118,7 @@ def _foreign(rows: list[Row], words: dict[str, int]) -> str:
         return sum(n for word, n in words.items() if word in _own(code))
 
     english = max(score("us"), score("uk"))
-    best = max((code for code in TERMS if code not in _ENGLISH), key=score, default="")
+    best = max((code for code, terms in TERMS.items() if terms.base != "us"), key=score, default="")
     return best if best and score(best) > english else ""
 
 

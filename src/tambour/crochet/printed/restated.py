@@ -13,9 +13,9 @@ from tambour.crochet.language.items import MOST_IN_ONE
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import STARTS, STITCHES, STUFFING, Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
-from tambour.crochet.words.languages import TERMS, Terms
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.special import heard
+from tambour.crochet.words.table import TERMS, Terms
 
 _COUNT: Final = re.compile(r"\s*\((\d{1,9})\)$")
 _SETTING: Final = re.compile(r"@(centroids|initializer) = ([\w-]+)$")
@@ -47,7 +47,7 @@ def restated(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -
 
 def printed_in(text: str) -> Terms | None:
     """The terms that a text's heading over its abbreviations names, as it is printed."""
-    for terms in TERMS.values():
+    for terms in TERMS.values() if "## " in text else ():
         if f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" in text:
             return terms
     return None

@@ -15,8 +15,8 @@ from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
 from tambour.crochet.printed.tokens import rows
 from tambour.crochet.printed.vocabulary import vocabulary
-from tambour.crochet.words.languages import TERMS
 from tambour.crochet.words.phrases import Phrases
+from tambour.crochet.words.table import TERMS
 
 _KNOWN: Final = (
     "around",

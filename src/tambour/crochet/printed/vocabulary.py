@@ -2,26 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from copy import copy
 from functools import lru_cache
 from typing import Any, Final
 
 from tambour.crochet.language.stitches import STITCHES, standard
 from tambour.crochet.printed.tokens import Token, rows
-from tambour.crochet.words.heard import (
-    DECREASES,
-    ENGLISH,
-    FILLERS,
-    FOREIGN,
-    INCREASES,
-    LETTERS,
-    NUMBERS,
-    ORDINALS,
-    UK,
-    US,
-)
-from tambour.crochet.words.languages import TERMS
+from tambour.crochet.words.table import TERMS, Heard
 
 _SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
 _JOINS: Final = frozenset("-.'/")
@@ -43,54 +31,46 @@ class Vocabulary:
     def __init__(self, code: str) -> None:
         self.code = code
         self._first: dict[str, list[tuple[tuple[str, ...], str, Any]]] = {}
-        self.english = code in ("us", "uk", "letters")
-        language = "en" if self.english else code
-        for key, said in ENGLISH.items() if self.english else ():
-            self._add(said.split("|"), "key", key)
-        if self.english:
-            for n, word in enumerate(ORDINALS.split("|"), 1):
-                self._add([word], "ordinal", n)
-            for n, word in enumerate(NUMBERS.split("|"), 1):
-                self._add([word], "number", n)
-        self._add(FILLERS.get(language, "").split("|"), "filler", None)
-        if self.english:
-            self._families(UK if code == "uk" else US)
-        for key, said in FOREIGN.get(code, {}).items():
-            kind, _, name = key.rpartition(":")
-            self._add(said.split("|"), kind or "key", name)
-        if code == "letters":
-            for name, said in LETTERS.items():
-                self._add(said.split("|"), "key" if name == "fo" else "stitch", "fasten off" if name == "fo" else name)
-        table = TERMS.get(code)
-        if table is not None:
-            for key, spellings in table.words.items():
-                if key not in _LATER:
-                    self._add([s for s in spellings if s not in _SIGNS], "key", _SAME.get(key, key))
-            for name, spellings in table.stitches.items():
-                self._add(spellings, "stitch", name)
+        table = TERMS[code]
+        heard = table.heard
+        for key, said in heard.words.items():
+            self._add(said, "key", key)
+        for n, word in enumerate(heard.ordinals, 1):
+            self._add([word], "ordinal", n)
+        for n, word in enumerate(heard.numbers, 1):
+            self._add([word], "number", n)
+        self._add(heard.fillers, "filler", None)
+        self._families(heard)
+        for name, said in heard.stitches.items():
+            self._add(said, "stitch", name)
+        for key, spellings in table.words.items():
+            if key not in _LATER:
+                self._add([s for s in spellings if s not in _SIGNS], "key", _SAME.get(key, key))
+        for name, spellings in table.stitches.items():
+            self._add(spellings, "stitch", name)
         for phrases in self._first.values():
             phrases.sort(key=lambda p: -len(p[0]))
 
-    def _families(self, base: Mapping[str, str]) -> None:
+    def _families(self, heard: Heard) -> None:
         """Plain stitches, and the increases and decreases that are said of them."""
-        for name, said in base.items():
-            self._add(said.split("|"), "stitch", name)
+        for name, said in heard.kinds.items():
+            self._add(said, "stitch", name)
             if name in ("slst", "skip", "ch"):
                 continue
             prefix = "" if name == "sc" else name
-            for word in said.split("|"):
+            for word in said:
                 for n in range(2, 6):
                     what = f"{prefix}dec{n if n > 2 else ''}"
                     self._add([f"{word}{n}tog", f"{word} {n} tog", f"{word} {n} together"], "stitch", what)
-                for inc in INCREASES.split("|"):
+                for inc in heard.increases:
                     self._add([f"{word} {inc}", f"{word}{inc}"], "stitch", f"{prefix}inc")
                     self._add([f"{word} {inc} 3", f"{word}{inc}3"], "stitch", f"{prefix}inc3")
-                for dec in DECREASES.split("|"):
+                for dec in heard.decreases:
                     self._add([f"{word} {dec}", f"{word}{dec}"], "stitch", f"{prefix}dec")
-        for said, what in ((INCREASES, "inc"), (DECREASES, "dec")):
-            self._add(said.split("|"), "stitch", what)
+        for said, what in ((heard.increases, "inc"), (heard.decreases, "dec")):
+            self._add(said, "stitch", what)
             for n in range(3, 7):
-                self._add([f"{word}{n}" for word in said.split("|") if " " not in word], "stitch", f"{what}{n}")
+                self._add([f"{word}{n}" for word in said if " " not in word], "stitch", f"{what}{n}")
 
     def _add(self, spellings: Iterable[str], kind: str, value: Any, new: bool = False) -> None:
         for said in spellings:

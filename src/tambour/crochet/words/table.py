@@ -1,94 +1,20 @@
-"""Wording: what a table of terms holds, and how its stitches that belong together are spelt."""
+"""Table: the words of printed patterns, a file per language; the reader, the writer and the booklet share them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Final
+import string
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Final
 
+from tambour.core.errors import Problem, TambourError
+from tambour.crochet.words.spellings import meanings, stitches
 
-@dataclass(frozen=True, slots=True)
-class Terms:
-    """The words of one language of printed patterns. Case never tells two words apart.
+FOLDER: Final = Path(__file__).parent
 
-    code, name : "us", "US terms"
-    stitches : standard name (:mod:`tambour.crochet.language.stitches`) → its spellings; the writer prints the first
-    meaning : the same, and some of :data:`WORDS` → what it means in full, for the list of abbreviations
-    words : every other word of :data:`WORDS` → its spellings; the writer prints the first
-    sentences : :data:`SENTENCES` → a template (:mod:`tambour.crochet.words.phrases`), which fills and reads alike
-    colors : CSS name of a colour → its spellings
-    """
-
-    code: str
-    name: str
-    stitches: Mapping[str, tuple[str, ...]]
-    meaning: Mapping[str, str]
-    words: Mapping[str, tuple[str, ...]]
-    sentences: Mapping[str, str]
-    colors: Mapping[str, tuple[str, ...]]
-
-    def word(self, key: str) -> str:
-        """The spelling of a stitch or word that the writer prints."""
-        return (self.stitches.get(key) or self.words[key])[0]
-
-
-WORDS: Final = (
-    "round",  # Rnd, R, Round: before a number
-    "row",
-    "ring",  # magic ring
-    "in",  # "6 sc in magic ring", "in next st"
-    "into",
-    "each",  # sc in each st
-    "next",
-    "same",
-    "last",
-    "stitch",
-    "stitches",
-    "space",  # a chain space
-    "around",
-    "times",  # [sc, inc] 6 times
-    "repeat",  # rep from * around
-    "from",
-    "to",
-    "between",
-    "and",
-    "front loops",  # FLO
-    "back loops",  # BLO
-    "both loops",
-    "turn",
-    "join",
-    "fasten off",
-    "close",  # draw the remaining stitches together
-    "color",  # change to colour
-    "make",  # Ear (make 2)
-    "part",
-    "stuff",
-    "none",
-    "light",
-    "medium",
-    "firm",
-    "materials",
-    "abbreviations",
-    "special stitches",
-    "instructions",  # the heading of a pattern whose only part has no name
-    "gauge",
-    "assembly",
-    "finished size",
-    "yarn",
-    "hook",
-    "eyes",
-    "height",  # of a special stitch, in single crochets
-    "pull through",  # the moves that special stitches are made of
-    "pull over",
-    "next anchor",
-    "circle",  # shapes of felt
-    "oval",
-    "half",
-    "triangle",
-    "heart",
-    "square",
-)
-"""What a table has words for."""
+WHOLE: Final = "us"
+"""The language whose file holds every key: what it has, every other has, or takes it from its base."""
 
 SENTENCES: Final = {
     "terms": "",  # what the words are called in themselves
@@ -144,93 +70,152 @@ SENTENCES: Final = {
 """What a table has sentences for → the fields each must have."""
 
 
-MOST: Final = 12
-"""The most stitches in one place, or together, that have a spelling."""
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """What people write besides the words that a table prints.
 
-Spellings = dict[str, tuple[str, ...]]
-
-
-def posts(kinds: Mapping[str, tuple[str, ...]], front: tuple[str, ...], back: tuple[str, ...]) -> Spellings:
-    """The kinds worked around the post; templates with ``{k}`` for a kind's spelling, the first for the short one."""
-    made = {}
-    for end, templates in (("fp", front), ("bp", back)):
-        for kind in ("sc", "hdc", "dc", "tr", "dtr"):
-            short, full = kinds[kind][:2]
-            made[end + kind] = tuple(t.format(k=full if at else short) for at, t in enumerate(templates))
-    return made
-
-
-def families(
-    kinds: Mapping[str, tuple[str, ...]],
-    inc: tuple[str, ...],
-    incs: tuple[str, ...],
-    dec: tuple[str, ...],
-    decs: tuple[str, ...],
-) -> Spellings:
-    """The kinds, with all increases and decreases of each.
-
-    kinds : kind → its spellings, the short and the full one first
-    inc, dec : templates for two of it, ``{k}`` is a kind's spelling; incs, decs : for ``{n}`` of it, 3 to 12; those
-    without ``{k}`` are of the single crochet alone
+    words : concept → spellings; stitches : standard name → spellings
+    kinds : the same, of stitches whose ``increases`` and ``decreases`` the reader makes by itself
+    fillers : words that carry no meaning; ordinals, numbers : first, second, …; one, two, …
     """
-    made: Spellings = dict(kinds)
-    for what, two, more in (("inc", inc, incs), ("dec", dec, decs)):
-        for kind, spellings in kinds.items():
-            plain = kind == "sc"
-            for n in range(2, MOST + 1):
-                said = [
-                    t.format(k=k, n=n)
-                    for t in (two if n == 2 else more)
-                    for k in (spellings[:2] if "{k}" in t else spellings[:1])
-                    if plain or "{k}" in t
-                ]
-                name = ("" if plain else kind) + what + ("" if n == 2 else str(n))
-                made[name] = tuple(dict.fromkeys(said))
-    return made
+
+    words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    stitches: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    kinds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    increases: tuple[str, ...] = ()
+    decreases: tuple[str, ...] = ()
+    fillers: tuple[str, ...] = ()
+    ordinals: tuple[str, ...] = ()
+    numbers: tuple[str, ...] = ()
 
 
-def explained(
-    kinds: Mapping[str, tuple[str, ...]], inc: str, incs: str, dec: str, decs: str, rest: Mapping[str, str]
-) -> dict[str, str]:
-    """What kinds (their full spelling) and their increases and decreases mean; templates with ``{k}`` and ``{n}``.
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """The words of one language of printed patterns. Case never tells two words apart.
 
-    inc, dec : of the single crochet, two of it; incs, decs : of any; rest : what else is explained
+    code, name : "us", "US terms"
+    stitches : standard name (:mod:`tambour.crochet.language.stitches`) → its spellings; the writer prints the first
+    meaning : the same, and some words → what it means in full, for the list of abbreviations
+    words : every other word → its spellings; the writer prints the first
+    sentences : :data:`SENTENCES` → a template (:mod:`tambour.crochet.words.phrases`), which fills and reads alike
+    colors : CSS name of a colour → its spellings
+    base : the code of the language that it is a kind of, else its own
+    page : what the booklet says besides; yarns : a class of yarn → its name, where it has its own
+    inches : its readers also want inches and yards; called : what texts call it ("american")
     """
-    made = {kind: spellings[1] for kind, spellings in kinds.items()}
-    for kind, spellings in kinds.items():
-        plain = kind == "sc"
-        for n in range(2, MOST + 1):
-            end = "" if n == 2 else str(n)
-            prefix = "" if plain else kind
-            made[f"{prefix}inc{end}"] = (inc if plain and n == 2 else incs).format(k=spellings[0], n=n)
-            made[f"{prefix}dec{end}"] = (dec if plain and n == 2 else decs).format(k=spellings[0], n=n)
-    return made | dict(rest)
+
+    code: str
+    name: str
+    stitches: Mapping[str, tuple[str, ...]]
+    meaning: Mapping[str, str]
+    words: Mapping[str, tuple[str, ...]]
+    sentences: Mapping[str, str]
+    colors: Mapping[str, tuple[str, ...]]
+    base: str = ""
+    page: Mapping[str, str] = field(default_factory=dict)
+    yarns: Mapping[str, str] = field(default_factory=dict)
+    heard: Heard = field(default_factory=Heard)
+    inches: bool = False
+    called: tuple[str, ...] = ()
+
+    def word(self, key: str) -> str:
+        """The spelling of a stitch or word that the writer prints."""
+        return (self.stitches.get(key) or self.words[key])[0]
 
 
-BUMPS: Final = {"bobble": 5, "popcorn": 5, "puff": 4, "cl": 3}
-"""Stitches of several loops drawn together → how many, unless it is said."""
+class Tables(Mapping[str, Terms]):
+    """Code → Terms, of the files of a folder; each is read when it is first asked for."""
+
+    def __init__(self, folder: Path = FOLDER) -> None:
+        self._files = {path.stem: path for path in sorted(folder.glob("*.toml"))}
+        self._read: dict[str, Terms] = {}
+        self._whole: dict[str, dict[str, Any]] = {}
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._files)
+
+    def __len__(self) -> int:
+        return len(self._files)
+
+    def __getitem__(self, code: str) -> Terms:
+        if code not in self._read:
+            file = self._file(code)
+            if wrong := self._lacks(code, file):
+                raise TambourError([Problem(w, where=str(self._files[code])) for w in wrong])
+            self._read[code] = _terms(code, file)
+        return self._read[code]
+
+    def _file(self, code: str) -> dict[str, Any]:
+        """A language's file, filled up from its base."""
+        import tomllib
+
+        if code in self._whole:
+            return self._whole[code]
+        path = self._files[code]
+        try:
+            own = tomllib.loads(path.read_text(encoding="utf-8"))
+        except ValueError as error:
+            raise TambourError(f"this is no TOML: {error}", where=str(path)) from None
+        base = own.get("base", "")
+        self._whole[code] = _filled(self._file(base), own) if base else own
+        return self._whole[code]
+
+    def _lacks(self, code: str, file: dict[str, Any]) -> list[str]:
+        """What a file does not say, and sentences whose fields are not those they must have."""
+        if code == WHOLE:
+            return []
+        whole = self._file(WHOLE)
+        wrong = [f'"{key}" is missing' for key in ("name", "standing") if key not in file]
+        for table in ("kinds", "posts", "bumps", "stitches", "explained", "words", "sentences", "colors", "page"):
+            said = file.get(table, {})
+            wrong += [f'[{table}] "{key}" is missing' for key in whole[table] if not said.get(key)]
+        for table in ("increase", "decrease"):
+            wrong += [f'[{table}] "{k}" is missing' for k in ("2", "more") if not file.get(table, {}).get(k)]
+        for key, fields in SENTENCES.items():
+            said = file.get("sentences", {}).get(key)
+            if said and sorted(_fields(said)) != sorted(fields.split()):
+                wrong.append(f'[sentences] "{key}" wants the fields {fields or "none"}')
+        for key, template in whole["page"].items():
+            if not set(_fields(file.get("page", {}).get(key, ""))) <= set(_fields(template)):
+                wrong.append(f'[page] "{key}" has no fields but {", ".join(_fields(template)) or "none"}')
+        return wrong
 
 
-def bumps(kinds: Mapping[str, tuple[str, ...]]) -> Spellings:
-    """The spellings of bumps, with the number of their loops behind where it is not the usual one."""
-    made: Spellings = {}
-    for kind, spellings in kinds.items():
-        for n in range(2, MOST + 1):
-            usual = n == BUMPS[kind]
-            made[kind if usual else f"{kind}{n}"] = spellings if usual else tuple(f"{s}{n}" for s in spellings)
+def _fields(template: str) -> list[str]:
+    return [name for _, name, _, _ in string.Formatter().parse(template) if name]
+
+
+def _filled(base: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
+    """``own`` over ``base``, table by table and key by key."""
+    made = dict(base)
+    for key, said in own.items():
+        made[key] = _filled(base.get(key, {}), said) if isinstance(said, dict) else said
     return made
 
 
-def bumped(kinds: Mapping[str, tuple[str, ...]], meaning: str) -> dict[str, str]:
-    """What bumps mean; a template with ``{k}``, the last spelling, and ``{n}``."""
-    return {
-        kind if n == BUMPS[kind] else f"{kind}{n}": meaning.format(k=spellings[-1], n=n)
-        for kind, spellings in kinds.items()
-        for n in range(2, MOST + 1)
+def _terms(code: str, file: dict[str, Any]) -> Terms:
+    def spelt(said: Mapping[str, list[str]]) -> dict[str, tuple[str, ...]]:
+        return {key: tuple(spellings) for key, spellings in said.items()}
+
+    heard: dict[str, Any] = {
+        key: spelt(v) if isinstance(v, dict) else tuple(v) for key, v in file.get("heard", {}).items()
     }
+    return Terms(
+        code,
+        file["name"],
+        stitches(file),
+        meanings({"meaning": {}, **file}),
+        spelt(file["words"]),
+        file["sentences"],
+        spelt(file["colors"]),
+        file.get("base", code),
+        file["page"],
+        file.get("yarns", {}),
+        Heard(**heard),
+        file.get("inches", False),
+        tuple(file.get("called", ())),
+    )
 
 
-def standing(kinds: Mapping[str, tuple[str, ...]], template: str) -> Spellings:
-    """The spellings of chains that count as a stitch, for which ``{n}`` and ``{k}`` stand in the template."""
-    chains = {"sc": 1, "hdc": 2, "dc": 3, "tr": 4, "dtr": 5}
-    return {f"ch{n}{kind}": (template.format(n=n, k=kinds[kind][0]),) for kind, n in chains.items()}
+TERMS: Final = Tables()
+"""Code → table."""
