@@ -25,12 +25,13 @@ from tambour.core.progress import Progress
 from tambour.core.thread import STITCH
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines import flow as flows
+from tambour.embroidery.lines.density import density_map
 from tambour.embroidery.lines.field import directions, field
 from tambour.embroidery.lines.fill import rings, rows, to_rows
 from tambour.embroidery.lines.net import polygon_of, weave
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import FILL, TRAVEL
-from tambour.embroidery.plan.facts import density_map, full_cells, steps
+from tambour.embroidery.plan.facts import full_cells, steps
 from tambour.embroidery.plan.make import make
 from tambour.embroidery.plan.sequence import Layout
 from tambour.embroidery.regions.read import to_shapely

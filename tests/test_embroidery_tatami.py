@@ -9,12 +9,13 @@ import pytest
 import shapely
 
 from tambour.core.paths import Paths
-from tambour.embroidery.families.stitches import tidy
 from tambour.embroidery.families.tatami import tatami
+from tambour.embroidery.lines.density import density_map
 from tambour.embroidery.lines.fill import rings
 from tambour.embroidery.lines.route import LINE, adjacency, euler, ring_edges
 from tambour.embroidery.piece import FILL, TRAVEL
-from tambour.embroidery.plan.facts import density_map, full_cells
+from tambour.embroidery.plan.facts import full_cells
+from tambour.embroidery.stitches import tidy
 
 ANGLE = math.radians(30)
 

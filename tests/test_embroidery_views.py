@@ -18,9 +18,9 @@ from tambour.embroidery.looks.scene import density, machine, scene, simulate
 from tambour.embroidery.looks.worksheet import blocks, worksheet
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece
+from tambour.embroidery.plan.design import piece_of
 from tambour.embroidery.plan.layers import PRESSED, elevation
 from tambour.embroidery.regions.catalogue import TABLES, catalogue, matched, screen
-from tambour.embroidery.regions.design import piece_of
 
 SQUARES = [np.array([[x, 0], [x + 9, 0], [x + 9, 12], [x, 12], [x, 0]], float) for x in (0.0, 11.0)]
 

@@ -11,9 +11,9 @@ from tambour.core.thread import END, STITCH, Thread, ThreadPlan
 from tambour.embroidery.looks.preview import picture
 from tambour.embroidery.looks.scene import scene
 from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.plan.design import piece_of
 from tambour.embroidery.plan.facts import facts
 from tambour.embroidery.plan.make import make
-from tambour.embroidery.regions.design import piece_of
 
 FAMILIES = ("tatami", "contour", "flow", "meander", "satin")
 

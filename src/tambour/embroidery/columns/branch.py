@@ -9,8 +9,8 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.embroidery.columns.medial import Limb, limbs
 from tambour.embroidery.columns.satin import Column, there_and_back
-from tambour.embroidery.families.stitches import Stitches
 from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.stitches import Stitches
 
 
 def branched(area: Any, params: EmbroideryParams, name: str, start: Any = None) -> tuple[list[Stitches], Any]:

@@ -12,9 +12,9 @@ import numpy as np
 from tambour.core.arrays import F8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.embroidery.families.stitches import Stitches, chain, line_stitches
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import SATIN, TRAVEL, UNDERLAY
+from tambour.embroidery.stitches import Stitches, chain, line_stitches
 from tambour.noise import key, uniform
 
 CROWDED = 0.25  # mm: needle points closer than this on the inner side are drawn in, every other one

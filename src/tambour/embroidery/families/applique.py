@@ -9,12 +9,12 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.paths import Paths
 from tambour.embroidery.columns.satin import column_stitches, from_stroke, zigzag
-from tambour.embroidery.families.stitches import Stitches, line_stitches
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines.fill import rings
 from tambour.embroidery.lines.run import TOLERANCE
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import RUNNING, UNDERLAY, Region
+from tambour.embroidery.stitches import Stitches, line_stitches
 
 COVER = 3.0  # mm, width of the satin over a patch's edge
 TACK = 1.2  # mm, width of the zigzag that holds a patch

@@ -11,7 +11,6 @@ from tambour.core.check import Array
 from tambour.core.paths import Paths
 from tambour.embroidery.columns.branch import branched
 from tambour.embroidery.columns.satin import column_stitches, from_rails, from_stroke
-from tambour.embroidery.families.stitches import Stitches, join, line_stitches
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines import curves, grids
 from tambour.embroidery.lines.fill import Rings, rings
@@ -21,6 +20,7 @@ from tambour.embroidery.lines.run import bean, from_nearest, motif, running
 from tambour.embroidery.lines.ways import nearest_on_outline, way
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import TRAVEL, UNDERLAY, Region
+from tambour.embroidery.stitches import Stitches, join, line_stitches
 from tambour.noise import key
 
 Place = tuple[float, float] | None

@@ -9,11 +9,11 @@ import numpy as np
 from tambour.core.arrays import B1x1, F8x1, F8x2, I8x1, U1x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.embroidery.families.stitches import Stitches
 from tambour.embroidery.lines.corridor import find, leaves, neighbours, straighten
-from tambour.embroidery.lines.fill import Rings, crossings, from_rows, inside_pairs, levels
+from tambour.embroidery.lines.fill import Rings, along_ring, crossings, from_rows, inside_pairs, levels
 from tambour.embroidery.lines.route import ring_way, row_tour
 from tambour.embroidery.piece import FILL, TRAVEL
+from tambour.embroidery.stitches import Stitches
 from tambour.noise import uniform
 
 TOLERANCE = 0.04  # mm that a way along an outline may cut its bends
@@ -56,44 +56,6 @@ def simplify_into(xy: Array, n: int, way: Array, m: int, most: float, tolerance:
         n = put_line(xy, n, way[i, 0], way[i, 1], way[j, 0], way[j, 1], most)
         i = j
     return n
-
-
-@kernel
-def along_ring(
-    points: F8x2, at: F8x1, offsets: I8x1, base: F8x1, ring: int, begin: float, way: float, first: F8x1, last: F8x1
-) -> F8x2:
-    """The outline from place ``begin`` on for a signed ``way``: (n, 2), from point ``first`` to point ``last``."""
-    lo, hi = offsets[ring], offsets[ring + 1]
-    perimeter = base[ring + 1] - base[ring]
-    out = np.empty((hi - lo + 2, 2))
-    out[0] = first
-    n = 1
-    if way >= 0:
-        i = lo + np.searchsorted(at[lo:hi], begin + 1e-9)
-        turn = 0.0
-        while True:
-            if i == hi:
-                i = lo
-                turn += perimeter
-            if at[i] + turn >= begin + way - 1e-9 or n > hi - lo:
-                break
-            out[n] = points[i]
-            n += 1
-            i += 1
-    else:
-        i = lo + np.searchsorted(at[lo:hi], begin - 1e-9) - 1
-        turn = 0.0
-        while True:
-            if i < lo:
-                i = hi - 1
-                turn -= perimeter
-            if at[i] + turn <= begin + way + 1e-9 or n > hi - lo:
-                break
-            out[n] = points[i]
-            n += 1
-            i -= 1
-    out[n] = last
-    return out[: n + 1].copy()
 
 
 @kernel

@@ -25,7 +25,7 @@ def even_out(
     from scipy.sparse import coo_matrix, diags, hstack, identity, vstack
     from scipy.sparse.linalg import cg
 
-    from tambour.embroidery.plan.facts import density_map
+    from tambour.embroidery.lines.density import density_map
 
     size = max(2.0, 5 * spacing)
     x0, y0, x1, y1 = area.bounds

@@ -192,3 +192,41 @@ def rows(
     starts, u, _, sign = crossings(area.points, area.offsets, height)
     row, first, last = inside_pairs(starts, sign, evenodd)
     return Rows(height, row, np.c_[u[first], u[last]], angle)
+
+
+@kernel
+def along_ring(
+    points: F8x2, at: F8x1, offsets: I8x1, base: F8x1, ring: int, begin: float, way: float, first: F8x1, last: F8x1
+) -> F8x2:
+    """The outline from place ``begin`` on for a signed ``way``: (n, 2), from point ``first`` to point ``last``."""
+    lo, hi = offsets[ring], offsets[ring + 1]
+    perimeter = base[ring + 1] - base[ring]
+    out = np.empty((hi - lo + 2, 2))
+    out[0] = first
+    n = 1
+    if way >= 0:
+        i = lo + np.searchsorted(at[lo:hi], begin + 1e-9)
+        turn = 0.0
+        while True:
+            if i == hi:
+                i = lo
+                turn += perimeter
+            if at[i] + turn >= begin + way - 1e-9 or n > hi - lo:
+                break
+            out[n] = points[i]
+            n += 1
+            i += 1
+    else:
+        i = lo + np.searchsorted(at[lo:hi], begin - 1e-9) - 1
+        turn = 0.0
+        while True:
+            if i < lo:
+                i = hi - 1
+                turn -= perimeter
+            if at[i] + turn <= begin + way + 1e-9 or n > hi - lo:
+                break
+            out[n] = points[i]
+            n += 1
+            i -= 1
+    out[n] = last
+    return out[: n + 1].copy()

@@ -9,11 +9,11 @@ import numpy as np
 from tambour.core.arrays import B1x1, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.embroidery.families.stitches import Stitches, join, line_stitches
 from tambour.embroidery.lines.fill import Rings
 from tambour.embroidery.lines.route import LINE, LINK, adjacency, euler
 from tambour.embroidery.lines.ways import way
 from tambour.embroidery.piece import FILL, TRAVEL
+from tambour.embroidery.stitches import Stitches, join, line_stitches
 from tambour.noise import stream
 
 

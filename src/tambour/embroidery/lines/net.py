@@ -15,13 +15,12 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.paths import Paths
-from tambour.embroidery.families.stitches import Stitches, join, line_stitches
-from tambour.embroidery.families.tatami import along_ring
 from tambour.embroidery.lines.corridor import leaves
-from tambour.embroidery.lines.fill import Rings
+from tambour.embroidery.lines.fill import Rings, along_ring
 from tambour.embroidery.lines.route import LINE, LINK, RING, adjacency, euler, ring_edges
 from tambour.embroidery.lines.ways import way
 from tambour.embroidery.piece import FILL, TRAVEL
+from tambour.embroidery.stitches import Stitches, join, line_stitches
 
 ON_RING = 1e-4  # mm from the outline that an end may be and still count as on it
 

@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.embroidery.families.stitches import Stitches, line_stitches, walk
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import RUNNING
+from tambour.embroidery.stitches import Stitches, line_stitches, walk
 
 TOLERANCE = 0.1  # mm that a running stitch may cut a bend
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.embroidery.families.tatami import along_ring
 from tambour.embroidery.lines.corridor import find, holds, leaves, neighbours, straighten
-from tambour.embroidery.lines.fill import Rings, crossings, inside_pairs, levels
+from tambour.embroidery.lines.fill import Rings, along_ring, crossings, inside_pairs, levels
 
 
 def way(area: Rings, a: Array, b: Array) -> Array:

@@ -168,7 +168,7 @@ _SCALE = (
 
 def density(piece: Piece) -> Picture:
     """How much thread lies where, in cells of 1 mm: green is one full cover, yellow three, red four and more."""
-    from tambour.embroidery.plan.facts import density_map
+    from tambour.embroidery.lines.density import density_map
 
     plan, cell, pixels = piece.plan, 1.0, 8
     k = stitches(plan)

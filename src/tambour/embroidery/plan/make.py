@@ -12,16 +12,16 @@ from tambour.core.progress import Progress
 from tambour.core.thread import Thread, ThreadPlan
 from tambour.embroidery.families.applique import applique, basting_box, knockdown
 from tambour.embroidery.families.choose import Place, region_stitches
-from tambour.embroidery.families.stitches import Stitches
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece, Region
+from tambour.embroidery.plan.design import piece_of
 from tambour.embroidery.plan.layers import elevation
 from tambour.embroidery.plan.sequence import Layout, order
 from tambour.embroidery.regions.catalogue import with_catalogue
-from tambour.embroidery.regions.design import piece_of
 from tambour.embroidery.regions.lettering import lettered
 from tambour.embroidery.regions.read import regions
 from tambour.embroidery.regions.trace import traced
+from tambour.embroidery.stitches import Stitches
 
 MOST = 5000  # regions above which their order is not sought: pairs of them would be counted in millions
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
-from tambour.embroidery.families.stitches import Stitches, tidy
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import LOCK, TRAVEL, Region
+from tambour.embroidery.stitches import Stitches, tidy
 
 TIE = 0.7  # mm, a stitch of a lock
 
