@@ -7,6 +7,7 @@ from typing import Annotated, Any, TypeVar, get_args, get_origin, get_type_hints
 
 import numba
 import numpy as np
+from numba.core.compiler_lock import global_compiler_lock
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -58,11 +59,13 @@ def _declare(made: Any) -> None:
     declared = False
 
     def plain(args: tuple[Any, ...], kws: dict[str, Any]) -> Any:
-        made.disable_compile(False)
-        try:
-            return given(tuple(map(numba.types.unliteral, args)), {k: numba.types.unliteral(v) for k, v in kws.items()})
-        finally:
-            made.disable_compile(declared)
+        plainly = tuple(map(numba.types.unliteral, args)), {k: numba.types.unliteral(v) for k, v in kws.items()}
+        with global_compiler_lock:
+            made.disable_compile(False)
+            try:
+                return given(*plainly)
+            finally:
+                made.disable_compile(declared)
 
     def compile_for_args(*args: Any, **kws: Any) -> Any:
         nonlocal declared
@@ -70,10 +73,11 @@ def _declare(made: Any) -> None:
         if kinds is None:
             name = f"{made.py_func.__module__}.{made.py_func.__qualname__}"
             raise TypeError(f"{name}: Python calls this kernel, so each of its arguments must declare its type")
-        made.disable_compile(False)
-        made.compile(tuple(_numba_type(k) for k in kinds))
-        declared = True
-        made.disable_compile()
+        with global_compiler_lock:  # many threads may come with a first call
+            made.disable_compile(False)
+            made.compile(tuple(_numba_type(k) for k in kinds))
+            declared = True
+            made.disable_compile()
         return made
 
     made.get_call_template = plain
