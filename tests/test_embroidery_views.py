@@ -69,7 +69,7 @@ def test_bad_places_are_refused_by_their_option():
     for name, value in (("place_offset", "1"), ("place_at", "1,2"), ("ground", "white"), ("place_offset", "a,b")):
         with pytest.raises(TambourError) as caught:
             EmbroideryParams.of({name: value})
-        assert caught.value.problems[0].where == "--" + name.replace("_", "-")
+        assert caught.value.problems[0].where == "{--" + name.replace("_", "-") + "}"
 
 
 def test_density_is_thread_over_area(piece):

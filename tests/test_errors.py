@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
+import json
+import unicodedata
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import ClassVar
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tambour import files
+from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean, spelt
 
 SOURCE = Text("R1: MR(6)\nR2: 6 sx, 2 inc\n", "owl.acl")
 
@@ -44,3 +54,53 @@ def test_an_error_carries_all_its_problems() -> None:
 def test_near_words_are_offered() -> None:
     assert did_you_mean("tatmi", ["tatami", "satin"]) == 'did you mean "tatami"?'
     assert did_you_mean("zzz", ["tatami"]) == ""
+
+
+def test_options_are_spelt_by_who_tells() -> None:
+    problem = Problem("{--max-float} as a length needs {--gauge}", where="{--max-float}")
+    assert str(problem) == "--max-float: --max-float as a length needs --gauge"
+    assert spelt(problem.message, lambda name: name.replace("-", " ").upper()) == "MAX FLOAT as a length needs GAUGE"
+    assert spelt("a pattern's own {sc} and {--} stay") == "a pattern's own {sc} and {--} stay"
+
+
+def test_a_problem_is_plain_data() -> None:
+    told = Problem('unknown stitch "sx"', "say sc", Span(16, 18), SOURCE).plain()
+    assert told == {
+        "message": 'unknown stitch "sx"', "hint": "say sc", "line": 2, "column": 7, "length": 2, "where": "owl.acl", "warning": False,
+    }  # fmt: skip
+    assert json.loads(json.dumps(Problem("a", where="{--width}", warning=True).plain()))["line"] is None
+
+
+@given(st.text())
+def test_nothing_that_a_terminal_obeys_comes_through(text: str) -> None:
+    said = str(Problem(f"unknown {text}", text, Span(2, 5), Text(f"a{text}\n", text), where=text))
+    kept = {c for c in said if unicodedata.category(c) in ("Cc", "Cs", "Zl", "Zp")}
+    assert kept <= {"\n", "\t"} and not set(said) & set("\u202a\u202b\u202d\u202e\u2066\u2067\u2068")
+
+
+def test_a_terminals_commands_are_shown_as_signs() -> None:
+    text = Text("R1: \x1b[31mMR(6)\x1b]0;pwned\x07 sx", "owl.acl")
+    said = str(Problem('unknown stitch "\x1b[2J"', "", Span(text.text.index("sx"), len(text.text)), text)).split("\n")
+    assert said[0].endswith('unknown stitch "␛[2J"') and "␛]0;pwned␇" in said[1]
+    assert said[1][said[2].index("^") :] == "sx", "and the caret still stands below its place"
+
+
+def test_a_text_as_html_is_text(tmp_path: Path) -> None:
+    bad = '# <script>alert("1")</script>\n\n## Part & part\n- <img src=x onerror=alert(1)>\n- two\n\nRnd 1: 6 sc\n<b>\n'
+    files.write(Text(bad), tmp_path / "a.html")
+    page = (tmp_path / "a.html").read_text()
+
+    class Tags(HTMLParser):
+        seen: ClassVar[list[str]] = []
+        words = ""
+
+        def handle_starttag(self, tag: str, attrs: object) -> None:
+            self.seen.append(tag)
+
+        def handle_data(self, data: str) -> None:
+            self.words += data
+
+    tags = Tags()
+    tags.feed(page)
+    assert tags.seen[tags.seen.index("body") + 1 :] == ["h1", "h2", "ul", "li", "li", "p", "br"]
+    assert '<script>alert("1")</script>' in tags.words and "<img src=x onerror=alert(1)>" in tags.words

@@ -261,8 +261,8 @@ def test_characters_that_a_font_lacks_are_named() -> None:
     given = Ink(seed="1", span=800.0, inscription="far 山水", seal="山")
     with pytest.raises(TambourError) as caught:
         CRAFT.check(given, ["picture"])
-    assert [p.where for p in caught.value.problems] == ["--inscription", "--seal"]
-    assert "山 水" in caught.value.problems[0].message and "--font" in caught.value.problems[0].hint
+    assert [p.where for p in caught.value.problems] == ["{--inscription}", "{--seal}"]
+    assert "山 水" in caught.value.problems[0].message and "{--font}" in caught.value.problems[0].hint
     CRAFT.check(given, ["scroll"])  # an SVG's viewer finds them
     with pytest.raises(TambourError, match="square has no f a r 水"):
         scroll.make(None, given.model_copy(update={"font": _square_font()}), Progress())

@@ -17,7 +17,7 @@ from typing import Any, Literal, Union, get_args, get_origin  # noqa: E402
 import click  # noqa: E402
 
 from tambour import __version__  # noqa: E402
-from tambour.core.errors import TambourError, did_you_mean  # noqa: E402
+from tambour.core.errors import TambourError, did_you_mean, shown, spelt  # noqa: E402
 from tambour.core.progress import Stopped  # noqa: E402
 from tambour.run import CRAFTS  # noqa: E402
 
@@ -70,9 +70,9 @@ def options(params: Any) -> Callable[[Any], Any]:
         if get_origin(kind) is tuple and get_args(kind)[-1] is Ellipsis:
             kind, many = get_args(kind)[0], True
         default = f.get_default(call_default_factory=True)
-        shown = f"  [default: {_plain(default)}]" if default not in (None, (), "", False, True) else ""
+        standard = f"  [default: {_plain(default)}]" if default not in (None, (), "", False, True) else ""
         note = _bounds(f)
-        text = (f.description or "").strip().replace("\n", " ") + shown + (f" [{note}]" if note else "")
+        text = spelt((f.description or "").strip().replace("\n", " ")) + standard + (f" [{note}]" if note else "")
         if kind is bool:
             state = "" if default is None else f"  [default: {'on' if default else 'off'}]"
             return click.option(f"{flag}/--no-{flag[2:]}", name, default=None, help=text + state)
@@ -117,7 +117,7 @@ def craft_command(name: str) -> click.Command:
 
     what = craft(name)
     views = "\n".join(
-        f"  {v:<10} {it.help}" + (f" ({' '.join(it.suffixes)})" if it.suffixes else "") for v, it in what.views.items()
+        f"  {v:<10} {spelt(it.help)}" + (f" ({' '.join(it.suffixes)})" if it.suffixes else "") for v, it in what.views.items()
     )
     text = f"{what.help}\n\n\b\nViews (-o name.VIEW.suffix; the suffixes in brackets take it by themselves):\n{views}"
 
@@ -167,15 +167,15 @@ def _unspeakable(word: str) -> bool:
 
 def summary(report: dict[str, Any]) -> None:
     """Print what was made: the short facts, then the files."""
-    skip = {"craft", "version", "edition", "params", "source", "warnings", "files", "seconds"}
+    skip = {"craft", "version", "edition", "params", "source", "warnings", "problems", "files", "seconds"}
     for key, value in report.items():
         if key not in skip and isinstance(value, (int, float, str)) and not isinstance(value, bool):
-            shown = f"{value:.4g}" if isinstance(value, float) else str(value)
-            click.echo(f"{key.replace('_', ' ')}: {shown}")
+            text = f"{value:.4g}" if isinstance(value, float) else shown(str(value))
+            click.echo(f"{key.replace('_', ' ')}: {text}")
         elif isinstance(value, list) and value and all(isinstance(v, (int, float)) for v in value):
             click.echo(f"{key.replace('_', ' ')}: {' × '.join(f'{v:.4g}' for v in value)}")
     for path in report["files"]:
-        click.echo(f"wrote {path}")
+        click.echo(shown(f"wrote {path}"))
 
 
 def _bar(quiet: bool) -> Any:
@@ -275,7 +275,7 @@ def main(arguments: list[str] | None = None) -> None:
             code = tambour.main(arguments, prog_name="tambour", standalone_mode=False)
     except TambourError as error:
         for problem in error.problems:
-            click.echo(str(problem) if problem.warning else f"{problem}", err=True)
+            click.echo(str(problem), err=True)
         sys.exit(2)
     except (click.exceptions.Abort, KeyboardInterrupt):
         click.echo("interrupted; no file is left half written", err=True)

@@ -113,7 +113,7 @@ def load_files(params: Params) -> Params:
                 words = params.words(name)
                 near = did_you_mean(str(given), words) if words and not Path(given).suffix else ""
                 hint = near or f"{', '.join(words)}, or a file"
-                option = f"--{name.rstrip('_').replace('_', '-')}"
+                option = f"{{--{name.rstrip('_').replace('_', '-')}}}"
                 for p in error.problems:
                     told = replace(p, hint=hint) if words and not Path(given).suffix else p
                     problems.append(replace(told, where=f"{option} {told.where}") if told.where else told)
@@ -224,6 +224,7 @@ def write(
             "source": made.source,
             **what.facts(made.piece),
             "warnings": [str(w) for w in progress.warnings],
+            "problems": [w.plain() for w in progress.warnings],
             "files": [str(path) for path in writing.paths],
             "seconds": {stage: round(s, 6) for stage, s in progress.seconds.items()},
         }

@@ -6,8 +6,37 @@ input; the command line prints them and leaves with exit code 2. Anything else t
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import Any
+
+_OPTION = re.compile(r"\{--([a-z][a-z0-9-]*)\}")
+# What a terminal or a page might obey instead of showing: controls (a tab and a line's end may stay), turns of the
+# writing direction, halves of characters.
+_DANGEROUS = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]"
+)
+
+
+def shown(text: str) -> str:
+    """A text from a file or a command line as it may stand in a terminal: a visible sign for each control character."""
+
+    def sign(found: re.Match[str]) -> str:
+        code = ord(found[0])
+        return chr(0x2400 + code) if code < 0x20 else "\u2421" if code == 0x7F else "\ufffd"
+
+    return _DANGEROUS.sub(sign, text)
+
+
+def option(name: str) -> str:
+    """The command line's spelling of a parameter: ``max_float`` or ``max-float`` is ``--max-float``."""
+    return "--" + name.rstrip("_").replace("_", "-")
+
+
+def spelt(text: str, spell: Callable[[str], str] = option) -> str:
+    """A message with each parameter that it names, written ``{--max-float}``, in the caller's spelling."""
+    return _OPTION.sub(lambda found: spell(found[1]), text)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +69,8 @@ class Text:
 class Problem:
     """One thing that is wrong (or, as a ``warning``, doubtful) with an input.
 
-    ``where`` names the file, option or field when there is no text to point into; ``hint`` is the remedy.
+    ``where`` names the file, option or field when there is no text to point into; ``hint`` is the remedy. Parameters
+    stand in all three as ``{--max-float}``: who tells the problem spells them (:func:`spelt`).
     """
 
     message: str
@@ -50,8 +80,18 @@ class Problem:
     where: str = ""
     warning: bool = False
 
+    def plain(self) -> dict[str, Any]:
+        """The problem as data: message, hint, line and column (from 1) and length (None without a place in a text),
+        where (a file, an option), warning."""
+        at: tuple[int | None, int | None, int | None] = (None, None, None)
+        if self.span is not None and self.source is not None:
+            at = (*self.source.place(self.span.start), max(1, self.span.end - self.span.start))
+        where = self.where or (self.source.name if self.source else "")
+        told = {"message": self.message, "hint": self.hint, "line": at[0], "column": at[1], "length": at[2]}
+        return {**told, "where": where, "warning": self.warning}
+
     def __str__(self) -> str:
-        """``file:line:col: message``, the line, a caret, the remedy."""
+        """``file:line:col: message``, the line, a caret, the remedy; options as the command line spells them."""
         kind = "warning: " if self.warning else ""
         lines: list[str] = []
         if self.span is not None and self.source is not None:
@@ -70,7 +110,7 @@ class Problem:
             lines.append(f"{name}: {kind}{self.message}" if name else f"{kind}{self.message}")
         if self.hint:
             lines.append(f"  {self.hint}")
-        return "\n".join(lines)
+        return shown(spelt("\n".join(lines)))
 
 
 class TambourError(Exception):

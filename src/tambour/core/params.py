@@ -93,8 +93,8 @@ class Params(BaseModel):
         return tuple(map(str, listed)) if isinstance(listed, list) else ()
 
     @classmethod
-    def of(cls, values: dict[str, Any], spell: str = "--{}") -> Any:
-        """Validated params; all that is wrong at once as a TambourError whose places are spelt as options."""
+    def of(cls, values: dict[str, Any], spell: str = "{{--{}}}") -> Any:
+        """Validated params; all that is wrong at once as a TambourError whose places are the fields."""
         try:
             return cls(**values)
         except ValidationError as error:

@@ -26,7 +26,7 @@ class CrochetParams(Params):
     solver: Literal["settle", "steps", "none"] = "settle"
     """settle: the shape at rest. steps: a number of plain simulation steps. none: first positions only."""
     steps: int = Field(default=1000, ge=0, le=10_000_000)
-    """How many steps --solver steps takes; with --start one-by-one they include the building."""
+    """How many steps {--solver} steps takes; with {--start} one-by-one they include the building."""
     tolerance: float | None = Field(default=None, gt=0)
     """Largest residual force at rest, in stitches; without it, what an error well under 0.1 stitch needs."""
     start: Literal["rounds", "one-by-one"] | None = None
@@ -49,7 +49,7 @@ class CrochetParams(Params):
     gauge: str | None = None
     """Your gauge, a flat swatch: single crochets x rows in 10 cm, such as 20x20."""
     gauge_circle: Length | None = Field(default=None, gt=0, le=10_000)
-    """Your gauge: a flat circle of five rounds (6, 12, … 30), measured across; comes before --gauge."""
+    """Your gauge: a flat circle of five rounds (6, 12, … 30), measured across; comes before {--gauge}."""
     gauge_yarn: str | None = None
     """Your gauge: stitches unravelled, and how long their yarn is, such as "20 stitches are 64 cm"."""
     yarn: str | None = None
@@ -78,7 +78,7 @@ class CrochetParams(Params):
     pressure: float = Field(default=0.02, ge=0, le=10)
     """Pressure stuffing: its energy is -p · edges · ln V; 0.01 stretches a ball by 3 %, 0.05 by 13 %."""
     centroids: int | None = Field(default=None, ge=0)
-    """Centroid stuffing: centroids in each part (@centroids; else by --nodes-per-centroid)."""
+    """Centroid stuffing: centroids in each part (@centroids; else by {--nodes-per-centroid})."""
     nodes_per_centroid: int = Field(default=60, ge=1)
     """Centroid stuffing: a centroid for every so many nodes."""
     centroid_force: float = Field(default=0.05, ge=0)

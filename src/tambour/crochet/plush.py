@@ -85,15 +85,15 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     if not shape.settled:
         progress.warn(
             f"the shape is not quite at rest: the largest force left is {shape.residual:.2g} stitches",
-            "it may still be good to look at; --tolerance sets the goal, --no-contact is easier to settle",
+            "it may still be good to look at; {--tolerance} sets the goal, {--no-contact} is easier to settle",
         )
     if shape.hurried and params.solver == "steps":
         progress.warn(
-            f"{params.steps} steps do not finish the building", "the last nodes were placed at once; take more --steps"
+            f"{params.steps} steps do not finish the building", "the last nodes were placed at once; take more {--steps}"
         )
     elif shape.hurried:
         progress.warn(
-            "building one by one was cut short: the last nodes were placed at once", "--start rounds is faster"
+            "building one by one was cut short: the last nodes were placed at once", "{--start} rounds is faster"
         )
     x, c = shape.x * stitch[0], shape.c * stitch[0]
     if params.solver == "settle" and built.up == "start" and shape.joined is None:

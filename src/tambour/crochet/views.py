@@ -15,7 +15,7 @@ VIEWS: dict[str, View] = {
     "check": View(
         Lazy("tambour.crochet.looks:checked"),
         "Mesh",
-        "the piece in pale yarn, in red what --check would doubt",
+        "the piece in pale yarn, in red what {--check} would doubt",
         stage="fabric",
     ),
     "photo": View(
@@ -44,7 +44,7 @@ VIEWS: dict[str, View] = {
     "instructions": View(
         Lazy("tambour.crochet.page.instructions:view"),
         "Text",
-        "the pattern as makers print it, in the words of --terms",
+        "the pattern as makers print it, in the words of {--terms}",
         (".txt", ".md"),
     ),
     "graph": View(Lazy("tambour.crochet.looks:graph"), "dict", "the stitch graph and its shape as data", (".json",)),

@@ -166,7 +166,7 @@ def ravelled(words: str) -> float:
     if not found or int(found[1]) < 1 or _float(found[2]) <= 0:
         raise TambourError(
             f'"{words}" does not say how much yarn stitches take', hint="such as: 20 stitches are 64 cm",
-            where="--gauge-yarn",
+            where="{--gauge-yarn}",
         )  # fmt: skip
     return _float(found[2]) * _UNITS[found[3].lower()] / int(found[1]) / IN_A_STITCH
 

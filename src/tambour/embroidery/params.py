@@ -133,7 +133,7 @@ class EmbroideryParams(Params):
     text: str | None = None
     """Letters to embroider, instead of a drawing or below it."""
 
-    font: Any = file("Font", "A .ttf or .otf file for the letters of --text (the shipped one when not given).")
+    font: Any = file("Font", "A .ttf or .otf file for the letters of {--text} (the shipped one when not given).")
 
     text_size: Length = Field(default=15.0, gt=1, le=500)
     """Height of capital letters."""
@@ -152,7 +152,7 @@ class EmbroideryParams(Params):
     """How the design comes onto the cloth: thrown along its mean normal, against the normal at a point, or by its uv."""
 
     place_at: str | None = None
-    """For --place point: the place on the cloth, as X,Y,Z in mm."""
+    """For {--place} point: the place on the cloth, as X,Y,Z in mm."""
 
     place_offset: str = "0,0"
     """Moves the design on the cloth, right and down, as X,Y in mm."""

@@ -61,7 +61,7 @@ WRITE: dict[tuple[str, str], str] = {
     (".acl", "Text"): "text:write_text",
     (".txt", "Text"): "text:write_text",
     (".md", "Text"): "text:write_text",
-    (".html", "Text"): "text:write_text",
+    (".html", "Text"): "text:write_html",
     (".csv", "Text"): "text:write_text",
     (".json", "dict"): "text:write_json",
     (".png", "Chart"): "chart:write_png",

@@ -31,7 +31,7 @@ def text(drawing: Drawing) -> str:
     """The HPGL of one drawing."""
     scale = drawing.unit * UNITS
     if (drawing.size * scale > LIMIT).any():
-        raise TambourError("the sheet is larger than HPGL can address (819 mm)", hint="take a smaller --page")
+        raise TambourError("the sheet is larger than HPGL can address (819 mm)", hint="take a smaller {--page}")
     flipped = (drawing.paths.coords - drawing.origin) * (1.0, -1.0) + (0.0, float(drawing.size[1]))
     units = np.round(flipped * scale).astype(np.int64).tolist()
     parts = np.arange(len(drawing) + 1) if drawing.paths.parts is None else drawing.paths.parts

@@ -124,7 +124,7 @@ def _check(chart: Chart, yarns: int) -> None:
     if yarns > 2:
         problems.append(
             Problem(
-                f"knitout is written for two carriers, this chart has {yarns} yarns", hint="solve it with --yarns 2"
+                f"knitout is written for two carriers, this chart has {yarns} yarns", hint="solve it with {--yarns} 2"
             )
         )
     if chart.no_stitch is not None and chart.no_stitch.any():

@@ -193,7 +193,7 @@ def _jef_hoop(raw: bytes, r: Records, sink: Sink) -> bytes:
             return raw[:32] + code.to_bytes(4, "little") + raw[36:]
     raise TambourError(
         f"the design is {size[0] / 10:g} x {size[1] / 10:g} mm, the largest hoop of a JEF file is 200 x 200 mm",
-        hint="make it smaller with --width, or write another format",
+        hint="make it smaller with {--width}, or write another format",
         where=str(sink.path),
     )
 

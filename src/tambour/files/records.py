@@ -60,7 +60,7 @@ def records(plan: ThreadPlan) -> Records:
     if not (command == STITCH).any():
         raise TambourError("the design holds no stitch", hint="a machine file needs one at least")
     if np.abs(plan.xy).max() * 10 > FARTHEST:
-        raise TambourError("the design is larger than 4 m", hint="give its size with --width")
+        raise TambourError("the design is larger than 4 m", hint="give its size with {--width}")
     xy = np.rint(plan.xy * 10).astype(np.int64)
     needle = np.flatnonzero(command == STITCH)
     gap = np.searchsorted(needle, np.arange(len(command)))  # which needle point follows the command

@@ -181,7 +181,7 @@ def _affordable(value: Scene, sink: Sink) -> int:
             return sides
     raise TambourError(
         f"{value.frame_count} frames of this scene need about {need / 1e6:.0f} MB as .glb, more than {BUDGET / 1e6:.0f}",
-        hint="write .usdc, which holds curves, or use fewer --frames",
+        hint="write .usdc, which holds curves, or use fewer {--frames}",
         where=str(sink.path),
     )
 

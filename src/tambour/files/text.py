@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import re
+from html import escape
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +28,31 @@ def read_text(path: Path) -> Text:
 def write_text(value: Text, sink: Sink) -> None:
     """UTF-8, line ends as they are."""
     sink.put(value.text.encode())
+
+
+def write_html(value: Text, sink: Sink) -> None:
+    """A page of its own for a text in Markdown: headings, lists and paragraphs; every character of it is text."""
+    title = escape(next((line.lstrip("# ") for line in value.text.split("\n") if line.strip()), sink.path.stem))
+    out = [
+        '<!doctype html>\n<html><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">',
+        f"<title>{title}</title>",
+        "<style>body{max-width:45em;margin:2em auto;padding:0 1em;font:1em/1.5 sans-serif}</style></head><body>",
+    ]
+    for block in re.split(r"\n\s*\n", value.text):
+        for kind, group in groupby(filter(str.strip, block.split("\n")), _kind):
+            lines = [escape(line.lstrip("#- ") if kind else line) for line in group]
+            if kind == "li":
+                out.append("<ul>" + "".join(f"<li>{line}</li>" for line in lines) + "</ul>")
+            elif kind:
+                out += [f"<{kind}>{line}</{kind}>" for line in lines]
+            else:
+                out.append("<p>" + "<br>\n".join(lines) + "</p>")
+    sink.put("\n".join([*out, "</body></html>\n"]).encode())
+
+
+def _kind(line: str) -> str:
+    found = re.match(r"(#{1,4}) |(- )", line)
+    return "" if not found else "li" if found[2] else f"h{len(found[1])}"
 
 
 def write_json(value: Any, sink: Sink) -> None:

@@ -77,7 +77,7 @@ class Ink(Params):
     seal: str = ""
     """One to four characters for the red seal under the inscription."""
 
-    font: Any = file("Font", "A .ttf, .otf or .ttc file for the letters of --inscription and --seal.")
+    font: Any = file("Font", "A .ttf, .otf or .ttc file for the letters of {--inscription} and {--seal}.")
 
     tall: Length = Field(default=210.0, gt=0.0, le=5000.0)
     """How tall the scroll is when it is printed."""
@@ -121,7 +121,7 @@ class Ink(Params):
     """The time there is for all sheets, such as 3h or 20min; what matters least is left out. 0: no limit."""
 
     sheets: str = ""
-    """Cut the scroll into sheets that continue line for line, and make these: 0..9, or 3; the 0th begins at --from."""
+    """Cut the scroll into sheets that continue line for line, and make these: 0..9, or 3; the 0th begins at {--from}."""
 
     frame: bool = False
     """A frame about the drawing, on a layer that plotter software shows and does not plot."""
@@ -158,9 +158,9 @@ class Ink(Params):
         if min(inner(self)) < 5:
             raise ValueError(f"a margin of {self.margin:g} mm leaves nothing of the page {self.page}")
         if self.sheets and not self.plotter:
-            raise ValueError("sheets are the plotter's: add --plotter")
+            raise ValueError("sheets are the plotter's: add {--plotter}")
         if self.sheets and self.specimen:
-            raise ValueError("a specimen has one sheet: leave --sheets out")
+            raise ValueError("a specimen has one sheet: leave {--sheets} out")
         return self
 
     @field_validator("seal")
@@ -183,10 +183,10 @@ def check(params: Ink, views: Sequence[str]) -> None:
     high = params.pixels * 700.0 / span
     if "picture" in views and high < LOWEST:
         near = f"a picture {params.pixels} pixels wide of {span:,.10g} units would be {high:.1f} pixels high"
-        problems.append(Problem(near, "a shorter --span, more --pixels, or .svg", where="--span"))
+        problems.append(Problem(near, "a shorter {--span}, more {--pixels}, or .svg", where="{--span}"))
     if span > HELD and {"sheet", "painting"} & set(views):
         long = f"a PDF or a painting holds its whole window at once: {span:,.10g} units are more than {HELD:,.0f}"
-        problems.append(Problem(long, "a shorter --span, or .svg", where="--span"))
+        problems.append(Problem(long, "a shorter {--span}, or .svg", where="{--span}"))
     if problems:
         raise TambourError(problems)
 

@@ -71,7 +71,7 @@ def plan(piece: Scroll | Plot) -> Any:
 def plot(piece: Scroll | Plot) -> Any:
     """The plotter's lines. Raises TambourError for a piece that is painted."""
     if not hasattr(piece, "scroll"):
-        raise TambourError("this file is for a pen plotter", hint="add --plotter", where=".hpgl")
+        raise TambourError("this file is for a pen plotter", hint="add {--plotter}", where=".hpgl")
     return whole(piece)
 
 
@@ -80,6 +80,6 @@ VIEWS: dict[str, View] = {
     "sheet": View(whole, "Drawing", "the painting on one page", (".pdf",), "write"),
     "picture": View(picture, "Picture", "the painting in pixels", (".png", ".jpg", ".jpeg", ".webp"), "write"),
     "painting": View(painting, "Reveal", "the painting being painted: .svg, .gif, numbered .png", (".gif",), "write"),
-    "plot": View(plot, "Drawing", "the pen plotter's lines, with --plotter", (".hpgl", ".plt"), "write"),
+    "plot": View(plot, "Drawing", "the pen plotter's lines, with {--plotter}", (".hpgl", ".plt"), "write"),
     "plan": View(plan, "dict", "what stands where", (".json",), "write"),
 }

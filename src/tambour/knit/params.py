@@ -112,13 +112,13 @@ class KnitParams(Params):
     threshold: float = Field(default=0.5, ge=0, le=1)
     """The tone above which a stitch is light: of threshold, and of the error-diffusing starts."""
     patches: Literal["ready", "noise", "marked"] = "ready"
-    """Texture patches of --start patches: ready-made, made from noise, or taken from --patch-from."""
+    """Texture patches of {--start} patches: ready-made, made from noise, or taken from {--patch-from}."""
     patch_from: Box | None = Field(default=None, json_schema_extra={"metavar": "X,Y,W,H"})
     """Stitches (left, top, width, height) whose texture is repeated elsewhere at the same brightness."""
 
     # --- the constraint
     max_float: Limit = Field(default="4", json_schema_extra={"metavar": "N|LENGTH"})
-    """Longest run of one colour in a row, f: the other yarn floats behind it. Stitches, or a length with --gauge."""
+    """Longest run of one colour in a row, f: the other yarn floats behind it. Stitches, or a length with {--gauge}."""
     edges: Literal["anchored", "free"] = "anchored"
     """Anchored: both yarns reach both edges. Free: the first and the last run of a row may be longer."""
     edge_run: int | None = Field(default=None, ge=1, le=20000)
@@ -219,22 +219,22 @@ class KnitParams(Params):
     @model_validator(mode="after")
     def _agree(self) -> KnitParams:
         if re.search(r"[a-z\"]$", self.max_float) and self.gauge is None:
-            raise ValueError("--max-float as a length needs --gauge")
+            raise ValueError("{--max-float} as a length needs {--gauge}")
         if self.round and self.edges == "free":
-            raise ValueError("--round has no edges to be --edges free")
+            raise ValueError("{--round} has no edges to be {--edges} free")
         if self.repeat and (self.border or self.edge_stitches):
-            raise ValueError("--repeat does not go with --border or --edge-stitches")
+            raise ValueError("{--repeat} does not go with {--border} or {--edge-stitches}")
         if self.repeat and self.edges == "free":
-            raise ValueError("--repeat closes upon itself: it does not go with --edges free")
+            raise ValueError("{--repeat} closes upon itself: it does not go with {--edges} free")
         if self.round and self.edge_stitches:
-            raise ValueError("--round has no edges for --edge-stitches")
+            raise ValueError("{--round} has no edges for {--edge-stitches}")
         if self.colors and len(self.colors) != self.yarns:
-            raise ValueError(f"--yarns {self.yarns} needs as many --colors (got {len(self.colors)})")
+            raise ValueError(f"{{--yarns}} {self.yarns} needs as many {{--colors}} (got {len(self.colors)})")
         if len({color.lower() for color in self.colors}) < len(self.colors):
-            raise ValueError("--colors: two are the same")
+            raise ValueError("{--colors}: two are the same")
         for color in self.colors:
             if not re.fullmatch(r"#[0-9a-fA-F]{6}", color):
-                raise ValueError(f"--colors: wanted #rrggbb (got {color!r})")
+                raise ValueError(f"{{--colors}}: wanted #rrggbb (got {color!r})")
         if self.patches == "marked" and self.patch_from is None:
-            raise ValueError("--patches marked needs --patch-from")
+            raise ValueError("{--patches} marked needs {--patch-from}")
         return self

@@ -148,7 +148,7 @@ def card(piece: Piece) -> Drawing:
     from tambour.knit.machines.limits import card as printed
 
     if piece.params.machine is None:
-        raise TambourError("the card is for a machine: say which", hint="--machine kh930-ayab", where="--machine")
+        raise TambourError("the card is for a machine: say which", hint="{--machine} kh930-ayab", where="{--machine}")
     return printed(piece.chart, piece.params.machine, anchored(piece), title(piece))
 
 
@@ -192,7 +192,7 @@ VIEWS: dict[str, View] = {
     "distance": View(distance, "Drawing", "source and knitting side by side, as seen from afar"),
     "floats": View(floats, "Drawing", "the floats marked on the chart"),
     "swatch": View(swatch, "Drawing", "two windows to knit first, and the card to measure them"),
-    "card": View(card, "Drawing", "how to set up --machine"),
+    "card": View(card, "Drawing", "how to set up {--machine}"),
     "punchcard": View(punchcard, "Drawing", "a 24-stitch punch card at true size"),
     "silverknit": View(silverknit, "Text", "text for SilverKnit"),
     "dak": View(dak, "Text", "text for DesignaKnit and Kniterate"),

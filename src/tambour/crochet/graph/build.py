@@ -315,7 +315,7 @@ class _Worker:
         worst = max(numbers, key=lambda n: n[0], default=None)
         what = f"more than {most} stitches" if len(self.hook) + nodes > most else "too many repetitions of nothing"
         raise self.hook.fail(
-            f"the pattern makes {what}", "--max-stitches sets the limit", worst[1] if worst else self.hook.span
+            f"the pattern makes {what}", "{--max-stitches} sets the limit", worst[1] if worst else self.hook.span
         )
 
     def _action(self, action: Action) -> None:

@@ -102,7 +102,7 @@ def sheet(piece: Built | Pattern, terms: str | None = None) -> Sheet:
     built = build(piece) if isinstance(piece, Pattern) else piece
     code = terms or built.pattern.terms or "us"
     if code not in TERMS:
-        raise TambourError(f'there are no terms "{code}"', hint=f"one of {', '.join(TERMS)}", where="--terms")
+        raise TambourError(f'there are no terms "{code}"', hint=f"one of {', '.join(TERMS)}", where="{--terms}")
     return _Writer(built, TERMS[code]).sheet()
 
 
@@ -236,10 +236,10 @@ class _Writer:
         for name in order:
             if name in needed and name not in said:
                 hint = "name it with moves and stitches only"
-                raise TambourError(f'the stitch "{name}" cannot be explained', hint=hint, where="--terms")
+                raise TambourError(f'the stitch "{name}" cannot be explained', hint=hint, where="{--terms}")
             if name in needed and any(self.terms.word(key).lower() == name for key in self.used if key in STITCHES):
                 hint = f"give it another name; {self.terms.name} use this one"
-                raise TambourError(f'the stitch "{name}" means two things', hint=hint, where="--terms")
+                raise TambourError(f'the stitch "{name}" means two things', hint=hint, where="{--terms}")
             if name in needed:
                 lines.append(said[name][0])
                 self.used.update(dict.fromkeys(n for n in said[name][1] if n not in self.own))

@@ -63,7 +63,7 @@ def place(
         if mesh.face_group is None or group not in mesh.group_names:
             known = ", ".join(n for n in mesh.group_names if n) or "none"
             raise TambourError(
-                f'the cloth has no group of faces "{group}"', hint=f"it has: {known}", where="--place-group"
+                f'the cloth has no group of faces "{group}"', hint=f"it has: {known}", where="{--place-group}"
             )
         chosen = np.flatnonzero(mesh.face_group == mesh.group_names.index(group))
     cosine, sine = np.cos(rotate), np.sin(rotate)
@@ -81,7 +81,7 @@ def place(
     axes = _axes(out)
     seen = chosen[(normal[chosen] @ out) > _STEEP]
     if not len(seen):
-        raise TambourError("no face of the cloth can be seen from where the design is thrown", where="--place")
+        raise TambourError("no face of the cloth can be seen from where the design is thrown", where="{--place}")
     local = (mesh.vertices - origin) @ axes.T
     corner = local[faces[seen]]
     shift = np.array([offset[0], -offset[1]])
@@ -95,13 +95,13 @@ def _cross(vertices: Array, faces: Array) -> Array:
 
 def _by_uv(mesh: Mesh, chosen: Array, turn: Array, offset: Array) -> Place:
     if mesh.uv is None:
-        raise TambourError("the cloth has no uv coordinates", hint="use --place projector or point", where="--place")
+        raise TambourError("the cloth has no uv coordinates", hint="use {--place} projector or point", where="{--place}")
     flat = mesh.uv[mesh.faces[chosen]]
     b, c = flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]
     area = b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0]
     chosen, flat, area = chosen[np.abs(area) > 1e-14], flat[np.abs(area) > 1e-14], area[np.abs(area) > 1e-14]
     if not len(chosen):
-        raise TambourError("the cloth's uv coordinates cover nothing", where="--place")
+        raise TambourError("the cloth's uv coordinates cover nothing", where="{--place}")
     # One millimetre of thread is one millimetre of cloth on average.
     unit = np.sqrt(np.linalg.norm(_cross(mesh.vertices, mesh.faces[chosen]), axis=1).sum() / np.abs(area).sum())
     flat = flat * unit
@@ -182,7 +182,7 @@ def lay(
     def frames() -> Iterator[Array]:
         for k, vertices in enumerate(mesh.positions()):
             if vertices.shape != mesh.vertices.shape or not np.isfinite(vertices).all():
-                raise TambourError(f"frame {k + 1} of the cloth does not fit its first", where="--cloth")
+                raise TambourError(f"frame {k + 1} of the cloth does not fit its first", where="{--cloth}")
             yield deform(bound, mesh.faces, vertices, vertex_normals(vertices, mesh.faces))
 
     if moving:
@@ -217,14 +217,14 @@ def _wrap(mesh: Mesh, where: Place, plan: Array, height: Array, bound: Binding) 
     if where.axes is None:
         raise TambourError(
             f"the design lies beyond the cloth's uv: {total}",
-            hint="move it with --place-offset or use --place-scale",
-            where="--place",
+            hint="move it with {--place-offset} or use {--place-scale}",
+            where="{--place}",
         )
     if lost.mean() > 0.5:
         raise TambourError(
             f"the design lies beside the cloth: {total}",
-            hint="move it with --place-offset or --place-at",
-            where="--cloth",
+            hint="move it with {--place-offset} or {--place-at}",
+            where="{--cloth}",
         )
     faces = mesh.faces[np.unique(where.net.face)] if not closed(mesh.faces) else mesh.faces
     number = np.unique(where.net.face) if not closed(mesh.faces) else np.arange(len(mesh.faces))
@@ -237,8 +237,8 @@ def _wrap(mesh: Mesh, where: Place, plan: Array, height: Array, bound: Binding) 
     if not closed(mesh.faces) and np.hypot(*(back - plan[lost]).T).max() > 1.0:
         raise TambourError(
             f"the design lies beyond the cloth: {total}",
-            hint="make it smaller with --place-scale or --width, or move it with --place-offset",
-            where="--cloth",
+            hint="make it smaller with {--place-scale} or {--width}, or move it with {--place-offset}",
+            where="{--cloth}",
         )
     out_face, out_uv = bound.face.copy(), bound.uv.copy()
     out_face[lost], out_uv[lost] = number[face], uv

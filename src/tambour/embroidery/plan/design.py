@@ -44,7 +44,7 @@ def piece_of(plan: ThreadPlan, params: EmbroideryParams, progress: Progress) -> 
             progress.warn(
                 f"the design is scaled by {scale:.2f}: its stitches grow with it, and stand {1 / scale:.2f} times as dense",
                 hint="machine files are made for one size; start from the drawing",
-                where="--width",
+                where="{--width}",
             )
         plan = replace(plan, xy=plan.xy * scale)
     plan = with_catalogue(plan, params.catalogue)

@@ -39,7 +39,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if params.text is not None:
             drawing = lettered(drawing, params.text, params.text_size, params.font, progress)
         if drawing is None:
-            raise TambourError("there is nothing to embroider", hint="give a drawing, or --text")
+            raise TambourError("there is nothing to embroider", hint="give a drawing, or {--text}")
         if drawing.about.get("ignored"):
             progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
         found = regions(drawing, params, progress)
@@ -48,7 +48,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         progress.warn(
             f"{len(found):,} regions: sewn in the drawing's order",
             hint="embroider a picture of it instead",
-            where="--order",
+            where="{--order}",
         )
         how = "file"
     with progress.stage("route"):
@@ -84,13 +84,13 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
                 layout.finish(cut=True)
     with progress.stage("sequence"):
         if layout.here is None:
-            raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: --width 100mm")
+            raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: {--width} 100mm")
         plan, region_of, kind, rows = layout.plan()
         plan = with_catalogue(plan, params.catalogue)
     wide = layout.facts.pop("not_satin_mm2", 0.0)
     if wide > 0:
         progress.warn(
-            f"{wide:.1f} mm² are too wide for satin and are tatami", hint="make --split longer, or the shape narrower"
+            f"{wide:.1f} mm² are too wide for satin and are tatami", hint="make {--split} longer, or the shape narrower"
         )
     with progress.stage("bind"):
         lies = elevation(plan, region_of.astype(int) * 64 + kind, params.thread)

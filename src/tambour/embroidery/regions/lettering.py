@@ -33,7 +33,7 @@ def lettered(drawing: Drawing | None, text: str, size: float, font: Font | None,
     for row, line in enumerate(text.replace("\\n", "\n").split("\n")):
         letters, wide, missing = outlines(line, data, em)
         if missing:
-            progress.warn(f"the font has no letter for {missing!r}; left out", where="--text")
+            progress.warn(f"the font has no letter for {missing!r}; left out", where="{--text}")
         base = top + size * (1 + LEADING * row) + (0.5 * size if drawing is not None else 0.0)
         for letter, shapes in letters:
             placed = [r + np.array([middle - wide / 2, base]) for r in shapes]
@@ -42,7 +42,7 @@ def lettered(drawing: Drawing | None, text: str, size: float, font: Font | None,
             group.append(len(ids))
             ids.append(f"letter {len(ids) + 1} ({letter})")
     if not rings:
-        raise TambourError("there is no letter to embroider in this text", where="--text")
+        raise TambourError("there is no letter to embroider in this text", where="{--text}")
     made = Paths.of(rings)
     letters_of = Groups(
         tuple(ids),

@@ -37,13 +37,13 @@ def place(drawing: Drawing, params: EmbroideryParams) -> tuple[float, Array]:
     scale = drawing.unit
     if params.width is not None:
         if not high[0] > low[0]:
-            raise TambourError("the drawing has no width to scale", where="--width")
+            raise TambourError("the drawing has no width to scale", where="{--width}")
         scale = params.width / float(high[0] - low[0])
     size = (high - low) * scale
     if size[0] * size[1] > LARGEST:
         raise TambourError(
             f"the design is {size[0]:.0f} x {size[1]:.0f} mm, more than any machine sews",
-            hint="give its size: --width 100mm",
+            hint="give its size: {--width} 100mm",
         )
     if params.hoop is not None:
         hoop = hoop_size(params.hoop)
@@ -51,8 +51,8 @@ def place(drawing: Drawing, params: EmbroideryParams) -> tuple[float, Array]:
             fits = min(hoop[0] / size[0], hoop[1] / size[1]) * size[0]
             raise TambourError(
                 f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the hoop {hoop[0]:g} x {hoop[1]:g} mm",
-                hint=f"--width {math.floor(fits * 10) / 10:g}mm would fit",
-                where="--hoop",
+                hint=f"{{--width}} {math.floor(fits * 10) / 10:g}mm would fit",
+                where="{--hoop}",
             )
     return scale, -(low + high) / 2 * scale
 

@@ -119,9 +119,9 @@ def check(inscription: str, seal: str, font: Font | None, views: Sequence[str] =
     if font is None and not {"picture", "sheet", "painting"} & set(views):
         return
     name = f"the font {font.name}" if font else "the shipped typeface"
-    hint = "another font" if font else "--font FILE with a .ttf, .otf or .ttc that has them, or .svg"
+    hint = "another font" if font else "{--font} FILE with a .ttf, .otf or .ttc that has them, or .svg"
     problems = [
-        Problem(f"{name} has no {' '.join(lacking)}", hint, where=f"--{option}")
+        Problem(f"{name} has no {' '.join(lacking)}", hint, where=f"{{--{option}}}")
         for option, text in (("inscription", inscription), ("seal", seal))
         if (lacking := missing(text, font))
     ]

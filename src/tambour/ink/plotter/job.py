@@ -93,7 +93,7 @@ def make(source: None, params: Ink, progress: Progress) -> Plot:
             seen, pages = thinned(seen, tuple(sheets), pages, params)
         given_up = left - len(seen.order)
         if given_up:
-            progress.warn(f"{given_up} of {left} lines are left out to keep to the budget", where="--budget")
+            progress.warn(f"{given_up} of {left} lines are left out to keep to the budget", where="{--budget}")
     return Plot(painted, tuple(sheets), pages, left, given_up)
 
 
@@ -222,7 +222,7 @@ def painting(plot: Plot) -> Reveal:
     """The one page being plotted. Raises TambourError where there are several."""
     pages = drawings(plot)
     if len(pages) > 1:
-        raise TambourError("one sheet at a time can be seen being plotted", hint="--sheets 0", where="painting")
+        raise TambourError("one sheet at a time can be seen being plotted", hint="{--sheets} 0", where="painting")
     return Reveal(pages[0], plot.scroll.params.painting, plot.scroll.params.steps)
 
 

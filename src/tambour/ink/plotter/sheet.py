@@ -114,6 +114,6 @@ def reach(params: Ink, progress: Progress) -> None:
         progress.warn(
             f"the {params.model} travels {wide:g} × {high:g} mm, and the drawing reaches "
             f"{width - params.margin:g} × {height - params.margin:g} mm",
-            hint="take a smaller --page, a wider --margin, or another --model",
-            where="--page",
+            hint="take a smaller {--page}, a wider {--margin}, or another {--model}",
+            where="{--page}",
         )

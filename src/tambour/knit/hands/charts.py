@@ -29,7 +29,7 @@ def chart_of(picture: Picture) -> Chart:
     if len(colours) > MOST:
         raise TambourError(
             f"this picture has {len(colours):,} colours, a chart has a few",
-            hint="--check takes a chart of one pixel per stitch; make one of a picture without --check",
+            hint="{--check} takes a chart of one pixel per stitch; make one of a picture without {--check}",
         )
     problems = []
     for r in range(rows):

@@ -17,7 +17,7 @@ def silverknit(chart: Chart) -> Text:
     """
     order = list(roles(chart))
     if len(order) > 2:
-        raise TambourError(f"SilverKnit text holds two yarns, this chart has {len(order)}", hint="--yarns 2")
+        raise TambourError(f"SilverKnit text holds two yarns, this chart has {len(order)}", hint="{--yarns} 2")
     if chart.no_stitch is not None and chart.no_stitch.any():
         raise TambourError("SilverKnit text cannot leave stitches out", hint="ask for .json")
     digits = np.where(chart.cells[::-1] == order[0], "7", "8")
@@ -31,7 +31,7 @@ def dak(chart: Chart, title: str, weight: str = "dk") -> Text:
     TambourError for more than ten yarns.
     """
     if len(chart.palette) > 10:
-        raise TambourError(f"this text holds ten yarns, this palette {len(chart.palette)}", hint="--yarns 8 or fewer")
+        raise TambourError(f"this text holds ten yarns, this palette {len(chart.palette)}", hint="{--yarns} 8 or fewer")
     rows, stitches = chart.shape
     gauge = gauge_of(chart, weight)
     absent = np.zeros(chart.cells.shape, np.bool_) if chart.no_stitch is None else chart.no_stitch

@@ -50,18 +50,18 @@ def check(chart: Chart, name: str) -> list[Problem]:
     found = []
 
     def say(message: str, hint: str) -> None:
-        found.append(Problem(f"{model.title}: {message}", hint=hint, where="--machine"))
+        found.append(Problem(f"{model.title}: {message}", hint=hint, where="{--machine}"))
 
     if width > model.needles:
-        say(f"{width} stitches, the bed has {model.needles} needles", f"--stitches {model.needles} or fewer")
+        say(f"{width} stitches, the bed has {model.needles} needles", f"{{--stitches}} {model.needles} or fewer")
     if np.count_nonzero(tally(chart)) > 2 and model.brand != "kniterate":
-        say("one carriage holds two yarns for the whole piece", "--yarns 2")
+        say("one carriage holds two yarns for the whole piece", "{--yarns} 2")
     if chart.no_stitch is not None and chart.no_stitch.any():
-        say("a shaped chart is knitted by hand", "leave --machine or --shape out")
+        say("a shaped chart is knitted by hand", "leave {--machine} or {--shape} out")
     if chart.circular and model.brand != "kniterate":
-        say("a single bed knits flat", "leave --machine or --round out")
+        say("a single bed knits flat", "leave {--machine} or {--round} out")
     if model.repeat and period(chart, model.repeat) == 0:
-        say(f"the card repeats every {model.repeat} stitches, this chart does not", f"--repeat {model.repeat}")
+        say(f"the card repeats every {model.repeat} stitches, this chart does not", f"{{--repeat}} {model.repeat}")
     return found
 
 

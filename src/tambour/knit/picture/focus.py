@@ -43,8 +43,8 @@ def faces(rgb: Array) -> Array:
     except ImportError:
         raise TambourError(
             "faces are found by scikit-image, which is not installed",
-            hint="pip install scikit-image; or --focus saliency, or mark them yourself: --weights",
-            where="--focus",
+            hint="pip install scikit-image; or {--focus} saliency, or mark them yourself: {--weights}",
+            where="{--focus}",
         ) from None
     height, width = rgb.shape[:2]
     cascade = Cascade(data.lbp_frontal_face_cascade_filename())  # type: ignore[no-untyped-call]
@@ -55,8 +55,8 @@ def faces(rgb: Array) -> Array:
     if not found:
         raise TambourError(
             "no face was found",
-            hint="faces need about 24 stitches; mark them yourself: --weights",
-            where="--focus",
+            hint="faces need about 24 stitches; mark them yourself: {--weights}",
+            where="{--focus}",
         )
     out = np.zeros((height, width), np.float32)
     y, x = np.mgrid[:height, :width]

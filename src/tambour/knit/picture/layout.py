@@ -72,7 +72,7 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
         if params.stitches <= sides:
             raise TambourError(
                 f"a frame of {edge + border} stitches on either side leaves none of {params.stitches} for the picture",
-                where="--border" if border else "--edge-stitches",
+                where="{--border}" if border else "{--edge-stitches}",
             )
         within = {"stitches": params.stitches - sides, "rows": params.rows and max(1, params.rows - 2 * border)}
         rows, stitches = resample.size(params.model_copy(update=within), width, height)
@@ -98,7 +98,7 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
     shape, relax, lock, grey = (mask(n, e) for n, e in (("shape", 1), ("relax", 0), ("lock", 0), ("weights", 0)))
     knit = NONE if shape is None else shape > 0.5
     if knit.size and not knit.any():
-        raise TambourError("the mask leaves nothing to knit", hint="light cells are knitted", where="--shape")
+        raise TambourError("the mask leaves nothing to knit", hint="light cells are knitted", where="{--shape}")
     locked = NONE if lock is None else lock > 0.5
     if frame.size:
         locked = frame | locked if locked.size else frame
@@ -133,7 +133,7 @@ def multiple(stitches: int | None, repeat: tuple[int, int]) -> int:
         raise TambourError(
             f"{stitches} stitches are not a multiple of {n}" + (f" plus {k}" if k else ""),
             hint=f"{near * n + k} and {(near + 1) * n + k} are",
-            where="--stitches",
+            where="{--stitches}",
         )
     return copies
 

@@ -42,8 +42,8 @@ def size(params: KnitParams, width: int, height: int) -> tuple[int, int]:
     if max(stitches, rows) > 20000 or stitches * rows > MOST:
         raise TambourError(
             f"{stitches} x {rows} stitches are too many",
-            hint=f"at most 20000 in a row, 20000 rows and {MOST:,} in all; --stitches gives the width",
-            where="--stitches" if params.stitches else "the picture",
+            hint=f"at most 20000 in a row, 20000 rows and {MOST:,} in all; {{--stitches}} gives the width",
+            where="{--stitches}" if params.stitches else "the picture",
         )
     return rows, stitches
 
@@ -58,13 +58,13 @@ def upright(picture: Picture, params: KnitParams, progress: Progress) -> Array:
         if left + wide > rgba.shape[1] or top + high > rgba.shape[0]:
             raise TambourError(
                 f"the part {params.crop} reaches beyond the picture of {rgba.shape[1]} x {rgba.shape[0]} pixels",
-                where="--crop",
+                where="{--crop}",
             )
         rgba = rgba[top : top + high, left : left + wide]
     rgb = over_white(rgba)
     if params.rotate == "auto":
         angle = straightening(rgb)
-        progress.warn(f"turned by {angle:.1f} degrees to line its strokes up with the stitches", where="--rotate auto")
+        progress.warn(f"turned by {angle:.1f} degrees to line its strokes up with the stitches", where="{--rotate} auto")
     else:
         angle = float(params.rotate.removesuffix("deg"))
     return laid(turned(rgb, angle), params)
@@ -151,7 +151,7 @@ def mask(
             rgb = rgb[top : top + high, left : left + wide]
         if params.rotate == "auto":
             raise TambourError(
-                "a mask of the picture's size cannot follow --rotate auto",
+                "a mask of the picture's size cannot follow {--rotate} auto",
                 hint="give the angle, or a mask of the chart's size",
                 where=f"--{name}",
             )

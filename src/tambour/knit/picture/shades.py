@@ -222,7 +222,7 @@ def palette_of(picture: Array, params: KnitParams, progress: Progress) -> Palett
     if len(shades) < params.yarns:
         raise TambourError(
             f"{params.yarns} yarns are wanted, there are {len(shades)} to choose from",
-            where="--stash" if params.stash is not None else "--yarns",
+            where="{--stash}" if params.stash is not None else "{--yarns}",
         )
     if len(shades) > params.yarns:
         rgb = np.array([s.rgb for s in shades]) / 255
@@ -239,14 +239,14 @@ def palette_of(picture: Array, params: KnitParams, progress: Progress) -> Palett
         costs = np.where(np.isinf(costs), 1e9, costs)
         if costs.sum(0).min() >= 1e9:
             raise TambourError(
-                f"no two of the {len(shades)} yarns have a contrast of {params.min_contrast:g}", where="--min-contrast"
+                f"no two of the {len(shades)} yarns have a contrast of {params.min_contrast:g}", where="{--min-contrast}"
             )
         shades = [shades[k] for k in choose(costs, params.yarns)]
     shades = sorted(shades, key=lambda s: (float(np.array(s.rgb) @ LUMA), s.name))
     if params.yarns == 2 and contrast(shades[0].rgb, shades[1].rgb) < params.min_contrast:
         progress.warn(
             f"the two yarns have a contrast of {contrast(shades[0].rgb, shades[1].rgb):.2f}, the picture will be faint",
-            where="--min-contrast",
+            where="{--min-contrast}",
         )
     return Palette(np.array([s.rgb for s in shades], np.uint8), tuple(s.name for s in shades))
 
@@ -262,5 +262,5 @@ def warn_of_shortage(palette: Palette, needs: list[tuple[int, float]], params: K
         have = held.get((name, (int(rgb[0]), int(rgb[1]), int(rgb[2]))))
         if have is not None and have < metres:
             progress.warn(
-                f"{name} will run out: about {metres:.0f} m are needed, there are {have:g} m", where="--stash"
+                f"{name} will run out: about {metres:.0f} m are needed, there are {have:g} m", where="{--stash}"
             )

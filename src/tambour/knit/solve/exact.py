@@ -84,8 +84,8 @@ def impossible(failed: Array) -> None:
             [
                 Problem(
                     f"row {r + 1} cannot be made lawful: its locked stitches form a run that is too long",
-                    "relax it there (--relax), lock less, or allow longer floats (--max-float)",
-                    where="--lock",
+                    "relax it there ({--relax}), lock less, or allow longer floats ({--max-float})",
+                    where="{--lock}",
                 )
                 for r in rows[:20]
             ]

@@ -34,7 +34,7 @@ def limit_of(params: KnitParams) -> int:
     found = floor(length(params.max_float) / gauge.width + 1e-9)
     if found < 1:
         raise TambourError(
-            f"a float of {params.max_float} is less than one stitch of {gauge.width:.1f} mm", where="--max-float"
+            f"a float of {params.max_float} is less than one stitch of {gauge.width:.1f} mm", where="{--max-float}"
         )
     return min(found, 1000)
 

@@ -50,7 +50,7 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
     if params.edge_stitches > limit and params.edges == "anchored":
         raise TambourError(
             f"{params.edge_stitches} edge stitches of one colour are longer than a float may be ({limit})",
-            where="--edge-stitches",
+            where="{--edge-stitches}",
         )
     if isinstance(source, Chart) or params.check:
         return of_chart(source, params, limit, progress)
@@ -78,12 +78,12 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
             start[layout.frame] = layout.pattern[layout.frame]
     if kind == "line drawing" and params.start is None and params.method == "perceptual":
         progress.warn(
-            "this looks like a line drawing", hint="--method exact --tidy 3 keeps its lines, with order in the ground"
+            "this looks like a line drawing", hint="{--method} exact {--tidy} 3 keeps its lines, with order in the ground"
         )
     if params.gauge is None and params.stitches is not None:
         progress.warn(
             "stitches are taken as square, though knitted ones are wider than tall",
-            hint="knit a swatch and give its stitches x rows in 10 cm, such as --gauge 24x32",
+            hint="knit a swatch and give its stitches x rows in 10 cm, such as {--gauge} 24x32",
         )
     task = task_of(aim, start, limit, params, layout)
     palette = two_yarns(layout.picture, params, progress)
@@ -134,7 +134,7 @@ def advise(before: floats.Floats, params: KnitParams, progress: Progress) -> Non
     if params.method == "gsat" and before.consistent < ADVICE:
         progress.warn(
             f"only {before.consistent:.0f} % of the start assignment is consistent, GSAT alone will draw lines",
-            hint="from 70 % on it does well; try --start ordered, --method hybrid, or --method exact",
+            hint="from 70 % on it does well; try {--start} ordered, {--method} hybrid, or {--method} exact",
         )
 
 
@@ -200,7 +200,7 @@ def assemble(
     if after.violations and not params.check and params.method != "none" and params.soft is None:
         progress.warn(
             f"{params.method} leaves {after.conflicts} stitches in floats longer than {task.limit}",
-            hint="--method exact or perceptual leaves none",
+            hint="{--method} exact or perceptual leaves none",
         )
     flips = state.cells != task.start
     if task.knit.size:

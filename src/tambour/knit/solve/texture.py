@@ -93,7 +93,7 @@ def marked(t: Array, level: Array, limit: int, params: KnitParams) -> list[Array
     if left + wide > stitches or top + high > rows:
         raise TambourError(
             f"the region {params.patch_from} reaches beyond the chart of {stitches} x {rows} stitches",
-            where="--patch-from",
+            where="{--patch-from}",
         )
     part = (slice(rows - top - high, rows - top), slice(left, left + wide))
     texture = tone.assign(np.ascontiguousarray(t[part]), "floyd-steinberg", params.threshold)

@@ -49,7 +49,7 @@ def make(source: Picture, params: KnitParams, limit: int, progress: Progress) ->
     if params.focus != "none" or params.start == "patches":
         raise TambourError(
             f"this is for two yarns ({params.yarns} were asked for)",
-            where="--focus" if params.focus != "none" else "--start patches",
+            where="{--focus}" if params.focus != "none" else "{--start} patches",
         )
     with progress.stage("tone"):
         layout = lay(source, params, progress)
@@ -139,7 +139,7 @@ def pairs_of(palette: Palette, params: KnitParams) -> Array:
     if not found:
         raise TambourError(
             f"no two of the yarns have a contrast of {params.min_contrast:g}, so none can share a row",
-            where="--min-contrast",
+            where="{--min-contrast}",
         )
     return np.array(found, np.uint8)
 
