@@ -117,7 +117,8 @@ def craft_command(name: str) -> click.Command:
 
     what = craft(name)
     views = "\n".join(
-        f"  {v:<10} {spelt(it.help)}" + (f" ({' '.join(it.suffixes)})" if it.suffixes else "") for v, it in what.views.items()
+        f"  {v:<10} {spelt(it.help)}" + (f" ({' '.join(it.suffixes)})" if it.suffixes else "")
+        for v, it in what.views.items()
     )
     text = f"{what.help}\n\n\b\nViews (-o name.VIEW.suffix; the suffixes in brackets take it by themselves):\n{views}"
 

@@ -14,9 +14,7 @@ from typing import Any
 _OPTION = re.compile(r"\{--([a-z][a-z0-9-]*)\}")
 # What a terminal or a page might obey instead of showing: controls (a tab and a line's end may stay), turns of the
 # writing direction, halves of characters.
-_DANGEROUS = re.compile(
-    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]"
-)
+_DANGEROUS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
 def shown(text: str) -> str:

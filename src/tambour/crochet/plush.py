@@ -89,7 +89,8 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
         )
     if shape.hurried and params.solver == "steps":
         progress.warn(
-            f"{params.steps} steps do not finish the building", "the last nodes were placed at once; take more {--steps}"
+            f"{params.steps} steps do not finish the building",
+            "the last nodes were placed at once; take more {--steps}",
         )
     elif shape.hurried:
         progress.warn(

@@ -49,7 +49,9 @@ def memory(chart: Chart) -> bytes:
     if chart.no_stitch is not None and chart.no_stitch.any():
         problems.append(Problem("a shaped chart (cells without stitch) has no disk image", hint="use the written rows"))
     if stitches > NEEDLES:
-        problems.append(Problem(f"{stitches} stitches, the bed has {NEEDLES} needles", hint="{--stitches} 200 or fewer"))
+        problems.append(
+            Problem(f"{stitches} stitches, the bed has {NEEDLES} needles", hint="{--stitches} 200 or fewer")
+        )
     if rows > ROWS:
         problems.append(Problem(f"{rows} rows, a pattern can have {ROWS}"))
     if data + memo > _TOP + 1 - _FIRST:

@@ -95,7 +95,9 @@ def _cross(vertices: Array, faces: Array) -> Array:
 
 def _by_uv(mesh: Mesh, chosen: Array, turn: Array, offset: Array) -> Place:
     if mesh.uv is None:
-        raise TambourError("the cloth has no uv coordinates", hint="use {--place} projector or point", where="{--place}")
+        raise TambourError(
+            "the cloth has no uv coordinates", hint="use {--place} projector or point", where="{--place}"
+        )
     flat = mesh.uv[mesh.faces[chosen]]
     b, c = flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]
     area = b[:, 0] * c[:, 1] - b[:, 1] * c[:, 0]

@@ -64,7 +64,9 @@ def scene(piece: Piece) -> Scene:
     ground = params.cloth or "flat"
     if isinstance(ground, str):
         if ground not in CLOTHS:
-            raise TambourError(f'there is no cloth "{ground}"', hint=f"{', '.join(CLOTHS)}, or a mesh", where="{--cloth}")
+            raise TambourError(
+                f'there is no cloth "{ground}"', hint=f"{', '.join(CLOTHS)}, or a mesh", where="{--cloth}"
+            )
         wide, high = np.maximum(size * 1.4, size + 24)
         # A drape's middle lies on its sphere: only there is the design as it was drawn.
         grown = 1.7 if ground == "drape" else 1.0

@@ -84,7 +84,9 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
                 layout.finish(cut=True)
     with progress.stage("sequence"):
         if layout.here is None:
-            raise TambourError("nothing in this drawing is large enough to stitch", hint="give its size: {--width} 100mm")
+            raise TambourError(
+                "nothing in this drawing is large enough to stitch", hint="give its size: {--width} 100mm"
+            )
         plan, region_of, kind, rows = layout.plan()
         plan = with_catalogue(plan, params.catalogue)
     wide = layout.facts.pop("not_satin_mm2", 0.0)

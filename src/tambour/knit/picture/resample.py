@@ -64,7 +64,9 @@ def upright(picture: Picture, params: KnitParams, progress: Progress) -> Array:
     rgb = over_white(rgba)
     if params.rotate == "auto":
         angle = straightening(rgb)
-        progress.warn(f"turned by {angle:.1f} degrees to line its strokes up with the stitches", where="{--rotate} auto")
+        progress.warn(
+            f"turned by {angle:.1f} degrees to line its strokes up with the stitches", where="{--rotate} auto"
+        )
     else:
         angle = float(params.rotate.removesuffix("deg"))
     return laid(turned(rgb, angle), params)

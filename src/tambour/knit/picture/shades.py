@@ -239,7 +239,8 @@ def palette_of(picture: Array, params: KnitParams, progress: Progress) -> Palett
         costs = np.where(np.isinf(costs), 1e9, costs)
         if costs.sum(0).min() >= 1e9:
             raise TambourError(
-                f"no two of the {len(shades)} yarns have a contrast of {params.min_contrast:g}", where="{--min-contrast}"
+                f"no two of the {len(shades)} yarns have a contrast of {params.min_contrast:g}",
+                where="{--min-contrast}",
             )
         shades = [shades[k] for k in choose(costs, params.yarns)]
     shades = sorted(shades, key=lambda s: (float(np.array(s.rgb) @ LUMA), s.name))

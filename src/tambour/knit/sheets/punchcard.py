@@ -47,7 +47,9 @@ def holes(chart: Chart, mirror: bool = True) -> Array:
     if problems:
         raise TambourError(problems)
     if rows > LONGEST:
-        raise TambourError(f"{rows} rows make a card of {rows * ROW / 1000:.1f} m", hint=f"{{--rows}} {LONGEST} or fewer")
+        raise TambourError(
+            f"{rows} rows make a card of {rows * ROW / 1000:.1f} m", hint=f"{{--rows}} {LONGEST} or fewer"
+        )
     second = list(roles(chart))[-1] if len(roles(chart)) > 1 else -1
     p = period(chart, STITCHES)
     unit = np.tile(chart.cells[:, :p] == second, (1, STITCHES // p))

@@ -78,7 +78,8 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
             start[layout.frame] = layout.pattern[layout.frame]
     if kind == "line drawing" and params.start is None and params.method == "perceptual":
         progress.warn(
-            "this looks like a line drawing", hint="{--method} exact {--tidy} 3 keeps its lines, with order in the ground"
+            "this looks like a line drawing",
+            hint="{--method} exact {--tidy} 3 keeps its lines, with order in the ground",
         )
     if params.gauge is None and params.stitches is not None:
         progress.warn(
