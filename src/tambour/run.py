@@ -158,9 +158,7 @@ def make(
     progress = progress or Progress()
     given = what.params() if params is None else params
     if source is None and what.reads and not what.optional_source:
-        raise TambourError(
-            f"{what.name} needs a source", hint=f"tambour {what.name} SOURCE -o OUT; {{--help}} tells more"
-        )
+        raise TambourError(f"{what.name} needs a source", hint=f"tambour {what.name} SOURCE -o OUT; --help tells more")
     if source is not None and not what.reads:
         raise TambourError(f"{what.name} takes no source", where=str(source))
     origin: dict[str, str] = {}

@@ -99,9 +99,9 @@ class Problem:
             if line.strip():
                 # A very long line is shown by the part around its mistake.
                 left = max(0, column - 61)
-                shown = line[left : left + 120].expandtabs(1)
-                width = max(1, min(self.span.end - self.span.start, len(shown) - (column - 1 - left)))
-                lines.append(f"    {shown}")
+                part = line[left : left + 120].expandtabs(1)
+                width = max(1, min(self.span.end - self.span.start, len(part) - (column - 1 - left)))
+                lines.append(f"    {part}")
                 lines.append("    " + " " * (column - 1 - left) + "^" * width)
         else:
             name = self.where or (self.source.name if self.source else "")
