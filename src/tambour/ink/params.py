@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
+from decimal import Decimal
 from typing import Any, ClassVar, Literal
 
 from pydantic import Field, field_validator, model_validator
@@ -50,7 +51,10 @@ class Ink(Params):
     time: Literal["ink", "dusk", "night"] = "ink"
     """The light: ink on paper, dusk with a low sun, night with the moon."""
 
-    mist: float = Field(default=0.0, ge=0.0, le=1.0)
+    reading: Literal["rtl", "ltr"] = "rtl"
+    """How the scroll unrolls: from right to left, as hand scrolls are read, or mirrored in its order."""
+
+    mist: float = Field(default=0.35, ge=0.0, le=1.0)
     """How much mist lies between the hills."""
 
     figures: bool = True
@@ -191,6 +195,11 @@ def check(params: Ink, views: Sequence[str]) -> None:
         raise TambourError(problems)
 
 
+def exactly(number: float) -> str:
+    """A number with all its digits and no exponent: 1234567.25, 3000. Places of a scroll must not lose theirs."""
+    return f"{Decimal(repr(number)):f}".removesuffix(".0")
+
+
 def stem(params: Ink) -> str:
     """The name of files that were asked for by suffix alone: seed, edition and window, in letters any disk takes.
 
@@ -199,7 +208,7 @@ def stem(params: Ink) -> str:
     seed = "".join(c if c.isalnum() or c in "-_." else "_" for c in params.seed)[:60]
     if seed != params.seed or not seed:
         seed += ("-" if seed else "") + hashlib.sha256(params.seed.encode("utf-8", "surrogatepass")).hexdigest()[:6]
-    what = params.specimen or f"{params.from_:g}-{params.span:g}"
+    what = params.specimen or f"{exactly(params.from_)}-{exactly(params.span)}"
     if params.plotter:
         what += f"-sheets{params.sheets}" if params.sheets else "-plot"
     return f"ink-{seed}-e{params.edition}-{what}"

@@ -16,6 +16,7 @@ from tambour.core.errors import TambourError
 from tambour.core.paths import Paths
 from tambour.core.picture import Picture
 from tambour.core.reveal import Reveal, stretch
+from tambour.render.packed import HEAD, packed
 from tambour.render.type import typeface
 
 _QUALITY = 90
@@ -23,8 +24,6 @@ _QUALITY = 90
 
 LARGEST = 400_000_000
 """Pixels above which a picture is refused rather than the machine's memory filled."""
-STRETCH = 10_000
-"""Shapes whose points are held for skia at a time."""
 
 
 def picture(
@@ -158,27 +157,15 @@ def _shapes(canvas: Any, drawing: Drawing) -> None:
         else None
         for s, w in zip(styles.stroke.tolist(), styles.width.tolist())
     ]
-    rules = [skia.PathFillType.kEvenOdd if e else skia.PathFillType.kWinding for e in styles.evenodd.tolist()]
-    offsets = paths.offsets.tolist()
-    count = np.diff(paths.offsets)
-    closed = np.zeros(len(paths), bool)
-    rings = np.flatnonzero(count > 2)
-    closed[rings] = (paths.coords[paths.offsets[rings]] == paths.coords[paths.offsets[rings + 1] - 1]).all(1)
-    parts = list(range(len(offsets))) if paths.parts is None else paths.parts.tolist()
-    points: list[Any] = []
-    base = ready = 0
-    for shape, style in enumerate(drawing.style.tolist()):
-        mine = range(parts[shape], parts[shape + 1])
-        if not mine:
+    parts = np.arange(len(paths.offsets)) if paths.parts is None else paths.parts
+    data, begins = packed(paths.coords, paths.offsets, parts, styles.evenodd[drawing.style])
+    view, path = memoryview(data), skia.Path()
+    ends = begins.tolist()
+    for first, last, style in zip(ends, ends[1:], drawing.style.tolist()):
+        if last - first == HEAD:
             continue
-        if mine[-1] >= ready:
-            # Points are made one by one in C (skia's own conversion of pairs is ten times slower), a stretch at a time.
-            ready, base = parts[min(shape + STRETCH, len(parts) - 1)], offsets[mine[0]]
-            points = list(map(skia.Point, *paths.coords[base : offsets[ready]].T.tolist()))
-        first, last = offsets[mine[0]] - base, offsets[mine[0] + 1] - base
-        path = skia.Path.Polygon(points[first:last], bool(closed[mine[0]]), rules[style])
-        for i in mine[1:]:
-            path.addPath(skia.Path.Polygon(points[offsets[i] - base : offsets[i + 1] - base], bool(closed[i])))
+        if not path.readFromMemory(view[first:last]):
+            raise ValueError("this version of skia keeps its paths in another form: see tambour.render.packed")
         if fills[style]:
             canvas.drawPath(path, fills[style])
         if strokes[style]:

@@ -53,8 +53,13 @@ class Desk:
         desk.n[brush.OPEN] = -1
         return desk
 
-    def draw(self, element: Callable[..., Any], stream: tuple[str | int, ...], name: str, *how: Any) -> None:
-        """Draw a whole by its kernel, with the stream of chance that ``stream`` names, and the id ``name``."""
+    def draw(
+        self, element: Callable[..., Any], stream: tuple[str | int, ...], name: str, *how: Any, ink: float | None = None
+    ) -> None:
+        """Draw a whole by its kernel, with the stream of chance that ``stream`` names, and the id ``name``.
+
+        ink : 0 (far, pale) … 1 (near, black): how thick the ink is that the whole is drawn with; None: as the kernel has it
+        """
         while True:
             rng = np.array([key(*stream), 0], np.uint64)
             n = self.n.copy()
@@ -62,6 +67,8 @@ class Desk:
             if not n[brush.FULL]:
                 x = self.pts[self.n[brush.POINTS] : n[brush.POINTS], 0]
                 if x.size and x.max() >= self.begin - REACH and x.min() < self.end + REACH:
+                    if ink is not None:
+                        dip(self.marks[self.n[brush.MARKS] : n[brush.MARKS]], ink)
                     self.n = n
                     self.names.append(name)
                 return
@@ -73,7 +80,7 @@ class Desk:
         """All that was drawn, inked."""
         p, k, e = self.n[:3]
         pts, notes, elems = self.pts[:p], self.marks[:k], self.elems[:e]
-        ends = press.sizes(notes)
+        ends = press.sizes(pts, notes)
         out = np.empty((ends[-1], 2))
         press.ink(pts, notes, ends, *press.tools(), out)
         return Marks(
@@ -90,6 +97,18 @@ class Desk:
             element=notes[:, brush.ELEMENT].astype(np.int32),
             elements=_elements(elems, self.names, out, ends, notes),
         )
+
+
+@kernel
+def dip(marks: F8x2, ink: float) -> None:
+    """Thicken or thin the ink of noted marks: 0 far and pale, 1/2 as noted, 1 near and black. What is paper stays paper."""
+    thin = 1.0 - 0.66 * max(0.0, 1.0 - 2.0 * ink)
+    black = max(0.0, 2.0 * ink - 1.0)
+    for m in marks:
+        for c in (brush.FILL, brush.EDGE):
+            if m[c] < 250.0:
+                m[c] *= 1.0 - 0.93 * black
+                m[c + 1] = min(1.0, m[c + 1] * thin * (1.0 + 0.75 * black))
 
 
 def _tone(notes: Array, column: int) -> Array:

@@ -31,8 +31,8 @@ END, KIND, FILL, FILL_ALPHA, EDGE, EDGE_ALPHA, EDGE_WIDTH, BREADTH, NOISE, ROW, 
 COLUMNS = 13
 # Places of n.
 POINTS, MARKS, ELEMENTS, FULL, OPEN, HUE = range(6)
-# Tapers: how a stroke's breadth runs from its start to its end.
-SINE, EVEN, FADE, BEAD = numbers(4)
+# Tapers: how a stroke's breadth runs from its start to its end (a wedge is set down at once and drawn out thin).
+SINE, EVEN, FADE, BEAD, WEDGE = numbers(5)
 # Forms of a blob: a lens; a drop, fat at its end; a puff, round at its start.
 LENS, DROP, PUFF = numbers(3)
 
@@ -44,6 +44,18 @@ def rnd(rng: U8x1) -> float:
     """The next number of the element's stream, uniform in [0, 1)."""
     rng[1] += np.uint64(1)
     return uniform(rng[0], rng[1])
+
+
+@kernel
+def lattice(rng: U8x1) -> Array:
+    """The element's own noise: (4096,) lattice values hashed from its key, from a stretch of its stream that no drawing reaches.
+
+    What an element is shaped by must come from here: a place in the shared ``table`` would be one of 4096.
+    """
+    own = np.empty(4096)
+    for i in range(4096):
+        own[i] = uniform(rng[0], np.uint64(1 << 61) + np.uint64(i))
+    return own
 
 
 @kernel
@@ -144,9 +156,10 @@ def stroke(
     """The points since the last mark are a stroke with pressure.
 
     breadth : half the greatest width, units; ``taper`` runs it along the way, and ``noise`` (0…1) makes it tremble
-    edge : width of the line around it in its own tone, which makes it look heavier (dossier 0)
+    edge : the original's line around it in its own tone (dossier 0). Laid over the fill it would show as a doubled rim, so
+    the stroke is widened by it instead
     """
-    lift(marks, n, STROKE, grey, alpha, grey, alpha if edge > 0 else 0.0, edge, breadth, noise, rnd(rng), taper)
+    lift(marks, n, STROKE, grey, alpha, grey, 0.0, 0.0, breadth + 0.4 * edge, noise, rnd(rng), taper)
 
 
 @kernel

@@ -9,13 +9,12 @@ import numpy as np
 from tambour.core.arrays import F8x1, F8x2, F8x3, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import OPEN, PI, SINE, at, bell, between, body, part, pick, rnd, stroke
-from tambour.ink.elements.bushes import bush, reed
+from tambour.ink.brush.stroke import OPEN, PI, SINE, at, bell, between, body, lattice, part, pick, rnd, stroke
+from tambour.ink.elements.bushes import bush, grass, reed
 from tambour.ink.elements.cun import SHOULDERS, slope, wrinkles
 from tambour.ink.elements.houses import hut
 from tambour.ink.elements.pines import cedar, pine, plum
 from tambour.ink.elements.rocks import rock
-from tambour.ink.elements.trees import sapling
 from tambour.ink.ground.codes import BANK
 from tambour.noise import value
 
@@ -128,11 +127,11 @@ def ground(
 ) -> None:
     """Open a bank and draw its ground; ``flat`` (4,) becomes left, top, width and depth of its flat, 0 where it has none."""
     part(elems, n, BANK, x, y)
-    seed = float(math.floor(4096.0 * rnd(rng)))
+    own = lattice(rng)
     grid, top = np.empty((LAYERS, COLUMNS, 2)), np.empty((10 * (LAYERS + 6), 2))
-    edge = terrace(table, rng, grid, top, seed, y, height, width, cut)
+    edge = terrace(own, rng, grid, top, 0.0, y, height, width, cut)
     slope(rng, pts, marks, n, grid, x, y, 20.0)
-    wrinkles(table, rng, pts, marks, n, grid, x, y, 80, 2.0, 0.2, SHOULDERS, 100.0, 0.3, 0.0, 30.0)
+    wrinkles(own, rng, pts, marks, n, grid, x, y, 80, 2.0, 0.2, SHOULDERS, 100.0, 0.3, 0.0, 30.0)
     if edge > 0:
         for i in range(edge):
             at(pts, n, top[i, 0] + x, top[i, 1] + y)
@@ -221,9 +220,11 @@ def group(
             tx, ty = a + 20.0 * bell(rng), middle + 5.0 * bell(rng) + 23.0
             bush(table, rng, pts, marks, elems, n, tx, ty, 60.0, 4.0, tone, forms, loops)
             a += 20.0
-    for _ in range(int(50.0 * rnd(rng) * planted)):
-        a, b = along(rng, left, width), middle + 20.0 * bell(rng) + 10.0
-        sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 1, 0.55)
+    for _ in range(int(9.0 * rnd(rng) * planted)):
+        # Grass stands in clumps on the edge of the flat.
+        a, b = along(rng, left, width), middle + 16.0 * bell(rng) + 12.0
+        for _ in range(1 + pick(rng, 5)):
+            grass(rng, pts, marks, n, a + 16.0 * bell(rng), b + 4.0 * bell(rng), between(rng, 5.0, 12.0))
     if hutted > 0.0:
         count = pick(rng, 3) if rnd(rng) < people else 0
         a, b = along(rng, left, width), middle + 15.0

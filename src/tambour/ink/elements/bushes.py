@@ -134,6 +134,17 @@ def bush(
 
 
 @kernel
+def grass(rng: Array, pts: Array, marks: Array, n: Array, x: float, y: float, height: float) -> None:
+    """A tuft: a few short blades that fan out from (x, y)."""
+    for _ in range(3 + int(4.0 * rnd(rng))):
+        turn, long = 0.75 * bell(rng), height * between(rng, 0.5, 1.0)
+        for i in range(6):
+            p = i / 5.0
+            at(pts, n, x + long * p * (turn + 0.5 * turn * p), y - long * p * (1.0 - 0.2 * p))
+        stroke(rng, marks, n, 100.0, between(rng, 0.35, 0.7), 0.07 * height, 0.4, FADE, 0.0)
+
+
+@kernel
 def reed(
     table: F8x1,
     rng: U8x1,

@@ -8,13 +8,15 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import SINE, at, between, body, rnd, stroke
+from tambour.ink.brush.stroke import LENS, SINE, WEDGE, at, bell, between, blob, body, rnd, stroke
 from tambour.ink.ground.codes import numbers
 from tambour.noise import ease, value
 
 FLANKS, SHOULDERS, SIDES, SPREAD = numbers(4)
 """Where wrinkles gather along a ridge: the outer thirds; broadly beside the middle; narrowly at the sides; more and
 more towards one end."""
+HEMP, AXE, RAIN = numbers(3)
+"""Families of wrinkles: long lines as of parted hemp; short broad cuts as of a small axe; dabs as of rain on a wall."""
 OWN = 0.5
 """How much a stroke trembles by itself, as a part of the slope's relief: lines of a bundle touch and part again."""
 
@@ -132,7 +134,7 @@ def wrinkles(
 
 @kernel
 def slope(rng: Array, pts: Array, marks: Array, n: Array, grid: Array, x: float, y: float, sink: float) -> None:
-    """The body of a slope (its outermost contour, closed ``sink`` below its foot) and its trembling outline."""
+    """The body of a slope (its outermost contour, closed ``sink`` below its foot) and its soft trembling outline."""
     for j in range(grid.shape[1]):
         at(pts, n, grid[0, j, 0] + x, grid[0, j, 1] + y)
     if sink > 0.0:
@@ -140,7 +142,109 @@ def slope(rng: Array, pts: Array, marks: Array, n: Array, grid: Array, x: float,
     body(marks, n)
     for j in range(grid.shape[1]):
         at(pts, n, grid[0, j, 0] + x, grid[0, j, 1] + y)
-    stroke(rng, marks, n, 100.0, 0.3, 3.0, 1.0, SINE, 1.0)
+    stroke(rng, marks, n, 100.0, 0.22, 2.6, 1.0, SINE, 0.0)
+
+
+@kernel
+def crest(
+    own: Array, rng: Array, pts: Array, marks: Array, n: Array, grid: Array, x: float, y: float, height: float
+) -> None:
+    """The skyline as lifted strokes: pressed in the hollows and on the shaded side, let go where light falls."""
+    columns = grid.shape[1]
+    first = 1 + int(3.0 * rnd(rng))
+    while first < columns - 4:
+        last = min(columns - 1, first + 5 + int(13.0 * rnd(rng)))
+        hollow = 0.0
+        for j in range(first + 1, last - 1):
+            hollow += grid[0, j, 1] - 0.5 * (grid[0, j - 1, 1] + grid[0, j + 1, 1])
+        # y is down: a hollow's middle lies above the chord of its neighbours by a negative amount here.
+        press = 1.0 + min(0.8, max(-0.45, 0.12 * hollow)) + (0.25 if first + last > columns else -0.2)
+        press *= 0.6 + 0.8 * value(own, 0.11 * first, 450.0, 0.0)
+        for j in range(first, last + 1):
+            at(pts, n, grid[0, j, 0] + x, grid[0, j, 1] + y - 0.6 * bell(rng))
+        stroke(rng, marks, n, 80.0, min(0.75, 0.34 + 0.22 * press), max(0.6, 1.5 * press), 0.75, SINE, 0.0)
+        # Most strokes run on from one another; some leave a breath of paper.
+        first = last - 2 if rnd(rng) < 0.7 else last + int(2.0 * rnd(rng))
+
+
+@kernel
+def wash_flank(
+    own: Array, rng: Array, pts: Array, marks: Array, n: Array, grid: Array, x: float, y: float, height: float
+) -> None:
+    """Thin broad washes on the flank away from the light and in the clefts; the crown and the foot are left as paper."""
+    layers, columns = grid.shape[0], grid.shape[1]
+    for _ in range(14 + int(0.11 * height)):
+        low = 1 + int((layers - 3) * rnd(rng))
+        far = rnd(rng)
+        middle = 0.55 + 0.38 * far if rnd(rng) < 0.78 else 0.1 + 0.35 * far
+        half = 3.0 + 7.0 * rnd(rng)
+        first, last = int(middle * columns - half), int(middle * columns + half)
+        deep = rnd(rng)
+        drift = 5.0 * bell(rng)
+        if first < 1 or last > columns - 2:
+            continue
+        for j in range(first, last):
+            a = (1.0 - deep) * grid[low, j, 0] + deep * grid[low + 1, j, 0]
+            b = (1.0 - deep) * grid[low, j, 1] + deep * grid[low + 1, j, 1]
+            at(pts, n, a + x + drift, b + y + drift)
+        stroke(rng, marks, n, 110.0, between(rng, 0.05, 0.13), between(rng, 4.0, 11.5), 0.5, SINE, 0.0)
+
+
+@kernel
+def model(
+    own: Array, rng: Array, pts: Array, marks: Array, n: Array, grid: Array, x: float, y: float, count: int, family: int
+) -> None:
+    """A slope's wrinkles in one family; ``count`` is what the seed draws of the first."""
+    shade = 5.0 if rnd(rng) < 0.2 else 0.0
+    if family == HEMP:
+        wrinkles(own, rng, pts, marks, n, grid, x, y, count, 1.5, 0.2, FLANKS, 95.0, 0.46, shade, 40.0)
+        return
+    wrinkles(own, rng, pts, marks, n, grid, x, y, count // 3, 1.3, 0.16, FLANKS, 95.0, 0.38, 0.0, 30.0)
+    layers, columns = grid.shape[0], grid.shape[1]
+    for _ in range((9 * count) // 10 if family == AXE else count):
+        i = 1 + int((layers - 3) * rnd(rng))
+        j = 2 + int((columns - 5) * (place(rng, FLANKS) if rnd(rng) < 0.8 else rnd(rng)))
+        # Cuts and dabs stand in bunches, as rock does.
+        if value(own, 0.16 * j, 0.5 * i, 300.0) > (0.52 if family == AXE else 0.6):
+            continue
+        down = 1.0 if j > columns // 2 else -1.0
+        ax = grid[i, j, 0] + x + 4.0 * bell(rng)
+        ay = grid[i, j, 1] + y + 7.0 * rnd(rng)
+        if family == AXE:
+            long = between(rng, 7.0, 20.0)
+            angle = math.atan2(grid[i, j + 1, 1] - grid[i, j, 1], grid[i, j + 1, 0] - grid[i, j, 0])
+            turn = angle + 0.5 * math.pi - 0.55 * down + 0.2 * bell(rng)
+            for k4 in range(5):
+                p = k4 / 4.0
+                at(pts, n, ax + long * p * math.cos(turn) + 1.2 * down * p * p * 3.0, ay + long * p * math.sin(turn))
+            stroke(rng, marks, n, 90.0, between(rng, 0.16, 0.5), between(rng, 1.2, 3.4), 0.7, WEDGE, 0.0)
+        else:
+            angle = 0.5 * math.pi - 0.5 * down + 0.25 * bell(rng)
+            blob(
+                rng, pts, marks, n, ax, ay, between(rng, 4.0, 9.5), between(rng, 1.4, 3.2), angle,
+                95.0, between(rng, 0.14, 0.5), 0.5, LENS,
+            )  # fmt: skip
+
+
+@kernel
+def moss(
+    own: Array, rng: Array, pts: Array, marks: Array, n: Array,
+    grid: Array, x: float, y: float, height: float, planted: float,
+) -> None:  # fmt: skip
+    """Dots of moss along the skyline and down the clefts, in runs: the darkest accents of a slope."""
+    columns = grid.shape[1]
+    for _ in range(int((10.0 + 0.16 * height) * planted)):
+        i = 0 if rnd(rng) < 0.55 else 1 + int(4.0 * rnd(rng))
+        j = 2 + int((columns - 5) * rnd(rng))
+        if value(own, 0.22 * j, 0.7 * i, 600.0) > 0.42:
+            continue
+        for _ in range(1 + int(4.0 * rnd(rng))):
+            a = grid[i, j, 0] + x + 9.0 * bell(rng)
+            b = grid[i, j, 1] + y + 3.0 * bell(rng) + 1.0
+            blob(
+                rng, pts, marks, n, a, b, between(rng, 2.0, 4.5), between(rng, 1.5, 3.2), 0.4 * bell(rng),
+                70.0, between(rng, 0.35, 0.75), 0.5, LENS,
+            )  # fmt: skip
 
 
 @kernel

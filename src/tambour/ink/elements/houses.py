@@ -6,7 +6,7 @@ from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import OPEN, between, part, rnd, side
 from tambour.ink.elements.frames import LATTICE, PLAIN, box, rail, roof, run, sign, spire, thatch
-from tambour.ink.elements.people import BUN, figure
+from tambour.ink.elements.people import BUN, SITS, STANDS, figure
 from tambour.ink.ground.codes import HOUSE, HUT, PAGODA, PAVILION, PYLON
 
 
@@ -36,7 +36,21 @@ def hut(
     for k in range(people):
         where = x + (k - 0.5 * (people - 1)) * 0.42 * width + between(rng, -0.1, 0.1) * width
         inward = side(rng) if people == 1 else 1.0 - 2.0 * k
-        figure(table, rng, pts, marks, elems, n, where, y + 0.3 * depth, 0.36 * height / 75.0, inward, BUN, 0.0)
+        figure(
+            table,
+            rng,
+            pts,
+            marks,
+            elems,
+            n,
+            where,
+            y + 0.3 * depth,
+            0.36 * height / 75.0,
+            inward,
+            BUN,
+            0.0,
+            SITS if rnd(rng) < 0.5 else STANDS,
+        )
     rail(table, rng, pts, marks, n, x, y, rails, 0.97 * width, turn, depth, 6, 1.2, 0.0)
     run(rng, pts, marks, n, x - 0.48 * width, y, x + 0.48 * width, y, 0.9, 0.4)
     thatch(table, rng, pts, marks, n, x, y - eaves, 0.66 * height, width, 190)

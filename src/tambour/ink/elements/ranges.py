@@ -7,7 +7,7 @@ import math
 from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import OPEN, part, rnd, wash
+from tambour.ink.brush.stroke import OPEN, lattice, part, rnd, wash
 from tambour.ink.brush.stroke import at as to
 from tambour.ink.ground.codes import RANGE
 from tambour.noise import ease, value
@@ -60,13 +60,13 @@ def distant(
     dossier 1.8), c two octaves of blended lattice; and towards the foot paler, here more and there less, as the mist lies.
     """
     before = part(elems, n, RANGE, x, y)
-    seed = math.floor(4096.0 * rnd(rng))
+    own, seed = lattice(rng), 0.0
     phase = math.floor(4096.0 * rnd(rng))
     count = max(2, int(length / STEP))
     a, lean = x, 0.0
-    left, under = rise(table, 0.0, count, seed), foot(table, 0.0, count, seed)
+    left, under = rise(own, 0.0, count, seed), foot(own, 0.0, count, seed)
     for i in range(count):
-        right, below = rise(table, i + 1.0, count, seed), foot(table, i + 1.0, count, seed)
+        right, below = rise(own, i + 1.0, count, seed), foot(own, i + 1.0, count, seed)
         la, lb, ra, rb = y - height * left, y + under, y - height * right, y + below
         b, slant = x + length * (i + 1) / count, 0.0
         if i < count - 1:
@@ -83,10 +83,8 @@ def distant(
             mx, my = 0.5 * (a + b) + 37.0 * phase, 0.5 * (la + ra + low * (lb - la + rb - ra))
             # The lattice lies slanted, so that its cells do not show as upright blocks.
             mx, my = mx + 0.6 * my, my - 0.4 * mx
-            grey = 205.0 + 40.0 * (
-                0.65 * cloud(table, mx / 90.0, my / 60.0) + 0.35 * cloud(table, mx / 37.0, my / 30.0)
-            )
-            mist = 1.5 * cloud(table, mx / 170.0, my / 90.0) - 0.45
+            grey = 205.0 + 40.0 * (0.65 * cloud(own, mx / 90.0, my / 60.0) + 0.35 * cloud(own, mx / 37.0, my / 30.0))
+            mist = 1.5 * cloud(own, mx / 170.0, my / 90.0) - 0.45
             grey += (255.0 - grey) * min(1.0, pale + max(0.0, mist) * (0.1 + 0.9 * low * low))
             to(pts, n, a + lean * p, la + p * (lb - la))
             to(pts, n, b + slant * q, ra + q * (rb - ra))

@@ -15,7 +15,22 @@ from tambour.core.kernels import kernel
 from tambour.ink.brush import press
 from tambour.ink.brush.desk import Desk
 from tambour.ink.brush.stroke import OPEN, PI, at, bell, between, body, part, ring, rnd
-from tambour.ink.elements import banks, bushes, hills, houses, limbs, people, pines, ranges, rocks, sky, trees, water
+from tambour.ink.elements import (
+    banks,
+    bushes,
+    cun,
+    hamlet,
+    hills,
+    houses,
+    limbs,
+    people,
+    pines,
+    ranges,
+    rocks,
+    sky,
+    trees,
+    water,
+)
 from tambour.ink.elements.limbs import SIDES
 from tambour.ink.ground import codes
 from tambour.ink.ground.marks import Marks
@@ -59,7 +74,7 @@ def table() -> dict[str, Specimen]:
         "pagoda": Specimen(houses.pagoda, (10.0, 50.0, 7), 90, 160),
         "pavilion": Specimen(houses.pavilion, (18.0, 50.0, 2), 90, 110),
         "pylon": Specimen(houses.pylon, (100.0, 20.0), 60, 120),
-        "figure": Specimen(people.figure, (0.8, 1.0, people.BUN, 3.0), 120, 120),
+        "figure": Specimen(people.figure, (0.8, 1.0, people.BUN, 0.9, people.WALKS), 120, 120),
         "boat": Specimen(people.boat, (120.0, 1.0, 1.0, True), 200, 120),
         "waterfall": Specimen(sky.waterfall, (130.0, 12.0), 90, 160),
         "birds": Specimen(sky.birds, (7,), 160, 60),
@@ -67,7 +82,9 @@ def table() -> dict[str, Specimen]:
         "sun": Specimen(sky.sun, (28.0,), 90, 90),
         "mist": Specimen(veiled, (0.7, 160.0), 340, 140),
         "water": Specimen(water.water, (2.0, 180.0, 9), 380, 70),
-        "hill": Specimen(hills.hill, (360.0, 480.0, 200, 1.0, 1.0, 1.0), 560, 330),
+        "hill": Specimen(hills.hill, (230.0, 480.0, hills.CONE, 0.2, cun.HEMP, 180, 1.0, 1.0, 1.0, 1.0), 560, 330),
+        "hamlet": Specimen(hamlet.hamlet, (360.0, 4, 1.0, 1.0, 1.0), 460, 130),
+        "bridge": Specimen(hamlet.bridge, (110.0, 1.0, 1.0), 200, 90),
         "bank": Specimen(banks.bank, (100.0, 700.0, 0.55, 1.0, 0.0, 1.0, 1.0, forms, loops), 780, 330),
         "range": Specimen(ranges.distant, (150.0, 700.0, 0.0), 720, 150),
     }

@@ -11,10 +11,10 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.ink.brush import press
 from tambour.ink.brush.desk import Desk
-from tambour.ink.elements import banks, hills, people, ranges, sky, water
+from tambour.ink.elements import banks, hamlet, hills, people, ranges, sky, water
 from tambour.ink.ground import codes
 from tambour.ink.ground.marks import Elements, Marks
-from tambour.ink.plan.wholes import Planned
+from tambour.ink.plan.whole import Planned
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +35,7 @@ def draw(
     desk = Desk.of("ink", edition, begin=begin, end=end)
     for p in planned:
         element, how = _how(p, manner)
-        desk.draw(element, p.stream, p.id, p.x, p.y, *how)
+        desk.draw(element, p.stream, p.id, p.x, p.y, *how, ink=p.ink)
     return desk.inked()
 
 
@@ -43,11 +43,16 @@ def _how(p: Planned, manner: Manner) -> tuple[Callable[..., None], tuple[Any, ..
     """The kernel of a whole, and the numbers it is given after its place."""
     housed, peopled = float(manner.buildings), float(manner.figures)
     if p.kind == codes.HILL:
-        return hills.hill, (*p.how, 200, manner.planted, housed, 0.08 * manner.waterfalls)
+        return hills.hill, (*p.how, manner.planted, housed, 0.12 * manner.waterfalls)
     if p.kind == codes.BANK:
         _, forms, _, loops = press.tools()
         *ground, hutted = p.how
         return banks.bank, (*ground, manner.planted, manner.bloom, housed * hutted, peopled, forms, loops)
+    if p.kind == codes.HAMLET:
+        return hamlet.hamlet, (*p.how, manner.planted, housed, peopled)
+    if p.kind == codes.BRIDGE:
+        long, right, boats = p.how
+        return hamlet.bridge, (long, right, peopled * boats)
     if p.kind == codes.BOAT:
         return people.boat, (*p.how, manner.figures)
     kernels: dict[int, Callable[..., None]] = {

@@ -20,9 +20,10 @@ from tambour.ink.elements import specimens
 from tambour.ink.ground.kinds import NAMES
 from tambour.ink.ground.marks import Marks
 from tambour.ink.paint import seal
-from tambour.ink.params import Ink
+from tambour.ink.params import Ink, exactly
 from tambour.ink.plan.draw import Manner, draw, join
-from tambour.ink.plan.wholes import HEIGHT, Planned, Rules, tile, window
+from tambour.ink.plan.whole import Planned, Rules
+from tambour.ink.plan.wholes import HEIGHT, tile, window
 
 BATCH = 60
 """Wholes drawn at a time: about a tile's worth of marks."""
@@ -70,7 +71,7 @@ def rules(params: Ink) -> Rules:
     """What of the params the plan depends on."""
     return Rules(
         params.seed, params.edition, params.density, params.height, params.mist, params.boats, params.birds,
-        SKIES[params.time], params.season == "winter",
+        SKIES[params.time], params.season == "winter", params.reading,
     )  # fmt: skip
 
 
@@ -148,12 +149,12 @@ def _specimen(params: Ink, progress: Progress) -> Scroll:
 def about(params: Ink) -> dict[str, str]:
     """Facts for a file's metadata."""
     return {
-        "title": f"Shan shui, seed {params.seed}, from {params.from_:g}, {params.span:g} long",
+        "title": f"Shan shui, seed {params.seed}, from {exactly(params.from_)}, {exactly(params.span)} long",
         "craft": "ink",
         "seed": params.seed,
         "edition": str(params.edition),
-        "from": f"{params.from_:g}",
-        "span": f"{params.span:g}",
+        "from": exactly(params.from_),
+        "span": exactly(params.span),
     }
 
 
@@ -228,7 +229,7 @@ def warm() -> None:
     from tambour.ink.ground import codes
 
     how: dict[int, tuple[Any, ...]] = {
-        codes.HILL: (300.0, 400.0), codes.BANK: (100.0, 600.0, 0.5, 1.0), codes.BOAT: (120.0, 0.5, 1.0),
+        codes.HILL: (150.0, 400.0, 0, 0.0, 0, 60, 1.0), codes.BANK: (100.0, 600.0, 0.5, 1.0), codes.BOAT: (120.0, 0.5, 1.0),
         codes.RANGE: (150.0, 100.0, 0.0), codes.WATER: (2.0, 20.0, 1), codes.MIST: (0.1, 400.0), codes.BIRDS: (1,),
         codes.MOON: (9.0,), codes.SUN: (9.0,), codes.SKY: (512.0, 900.0),
     }  # fmt: skip

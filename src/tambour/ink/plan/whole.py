@@ -1,0 +1,66 @@
+"""Whole: what a plan is made of: one thing to be drawn, and the rules that it follows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from tambour.ink.ground import kinds
+from tambour.noise import key
+
+_LETTERS = str.maketrans("0123456789", "ghijklmnop")
+"""Ids are letters alone: a word such as 46e123 would be read as a number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """What the plan depends on besides the tile: the seed, and the composition."""
+
+    seed: str
+    edition: int = 1
+    density: float = 1.0
+    height: float = 1.0
+    mist: float = 0.0
+    boats: bool = True
+    birds: bool = True
+    sky: str = "none"
+    snow: bool = False
+    reading: str = "rtl"
+
+
+@dataclass(frozen=True, slots=True)
+class Planned:
+    """A whole to be drawn.
+
+    kind : see :mod:`tambour.ink.ground.kinds` ; x, y : its foot ; depth : painter's order, the smallest first
+    id : of its group ; stream : names of its stream of chance ; how : the numbers its kernel is given
+    left, right : how far its marks may lie from x
+    ink : how thick its ink is, 0 (far, pale) … 1 (near, black); None: as its kernel has it
+    """
+
+    kind: int
+    x: float
+    y: float
+    depth: float
+    id: str
+    stream: tuple[str | int, ...]
+    how: tuple[Any, ...]
+    left: float
+    right: float
+    ink: float | None = None
+
+    @property
+    def order(self) -> tuple[float, str]:
+        """The place in painter's order; the id decides between equals."""
+        return self.depth, self.id
+
+
+def place(
+    rules: Rules, kind: int, m: int, number: int, x: float, y: float, depth: float, how: tuple[Any, ...],
+    left: float, right: float, ink: float | None = None,
+) -> Planned:  # fmt: skip
+    """A whole with the id and the stream of chance that belong to number ``number`` of its kind in stretch ``m``."""
+    name = kinds.NAMES[kind]
+    names = ("ink", rules.seed, rules.edition, name, m, number)
+    word = f"{key(*names) & 0xFFFFFFFFFFFF:012x}".translate(_LETTERS)
+    return Planned(kind, x, y, depth, f"{name}-{word}", names, how, left, right, ink)
