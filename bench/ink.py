@@ -25,7 +25,7 @@ from tambour.ink.elements import trees
 from tambour.ink.ground import codes
 from tambour.ink.ground.marks import BLOB, STROKE
 from tambour.ink.params import Ink
-from tambour.ink.plan import draw, scroll
+from tambour.ink.plan import draw, scenes, scroll
 from tambour.ink.plan import wholes as plan
 
 ORIGINAL_US, ORIGINAL_MB = 20.5, 16.5
@@ -44,7 +44,7 @@ def best(job, times: int = 5, clock=time.process_time):
 
 
 def fresh_plan(params: Ink, span: float):
-    for cached in (plan.tile, plan.hills, plan.banks, plan._moorings):
+    for cached in (plan.tile, scenes.scene):
         cached.cache_clear()
     return plan.window(scroll.rules(params), 0.0, span)
 
@@ -126,12 +126,13 @@ def inking() -> None:
         desk.draw(element, p.stream, p.id, p.x, p.y, *how)
     notes = desk.marks[: desk.n[1]]
     # The twin knows strokes and blobs; the rest (bodies, washes, rings) is left out for both.
-    keep = np.isin(notes[:, KIND], (STROKE, BLOB))
+    # Strokes whose way is curved are left out too: the twin draws straight from point to point.
+    keep = np.isin(notes[:, KIND], (STROKE, BLOB)) & (press.fineness(desk.pts, notes) == 1)
     sizes = np.diff(notes[:, END], prepend=0).astype(int)
     pts = desk.pts[: desk.n[0]][np.repeat(keep, sizes)]
     marks = notes[keep].copy()
     marks[:, END] = np.cumsum(sizes[keep])
-    ends = press.sizes(marks)
+    ends = press.sizes(pts, marks)
     out = np.empty((ends[-1], 2))
     ours, _ = best(lambda: press.ink(pts, marks, ends, *press.tools(), out))
     theirs, twin = best(lambda: numpy_ink(pts, marks, ends))
@@ -154,7 +155,7 @@ def junipers() -> None:
         for k in range(TREES):
             trees.juniper(desk.table, rng, desk.pts, desk.marks, desk.elems, desk.n, 9.0 * k, 0.0, 60.0, 3.0, 0.5)
         notes = desk.marks[: desk.n[1]]
-        ends = press.sizes(notes)
+        ends = press.sizes(desk.pts, notes)
         out = np.empty((ends[-1], 2))
         press.ink(desk.pts[: desk.n[0]], notes, ends, *press.tools(), out)
         return out

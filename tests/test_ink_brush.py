@@ -7,6 +7,7 @@ import math
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.interpolate import CubicHermiteSpline
 
 from tambour import noise
 from tambour.ink.brush import press
@@ -80,14 +81,25 @@ def test_chance_is_uniform_and_the_bell_has_its_deviation() -> None:
     assert abs(b).max() < 1 and abs(b.mean()) < 0.01 and abs(b.std() - 12**-0.5) < 0.01
 
 
-def twin_line(way, breadth, noise_, taper, phase, wobble, start):
+def twin_curve(way, fine):
+    """The way on a cubic Hermite spline whose tangents are half the way from neighbour to neighbour (Catmull and Rom)."""
+    if fine == 1:
+        return way
+    ends = np.concatenate([2 * way[:1] - way[1:2], way, 2 * way[-1:] - way[-2:-1]])
+    spline = CubicHermiteSpline(np.arange(len(way)), way, 0.5 * (ends[2:] - ends[:-2]))
+    return spline(np.arange((len(way) - 1) * fine + 1) / fine)
+
+
+def twin_line(way, breadth, noise_, taper, phase, wobble, start, fine=1):
     """A stroke's outline by vectors: there on the left, back on the right (dossier 1.4)."""
     n = len(way)
     i = np.arange(1, n - 1)
     c = int((start % 1) * len(wobble))
     s = (i * ((len(taper) - 1) / n)).astype(int) + phase
     s = np.where(s >= len(taper), s - len(taper), s)
-    w = breadth * taper[s] * (1 - noise_ + noise_ * wobble[(c + i) % len(wobble)])
+    j, u = c + i // fine, i % fine / fine
+    tremble = (1 - u) * wobble[j % len(wobble)] + u * wobble[(j + 1) % len(wobble)]
+    w = breadth * taper[s] * (1 - noise_ + noise_ * tremble)
     d = way[2:] - way[:-2]
     normal = np.stack([d[:, 1], -d[:, 0]], 1) / np.hypot(*d.T)[:, None]
     a, b = way[1:-1] + w[:, None] * normal, way[1:-1] - w[:, None] * normal
@@ -109,9 +121,10 @@ def test_strokes_and_blobs_are_inked_as_their_twins() -> None:
         notes.append(note)
     marks = np.array(notes)
     marks[:, END] = np.cumsum([len(w) for w in ways])
-    ends = press.sizes(marks)
+    pts = np.concatenate(ways)
+    ends = press.sizes(pts, marks)
     out = np.full((ends[-1], 2), np.nan)
-    press.ink(np.concatenate(ways), marks, ends, tapers, forms, wobble, loops, out)
+    press.ink(pts, marks, ends, tapers, forms, wobble, loops, out)
     for k, (note, way) in enumerate(zip(marks, ways)):
         got = out[ends[k] : ends[k + 1]]
         breadth, noi, row, shape = note[7], note[8], note[9], int(note[10])
@@ -123,7 +136,9 @@ def test_strokes_and_blobs_are_inked_as_their_twins() -> None:
             v = np.array([-u[1], u[0]]) / np.hypot(*u) * breadth
             blob = way.mean(0) + (1 - noi + noi * loop)[:, None] * (form[:, :1] * u + form[:, 1:] * v)
         if note[KIND] == STROKE:
-            want = twin_line(way, breadth, noi, tapers[shape], 0, wobble[int(start)], start)
+            steps = np.hypot(*np.diff(way, axis=0).T)
+            fine = int(np.clip(np.ceil(steps.mean() / press.FACET), 1, press.FINEST)) if len(way) > 2 else 1
+            want = twin_line(twin_curve(way, fine), breadth, noi, tapers[shape], 0, wobble[int(start)], start, fine)
         elif note[KIND] == RING:
             want = twin_line(blob, note[6], 0.0, tapers[3], shape, wobble[int(start)], start)
         else:

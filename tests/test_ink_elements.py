@@ -14,6 +14,8 @@ from tambour.ink.brush.desk import Desk
 from tambour.ink.elements import (
     banks,
     bushes,
+    cun,
+    hamlet,
     hills,
     houses,
     people,
@@ -61,14 +63,14 @@ def test_counts_are_near_the_original(name: str) -> None:
 
 
 def test_a_hill_and_its_waters_have_the_originals_weight() -> None:
-    # 190 polygons of its own and 3.5 thousand points (1.8); water: 9 polygons, 2161 points (1.11).
+    # 190 polygons of its own (1.8), with ours for washes, the lifted skyline and moss; water: 9 polygons, 2161 points (1.11).
     own = []
     for k in range(24):
-        m = _drawn("hill", k, (300.0, 500.0, 200, 0.0, 0.0, 0.0))
-        own.append([(m.element == 0).sum(), np.diff(m.offsets)[m.element == 0].sum()])
+        m = _drawn("hill", k, (165.0, 500.0, hills.CONE, 0.0, cun.HEMP, 150, 1.0, 0.0, 0.0, 0.0))
+        own.append([(m.element == 0).sum(), 2 * np.diff(m.spines)[m.element == 0].sum()])
     polygons, points = np.mean(own, 0)
     assert 150 < polygons < 260
-    assert 2600 < points < 5200
+    assert 2600 < points < 7000  # 64 columns where the original has 50, and the washes
     m = _drawn("water", 1, (2.0, 400.0, 9))
     assert len(m) == 9
     assert 1500 < len(m.coords) < 2600
@@ -102,7 +104,9 @@ def _draw_any(rng: np.random.Generator, k: int) -> tuple[Marks, float, float, fl
         ("fir", trees.fir, (h, 9 * unit, unit, unit), 150, h + 40, 40),
         ("rock", rocks.rock, (h, w, 40, 9 * unit), 1.3 * w + 40, 1.3 * h + 40, 0.6 * h + 40),
         ("water", water.water, (4 * unit, w, n), w + 10, 30, 6 * n + 10),
-        ("hill", hills.hill, (h, w, 200, 1.0, 1.0, 1.0), 0.6 * w + 200, h + 300, 260),
+        ("hill", hills.hill, (h, w, n, 2 * unit - 1, n % 3, 200, 1.0, 1.0, 1.0, 1.0), 0.6 * w + 200, h + 300, 260),
+        ("hamlet", hamlet.hamlet, (w, n, 1.0, 1.0, 1.0), 0.7 * w + 140, 260, 60),
+        ("bridge", hamlet.bridge, (w, 1.0, 1.0), 0.7 * w + 90, 160, 60),
         ("bank", banks.bank, (100.0, w + 300, unit, 1.0, 1.0, 1.0, 1.0, forms, loops), w + 900, 900, 400),
         ("range", ranges.distant, (h, w, unit), w + 10, h + 10, 30),
         ("pine", pines.pine, (h, 6.0), 2 * h + 60, 2 * h + 60, 2 * h + 60),
@@ -115,7 +119,14 @@ def _draw_any(rng: np.random.Generator, k: int) -> tuple[Marks, float, float, fl
         ("pagoda", houses.pagoda, (h, w, n), w + 40, 1.6 * h * n + 2.5 * h, w),
         ("pavilion", houses.pavilion, (h, w, n), w + 40, 1.7 * h * n + 2 * h, w),
         ("pylon", houses.pylon, (h, w), 1.5 * w, 1.3 * h, 20),
-        ("figure", people.figure, (2 * unit, 1.0, n % 3, 5 * unit), 700 * unit + 9, 400 * unit + 9, 60 * unit + 9),
+        (
+            "figure",
+            people.figure,
+            (2 * unit, 1.0, n % 3, 5 * unit, n % 5),
+            700 * unit + 9,
+            480 * unit + 9,
+            60 * unit + 9,
+        ),
         ("boat", people.boat, (w, unit, -1.0, n > 2), w + 300, 300, 60),
         ("birds", sky.birds, (n,), 160, 60, 60),
         ("waterfall", sky.waterfall, (h, 20 * unit), 60 + 0.2 * h, h + 40, 40),
@@ -151,4 +162,6 @@ def test_outlines_hide_and_lines_do_not() -> None:
     assert (m.fill[lines, 1] == 0).all()
     spine = np.diff(m.spines)
     assert (spine[m.kind == 4] == 2).all()
-    assert (np.diff(m.offsets)[m.kind == 3] == 2 * spine[m.kind == 3] - 1).all()
+    # There and back along the way, each of whose steps is cut into one to four.
+    pieces = ((np.diff(m.offsets)[m.kind == 3] + 1) / 2 - 1) / (spine[m.kind == 3] - 1)
+    assert set(np.unique(pieces)) <= {1.0, 2.0, 3.0, 4.0}

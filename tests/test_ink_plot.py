@@ -195,7 +195,7 @@ def made(**told):
 
 @pytest.fixture(scope="module")
 def booklet():
-    return made(sheets="0..1", pens=2)
+    return made(sheets="0..1", pens=2, from_=-5200.0)
 
 
 def test_sheets_continue_line_for_line(booklet):
@@ -208,7 +208,7 @@ def test_sheets_continue_line_for_line(booklet):
 
 
 def test_a_sheet_alone_is_the_sheet_of_the_booklet(booklet):
-    alone = made(sheets="1", pens=2)
+    alone = made(sheets="1", pens=2, from_=-5200.0)
     for a, b in zip(alone.pages[0], booklet.pages[1]):
         assert a.lifts == b.lifts and a.coords == pytest.approx(b.coords, abs=1e-6)
 
@@ -221,7 +221,7 @@ def test_all_stays_on_the_page_and_pens_share_by_tone(booklet):
 
 
 def test_the_budget_is_kept_and_what_matters_stays():
-    full, less = made(span=900), made(span=900, budget="8min")
+    full, less = made(span=1900, from_=900.0), made(span=1900, from_=900.0, budget="8min")
     assert plot.facts(full)["minutes"] > 10
     assert 6.5 < plot.facts(less)["minutes"] <= 8 and less.thinned > 0
     report = plot.facts(less)["pens"][0]

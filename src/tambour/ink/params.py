@@ -40,7 +40,7 @@ class Ink(Params):
     """One element by itself, or "all" for a sheet of every one with its name."""
 
     density: float = Field(default=1.0, ge=0.0, le=3.0)
-    """How full the scroll is: hills, banks and boats; 1 leaves 30 to 70 % of the paper blank."""
+    """How full the scroll is: hills, banks and boats; 1 leaves about three quarters of the paper blank."""
 
     height: float = Field(default=1.0, ge=0.2, le=2.0)
     """How high the hills are, as a part of their own height."""

@@ -75,7 +75,7 @@ def _tremble(table: F8x1, wobble: F8x2, loops: F8x2) -> None:
         close(loops[r])
 
 
-FACET = 4.0
+FACET = 5.2
 """Units that a straight piece of a stroke's outline may be long; coarser ways are curved through their points."""
 FINEST = 4
 
@@ -91,7 +91,7 @@ def fineness(pts: F8x2, marks: F8x2) -> Array:
             long = 0.0
             for i in range(first + 1, end):
                 long += math.sqrt((pts[i, 0] - pts[i - 1, 0]) ** 2 + (pts[i, 1] - pts[i - 1, 1]) ** 2)
-            found[k] = min(FINEST, max(1, int(math.ceil(long / (FACET * (end - first - 1))))))
+            found[k] = min(FINEST, max(1, math.ceil(long / (FACET * (end - first - 1)))))
         first = end
     return found
 

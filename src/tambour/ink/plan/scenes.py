@@ -106,7 +106,7 @@ class Stage:
 
     def often(self, count: float) -> int:
         """So many, more or fewer by the density."""
-        return int(count * self.rules.density + self.chance.random())
+        return int(count * self.rules.density + self.chance.random()) if self.rules.density > 0.0 else 0
 
 
 @lru_cache(maxsize=256)
@@ -116,7 +116,8 @@ def scene(rules: Rules, m: int) -> tuple[Planned, ...]:
     chance = stream("ink", rules.seed, rules.edition, "scene", m)
     stage = Stage(rules, m, border(rules, m), border(rules, m + 1), chance, two[int(2 * chance.random())])
     (_high, _deep, _level)[distance(rules, m)](stage)
-    return tuple(stage.made)
+    # What is left out was planned all the same, so that nothing else moves.
+    return tuple(p for p in stage.made if rules.boats or p.kind != codes.BOAT)
 
 
 def _some(stage: Stage, *of: int) -> int:
@@ -140,21 +141,23 @@ def _high(stage: Stage) -> None:
     s = stage.u(0.44, 0.6)
     x, near, height = stage.x(s), stage.u(0.36, 0.5), stage.u(310.0, 385.0)
     form = _some(stage, forms.SPIRE, forms.CLIFF, forms.LEANING, forms.TWIN, forms.CONE)
-    stage.hill(x, near, height, height * stage.u(1.25, 1.55) + 60.0, form, stage.u(-0.5, 0.5), wet=0.3, misty=1.0)
-    _guests(stage, x, near, height, stage.often(8), 560.0)
-    for _ in range(stage.often(3)):
+    wide, lean = height * stage.u(1.25, 1.55) + 60.0, stage.u(-0.5, 0.5)
+    if stage.rules.density > 0.0:
+        stage.hill(x, near, height, wide, form, lean, wet=0.3, misty=1.0)
+    _guests(stage, x, near, height, stage.often(11), 640.0)
+    for _ in range(stage.often(4)):
         tall = height * stage.u(0.3, 0.46)
         stage.hill(x + stage.u(-620.0, 620.0), stage.u(0.0, 0.12), tall, tall * 2.2 + 120.0,
                    _some(stage, forms.CONE, forms.SPIRE, forms.RIDGE), stage.u(-0.4, 0.4))  # fmt: skip
-    for _ in range(stage.often(3)):
-        stage.hill(x + stage.u(-480.0, 480.0), stage.u(0.66, 0.9), stage.u(45.0, 95.0), stage.u(300.0, 520.0),
+    for _ in range(stage.often(5)):
+        stage.hill(x + stage.u(-560.0, 560.0), stage.u(0.66, 0.98), stage.u(45.0, 95.0), stage.u(300.0, 520.0),
                    _some(stage, forms.DOME, forms.RIDGE, forms.CONE), stage.u(-0.5, 0.5), wet=0.8, misty=0.35)  # fmt: skip
-    for _ in range(stage.often(2)):
+    for _ in range(stage.often(3)):
         tall = stage.u(70.0, 130.0)
         stage.hill(stage.x(stage.u(0.14, 0.26)), stage.u(0.2, 0.6), tall, tall * 2.4 + 130.0,
                    _some(stage, forms.DOME, forms.LEANING, forms.RIDGE), stage.u(-0.6, 0.6), wet=0.8)  # fmt: skip
     _hamlet(stage, s + (0.26 if s < 0.52 else -0.26), 0.8)
-    _banks(stage, [stage.u(0.84, 0.97)] + [stage.u(0.05, 0.2)] * (stage.u() < 0.5))
+    _banks(stage, [stage.u(0.84, 0.97), s + stage.u(-0.16, 0.16)] + [stage.u(0.05, 0.2)] * (stage.u() < 0.5))
     _ranges(stage, 1, 0.0, 0.6)
     _boats(stage, [stage.u(0.02, 0.12)])
 
@@ -165,7 +168,7 @@ def _deep(stage: Stage) -> None:
     valley, sides = stage.x(s), (1.0, -1.0)
     host = 0 if stage.u() < 0.5 else 1
     tall = stage.u(265.0, 335.0)
-    for k, side in enumerate(sides):
+    for k, side in enumerate(sides if stage.rules.density > 0.0 else ()):
         height = tall if k == host else tall / stage.u(1.6, 2.0)
         x = valley + side * stage.u(400.0, 520.0)
         stage.hill(x, stage.u(0.42, 0.58), height, height * 1.5 + 120.0,
@@ -175,7 +178,7 @@ def _deep(stage: Stage) -> None:
     for k in range(planes):
         near = 0.02 + 0.8 * k / planes
         for side in sides:
-            for _ in range(stage.often(0.95)):
+            for _ in range(stage.often(1.35)):
                 height = (stage.u(120.0, 185.0) if near < 0.2 else stage.u(70.0, 150.0)) * (1.0 if near < 0.7 else 0.6)
                 x = valley + side * (130.0 + 640.0 * near**0.7 + stage.u(-90.0, 170.0))
                 stage.hill(x, near + stage.u(0.0, 0.1), height, height * stage.u(1.8, 2.6) + 120.0,
@@ -186,14 +189,14 @@ def _deep(stage: Stage) -> None:
         stage.hill(valley + stage.u(-220.0, 220.0), 0.0, height, height * 1.9 + 100.0,
                    _some(stage, forms.SPIRE, forms.CONE, forms.TWIN), stage.u(-0.5, 0.5), misty=1.0)  # fmt: skip
     _hamlet(stage, s, 0.9)
-    _banks(stage, [stage.u(0.03, 0.14)] if stage.u() < 0.6 else [stage.u(0.86, 0.97)])
+    _banks(stage, [stage.u(0.03, 0.14) if stage.u() < 0.6 else stage.u(0.86, 0.97), s + stage.u(-0.3, 0.3)])
     _ranges(stage, 1, 0.0, 1.0)
     _boats(stage, [stage.u(0.9, 0.98)])
 
 
 def _level(stage: Stage) -> None:
     """One looks across: wide water, a low far shore, an islet or two, a near bank with great trees, a boat."""
-    for _ in range(stage.often(2.6)):
+    for _ in range(stage.often(4)):
         tall = stage.u(28.0, 70.0)
         stage.hill(stage.x(stage.u(0.3, 1.0)), stage.u(0.05, 0.42), tall, stage.u(320.0, 680.0),
                    _some(stage, forms.DOME, forms.RIDGE, forms.CONE), stage.u(-0.5, 0.5), wet=0.9, misty=0.8)  # fmt: skip
