@@ -159,7 +159,7 @@ def _shapes(canvas: Any, drawing: Drawing) -> None:
     ]
     parts = np.arange(len(paths.offsets)) if paths.parts is None else paths.parts
     data, begins = packed(paths.coords, paths.offsets, parts, styles.evenodd[drawing.style])
-    view, path = memoryview(data), skia.Path()
+    view, path = memoryview(data.data), skia.Path()
     ends = begins.tolist()
     for first, last, style in zip(ends, ends[1:], drawing.style.tolist()):
         if last - first == HEAD:

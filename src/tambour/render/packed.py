@@ -38,9 +38,7 @@ def packed(coords: Array, offsets: Array, parts: Array, evenodd: Array) -> tuple
 
 
 @kernel
-def _fill(
-    out: U1x1, begins: I8x1, head: U1x2, points: U1x2, offsets: I8x1, parts: I8x1, closed: B1x1
-) -> None:
+def _fill(out: U1x1, begins: I8x1, head: U1x2, points: U1x2, offsets: I8x1, parts: I8x1, closed: B1x1) -> None:
     """Write heads (K, 16), points (P, 8, as bytes) and verbs to ``out``."""
     for k in range(len(begins) - 1):
         at = begins[k]

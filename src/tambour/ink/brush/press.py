@@ -124,9 +124,7 @@ def curved(way: Array, pieces: int, out: Array) -> int:
 
 
 @kernel
-def ink(
-    pts: F8x2, marks: F8x2, offsets: I8x1, tapers: F8x2, forms: F8x3, wobble: F8x2, loops: F8x2, out: F8x2
-) -> None:
+def ink(pts: F8x2, marks: F8x2, offsets: I8x1, tapers: F8x2, forms: F8x3, wobble: F8x2, loops: F8x2, out: F8x2) -> None:
     """Write the outline of every mark k to ``out[offsets[k]:offsets[k + 1]]``.
 
     pts (P, 2), marks (K, COLUMNS) as in :mod:`tambour.ink.brush.stroke`; offsets from :func:`sizes`; the rest from

@@ -7,7 +7,6 @@ import math
 import numpy as np
 
 from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
-from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import OPEN, SINE, at, bell, between, body, lattice, part, pick, rnd, side, stroke
 from tambour.ink.elements.cun import slope
