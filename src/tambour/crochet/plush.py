@@ -64,6 +64,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
 
     from tambour.crochet.finish.features import doubts
     from tambour.crochet.finish.joining import with_seams
+    from tambour.crochet.finish.placing import standing
     from tambour.crochet.finish.shape import Task, simulate
     from tambour.crochet.settle.body import centroid_counts
     from tambour.crochet.yarn.fabric import strands
@@ -97,8 +98,8 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
             "building one by one was cut short: the last nodes were placed at once", "{--start} rounds is faster"
         )
     x, c = shape.x * stitch[0], shape.c * stitch[0]
-    if params.solver == "settle" and built.up == "start" and shape.joined is None:
-        x, c = x * (-1.0, -1.0, 1.0), c * (-1.0, -1.0, 1.0)  # half a turn, the front stays in front
+    if params.solver == "settle" and shape.joined is None:
+        x, c = standing(x, built.up), standing(c, built.up)
     if params.check:
         from tambour.crochet.graph.check import size_edit
 

@@ -12,7 +12,7 @@ from tambour.core.check import Array
 from tambour.core.errors import Problem, TambourError
 from tambour.core.graph import SEWN, StitchGraph
 from tambour.crochet.finish import sewing
-from tambour.crochet.finish.placing import Frames, frames, level
+from tambour.crochet.finish.placing import Frames, frames, level, standing
 from tambour.crochet.graph.assemble import SEWN_SHORT
 from tambour.crochet.graph.build import Built
 from tambour.crochet.graph.spots import Spots
@@ -149,8 +149,8 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
     onto = {body[spots.parts[f.part]] for f, _ in joining.steps}
     for span, fact, b in zip(graph.parts, built.parts, body):
         # What stands by itself stands as its pattern says; the rest is turned where it is placed.
-        if b not in onto and built.pattern.parts[fact.section].up == "start":
-            x[span.start : span.end] *= (-1.0, -1.0, 1.0)
+        if b not in onto and (up := built.pattern.parts[fact.section].up):
+            x[span.start : span.end] = standing(x[span.start : span.end], up)
     upright = np.tile([0.0, 1.0, 0.0], (len(graph.parts), 1))
     group = {b: [b] for b in range(len(bodies))}
     shell = graph.faces[built.shell]

@@ -31,6 +31,14 @@ class Frames(NamedTuple):
     up: Array
 
 
+def standing(x: Array, up: str) -> Array:
+    """``x`` (K, 3), worked upwards, as it stands with its ``up``: its end or its start on top, or, ``side``, lying with
+    its start ahead and what was its front above. The front stays in front when it is turned upside down."""
+    if up == "side":
+        return np.column_stack([x[:, 0], x[:, 2], -x[:, 1]])
+    return x * (-1.0, -1.0, 1.0) if up == "start" else x
+
+
 def frames(built: Built, positions: Array, spots: Sequence[Spot], upright: Array | None = None) -> Frames:
     """Where ``spots`` are on the fabric and how it lies there.
 

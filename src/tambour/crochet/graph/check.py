@@ -11,7 +11,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import Problem, Span
 from tambour.crochet.graph.build import Built, Worked
-from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.language.finishes import GUESSED, Eye, Placed
 from tambour.crochet.language.tree import Group, Item
 
 NEAR = 0.2
@@ -34,7 +34,7 @@ def tech_edit(built: Built) -> list[Problem]:
     leave stitches or run past their end; parts that are never sewn on; stuffing in an open part; yarn and eyes that
     the materials do not name.
     """
-    found = [replace(p, warning=False) for p in built.warnings if not p.message.startswith("approximated")]
+    found = [replace(p, warning=False) for p in built.warnings if not p.message.startswith(("approximated", GUESSED))]
     found += [*_rounds(built), *_loose(built), *_open(built), *_materials(built)]
     return sorted(dict.fromkeys(found), key=lambda p: p.span.start if p.span else 0)
 

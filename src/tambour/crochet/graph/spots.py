@@ -129,10 +129,12 @@ class Spots:
 
     def _index(self, k: int, stitch: float | None) -> float:
         """Position in round ``k``, from 0: of a stitch, or of the middle of the front."""
+        return self.front(k) if stitch is None else stitch - 1.0
+
+    def front(self, k: int) -> float:
+        """Position in round ``k``, from 0, of the middle of the front."""
         nodes = self.stitches(k)
         n = len(nodes)
-        if stitch is not None:
-            return stitch - 1.0
         if self.in_rows[self.built.rounds[k].part] or n < 3:
             return 0.5 * (n - 1)
         x = self.layout[nodes]

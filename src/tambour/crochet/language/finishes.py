@@ -61,12 +61,16 @@ class Eye:
 
 @dataclass(frozen=True, slots=True)
 class Embroidery:
-    """Straight stitches from spot to spot in yarn ``width`` mm thick; a single spot is a knot (a dot). Curves by more spots."""
+    """Straight stitches from spot to spot in yarn ``width`` mm thick; a single spot is a knot (a dot). Curves by more spots.
+
+    motif : what they make, where a text called it by its name ("smile"); "" unsaid
+    """
 
     spots: tuple[Spot, ...]
     color: RGB = (40, 30, 26)
     width: float = 2.0
     span: Span = field(default=Span(0, 0), compare=False)
+    motif: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +99,9 @@ class Hair:
 
 
 Finish = Placed | Eye | Embroidery | Felt | Hair
+
+GUESSED: Final = "guessed where these go"
+"""How a doubt begins that tells of parts put where such parts usually are."""
 
 SHAPES: Final = ("circle", "oval", "half", "triangle", "heart", "square")
 """Shapes of felt."""

@@ -163,10 +163,11 @@ def _section(source: Source, draft: _Draft) -> Section:
                 known = did_you_mean(word, STARTS) or "rounds or one-by-one"
                 source.error(f'"{value}" is no way to begin', known, at)
         elif key == "up":
-            if word in ("start", "end"):
+            if word in ("start", "end", "side"):
                 found[key] = word
             else:
-                source.error(f'"{value}" is no end of the work', "start or end: the one that is on top", at)
+                hint = "start or end: the one that is on top; side: it lies, its start ahead"
+                source.error(f'"{value}" is no end of the work', hint, at)
         elif key == "tip_from_fo":
             if word in _TRUTH:
                 found[key] = _TRUTH[word]

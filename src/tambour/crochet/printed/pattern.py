@@ -5,12 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
-from tambour.crochet.graph.build import build
-from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import check_names
+from tambour.crochet.language.finishes import GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Action, Line, Pattern
-from tambour.crochet.printed.assembly import Assembly, Made
+from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import Head, heads
@@ -25,18 +23,20 @@ _HINTED = 20  # errors that suggestions are looked for
 _LONG = 50  # characters of a line that was broken
 
 
-def read_printed(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pattern:
+def read_printed(text: Text, *, max_stitches: int = 200_000, strict: bool = False, usual: bool = True) -> Pattern:
     """The pattern that a printed text says (docs/crochet.md, "Patterns as people write them").
+
+    usual : parts that no sentence places go where such parts usually do, which is told as a doubt
 
     Raises TambourError with every problem of the text; with one line when it holds no crochet instructions.
     """
-    return Printed(Source(text, strict)).pattern(max_stitches)
+    return Printed(Source(text, strict)).pattern(max_stitches, usual)
 
 
 class Printed(State):
     """Goes through the lines of a text, top to bottom."""
 
-    def pattern(self, max_stitches: int) -> Pattern:
+    def pattern(self, max_stitches: int, usual: bool = True) -> Pattern:
         """The whole text read."""
         at = 0
         while at < len(self.rows):
@@ -49,12 +49,15 @@ class Printed(State):
             raise TambourError(NOTHING, hint=hint, where=source.text.name)
         if self.lead and self.parts:
             self.parts[-1].lines += self.lead
-        if self.sentences and len(self.parts) == 1:
-            self.parts[0].name = self.parts[0].name or "piece"  # sentences want a name
+        if self.sentences and self.parts and not self.parts[0].name:
+            taken = {draft.name.lower() for draft in self.parts}
+            self.parts[0].name = "piece" if len(self.parts) == 1 or "body" in taken else "Body"  # sentences want a name
         sections = tuple(draft.section(source) for draft in self.parts)
         self._colors_told()
-        if self.sentences and all(p.warning for p in source.problems):
-            self._assemble(Pattern(source.text, sections, source.stitches, max_stitches=max_stitches))
+        if all(p.warning for p in source.problems):
+            plain = Pattern(source.text, sections, source.stitches, max_stitches=max_stitches,
+                            terms=self.language.code, stated=self.stated)  # fmt: skip
+            sections = self._assemble(plain, usual).parts
         errors = [p for p in source.problems if not p.warning]
         if errors:
             raise TambourError(sorted(errors, key=_place))
@@ -73,30 +76,23 @@ class Printed(State):
             tuple(self.passed),
         )
 
-    def _assemble(self, pattern: Pattern) -> None:
-        """Reads the sentences of finishing, now that the parts are there."""
+    def _assemble(self, pattern: Pattern, usual: bool) -> Pattern:
+        """The pattern with what the sentences of finishing say, now that the parts are there."""
         source = self.source
         copies = {part.name: part.copies for part in pattern.parts}
         phrases = Phrases(self.phrases.terms, copies, {k.upper(): rgb for k, rgb in self.palette.given.items()})
-        try:
-            spots = Spots(build(pattern))
-        except TambourError:
-            return  # the build tells what is wrong with the rounds
-        made = [
-            Made(draft.name, part.copies, draft.edge, any(i == "fo" for line in part.lines for i in _names(line)))
-            for draft, part in zip(self.parts, pattern.parts)
-        ]
-        assembly = Assembly(made, spots, self.palette)
-        for sentence in self.sentences:
-            span = sentence.span
-            exact = phrases.finishing(source.text.text[span.start : span.end], span)
-            found = [exact] if exact is not None else assembly.read(sentence)
-            if found is None:
-                hint = "say the part and the round: sew the ears to the head between Rnds 5 and 6, 8 sts apart"
-                source.doubt("where this goes is not understood", hint, span)
-            else:
-                source.finish += found
+        found = assembled(pattern, self.sentences, phrases, self.palette, usual)
+        if found is None:
+            return pattern  # the build tells what is wrong with the rounds
+        for span in found.lost:
+            hint = "say the part and the round: sew the ears to the head between Rnds 5 and 6, 8 sts apart"
+            source.doubt(UNPLACED, hint, span)
+        if found.guessed:
+            hint = "say the rounds, and how many stitches apart, to have them elsewhere"
+            source.doubt(f"{GUESSED}: {told(found)}", hint, Span(0, 0))
+        source.finish += found.finish
         check_names(source, copies, source.finish)
+        return with_places(pattern, found)
 
     def _colors_told(self) -> None:
         if self.palette.told:

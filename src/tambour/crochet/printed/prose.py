@@ -7,7 +7,8 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Line
-from tambour.crochet.printed.assembly import Sentence, finishes
+from tambour.crochet.places.hear import assembling
+from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.notes import MODES, Heading, definition, heading, plain_name, stated
@@ -45,7 +46,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if said or shade:
         return
     if p.parts and p.phrases.finishing(line) is not None:
-        p.sentences.append(Sentence(row.tokens, tokens, p.parts[-1].name))
+        p.sentences.append(Said(tokens, p.parts[-1].name, Span(row.tokens[0].start, row.tokens[-1].end)))
         return
     first = tokens[0]
     names = [t for t in tokens if t.kind != "mark"]
@@ -150,11 +151,10 @@ def _sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
 
 def _sentence(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds; whether it was understood."""
-    if p.parts and finishes(raw := _raw(p, tokens), tokens):
-        p.sentences.append(Sentence(raw, tokens, p.parts[-1].name))
+    if _finishes(p, tokens):
         return True
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
-    said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end"))
+    said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end", "up side"))
     draft = p.parts[-1] if p.parts else None
     if said is not None:
         key, fields = said
@@ -200,11 +200,15 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     return True
 
 
-def _raw(p: State, tokens: list[Token]) -> list[Token]:
-    """The same words as they were written."""
-    begin, end = tokens[0].start, tokens[-1].end
-    first = p.row_at
-    return [t for row in p.rows[first : first + WRAPPED] for t in row.tokens if begin <= t.start and t.end <= end]
+def _finishes(p: State, tokens: list[Token]) -> bool:
+    """Whether a sentence puts a part or a face somewhere; it is kept until all parts are known."""
+    if not p.parts or p.mode in ("materials", "abbreviations"):
+        return False
+    text = p.source.text.text[tokens[0].start : tokens[-1].end]
+    if not assembling(text, [draft.name for draft in p.parts]):
+        return False
+    p.sentences.append(Said(tokens, p.parts[-1].name, Span(tokens[0].start, tokens[-1].end)))
+    return True
 
 
 def _stuffing(p: State, tokens: list[Token]) -> float | None:
@@ -220,7 +224,9 @@ def _stuffing(p: State, tokens: list[Token]) -> float | None:
 
 
 def left_over(p: State, tokens: list[Token], in_round: bool) -> None:
-    """A sentence that was not read: a doubt when it looks like instructions, else it is passed over."""
+    """A sentence that was not read: kept when it puts something somewhere, a doubt when it looks like instructions."""
+    if in_round and _finishes(p, tokens):
+        return
     span = Span(tokens[0].start, tokens[-1].end)
     words = [t for t in tokens if t.kind != "mark"] or tokens
     known = sum(t.kind in ("stitch", "number", "ordinal", "key") for t in words)

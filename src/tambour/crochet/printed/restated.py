@@ -205,7 +205,9 @@ class _Reader:
             else:
                 raise _Unknown
             return
-        about = self.phrases.read(line, ("up start", "up end", *(f"stuff {a}" for a in (*STUFFING, "factor"))))
+        about = self.phrases.read(
+            line, ("up start", "up end", "up side", *(f"stuff {a}" for a in (*STUFFING, "factor")))
+        )
         if about:
             what, _, amount = about[0].partition(" ")
             if what == "up":

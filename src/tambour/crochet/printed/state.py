@@ -7,7 +7,7 @@ from typing import Any, Final
 from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
-from tambour.crochet.printed.assembly import Sentence
+from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.parts import Draft
@@ -55,7 +55,7 @@ class State:
         self.passed: list[Span] = []
         self.understood = self.failed = self.row_at = 0
         self.early: dict[str, Any] = {}  # what is said of a part before its first round
-        self.sentences: list[Sentence] = []  # of finishing, read once the parts are known
+        self.sentences: list[Said] = []  # of finishing, read once the parts are known
 
     def begin(self, first: bool, span: Span) -> None:
         """Goes on with the part, or begins another."""

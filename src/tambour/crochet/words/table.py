@@ -51,6 +51,7 @@ SENTENCES: Final = {
     "stuff factor": "factor",
     "up start": "",
     "up end": "",
+    "up side": "",
     # Finishing.
     "place": "part onto spot flat across tilt towards by",
     "eye": "part spot size color",

@@ -1,0 +1,1 @@
+"""Places: where parts and faces go, from what people say and from what is usual."""

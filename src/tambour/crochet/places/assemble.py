@@ -1,0 +1,246 @@
+"""Assemble: what was heard of the assembly, and what is usual where it is silent → finishing records."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from tambour.core.errors import Span
+from tambour.crochet.graph.build import Built
+from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.places.faces import Facer
+from tambour.crochet.places.hear import Copy, Feature, Heard, Put, Sentence
+from tambour.crochet.places.names import Made
+from tambour.crochet.places.said import Where
+from tambour.crochet.places.stand import numbers_of
+from tambour.crochet.places.toy import Assembled, Toy
+
+_TOP: Final = re.compile(
+    r"\b(?:begin|start|work)\w*\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:top|crown)|from (?:the )?top (?:to|down|of)|top[- ]down\b"
+)
+_LOW: Final = 0.45
+"""A face in this first part of a piece's rounds says that the piece is worked from its top."""
+_NO_GUESS: Final = Where(shown=True)
+
+
+class Assembly(Toy):
+    """Puts a pattern together.
+
+    built : the pattern worked; sentences : of its finishing, in order; stitch : a stitch's width, mm
+    eye : the size of eyes that the materials name, mm; None unsaid
+    """
+
+    def __init__(self, built: Built, sentences: list[Sentence], stitch: float, eye: float | None = None) -> None:
+        super().__init__(built, stitch, eye)
+        self.heard = Heard(self.parts, sentences)
+        self.made.lost = self.heard.lost
+        self.text = built.pattern.text.text.lower()
+        of = built.graph.part
+        self.sewn = {int(k) for a, b in built.sewn.tolist() for k in (of[a], of[b]) if of[a] != of[b]}
+        if self.parts:
+            self.main = self._main()
+            self._shaped()
+
+    def _main(self) -> Made:
+        """What everything else is put on: what parts are sewn to and is sewn to nothing, else the body, else the head,
+        else a stem under its cap, else the largest part made once."""
+        single = [p for p in self.parts if p.copies == 1] or self.parts
+        largest = max(single, key=self.size)
+        body = self.of_kind("body") or self.of_kind("head")
+        if body is not None and 3 * self.size(body) > self.size(largest):
+            return body
+        put = {c[0] for p in self.heard.puts for c in p.copies}
+        under = [
+            p.host[0] for p in self.heard.puts if p.host is not None and p.host[0] not in put and p.host[0].copies == 1
+        ]
+        if under:
+            return max(under, key=self.size)
+        stem = self.of_kind("stem")
+        return (
+            stem if stem is not None and largest.kind == "hat" and 6 * self.size(stem) > self.size(largest) else largest
+        )
+
+    def _shaped(self) -> None:
+        """Parts whose names say nothing: a large one beside the main part is its head, where there is none."""
+        if self.of_kind("head") is not None or self.main.kind not in ("body", ""):
+            return
+        others = [p for p in self.parts if p.copies == 1 and not p.kind and p != self.main]
+        large = max(others, key=self.size, default=None)
+        if large is not None and 3 * self.size(large) > self.size(self.main):
+            named = replace(large, likely="head")
+            self.parts[self.parts.index(large)] = named
+            for p in self.heard.puts:
+                p.copies = [(named, k) if q == large else (q, k) for q, k in p.copies]
+                p.host = (named, p.host[1]) if p.host is not None and p.host[0] == large else p.host
+
+    # -- the whole --------------------------------------------------------------------------------------------------
+
+    def assemble(self, usual: bool = True) -> Assembled:
+        """All of it; ``usual``: parts that no sentence places go where such parts usually do."""
+        if not self.parts:
+            return self.made
+        if usual:
+            self._guess_parts()
+        if usual and (self.heard.puts or self.heard.features):
+            self._stand_up()
+        put = Facer(self)
+        waiting = self._tree()
+        for turn in ("plain", "beside"):
+            if turn == "beside":
+                self._eyes(put, usual)
+            for p in list(waiting):
+                if bool(p.where.beside) == (turn == "beside") or p.copies[0][0].kind in ("muzzle", "head", "body"):
+                    waiting.remove(p)
+                    self.out += [(p.order, record) for record in put.part(p)]
+        for feature in self.heard.features:
+            if feature.what != "safety eyes":
+                self.out += [(feature.order, record) for record in put.feature(feature)]
+        self.out += [(order, record) for record, order in self.heard.exact]
+        self.made.finish = [record for _, record in sorted(self.out, key=lambda pair: pair[0])]
+        return self.made
+
+    def _taken(self) -> set[Copy]:
+        """Copies that sentences put somewhere."""
+        taken = {c for p in self.heard.puts for c in p.copies}
+        exact = {r.part for r, _ in self.heard.exact if isinstance(r, Placed)}
+        return taken | {(p, k) for p in self.parts for k in range(1, p.copies + 1) if p.copy(k) in exact}
+
+    def _guess_parts(self) -> None:
+        """Puts for parts that no sentence speaks of, and whose name says what they are."""
+        taken, main = self._taken(), self.main
+        order = len(self.heard.puts) + len(self.heard.features) + len(self.heard.exact)
+        said = bool(taken or self.heard.features or self.heard.everything)
+        for part in self.parts:
+            free = [(part, k) for k in range(1, part.copies + 1) if (part, k) not in taken]
+            free = [c for c in free if self.spots.parts[c[0].copy(c[1])] not in self.sewn]
+            if not free or part == main or (not part.kind and not said):
+                continue
+            if not part.kind and self.built.pattern.terms == "":
+                continue
+            onto = main if (part.kind in ("head", "body")) else None
+            self.heard.puts.append(
+                Put(free, None if onto is None else (onto, 1), "", _NO_GUESS, Span(0, 0), order, True)
+            )
+            order += 1
+
+    def _stand_up(self) -> None:
+        """Which way parts stand that others stand on."""
+        main = self.main
+        part = self.spots.parts[f"{main.name}.1"]
+        if self.up.get(main.name) is None:
+            up = self._upright(main, part)
+            if up != "end":
+                self.made.ups[main.name] = up
+        self.stand.set_up(part, self.made.ups.get(main.name) or self.up.get(main.name) or "end")
+
+    def _upright(self, main: Made, part: int) -> str:
+        low, high = numbers_of(self.spots, part)
+        legs = sum(p.copies for p in self.parts if p.kind in ("leg",))
+        swims = any(p.kind == "fluke" or "fluke" in p.words for p in self.parts)
+        head = self.of_kind("head")
+        faces = [f.where.rounds[0] for f in self.heard.features if f.where.rounds and self._is_on(f, main)]
+        faces += [
+            p.where.rounds[0] for p in self.heard.puts
+            if p.where.rounds and p.host and p.host[0] == main and p.copies[0][0].kind in ("eye", "muzzle", "nose", "beak")
+        ]  # fmt: skip
+        early = bool(faces) and (np.mean(faces) - low + 1) / (high - low + 1) < _LOW
+        if (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
+            return "side"
+        if head is not None and head != main:
+            return "end"
+        if (
+            early
+            or any(p.kind == "tentacle" for p in self.parts)
+            or _TOP.search(self.text[:4000])
+            or self._named_top(main)
+        ):
+            return "start"
+        wide = self.open(f"{main.name}.1")
+        hung = any(p.host and p.host[0] == main and "top" in p.where.words for p in self.heard.puts)
+        return (
+            "start"
+            if wide >= 12 and not self.spots.in_rows[part] and (hung or main.kind in ("hat", "head", ""))
+            else "end"
+        )
+
+    def _named_top(self, main: Made) -> bool:
+        return [w for w in main.words if w in ("head", "body")][:2] == ["head", "body"]
+
+    def _is_on(self, feature: Feature, main: Made) -> bool:
+        return feature.host is None or feature.host[0] == main
+
+    def _tree(self) -> list[Put]:
+        """Every put with what it is put on, those that others stand on first; no copy twice, none on itself."""
+        main, head = self.main, self.of_kind("head")
+        seen: set[Copy] = {(main, 1)}
+        puts: list[Put] = []
+        for p in self.heard.puts:
+            if (main, 1) in p.copies:
+                # "Sew the body to the head": the head is put on the body.
+                if p.host is not None and len(p.copies) == 1 and p.host not in seen:
+                    p = replace(p, copies=[p.host], host=(main, 1))
+                else:
+                    p = replace(p, copies=[c for c in p.copies if c != (main, 1)], host=p.host or (main, 1))
+            free = [c for c in p.copies if c not in seen and self.spots.parts[c[0].copy(c[1])] not in self.sewn]
+            if not free:
+                continue
+            seen.update(free)
+            puts.append(replace(p, copies=free))
+        exact = {r.part: r.spot.part for r, _ in self.heard.exact if isinstance(r, Placed)}
+        on: dict[str, str] = {}
+        for p in puts:
+            kind = p.copies[0][0].kind
+            if p.host is None or p.host in p.copies:
+                host = (
+                    main
+                    if head is None or head in [c[0] for c in p.copies]
+                    else head
+                    if self._goes_on_head(p)
+                    else main
+                )
+                p.host = (host, 1)
+            if kind == "inner" or "inner" in p.copies[0][0].words:
+                ears = [m for m in self.parts if m.kind == "ear" and m != p.copies[0][0]]
+                if ears and ears[0].copies >= len(p.copies):
+                    p.host = (ears[0], 0)
+            for c in p.copies:
+                on[c[0].copy(c[1])] = p.host[0].copy(max(1, p.host[1]))
+        on.update(exact)
+
+        def depth(name: str) -> int:
+            n, seen_ = 0, set[str]()
+            while name in on and name not in seen_:
+                seen_.add(name)
+                name, n = on[name], n + 1
+            return 99 if name in seen_ else n
+
+        for p in puts:
+            if depth(p.copies[0][0].copy(p.copies[0][1])) >= 99:
+                p.host = (main, 1)
+        return sorted(puts, key=lambda p: depth(p.copies[0][0].copy(p.copies[0][1])))
+
+    def _goes_on_head(self, p: Put) -> bool:
+        from tambour.crochet.places.usual import usual
+
+        kind = p.copies[0][0].kind
+        return p.region == "head" or (p.region != "body" and usual(kind, len(p.copies))[0].on == "head")
+
+    def _eyes(self, put: Facer, usual: bool) -> None:
+        """Safety eyes; those that the materials list and no sentence places are guessed."""
+        said = [f for f in self.heard.features if f.what in ("safety eyes", "eyes", "closed eyes")]
+        there = any("eye" in p.kinds for p in self.parts) or any(isinstance(r, Eye) for r, _ in self.heard.exact)
+        if (
+            usual
+            and not said
+            and not there
+            and re.search(r"\b(?:safety|plastic|toy|doll) eyes?\b|\beyes?:|\bbeads? for (?:the )?eyes", self.text)
+        ):
+            self.heard.features.append(
+                Feature("safety eyes", None, "", _NO_GUESS, Span(0, 0), 10_000, None, "eyes", True)
+            )
+        for feature in self.heard.features:
+            if feature.what == "safety eyes":
+                self.out += [(feature.order, record) for record in put.eyes(feature)]

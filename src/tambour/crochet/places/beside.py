@@ -1,0 +1,142 @@
+"""Beside: what was said of a place, as a change of the usual one: words of sides and leaning, and things it is near."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.language.finishes import Spot
+from tambour.crochet.places.hear import Copy
+from tambour.crochet.places.said import Where
+from tambour.crochet.places.stand import Host
+from tambour.crochet.places.toy import Toy
+from tambour.crochet.places.usual import Way
+
+_BELOW: Final = frozenset(("below", "beneath", "under", "underneath", "down from"))
+_ABOVE: Final = frozenset(("above", "over", "up from"))
+_SIDE: Final = frozenset(
+    ("beside", "next to", "on either side of", "on both sides of", "at sides of", "at the sides of", "at the side of")
+)
+_LEVEL: Final = frozenset(("in line with", "level with", "at the level of"))
+_LIKE: Final = {"snout": "muzzle", "smile": "mouth", "brim": "hat", "cheek": "cheeks"}
+
+
+class Beside:
+    """Knows where things are on a toy's parts, for those that others are beside."""
+
+    def __init__(self, work: Toy) -> None:
+        self.work = work
+        self.stand = work.stand
+        self.known: dict[str, tuple[str, list[Array]]] = {}  # thing → part, points
+        self.deep: dict[str, float] = {}  # thing → half its height
+
+    def _lies(self, host: Copy) -> bool:
+        work = self.work
+        return host[0] == work.main and (work.made.ups.get(host[0].name) or work.up.get(host[0].name)) == "side"
+
+    def _told(self, way: Way, at: Where, copies: int) -> Way:
+        """A usual way, changed by what was said of it."""
+        said, (x, y, z) = at.words, way.at
+        sign = 1.0 if x >= 0.0 else -1.0
+        axis = way.axis
+        if "top" in said and "bottom" not in said:
+            x, y, z = (sign * 0.42 if copies == 2 or x else 0.0), 0.92, (z if abs(z) < 0.3 else 0.0)
+            axis = axis if axis is not None and axis[1] > 0.3 else (x * 0.6, 1.0, 0.0)
+        elif "bottom" in said and copies <= 2:
+            x, y, z = (sign * 0.45 if x else 0.0), -0.9, (0.12 if x else z * 0.3)
+            axis = (sign * 0.08 if x else 0.0, -1.0, 0.08)
+            if "sitting" in said:
+                axis, z = (sign * 0.25, -0.1, 1.0), 0.6
+        if "sides" in said and copies <= 2:
+            x, z = (sign if x or copies == 2 else 1.0), (z * 0.3 if abs(z) < 0.7 else 0.1)
+            y = y if "top" not in said else 0.6
+        if "back" in said:
+            z = -max(0.9, abs(z)) if not x else -0.6
+            axis = (
+                (axis[0], max(axis[1], 0.0), -1.0)
+                if axis is not None and axis[2] >= 0.0 and abs(axis[1]) < 0.9
+                else axis
+            )
+            y = min(y, 0.4) if "top" not in said else y
+        if "front" in said and "back" not in said:
+            z = max(0.9, z)
+            y = y if abs(y) < 0.9 else 0.5 * y
+        if "left" in said and "right" not in said and copies == 1:
+            x = 0.9
+        if "right" in said and "left" not in said and copies == 1:
+            x = -0.9
+        if "forehead" in said:
+            y, z = 0.6, 0.85
+        if "upper" in said and abs(y) < 0.9:
+            y = 0.55
+        if "lower" in said and abs(y) < 0.9:
+            y = -0.55
+        if "neck" in said and abs(y) < 0.9:
+            y = 0.85
+        if "middle" in said and not said & {"upper", "lower", "top", "bottom", "neck"} and copies == 1:
+            x, y = 0.0, (0.0 if abs(y) < 0.95 else y)
+        line = way.line
+        lean = 0.45 if "slightly" in said else 1.3
+        base = np.array(axis if axis is not None else (x, y, z), float)
+        base = base / max(float(np.sqrt(base @ base)), 1e-9)
+        for word, to in (("outwards", (sign if x else 0.0, 0.1, 0.0)), ("upwards", (0.0, 1.0, 0.0)),
+                         ("downwards", (0.0, -1.0, 0.0)), ("forwards", (0.0, 0.0, 1.0)), ("backwards", (0.0, 0.0, -1.0)),
+                         ("inwards", (-sign if x else 0.0, 0.0, 0.0))):  # fmt: skip
+            if word in said and not (word == "forwards" and way.turn == 180.0):
+                base = base + lean * np.array(to)
+                axis = (float(base[0]), float(base[1]), float(base[2]))
+        flat = way.flat
+        if "flat" in said:
+            flat = True
+        return replace(way, at=(x, y, z), axis=axis, line=line, flat=flat)
+
+    def _apart(self, at: Where) -> float | None:
+        if at.apart is not None:
+            return at.apart
+        return None if at.apart_mm is None else round(2.0 * at.apart_mm / self.work.stitch) / 2.0
+
+    # -- beside other things ------------------------------------------------------------------------------------------
+
+    def _note(self, thing: str, host: Host, spots: list[Spot]) -> None:
+        self.known[thing] = (host.name, [self.stand.frame(s).points[0] for s in spots])
+
+    def _beside(self, at: Where, host: Host, way: Way, half: float) -> Array | None:
+        """The point that is beside another thing, as it was said; None where nothing is, or the thing is not known."""
+        for relation, thing, steps in at.beside:
+            known = self.known.get(_LIKE.get(thing, thing)) or self.known.get(thing)
+            if known is None or known[0] != host.name:
+                continue
+            points = np.array(known[1])
+            middle = points.mean(0)
+            half_size = half + self.deep.get(_LIKE.get(thing, thing), 1.0)
+            sign = math.copysign(1.0, way.at[0]) if abs(way.at[0]) > 0.15 else 0.0
+            own = points[np.argmax(points[:, 0] * (sign or 1.0))] if sign else middle
+            if relation in _BELOW:
+                return (
+                    host.ahead(own[0], own[1] - (steps or half_size + 0.4))
+                    if not sign
+                    else np.asarray(own - np.array([0.0, steps or half_size + 0.4, 0.0]))
+                )
+            if relation in _ABOVE:
+                return (
+                    host.ahead(own[0], own[1] + (steps or half_size + 0.8))
+                    if not sign
+                    else np.asarray(own + np.array([0.0, steps or half_size + 0.8, 0.0]))
+                )
+            if relation in ("between", "in between"):
+                if way.at[1] > 0.85 and thing == "ear":
+                    continue
+                return host.ahead(middle[0], middle[1])
+            if relation in _SIDE and sign:
+                return np.asarray(own + np.array([sign * (steps or half_size + 0.8), 0.0, 0.0]))
+            if relation in _LEVEL or relation in ("back from", "behind"):
+                there = host.towards(way.direction)
+                there[1] = middle[1]
+                return np.asarray(there)
+            if relation == "in front of":
+                return np.asarray(middle + np.array([0.0, 0.0, 2.0]))
+        return None

@@ -1,0 +1,158 @@
+"""Faces: what people embroider, by its name: noses, smiles, brows, cheeks, whiskers, as strokes about a place."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.errors import Span
+from tambour.crochet.language.finishes import RGB, Embroidery, Spot
+from tambour.crochet.places.stand import Host
+
+Stroke = list[tuple[float, float]]
+
+WORDS: Final[dict[str, str]] = {
+    "whiskers": r"\bwhiskers?\b",
+    "lashes": r"\b(?:eye)?lash(?:es)?\b",
+    "brows": r"\b(?:eye)?brows?\b",
+    "cheeks": r"\b(?:cheeks?|blush)\b",
+    "freckles": r"\bfreckles?\b",
+    "smile": r"\b(?:smil\w*|grin)\b",
+    "mouth": r"\b(?:mouth|lips?|line|muzzle line)\b",
+    "nose": r"\b(?:nose|nostrils?|snout)\b",
+    "claws": r"\b(?:claws?|toes|paw details?|fingers)\b",
+    "navel": r"\b(?:navel|belly ?button)\b",
+    "eyes": r"\beyes?\b",
+    "dots": r"\b(?:dots?|spots?|french knots?|seeds?)\b",
+}
+"""What is embroidered → how it is called; the first that fits is meant."""
+PAIRED: Final = frozenset(("whiskers", "lashes", "brows", "cheeks", "freckles", "eyes"))
+PINK: Final[RGB] = (232, 150, 160)
+DARK: Final[RGB] = (40, 30, 26)
+_SEEN: Final = {name: re.compile(words) for name, words in WORDS.items()}
+
+
+def motifs(text: str) -> list[str]:
+    """What of :data:`WORDS` a sentence (in small letters) speaks of, in its order; places it is beside left out."""
+    plain = re.sub(
+        r"\b(?:below|under|beneath|above|over|between|beside|next to|in line with|level with|bottom of|top of|tip of|"
+        r"cent(?:er|re) of|sides? of|from|near|to|of|onto|on|around)\s+(?:the\s+|each\s+|both\s+|safety\s+|its\s+|your\s+)*(?:bottom of the )?"
+        r"(?:eyes?|nose|mouth|muzzle|snout|cheeks?|ears?|smile|eyebrows?)\b", " ", text)  # fmt: skip
+    found = [(m.start(), name) for name, seen in _SEEN.items() if (m := seen.search(plain))]
+    names = [name for _, name in sorted(found)]
+    if "smile" in names and "mouth" in names:
+        names.remove("mouth")
+    if len(names) > 1 and "dots" in names:
+        names.remove("dots")
+    return names
+
+
+def found(name: str, text: str) -> tuple[int, int] | None:
+    """Where a text speaks of a motif for the first time."""
+    seen = _SEEN[name].search(text)
+    return (seen.start(), seen.end()) if seen else None
+
+
+def styled(name: str, text: str) -> str:
+    """The name of a motif with the way it is made, where that is said: "v nose", "closed eyes"."""
+    if name == "nose" and re.search(r"\by\b|upside[- ]down .?y", text):
+        return "y nose"
+    if name == "nose" and re.search(r"\b[\"'“]?v\b", text):
+        return "v nose"
+    if name == "mouth" and re.search(r"\b[\"'“]?v\b|\bcurv\w*|\barc\b|\bu[- ]shape", text):
+        return "smile"
+    if name == "eyes" and re.search(r"\b(?:closed|sleep\w*|asleep|eyelids?)\b", text):
+        return "closed eyes"
+    return name
+
+
+def strokes(name: str, wide: float) -> list[Stroke]:
+    """The strokes of a motif ``wide`` stitches wide, about (0, 0): to the right, up; of a pair those of the right one."""
+    w = wide
+    if name == "nose":
+        rows = max(4, round(1.8 * w))
+        made: Stroke = []
+        for k in range(rows + 1):
+            t = k / rows
+            half = 0.5 * w * (1.0 - 0.85 * t)
+            y = 0.32 * w - 0.64 * w * t
+            made += [(-half, y), (half, y)] if k % 2 == 0 else [(half, y), (-half, y)]
+        return [made]
+    if name in ("v nose", "y nose"):
+        v = [(-0.5 * w, 0.35 * w), (0.0, -0.2 * w), (0.5 * w, 0.35 * w)]
+        return [v, [(0.0, -0.2 * w), (0.0, -0.9 * w)]] if name == "y nose" else [v]
+    if name == "smile":
+        return [_arc(w, 0.24, 9)]
+    if name in ("eyes", "closed eyes"):
+        if name == "closed eyes":
+            return [_arc(w, 0.3, 7)]
+        return [_oval(w, 1.25 * w)]
+    if name == "cheeks":
+        return [_oval(w, 0.6 * w)]
+    if name == "brows":
+        return [[(-0.5 * w, -0.08 * w), (0.5 * w, 0.16 * w)]]
+    if name == "whiskers":
+        return [[(0.0, 0.2 * k * w), (w, 0.42 * k * w)] for k in (1, 0, -1)]
+    if name == "lashes":
+        return [[(0.25 * w * k, 0.0), (0.45 * w * k, 0.4 * w)] for k in (-1, 0, 1)]
+    if name == "freckles":
+        return [[(-0.4 * w, 0.0)], [(0.4 * w, 0.1 * w)], [(0.0, -0.35 * w)]]
+    if name == "claws":
+        return [[(0.32 * w * k, 0.3 * w), (0.34 * w * k, -0.3 * w)] for k in (-1, 0, 1)]
+    if name == "navel":
+        return [[(-0.3, -0.3), (0.3, 0.3)], [(-0.3, 0.3), (0.3, -0.3)]]
+    if name == "dots":
+        return [[(0.0, 0.0)]]
+    return [[(-0.5 * w, 0.0), (0.5 * w, 0.0)]]
+
+
+def _arc(wide: float, deep: float, points: int) -> Stroke:
+    """An arc that hangs, ``deep`` of its width."""
+    t = np.linspace(-1.0, 1.0, points)
+    return [(0.5 * wide * float(x), deep * wide * float(x * x - 1.0)) for x in t]
+
+
+def _oval(wide: float, high: float) -> Stroke:
+    """An oval in satin stitch, upright."""
+    rows = max(3, round(2.6 * wide))
+    made: Stroke = []
+    for k in range(rows + 1):
+        x = wide * (k / rows - 0.5) * 0.96
+        half = 0.5 * high * float(np.sqrt(max(1.0 - (2.0 * x / wide) ** 2, 0.06)))
+        made += [(x, -half), (x, half)] if k % 2 == 0 else [(x, half), (x, -half)]
+    return made
+
+
+USUAL: Final[dict[str, float]] = {
+    "nose": 3.0, "v nose": 2.6, "y nose": 2.4, "mouth": 4.0, "smile": 5.0, "brows": 2.6, "cheeks": 2.4,
+    "whiskers": 4.0, "lashes": 1.8, "freckles": 1.6, "eyes": 1.5, "closed eyes": 3.0, "claws": 2.4, "navel": 1.0,
+    "dots": 1.0,
+}  # fmt: skip
+"""How many stitches wide a motif is, unless it is said."""
+_THICK: Final = {"nose": 2.2, "eyes": 2.0, "cheeks": 2.0, "whiskers": 1.2, "lashes": 1.2, "freckles": 1.4}
+
+
+def embroidered(host: Host, name: str, point: Array, wide: float, mirror: bool, color: RGB, span: Span,
+                tall: float | None = None) -> list[Embroidery]:  # fmt: skip
+    """A motif about a point of a host, in strokes that lie on its fabric; ``mirror``: the left one of a pair;
+    ``tall``: how many rounds it is high, where that is said."""
+    spot = host.near(point, 0.1)
+    frame = host.stand.frame(spot)
+    along, up = frame.along[0], frame.up[0]
+    made = []
+    drawn = strokes(name, wide)
+    heights = [y for stroke in drawn for _, y in stroke]
+    high, middle = max(heights) - min(heights), 0.5 * (max(heights) + min(heights))
+    for stroke in drawn:
+        places: list[Spot] = []
+        for x, y in stroke:
+            if tall is not None and high > 0.0:
+                y = (y - middle) * tall / high
+            at = host.near(point + (-x if mirror else x) * along + y * up, 0.1)
+            if not places or at != places[-1]:
+                places.append(at)
+        made.append(Embroidery(tuple(places), color, _THICK.get(name, 1.8), span, motif=name))
+    return made

@@ -1,0 +1,192 @@
+"""Faces put on: eyes and what is embroidered, on the part that bears the face, from what was said, else as is usual."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Placed, Spot
+from tambour.crochet.places import face
+from tambour.crochet.places.hear import Feature
+from tambour.crochet.places.put import Putter
+from tambour.crochet.places.said import size
+from tambour.crochet.places.stand import Host
+from tambour.crochet.places.usual import Way, usual
+
+_OF_A_HEAD: Final = 0.12
+"""An eye's size as a share of the width of what it is on, where nothing says it."""
+
+
+class Facer(Putter):
+    """Puts eyes, noses, smiles on a toy's parts."""
+
+    def eyes(self, f: Feature) -> list[Finish]:
+        """Safety eyes, one or two."""
+        host = self._faced(f, "eye")
+        way = self._told(
+            usual("eye", 2, lying=self._lies((self.work.main, 1)) and host.name == self.work.main.name)[0], f.where, 2
+        )
+        if "sides" in f.where.words:
+            way = replace(way, at=(0.85, way.at[1] if abs(way.at[1]) < 0.5 else 0.15, 0.5))
+        single = "eyes" not in f.text and "eye" in f.text and not {"pair", "two", "each", "both"} & set(f.text.split())
+        big = size(f.text) if size(f.text) and (size(f.text) or 0) < 45 else self.work.eye
+        wide = 2.0 * float(host.box[1][0]) * self.work.stitch
+        big = big or float(min(18.0, max(5.0, round(2.0 * _OF_A_HEAD * wide) / 2.0)))
+        color = f.color or Eye(Spot("", 0.0, None)).color
+        if single and f.where.rounds is not None:
+            level = 0.5 * (f.where.rounds[0] + f.where.rounds[1])
+            spots = [Spot(host.name, level, f.where.stitch, f.span)]
+        else:
+            spots = self._two(f, host, way)
+        if all(map(self.stand.there, spots)):
+            self._note("eye", host, spots)
+            self.deep["eye"] = 0.5 * big / self.work.stitch
+        if not f.where.says:
+            self.work.made.guessed.append(f"eyes on {host.name}")
+        return [Eye(s, big, color, f.span) for s in spots]
+
+    def _two(self, f: Feature, host: Host, way: Way) -> list[Spot]:
+        """The places of two things, mirrored about the middle of the front, the lower stitch first."""
+        if f.where.rounds is not None:
+            level = 0.5 * (f.where.rounds[0] + f.where.rounds[1])
+            stitch = host.in_round(level, way.direction)
+        else:
+            point = self._beside(f.where, host, way, 0.5)
+            near = host.near(host.towards(way.direction) if point is None else point)
+            level, stitch = near.round, near.stitch or 1.0
+        middle, count = host.middle(level), host.count(level)
+        apart = self._apart(f.where)
+        off = abs((stitch - middle + count / 2) % count - count / 2) if apart is None else 0.5 * apart
+        return [Spot(host.name, level, round(middle + s * off, 3), f.span) for s in (-1.0, 1.0)]
+
+    def _faced(self, f: Feature, what: str) -> Host:
+        """What a face is on: what is named, else a muzzle for noses and mouths, else the head."""
+        work = self.work
+        if f.host is not None:
+            return work.host((f.host[0], max(1, f.host[1])), f.region if f.host[0] == work.main else "")
+        muzzle = work.of_kind("muzzle")
+        placed = {r.part for _, r in work.out if isinstance(r, Placed)}
+        if (
+            what in ("nose", "v nose", "y nose", "mouth", "smile")
+            and muzzle is not None
+            and muzzle.name in placed
+            and f.where.rounds is None
+        ):
+            return work.host((muzzle, 1))
+        head = work.of_kind("head")
+        return work.host((head, 1)) if head is not None and head != work.main else work.host((work.main, 1), "head")
+
+    def feature(self, f: Feature) -> list[Finish]:
+        """Something that is embroidered, or cheeks of felt."""
+        name = f.what
+        host = self._faced(f, name)
+        if f.where.rounds is not None and not self.stand.there(Spot(host.name, 0.5 * sum(f.where.rounds[:2]), None)):
+            return [Embroidery((Spot(host.name, f.where.rounds[0], None, f.span),), span=f.span, motif=name)]
+        tall = None
+        if f.where.rounds is not None and not f.where.rounds[2] and f.where.rounds[1] > f.where.rounds[0]:
+            tall = f.where.rounds[1] - f.where.rounds[0]
+        wide = min(f.where.wide or face.USUAL[name], 0.6 * host.count(host.levels[len(host.levels) // 2][0]))
+        color = f.color or (face.PINK if name == "cheeks" else face.DARK)
+        self.deep[name.split()[-1]] = 0.35 * wide
+        if name == "claws" and f.host is not None and f.host[0].copies > 1:
+            hosts = [self.work.host((f.host[0], k)) for k in range(1, f.host[0].copies + 1)]
+            made: list[Finish] = []
+            for h in hosts:
+                made += face.embroidered(
+                    h,
+                    name,
+                    h.levels[min(2, len(h.levels) - 1)][1].mean(0) + np.array([0.0, 1.0, 6.0]),
+                    wide,
+                    False,
+                    color,
+                    f.span,
+                )
+            return made
+        if name in face.PAIRED:
+            spots = self._two(f, host, self._usual_pair(name, host, f))
+            if "felt" in f.text and name == "cheeks":
+                big = size(f.text) or 12.0
+                return [Felt(s, "circle", big, big, 0.0, color, f.span) for s in spots]
+            points = [self.stand.frame(s).points[0] for s in spots]
+            if name in ("eyes", "closed eyes"):
+                self._note("eye", host, spots)
+                self.deep["eye"] = 0.6 * wide
+            made = []
+            for p in points:
+                mirror = bool(p[0] < host.box[0][0])
+                made += face.embroidered(host, name, p, wide, mirror, color, f.span)
+            return made
+        point = self._single(f, host, name, wide)
+        self.known[{"smile": "mouth"}.get(name, name.split()[-1])] = (host.name, [point])
+        return [*face.embroidered(host, name, point, wide, False, color, f.span, tall)]
+
+    def _usual_pair(self, name: str, host: Host, f: Feature) -> Way:
+        eyes = self.known.get("eye")
+        at = {
+            "cheeks": (0.62, -0.22, 0.75),
+            "brows": (0.44, 0.5, 0.8),
+            "whiskers": (0.42, -0.2, 0.9),
+            "freckles": (0.5, -0.15, 0.85),
+        }
+        x, y, z = at.get(name, (0.46, 0.18, 0.88))
+        if (
+            eyes is not None
+            and eyes[0] == host.name
+            and f.where.rounds is None
+            and not f.where.beside
+            and name != "eyes"
+        ):
+            middle, half = host.box
+            eye = max(eyes[1], key=lambda p: p[0])
+            v = (eye - middle) / half
+            shift = {
+                "cheeks": (0.18, -0.38),
+                "brows": (0.0, 0.36),
+                "lashes": (0.12, 0.05),
+                "whiskers": (0.05, -0.4),
+                "freckles": (0.05, -0.34),
+            }
+            dx, dy = shift.get(name, (0.0, 0.0))
+            return Way((float(v[0]) + dx, float(v[1]) + dy, max(float(v[2]), 0.3)))
+        return self._told(Way((x, y, z)), f.where, 2)
+
+    def _single(self, f: Feature, host: Host, name: str, wide: float) -> Array:
+        """The middle of something that is there once: a nose, a mouth."""
+        if f.where.rounds is not None:
+            low, high = f.where.rounds[:2]
+            level = 0.5 * (low + high)
+            if f.where.stitch is not None:
+                return np.asarray(self.stand.frame(Spot(host.name, level, f.where.stitch)).points[0])
+            if "back" in f.where.words:
+                return np.asarray(
+                    self.stand.frame(Spot(host.name, level, host.in_round(level, np.array([0.0, 0.0, -1.0])))).points[0]
+                )
+            return np.asarray(self.stand.frame(Spot(host.name, level, host.middle(level))).points[0])
+        y = {"mouth": -0.42, "smile": -0.38, "nose": -0.08, "navel": -0.25}.get(name.split()[-1], 0.0)
+        if (f.host is not None and f.host[0].kind in ("muzzle",)) or host.name == getattr(
+            self.work.of_kind("muzzle"), "name", None
+        ):
+            y = {"nose": 0.32, "mouth": -0.32, "smile": -0.3}.get(name.split()[-1], 0.0)
+        way = self._told(Way((0.0, y, 1.0)), f.where, 1)
+        beside = self._beside(f.where, host, way, 0.4 * wide)
+        if beside is not None:
+            return beside
+        for thing, down in (("nose", 1.6), ("muzzle", 0.0), ("eye", 2.4)):
+            there = self.known.get(thing)
+            if (
+                there is not None
+                and there[0] == host.name
+                and name.split()[-1] in ("mouth", "smile", "nose")
+                and thing != name.split()[-1]
+            ):
+                middle = np.array(there[1]).mean(0)
+                if thing == "muzzle":
+                    continue
+                fall = (0.5 if name.split()[-1] == "nose" else down) + (
+                    self.deep.get(thing, 0.5) if thing == "eye" else 0.0
+                )
+                return host.ahead(middle[0], middle[1] - fall)
+        return host.towards(way.direction)

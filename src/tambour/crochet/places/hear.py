@@ -1,0 +1,231 @@
+"""Heard: sentences of the assembly → which parts are put where, and what is put or embroidered on a face."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.finishes import RGB, Finish
+from tambour.crochet.places import face
+from tambour.crochet.places.names import Made, Mention, kind_of, mentions, one
+from tambour.crochet.places.said import VERB, Where, clauses, where
+
+Copy = tuple[Made, int]
+_EYES: Final = re.compile(r"\b(?:safety|plastic|toy|button|googly|bead|doll)?\s*(?:eyes?|beads for eyes)\b")
+_EYED: Final = re.compile(
+    r"\b(?:insert\w*|place[ds]?|attach(?:ed)?|add(?:ed)?|put|position(?:ed)?|secure|fix|sew|glue|install|push|mount|use|pin|make|set)\b"
+)
+_DRAWN: Final = re.compile(
+    r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|draw|add|french knots?|whiskers|apply)\b"
+)
+_NEXT: Final = re.compile(r"\s*(?:at|to|onto|on|between|over|along)\b")
+_MORE: Final = re.compile(r"(?:\band|,)\s+(?:the\s+|\w+ing\s+)?$")
+_ALL: Final = re.compile(
+    r"\b(?:sew|attach|assemble|stitch|join|put)\s+(?:on\s+)?(?:everything|all (?:of )?(?:the |your )?(?:pieces|parts|limbs|bits)|the (?:pieces|parts)|(?:pieces|parts)|all together)\b"
+)
+_STITCHES: Final = re.compile(r"\b(?:sc|hdc|dc|sl st|ch \d+|inc|dec|magic|marker|hook|seam)\b")
+_TO: Final = re.compile(
+    r"\b(?:to|onto|on|in|into|inside|over|at|along|around|atop|between|under|below|above|behind|against|through|of|underneath)\b"
+)
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """A sentence of finishing: its words as written, its place, the part it stands in, and the colours that it names (where in it, which)."""
+
+    text: str
+    span: Span
+    part: str
+    colors: tuple[tuple[int, RGB], ...] = ()
+    exact: Finish | None = None
+
+
+@dataclass
+class Put:
+    """A part that is put somewhere: which copies, on which part ("" unsaid), where; ``order``: of its sentence."""
+
+    copies: list[Copy]
+    host: Copy | None
+    region: str
+    where: Where
+    span: Span
+    order: int
+    guess: bool = False
+
+
+@dataclass
+class Feature:
+    """Eyes, or something embroidered: what, on what, where."""
+
+    what: str
+    host: Copy | None
+    region: str
+    where: Where
+    span: Span
+    order: int
+    color: RGB | None
+    text: str
+    guess: bool = False
+
+
+def assembling(text: str, names: list[str]) -> bool:
+    """Whether a sentence (any letters) puts parts or a face somewhere. names : of parts that are known so far."""
+    low = text.lower()
+    if len(low) > 600 or not VERB.search(low):
+        return False
+    if _ALL.search(low):
+        return True
+    if _EYES.search(low) and _EYED.search(low) and not re.search(r"\beye of\b|\bneedle eye\b", low):
+        return True
+    if re.search(r"\bembroider\w*\b|\bsatin st\w*|\bfrench knot", low) and (face.motifs(low) or _TO.search(low)):
+        return True
+    if re.search(r"\b(?:whiskers?|eyelash\w*|eyebrows?|freckles?|smile|cheeks|blush|mouth)\b", low) and _DRAWN.search(
+        low
+    ):
+        return True
+    if _STITCHES.search(low) and not re.search(r"\bsew\b|\bpin\b", low):
+        return False
+    if not re.search(
+        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|whipstitch|go)\b",
+        low,
+    ):
+        return False
+    if re.match(r"(?:\W*\w+){0,4}?\W*(?:sew|attach|pin|position)\s+(?!clos|shut|up\b|yarn)", low) and re.search(
+        r"\b(?:to|onto|on)\b", low
+    ):
+        return True
+    known = {w for name in names for w in Made(name, 1).words}
+    words = [one(w) for w in re.findall(r"[^\W\d_]+", low)]
+    return any(w in known or kind_of(w) for w in words) and bool(
+        _TO.search(low) or re.search(r"\b(?:as shown|as pictured|in place|together|photo)\b", low)
+    )
+
+
+class Heard:
+    """What the sentences say. parts : those that are there; lost : sentences that put nothing anywhere."""
+
+    def __init__(self, parts: list[Made], sentences: list[Sentence]) -> None:
+        self.parts = parts
+        self.puts: list[Put] = []
+        self.features: list[Feature] = []
+        self.exact: list[tuple[Finish, int]] = []
+        self.lost: list[Span] = []
+        self.everything = False  # "sew everything as shown"
+        for order, sentence in enumerate(sentences):
+            self._hear(sentence, order)
+
+    def _hear(self, sentence: Sentence, order: int) -> None:
+        """The statements of one sentence."""
+        if sentence.exact is not None:
+            self.exact.append((sentence.exact, order))
+            return
+        low = sentence.text.lower().replace("\n", " ")
+        if _ALL.search(low):
+            self.everything = True
+            return
+        heard = False
+        for a, b in clauses(low):
+            shades = [rgb for at, rgb in sentence.colors if a <= at < b] or [rgb for _, rgb in sentence.colors[:1]]
+            heard = self._clause(low[a:b], sentence, order, shades[0] if shades else None) or heard
+        if not heard:
+            self.lost.append(sentence.span)
+
+    def _clause(self, low: str, sentence: Sentence, order: int, color: RGB | None) -> bool:
+        found = mentions(low, self.parts)
+        at = where(low)
+        named_eyes = any("eye" in m.copies[0][0].kinds for m in found)
+        features = face.motifs(low) if _DRAWN.search(low) else []
+        features = [f for f in features if not any(f.rstrip("s") in m.word for m in found)]
+        felt = re.search(r"\bfelt\b", low)
+        eyes = _EYES.search(low)
+        eyed = bool(
+            eyes
+            and _EYED.search(low)
+            and "embroider" not in low
+            and not named_eyes
+            and self._put_first(low, eyes.start())
+        )
+        if eyed or (
+            features
+            and (
+                re.search(r"embroider|satin|knot|backstitch|straight st|whisker|blush|freckle", low)
+                or not found
+                or felt
+            )
+        ):
+            host = self._on(found, low)
+            names = ["safety eyes"] if eyed else [face.styled(f, low) for f in features]
+            pieces = _pieces(low, features) if len(features) > 1 and not eyed else [low] * len(names)
+            for name, piece in zip(names, pieces):
+                own = where(piece)
+                place = own if own.says or own.wide else at if piece is low or not at.beside else replace(at, beside=())
+                self.features.append(
+                    Feature(name, host, self._region(low, host), place, sentence.span, order, color, low)
+                )
+            return True
+        return self._put(low, found, at, sentence, order)
+
+    @staticmethod
+    def _put_first(low: str, eyes: int) -> bool:
+        """Whether eyes are what is put, not where something is put."""
+        verb = VERB.search(low)
+        between = low[verb.end() : eyes] if verb and verb.end() <= eyes else ""
+        return not re.search(
+            r"\b(?:below|under|beneath|above|between|beside|from|to|of)(?:\s+the|\s+each|\s+both)*\s*$", between
+        )
+
+    def _put(self, low: str, found: list[Mention], at: Where, sentence: Sentence, order: int) -> bool:
+        verb = VERB.search(low)
+        if not verb or not re.search(
+            r"\b(?:sew|sewn|attach\w*|stitch\w*|pin\w*|position\w*|place\w*|join|fix|glue|fasten|secure|put|add|tack|whipstitch|set|insert|mount|center|centre)\b",
+            low,
+        ):
+            return False
+        to = _TO.search(low, verb.end())
+        # "arms to the sides of the body and legs to its bottom" are two.
+        more = [
+            m for m in found if to and m.start > to.end() and _NEXT.match(low, m.end) and _MORE.search(low[: m.start])
+        ]
+        if more:
+            rest = f"sew {low[more[0].start :]}"
+            self._put(rest, mentions(rest, self.parts), where(rest), sentence, order)
+            low = low[: more[0].start]
+            at, found = where(low), [m for m in found if m.end <= more[0].start]
+        objects = [m for m in found if m.start >= verb.end() and (not to or m.start < to.start())]
+        hosts = [m for m in found if to and m.start >= to.end()]
+        if not objects:
+            objects = [m for m in found if m.end <= verb.start()]
+        if not objects and sentence.part and to and (re.search(r"\b(?:it|them|these|this|piece|both)\b", low) or hosts):
+            known = next((p for p in self.parts if p.name == sentence.part), None)
+            if known is not None:
+                every = tuple((known, k) for k in range(1, known.copies + 1))
+                objects = [Mention(0, 0, known.words[-1] if known.words else "", every, True)]
+        if not objects:
+            return False
+        copies = list(dict.fromkeys(c for m in objects for c in m.copies))
+        host = next((c for m in hosts for c in m.copies if c[0] not in [p for p, _ in copies]), None)
+        if host is None and re.search(r"\btog(?:ether)?\b", low) and len({p.name for p, _ in copies}) == 2:
+            host = copies.pop()
+        self.puts.append(Put(copies, host, self._region(low, host), at, sentence.span, order))
+        return True
+
+    def _on(self, found: list[Mention], low: str) -> Copy | None:
+        """The part that a face is on: one that is named after "on", "of", "to", and made once."""
+        single = [m for m in found if len(m.copies) == 1 or m.word in ("foot", "paw", "leg", "arm", "hand")]
+        return single[-1].copies[0] if single else None
+
+    @staticmethod
+    def _region(low: str, host: Copy | None) -> str:
+        """Whether the head or the body of a part that is both is meant."""
+        if re.search(r"\b(?:head|face|forehead)\b", low):
+            return "head"
+        return "body" if re.search(r"\b(?:body|torso|belly|chest|waist|hips?)\b", low) else ""
+
+
+def _pieces(low: str, features: list[str]) -> list[str]:
+    """What a clause says of each of several things that are embroidered: the words from its name on."""
+    starts = [found[0] for name in features if (found := face.found(name, low)) is not None]
+    ends = [*starts[1:], len(low)]
+    return [low[a:b] for a, b in zip(starts, ends)] if len(starts) == len(features) else [low] * len(features)

@@ -1,0 +1,196 @@
+"""Names: which parts a sentence means ("the body" is BELLY AND BODY), and what kind of thing a part is by its name."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Final
+
+# Kind → words that name it, singular, English first; then Spanish, German, French, Dutch.
+_KINDS: Final[dict[str, str]] = {
+    "head": "head face skull noggin kopf cabeza tête tete hoofd",
+    "body": "body torso trunk tummybody körper koerper rumpf cuerpo corps lijf lichaam",
+    "ear": "ear ohr oreja oreille oor",
+    "eye": "eye eyeball pupil iris eyelid eyepatch auge ojo oeil œil oog",
+    "muzzle": "muzzle snout schnauze hocico museau snuit",
+    "nose": "nose nase nariz nez neus proboscis",
+    "beak": "beak bill schnabel pico bec snavel",
+    "cheek": "cheek",
+    "arm": "arm hand armflipper brazo bras sleeve",
+    "leg": "leg bein pierna jambe been hindleg foreleg thigh",
+    "foot": "foot shoe boot paw hoof fuß fuss pie pied voet pata patte poot",
+    "tail": "tail schwanz cola queue staart",
+    "fluke": "fluke",
+    "wing": "wing flügel ala aile vleugel",
+    "fin": "fin flipper flosse aleta nageoire vin",
+    "horn": "horn antler antenna antennae feeler ossicone tusk cuerno corne hoorn",
+    "hat": "hat cap beanie helmet crown bonnet roof lid mütze dach gorro sombrero chapeau bonnet hoed dak top hair wig hood",
+    "tuft": "mane bang fringe curl pigtail ponytail topknot tuft pompom comb crest bun bobble",
+    "stem": "stem stalk stiel tallo tige steel twig chimney",
+    "leaf": "leaf petal sepal blatt hoja feuille blad calyx frond",
+    "bow": "bow flower rose heart star button ribbon schleife blume lazo flor",
+    "spike": "spike spine scale plate dorsal",
+    "belly": "belly tummy chest bib bauch barriga ventre buik",
+    "spot": "spot dot patch stripe",
+    "collar": "collar scarf ruff belt necklace bowtie tie",
+    "shell": "shell backpack carapace hump",
+    "wheel": "wheel tire tyre",
+    "door": "door window porthole pocket",
+    "tentacle": "tentacle tentacles",
+    "neck": "neck",
+    "base": "base bottom sole",
+    "inner": "inner",
+    "tooth": "tooth fang tongue",
+}
+KINDS: Final[dict[str, str]] = {word: kind for kind, words in _KINDS.items() for word in words.split()}
+"""Word → kind."""
+LIKE: Final = ({"fluke", "tail"}, {"fin", "arm", "wing"}, {"muzzle", "nose", "beak"}, {"leg", "foot"}, {"hat", "tuft"})
+"""Kinds that one word may mean for another, where no part has the word itself."""
+_ODD: Final = {
+    "feet": "foot", "leaves": "leaf", "antennae": "antenna", "teeth": "tooth", "halves": "half", "hooves": "hoof",
+    "pieces": "piece", "eyes": "eye", "nose": "nose", "noses": "nose", "bodies": "body", "tummies": "tummy",
+    "shoes": "shoe", "toes": "toe",
+    "scarves": "scarf", "loaves": "loaf",
+}  # fmt: skip
+_FILLER: Final = frozenset(("the", "a", "an", "and", "of", "for", "with", "each", "both", "&"))
+_WORD: Final = re.compile(r"[^\W\d_]+(?:['’]s)?|\d+")
+_SECOND: Final = frozenset(("right", "second", "other", "2nd"))
+_FIRST: Final = frozenset(("left", "first", "one", "1st"))
+_EACH: Final = frozenset(("each", "either", "every", "both"))
+
+
+@dataclass(frozen=True)
+class Made:
+    """A part that is there to be sewn: its name, its copies, and what it is by its shape where its name does not say it."""
+
+    name: str
+    copies: int
+    likely: str = ""
+
+    @property
+    def words(self) -> list[str]:
+        """The words of its name, singular, without small ones and numbers."""
+        found = [one(w) for w in _WORD.findall(self.name.lower().replace("_", " "))]
+        return [w for w in found if w not in _FILLER and not w.isdigit()]
+
+    @property
+    def kinds(self) -> list[str]:
+        """What its name says that it is, the last noun first."""
+        return list(dict.fromkeys(kind_of(w) for w in reversed(self.words) if kind_of(w)))
+
+    @property
+    def kind(self) -> str:
+        """What it is by its name; "" unknown. Where it is several things the greatest of them."""
+        found = self.kinds
+        return next(
+            (k for k in ("body", "head") if k in found and "inner" not in found), found[0] if found else self.likely
+        )
+
+    def copy(self, k: int) -> str:
+        """The name of its k-th copy, from 1."""
+        return self.name if self.copies == 1 else f"{self.name}.{k}"
+
+
+def one(word: str) -> str:
+    """A word as its singular, roughly."""
+    word = re.sub(r"['’]s$", "", word)
+    if word in _ODD:
+        return _ODD[word]
+    if len(word) > 4 and word.endswith("ies"):
+        return word[:-3] + "y"
+    if len(word) > 4 and re.search(r"(?:x|ch|sh|ss)es$", word):
+        return word[:-2]
+    return word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith(("ss", "us")) else word
+
+
+def kind_of(word: str) -> str:
+    """The kind that a word (singular) names; compounds by their end ("hindleg", "Hinterbein"); "" for none."""
+    if word in KINDS:
+        return KINDS[word]
+    found = [k for k in KINDS if len(k) >= 3 and len(word) > len(k) + 2 and word.endswith(k)]
+    return KINDS[max(found, key=len)] if found else ""
+
+
+@dataclass(frozen=True)
+class Mention:
+    """Parts that a sentence names at a place of its text, with the copies that are meant.
+
+    copies : (part, copy from 1) in order; word : the noun that names them; plural : more than one may be meant
+    """
+
+    start: int
+    end: int
+    word: str
+    copies: tuple[tuple[Made, int], ...]
+    plural: bool
+
+
+def mentions(text: str, parts: list[Made]) -> list[Mention]:
+    """The parts that ``text`` (in small letters) names, in order, none overlapping."""
+    words = [(m.start(), m.end(), m[0], one(m[0])) for m in _WORD.finditer(text)]
+    found: list[Mention] = []
+    at = 0
+    while at < len(words):
+        n, hit = _best(words, at, parts)
+        if not hit:
+            at += 1
+            continue
+        found.append(_mention(words, at, n, hit))
+        at += n
+    return found
+
+
+def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) -> tuple[int, list[Made]]:
+    """How many words from ``at`` on name parts, and which: the longest run of a name's words that holds its noun."""
+    best, hit = 0, list[Made]()
+    for part in parts:
+        name = part.words
+        for begin in range(len(name)):
+            n = 0
+            i = at
+            while i < len(words) and begin + n < len(name) and (
+                words[i][3] == name[begin + n] or (n and words[i][2] in _FILLER)
+            ):  # fmt: skip
+                n += words[i][3] == name[begin + n]
+                i += 1
+            while i > at and words[i - 1][2] in _FILLER:
+                i -= 1
+            noun = any(kind_of(w) not in ("", "inner") for w in name[begin : begin + n]) or begin + n == len(name)
+            if n and noun and name[begin] == words[at][3]:
+                if i - at > best:
+                    best, hit = i - at, [part]
+                elif i - at == best and part not in hit:
+                    hit.append(part)
+    whole = [p for p in hit if p.words == [w[3] for w in words[at : at + best] if w[2] not in _FILLER]]
+    if whole:
+        hit = whole
+    if hit:
+        plain = [p for p in hit if "inner" not in p.words]
+        return best, plain if plain and words[at][3] != "inner" else hit
+    word = words[at][3]
+    kind = kind_of(word)
+    if not kind:
+        return 0, []
+    alike = [p for p in parts if kind in p.kinds]
+    if not alike:
+        alike = [p for p in parts for group in LIKE if kind in group and set(p.kinds) & group]
+    return (1, alike) if alike else (0, [])
+
+
+def _mention(words: list[tuple[int, int, str, str]], at: int, n: int, hit: list[Made]) -> Mention:
+    last = words[at + n - 1]
+    plural = last[2] != last[3] or last[2] in ("antennae", "feet")
+    before = {w[2] for w in words[max(0, at - 3) : at]}
+    if len(hit) > 1 and not plural:
+        near = {w[3] for w in words[max(0, at - 2) : at + n + 1]}
+        closer = [p for p in hit if set(p.words) & (near - {last[3]})]
+        hit = closer or hit
+    copies = [(p, k) for p in hit for k in range(1, p.copies + 1)]
+    after = {w[2] for w in words[at + n : at + n + 5]}
+    if not plural and len(copies) > 1 and len(hit) == 1 and before & (_FIRST | _SECOND) and not after & _EACH:
+        k = 2 if before & _SECOND else 1
+        copies = [(hit[0], k)]
+    number = words[at + n][2] if at + n < len(words) else ""
+    if number.isdigit() and len(hit) == 1 and 1 <= int(number) <= hit[0].copies and not plural:
+        return Mention(words[at][0], words[at + n][1], last[3], ((hit[0], int(number)),), False)
+    return Mention(words[at][0], last[1], last[3], tuple(copies), plural)

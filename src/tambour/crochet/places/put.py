@@ -1,0 +1,248 @@
+"""Put: one part, one pair of eyes, one smile, on the fabric that it goes on: from what was said, else as is usual."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.language.finishes import Placed, Spot
+from tambour.crochet.places.beside import Beside
+from tambour.crochet.places.hear import Copy, Put
+from tambour.crochet.places.stand import Host
+from tambour.crochet.places.usual import Way, usual
+
+_STEP: Final = 5.0
+"""Angles are rounded to so many degrees."""
+_STILL: Final = 10.0
+"""A part that leans less than this stands straight out."""
+_WIDE: Final = 1.15
+"""An open end wider than this, as a share of what it is put over, is sewn by a narrower round."""
+_ON_TOP: Final = frozenset(("head", "body", "hat", "neck", "stem", "base", "inner"))
+"""What goes on an end of what it is sewn to, without a word."""
+
+
+class Putter(Beside):
+    """Puts parts on a toy's parts, one after the other."""
+
+    # -- parts ------------------------------------------------------------------------------------------------------
+
+    def part(self, put: Put) -> list[Placed]:
+        """The records of a part, or of all its copies."""
+        assert put.host is not None
+        work, made = self.work, put.copies[0][0]
+        kind = made.kind
+        if kind in ("head", "body") and put.host[0].kind in ("head", "body", "neck", "") and not put.where.rounds:
+            joined = self._joint(put)
+            if joined is not None:
+                return joined
+        if put.host[1] == 0:  # one on each copy of something
+            found: list[Placed] = []
+            for c in put.copies:
+                found += self.part(replace(put, copies=[c], host=(put.host[0], min(c[1], put.host[0].copies))))
+            return found
+        lies = self._lies(put.host)
+        wanted = frozenset(w for c in put.copies for w in c[0].words) | frozenset(put.where.text.split())
+        ways = usual(kind, len(put.copies), lying=lies, long=self._long(put.copies[0]), words=wanted)
+        # The same noun on several parts ("left ear", "right ear"), or one copy of several.
+        if len(put.copies) == 1 and (made.copies == 2 or {"left", "right"} & set(made.words)):
+            pair = usual(kind, 2, lying=lies, long=self._long(put.copies[0]), words=wanted)
+            right = "right" in made.words or "right" in put.where.words or (made.copies == 2 and put.copies[0][1] == 2)
+            ways = [pair[1] if right else pair[0]]
+        region = put.region or (ways[0].on if put.host[0] == work.main else "")
+        host = work.host(put.host, region)
+        made_of = [
+            (c, self._spotted(put, host, self._told(way, put.where, len(put.copies)), k))
+            for k, (c, way) in enumerate(zip(put.copies, ways))
+        ]
+        if len(made_of) == 2 and put.copies[0][0] == put.copies[1][0]:
+            made_of = self._paired(put, host, made_of)
+        if not all(self.stand.there(spot) for _, (spot, _) in made_of):
+            return [Placed(c[0].copy(c[1]), spot, span=put.span) for c, (spot, _) in made_of]
+        records = [self._placed(put, c, spot, way, host) for c, (spot, way) in made_of]
+        for record in records:
+            self.stand.place(record)
+        self._note(made.kind or made.words[-1] if made.words else "", host, [r.spot for r in records])
+        if put.guess:
+            where_ = f"{made.name} on {put.host[0].name}"
+            self.work.made.guessed.append(where_)
+        elif not put.where.says and not (kind in _ON_TOP and len(put.copies) == 1):
+            self.work.made.guessed.append(f"{made.name} on {put.host[0].name}")
+        return records
+
+    def _long(self, copy: Copy) -> bool:
+        """Whether a part is much longer than wide."""
+        h = self.work.host((copy[0], 1))
+        widest = max((len(p) for _, p in h.levels), default=1)
+        return len(h.levels) > 0.62 * widest
+
+    def _spotted(self, put: Put, host: Host, way: Way, k: int) -> tuple[Spot, Way]:
+        """Where one copy goes."""
+        at, direction = put.where, way.direction
+        beside = self._beside(put.where, host, way, self._half(put.copies[k]))
+        if at.rounds is not None:
+            level = 0.5 * (at.rounds[0] + at.rounds[1])
+            if at.stitch is not None and len(put.copies) == 1:
+                return Spot(host.name, level, at.stitch, put.span), way
+            stitch = host.in_round(level, direction)
+            if len(put.copies) == 1 and (abs(way.at[0]) > 0.2 or way.at[2] < 0.2):
+                stitch = round(2.0 * stitch) / 2.0
+            if len(put.copies) == 1 and abs(way.at[0]) < 0.2 and abs(way.at[2]) > 0.2:
+                stitch = host.middle(level) if way.at[2] > 0 or self._lies_name(host) else stitch
+            return Spot(host.name, level, round(stitch, 3), put.span), way
+        if beside is not None:
+            return replace(host.near(beside), span=put.span), way
+        if "tip" in at.words and len(put.copies) == 1:
+            pole = self._far_end(host)
+            if pole is not None:
+                return replace(pole, span=put.span), way
+        pole = host.pole(direction) if len(put.copies) == 1 else None
+        if pole is not None:
+            return replace(pole, span=put.span), way
+        near = host.near(host.towards(direction))
+        if (
+            len(put.copies) == 1
+            and near.stitch is not None
+            and (x_ := abs(way.at[0])) >= 0.0
+            and not (x_ < 0.2 and way.at[2] > 0.2)
+        ):
+            near = replace(near, stitch=round(2.0 * near.stitch) / 2.0)
+        return replace(near, span=put.span), way
+
+    def _lies_name(self, host: Host) -> bool:
+        return abs(float(host.axis[1])) < 0.5
+
+    def _far_end(self, host: Host) -> Spot | None:
+        """The end of a part away from what it is on; of one that lies its hind end."""
+        for direction in (host.axis, -host.axis):
+            away = direction if host.name.split(".")[0] != self.work.main.name else np.array([0.0, 0.0, -1.0])
+            if float(direction @ away) > 0.5:
+                return host.pole(direction)
+        return None
+
+    def _half(self, copy: Copy) -> float:
+        """Half the width of a part's end, in stitches."""
+        edge = self.work.open(copy[0].copy(copy[1])) or 6
+        return edge / (2.0 * math.pi)
+
+    def _paired(
+        self, put: Put, host: Host, both: list[tuple[Copy, tuple[Spot, Way]]]
+    ) -> list[tuple[Copy, tuple[Spot, Way]]]:
+        """Two copies: mirrored about the middle of the front, as far apart as is said; the lower stitch comes first."""
+        (one, (a, way)), (other, (b, mirror)) = both
+        if a.stitch is None or b.stitch is None:
+            return both
+        middle = host.middle(a.round)
+        count = host.count(a.round)
+        off = abs((a.stitch - middle + count / 2) % count - count / 2)
+        apart = self._apart(put.where)
+        if apart is not None:
+            edge = self.work.open(one[0].copy(1)) or 0
+            flat = self._flat(one, way)
+            upright = flat and put.where.rounds is not None and abs(put.where.rounds[1] - put.where.rounds[0]) >= 2
+            off = 0.5 * apart + (0.0 if upright else edge / 4 if flat else edge / (2.0 * math.pi))
+        off = round(off, 3)
+        low = replace(a, stitch=round(middle - off, 3))
+        high = replace(a, stitch=round(middle + off, 3))
+        # Which of the two ways is on the side of the lower stitch?
+        x = self.stand.frame(low).points[0][0] - host.box[0][0]
+        ways = (way, mirror) if (x >= 0.0) == (way.at[0] >= 0.0) else (mirror, way)
+        return [(one, (low, ways[0])), (other, (high, ways[1]))]
+
+    def _flat(self, copy: Copy, way: Way) -> bool:
+        """Whether an end is pinched."""
+        name = copy[0].copy(copy[1])
+        edge = self.work.open(name)
+        if self.work.spots.in_rows[self.work.spots.parts[name]]:
+            return False
+        if way.flat is None:
+            levels = self.work.host((copy[0], 1)).levels
+            return (
+                edge >= 4
+                and copy[0].kind not in ("muzzle", "eye", "cheek", "belly", "spot", "nose", "beak")
+                and len(levels) >= max(3.0, 0.3 * edge)
+            )
+        return way.flat and edge >= 4
+
+    def _placed(self, put: Put, copy: Copy, spot: Spot, way: Way, host: Host) -> Placed:
+        """The record of a copy at its spot, turned as its way says."""
+        at = put.where
+        flat = self._flat(copy, way)
+        if at.rounds is not None and not flat and way.flat is None and abs(at.rounds[1] - at.rounds[0]) >= 3:
+            flat = self.work.open(copy[0].copy(copy[1])) >= 4
+        frame = self.stand.frame(spot)
+        n, along, up = frame.normals[0], frame.along[0], frame.up[0]
+        tilt = towards = across = 0.0
+        if way.axis is not None:
+            axis = np.array(way.axis) / math.sqrt(sum(c * c for c in way.axis))
+            tilt = math.degrees(math.acos(max(-1.0, min(1.0, float(axis @ n)))))
+            towards = math.degrees(math.atan2(-float(axis @ along), float(axis @ up))) % 360.0
+        if at.angle is not None and at.rounds is not None:
+            tilt = at.angle
+        tilt = min(80.0, _STEP * round(tilt / _STEP))
+        if tilt < _STILL:
+            tilt = towards = 0.0
+        if flat:
+            line = np.array(way.line)
+            if at.rounds is not None and abs(at.rounds[1] - at.rounds[0]) >= 3:
+                line = host.axis
+            if (
+                at.rounds is not None
+                and at.rounds[2]
+                and at.rounds[1] - at.rounds[0] <= 1
+                and copy[0].kind in ("arm", "leg", "wing")
+            ):
+                line = np.cross(n, host.axis)
+            a, b = float(line @ along), float(line @ up)
+            across = _STEP * round(math.degrees(math.atan2(b, a)) / _STEP) if a * a + b * b > 1e-6 else 0.0
+            across = across - 180.0 if across > 90.0 else across + 180.0 if across <= -90.0 else across
+            if across == 90.0 and float(n[0]) < -0.05:
+                across = -90.0
+        else:
+            across = way.turn if abs(way.turn) == 180.0 and tilt else 0.0
+        name = copy[0].copy(copy[1])
+        record = Placed(name, spot, flat, across, tilt, _STEP * round(towards / _STEP) % 360.0, None, put.span)
+        return replace(record, by=self._by(record, host, n)) if not flat else record
+
+    def _by(self, placed: Placed, host: Host, n: Array) -> float | None:
+        """The round that a wide open part is sewn by, where its rim would hang free about what it is put on."""
+        edge = self.work.open(placed.part)
+        if not edge:
+            return None
+        _, half = host.box
+        across = float(np.sqrt(max(((half**2) * (1.0 - np.abs(n))).sum(), 0.25)))
+        if edge / (2.0 * math.pi) <= _WIDE * across:
+            return None
+        own = self.work.host(
+            (next(p for p in self.work.parts if placed.part.rsplit(".", 1)[0] in (p.name,) or placed.part == p.name), 1)
+        )
+        fits = [num for num, ring in own.levels if len(ring) / (2.0 * math.pi) <= 0.9 * across]
+        return float(max(fits)) if fits else None
+
+    def _joint(self, put: Put) -> list[Placed] | None:
+        """A head on a body, whichever of the two is open."""
+        assert put.host is not None
+        part, host = put.copies[0][0].copy(1), put.host[0].copy(1)
+        if len(put.copies) > 1 or self._lies(put.host):
+            return None
+        own, other = self.work.open(part), self.work.open(host)
+        h = self.work.host(put.host)
+        span = put.span
+        if not own and other and put.host[0] == self.work.main:
+            # Only the body is open: it hangs on the head, which then stands on its end.
+            top = float(self.work.host(put.copies[0]).high + 1)
+            record = Placed(host, Spot(part, top, None, span), span=span)
+            self.work.made.ups.pop(put.host[0].name, None)
+            self.work.made.ups[put.copies[0][0].name] = "start"
+            self.stand.set_up(self.work.spots.parts[part], "start")
+            self.stand.place(record)
+            return [record]
+        pole = h.pole(np.array([0.0, 1.0, 0.0]))
+        if pole is None:
+            return None
+        record = Placed(part, replace(pole, span=span), span=span)
+        self.stand.place(record)
+        return [record]

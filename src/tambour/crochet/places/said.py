@@ -1,0 +1,168 @@
+"""Said: what a sentence of the assembly says of a place, in words and numbers; clause by clause."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Final
+
+VERB: Final = re.compile(
+    r"\b(?:sew|sewn|sewing|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
+    r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
+    r"set|hot-?glue|work|tie|mount|push|make|draw|applique)\b"
+)
+"""Words that put something somewhere."""
+
+_NUMBERS: Final = {w: k for k, w in enumerate(
+    ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"])}  # fmt: skip
+_N: Final = r"(?:\d+(?:\.\d+)?|one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve)"
+_ROUND: Final = r"(?:rounds?|rnds?|rds?|rows?|rnd\.|r)"
+_ST: Final = r"(?:stitches|stitch|sts?|sc|dc|spaces?|loops?)"
+_LENGTH: Final = r"(\d+(?:[.,]\d+)?(?:\s*[½¼¾⅓⅛⅜⅝⅞]|[- ]\d/\d)?|[½¼¾⅓⅛⅜⅝⅞])\s*-?(mm|cm|inch(?:es)?|in\b|\"|”|″|'')"
+_ROUNDS: Final = re.compile(
+    rf"(between|over|from|on|at|along|in|around|across|near|by)?\s*(?:the\s+)?\b{_ROUND}\s?\.?\s*(\d+)(?:st|nd|rd|th)?"
+    rf"(?:\s*(-|–|—|to|and|&|through|thru|/)\s*(?:the\s+)?(?:{_ROUND}\s?\.?\s*)?(\d+))?"
+)
+_ORDINAL: Final = re.compile(
+    rf"(between|over|from|on|at|along|in|around|across|near|by)?\s*(?:the\s+)?\b(\d+)(?:st|nd|rd|th)"
+    rf"(?:\s*(?:{_ROUND})?\s*(-|–|to|and|&|through)\s*(?:the\s+)?(\d+)(?:st|nd|rd|th))?\s+{_ROUND}\b"
+)
+_APART: Final = re.compile(
+    rf"({_N})(?:\s*(?:-|–|to|or)\s*({_N}))?\s*{_ST}\s+(?:apart|from each other|(?:wide )?between|(?:in )?between|"
+    rf"visible between|left between)"
+)
+_APART_MM: Final = re.compile(rf"{_LENGTH}(?:\s*[\[(][^\])]*[\])])?\s+(?:apart|between|from each other)")
+_WIDE: Final = re.compile(
+    rf"({_N})\s*{_ST}\s*(?:wide|long|across|in width)|(?:across|over)\s+(?:the\s+)?(?:\w+\s+)?({_N})\s*{_ST}"
+)
+_STITCH: Final = re.compile(r"\b(?:st|stitch)\s*(?:no\.?|number|#)?\s*(\d+(?:\.\d+)?)\b")
+_BESIDE: Final = r"(eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|neck|beak|cheeks?|horns?|wings?|fins?|tail|belly|hat|head|brim|smile)"
+_AWAY: Final = re.compile(
+    rf"(?:({_N})\s+(?:{_ROUND}|{_ST}|spaces?)\s+)?(?:just |directly |right |slightly )?"
+    rf"(below|beneath|under|underneath|down from|above|over|up from|beside|next to|in between|between|in line with|"
+    rf"level with|at the level of|on either side of|on both sides of|at (?:the )?sides? of|in front of|behind|back from|"
+    rf"against|around|near)\s+(?:the |both |your |its |each |two |safety |bottom of (?:the )?|top of (?:the )?)*{_BESIDE}\b"
+)
+_WHERE: Final[dict[str, str]] = {
+    "top": r"\b(?:tops?|crown|upper part|very top|highest)\b(?! of (?:the )?(?:legs?|arms?|ears?|thighs?|last|first|sts?))",
+    "bottom": r"\b(?:bottom|base|underside|beneath the body|under the body|underneath|lower edge|belly side)\b",
+    "front": r"\b(?:front|facing forwards?|forehead|face side|chest)\b(?! (?:loops?|post|legs?|paws?|feet|flippers?|hooves|fins?))",
+    "back": r"\b(?:back|rear|backside|behind)\b(?! (?:loops?|post|st|stitch|legs?|paws?|feet|and forth|hooves|fins?))",
+    "sides": r"\b(?:sides|either side|each side|both sides|opposite sides?|on the sides?|to the side|each other side|one side|side of)\b",
+    "left": r"\bleft\b(?! (?:open|over|long|for))",
+    "right": r"\bright\b(?! (?:sides? (?:facing|out|together|of (?:the )?(?:work|fabric))|below|above|under|next|sides))",
+    "upper": r"\b(?:upper|shoulders?|high(?:er)?)\b",
+    "lower": r"\b(?:lower|hips?|waist|low)\b",
+    "middle": r"\b(?:middle|cent(?:er|re)(?:ed|d)?|midline|halfway)\b",
+    "neck": r"\b(?:neck|chin)\b",
+    "forehead": r"\bforehead\b",
+    "tip": r"\b(?:tip|ends?|narrow end|pointed end)\b",
+    "outwards": r"\b(?:outwards?|out to the sides?|sticking out|to the sides)\b",
+    "inwards": r"\binwards?\b",
+    "upwards": r"\b(?:upwards?|standing up|stand(?:s|ing)? up|pointing up|upright|point(?:s)? up)\b",
+    "downwards": r"\b(?:downwards?|hang(?:s|ing)?(?: down)?|pointing down|point(?:s)? down|facing down|floppy|droop\w*)\b",
+    "forwards": r"\b(?:forwards?|facing ahead|toes? (?:facing|pointing) (?:forwards?|front))\b",
+    "backwards": r"\b(?:backwards?|swept back|leaning back)\b",
+    "flat": r"\b(?:flat|flatten(?:ed)?|pinch(?:ed|ing)?|folded|fold|press(?:ed)? flat|sewn closed)\b",
+    "slightly": r"\b(?:slightly|slight)\b",
+    "sitting": r"\bsit(?:s|ting)?\b",
+    "standing": r"\bstand(?:s|ing)?\b(?! up)",
+}
+_COMPILED: Final = {name: re.compile(pattern) for name, pattern in _WHERE.items()}
+_SHOWN: Final = re.compile(
+    r"\b(?:as (?:shown|pictured|seen|desired|you like|in (?:the )?(?:photo|picture|image))|photo\w*|pictures?|images?|in place|"
+    r"where you like|wherever|desired)\b"
+)
+_ANGLE: Final = re.compile(r"(\d{1,3})\s*(?:°|degrees?)|\bat an angle\b|\bangled\b|\bdiagonal\w*\b")
+_SIZE: Final = re.compile(r"(\d+(?:[.,]\d+)?)\s*-?\s*mm\b")
+_VULGAR: Final = {"½": 0.5, "¼": 0.25, "¾": 0.75, "⅓": 1 / 3, "⅛": 0.125, "⅜": 0.375, "⅝": 0.625, "⅞": 0.875}
+
+
+@dataclass(frozen=True)
+class Where:
+    """A place as it was said.
+
+    rounds : (first, last, whether between them); stitch : its number; apart : stitches, apart_mm : or mm
+    wide : stitches that a thing is wide; words : of :data:`_WHERE` that were said
+    beside : (relation, thing, so many rounds or stitches away or None); angle : degrees of leaning, None unsaid
+    shown : a picture is meant to say it
+    """
+
+    rounds: tuple[float, float, bool] | None = None
+    stitch: float | None = None
+    apart: float | None = None
+    apart_mm: float | None = None
+    wide: float | None = None
+    words: frozenset[str] = frozenset()
+    beside: tuple[tuple[str, str, float | None], ...] = ()
+    angle: float | None = None
+    shown: bool = False
+    text: str = field(default="", compare=False)
+
+    @property
+    def says(self) -> bool:
+        """Whether it says anything of a place."""
+        return bool(self.rounds or self.beside or self.words & {"top", "bottom", "front", "back", "sides", "left", "right", "upper", "lower", "middle", "neck", "tip", "forehead"})  # fmt: skip
+
+
+def where(text: str) -> Where:
+    """What ``text`` (in small letters) says of a place."""
+    rounds = None
+    found = _ROUNDS.search(text) or _ORDINAL.search(text)
+    if found:
+        first, last = float(found[2]), float(found[4] or found[2])
+        rounds = (first, last, found[1] == "between" and found[4] is not None)
+    apart = _APART.search(text)
+    between = apart is not None and "between" in apart[0]
+    steps = None if apart is None else max(number(apart[1]), number(apart[2] or apart[1])) + between
+    mm = _APART_MM.search(text)
+    wide, stitch, angle = _WIDE.search(text), _STITCH.search(text), _ANGLE.search(text)
+    beside = tuple(
+        (m[2], m[3].rstrip("s") if m[3] not in ("eyes",) else "eye", number(m[1]) if m[1] else None)
+        for m in _AWAY.finditer(text)
+    )
+    return Where(
+        rounds,
+        float(stitch[1]) if (stitch and found is None) or (stitch and not re.search(r"(?:st|stitch)\s+\d+\s*(?:rnd|round)", text)) else None,
+        steps,
+        length(mm[1], mm[2]) if mm and apart is None else None,
+        number(wide[1] or wide[2]) if wide else None,
+        frozenset(name for name, pattern in _COMPILED.items() if pattern.search(text)),
+        beside,
+        None if angle is None else float(angle[1]) if angle[1] else 30.0,
+        bool(_SHOWN.search(text)),
+        text,
+    )  # fmt: skip
+
+
+def number(word: str) -> float:
+    """A number in figures or words."""
+    return float(_NUMBERS[word]) if word in _NUMBERS else float(word)
+
+
+def length(words: str, unit: str) -> float:
+    """A length in mm: ``1½``, ``1 1/2``, ``4,5`` in mm, cm or inches."""
+    total = 0.0
+    for piece in re.findall(r"\d+/\d+|\d+(?:[.,]\d+)?|[½¼¾⅓⅛⅜⅝⅞]", words):
+        a, _, b = piece.partition("/")
+        total += _VULGAR[piece] if piece in _VULGAR else float(a) / float(b) if b else float(piece.replace(",", "."))
+    return total * {"mm": 1.0, "cm": 10.0}.get(unit, 25.4)
+
+
+def size(text: str) -> float | None:
+    """A size in mm that is said ("8 mm safety eyes")."""
+    found = _SIZE.search(text)
+    return float(found[1].replace(",", ".")) if found else None
+
+
+_AND: Final = re.compile(r"(?:,\s*(?:and\s+)?(?:then\s+)?|;\s*|\.\s+|\s+and\s+(?:then\s+)?|\s+then\s+)(?=\w+)")
+
+
+def clauses(text: str) -> list[tuple[int, int]]:
+    """Where the clauses of a sentence stand that put something somewhere: one for each such verb."""
+    cuts = [0]
+    for m in _AND.finditer(text):
+        verb = VERB.match(text, m.end())
+        if verb and VERB.search(text, cuts[-1], m.start()):
+            cuts.append(m.end())
+    return list(zip(cuts, [*cuts[1:], len(text)]))

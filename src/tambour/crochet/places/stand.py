@@ -1,0 +1,233 @@
+"""Stand: parts as they will stand in the toy, before anything settles: which way is up, where the head is, and the
+stitch that lies nearest to a point or a direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import ROOT, TIP
+from tambour.crochet.finish import sewing
+from tambour.crochet.finish.placing import Frames, frames, standing
+from tambour.crochet.graph.spots import Spots, rim
+from tambour.crochet.language.finishes import Eye, Placed, Spot
+
+NECK = 0.82
+"""A part has a neck where it is this much narrower than the narrower of what lies above and below."""
+
+
+class Stand:
+    """All parts of a pattern in the poses that are known so far; ``x`` (N, 3) in stitches, front +z, up +y."""
+
+    def __init__(self, spots: Spots) -> None:
+        self.spots = spots
+        self.x = spots.layout.copy()
+        self.upright = np.tile([0.0, 1.0, 0.0], (len(spots.built.graph.parts), 1))
+
+    def nodes(self, part: int) -> Array:
+        """The nodes of a part."""
+        p = self.spots.built.graph.parts[part]
+        return np.arange(p.start, p.end)
+
+    def set_up(self, part: int, up: str) -> None:
+        """Stand a part that others stand on: its end on top, its start, or on its side."""
+        own = self.nodes(part)
+        self.x[own] = standing(self.spots.layout[own], up)
+
+    def there(self, spot: Spot) -> bool:
+        """Whether a spot is on the fabric."""
+        return all(problem.warning for problem in self.spots.problems([Eye(spot)]))
+
+    def frame(self, spot: Spot) -> Frames:
+        """How the fabric lies at a spot (K = 1)."""
+        return frames(self.spots.built, self.x, [spot], self.upright)
+
+    def place(self, placed: Placed) -> None:
+        """Turn a part as it will be where it is placed."""
+        part = self.spots.parts[placed.part]
+        own = self.nodes(part)
+        end = sewing.end_of(self.spots.built, self.spots, placed)
+        if len(end.nodes) < 2:
+            return
+        layout = self.spots.layout
+        how = sewing.held(layout, own, end)
+        frame = self.frame(placed.spot)
+        axis, front = sewing.turned(placed, end, frame)
+        self.x[own] = sewing.brought(layout, own, end, how, axis, front, frame.points[0])
+        self.upright[part] = sewing.leaning(placed, frame) @ self.upright[self.spots.parts[placed.spot.part]]
+
+
+@dataclass(frozen=True, eq=False)
+class Host:
+    """A part, or the head or the body of one that is both, that things are put on.
+
+    name : of the part, with its copy; low, high : numbers of its first and last round here
+    """
+
+    stand: Stand
+    name: str
+    low: int
+    high: int
+
+    @property
+    def part(self) -> int:
+        """Its number among the graph's parts."""
+        return self.stand.spots.parts[self.name]
+
+    @cached_property
+    def levels(self) -> list[tuple[int, Array]]:
+        """Its rounds: the number of each, and where its stitches are (n, 3)."""
+        spots = self.stand.spots
+        made = []
+        for number in range(self.low, self.high + 1):
+            k = spots.round_at(self.part, number)
+            if k is not None and len(nodes := spots.stitches(k)):
+                made.append((number, self.stand.x[nodes]))
+        return made
+
+    @cached_property
+    def box(self) -> tuple[Array, Array]:
+        """Its middle and half its extent (3,) along every axis."""
+        points = np.concatenate([p for _, p in self.levels])
+        low, high = points.min(0), points.max(0)
+        return 0.5 * (low + high), np.maximum(0.5 * (high - low), 0.5)
+
+    @cached_property
+    def axis(self) -> Array:
+        """The way from its first round to its last, of length 1; upwards where it has one round only."""
+        way = self.levels[-1][1].mean(0) - self.levels[0][1].mean(0)
+        long = float(np.sqrt(way @ way))
+        return way / long if long > 1e-6 else np.array([0.0, 1.0, 0.0])
+
+    def count(self, number: float) -> int:
+        """How many stitches the round has."""
+        return next((len(p) for n, p in self.levels if n == int(number)), len(self.levels[-1][1]))
+
+    def middle(self, number: float) -> float:
+        """The stitch in the middle of the front of a round."""
+        k = self.stand.spots.round_at(self.part, int(number))
+        return 1.0 if k is None else 1.0 + self.stand.spots.front(k)
+
+    def pole(self, direction: Array) -> Spot | None:
+        """The middle of an end that looks in ``direction``: the ring, the tip, or the middle of the opening."""
+        if float(self.axis @ direction) > 0.9 and self.high == self._ends[1]:
+            g, p = self.stand.spots.built.graph, self.stand.spots.built.graph.parts[self.part]
+            if (g.peculiarity[p.start : p.end] == TIP).any() or len(rim(self.stand.spots.built, self.part)):
+                return Spot(self.name, float(self.high + 1), None)
+        if float(self.axis @ direction) < -0.9 and self.low == self._ends[0]:
+            g, p = self.stand.spots.built.graph, self.stand.spots.built.graph.parts[self.part]
+            if (g.peculiarity[p.start : p.end] == ROOT).any():
+                return Spot(self.name, float(self.low - 1), None)
+        return None
+
+    @property
+    def _ends(self) -> tuple[int, int]:
+        return numbers_of(self.stand.spots, self.part)
+
+    def towards(self, direction: Array) -> Array:
+        """The point on the surface that lies in ``direction`` from its middle, as if it were an ellipsoid."""
+        middle, half = self.box
+        d = direction / max(float(np.sqrt(direction @ direction)), 1e-9)
+        return np.asarray(middle + d * half)
+
+    def ahead(self, x: float, y: float) -> Array:
+        """The point of its front that one sees at (x, y) from before it."""
+        points = np.concatenate([p for _, p in self._with_poles])
+        away = (points[:, 0] - x) ** 2 + (points[:, 1] - y) ** 2
+        # Of what is about there the foremost.
+        about = away <= max(float(away.min()), 1.0)
+        found = points[about][np.argmax(points[about, 2])].copy()
+        found[0] = x
+        return np.asarray(found)
+
+    def near(self, point: Array, fine: float = 0.5) -> Spot:
+        """The place nearest to a point: its round and stitch, in halves, or in tenths (``fine`` = 0.1)."""
+        rows = bool(self.stand.spots.in_rows[self.part])
+        rings = self.levels if fine >= 0.5 else self._with_poles
+        away = [_on(ring, point, rows) for _, ring in rings]
+        i = min(range(len(rings)), key=lambda k: away[k][0])
+        level, index, best = float(rings[i][0]), away[i][1], away[i][0]
+        if fine >= 0.5:
+            # Mirrored things stay mirrored: steps are counted from the middle of the front.
+            middle = self.middle(level)
+            off = round((index + 1.0 - middle) / fine) * fine
+            return Spot(self.name, level, round(middle + off, 3))
+        for k in (i - 1, i):
+            if not 0 <= k < len(rings) - 1:
+                continue
+            one, other = rings[k][1], _alike(rings[k + 1][1], len(rings[k][1]))
+            if len(one) == 1:
+                one, other = np.repeat(one, len(rings[k + 1][1]), 0), rings[k + 1][1]
+            for s in range(1, 10):
+                near, there = _on((1 - s / 10) * one + s / 10 * other, point, rows)
+                if near < best:
+                    best, level, index = near, rings[k][0] + s / 10, there
+        return Spot(self.name, round(level, 1), round(index + 1.0, 1))
+
+    @cached_property
+    def _with_poles(self) -> list[tuple[int, Array]]:
+        """Its rounds, with the ring's root before them and the tip behind, where it has them."""
+        graph, x = self.stand.spots.built.graph, self.stand.x
+        p = graph.parts[self.part]
+        made = list(self.levels)
+        for kind, at, number in ((ROOT, 0, self.low - 1), (TIP, -1, self.high + 1)):
+            nodes = p.start + np.flatnonzero(graph.peculiarity[p.start : p.end] == kind)
+            if len(nodes) and (self.low, self.high)[at] == self._ends[at]:
+                made.insert(0 if at == 0 else len(made), (number, x[nodes[[at]]]))
+        return made
+
+    def in_round(self, level: float, direction: Array) -> float:
+        """The stitch of a round that looks in ``direction``, in half stitches from the middle of the front."""
+        number = min(max(int(level), self.low), self.high)
+        ring = next((p for n, p in self.levels if n == number), self.levels[-1][1])
+        reach = ring.mean(0) + 100.0 * direction
+        index = _on(ring, reach, bool(self.stand.spots.in_rows[self.part]))[1] + 1.0
+        middle = self.middle(number)
+        n = len(ring)
+        off = (index - middle + n / 2) % n - n / 2
+        return round(middle + round(2.0 * off) / 2.0, 3)
+
+
+def _on(ring: Array, point: Array, rows: bool) -> tuple[float, float]:
+    """How near a point comes to a ring of stitches (n, 3), squared, and at which position from 0."""
+    after = ring[1:] if rows or len(ring) < 3 else np.roll(ring, -1, 0)
+    start = ring[: len(after)]
+    if not len(after):
+        return float(((ring[0] - point) ** 2).sum()), 0.0
+    way = after - start
+    share = ((point - start) * way).sum(1) / np.maximum((way**2).sum(1), 1e-12)
+    share = np.clip(share, 0.0, 1.0)
+    off = ((start + share[:, None] * way - point) ** 2).sum(1)
+    k = int(off.argmin())
+    return float(off[k]), k + float(share[k])
+
+
+def _alike(ring: Array, n: int) -> Array:
+    """A ring with ``n`` points, as even as its own."""
+    m = len(ring)
+    at = np.arange(n) * m / n
+    low = at.astype(int)
+    share = (at - low)[:, None]
+    return np.asarray((1 - share) * ring[low % m] + share * ring[(low + 1) % m])
+
+
+def numbers_of(spots: Spots, part: int) -> tuple[int, int]:
+    """The numbers of the first and the last round of a part."""
+    mine = [n for r, n in zip(spots.built.rounds, spots.numbers) if r.part == part]
+    return (min(mine), max(mine)) if mine else (1, 1)
+
+
+def neck(spots: Spots, part: int) -> int | None:
+    """The number of the round that is the neck of a part that is head and body in one; None where it has none."""
+    low, high = numbers_of(spots, part)
+    counts = [(n, len(spots.stitches(k))) for n in range(low, high + 1) if (k := spots.round_at(part, n)) is not None]
+    best: tuple[float, int] | None = None
+    for i, (n, c) in enumerate(counts):
+        before, after = max((c for _, c in counts[:i]), default=0), max((c for _, c in counts[i + 1 :]), default=0)
+        depth = c / max(min(before, after), 1)
+        if depth <= NECK and min(before, after) >= 12 and (best is None or depth < best[0]):
+            best = (depth, n)
+    return best[1] if best else None

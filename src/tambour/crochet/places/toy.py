@@ -1,0 +1,72 @@
+"""The toy that is put together: its parts, the main one, how they stand, and what was put on them so far."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from tambour.core.errors import Span
+from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.spots import Spots, rim
+from tambour.crochet.language.finishes import Finish
+from tambour.crochet.places.hear import Copy
+from tambour.crochet.places.names import Made
+from tambour.crochet.places.stand import Host, Stand, neck, numbers_of
+
+
+@dataclass
+class Assembled:
+    """What came of it: records in order; which way parts stand; what was guessed (part → words); what says no place."""
+
+    finish: list[Finish] = field(default_factory=list)
+    ups: dict[str, str] = field(default_factory=dict)
+    guessed: list[str] = field(default_factory=list)
+    loose: list[str] = field(default_factory=list)
+    lost: list[Span] = field(default_factory=list)
+
+
+class Toy:
+    """A pattern's parts in the poses known so far.
+
+    built : the pattern worked; stitch : a stitch's width, mm; eye : the size of eyes that the materials name, mm
+    parts : those with stitches; main : what everything else is put on; up : which way parts stand as the text says
+    out : records so far, each with the order of its sentence; made : what comes of it
+    """
+
+    def __init__(self, built: Built, stitch: float, eye: float | None) -> None:
+        self.built, self.stitch, self.eye = built, stitch, eye
+        self.spots = Spots(built)
+        self.stand = Stand(self.spots)
+        named = [Made(p.name, p.copies) for p in built.pattern.parts if f"{p.name}.1" in self.spots.parts]
+        self.parts = [p for p in named if self.size(p) > 2] or named
+        self.main = self.parts[0] if self.parts else Made("", 1)
+        self.up = {p.name: p.up for p in built.pattern.parts}
+        self.out: list[tuple[int, Finish]] = []
+        self.made = Assembled()
+
+    def size(self, made: Made) -> int:
+        """How many stitches one copy of a part has."""
+        p = self.built.graph.parts[self.spots.parts[f"{made.name}.1"]]
+        return int(p.end - p.start)
+
+    def open(self, name: str) -> int:
+        """How many stitches the open edge of a part has; 0 where it is closed or worked in rows."""
+        part = self.spots.parts[name]
+        return 0 if self.spots.in_rows[part] else len(rim(self.built, part))
+
+    def of_kind(self, *kinds: str) -> Made | None:
+        """The largest part of a kind that is made once."""
+        found = [p for p in self.parts if p.copies == 1 and p.kind in kinds]
+        return max(found, key=self.size, default=None)
+
+    def host(self, copy: Copy, region: str = "") -> Host:
+        """A part as something is put on it; of one that is head and body the end that is meant."""
+        name = copy[0].copy(copy[1])
+        part = self.spots.parts[name]
+        low, high = numbers_of(self.spots, part)
+        alone = not [p for p in self.parts if p != copy[0] and p.copies == 1 and p.kind in ("head", "body")]
+        waist = neck(self.spots, part) if region and alone else None
+        if waist is not None:
+            x, own = self.stand.x, self.stand.nodes(part)
+            down = x[own[0], 1] > x[own[-1], 1] if abs(x[own[0], 1] - x[own[-1], 1]) > 2.0 else True
+            low, high = (low, waist) if (region == "head") == bool(down) else (waist, high)
+        return Host(self.stand, name, low, high)

@@ -1,0 +1,170 @@
+"""Assembly by sense: loose names, places in words, usual places that are told, faces by their names."""
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import Text
+from tambour.crochet.finish.joining import prepare
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
+from tambour.crochet.places.names import Made, mentions
+from tambour.crochet.places.said import clauses, where
+from tambour.crochet.printed.pattern import read_printed
+
+BALL = """Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-10: sc around (24)
+Rnd 11: (2 sc, dec) x 6 (18)
+"""
+CLOSED = BALL + "Rnd 12: (sc, dec) x 6 (12)\nRnd 13: dec x 6 (6)\nFasten off and close.\n"
+TUBE = "Rnd 1: 6 sc in MR (6)\nRnds 2-7: sc around (6)\nFasten off.\n"
+CUP = "Rnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: sc around (12)\nFasten off.\n"
+
+
+def toy(sentences, **parts):
+    """A body, a head and other parts, put together by ``sentences``."""
+    text = f"Toy\n\nBODY\n{CLOSED}\nHEAD\n{BALL}Fasten off.\n\n"
+    text += "".join(f"{name.replace('_', ' ')}\n{rounds}\n" for name, rounds in parts.items())
+    return read_printed(Text(f"{text}\nAssembly\n{sentences}\n", "toy.txt"))
+
+
+def where_is(pattern, record):
+    """The record's place on its part: (left, up, ahead) from the part's middle, in shares of its size, as worked."""
+    spots = Spots(build(pattern))
+    part = build(pattern).graph.parts[spots.parts[record.spot.part]]
+    place = spots.place(record.spot)
+    x = spots.layout
+    own = x[part.start : part.end]
+    middle, half = 0.5 * (own.min(0) + own.max(0)), 0.5 * np.ptp(own, axis=0)
+    return (np.array(place.weights) @ x[list(place.nodes)] - middle) / half
+
+
+def placed(pattern, name):
+    return next(r for r in pattern.finish if isinstance(r, Placed) and r.part.startswith(name))
+
+
+PARTS = [Made("BELLY AND BODY", 1), Made("Fluke", 2), Made("FIN", 2), Made("Left Ear", 1), Made("Right Ear", 1), Made("Inner ear", 2)]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "text, meant",
+    [
+        ("sew the flukes to the end of the body", [["Fluke.1", "Fluke.2"], ["BELLY AND BODY"]]),
+        ("sew one fin to each side of the body", [["FIN.1", "FIN.2"], ["BELLY AND BODY"]]),
+        ("sew the left ear", [["Left Ear"]]),
+        ("sew the ears on", [["Left Ear", "Right Ear"]]),
+        ("glue the inner ears", [["Inner ear.1", "Inner ear.2"]]),
+        ("sew the second fin", [["FIN.2"]]),
+        ("the flippers go here", [["FIN.1", "FIN.2"]]),
+    ],
+)
+def test_parts_are_found_loosely(text, meant):
+    assert [[p.copy(k) for p, k in m.copies] for m in mentions(text, PARTS)] == meant
+
+
+@pytest.mark.parametrize(
+    "text, rounds, apart",
+    [
+        ("between rounds 13 and 14, 10 sts apart", (13, 14, True), 10),
+        ("over rnds 14–20", (14, 20, False), None),
+        ("between the 3rd and 10th rnds", (3, 10, True), None),
+        ("at 25th rnd approx 6 or 7 sts apart", (25, 25, False), 7),
+        ("between R6 and R7 with 6 stitches between them", (6, 7, True), 7),
+        ("to row 5 of the back, ten stitches apart", (5, 5, False), 10),
+    ],
+)
+def test_rounds_and_distances(text, rounds, apart):
+    found = where(text.lower())
+    assert (found.rounds, found.apart) == (rounds, apart)
+
+
+def test_lengths_apart_and_clauses():
+    assert where('1½" [4 cm] apart').apart_mm == pytest.approx(38.1)
+    assert where("3 cm apart").apart_mm == pytest.approx(30.0)
+    text = "sew head to body at neck and join arms at shoulders; pin the legs in place"
+    assert [text[a:b].strip() for a, b in clauses(text)] == [
+        "sew head to body at neck and", "join arms at shoulders;", "pin the legs in place",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "sentence, name, axis, sign",
+    [
+        ("Sew the tail to the back of the body.", "TAIL", 2, -1),
+        ("Sew the tail to the front of the body.", "TAIL", 2, 1),
+        ("Sew the tail to the bottom of the body.", "TAIL", 1, -1),
+        ("Sew the tail to the left side of the body.", "TAIL", 0, 1),
+        ("Sew the tail to the right side of the body.", "TAIL", 0, -1),
+    ],
+)
+def test_sides_of_a_body(sentence, name, axis, sign):
+    pattern = toy("Sew the head to the body. " + sentence, TAIL=TUBE)
+    at = where_is(pattern, placed(pattern, name))
+    assert sign * at[axis] > 0.6 and sign * at[axis] == pytest.approx(abs(at).max(), abs=0.25)
+
+
+def test_two_places_in_one_sentence():
+    pattern = toy(
+        "Sew the head to the body. Attach arms at shoulders and legs to the bottom of the body.",
+        **{"ARM_(make_2)": TUBE, "LEG_(make_2)": TUBE},
+    )
+    arms, legs = ([where_is(pattern, r) for r in pattern.finish if isinstance(r, Placed) and r.part.startswith(n)]
+                  for n in ("ARM", "LEG"))  # fmt: skip
+    assert min(a[1] for a in arms) > 0.2 and max(a[1] for a in legs) < -0.5
+    assert {round(float(np.sign(a[0]))) for a in arms} == {-1, 1} == {round(float(np.sign(a[0]))) for a in legs}
+
+
+def test_beside_the_eyes():
+    pattern = toy(
+        "Sew the head to the body. Insert the safety eyes in the head between rounds 6 and 7, 8 stitches apart. "
+        "Sew the nose between the eyes. With black yarn embroider a smile below the eyes and brows above the eyes.",
+        NOSE=CUP,
+    )
+    eyes = [r for r in pattern.finish if isinstance(r, Eye)]
+    assert eyes[1].spot.stitch - eyes[0].spot.stitch == pytest.approx(8)
+    snout = placed(pattern, "NOSE").spot
+    assert abs(snout.stitch - 0.5 * (eyes[0].spot.stitch + eyes[1].spot.stitch)) <= 0.5 and abs(snout.round - 6.5) <= 1
+    smile = [r for r in pattern.finish if isinstance(r, Embroidery) and r.motif == "smile"]
+    brows = [r for r in pattern.finish if isinstance(r, Embroidery) and r.motif == "brows"]
+    # The head hangs by its end: lower on the face is a later round.
+    assert len(smile) == 1 and len(brows) == 2
+    assert min(s.round for s in smile[0].spots) > 6.5 > max(s.round for r in brows for s in r.spots)
+
+
+def test_what_nobody_places_goes_where_it_usually_is_and_is_told():
+    pattern = toy(
+        "Sew everything as shown in the photo.",
+        **{"EARS_(make_2)": CUP, "ARMS_(make_2)": TUBE, "LEGS_(make_2)": TUBE, "TAIL": TUBE, "MUZZLE": CUP},
+    )
+    on = {r.part: r.spot.part for r in pattern.finish if isinstance(r, Placed)}
+    assert on == {
+        "HEAD": "BODY", "EARS.1": "HEAD", "EARS.2": "HEAD", "ARMS.1": "BODY", "ARMS.2": "BODY", "LEGS.1": "BODY",
+        "LEGS.2": "BODY", "TAIL": "BODY", "MUZZLE": "HEAD",
+    }  # fmt: skip
+    (told,) = [w for w in pattern.warnings if w.message.startswith(GUESSED)]
+    assert all(name in told.message for name in ("EARS on HEAD", "ARMS on BODY", "LEGS on BODY", "TAIL on BODY"))
+    assert where_is(pattern, placed(pattern, "TAIL"))[2] < -0.5
+    assert prepare(build(pattern)) is not None
+
+
+def test_a_place_that_is_not_there_is_told():
+    pattern = toy("Sew the head to the body. Insert eyes in the head between rounds 31 and 32.")
+    from tambour.core.errors import TambourError
+
+    with pytest.raises(TambourError, match="has no round 31"):
+        prepare(build(pattern))
+    pattern = toy("Sew the sun to the moon.")
+    assert "where this goes is not understood" in [w.message for w in pattern.warnings]
+
+
+def test_a_whale_lies_and_a_piece_worked_from_its_top_stands_on_its_end():
+    text = f"Whale\n\nBELLY AND BODY\n{CLOSED}\nFLUKE (make 2)\n{TUBE}\nInsert eyes between rounds 4 and 5 of the body.\nSew flukes to the tail end.\n"
+    pattern = read_printed(Text(text))
+    assert [p.up for p in pattern.parts] == ["side", None]
+    flukes = [r for r in pattern.finish if isinstance(r, Placed)]
+    assert all(r.spot.round >= 11 for r in flukes) and len(flukes) == 2
+    text = f"Owl\n\nOWL\n{CLOSED}\nWING (make 2)\n{TUBE}\nPlace the eyes between rounds 4 and 5. Sew the wings to the sides.\n"
+    assert [p.up for p in read_printed(Text(text)).parts] == ["start", None]
