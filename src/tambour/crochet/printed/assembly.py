@@ -10,7 +10,6 @@ from tambour.core.errors import Span, TambourError
 from tambour.crochet.graph.build import Built, build
 from tambour.crochet.language.finishes import RGB, Finish
 from tambour.crochet.language.tree import Pattern
-from tambour.crochet.params import CrochetParams
 from tambour.crochet.places.assemble import Assembly
 from tambour.crochet.places.hear import Sentence
 from tambour.crochet.places.said import size
@@ -21,6 +20,7 @@ from tambour.crochet.printed.tokens import Token
 from tambour.crochet.words.phrases import Phrases
 
 _EYES: Final = re.compile(r"\d+(?:[.,]\d+)?\s*-?mm[^.;\n]{0,25}\beyes?\b|\beyes?\b[^.;\n]{0,12}\d+\s*mm", re.IGNORECASE)
+_STITCH: Final = 5.0  # mm, where no gauge is stated
 UNPLACED: Final = "where this goes is not understood"
 
 
@@ -66,10 +66,11 @@ def assembled(pattern: Pattern, said: list[Said], phrases: Phrases, palette: Pal
 
 
 def _assembly(built: Built, sentences: list[Sentence]) -> Assembly:
-    from tambour.crochet.maker.gauge import gauge
+    from tambour.crochet.yarns import swatch_of
 
     stated = built.pattern.stated
-    width = gauge(CrochetParams(), stated).width
+    swatch = swatch_of(stated["gauge"][0]) if "gauge" in stated else None
+    width = swatch[0] if swatch is not None else _STITCH
     listed = (
         stated["eyes"][0]
         if "eyes" in stated
