@@ -1,0 +1,197 @@
+"""Small faults, planted one at a time in a copy of the sources, each against the test files that should find it.
+
+    python tests/planted.py [--jobs N] [words of a path …]
+
+A fault that lives says that something is promised and nobody looks. Prints every fault that lived, and every one whose
+text is no longer in the sources; leaves with 1 if there are any. Minutes, and no part of the suite.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+class Fault(NamedTuple):
+    """In ``file`` (under src/tambour) the one place ``good`` becomes ``bad``; ``tests``: files and words for -k."""
+
+    file: str
+    good: str
+    bad: str
+    tests: str
+
+
+P = "promises"
+FAULTS = [
+    # -- found alive by hand, once
+    Fault("embroidery/columns/satin.py", "half, turn)\n", "half, -turn)\n", P),
+    Fault("embroidery/columns/satin.py", "np.minimum(half, 1 / np", "np.minimum(half, 2 / np", P),
+    Fault("embroidery/plan/sequence.py", "keep = different | same", "keep = different", P),
+    Fault("embroidery/plan/facts.py", "SLACK = 0.05", "SLACK = 0.5", P),
+    Fault("files/svg/path.py", "1 if large != sweep else -1", "-1 if large != sweep else 1", "files_svg_read -k arcs"),
+    Fault("files/svg/path.py", "elif not sweep and sweep_angle > 0:", "elif not sweep and sweep_angle > 9:",
+          "files_svg_read -k arcs"),
+    Fault("files/exp.py", "row[trim, 2] = 0x80, 0x07", "row[trim, 2] = 0x80, 0x00", P),
+    Fault("core/params.py", '"pt": 25.4 / 72', '"pt": 25.4 / 96', P),
+    Fault("crochet/graph/check.py", 'last.name in ("slst", "join", "fo")', 'last.name in ("fo",)', P),
+    Fault("crochet/graph/check.py", "largest = max(said)", "largest = min(said)", P),
+    Fault("crochet/page/flow.py", "(0.0 if chunk.first else AGAIN)", "0.0", P),
+    Fault("crochet/finish/sewing.py", "math.sin(a) * np.cross(n, ahead)", "math.sin(a) * np.cross(ahead, n)", P),
+    Fault("ink/plotter/sheet.py", " or height - params.margin > high:", ":", P),
+    Fault("crochet/maker/materials.py", "ends = TAIL *", "ends = 0.0 *", P),
+    Fault("crochet/printed/heads.py", "n > 100_000 for n", "n > 10**12 for n", P),
+    Fault("color.py", "far = 0.25 * (lab[:, 0] - w[0]) ** 2 + (chroma - c) ** 2 + 4 * hue",
+          "far = 4 * (lab[:, 0] - w[0]) ** 2 + (chroma - c) ** 2 + 0.25 * hue", P),
+    Fault("render/light.py", "turn = azimuth - 0.75", "turn = azimuth + 0.75", P),
+    # -- the house
+    Fault("color.py", "srgb <= 0.04045, srgb / 12.92", "srgb <= 0.04045, srgb / 12.0", "color"),
+    Fault("color.py", "(1 / 2.4) - 0.055", "(1 / 2.2) - 0.055", "color"),
+    Fault("core/params.py", '"min": 60.0', '"min": 6.0', P),
+    Fault("core/errors.py", 'before.count("\\n") + 1', 'before.count("\\n")', "errors"),
+    Fault("core/errors.py", "cutoff=0.65", "cutoff=0.99", "errors cli"),
+    Fault("core/chart.py", "return 100.0 / self.stitches", "return 10.0 / self.stitches", "values knit_yarns knit_craft"),
+    Fault("core/check.py", "made[-1] != total or ", "", "values"),
+    Fault("core/graph.py", "self.edge_kind == YARN", "self.edge_kind != YARN", "crochet_fabric crochet_features"),
+    Fault("geometry/surface.py", "where=length > 0", "where=length > 1", "render_raster crochet_features values"),
+    Fault("render/camera.py", "margin = 0.86", "margin = 1.3", "render_raster"),
+    Fault("render/camera.py", "np.array([cos(azimuth), 0.0, -sin(azimuth)])",
+          "np.array([cos(azimuth), 0.0, sin(azimuth)])", "promises render_raster"),
+    # -- files
+    Fault("files/hpgl.py", "(1.0, -1.0) + (0.0, float(drawing.size[1]))", "(1.0, 1.0)", "ink_files ink_plot files"),
+    Fault("files/hpgl.py", "UNITS = 40.0", "UNITS = 39.0", "ink_files ink_plot files"),
+    Fault("files/dst.py", "half = (weight - 1) // 2", "half = (weight + 1) // 2", "files_machine"),
+    Fault("files/exp.py", "row[:, 3] = (-delta[:, 1])", "row[:, 3] = (delta[:, 1])", "promises"),
+    Fault("files/svg/css.py", '"mm": 96 / 25.4', '"mm": 90 / 25.4', "files_svg_read"),
+    Fault("files/svg/css.py", "value *= em / 2", "value *= em", "promises files_svg_read"),
+    Fault("files/svg/css.py", 'way = above.here if combinator == ">" else above.above', "way = above.above",
+          "files_svg_read"),
+    Fault("files/svg/css.py", "key=lambda r: r.weight", "key=lambda r: (0, 0, 0)", "files_svg_read"),
+    Fault("files/svg/read.py", "unique = f\"{name}-{n}\"", "unique = f\"{name}{n}\"", "files_svg_read"),
+    Fault("files/svg/path.py", "sx = sy = max(sx, sy) if", "sx = sy = min(sx, sy) if", "promises files_svg_read"),
+    Fault("files/chart.py", "bits = next(b for b in (1, 2, 4, 8) if colours <= 1 << b)",
+          "bits = next(b for b in (1, 2, 4, 8) if colours < 1 << b)", "promises knit_formats"),
+    Fault("files/knitout.py", "row % 2 == 0 else [Stop", "row % 2 == 1 else [Stop", "knit_knitout"),
+    Fault("files/mesh.py", 'f"{k / 255:.4f}"', 'f"{k / 256:.4f}"', "files_mesh"),
+    # -- crochet
+    Fault("crochet/yarns.py", "IN_A_STITCH: Final = 8.0", "IN_A_STITCH: Final = 9.0", "crochet_size"),
+    Fault("crochet/yarns.py", "SQUARE: Final = 3.0 / math.pi", "SQUARE: Final = 1.0", "promises crochet_craft -k gauge"),
+    Fault("crochet/yarns.py", "0.15 + 0.85 * hook / kind.hook", "0.85 * hook / kind.hook",
+          "crochet_size -k yarn or hook or expected or gauge"),
+    Fault("crochet/yarns.py", '"E": 3.5', '"E": 3.25', "crochet_size -k hook"),
+    Fault("crochet/yarns.py", '"8-ply": "dk"', '"8-ply": "sport"', "promises crochet_size -k class or yarn or weight"),
+    Fault("crochet/maker/materials.py", "DRAWN_TIGHT: Final = 0.606", "DRAWN_TIGHT: Final = 0.66",
+          "crochet_size -k tight or yarn"),
+    Fault("crochet/maker/materials.py", "grams = bought / kind.metres * 100.0", "grams = bought / kind.metres * 50.0",
+          "promises crochet_page -k shopping or materials or skein"),
+    Fault("crochet/maker/materials.py", "max(1, ceil(grams / kind.skein))", "max(1, int(grams / kind.skein))",
+          "promises crochet_page -k shopping or materials or skein"),
+    Fault("crochet/graph/check.py", "NEAR = 0.2", "NEAR = 0.6", "crochet_check promises -k size or sizes"),
+    Fault("crochet/words/hues.py", '(40, "orange")', '(40, "yellow")', "promises crochet_instructions -k hue or plain"),
+    Fault("crochet/words/spellings.py", '"tr": 4, "dtr": 5', '"tr": 5, "dtr": 4', "crochet_terms"),
+    Fault("crochet/words/spellings.py", "'' if n == 2 else n", "n", "crochet_terms"),
+    Fault("crochet/words/us.toml", 'skip = ["sk", "skip"]', 'skip = ["sc", "skip"]', "crochet_terms"),
+    Fault("crochet/words/de.toml", "{count} fM in Fadenring", "{count} fM im Fadenring ({count})", "crochet_terms"),
+    Fault("crochet/words/table.py", "made = dict(base)", "made = {}",
+          "crochet_terms"),
+    Fault("crochet/printed/counts.py", "return (2 if token.value", "return (3 if token.value", "crochet_reading promises"),
+    Fault("crochet/printed/counts.py", 'raise NotUnderstood(token, "a repeat is worked at least once"',
+          'return 1, token.span\n        raise NotUnderstood(token, "a repeat is worked at least once"', "promises crochet_reading"),
+    Fault("crochet/printed/cursor.py", '"<": ">"', '"<": "<"', "promises crochet_reading"),
+    Fault("crochet/page/written.py", "times=before.times + 1", "times=before.times + 2", "crochet_write"),
+    Fault("crochet/page/symbols.py", 'side = 0.22 if kind.startswith("fp")', 'side = -0.22 if kind.startswith("fp")',
+          "promises crochet_diagram"),
+    Fault("crochet/language/items.py", "if times == 0 and times_at is not None:", "if times == -1:", "crochet_parse"),
+    Fault("crochet/looks.py", "DOUBT: Final = (206, 42, 38)", "DOUBT: Final = (228, 224, 216)",
+          "promises crochet_check -k red or pale or view"),
+    # -- the other crafts
+    Fault("ink/plotter/sheet.py", '"a3": (420.0, 297.0)', '"a3": (420.0, 279.0)', "promises ink_plot -k sheet or page"),
+    Fault("ink/params.py", "seal: str = \"\"", "seal: str = \"x\"", "ink_scroll ink_files -k seal or inscription or default"),
+    Fault("knit/hands/yarn.py", "metres / 0.9144", "metres * 0.9144", "promises knit_hand knit_yarns -k yard or amount or yarn"),
+    Fault("knit/hands/yarn.py", "max(1, ceil(grams / skein_grams))", "max(1, int(grams / skein_grams))",
+          "promises knit_hand -k skein or amount or yarn"),
+    Fault("knit/solve/floats.py", "/ gauge.width + 1e-9", "/ gauge.width + 1", "promises knit_floats knit_craft -k limit or float"),
+    Fault("knit/sheets/punchcard.py", "PITCH, ROW = 4.5, 5.0", "PITCH, ROW = 4.6, 5.0", "knit_machine knit_draw -k punch or card"),
+    Fault("embroidery/plan/sequence.py", "TIE = 0.7", "TIE = 2.7", "promises embroidery_make embroidery_thread"),
+    Fault("embroidery/plan/facts.py", "COLOR: 45.0, STOP", "COLOR: 450.0, STOP", "promises embroidery_make"),
+]  # fmt: skip
+
+
+def planted(fault: Fault, tree: Path) -> str:
+    """ "killed", "alive" or "gone": what became of a fault in the copy ``tree``."""
+    path = tree / "src" / "tambour" / fault.file
+    text = path.read_text(encoding="utf-8")
+    if text.count(fault.good) != 1:
+        return "gone"
+    names, _, words = fault.tests.partition(" -k ")
+    files = [f"tests/test_{name}.py" for name in names.split()]
+    chosen = ["-k", words] if words else []
+    before = path.stat()
+    path.write_text(text.replace(fault.good, fault.bad), encoding="utf-8")
+    try:
+        env = os.environ | {"PYTHONPATH": str(tree / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
+        # Every file by itself: a word for -k that fits one of them need not fit the others.
+        for file in files:
+            command = [
+                sys.executable,
+                "-m",
+                "pytest",
+                "-x",
+                "-q",
+                "-p",
+                "no:cacheprovider",
+                "-m",
+                "not slow",
+                file,
+                *chosen,
+            ]
+            made = subprocess.run(command, cwd=tree, env=env, capture_output=True, text=True)
+            if made.returncode not in (0, 5):
+                return "killed"
+        return "alive"
+    finally:
+        path.write_text(text, encoding="utf-8")
+        os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))  # kernels are kept by the time of their source
+
+
+def main() -> int:
+    """All faults, or those whose file holds one of the words."""
+    asked = argparse.ArgumentParser(description=__doc__)
+    asked.add_argument("--jobs", type=int, default=1, help="copies that are worked at once")
+    asked.add_argument("words", nargs="*")
+    args = asked.parse_args()
+    faults = [f for f in FAULTS if not args.words or any(w in f.file for w in args.words)]
+    with tempfile.TemporaryDirectory() as place:
+        trees = [Path(place) / str(k) for k in range(args.jobs)]
+        for tree in trees:
+            for name in ("src", "tests", "examples", "docs"):
+                shutil.copytree(ROOT / name, tree / name)
+            for name in ("pyproject.toml", "README.md"):
+                shutil.copy2(ROOT / name, tree / name)
+
+        def work(k: int) -> list[tuple[str, Fault]]:
+            made = []
+            for fault in faults[k :: args.jobs]:
+                made.append((planted(fault, trees[k]), fault))
+                print(f"{made[-1][0]:7} {fault.file}: {fault.good.strip()[:70]}", flush=True)
+            return made
+
+        with ThreadPoolExecutor(args.jobs) as pool:
+            found = [one for made in pool.map(work, range(args.jobs)) for one in made]
+    left = [(how, fault) for how, fault in found if how != "killed"]
+    print(f"{len(found)} faults planted, {len(found) - len(left)} found out")
+    for how, fault in left:
+        print(f"{how}: {fault.file}: {fault.good!r} -> {fault.bad!r} ({fault.tests})")
+    return 1 if left else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
