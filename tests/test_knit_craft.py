@@ -135,9 +135,9 @@ def test_advice_and_gauge_are_said():
     assert not made(stitches=60, gauge="24x32")[1].warnings
     drawing = np.full((48, 60), 255, np.uint8)
     drawing[10:40, 20:22] = 0
-    piece, told = made(drawing)
-    assert piece.figures["kind"] == "line drawing" and piece.figures["start"] == "threshold"
-    assert "--tidy 3" in str(told.warnings[0])
+    piece, _ = made(drawing)
+    assert piece.figures["kind"] == "line drawing" and piece.figures["start"] == "2 tones"
+    assert piece.params.method == "exact" and lawful(piece.chart.cells, 4)
 
 
 def test_edits_are_solved_again():

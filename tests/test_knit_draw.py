@@ -27,7 +27,7 @@ def chart_of(rows: int, stitches: int, seed: int = 0, **fields: object) -> Chart
 
 
 def book(chart: Chart, look: Look | None = None, **options: object) -> tuple[Drawing, ...]:
-    words = Words("Test piece", 4, "dk")
+    words = Words("Test piece", 4, 4, "dk")
     return booklet(chart, look or Look(limit=4), words, amounts(chart), front(chart, 4), **options)  # type: ignore[arg-type]
 
 
@@ -152,7 +152,7 @@ def test_shaped_and_repeating_charts_are_drawn() -> None:
 
 def test_what_nobody_prints_is_refused() -> None:
     huge = Chart(np.zeros((1100, 1000), np.uint8), WOOL)
-    shown, words = front(chart_of(2, 2)), Words("Huge", 4, "dk")
+    shown, words = front(chart_of(2, 2)), Words("Huge", 4, 4, "dk")
     for draw in (
         lambda: sheet_of(huge, Look()),
         lambda: float_sheet(huge, Look()),

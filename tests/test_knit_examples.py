@@ -34,7 +34,7 @@ def test_example(line: str, tmp_path: Path) -> None:
     assert report["violations"] == 0 and report["conflicts"] == 0
     assert all(Path(name).stat().st_size > 200 for name in report["files"])
     chart = files.read(tmp_path / "chart.json", ("Chart",))
-    limit = int(report["params"]["max_float"])
+    limit = report["max_float"]
     assert floats(chart, anchored=True).length.max() <= limit
     assert report["catches"] == 0
     assert all(0 < y["metres"] < 2000 for y in report["yarn"]) and len(report["yarn"]) == len(np.unique(chart.cells))

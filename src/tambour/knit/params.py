@@ -36,6 +36,13 @@ def _tone(value: Any) -> Any:
     return text
 
 
+def _distance(value: Any) -> Any:
+    text = str(value).strip()
+    if not re.search(r"[a-z\"]$", text) or not 250 <= length(text) <= 100_000:
+        raise ValueError("wanted a length from 25cm to 100m, such as 2m")
+    return text
+
+
 def _gauge(value: Any) -> Any:
     text = str(value).strip().lower().replace("×", "x")
     found = re.fullmatch(r"(\d+\.?\d*)\s*x\s*(\d+\.?\d*)", text)
@@ -71,6 +78,7 @@ def _turn(value: Any) -> Any:
 
 Limit = Annotated[str, BeforeValidator(_limit)]
 Tone = Annotated[str, BeforeValidator(_tone)]
+Distance = Annotated[str, BeforeValidator(_distance)]
 Ratio = Annotated[str, BeforeValidator(_gauge)]
 Box = Annotated[str, BeforeValidator(_box)]
 Repeat = Annotated[str, BeforeValidator(_repeat)]
@@ -93,6 +101,17 @@ class KnitParams(Params):
     """Turn the picture counter-clockwise; auto finds the angle that lines its strokes up with the stitches."""
     direction: Literal["horizontal", "vertical"] = "horizontal"
     """Knitting direction: vertical knits the picture sideways (rows of knitting run down it)."""
+    style: Literal["auto", "graphic", "texture", "tonal", "plain"] = "auto"
+    """Graphic: areas with clean borders. Texture: four tones of knit textures. Tonal: tones by single stitches, for large
+    pieces. Plain: no preparation. Auto chooses by picture and size, and says why."""
+    tones: int | None = Field(default=None, ge=2, le=4)
+    """Graphic and texture: how many tones the picture is cut into; without it two or three, and four for texture."""
+    ground: Literal["lice", "diagonal", "brick", "stripe"] = "lice"
+    """Graphic and texture: how the stitches that hold floats stand in plain areas."""
+    use: Literal["garment", "mitten", "child", "blanket"] = "garment"
+    """What it is for: sets {--max-float} (shorter for mittens and children) and {--seen-from} (a blanket from 4 m)."""
+    seen_from: Distance | None = Field(default=None, json_schema_extra={"metavar": "LENGTH"})
+    """How far away one looks from, such as 2m: chooses the style, and weighs what the eye sees from there."""
     brightness: float = Field(default=0.0, ge=-1, le=1)
     """Added to every tone."""
     contrast: float = Field(default=1.0, ge=0, le=10)
@@ -101,10 +120,10 @@ class KnitParams(Params):
     """Keep local detail while tones are compressed: how much of the fine layer is given back and more."""
     sharpen: float = Field(default=0.0, ge=0, le=4)
     """Enhance edges at the scale of stitches."""
-    tone: Tone = Field(default="reachable", json_schema_extra={"metavar": "raw|reachable|0…1"})
-    """How far tones are compressed into what lawful rows can show: 1/(f+1) to f/(f+1)."""
-    light: Literal["code", "linear"] = "code"
-    """What tone means: sRGB code values, as in the 2013 paper, or linear light, as yarns mix seen from afar."""
+    tone: Tone | None = Field(default=None, json_schema_extra={"metavar": "raw|reachable|0…1"})
+    """How far tones are compressed into what lawful rows can show, 1/(f+1) to f/(f+1): raw for tonal, reachable for plain."""
+    light: Literal["code", "linear"] | None = None
+    """What tone means: linear light, as yarns mix seen from afar (tonal), or sRGB code values, as in the 2013 paper (plain)."""
 
     # --- the start assignment
     start: Literal["threshold", "ordered", "floyd-steinberg", "atkinson", "patches"] | None = None
@@ -117,8 +136,10 @@ class KnitParams(Params):
     """Stitches (left, top, width, height) whose texture is repeated elsewhere at the same brightness."""
 
     # --- the constraint
-    max_float: Limit = Field(default="4", json_schema_extra={"metavar": "N|LENGTH"})
-    """Longest run of one colour in a row, f: the other yarn floats behind it. Stitches, or a length with {--gauge}."""
+    floats: Literal["short", "caught"] = "short"
+    """Short: no run of one colour is longer than {--max-float}. Caught: the picture stays as it is, and the floats are caught."""
+    max_float: Limit | None = Field(default=None, json_schema_extra={"metavar": "N|LENGTH"})
+    """Longest float: stitches, or a length with {--gauge}. Without it by use: 2.5cm, at most 7; 5 on a machine; 3 for mittens."""
     edges: Literal["anchored", "free"] = "anchored"
     """Anchored: both yarns reach both edges. Free: the first and the last run of a row may be longer."""
     edge_run: int | None = Field(default=None, ge=1, le=20000)
@@ -141,14 +162,16 @@ class KnitParams(Params):
     """Soft limit: each stitch by which a run is too long costs so many flips, instead of being forbidden."""
 
     # --- solving
-    method: Literal["none", "random-walk", "min-conflict", "gsat", "hybrid", "texture", "exact", "perceptual"] = (
-        "perceptual"
-    )
-    """How the start assignment is made lawful; the middle five are those of the 2013 paper."""
+    method: (
+        Literal["none", "random-walk", "min-conflict", "gsat", "hybrid", "texture", "exact", "perceptual"] | None
+    ) = None
+    """How the start assignment is made lawful; the middle five are those of the 2013 paper. Without it by style: exact,
+    or perceptual for tonal and plain."""
     keep: float = Field(default=0.0, ge=0, le=10)
     """Perceptual: cost of a flip, from 0 (best tone) to 1 and more (fewest flips)."""
-    tidy: float = Field(default=0.0, ge=0, le=10)
-    """Exact: what a flip in line with others costs more, in flips. 0 makes the fewest flips; 1 breaks up most lines."""
+    tidy: float = Field(default=3.0, ge=0, le=10)
+    """Exact: what a flip in line with others costs more, in flips. 0 makes the fewest flips; 1 breaks up most lines.
+    Where {--ground} lays the flips it has no part."""
     seed: str = "knit"
     """Any text: the random choices of the paper's methods, and of ties."""
     walk_sample: int = Field(default=100, ge=1, le=1_000_000)
@@ -218,7 +241,7 @@ class KnitParams(Params):
 
     @model_validator(mode="after")
     def _agree(self) -> KnitParams:
-        if re.search(r"[a-z\"]$", self.max_float) and self.gauge is None:
+        if self.max_float and re.search(r"[a-z\"]$", self.max_float) and self.gauge is None:
             raise ValueError("{--max-float} as a length needs {--gauge}")
         if self.round and self.edges == "free":
             raise ValueError("{--round} has no edges to be {--edges} free")

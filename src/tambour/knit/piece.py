@@ -26,9 +26,10 @@ class Piece:
     picture : (R, C, 3) uint8 sRGB: the source at chart size, before tone mapping
     dominant : palette entry of the dominant yarn (carried below; it stands out): the one with fewer stitches
     background : palette entry of the main colour (MC): the one with most stitches
-    kind : "photograph", "line drawing" or "chart" (taken stitch for stitch)
+    kind : "photograph", "line drawing", "flat art" or "chart" (taken stitch for stitch)
     weights : (R, C) float32 or None: how much a flip costs there
     repeat : (n, k): the chart is a multiple of n stitches plus k; None without a repeat
+    textured : (R, C) bool or None: stitches of the middle tones' textures, where the style lays grounds
     figures : what was measured while solving: conflicts, conflicts_before, flips, violations, longest_float …
     state : what :func:`tambour.knit.solve.edit.resolve` needs to solve again after an edit
     """
@@ -46,6 +47,7 @@ class Piece:
     repeat: tuple[int, int] | None = None
     figures: Mapping[str, Any] = field(default_factory=dict)
     state: Any = None
+    textured: Array | None = None
 
     @property
     def free_edges(self) -> bool:
@@ -61,5 +63,6 @@ class Piece:
             start=start,
             tone=array("Piece.tone", self.tone, np.float32, shape),
             picture=array("Piece.picture", self.picture, np.uint8, (*shape, 3)),
+            textured=None if self.textured is None else array("Piece.textured", self.textured, np.bool_, shape),
             weights=None if self.weights is None else array("Piece.weights", self.weights, np.float32, shape),
         )

@@ -81,7 +81,7 @@ def pattern(piece: Piece) -> tuple[Drawing, ...]:
     from tambour.knit.sheets.pages import Words, booklet
 
     p = piece.params
-    words = Words(title(piece), piece.limit, p.yarn_weight, anchored(piece))
+    words = Words(title(piece), piece.limit, piece.figures["longest_float"], p.yarn_weight, anchored(piece))
     # The cover's picture is small: a quarter of the usual pixels will do.
     shown = front(piece.chart, max(1, pixels(piece.chart, aspect_of(piece.chart)) // 2))
     return booklet(piece.chart, look(piece), words, yarn(piece), shown, p.page, p.large_cells, p.swatch)
@@ -201,10 +201,11 @@ VIEWS: dict[str, View] = {
 
 def facts(piece: Piece) -> dict[str, Any]:
     """Yarn per colour, catches and ladders, for the report."""
-    from tambour.knit.hands.working import catches, ladders, roles
+    from tambour.knit.hands.working import catches, ladders, longest_span, roles
     from tambour.knit.hands.written import color_name
 
     names, catch = roles(piece.chart), piece.params.catch or piece.limit
+    marks = catches(piece.chart, catch, anchored(piece))
     return {
         "yarn": [
             {
@@ -218,6 +219,7 @@ def facts(piece: Piece) -> dict[str, Any]:
             }
             for a in yarn(piece)
         ],
-        "catches": int(catches(piece.chart, catch, anchored(piece)).sum()),
+        "catches": int(marks.sum()),
+        "longest_span": longest_span(piece.chart, catch, marks, anchored(piece)),
         "ladders": len(ladders(piece.chart, catch, anchored(piece))),
     }

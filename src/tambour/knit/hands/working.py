@@ -161,6 +161,17 @@ def catches(chart: Chart, limit: int, anchored: bool = True) -> Array:
     return marks
 
 
+def longest_span(chart: Chart, limit: int, marks: Array, anchored: bool = True) -> int:
+    """The most stitches that a float lies free over, between the stitches it comes from and its catches ``marks``."""
+    every = floats(chart, anchored)
+    short = every.length <= limit
+    longest = int(every.length[short].max(initial=0))
+    for row, start, length in zip(*(part[~short].tolist() for part in every[:3])):
+        at = np.flatnonzero(marks[row, crossed(chart, row, start, length)])
+        longest = max(longest, int(np.diff(np.concatenate([[-1], at, [length]])).max()) - 1)
+    return longest
+
+
 def ladders(chart: Chart, limit: int, anchored: bool = True, least: int | None = None) -> list[Ladder]:
     """Ladder columns for the floats above ``least`` stitches (default: those that would want three catches or more).
 

@@ -146,7 +146,10 @@ def pattern(
         out += ["  Knit every round. Rounds are read from right to left."]
     else:
         out += ["  Knit right-side (RS) rows, purl wrong-side (WS) rows; odd rows are RS."]
-    out += [f"  The yarn not in use is stranded behind. Longest float asked for: {limit} stitches."]
+    longest = int(floats(chart, anchored).length.max(initial=0))
+    out += [f"  The yarn not in use is stranded behind. Longest float: {longest} stitches."]
+    if longest > catch:
+        out += [f"  Catch the longer floats as listed: no more than {catch} stitches lie free."]
     if len(names) > 2:
         out += ["  In each row hold the yarn with fewer stitches below the other: it stands out (it is dominant)."]
     if not chart.circular:

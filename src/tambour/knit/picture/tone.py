@@ -13,7 +13,7 @@ from tambour.core.kernels import kernel
 from tambour.knit.params import KnitParams
 from tambour.knit.picture.resample import LUMA
 
-Kind = Literal["photograph", "line drawing"]
+Kind = Literal["photograph", "line drawing", "flat art"]
 
 
 def reach(limit: int, amount: float) -> tuple[float, float]:
@@ -25,12 +25,13 @@ def reach(limit: int, amount: float) -> tuple[float, float]:
     return low, 1 - low
 
 
-def amount(tone: str) -> float:
-    """0 to 1 of the parameter ``tone``."""
+def amount(tone: str | None) -> float:
+    """0 to 1 of the parameter ``tone``; all of it when none was given."""
+    tone = tone or "reachable"
     return {"raw": 0.0, "reachable": 1.0}.get(tone) if tone in ("raw", "reachable") else float(tone)  # type: ignore[return-value]
 
 
-def brightness(rgb: Array, light: str) -> Array:
+def brightness(rgb: Array, light: str | None) -> Array:
     """(R, C) float32 in 0…1 of (R, C, 3) uint8: luma of code values (BT.601), or luminance in linear light."""
     codes = np.arange(256) / 255
     if light == "linear":

@@ -91,11 +91,12 @@ def _tiles(length: int, fits: int) -> tuple[int, int]:
 
 
 class Words(NamedTuple):
-    """What the cover says: title, longest float, yarn weight, whether both yarns go to both sides, lines about the
+    """What the cover says: title, the float allowed, the longest there is, yarn weight, whether both yarns go to both sides, lines about the
     making (tools, machine, source)."""
 
     title: str
     limit: int
+    longest: int
     weight: str
     anchored: bool = True
     about: tuple[str, ...] = ()
@@ -263,7 +264,9 @@ def _cover(
     sheet.paragraph(_reading(chart, look, words, plan, listed), right, y + 5.5, 2.9)
     page_number(sheet, 1, total)
     sheet.lines([(MARGIN, page[1] - MARGIN, page[0] - MARGIN, page[1] - MARGIN)], GREY, 0.15)
-    sheet.text(f"Longest float {words.limit} stitches", MARGIN, page[1] - MARGIN + 4, 2.8, color=INK)
+    catch = look.limit or words.limit
+    caught = f", caught so that at most {catch} lie free" if words.longest > catch else ""
+    sheet.text(f"Longest float {words.longest} stitches{caught}", MARGIN, page[1] - MARGIN + 4, 2.8, color=INK)
     return sheet
 
 

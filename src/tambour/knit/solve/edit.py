@@ -13,7 +13,7 @@ from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.piece import Piece
 from tambour.knit.solve import exact, floats, percept
-from tambour.knit.solve.make import State, assemble, priced, seen_task, sight
+from tambour.knit.solve.make import State, assemble, priced, seen_task, sight_of
 from tambour.knit.task import PLAIN, Task
 
 
@@ -48,7 +48,7 @@ def resolve(piece: Piece, edits: Iterable[tuple[int, int, int]]) -> Piece:
         raise TambourError(problems)
     task = replace(task, start=start, locked=locked)
     if params.method == "perceptual" and not params.check:
-        eye = sight(task.limit, params)
+        eye = sight_of(task.limit, params)
         reach = eye.down.shape[1] - 1
         low = max(0, int(touched.argmax()) - 2 * reach)
         high = min(rows, rows - int(touched[::-1].argmax()) + 2 * reach)

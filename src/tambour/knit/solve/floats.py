@@ -25,11 +25,25 @@ from tambour.knit.task import Task
 HISTOGRAM = 64
 
 
+BY_HAND, BY_MACHINE, SMALL = (
+    25.0,
+    5,
+    3,
+)  # mm a hand knitter leaves free; stitches on a single bed; on mittens, for children
+USUAL = (3, 4, 7)  # stitches by hand: the least, that without a gauge, and the most
+
+
 def limit_of(params: KnitParams) -> int:
-    """f in stitches: ``--max-float`` itself, or the whole stitches that its length holds at the gauge."""
+    """f in stitches: ``--max-float`` itself, or the whole stitches that its length holds at the gauge; else by use."""
+    gauge = gauge_of(params)
+    if params.max_float is None:
+        if params.machine:
+            return BY_MACHINE
+        if params.use in ("mitten", "child"):
+            return SMALL
+        return USUAL[1] if gauge is None else min(max(floor(BY_HAND / gauge.width + 1e-9), USUAL[0]), USUAL[2])
     if params.max_float.isdigit():
         return int(params.max_float)
-    gauge = gauge_of(params)
     assert gauge is not None, "checked by the params"
     found = floor(length(params.max_float) / gauge.width + 1e-9)
     if found < 1:

@@ -12,14 +12,19 @@ from tambour.core.chart import Chart
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
+from tambour.core.params import length
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.hands.charts import chart_of, two_per_row
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import resample, tone
+from tambour.knit.picture.grounds import laid
 from tambour.knit.picture.layout import Layout, lay
+from tambour.knit.picture.prepare import mixed, prepared
+from tambour.knit.picture.regions import divided
+from tambour.knit.picture.style import Style, chosen, settled
 from tambour.knit.piece import Piece
-from tambour.knit.solve import exact, floats, percept
+from tambour.knit.solve import exact, floats, percept, sight
 from tambour.knit.solve import paper2013 as paper
 from tambour.knit.task import NONE, PLAIN, Task
 
@@ -53,42 +58,78 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
             where="{--edge-stitches}",
         )
     if isinstance(source, Chart) or params.check:
-        return of_chart(source, params, limit, progress)
+        wanted = params.model_copy(update={"method": params.method or "exact", "style": "plain"})
+        return of_chart(source, wanted, limit, progress)
     if params.yarns > 2:
         from tambour.knit.solve import yarns
 
         return yarns.make(source, params, limit, progress)
     with progress.stage("tone"):
         layout = lay(source, params, progress)
-        raw = tone.brightness(layout.picture, params.light)
-        kind = tone.recognise(raw)
-        aim = tone.toned(raw, params, limit)
-        del raw
-        if layout.frame.size:
-            aim[layout.frame] = layout.pattern[layout.frame]
+        luma = tone.brightness(layout.picture, "code")
+        style = chosen(layout.picture, luma, params)
+        params = settled(params, style)
+        palette = two_yarns(layout.picture, params, progress)
+        aim = aimed(layout, luma, palette, style, params, limit)
     with progress.stage("start_assignment"):
-        how = params.start or ("threshold" if kind == "line drawing" else "floyd-steinberg")
-        if how == "patches":
-            from tambour.knit.solve import texture
-
-            start = texture.assign(aim, limit, params)
-        else:
-            start = tone.assign(aim, how, params.threshold)
+        start, weights, textured, how = started(aim, layout, style, params, limit)
         if layout.frame.size:
             start[layout.frame] = layout.pattern[layout.frame]
-    if kind == "line drawing" and params.start is None and params.method == "perceptual":
-        progress.warn(
-            "this looks like a line drawing",
-            hint="{--method} exact {--tidy} 3 keeps its lines, with order in the ground",
-        )
     if params.gauge is None and params.stitches is not None:
         progress.warn(
             "stitches are taken as square, though knitted ones are wider than tall",
             hint="knit a swatch and give its stitches x rows in 10 cm, such as {--gauge} 24x32",
         )
-    task = task_of(aim, start, limit, params, layout)
-    palette = two_yarns(layout.picture, params, progress)
-    return finished(task, layout, palette, kind, how, params, progress)
+    task = task_of(aim, start, limit, params, replace(layout, weights=weights))
+    piece = finished(task, layout, palette, style.kind, how, params, progress)
+    told = {"style": style.name, "why": style.why, "technique": "stranded", "seen_from": style.metres}
+    return replace(
+        piece,
+        textured=layout.tiled(textured) if textured.size else None,
+        figures={**told, **piece.figures},
+    )
+
+
+def aimed(layout: Layout, luma: Array, palette: Palette, style: Style, params: KnitParams, limit: int) -> Array:
+    """(R, C) float32: the tone that each stitch should have, 0 the dark yarn and 1 the light one."""
+    squash = squash_of(params)
+    if style.name == "plain":
+        raw = luma if params.light == "code" else tone.brightness(layout.picture, params.light)
+        aim = tone.toned(raw, params, limit)
+    else:
+        aim = prepared(layout.picture, params, squash, style.flat)
+    if style.name == "tonal":
+        if params.light == "linear":
+            luma = np.sort(tone.brightness(palette.rgb[None], "code")[0])
+            aim = mixed(aim, float(luma[0]), float(luma[-1]))
+        low, high = tone.reach(limit, tone.amount(params.tone))
+        aim = np.ascontiguousarray(low + aim * np.float32(high - low), np.float32)
+    if layout.frame.size:
+        aim[layout.frame] = layout.pattern[layout.frame]
+    return aim
+
+
+def started(
+    aim: Array, layout: Layout, style: Style, params: KnitParams, limit: int
+) -> tuple[Array, Array, Array, str]:
+    """(start assignment, weights of its flips, where it is a texture, what it is called) of a style."""
+    if style.name in ("graphic", "texture"):
+        tones = params.tones or (4 if style.name == "texture" else None)
+        found, tones = divided(aim, tones, style.flat)
+        start, weights, textured = laid(found, tones, limit, squash_of(params), params.ground)
+        return start, weights * layout.weights if layout.weights.size else weights, textured, f"{tones} tones"
+    how = params.start or ("threshold" if style.kind == "line drawing" else "floyd-steinberg")
+    if how == "patches":
+        from tambour.knit.solve import texture
+
+        return texture.assign(aim, limit, params), layout.weights, NONE, how
+    return tone.assign(aim, how, params.threshold), layout.weights, NONE, how
+
+
+def squash_of(params: KnitParams) -> float:
+    """Rows per stitch width: 1 without a gauge."""
+    gauge = resample.gauge_of(params)
+    return gauge.rows / gauge.stitches if gauge else 1.0
 
 
 def task_of(aim: Array, start: Array, limit: int, params: KnitParams, layout: Layout) -> Task:
@@ -102,7 +143,7 @@ def task_of(aim: Array, start: Array, limit: int, params: KnitParams, layout: La
         ring=params.round or layout.repeat is not None,
         soft=params.soft,
         knit=layout.knit,
-        relaxed=layout.relaxed,
+        relaxed=np.ones(start.shape, np.bool_) if params.floats == "caught" else layout.relaxed,
         locked=layout.locked,
         weights=layout.weights,
         seed=params.seed,
@@ -146,12 +187,12 @@ def solved(task: Task, params: KnitParams, progress: Progress) -> Array:
     if params.method in PAPER:
         return paper.solve(task, params.method, params)
     if params.method == "exact":
-        return exact.solve(task, tidy=params.tidy)
+        return exact.solve(task, tidy=0.0 if params.style in ("graphic", "texture") else params.tidy)
     if task.limit > percept.LARGEST:
         progress.warn(f"perceptual keeps floats to {percept.LARGEST} stitches, though {task.limit} are allowed")
     return percept.solve(
         seen_task(task, params),
-        sight(task.limit, params),
+        sight_of(task.limit, params),
         1.0 if priced(task, params) else 0.0,
         sweeps_for(task),
         progress,
@@ -177,10 +218,15 @@ def seen_task(task: Task, params: KnitParams) -> Task:
     return replace(task, limit=limit, weights=(params.keep * weights + GRIP * (weights - 1)).astype(np.float32))
 
 
-def sight(limit: int, params: KnitParams) -> percept.Eye:
-    """The eye for these params: with a gauge it sees rows as flat as they are knitted."""
-    gauge = resample.gauge_of(params)
-    return percept.eye(min(limit, percept.LARGEST), gauge.rows / gauge.stitches if gauge else 1.0)
+def sight_of(limit: int, params: KnitParams) -> percept.Eye:
+    """The eye for these params: with a gauge it sees rows as flat as they are knitted.
+
+    Plain charts keep the eye of two scales; where the style says from how far one looks, it is the eye at that distance.
+    """
+    limit = min(limit, percept.LARGEST)
+    if params.seen_from is None:
+        return percept.eye(limit, squash_of(params))
+    return sight.eye(limit, resample.gauge_of(params), length(params.seen_from) / 1000)
 
 
 def assemble(

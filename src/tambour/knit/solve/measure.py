@@ -26,6 +26,43 @@ def lined_up(flips: Array, least: int = 3) -> float:
     return 1000.0 * lined / total
 
 
+def upright(cells: Array, least: int = 4) -> float:
+    """Per 1000 stitches of ``cells`` (R, C), those that one sees as an upright bar or a dotted column.
+
+    A stitch that differs from both its neighbours in the row stands alone there; ``least`` such stitches of one colour,
+    one above the other or in every second row, draw a line.
+    """
+    alone = np.zeros(cells.shape, np.bool_)
+    alone[:, 1:-1] = (cells[:, 1:-1] != cells[:, :-2]) & (cells[:, 1:-1] != cells[:, 2:])
+    seen_ = np.zeros(cells.shape, np.bool_)
+    for colour in np.unique(cells):
+        mine = alone & (cells == colour)
+        seen_ |= standing(mine, least, 1) | (standing(mine, least, 2) & ~np.roll(mine, 1, axis=0))
+    return 1000.0 * float(seen_.mean()) if cells.size else 0.0
+
+
+def standing(marks: Array, least: int, step: int) -> Array:
+    """The ``marks`` (R, C) bool that belong to ``least`` or more in a column, each ``step`` rows above the last."""
+    out = np.zeros(marks.shape, np.bool_)
+    for first in range(step):
+        part = marks[first::step]
+        if len(part) < least:
+            continue
+        whole = np.asarray(np.lib.stride_tricks.sliding_window_view(part, least, axis=0).all(axis=-1))
+        for k in range(least):
+            out[first::step][k : k + len(whole)] |= whole
+    return out
+
+
+def lone(cells: Array) -> Array:
+    """(R, C) bool: stitches whose neighbours, beside, above and below, are all of another colour."""
+    around = np.pad(cells.astype(np.int16), 1, constant_values=-1)
+    found = np.ones(cells.shape, np.bool_)
+    for dy, dx in ((0, 1), (2, 1), (1, 0), (1, 2)):
+        found &= around[dy : dy + cells.shape[0], dx : dx + cells.shape[1]] != cells
+    return found
+
+
 def blurred_error(cells: Array, tone: Array, sigma: float) -> float:
     """Mean squared difference of ``cells`` and ``tone`` (R, C) after a Gaussian blur of ``sigma`` stitches each."""
     from scipy.ndimage import gaussian_filter
@@ -102,7 +139,14 @@ def facts(piece: Piece) -> dict[str, Any]:
     flips = chart.cells != piece.start
     if chart.no_stitch is not None:
         flips &= ~chart.no_stitch
-    out["lined_up"] = round(lined_up(flips), 2)
+    if piece.params.style == "plain" and piece.params.method not in ("perceptual", "none"):
+        out["lined_up"] = round(lined_up(flips), 2)  # elsewhere flips are a ground that stands in order, or no measure
+    out["upright"] = round(float(np.mean([upright(chart.cells[b]) for b in bands(*chart.cells.shape)])), 2)
+    if piece.textured is not None:
+        plain = ~piece.textured & ~flips
+        out["alone"] = round(100.0 * float((lone(chart.cells) & plain).sum()) / max(1, chart.cells.size), 2)
+    if len(chart.palette) == 2:
+        out["likeness"] = likenesses(piece)
     if len(chart.palette) == 2:
         parts = [
             seen(masked(chart.cells[b], chart.no_stitch, b), masked(piece.tone[b], chart.no_stitch, b))
@@ -118,3 +162,21 @@ def facts(piece: Piece) -> dict[str, Any]:
 def masked(values: Array, no_stitch: Array | None, band: slice) -> Array:
     """``values`` with nothing where nothing is knitted."""
     return values if no_stitch is None else np.where(no_stitch[band], 0, values)
+
+
+DISTANCES = (1.0, 2.0, 4.0, 8.0)
+
+
+def likenesses(piece: Piece) -> dict[str, float]:
+    """How like its picture, before any preparation, the chart looks from 1, 2, 4 and 8 m: see :func:`sight.likeness`."""
+    from tambour.knit.picture.tone import brightness
+    from tambour.knit.solve.sight import likeness
+
+    chart = piece.chart
+    first = bands(*chart.cells.shape)[len(bands(*chart.cells.shape)) // 2]
+    luma = brightness(piece.picture[first], "code")
+    light = brightness(chart.palette.rgb[None], "code")[0]
+    cells = light[chart.cells[first]]
+    if chart.no_stitch is not None:
+        cells, luma = (np.where(chart.no_stitch[first], 0, v) for v in (cells, luma))
+    return {f"{m:g}": round(likeness(cells, luma, chart.gauge, m), 3) for m in DISTANCES}

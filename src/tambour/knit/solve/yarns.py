@@ -19,6 +19,7 @@ from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import shades, tone
 from tambour.knit.picture.layout import lay
+from tambour.knit.picture.style import FAR, Style, recognised, settled
 from tambour.knit.piece import Piece
 from tambour.knit.solve import exact, floats, percept
 from tambour.knit.solve.lanes import FORBIDDEN
@@ -53,16 +54,19 @@ def make(source: Picture, params: KnitParams, limit: int, progress: Progress) ->
         )
     with progress.stage("tone"):
         layout = lay(source, params, progress)
+        luma = tone.brightness(layout.picture, "code")
+        style = Style("plain", recognised(layout.picture, luma), FAR, "plain: colours mix from row to row")
+        params = settled(params, style)
         palette = shades.palette_of(layout.picture, params, progress)
         space = space_of(palette, params)
         aim = target(layout.picture, space, params, limit)
-        kind = tone.recognise(tone.brightness(layout.picture, params.light))
+        kind = style.kind
     with progress.stage("start_assignment"):
         blank = np.zeros(aim.shape[:2], np.uint8)
         seen = min(limit, percept.LARGEST)
         task = solve.task_of(blank.astype(np.float32), blank, seen, params, layout)
         possible = pairs_of(palette, params)
-        eye = solve.sight(limit, params)
+        eye = solve.sight_of(limit, params)
         chosen, bits = choose(task, aim, space, possible, eye, params, progress)
         pairs = possible[chosen]
         projected = project(aim, space, pairs)
