@@ -10,6 +10,7 @@ import shapely
 
 from tambour.core.paths import Paths
 from tambour.embroidery.lines.fill import crossings, from_rows, inside_pairs, levels, rings, rows, to_rows
+from tambour.embroidery.lines.ways import way
 
 
 def closed(*lines):
@@ -120,3 +121,23 @@ def test_row_frame_turns_back():
     assert np.allclose(from_rows(to_rows(p, 0.7), 0.7), p)
     # Counter-clockwise as seen, y down: at 90 degrees a row runs up.
     assert np.allclose(from_rows(np.array([[1.0, 0.0]]), math.pi / 2), [[0, -1]])
+
+
+def test_a_way_stays_inside_through_any_neck():
+    """From ring to ring through bridges narrower than any row: the way never leaves the area."""
+    draw = np.random.default_rng(1)
+    for neck in (0.4, 0.1, 0.03):
+        discs = [
+            shapely.Point(12 * k, 5 * (k % 2)).buffer(5).difference(shapely.Point(12 * k, 5 * (k % 2)).buffer(3.6))
+            for k in range(4)
+        ]
+        bars = [
+            shapely.LineString([(12 * k + 4.4, 5 * (k % 2)), (12 * k + 7.6, 5 * ((k + 1) % 2))]).buffer(neck / 2)
+            for k in range(3)
+        ]
+        shape = shapely.union_all([*discs, *bars])
+        area = rings(Paths.of([np.array(r.coords) for r in (shape.exterior, *shape.interiors)]))
+        for _ in range(20):
+            a, b = (shape.exterior.interpolate(t, normalized=True).coords[0] for t in draw.random(2))
+            line = shapely.LineString(way(area, np.array(a), np.array(b)))
+            assert line.difference(shape.buffer(0.06)).length < 1e-9, neck

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import string
+
 import numpy as np
 import pytest
 import shapely
 
 from tambour import files
+from tambour.core.drawing import Drawing, Styles
 from tambour.core.errors import TambourError
+from tambour.core.font import Font
+from tambour.core.paths import Paths
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.embroidery.columns.medial import limbs
 from tambour.embroidery.params import EmbroideryParams
-from tambour.embroidery.piece import SATIN
+from tambour.embroidery.piece import LOCK, RUNNING, SATIN, TRAVEL
 from tambour.embroidery.plan.facts import facts
 from tambour.embroidery.plan.make import make
 from tambour.embroidery.regions.trace import outlines, traced
@@ -103,3 +108,64 @@ def test_outlines_of_a_mask_enclose_its_cells():
 def test_a_see_through_picture_has_nothing_to_sew():
     with pytest.raises(TambourError):
         make(Picture(np.zeros((20, 20, 4), np.uint8)), EmbroideryParams(), Progress())
+
+
+def faces():
+    """Three typefaces: the shipped one in two weights, and the one that Pillow carries."""
+    from PIL import ImageFont
+
+    held = ImageFont.load_default(20).path
+    return {"regular": font_bytes(False), "bold": font_bytes(True), "pillow": held.getvalue()}
+
+
+def sewn(letters, face, size):
+    made = make(None, EmbroideryParams(text=letters, text_size=size, font=Font(face)), Progress())
+    assert (made.kind == SATIN).any() or (made.kind == RUNNING).any(), (letters, size)
+
+
+@pytest.mark.parametrize("size", [4.0, 15.0])
+@pytest.mark.parametrize("face", ["regular", "bold", "pillow"])
+def test_letters_that_once_broke_are_sewn(face, size):
+    sewn("Bft#&X", faces()[face], size)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("size", [4.0, 6.0, 10.0, 15.0, 25.0])
+@pytest.mark.parametrize("face", ["regular", "bold", "pillow"])
+def test_every_letter_of_three_faces_is_sewn(face, size):
+    data = faces()[face]
+    for letter in string.ascii_letters + string.digits + "&#?!@%":
+        sewn(letter, data, size)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_satin_of_any_shape_is_thread(seed):
+    """Blots of discs and bars, with holes and necks: columns or what they leave, never a fault."""
+    draw = np.random.default_rng(seed)
+    for _ in range(8):
+        at, size = draw.uniform(0, 20, (6, 2)), draw.uniform(0.3, 5, 6)
+        shapes = [shapely.Point(p).buffer(r) for p, r in zip(at[:3], size)]
+        shapes += [shapely.LineString([a, b]).buffer(0.3 * r) for a, b, r in zip(at, np.roll(at, 1, 0), size)]
+        area = shapely.union_all(shapes).difference(shapely.Point(at[4]).buffer(1.0))
+        rings = [np.array(r.coords) for p in shapely.get_parts(area) for r in (p.exterior, *p.interiors)]
+        paths = Paths.of(rings)
+        drawing = Drawing(
+            Paths(paths.coords, paths.offsets, np.array([0, len(rings)])),
+            np.zeros(1),
+            Styles.of(((0, 0, 0, 255), None, 0.0)),
+            np.array([30.0, 30.0]),
+        )
+        made = make(drawing, EmbroideryParams(stitch="satin", width=40.0), Progress())
+        assert len(made.plan) > 10
+
+
+def test_traced_pictures_are_rows_not_ways(root):
+    """Few short stitches, few long ways (turns from row to row left out), and none below the least."""
+    source = files.read(root / "examples" / "embroidery" / "bear.jpg", ("Picture",))
+    made = make(source, EmbroideryParams(colors=5, width=60.0), Progress())
+    end = np.flatnonzero(made.plan.command[1:] == 0) + 1
+    size = np.hypot(*(made.plan.xy[end] - made.plan.xy[end - 1]).T)
+    rows = (made.kind[end] != LOCK) & (size > 1e-9)
+    assert (size[rows] < 0.4).mean() < 0.05
+    assert (size[rows] < 0.3 - 1e-9).mean() < 0.001
+    assert size[(made.kind[end] == TRAVEL) & (size > 0.8)].sum() < 0.10 * size.sum()

@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 import json
+import re
 
 import numpy as np
+import pytest
+import shapely
 from click.testing import CliRunner
 
+from tambour import files
 from tambour.cli import tambour
-from tambour.core.thread import END, JUMP, STITCH
+from tambour.core.progress import Progress
+from tambour.core.thread import COLOR, END, JUMP, STITCH
+from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.plan.facts import steps
+from tambour.embroidery.plan.layers import layers
+from tambour.embroidery.plan.make import make
 
 SQUARES = """<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="30mm" viewBox="0 0 60 30">
 <g data-tambour-angle="45"><path id="left" fill="#a22" d="M2 2h20v20h-20z"/></g>
@@ -37,7 +46,7 @@ def test_two_fills_have_one_jump_and_lie_inside(tmp_path):
 
 
 def test_a_region_overrides_the_angle(tmp_path):
-    _, plan = report(tmp_path, SQUARES, "--underlay", "none", "--no-locks")
+    _, plan = report(tmp_path, SQUARES, "--underlay", "none", "--no-locks", "--min-length", "0")
     xy = np.c_[plan["x_mm"], plan["y_mm"]]
     region, kind = np.array(plan["region"]), np.array(plan["kind"])
     for k, slope in ((plan["regions"].index("left"), -1.0), (plan["regions"].index("right"), 0.0)):
@@ -45,3 +54,59 @@ def test_a_region_overrides_the_angle(tmp_path):
         d = xy[end] - xy[end - 1]
         long = np.hypot(*d.T) > 1
         assert np.allclose(d[long, 1] / d[long, 0], slope, atol=1e-3)
+
+
+COMES_BACK = """<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="20mm" viewBox="0 0 60 20">
+<path d="M0 0h20v20h-20z" fill="#000"/><path d="M5 5h50v10h-50z" fill="#fff"/><path d="M8 8h10v4h-10z" fill="#000"/>
+<path d="M10 9h4v2h-4z" fill="#fff"/></svg>"""
+
+
+@pytest.mark.parametrize("suffix", ["pes", "jef", "sew", "vp3"])
+def test_a_colour_that_comes_back_is_the_same_thread(tmp_path, suffix):
+    (tmp_path / "in.svg").write_text(COMES_BACK)
+    piece = make(files.read(tmp_path / "in.svg", ("Drawing",)), EmbroideryParams(underlay="none"), Progress())
+    assert [t.rgb for t in piece.plan.threads] == [(0, 0, 0), (255, 255, 255)]
+    changes = int((piece.plan.command == COLOR).sum())
+    assert changes == 3
+    files.write(piece.plan, tmp_path / f"out.{suffix}")
+    back = files.read(tmp_path / f"out.{suffix}", ("ThreadPlan",))
+    assert len(back.threads) == 2 and int((back.command == COLOR).sum()) == changes
+    held = back.thread[back.command == STITCH]
+    assert held.tolist() == piece.plan.thread[piece.plan.command == STITCH].tolist()
+
+
+STROKES = """<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 72 72"><g fill="none" stroke="#000" stroke-width="{}">
+<path d="M10 12 L60 12 L60 60"/><circle cx="30" cy="40" r="14"/></g></svg>"""
+
+
+@pytest.mark.parametrize("width", [0.4, 2, 6])
+def test_the_width_asked_for_is_that_of_all_thread(tmp_path, width):
+    facts, _ = report(tmp_path, STROKES.format(width), "--width", "60mm", "--pull", "0")
+    assert facts["width_mm"] == pytest.approx(60, rel=0.01)
+
+
+def test_a_hoop_takes_what_it_says_would_fit(tmp_path):
+    (tmp_path / "in.svg").write_text(STROKES.format(6))
+    command = ["embroidery", str(tmp_path / "in.svg"), "-o", str(tmp_path / "o.json"), "--hoop", "50x40", "--width"]
+    told = CliRunner().invoke(tambour, [*command, "80mm"], standalone_mode=False)
+    size = re.search(r"--width\}? ([\d.]+mm) would fit", str(told.exception.problems[0].hint))
+    facts, _ = report(tmp_path, STROKES.format(6), "--hoop", "50x40", "--width", size[1], "--pull", "0")
+    assert facts["width_mm"] <= 50.3 and facts["height_mm"] <= 40.3 and facts["height_mm"] > 38.5
+
+
+def test_thread_lies_in_sewing_order(tmp_path):
+    """A later stitch lies above every earlier one of another layer that it crosses, but for where they dive."""
+    (tmp_path / "in.svg").write_text(STROKES.format(6).replace('fill="none"', 'fill="#c33"'))
+    piece = make(files.read(tmp_path / "in.svg", ("Drawing",)), EmbroideryParams(width=30.0), Progress())
+    xy, end = steps(piece)
+    size = np.hypot(xy[:, 2] - xy[:, 0], xy[:, 3] - xy[:, 1])
+    xy, end, size = xy[size > 1], end[size > 1], size[size > 1]
+    cut = (0.4 / size)[:, None] * (xy[:, 2:] - xy[:, :2])
+    lines = shapely.linestrings(np.stack([xy[:, :2] + cut, xy[:, 2:] - cut], 1))
+    a, b = shapely.STRtree(lines).query(lines, predicate="crosses")
+    group = layers(piece.region, piece.kind)[end]
+    pairs = (a > b) & (group[a] != group[b])
+    assert pairs.sum() > 1000
+    assert (
+        piece.elevation[end[a[pairs]]] > piece.elevation[end[b[pairs]]]
+    ).mean() > 0.98  # heights stand in cells of half a thread

@@ -66,3 +66,32 @@ def test_painting_on_is_painting_at_once():
             paint(f, first, past)
         made.append(developed(f).rgba)
     assert np.array_equal(*made)
+
+
+def test_the_latest_thread_shows():
+    """Stitches across each other in any order, on any height: what is seen in their middle is what was sewn last."""
+    draw = np.random.default_rng(4)
+    xy = draw.uniform(-8, 8, (40, 2))
+    command = np.full(41, STITCH, np.uint8)
+    command[0], command[-1] = JUMP, END
+    plan = ThreadPlan(np.vstack([xy, xy[-1:]]), command, np.zeros(41, np.int16), (Thread((200, 0, 0)),))
+    f = field(
+        plan, draw.uniform(0, 1, 41), thread=0.4, ground=(255, 255, 255), density=10.0, low=xy.min(0), high=xy.max(0)
+    )
+    paint(f, 0, len(f.a))
+    seen = 0
+    for s, (a, b) in enumerate(zip(f.a, f.b)):
+        for t in np.linspace(0.2, 0.8, 13):
+            p = a + t * (b - a)
+            later = [k for k in range(s + 1, len(f.a)) if _off(p, f.a[k], f.b[k]) < 0.6]
+            j, i = ((p - f.low) * f.density * 2).astype(int)[::-1]
+            if not later and np.hypot(*(b - a)) > 3:
+                seen += 1
+                assert f.owner[j, i] == s
+    assert seen > 100
+
+
+def _off(p, a, b):
+    d = b - a
+    t = np.clip((p - a) @ d / (d @ d), 0, 1)
+    return np.hypot(*(p - a - t * d))

@@ -40,22 +40,26 @@ def area():
 def filled(request):
     lines = [np.concatenate([line, line[:1]]) for line in star()]
     made = tatami(rings(Paths.of(lines), ANGLE), ANGLE, 0.4, 3.0, travel=request.param)
-    return request.param, tidy(made, 0.3)
+    return request.param, tidy(made, 0.3), made
 
 
 def test_star_is_one_thread_inside_its_outline(filled, area):
-    how, made = filled
+    how, made, whole = filled
     step = np.hypot(*np.diff(made.xy, axis=0).T)
     assert step.max() <= 3.0 + 1e-9  # no jumps: nothing is longer than a stitch
     lines = shapely.linestrings(np.stack([made.xy[:-1], made.xy[1:]], 1))
-    assert shapely.contains(area.buffer(0.05), lines).all()
+    assert step.min() >= 0.3 - 1e-9
+    # Joining short stitches moves the thread by up to half of the least; without that it stays inside.
+    assert shapely.contains(area.buffer(0.2), lines).all()
+    plain = np.stack([whole.xy[:-1], whole.xy[1:]], 1)
+    assert shapely.contains(area.buffer(0.05), shapely.linestrings(plain)).all()
     assert made.facts["connector_mm"] <= 1200
     if how == "hidden":
         assert made.facts["covered_mm"] > 0.7 * made.facts["hidden_mm"] > 50
 
 
 def test_star_is_even(filled, area):
-    _, made = filled
+    _, made, _ = filled
     bounds = area.bounds
     full = full_cells([area], bounds)
     pieces = np.c_[made.xy[:-1], made.xy[1:]]
@@ -67,7 +71,7 @@ def test_star_is_even(filled, area):
 
 
 def test_star_is_covered(filled, area):
-    _, made = filled
+    _, made, _ = filled
     lines = shapely.linestrings(np.stack([made.xy[:-1], made.xy[1:]], 1))
     p = np.random.Generator(np.random.PCG64(3)).uniform(area.bounds[:2], area.bounds[2:], (30_000, 2))
     p = shapely.points(p[shapely.contains_xy(area, p)])
@@ -113,6 +117,6 @@ def test_doubled_outline_is_the_shorter_half():
 
 
 def test_travel_and_rows_are_told_apart(filled):
-    _, made = filled
+    _, made, _ = filled
     assert set(np.unique(made.kind)) == {FILL, TRAVEL}
     assert (np.diff(made.run) >= 0).all()

@@ -132,7 +132,7 @@ def test_glb_in_its_own_words(tmp_path):
 
 
 def test_a_moving_glb_keeps_to_its_budget(tmp_path, monkeypatch):
-    monkeypatch.setattr(scenes, "BUDGET", 200_000)
+    monkeypatch.setattr(scenes, "BUDGET", 100_000)
     with pytest.raises(TambourError, match="usdc") as caught:
         files.write(scene(9), tmp_path / "a.glb")
     assert "MB" in str(caught.value)
@@ -140,6 +140,22 @@ def test_a_moving_glb_keeps_to_its_budget(tmp_path, monkeypatch):
     monkeypatch.setattr(scenes, "BUDGET", 1_500_000)
     files.write(scene(9), tmp_path / "a.glb")
     assert (tmp_path / "a.glb").stat().st_size <= 1_500_000
+
+
+def test_a_glb_that_would_be_too_large_holds_every_second_frame(tmp_path, monkeypatch):
+    made = scene(9)
+    files.write(made, tmp_path / "whole.glb")
+    need = (tmp_path / "whole.glb").stat().st_size
+    monkeypatch.setattr(scenes, "BUDGET", need // 3)
+    files.write(made, tmp_path / "less.glb")
+    a, b = (files.read(tmp_path / f"{n}.glb", ("Mesh",)) for n in ("whole", "less"))
+    assert (tmp_path / "less.glb").stat().st_size <= need // 3
+    assert a.frame_count == 9 and b.frame_count < 9
+    assert (a.frame_count - 1) * a.seconds_per_frame == pytest.approx((b.frame_count - 1) * b.seconds_per_frame)
+    last = [list(m.positions())[-1] for m in (a, b)]
+    assert np.allclose(last[0].min(0), last[1].min(0), atol=0.3) and np.allclose(
+        last[0].max(0), last[1].max(0), atol=0.3
+    )
 
 
 def test_tubes_begin_at_the_needle_hole():

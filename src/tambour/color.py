@@ -64,16 +64,20 @@ def luminance(rgb: Array) -> Array:
 
 def nearest_distinct(rgb: Array, palette: Array) -> Array:
     """Index (N,) of the palette colour (K, 3) that stands best for each colour (N, 3) uint8 where the choice is small:
-    in Oklab, hue counts double and lightness half. No entry is taken twice while some are free: two colours stay two.
+    in Oklab, hue counts double and lightness half. No entry stands for two colours while some are free: two colours
+    stay two, and one colour stays one however often it comes.
     """
-    lab, wanted = oklab(palette), oklab(np.asarray(rgb).reshape(-1, 3))
+    _, first, which = np.unique(np.asarray(rgb).reshape(-1, 3), axis=0, return_index=True, return_inverse=True)
+    came = np.argsort(first)  # the colours in the order in which they come
+    lab, wanted = oklab(palette), oklab(np.asarray(rgb).reshape(-1, 3)[first])
     chroma = np.hypot(lab[:, 1], lab[:, 2])
     free = np.ones(len(lab), np.bool_)
     chosen = np.zeros(len(wanted), np.int32)
-    for k, w in enumerate(wanted):
+    for k in came.tolist():
+        w = wanted[k]
         c = np.hypot(w[1], w[2])
         hue = (lab[:, 1] - w[1]) ** 2 + (lab[:, 2] - w[2]) ** 2 - (chroma - c) ** 2
         far = 0.25 * (lab[:, 0] - w[0]) ** 2 + (chroma - c) ** 2 + 4 * hue
         chosen[k] = int(np.where(free, far, np.inf).argmin()) if free.any() else int(far.argmin())
         free[chosen[k]] = False
-    return chosen
+    return np.asarray(chosen[which.reshape(-1)], np.int32)

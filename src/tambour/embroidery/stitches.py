@@ -149,6 +149,16 @@ def walk(line: F8x2, length: float, tolerance: float) -> F8x2:
 
 
 @kernel
+def beside(xy: F8x2, k: int, a: int, b: int) -> tuple[float, float]:
+    """How far the point ``k`` lies beside the stitch from point ``a`` to ``b``, and how long that is."""
+    qx, qy = xy[b, 0] - xy[a, 0], xy[b, 1] - xy[a, 1]
+    x, y = xy[k, 0] - xy[a, 0], xy[k, 1] - xy[a, 1]
+    span = qx * qx + qy * qy
+    f = 0.0 if span == 0 else min(1.0, max(0.0, (x * qx + y * qy) / span))
+    return math.hypot(x - f * qx, y - f * qy), math.sqrt(span)
+
+
+@kernel
 def drop_short(xy: F8x2, least: float, slack: float) -> B1x1:
     """Which needle points stay when stitches shorter than ``least`` are joined with the next: (n,) bool.
 
@@ -160,17 +170,24 @@ def drop_short(xy: F8x2, least: float, slack: float) -> B1x1:
     for i in range(n - 1):
         most = max(most, math.hypot(xy[i + 1, 0] - xy[i, 0], xy[i + 1, 1] - xy[i, 1]))
     keep = np.ones(n, np.bool_)
-    p = 0
+    p, before = 0, -1  # the last point kept, and the one before it
     for i in range(1, n - 1):
-        x, y = xy[i, 0] - xy[p, 0], xy[i, 1] - xy[p, 1]
-        if math.hypot(x, y) < least:
-            qx, qy = xy[i + 1, 0] - xy[p, 0], xy[i + 1, 1] - xy[p, 1]
-            span = qx * qx + qy * qy
-            f = 0.0 if span == 0 else min(1.0, max(0.0, (x * qx + y * qy) / span))
-            if math.hypot(x - f * qx, y - f * qy) <= slack and span <= most * most + 1e-12:
+        if math.hypot(xy[i, 0] - xy[p, 0], xy[i, 1] - xy[p, 1]) < least:
+            off, span = beside(xy, i, p, i + 1)
+            other, wide = (np.inf, np.inf) if before < 0 else beside(xy, p, before, i)
+            if off <= slack and span <= most + 1e-9 and (off <= other or wide > most + 1e-9):
                 keep[i] = False
                 continue
-        p = i
+            if other <= slack and wide <= most + 1e-9:
+                keep[p] = False
+                p = i
+                continue
+        before, p = p, i
+    # The last stays where it is: the one before it goes when it is too near.
+    while slack == np.inf and p > 0 and math.hypot(xy[n - 1, 0] - xy[p, 0], xy[n - 1, 1] - xy[p, 1]) < least:
+        keep[p] = False
+        while not keep[p]:
+            p -= 1
     return keep
 
 
@@ -187,13 +204,15 @@ def chain(parts: Iterable[Stitches], length: float) -> Stitches:
 
 
 def tidy(stitches: Stitches, least: float) -> Stitches:
-    """Without stitches shorter than ``least`` mm, where that moves the thread by no more than 0.05 mm."""
-    if len(stitches) < 3 or least <= 0:
+    """Without stitches shorter than ``least`` mm: first those that the thread does not need for its shape, then all."""
+    if least <= 0:
         return stitches
-    keep = drop_short(stitches.xy, least, 0.05)
-    if keep.all():
-        return stitches
-    return Stitches(stitches.xy[keep], stitches.kind[keep], stitches.run[keep], stitches.facts)
+    for slack in (0.05, math.inf):
+        if len(stitches) < 3:
+            break
+        keep = drop_short(stitches.xy, least, slack)
+        stitches = Stitches(stitches.xy[keep], stitches.kind[keep], stitches.run[keep], stitches.facts)
+    return stitches
 
 
 def line_stitches(line: Array, length: float, kind: int = RUNNING, tolerance: float = 0.1) -> Stitches:

@@ -169,6 +169,8 @@ def plan_of(
         threads = threads + spare
     if need > 32_000:
         raise TambourError(f"the file changes colour {need - 1} times", hint="the file is damaged, or no machine file")
+    distinct = list(dict.fromkeys(threads[:need]))  # a colour that comes back is the same thread
+    block = np.array([distinct.index(t) for t in threads[:need]])[block]
     keep = ~drop & (command != END)
     end = np.flatnonzero(keep)[-1]
     keep[end + 1 :] = False
@@ -176,7 +178,7 @@ def plan_of(
         np.vstack([xy[keep], xy[end : end + 1]]) / 10.0,
         np.r_[command[keep], END].astype(np.uint8),
         np.r_[block[keep], block[end]].astype(np.int16),
-        tuple(threads[:need]),
+        tuple(distinct),
         None,
         about,
     )

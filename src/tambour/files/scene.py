@@ -93,12 +93,11 @@ def _material(name: str, color: Array | None, open_: bool) -> dict[str, Any]:
 def write_glb(value: Scene, sink: Sink) -> None:
     """A .glb in metres: a node for each thing, tubes for strands, a morph target for every frame after the first.
 
-    Raises TambourError when a moving scene needs more than BUDGET bytes with tubes of three sides.
+    Raises TambourError when a moving scene needs more than BUDGET bytes with tubes of three sides and a target for every
+    fourth frame.
     """
     moving = value.frame_count > 1
-    sides = 6
-    if moving:
-        sides = _affordable(value, sink)
+    sides, every = _affordable(value, sink) if moving else (6, 1)
     body = Body()
     nodes: list[dict[str, Any]] = []
     meshes: list[dict[str, Any]] = []
@@ -112,7 +111,9 @@ def write_glb(value: Scene, sink: Sink) -> None:
             [still.vertices] if thing.frame_count == 1 and isinstance(thing, Mesh) and thing.frames is None else None
         )
         if frames is None:
-            frames = [p if shape is None else shape(p).vertices for p in positions(thing)]
+            keys = set(_keys(value.frame_count, every))
+            held = (p for k, p in enumerate(positions(thing)) if k in keys)
+            frames = [p if shape is None else shape(p).vertices for p in held]
         kind = "cloth" if isinstance(thing, Mesh) else "thread"
         reach = max((float(np.abs(f - frames[0]).max()) for f in frames), default=1.0) or 1.0
         unit = reach if len(frames) > 1 else 1000.0  # mm in one unit of the node
@@ -145,7 +146,8 @@ def write_glb(value: Scene, sink: Sink) -> None:
             mesh["weights"] = [0.0] * (len(frames) - 1)
             if times is None:
                 count = len(frames)
-                times = body.add((np.arange(count) * value.seconds_per_frame).astype(np.float32), bounds=True)
+                keyed = np.array(_keys(value.frame_count, every))
+                times = body.add((keyed * value.seconds_per_frame).astype(np.float32), bounds=True)
                 one = body.add(np.eye(count, count - 1, -1, dtype=np.float32).ravel())
                 samplers.append({"input": times, "output": one, "interpolation": "LINEAR"})
             channels.append({"sampler": 0, "target": {"node": len(nodes), "path": "weights"}})
@@ -166,19 +168,25 @@ def write_glb(value: Scene, sink: Sink) -> None:
     sink.put(body.file(scene))
 
 
-def _affordable(value: Scene, sink: Sink) -> int:
-    """The sides of tubes, six to three, with which a moving scene keeps to the budget."""
-    for sides in (6, 5, 4, 3):
-        need = 0
+def _keys(count: int, every: int) -> list[int]:
+    """The frames that are written: every so many of ``count``, and the last."""
+    return sorted({*range(0, count, every), count - 1})
+
+
+def _affordable(value: Scene, sink: Sink) -> tuple[int, int]:
+    """With how many sides of tubes, six to three, and with each how manyth frame, up to the fourth, a moving scene keeps
+    to the budget; between two frames that are written a viewer moves everything straight."""
+    for sides, every in ((6, 1), (5, 1), (4, 1), (3, 1), (5, 2), (4, 2), (3, 2), (3, 3), (3, 4)):
+        need, written = 0, len(_keys(value.frame_count, every))
         for thing in value.things:
             if isinstance(thing, Mesh):
                 vertices = len(thing.vertices)
             else:
                 vertices = (len(thing.paths.coords) + 2 * len(thing.paths)) * sides + 2 * len(thing.paths)
             # Three shorts padded to eight bytes and a normal of three bytes padded to four, in every frame.
-            need += vertices * (12 * (value.frame_count - 1) + 44 + 12 * sides // 3)
+            need += vertices * (12 * (written - 1) + 44 + 12 * sides // 3)
         if need <= BUDGET:
-            return sides
+            return sides, every
     raise TambourError(
         f"{value.frame_count} frames of this scene need about {need / 1e6:.0f} MB as .glb, more than {BUDGET / 1e6:.0f}",
         hint="write .usdc, which holds curves, or use fewer {--frames}",

@@ -268,7 +268,7 @@ def across(
     left, right = p.copy(), p.copy()
     cut = shapely.intersection(chords, area)
     for i, piece in enumerate(cut):
-        parts = [q for q in shapely.get_parts(piece) if q.geom_type == "LineString"]
+        parts = [q for q in shapely.get_parts(piece) if q.geom_type == "LineString" and not q.is_empty]
         if not parts:
             continue
         best = parts[int(np.argmin([shapely.distance(q, shapely.points(p[i])) for q in parts]))]
@@ -315,7 +315,7 @@ def _run_out(area: Any, p: Array, r: Array, half: float) -> tuple[Array, Array]:
         return p, r
     d = d / size
     ray = shapely.intersection(shapely.linestrings([p[-1], p[-1] + 4 * max(float(r[-1]), half) * d]), area)
-    parts = [q for q in shapely.get_parts(ray) if q.geom_type == "LineString"]
+    parts = [q for q in shapely.get_parts(ray) if q.geom_type == "LineString" and not q.is_empty]
     if not parts:
         return p, r
     first = min(parts, key=lambda q: shapely.distance(q, shapely.points(p[-1])))

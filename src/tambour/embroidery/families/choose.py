@@ -13,9 +13,9 @@ from tambour.embroidery.columns.branch import branched
 from tambour.embroidery.columns.satin import column_stitches, from_rails, from_stroke
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines import curves, grids
-from tambour.embroidery.lines.fill import Rings, rings
+from tambour.embroidery.lines.fill import Rings, polygon_of, rings
 from tambour.embroidery.lines.flow import flow
-from tambour.embroidery.lines.net import polygon_of, weave
+from tambour.embroidery.lines.net import weave
 from tambour.embroidery.lines.run import bean, from_nearest, motif, running
 from tambour.embroidery.lines.ways import nearest_on_outline, way
 from tambour.embroidery.params import EmbroideryParams
@@ -219,7 +219,8 @@ def linked(parts: list[Stitches], area: Rings, length: float) -> Stitches:
                 mm = float(np.hypot(*np.diff(line, axis=0).T).sum())
                 made.append(Stitches(link.xy[1:], link.kind[1:], link.run[1:], {"connector_mm": mm}))
             part = Stitches(part.xy[1:], part.kind[1:], part.run[1:], part.facts)
-        made.append(part)
+        if len(part):  # a thread of one needle point is in the way that leads to it
+            made.append(part)
     return join(made)
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -50,6 +51,14 @@ def rings(paths: Paths, angle: float = 0.0) -> Rings:
     coords = to_rows(paths.coords, angle) if angle else np.ascontiguousarray(paths.coords)
     points, offsets, at, base = _rings(coords, paths.offsets)
     return Rings(points, at, offsets, base)
+
+
+def polygon_of(area: Rings) -> Any:
+    """The shapely polygon of one outline and its holes."""
+    import shapely
+
+    cut = [area.points[a:b] for a, b in zip(area.offsets[:-1], area.offsets[1:])]
+    return shapely.Polygon(cut[0], cut[1:]).buffer(0)
 
 
 @kernel

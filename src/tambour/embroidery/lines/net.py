@@ -366,14 +366,6 @@ def clipped(lines: list[Array], area: Any) -> list[Array]:
     return found
 
 
-def polygon_of(area: Rings) -> Any:
-    """The shapely polygon of one outline and its holes."""
-    import shapely
-
-    cut = [area.points[a:b] for a, b in zip(area.offsets[:-1], area.offsets[1:])]
-    return shapely.Polygon(cut[0], cut[1:]).buffer(0)
-
-
 def loops(paths: Paths) -> list[Array]:
     """The rings of paths as closed lines."""
     return [ring for ring in paths if len(ring) > 3]

@@ -5,15 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.embroidery.lines.corridor import find, holds, leaves, neighbours, straighten
-from tambour.embroidery.lines.fill import Rings, along_ring, crossings, inside_pairs, levels
+from tambour.embroidery.lines.corridor import find, leaves, neighbours, straighten
+from tambour.embroidery.lines.fill import Rings, crossings, inside_pairs, levels, polygon_of
 
 
 def way(area: Rings, a: Array, b: Array) -> Array:
     """Polyline (n, 2) from ``a`` to ``b`` inside ``area`` (rings at angle 0), both ends included.
 
     Straight where that stays inside; else the short way through a net of rows about 1 mm apart (finer in small
-    areas); else round the outline. ``a`` and ``b`` may lie on the outline, or a little outside.
+    areas); else through the triangles of the area, which lead through any neck. ``a`` and ``b`` may lie on the outline,
+    or outside: then they are led to it straight.
     """
     straight = np.array([a, b], np.float64)
     if (
@@ -28,7 +29,7 @@ def way(area: Rings, a: Array, b: Array) -> Array:
         line = _through(area, straight[0], straight[1], pitch)
         if line is not None:
             return line
-    return round_outline(area, straight[0], straight[1])
+    return _through_triangles(area, straight[0], straight[1])
 
 
 def _through(area: Rings, a: Array, b: Array, pitch: float) -> Array | None:
@@ -58,13 +59,7 @@ def _through(area: Rings, a: Array, b: Array, pitch: float) -> Array | None:
             return None
         line = straighten(path, row, at, lo, hi, ua, ub, margin)
     line = np.concatenate([a[None], line, b[None]])
-    # Corners that are not needed go, first from the ends inwards.
-    k = 0
-    while k + 2 < len(line):
-        if leaves(area.points, area.offsets, line[[k, k + 2]], 0.05):
-            k += 1
-        else:
-            line = np.delete(line, k + 1, axis=0)
+    line = _shortened(area, line)
     return None if leaves(area.points, area.offsets, line, 0.05) else line
 
 
@@ -81,19 +76,52 @@ def nearest_on_outline(area: Rings, p: Array) -> tuple[int, float, Array]:
     return ring, float(area.at[k] + f[k] * np.hypot(*d[k])), q[k]
 
 
-def round_outline(area: Rings, a: Array, b: Array) -> Array:
-    """From ``a`` to the outline, along it, and to ``b``; straight when they are nearest to different rings."""
-    ring, begin, p = nearest_on_outline(area, a)
-    other, end, q = nearest_on_outline(area, b)
-    if ring != other:
-        return np.array([a, p, q, b])
-    perimeter = float(area.base[ring + 1] - area.base[ring])
-    signed = end - begin
-    signed -= perimeter * round(signed / perimeter)
-    line = along_ring(area.points, area.at, area.offsets, area.base, ring, begin, signed, p, q)
-    return np.concatenate([a[None], line, b[None]])
+def _through_triangles(area: Rings, a: Array, b: Array) -> Array:
+    """From ``a`` to ``b`` over the area's triangles (constrained Delaunay), from middle to middle of the sides that they
+    share: every piece of it lies in a triangle. Straight where the two lie in parts that do not hang together."""
+    import shapely
+    from scipy.sparse import csr_matrix
+    from scipy.sparse.csgraph import dijkstra
+
+    shape = polygon_of(area)
+    corners = shapely.get_coordinates(shapely.constrained_delaunay_triangles(shape)).reshape(-1, 4, 2)[:, :3]
+    if not len(corners):
+        return np.array([a, b])
+    # Sides that two triangles share are the places of the net; the three of one triangle are joined.
+    ends = corners[:, [[0, 1], [1, 2], [2, 0]]]
+    swap = (ends[..., 0, 0] > ends[..., 1, 0]) | (
+        (ends[..., 0, 0] == ends[..., 1, 0]) & (ends[..., 0, 1] > ends[..., 1, 1])
+    )
+    ends = np.where(swap[..., None, None], ends[..., ::-1, :], ends).reshape(-1, 4)
+    sides, side = np.unique(ends, axis=0, return_inverse=True)
+    side = side.reshape(-1, 3)
+    middle = (sides[:, :2] + sides[:, 2:]) / 2
+    n = len(middle)
+    places = np.concatenate([middle, a[None], b[None]])
+    one, two = [side[:, [0, 1, 2]].reshape(-1)], [side[:, [1, 2, 0]].reshape(-1)]
+    triangles = shapely.polygons(corners)
+    for k, p in enumerate((a, b)):
+        near = int(np.argmin(shapely.distance(triangles, shapely.points(p))))
+        one.append(np.full(3, n + k))
+        two.append(side[near])
+    i, j = np.concatenate(one), np.concatenate(two)
+    net = csr_matrix((np.hypot(*(places[i] - places[j]).T) + 1e-9, (i, j)), (n + 2, n + 2))
+    far, came = dijkstra(net, directed=False, indices=n, return_predecessors=True)
+    if not np.isfinite(far[n + 1]):
+        return np.array([a, b])
+    path = [n + 1]
+    while path[-1] != n:
+        path.append(int(came[path[-1]]))
+    return _shortened(area, places[path[::-1]])
 
 
-def inside(area: Rings, p: Array) -> bool:
-    """Whether ``p`` lies in the area."""
-    return bool(holds(area.points, area.offsets, float(p[0]), float(p[1])))
+def _shortened(area: Rings, line: Array) -> Array:
+    """The way without the corners that it does not need to stay inside."""
+    k = 0
+    while k + 2 < len(line):
+        if leaves(area.points, area.offsets, line[[k, k + 2]], 0.05):
+            k += 1
+        else:
+            line = np.delete(line, k + 1, axis=0)
+            k = max(0, k - 1)
+    return line

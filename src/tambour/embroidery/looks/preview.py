@@ -24,6 +24,9 @@ MARGIN = 6.0
 """Cloth shown around the design, mm."""
 
 _ROWS = 64  # of painted pixels that one thread takes at a time
+DIVES = 0.45
+"""How far up (0 at the needle's hole, 1 on top) thread counts as lying, and hides what was sewn before."""
+
 _SAMPLES = 2  # painted pixels along each side of one of the picture's
 # Light from the upper left, 40 degrees above the cloth, y down.
 _LIGHT = np.array([-0.50, -0.58, 0.64]) / np.linalg.norm([-0.50, -0.58, 0.64])
@@ -55,7 +58,8 @@ def _paint(
     along: F4x2,
     across: F4x2,
 ) -> None:
-    """Paint stitches ``first`` … ``past`` - 1 of a → b: the height of what is on top (mm), whose it is, mm along it, and -1…1 across it."""
+    """Paint stitches ``first`` … ``past`` - 1 of a → b in sewing order: the height of what shows (mm), whose it is, mm
+    along it, and -1…1 across it."""
     rise = 2.2 * radius
     for s in range(first, past):
         dx, dy = b[s, 0] - a[s, 0], b[s, 1] - a[s, 1]
@@ -95,7 +99,8 @@ def _paint(
                 soft = min(1.0, base[s] / radius)
                 sunk = base[s] * (1.0 - (1.0 - up) * (0.65 - 0.5 * soft))
                 z = sunk + radius * ((1.4 - 0.5 * soft) * up - 0.7 + 0.5 * soft) + wide * np.sqrt(1.0 - v * v)
-                if z > top[j, i]:
+                # Thread lies in sewing order; only where it dives to its hole can what is there already cover it.
+                if up > DIVES or z > top[j, i]:
                     top[j, i], owner[j, i], along[j, i], across[j, i] = z, s, t, v
 
 

@@ -14,7 +14,7 @@ from tambour.embroidery.lines.density import CELL, density_map
 from tambour.embroidery.piece import FILL, SATIN, Piece
 from tambour.embroidery.regions.catalogue import screen
 
-SLACK = 0.05  # mm outside that is not counted
+SLACK = 0.05  # mm outside that is not counted, beside what the joining of short stitches moves
 HOOPS = ((50, 50), (100, 100), (126, 110), (130, 180), (140, 200), (160, 260), (200, 200), (200, 300), (360, 350))
 SPEED = 700.0  # stitches per minute
 EXTRA = {TRIM: 7.0, COLOR: 45.0, STOP: 45.0}  # seconds
@@ -39,28 +39,29 @@ def full_cells(areas: list[Any], bounds: tuple[float, float, float, float], cell
     return shapely.contains(union, shapely.box(x, y, x + cell, y + cell))
 
 
-def outside(piece: Piece, slack: float = SLACK) -> int:
-    """Stitches of areas that leave their region, grown by its pull, by more than ``slack`` mm (locks left aside)."""
+def outside(piece: Piece, slack: float = SLACK) -> Array:
+    """The stitches of areas that leave their region, grown by its pull, by more than ``slack`` mm and half of the least
+    stitch (locks left aside): indices of the needle points that they end at."""
     import shapely
 
     from tambour.embroidery.regions.read import to_shapely
 
     xy, end = steps(piece)
     region, kind = piece.region[end], piece.kind[end]
-    count = 0
+    found = [np.zeros(0, np.int64)]
     for k, it in enumerate(piece.regions):
         if it.role != "area" or it.stitch == "cross":  # crosses stand on squares that lie inside by half
             continue
         mine = np.flatnonzero((region == k) & (kind <= 4))
         if not len(mine):
             continue
-        grow = max(0.0, it.params.pull) + slack
+        grow = max(0.0, it.params.pull) + slack + it.params.min_length / 2
         if it.params.applique:
             grow += COVER / 2  # the cover lies over the edge
         area = shapely.union_all(to_shapely(it.paths)).buffer(grow, quad_segs=8)
         shapely.prepare(area)
-        count += int((~shapely.contains(area, shapely.linestrings(xy[mine].reshape(-1, 2, 2)))).sum())
-    return count
+        found.append(end[mine[~shapely.contains(area, shapely.linestrings(xy[mine].reshape(-1, 2, 2)))]])
+    return np.concatenate(found)
 
 
 def facts(piece: Piece) -> dict[str, Any]:
@@ -107,7 +108,7 @@ def facts(piece: Piece) -> dict[str, Any]:
         "connector_mm": round(float(made.get("connector_mm", 0.0)), 3),
         "hidden_mm": round(float(made.get("hidden_mm", 0.0)), 3),
         "covered": round(made.get("covered_mm", 0.0) / made["hidden_mm"], 4) if made.get("hidden_mm") else 0.0,
-        "outside": outside(piece),
+        "outside": len(outside(piece)),
         "density": {k: round(v, 5) for k, v in density.items()},
         "shortest_mm": round(float(size[real].min()), 4) if real.any() else 0.0,
         "longest_mm": round(float(size.max()), 4) if len(size) else 0.0,

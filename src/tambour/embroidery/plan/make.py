@@ -12,17 +12,19 @@ from tambour.core.progress import Progress
 from tambour.core.thread import Thread, ThreadPlan
 from tambour.embroidery.families.applique import applique, basting_box, knockdown
 from tambour.embroidery.families.choose import Place, region_stitches
+from tambour.embroidery.families.decide import angled
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.plan.design import piece_of
-from tambour.embroidery.plan.layers import elevation
+from tambour.embroidery.plan.facts import outside
+from tambour.embroidery.plan.layers import elevation, layers
 from tambour.embroidery.plan.sequence import Layout, order
 from tambour.embroidery.regions.catalogue import with_catalogue
 from tambour.embroidery.regions.lettering import lettered
-from tambour.embroidery.regions.read import regions
+from tambour.embroidery.regions.read import extent, regions
 from tambour.embroidery.regions.trace import traced
-from tambour.embroidery.stitches import Stitches
 
+BARE = 0.3  # mm that thread may lie beside its area without a word
 MOST = 5000  # regions above which their order is not sought: pairs of them would be counted in millions
 
 
@@ -43,6 +45,8 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if drawing.about.get("ignored"):
             progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
         found = regions(drawing, params, progress)
+        if isinstance(source, Picture):
+            found = angled(found)
     how = params.order
     if len(found) > MOST and how == "auto":
         progress.warn(
@@ -56,7 +60,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     layout = Layout(params)
     with progress.stage("fill"):
         below = knockdown(found, params) if params.knockdown else []
-        box = _box(found) if params.baste else None
+        box = basting_box(*extent(found)) if params.baste else None
     if below or box is not None:
         layout.color(Thread(found[sequence[0]].color))
     if box is not None:
@@ -95,14 +99,14 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
             f"{wide:.1f} mm² are too wide for satin and are tatami", hint="make {--split} longer, or the shape narrower"
         )
     with progress.stage("bind"):
-        lies = elevation(plan, region_of.astype(int) * 64 + kind, params.thread)
-    return Piece(drawing, found, params, plan, region_of, kind, lies, rows, dict(layout.facts))
-
-
-def _box(found: tuple[Region, ...]) -> Stitches:
-    low = np.min([r.paths.coords.min(0) - r.width / 2 for r in found], axis=0)
-    high = np.max([r.paths.coords.max(0) + r.width / 2 for r in found], axis=0)
-    return basting_box(low, high)
+        lies = elevation(plan, layers(region_of, kind), params.thread)
+    made = Piece(drawing, found, params, plan, region_of, kind, lies, rows, dict(layout.facts))
+    with progress.stage("check"):
+        out = outside(made, BARE)
+        if len(out):
+            places = ", ".join(f"({x:.1f}, {y:.1f})" for x, y in plan.xy[out[:3]].tolist())
+            progress.warn(f"{len(out)} stitches leave their area, at {places}{' …' if len(out) > 3 else ''} mm")
+    return made
 
 
 def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:

@@ -125,6 +125,7 @@ class Layout:
     kind: list[Array] = field(default_factory=list)
     run: list[Array] = field(default_factory=list)
     threads: list[Thread] = field(default_factory=list)
+    needle: int = 0  # the thread in the needle, of ``threads``
     here: Array | None = None
     runs: int = 0
     tied: bool = False
@@ -136,7 +137,7 @@ class Layout:
         n = len(xy)
         self.xy.append(xy)
         self.command.append(np.full(n, command, np.uint8))
-        self.thread.append(np.full(n, len(self.threads) - 1, np.int16))
+        self.thread.append(np.full(n, self.needle, np.int16))
         self.region.append(np.full(n, region, np.int32))
         self.kind.append(np.broadcast_to(np.asarray(kind, np.uint8), n))
         runs = np.broadcast_to(np.asarray(run, np.int64), n) + self.runs
@@ -150,13 +151,16 @@ class Layout:
         self.put(here[None], command, region, TRAVEL, 0)
 
     def color(self, thread: Thread) -> None:
-        """Go on with another thread; the first is in the needle already."""
-        if self.threads and thread == self.threads[-1]:
+        """Go on with another thread, which may have been in the needle before; the first is in it already."""
+        if not self.threads:
+            self.threads.append(thread)
+        if thread == self.threads[self.needle]:
             return
         self.finish(cut=True)
-        self.threads.append(thread)
-        if len(self.threads) > 1:
-            self.act(COLOR)
+        if thread not in self.threads:
+            self.threads.append(thread)
+        self.needle = self.threads.index(thread)
+        self.act(COLOR)
 
     def stitches(self, made: Stitches, region: int, tie: bool = True) -> None:
         """One unbroken thread: stitched on to where the needle is when that is near, else jumped to, and tied."""
@@ -228,7 +232,7 @@ class Layout:
         plan = ThreadPlan(
             np.concatenate(self.xy),
             np.concatenate(self.command),
-            np.maximum(np.concatenate(self.thread), 0),
+            np.concatenate(self.thread),
             tuple(self.threads),
         )
         return plan, np.concatenate(self.region), np.concatenate(self.kind), rows

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -25,7 +25,7 @@ LARGEST = 4_000_000.0  # mm² of design
 
 
 def place(drawing: Drawing, params: EmbroideryParams) -> tuple[float, Array]:
-    """Scale and shift that bring the drawing to millimetres round the hoop's centre; checks size and hoop."""
+    """Scale and shift that bring the drawing's lines to millimetres round the hoop's centre; strokes count as thin."""
     shown = drawing.styles.fill[:, 3] + drawing.styles.stroke[:, 3].astype(int) > 0
     visible = np.repeat(shown[drawing.style], _points_per_shape(drawing.paths))
     coords = drawing.paths.coords[visible]
@@ -35,26 +35,47 @@ def place(drawing: Drawing, params: EmbroideryParams) -> tuple[float, Array]:
         )
     low, high = coords.min(0), coords.max(0)
     scale = drawing.unit
-    if params.width is not None:
-        if not high[0] > low[0]:
-            raise TambourError("the drawing has no width to scale", where="{--width}")
+    if params.width is not None and high[0] > low[0]:
         scale = params.width / float(high[0] - low[0])
-    size = (high - low) * scale
+    return scale, -(low + high) / 2 * scale
+
+
+def extent(found: Sequence[Region]) -> tuple[Array, Array]:
+    """The lowest and the highest place (2,), mm, that thread of these regions reaches: strokes have their width."""
+    import shapely
+
+    boxes = []
+    for r in found:
+        low, high = r.paths.coords.min(0), r.paths.coords.max(0)
+        if r.role == "line" and r.stitch == "satin":
+            lines = [shapely.LineString(line) for line in r.paths]
+            half = r.width / 2 + max(0.0, r.params.pull)
+            wide = shapely.buffer(lines, half, cap_style="flat", join_style="mitre", mitre_limit=1.5)
+            box = np.array(shapely.total_bounds(wide))
+            low, high = np.fmin(low, box[:2]), np.fmax(high, box[2:])
+        elif r.role == "area":
+            low, high = low - max(0.0, r.params.pull), high + max(0.0, r.params.pull)
+        boxes.append((low, high))
+    return np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)
+
+
+def _fits(size: Array, params: EmbroideryParams) -> None:
+    """Raise TambourError for what is larger than the hoop, or than any machine."""
     if size[0] * size[1] > LARGEST:
         raise TambourError(
             f"the design is {size[0]:.0f} x {size[1]:.0f} mm, more than any machine sews",
             hint="give its size: {--width} 100mm",
         )
-    if params.hoop is not None:
-        hoop = hoop_size(params.hoop)
-        if size[0] > hoop[0] + 1e-6 or size[1] > hoop[1] + 1e-6:
-            fits = min(hoop[0] / size[0], hoop[1] / size[1]) * size[0]
-            raise TambourError(
-                f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the hoop {hoop[0]:g} x {hoop[1]:g} mm",
-                hint=f"{{--width}} {math.floor(fits * 10) / 10:g}mm would fit",
-                where="{--hoop}",
-            )
-    return scale, -(low + high) / 2 * scale
+    if params.hoop is None:
+        return
+    hoop = hoop_size(params.hoop)
+    if size[0] > hoop[0] + 0.05 or size[1] > hoop[1] + 0.05:
+        fits = min(hoop[0] / size[0], hoop[1] / size[1]) * size[0]
+        raise TambourError(
+            f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the hoop {hoop[0]:g} x {hoop[1]:g} mm",
+            hint=f"{{--width}} {math.floor(fits * 10) / 10:g}mm would fit",
+            where="{--hoop}",
+        )
 
 
 def _points_per_shape(paths: Paths) -> Array:
@@ -66,9 +87,29 @@ def regions(drawing: Drawing, params: EmbroideryParams, progress: Progress) -> t
     """The areas and lines of a drawing, in painter's order, mm round the hoop's centre.
 
     A group's data (``tambour-angle``, …) hold for all in it, the innermost last; ``inkstitch-…`` for its own shape.
-    Raises TambourError with everything that is wrong in any of them.
+    The width asked for and the hoop are those of all thread: the scale is set anew until they agree (a stroke that is
+    satin has its width, one that is too thin for that has none). Raises TambourError with all that is wrong.
     """
     scale, shift = place(drawing, params)
+    found, tiny = _found(drawing, params, scale, shift)
+    for _ in range(4):
+        low, high = extent(found)
+        if params.width is not None and not high[0] > low[0]:
+            raise TambourError("the drawing has no width to scale", where="{--width}")
+        grow = 1.0 if params.width is None else params.width / float(high[0] - low[0])
+        middle = (low + high) / 2
+        if abs(grow - 1) < 5e-4 and np.abs(middle).max() < 1e-3:
+            break
+        scale, shift = scale * grow, (shift - middle) * grow
+        found, tiny = _found(drawing, params, scale, shift)
+    _fits(np.subtract(*extent(found)[::-1]), params)
+    if tiny:
+        progress.warn(f"{tiny} shape(s) have no area and were left out")
+    return tuple(found)
+
+
+def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Array) -> tuple[list[Region], int]:
+    """The regions at a scale, and how many shapes have no area."""
     paths = drawing.paths
     parts = np.arange(len(paths) + 1) if paths.parts is None else paths.parts
     fill, stroke = drawing.styles.fill, drawing.styles.stroke
@@ -123,13 +164,11 @@ def regions(drawing: Drawing, params: EmbroideryParams, progress: Progress) -> t
                 found.append(Region(name, made, family, rgb, own, role, width, **common))  # type: ignore[arg-type]
     if problems:
         raise TambourError(problems)
-    if tiny:
-        progress.warn(f"{tiny} shape(s) have no area and were left out")
     if not found:
         raise TambourError(
             "there is nothing to embroider in this drawing", hint="its shapes have no area and no stroke"
         )
-    return tuple(found)
+    return found, tiny
 
 
 def _own(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -18,6 +17,8 @@ from tambour.noise import stream
 WIDTH = 100.0  # mm, when neither the file nor --width says
 PIXEL = 0.35  # mm: finer detail than this is no use to a thread
 CRUMB = 4.0  # mm²: smaller areas go to their surroundings
+THIN = 1.0  # mm: what is thinner is left to its surroundings
+BELOW = 3.0  # mm: half the width of what may lie on an area without a hole in it
 OVERLAP = 0.15  # mm that areas reach below their neighbours
 
 
@@ -160,12 +161,18 @@ def _drawing(areas: list[Any], pixel: float, shape: tuple[int, ...]) -> Drawing:
     style: list[int] = []
     colors: list[Any] = []
     ids: list[str] = []
-    data: list[dict[str, str]] = []
-    for k, (mask, color) in enumerate(areas):
-        made = [_smooth(r) * pixel for r in outlines(mask)]
-        outer = shapely.union_all([shapely.Polygon(r).buffer(0) for r in made if _area(r) > 0])
-        holes = shapely.union_all([shapely.Polygon(r).buffer(0) for r in made if _area(r) <= 0])
-        whole = outer.difference(holes).buffer(OVERLAP, join_style="mitre").simplify(0.05)
+    raw = [_outlined(mask, pixel) for mask, _ in areas]
+    smooth = [_rounded(area) for area in raw]
+    # What was too thin for its own colour goes to those beside it.
+    lost = shapely.union_all(raw).difference(shapely.union_all(smooth))
+    for k, (_, color) in enumerate(areas):
+        taken = smooth[k].buffer(THIN).intersection(lost)
+        lost = lost.difference(taken)
+        own, above = smooth[k].union(taken), shapely.union_all([*smooth[k + 1 :], lost])
+        # Below what is sewn later it runs on, over holes and slits: fewer ends of rows, and no cloth in between.
+        below = own.simplify(0.1).buffer(BELOW, quad_segs=2).buffer(-BELOW, quad_segs=2)
+        own = own.union(below.intersection(above)).buffer(THIN / 2, quad_segs=4)
+        whole = own.buffer(OVERLAP - THIN / 2, quad_segs=4).simplify(0.1)
         for polygon in shapely.get_parts(whole):
             if polygon.geom_type != "Polygon" or polygon.area < 0.5:
                 continue
@@ -173,10 +180,9 @@ def _drawing(areas: list[Any], pixel: float, shape: tuple[int, ...]) -> Drawing:
             parts.append(len(rings))
             style.append(k)
             ids.append(f"area-{len(ids) + 1}")
-            data.append({"tambour-angle": f"{_axis(polygon, 37.0 * k):.0f}"})
         colors.append(((*color, 255), None, 0.0))
     coords = Paths.of(rings)
-    groups = Groups(tuple(ids), tuple(ids), np.full(len(ids), -1), np.zeros(len(ids), bool), tuple(data))
+    groups = Groups(tuple(ids), tuple(ids), np.full(len(ids), -1), np.zeros(len(ids), bool))
     return Drawing(
         Paths(coords.coords, coords.offsets, np.array(parts)),
         np.array(style, np.int32),
@@ -197,17 +203,22 @@ def _smooth(ring: Array) -> Array:
     return ring
 
 
+def _outlined(mask: Array, pixel: float) -> Any:
+    """The area (shapely, mm) of a mask, without stairs."""
+    import shapely
+
+    made = [_smooth(r) * pixel for r in outlines(mask)]
+    outer = shapely.union_all([shapely.Polygon(r).buffer(0) for r in made if _area(r) > 0])
+    holes = shapely.union_all([shapely.Polygon(r).buffer(0) for r in made if _area(r) <= 0])
+    return outer.difference(holes).simplify(0.05)
+
+
+def _rounded(area: Any) -> Any:
+    """An area without what is thinner than ``THIN`` and with no bend tighter than half of that: outlines to sew along."""
+    half = THIN / 2
+    return area.buffer(-half, quad_segs=4).buffer(2 * half, quad_segs=4).buffer(-half, quad_segs=4)
+
+
 def _area(ring: Array) -> float:
     x, y = ring.T
     return 0.5 * float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum())
-
-
-def _axis(polygon: Any, other: float) -> float:
-    """Degrees across an area's longer axis where it has one, else ``other``."""
-    import shapely
-
-    p = shapely.get_coordinates(polygon.exterior)
-    value, axis = np.linalg.eigh(np.cov((p - p.mean(0)).T))
-    if value[1] < 3 * max(value[0], 1e-9):
-        return other % 180
-    return (math.degrees(math.atan2(-axis[1, 1], axis[0, 1])) + 60) % 180
