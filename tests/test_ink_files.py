@@ -18,6 +18,7 @@ from tambour.core.font import Font
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.ink import CRAFT
+from tambour.ink.paint import seal
 from tambour.ink.params import Ink, stem
 from tambour.ink.plan import scroll
 from tambour.render import flat
@@ -183,11 +184,31 @@ def test_things_left_out_are_not_there() -> None:
     assert scroll.make(None, Ink(**given, density=0.0), Progress()).elements.keys() <= {"range", "birds"}
 
 
-def test_inscription_and_seal() -> None:
-    made = scroll.make(None, Ink(seed="1", span=800.0, inscription="far hills\nstill water", seal="山水"), Progress())
+def test_an_inscription_stands_whole_in_a_blank_place() -> None:
+    given = {"seed": "1", "span": 2600.0}
+    made = scroll.make(None, Ink(**given, inscription="far hills, still water", seal="AB"), Progress())
     drawing = scroll.whole(made)
-    assert "".join(label.text for label in drawing.labels) == "farhillsstillwater山水"
-    assert "seal" in drawing.groups.ids
+    assert "".join(label.text for label in drawing.labels) == "AB"  # the words are outlines of the shipped brush face
+    marks, (words, red) = scroll.whole(made), (drawing.groups.ids.index(name) for name in ("inscription", "seal"))
+    corners = [marks.paths.coords[np.repeat(marks.group == g, np.diff(marks.paths.offsets))] for g in (words, red)]
+    left, top = np.concatenate(corners).min(0)
+    right, low = np.concatenate(corners).max(0)
+    assert left > 0 and right < 2600 and top > 0 and low < 700
+    # Nothing but distant haze is painted there.
+    bare = scroll.make(None, Ink(**given), Progress()).marks()
+    x, y = bare.coords.T
+    assert not ((x > left) & (x < right) & (y > top) & (y < low)).any()
+
+
+def test_words_are_never_broken() -> None:
+    for text in ("far hills, still water", "one", "a\nb c", "incomprehensibilities of hills", ""):
+        assert " ".join(seal.wrapped(text)).split() == text.split()
+    assert seal.wrapped("far hills, still water") == ["far hills,", "still water"]
+
+
+def test_what_no_face_of_ours_has_is_left_to_an_svgs_viewer() -> None:
+    made = scroll.make(None, Ink(seed="1", span=800.0, inscription="山水", seal="山水"), Progress())
+    assert "".join(label.text for label in scroll.whole(made).labels) == "山水山水"
 
 
 def test_mist_lies_over_hills() -> None:
@@ -251,8 +272,11 @@ def test_a_font_sets_inscription_and_seal_as_outlines() -> None:
     assert not drawing.labels
     assert {"inscription", "seal", "seal-letters"} <= set(drawing.groups.ids)
     one = flat.picture(drawing, width=8000).rgba[:, :, :3].astype(int)
-    # The first letter's square runs 0.8 em up from its baseline (740, 70), in the middle of its advance; its hole is open.
-    left, base, em = 740.0 - 0.5 * 20.0, 70.0, 20.0
+    # The first letter's square runs 0.8 em up from its baseline, in the middle of its advance; its hole is open.
+    em = seal.LETTER
+    (_, across, down), *_ = seal.letters("山\n山", given.font or _square_font())[0]
+    x0, y0 = seal.blank(made.planned, made.origin, made.size, 3 * em, 1.25 * em + 1.4 * seal.SIDE)
+    left, base = x0 + across - 0.5 * em, y0 + down
     at = {
         q: one[int(10 * (base - y * em)), int(10 * (left + x * em))]
         for q, (x, y) in {"stem": (0.1, 0.4), "hole": (0.4, 0.4), "outside": (0.9, 0.4)}.items()

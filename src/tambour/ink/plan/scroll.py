@@ -166,8 +166,9 @@ def sheet(scroll: Scroll, marks: Marks, last: bool = True) -> Drawing:
     p = scroll.params
     seals = scroll.names if last else ()
     if last and (p.inscription or p.seal):
-        right = float(scroll.origin[0] + scroll.size[0])
-        marks, seals = seal.written(marks, p.inscription, p.seal, right, paint.LIGHTS[p.time], p.font)
+        marks, seals = seal.written(
+            marks, p.inscription, p.seal, paint.LIGHTS[p.time], scroll.planned, scroll.origin, scroll.size, p.font
+        )
     glaze: tuple[Placed, ...] = ()
     if last and p.paper:
         side = float(paper.SIDE)
