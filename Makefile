@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 T := $(BIN)/tambour
 
-.PHONY: demo test check bench docs golden clean
+.PHONY: demo test check bench docs golden planted clean
 
 $(VENV)/ready: pyproject.toml
 	$(PYTHON) -c 'import sys; assert sys.version_info >= (3, 11), "Tambour needs Python 3.11 or newer"'
@@ -34,6 +34,9 @@ docs: $(VENV)/ready
 
 golden: $(VENV)/ready
 	$(BIN)/python -m pytest tests/test_golden.py --update-golden
+
+planted: $(VENV)/ready
+	$(BIN)/python tests/planted.py
 
 clean:
 	rm -rf $(VENV) out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis

@@ -20,6 +20,7 @@ FLOORS = [
     "embroidery",
     "files",
     "run",
+    "examples",
     "cli",
 ]
 

@@ -1,4 +1,4 @@
-"""The formulas of docs/crochet.md once more, in plain NumPy and Python: what the kernels are held against."""
+"""The formulas of docs/crochet-method.md once more, in plain NumPy and Python: what the kernels are held against."""
 
 from __future__ import annotations
 

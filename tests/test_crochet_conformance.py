@@ -17,7 +17,7 @@ pytestmark = pytest.mark.skipif(not DATA.exists(), reason="the recorded runs are
 RECORDED = sorted([*DATA.glob("patterns/*.acl"), *DATA.glob("snippets/*.acl")])
 OLD = sorted(DATA.glob("old_dialect/*.acl"))
 
-# Refused there, accepted here on purpose (docs/crochet.md, "Where it departs from the recorded program").
+# Refused there, accepted here on purpose (docs/crochet-method.md, "Where it departs from the recorded program").
 EXTENSIONS = {
     "control_033": "MR on a line of its own",
     "round_065": "color in brackets",

@@ -247,6 +247,18 @@ def formats() -> None:
     click.echo("write  " + " ".join(sorted({s for s, _ in WRITE})))
 
 
+@tambour.command("examples")
+@click.argument("folder", type=click.Path(file_okay=False))
+def examples(folder: str) -> None:
+    """Copy the examples into a folder."""
+    from pathlib import Path
+
+    from tambour.examples import copy
+
+    made = copy(Path(folder))
+    click.echo(f"wrote {len(made)} files into {folder}")
+
+
 @contextmanager
 def _stoppable() -> Iterator[None]:
     """Signals that ask the process to end are raised as Stopped, so that what is being made is cleared away."""

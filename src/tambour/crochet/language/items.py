@@ -89,7 +89,7 @@ def _stitch(source: Source, tree: Any, in_round: bool, bracket: bool) -> Item | 
         return _action(source, name, span, arguments, in_round, bracket)
     if name not in source.stitches:
         known = [*source.stitches, *(k for k in RULES)]
-        hint = _nearest(name, known) or "docs/crochet.md lists the stitches; define makes new ones"
+        hint = _nearest(name, known) or "docs/crochet-language.md lists the stitches; define makes new ones"
         if len(names) > 1 and all(standard(n) in known for n in names):
             hint = "a comma goes between stitches"
         source.error(f'there is no stitch or action "{" ".join(names)}"', hint, span)

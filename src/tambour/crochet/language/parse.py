@@ -24,7 +24,7 @@ _TRUTH = {"true": True, "yes": True, "1": True, "false": False, "no": False, "0"
 
 
 def parse(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pattern:
-    """The pattern that ``text`` says (docs/crochet.md, "The language").
+    """The pattern that ``text`` says (docs/crochet-language.md).
 
     max_stitches : the most nodes it may make; checked when it is built
     strict : doubts about stated numbers are errors

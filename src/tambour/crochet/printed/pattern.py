@@ -24,7 +24,7 @@ _LONG = 50  # characters of a line that was broken
 
 
 def read_printed(text: Text, *, max_stitches: int = 200_000, strict: bool = False, usual: bool = True) -> Pattern:
-    """The pattern that a printed text says (docs/crochet.md, "Patterns as people write them").
+    """The pattern that a printed text says (docs/crochet-printed.md, "Patterns as people write them").
 
     usual : parts that no sentence places go where such parts usually do, which is told as a doubt
 
