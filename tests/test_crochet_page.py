@@ -17,9 +17,9 @@ from tambour.core.progress import Progress
 from tambour.crochet.maker.materials import DENSITY, materials
 from tambour.crochet.page.booklet import pages
 from tambour.crochet.page.flow import Atom, Chunk, Frame, flow, together
+from tambour.crochet.page.instructions import words
 from tambour.crochet.page.pictures import steps
 from tambour.crochet.page.sheet import Sheet, width_of, wrap
-from tambour.crochet.page.text import words
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 from tambour.crochet.plush import make
@@ -127,8 +127,8 @@ def test_every_language_has_every_word_and_fills_it(code: str) -> None:
         assert set(re.findall(r"{(\w+)}", sentence)) >= set(re.findall(r"{(\w+)}", TERMS[code].page[key])), key
     found = words(toy().built, code)
     assert [block.title.split(" (")[0] for block in found.parts] == ["Body", "Ear"]
-    assert [row.count for row in found.parts[0].rows if row.label] == ["6", "12", "18", "18", "12", "6"]
-    assert len(found.assembly) == 3 and found.abbreviations
+    assert [row.count for row in found.parts[0].lines if row.label] == [6, 12, 18, 18, 12, 6]
+    assert len(found.seams) + len(found.finish) == 3 and found.abbreviations
 
 
 def test_steps_add_part_after_part() -> None:

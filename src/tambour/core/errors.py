@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 _OPTION = re.compile(r"\{--([a-z][a-z0-9-]*)\}")
@@ -47,10 +47,14 @@ class Span:
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A text and the name it is known by (a path, ``<stdin>``): the source of every craft that reads language."""
+    """A text and the name it is known by (a path, ``<stdin>``): the source of every craft that reads language.
+
+    photos : pictures that stood in it, each with its offset and the bytes of its file
+    """
 
     text: str
     name: str = "<text>"
+    photos: tuple[tuple[int, bytes], ...] = field(default=(), compare=False, repr=False)
 
     def place(self, offset: int) -> tuple[int, int]:
         """Line and column of a character offset, both counted from 1."""

@@ -7,7 +7,6 @@ from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.book import Book, short, size_lines, weight_name, yarn_name
 from tambour.crochet.page.flow import Atom, Chunk, flow, together
 from tambour.crochet.page.sheet import BODY, HAIR, HEAD, LEADING, RGB, SMALL, SOFT, Sheet, width_of, wrap
-from tambour.crochet.page.text import name_of
 from tambour.crochet.yarns import WEIGHTS
 
 
@@ -59,6 +58,11 @@ def begin(book: Book) -> None:
     width = book.frame.width
     word, own = book.said.terms.word, book.own
     chunks: list[Chunk] = []
+    if book.hers is not None and book.hers.intro:
+        told = [
+            atom for k, words in enumerate(book.hers.intro) for atom in paragraph(words, width, space=1.4 if k else 0.0)
+        ]
+        chunks += together(heading(book, book.title, width), told, book.title)
     chunks += together(heading(book, word("materials"), width), _materials(book, width), word("materials"))
     size = whole_size(book.piece)
 
@@ -69,8 +73,8 @@ def begin(book: Book) -> None:
     chunks.append(Chunk([*heading(book, word("gauge"), width), *_gauge(book, width)], word("gauge")))
     said = [pair(word_, meaning, width, 0.26) for word_, meaning in book.said.abbreviations]
     if said:
-        name, _, terms = book.said.heading.partition(" (")
-        chunks += together(heading(book, name, width, terms.rstrip(")")), said, name)
+        name = word("abbreviations")
+        chunks += together(heading(book, name, width, book.said.named), said, name)
     special = [pair(said, meaning, width, 0.3) for said, meaning in book.said.special]
     if special:
         chunks += together(heading(book, word("special stitches"), width), special, word("special stitches"))
@@ -85,14 +89,14 @@ def _materials(book: Book, width: float) -> list[Atom]:
     found = materials(book.piece)
     made: list[Atom] = []
     kind = WEIGHTS[book.piece.gauge.weight]
-    for line in book.said.stated:
+    for line in book.said.materials:
         made += paragraph(line, width)
     made += paragraph(
         f"{book.said.terms.word('yarn')}: {weight_name(book)}", width, BODY, None, 1.0 if made else 0.0, True
     )
     for yarn in found["yarn"]:
         color = _rgb(yarn["color"])
-        letter, name = name_of(book.said, color)
+        letter, name = book.said.color(color)
         skein = own["skein" if yarn["skeins"] == 1 else "skeins"].format(n=yarn["skeins"], grams=number(kind.skein, 0))
         much = f"{number(max(1.0, yarn['metres']), 0)} m"
         if book.imperial:
@@ -104,7 +108,7 @@ def _materials(book: Book, width: float) -> list[Atom]:
         color = _rgb(thread["color"])
         threads[color] = threads.get(color, 0.0) + thread["cm"]
     for color, cm in threads.items():
-        letter, name = name_of(book.said, color)
+        letter, name = book.said.color(color)
         made.append(_yarn(color, letter, name, "", own["embroidery"].format(cm=number(cm, 0)), "", width))
     note = own["typical"].format(name=yarn_name(book), metres=number(kind.metres, 0))
     made += paragraph(note, width, SMALL, SOFT, 0.8)
@@ -113,16 +117,16 @@ def _materials(book: Book, width: float) -> list[Atom]:
         other.append((own["hook"], f"{number(book.piece.gauge.hook, 2)} mm"))
     for eye in found["eyes"]:
         word = own["eye" if eye["count"] == 1 else "eyes"]
-        name = name_of(book.said, _rgb(eye["color"]))[1]
+        name = book.said.color(_rgb(eye["color"]))[1]
         other.append(
             (book.said.terms.word("eyes"), f"{word.format(n=eye['count'], size=number(eye['size_mm']))}, {name}")
         )
     for felt in found["felt"]:
         words = own["felt"].format(n=felt["count"], w=number(felt["width_mm"]), h=number(felt["height_mm"]))
-        other.append((name_of(book.said, _rgb(felt["color"]))[1], words))
+        other.append((book.said.color(_rgb(felt["color"]))[1], words))
     for hair in found["hair"]:
         words = own["hair"].format(n=hair["strands"], cm=number(hair["cut_mm"] / 10, 0))
-        other.append((name_of(book.said, _rgb(hair["color"]))[1], words))
+        other.append((book.said.color(_rgb(hair["color"]))[1], words))
     filling = found["stuffing"]
     if filling["grams"] > 0.05:
         other.append(

@@ -11,8 +11,10 @@ from tambour.color import linear
 from tambour.core.check import Array
 from tambour.crochet.maker.size import Size
 from tambour.crochet.page.flow import Frame
+from tambour.crochet.page.hers import hers
+from tambour.crochet.page.instructions import Words, words
+from tambour.crochet.page.placed import Spoken
 from tambour.crochet.page.sheet import HAIR, LEAD, RGB, Sheet, wrap
-from tambour.crochet.page.text import Words, words
 from tambour.crochet.yarns import WEIGHTS
 
 if TYPE_CHECKING:
@@ -25,7 +27,8 @@ MARGIN, TOP, FOOT, GUTTER = 18.0, 24.0, 20.0, 9.0
 class Book:
     """What all pages of a booklet share, and the pages so far.
 
-    piece, said : the plush and its words; own : the page's own words; code : of the terms; accent : a colour for
+    piece, said : the plush and its words; own : the page's own words; hers : the designer's own
+    sentences, None where they are ours; spoken : says where parts go; code : of the terms; accent : a colour for
     headings, the main yarn's, dark enough to read
     """
 
@@ -34,6 +37,8 @@ class Book:
         self.piece = piece
         self.said: Words = words(piece.built, params.terms)
         self.code = self.said.terms.code
+        self.hers = hers(piece.built.pattern, self.code)
+        self.spoken = Spoken(piece.built, self.said.terms)
         self.own = self.said.terms.page
         stated = piece.built.pattern.stated
         stem = PurePath(piece.built.pattern.text.name).stem.replace("_", " ").strip("<> ")

@@ -8,9 +8,9 @@ import numpy as np
 
 from tambour.core.drawing import Drawing
 from tambour.crochet.maker.size import skin, whole_size
-from tambour.crochet.page.begin import begin, heading
+from tambour.crochet.page.begin import begin, heading, paragraph
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, cut, short, weight_name
-from tambour.crochet.page.flow import flow
+from tambour.crochet.page.flow import flow, together
 from tambour.crochet.page.parts import assembly, charts, rounds, sides
 from tambour.crochet.page.pictures import whole
 from tambour.crochet.page.sheet import BODY, COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, Sheet, wrap
@@ -37,6 +37,18 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
         title = short(book, book.said.terms.word("assembly"))
         head = heading(book, book.said.terms.word("assembly"), book.size[0] - 2 * MARGIN)[0]
         flow(steps, book.frame, lambda: book.page(title), again, book.below, head)
+    closing = [s for s in book.hers.closing if s] if book.hers is not None else []
+    if closing:
+        width = book.frame.width
+        told = [atom for k, words in enumerate(closing) for atom in paragraph(words, width, space=1.2 if k else 0.0)]
+        last = book.own["last words"]
+        flow(
+            together(heading(book, last, width), told, last),
+            book.frame,
+            lambda: book.page(short(book, last)),
+            again,
+            book.below,
+        )
     _care(book)
     sides(book, before)
     total = len(book.pages)

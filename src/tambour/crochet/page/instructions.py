@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Final
@@ -28,41 +27,77 @@ _STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
 
 
 @dataclass(frozen=True, slots=True)
+class Row:
+    """A line of a part: its round ("Rnd 3", "" for none), what is done, the count of stitches at its end (0: unsaid).
+
+    number : of its last round, 0 for none; colors : those it changes to
+    """
+
+    label: str
+    words: str
+    count: int = 0
+    number: int = 0
+    colors: tuple[RGB, ...] = ()
+
+    def __str__(self) -> str:
+        head = f"{self.label}: {self.words}" if self.label else self.words
+        return f"{head} ({self.count})" if self.count else head
+
+
+@dataclass(frozen=True, slots=True)
 class PartText:
     """A part's text: its name as it is headed, how often it is made in words ("(make 2)", "" for once), its lines.
 
-    settings : hints for the simulation, which are no instructions
+    settings : hints for the simulation, which are no instructions; part : its first copy among the graph's parts
+    section : its place among the pattern's parts
     """
 
     name: str
     copies: str
-    lines: tuple[str, ...]
+    lines: tuple[Row, ...]
     settings: tuple[str, ...] = ()
+    part: int = -1
+    section: int = -1
+
+    @property
+    def title(self) -> str:
+        """Its heading."""
+        return f"{self.name} {self.copies}".strip()
 
 
 @dataclass(frozen=True, slots=True)
-class Sheet:
+class Words:
     """The words of a pattern, ready to be set.
 
     terms, named : the table, and what its words are called ("US terms")
     title : "" for none
-    materials : lines about yarn, hook and eyes, as the pattern states them; legend : letter → colour, its lines after them
+    materials : lines about yarn, hook and eyes, as the pattern states them
+    colors : (letter or "", name, colour, the line that says so) of those without a plain name, in the order of use
     gauge, size : as the pattern states them, "" for nothing
-    abbreviations : those used, with their meanings; special : its own stitches, a line each
-    parts, assembly : in order; sentences of the assembly
+    abbreviations : those used, with their meanings; special : its own stitches, likewise
+    parts : in order; seams, finish : sentences of the assembly: marks sewn, and one for every finishing record
     """
 
     terms: Terms
     named: str
     title: str
     materials: tuple[str, ...]
-    legend: Mapping[str, RGB]
+    colors: tuple[tuple[str, str, RGB, str], ...]
     gauge: str
     size: str
     abbreviations: tuple[tuple[str, str], ...]
-    special: tuple[str, ...]
+    special: tuple[tuple[str, str], ...]
     parts: tuple[PartText, ...]
-    assembly: tuple[str, ...]
+    seams: tuple[str, ...]
+    finish: tuple[str, ...]
+
+    def color(self, hue: RGB) -> tuple[str, str]:
+        """The letter ("" for none) and the name of a colour, as the instructions call it."""
+        for letter, name, rgb, _ in self.colors:
+            if rgb == hue:
+                return letter, name
+        spoken = Phrases(self.terms, {}, {letter: rgb for letter, _, rgb, _ in self.colors}).shade(hue)
+        return "", self.terms.colors[plain_name(hue)][0] if spoken.startswith("#") else spoken
 
 
 def view(piece: Plush) -> Text:
@@ -77,37 +112,52 @@ def instructions(piece: Built | Pattern, terms: str | None = None) -> Text:
 
     Reading it again gives the same graph and the same finishing.
     """
-    made = sheet(piece, terms)
+    made = words(piece, terms)
     word = made.terms.word
     lines = [f"# {made.title}", ""] if made.title else []
-    if made.materials:
-        lines += [f"## {word('materials')}", "", *(f"- {said}" for said in made.materials), ""]
+    if made.materials or made.colors:
+        listed = [*made.materials, *(line for *_, line in made.colors)]
+        lines += [f"## {word('materials')}", "", *(f"- {said}" for said in listed), ""]
     for key, said in (("gauge", made.gauge), ("finished size", made.size)):
         lines += [f"**{word(key)}:** {said}", ""] if said else []
     lines += [f"## {word('abbreviations')} ({made.named})", ""]
     lines += [*(f"- {said} = {meaning}" for said, meaning in made.abbreviations), ""]
     if made.special:
-        lines += [f"## {word('special stitches')}", "", *(f"- {said}" for said in made.special), ""]
+        lines += [
+            f"## {word('special stitches')}",
+            "",
+            *(f"- {said} = {meaning}" for said, meaning in made.special),
+            "",
+        ]
     for part in made.parts:
-        lines += [f"## {part.name}{' ' if part.copies else ''}{part.copies}", "", *part.settings]
+        lines += [f"## {part.title}", "", *part.settings]
         lines += [*(f"{said}  " for said in part.lines), ""]  # each a line of its own in Markdown as well
-    if made.assembly:
-        lines += [f"## {word('assembly')}", "", *(f"- {said}" for said in made.assembly), ""]
+    if made.seams or made.finish:
+        lines += [f"## {word('assembly')}", "", *(f"- {said}" for said in (*made.seams, *made.finish)), ""]
     name = piece.text.name if isinstance(piece, Pattern) else piece.pattern.text.name
     return Text("\n".join(lines).rstrip("\n") + "\n", name)
 
 
-def sheet(piece: Built | Pattern, terms: str | None = None) -> Sheet:
+def words(piece: Built | Pattern, terms: str | None = None) -> Words:
     """The words of a pattern in the parts that a page sets apart; see :func:`instructions`."""
     built = build(piece) if isinstance(piece, Pattern) else piece
     code = terms or built.pattern.terms or "us"
     if code not in TERMS:
         raise TambourError(f'there are no terms "{code}"', hint=f"one of {', '.join(TERMS)}", where="{--terms}")
-    return _Writer(built, TERMS[code]).sheet()
+    return _Writer(built, TERMS[code]).words()
 
 
 def _sews(line: Written) -> bool:
     return not line.makes and all(d.what == "sew" for unit, _ in line.pieces for d in unit)
+
+
+def _all(line: Written) -> list[Done]:
+    return [done for unit, _ in line.pieces for done in unit]
+
+
+def _hues(done: list[Done]) -> tuple[RGB, ...]:
+    """The colours that things done change to."""
+    return tuple(dict.fromkeys((d.numbers[0], d.numbers[1], d.numbers[2]) for d in done if d.what == "color"))
 
 
 def _takes_color(written: list[Written]) -> bool:
@@ -165,30 +215,34 @@ class _Writer:
                 made[_LETTERS[n % 26] + (str(n // 26 + 1) if n >= 26 else "")] = (red, green, blue)
         return made
 
-    def sheet(self) -> Sheet:
+    def words(self) -> Words:
         """All of it."""
         seams: list[str] = []
         parts = []
         for k, (section, part, written) in enumerate(self.sections):
             while k == len(self.sections) - 1 and written and _sews(written[-1]):
-                seams[:0] = self._alone(written.pop(), True)
-            parts.append(self._section(section, part, written, self.begins[self.built.parts[part].section]))
+                seams[:0] = [row.words for row in self._alone(written.pop(), True)]
+            index = self.built.parts[part].section
+            parts.append(self._section(section, part, index, written, self.begins[index]))
         finish = [self._sentence(self.phrases.finish(record)) for record in self.pattern.finish]
         special = self._special()
         materials = [f"{self.terms.word(key)}: {said}" for key in _STATED if (said := self._stated(key))]
-        materials += [self._legend_line(letter, hue) for letter, hue in self.phrases.legend.items()]
-        return Sheet(
+        colors = [
+            (x, self.terms.colors[plain_name(h)][0], h, self._legend_line(x, h)) for x, h in self.phrases.legend.items()
+        ]
+        return Words(
             self.terms,
             self.terms.sentences["terms"],
             self._title(),
             tuple(materials),
-            self.phrases.legend,
+            tuple(colors),
             self._stated("gauge"),
             self._stated("size"),
             self._abbreviations(),
-            special,
+            tuple((said, meaning) for said, _, meaning in (line.partition(" = ") for line in special)),
             tuple(parts),
-            (*seams, *finish),
+            tuple(seams),
+            tuple(finish),
         )
 
     # -- before the parts -------------------------------------------------------------------------------------------
@@ -247,10 +301,12 @@ class _Writer:
 
     # -- parts ------------------------------------------------------------------------------------------------------
 
-    def _section(self, section: Section, part: int, written: list[Written], color: tuple[int, ...] | None) -> PartText:
-        lines: list[str] = []
+    def _section(
+        self, section: Section, part: int, index: int, written: list[Written], color: tuple[int, ...] | None
+    ) -> PartText:
+        lines: list[Row] = []
         if section.up is not None:
-            lines.append(self._sentence(self.phrases.say(f"up {section.up}")))
+            lines.append(Row("", self._sentence(self.phrases.say(f"up {section.up}"))))
         settings = [
             f"@{key} = {value}"
             for key, value in (("centroids", section.centroids), ("initializer", section.initializer))
@@ -264,15 +320,16 @@ class _Writer:
         kind = "row" if "turn" in worked and not worked & {"mr", "join", "oval"} else "round"
         self.begun = False
         if color is not None and not _takes_color(written):
-            lines.append(self._sentence(self._done(Done("color", 1, color), closing)))
+            done = Done("color", 1, color)
+            lines.append(Row("", self._sentence(self._done(done, closing)), colors=_hues([done])))
         for line in written:
             said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
             if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):
-                lines, stuffing = [*lines, *stuffing], []
+                lines, stuffing = [*lines, *(Row("", words) for words in stuffing)], []
             lines += said
         name = self._heading(section.name) if section.name else self.terms.word("instructions")
         copies = self.phrases.say("copies", count=section.copies) if section.copies > 1 else ""
-        return PartText(name, copies, (*lines, *stuffing), tuple(settings))
+        return PartText(name, copies, (*lines, *(Row("", words) for words in stuffing)), tuple(settings), part, index)
 
     def _heading(self, name: str) -> str:
         """A part's name; with the word for a part before it, where it could be taken for another heading."""
@@ -290,21 +347,20 @@ class _Writer:
             return [self._sentence(self.phrases.say(f"stuff {amount}"))]
         return [self._sentence(self.phrases.say("stuff factor", factor=section.stuffing))]
 
-    def _alone(self, line: Written, closing: bool) -> list[str]:
+    def _alone(self, line: Written, closing: bool) -> list[Row]:
         """Lines outside rounds: a sentence each, but stitches in a row stay together."""
         if line.makes:
-            return [self._sentence(self._items(line, closing))]
-        return [
-            self._sentence(self._done(d, closing)) for unit, times in line.pieces for _ in range(times) for d in unit
-        ]
+            return [Row("", self._sentence(self._items(line, closing)), colors=_hues(_all(line)))]
+        alone = [d for unit, times in line.pieces for _ in range(times) for d in unit]
+        return [Row("", self._sentence(self._done(d, closing)), colors=_hues([d])) for d in alone]
 
-    def _round(self, line: Written, kind: str, closing: bool) -> str:
+    def _round(self, line: Written, kind: str, closing: bool) -> Row:
         self.used[kind] = None
         word = self.terms.word(kind)
         first, last = line.number, line.number + line.times - 1
         number = f"{first}" if line.times == 1 else f"{first}-{last}"
         head = word + number if len(word) == 1 else f"{word} {number}"
-        return f"{head}: {self._items(line, closing)}" + (f" ({line.count})" if line.count else "")
+        return Row(head, self._items(line, closing), line.count, last, _hues(_all(line)))
 
     def _items(self, line: Written, closing: bool) -> str:
         said = []

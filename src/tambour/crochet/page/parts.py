@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from tambour.core.check import Array
 from tambour.core.picture import Picture
+from tambour.crochet.language.finishes import Eye
 from tambour.crochet.page.begin import heading, paragraph
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
 from tambour.crochet.page.diagram import plates, symbols
 from tambour.crochet.page.flow import Atom, Chunk, together
+from tambour.crochet.page.instructions import PartText, Row
 from tambour.crochet.page.pictures import Step, from_side, lies, of_parts, of_step, steps
 from tambour.crochet.page.sheet import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, Sheet, width_of, wrap
-from tambour.crochet.page.text import Block, Row, colors_in, name_of
 
 _DOTS = 7.6  # pixels a mm of the small pictures
 _THUMB = 30.0
 _TICK = 2.5
-_HEX = re.compile("#[0-9a-f]{6}")
+_WITH = re.compile(r"(?:with|using|use|in|start|begin)\b.{0,60}$", re.IGNORECASE)
 _LARGEST = 0.55
 """Scale at which a chart is large enough: a stitch is 3.9 mm wide."""
 
@@ -42,16 +44,17 @@ def _photo(picture: Picture, width: float, high: float) -> Atom:
     return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x, y, width, high))
 
 
-def _rows(book: Book, block: Block, width: float) -> list[Atom]:
-    labelled = [row for row in block.rows if row.label]
+def _rows(book: Book, block: PartText, width: float) -> list[Atom]:
+    rows = with_hers(book, block)
+    labelled = [row for row in rows if row.label]
     label = max((width_of(row.label, BODY, True) for row in labelled), default=0.0) + 2.8
     count = max((width_of(f"({row.count})", BODY, True) for row in labelled if row.count), default=0.0) + 2.0
-    return [_row(book, row, width, label, count) for row in block.rows]
+    return [_row(book, row, width, label, count) for row in rows]
 
 
 def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom:
     """A line of a part: a box to tick, the round, what is done, its count; and the colours that it changes to."""
-    changes = colors_in(book.said, row.words, book.used)
+    changes = [color for color in row.colors if color in book.used]
     if not row.label:
         lines = wrap(row.words, BODY, width - (7.0 if changes else 0.0))
 
@@ -174,7 +177,8 @@ def sides(book: Book, sheet: Sheet) -> None:
 def assembly(book: Book, frame: Array) -> list[Chunk]:
     """The steps: a picture each, what is new in full colour, and the sentences."""
     piece, width = book.piece, book.frame.width
-    found = steps(piece)
+    # Eyes that are put in while the piece is open stand with the rounds.
+    found = [step for step in steps(piece) if not _eyes_only(book, step)]
     if not found:
         return []
     high = width * (0.66 if len(found) <= 4 else 0.55)
@@ -202,6 +206,53 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     return chunks
 
 
+def _eyes_only(book: Book, step: Step) -> bool:
+    finish = book.piece.built.pattern.finish
+    return bool(step.records) and all(isinstance(finish[n], Eye) for n in step.records)
+
+
+def with_hers(book: Book, block: PartText) -> list[Row]:
+    """A part's lines with what the designer says between them, and with the eyes where hands can still reach."""
+    rows = list(block.lines)
+    said = book.hers.inside.get(block.section, []) if book.hers is not None else []
+    if said:
+        whole = " ".join(words.lower() for _, words, _ in said)
+        ours = [(row, row.words.lower()) for row in rows if not row.label and not row.colors]
+        stuffs = _said(book, "stuff")
+        drop = [row for row, words in ours if (stuffs & set(words.split()[:1]) and "stuff" in whole)
+                or (words in _ends(book) and re.search(r"fasten off|finish off|\bfo\b|break yarn|cut yarn", whole))]  # fmt: skip
+        rows = [row for row in rows if row not in drop]
+    if said and said[0][0] == 0 and rows and rows[0].colors and not rows[0].label and _WITH.match(said[0][1]):
+        rows[0], said = replace(rows[0], words=said[0][1]), said[1:]  # the colour in her words
+    for after, words, _ in reversed(said):
+        at = next((k + 1 for k, row in enumerate(rows) if row.number >= after > 0), 0 if after == 0 else len(rows))
+        rows.insert(at, Row("", words))
+    eyes = _eyes_here(book, block)
+    if eyes and not any("eye" in words.lower() for _, words, _ in said):
+        level = max(r.spot.round for r in eyes)
+        last = max((row.count for row in rows), default=0)
+        open_ = [k for k, row in enumerate(rows) if row.number >= level and 2 * row.count >= last]
+        at = (max(open_) if open_ else max((k for k, row in enumerate(rows) if row.label), default=-1)) + 1
+        where = book.spoken(eyes)
+        rows.insert(at, Row("", f"{book.own['eyes now']}: {' '.join(where)}"))
+    return rows
+
+
+def _eyes_here(book: Book, block: PartText) -> list[Eye]:
+    built = book.piece.built
+    name = built.pattern.parts[block.section].name
+    return [r for r in built.pattern.finish if isinstance(r, Eye) and r.spot.part in (name, f"{name}.1")]
+
+
+def _said(book: Book, key: str) -> set[str]:
+    """The first words of what the language says of stuffing."""
+    return {s.split()[0].lower() for name, s in book.said.terms.sentences.items() if name.startswith(key)}
+
+
+def _ends(book: Book) -> set[str]:
+    return {f"{book.said.terms.sentences[key].lower()}." for key in ("close", "fasten off")}
+
+
 def _names(book: Book, step: Step) -> str:
     built = book.piece.built
     if not step.fresh:
@@ -212,16 +263,10 @@ def _names(book: Book, step: Step) -> str:
 
 
 def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
-    """The assembly's sentences, each with the step that it belongs to."""
-    built, said = book.piece.built, book.said.assembly
-    records = len(built.pattern.finish)
-    seams, rest = (said[: len(said) - records], said[len(said) - records :]) if records else (said, ())
+    """The assembly's sentences, each with the step that it belongs to: the designer's own where there are, else ours."""
+    built, seams = book.piece.built, book.said.seams
+    text, finish = built.pattern.text.text, built.pattern.finish
     made: list[list[str]] = [[] for _ in found]
-
-    def named(shade: re.Match[str]) -> str:
-        r, g, b = (int(shade[0][k : k + 2], 16) for k in (1, 3, 5))
-        return name_of(book.said, (r, g, b))[1]
-
     part = built.graph.part
     for k, line in enumerate(seams):
         at = 0
@@ -230,6 +275,19 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
             at = next((i for i, step in enumerate(found) if ends & set(step.fresh) and step.seams), 0)
         made[at].append(line)
     made = [[" ".join(lines)] if lines else [] for lines in made]
+    told: set[str] = set()
     for i, step in enumerate(found):
-        made[i] += [_HEX.sub(named, rest[n]) for n in step.records if n < len(rest)]
+        records = [finish[n] for n in step.records]
+        own = [r for r in records if book.hers is not None and r.span.end > r.span.start]
+        for record in own:
+            words = " ".join(text[record.span.start : record.span.end].split()).rstrip(".") + "."
+            if words not in told:
+                told.add(words)
+                made[i].append(words)
+        ours = [r for r in records if r not in own]
+        made[i] += book.spoken(ours)
+        if ours and book.hers is not None:
+            made[i].append(book.own["guess"])
+        if not made[i]:
+            made[i] = book.spoken(records)
     return made

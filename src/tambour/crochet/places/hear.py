@@ -137,6 +137,9 @@ class Heard:
         at = where(low)
         named_eyes = any("eye" in m.copies[0][0].kinds for m in found)
         features = face.motifs(low) if _DRAWN.search(low) else []
+        if features:  # a nose that is embroidered is no muzzle
+            drawn = ("nose", "mouth", "eye", "cheek", "beak")
+            found = [m for m in found if m.word not in drawn or any(m.word in p.words for p, _ in m.copies)]
         features = [f for f in features if not any(f.rstrip("s") in m.word for m in found)]
         felt = re.search(r"\bfelt\b", low)
         eyes = _EYES.search(low)

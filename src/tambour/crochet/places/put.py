@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.crochet.finish.placing import level
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import Beside
 from tambour.crochet.places.hear import Copy, Put
@@ -21,6 +22,8 @@ _STILL: Final = 10.0
 """A part that leans less than this stands straight out."""
 _WIDE: Final = 1.15
 """An open end wider than this, as a share of what it is put over, is sewn by a narrower round."""
+_ROUND: Final = 1.5
+"""How much more the way out of an ellipsoid counts than that of the fabric before it is stuffed."""
 _ON_TOP: Final = frozenset(("head", "body", "hat", "neck", "stem", "base", "inner"))
 """What goes on an end of what it is sewn to, without a word."""
 
@@ -45,7 +48,9 @@ class Putter(Beside):
                 found += self.part(replace(put, copies=[c], host=(put.host[0], min(c[1], put.host[0].copies))))
             return found
         lies = self._lies(put.host)
-        wanted = frozenset(w for c in put.copies for w in c[0].words) | frozenset(put.where.text.split())
+        wanted = frozenset(w for c in put.copies for w in c[0].words) | (
+            frozenset(put.where.text.split()) - {"front", "fore"}
+        )
         ways = usual(kind, len(put.copies), lying=lies, long=self._long(put.copies[0]), words=wanted)
         # The same noun on several parts ("left ear", "right ear"), or one copy of several.
         if len(put.copies) == 1 and (made.copies == 2 or {"left", "right"} & set(made.words)):
@@ -175,6 +180,15 @@ class Putter(Beside):
             flat = self.work.open(copy[0].copy(copy[1])) >= 4
         frame = self.stand.frame(spot)
         n, along, up = frame.normals[0], frame.along[0], frame.up[0]
+        if spot.stitch is not None and not self.work.spots.in_rows[host.part]:
+            # Before it is stuffed the top of a ball is flat: where it will be round its fabric leans more.
+            middle, half = host.box
+            round_ = (frame.points[0] - middle) / half**2
+            round_ = round_ / max(float(np.sqrt(round_ @ round_)), 1e-9)
+            mean = (n + _ROUND * round_)[None]
+            normals = mean / np.sqrt((mean**2).sum())
+            turns = level(normals, self.stand.upright[[host.part]])
+            n, along, up = normals[0], turns[0][0], turns[1][0]
         tilt = towards = across = 0.0
         if way.axis is not None:
             axis = np.array(way.axis) / math.sqrt(sum(c * c for c in way.axis))
@@ -199,7 +213,7 @@ class Putter(Beside):
             a, b = float(line @ along), float(line @ up)
             across = _STEP * round(math.degrees(math.atan2(b, a)) / _STEP) if a * a + b * b > 1e-6 else 0.0
             across = across - 180.0 if across > 90.0 else across + 180.0 if across <= -90.0 else across
-            if across == 90.0 and float(n[0]) < -0.05:
+            if across == 90.0 and float(n[0]) > 0.05:
                 across = -90.0
         else:
             across = way.turn if abs(way.turn) == 180.0 and tilt else 0.0

@@ -1,0 +1,294 @@
+"""Documents as text: .docx, .odt and .html, with their headings, lists, tables and photos in order. Nothing in them is run."""
+
+from __future__ import annotations
+
+import base64
+import re
+import zipfile
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+from tambour.core.errors import TambourError, Text
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
+
+_MOST: Final = 200_000_000
+"""Bytes that a document may hold unpacked."""
+_BLOCKS: Final = frozenset(
+    [
+        "p",
+        "div",
+        "section",
+        "article",
+        "main",
+        "ul",
+        "ol",
+        "table",
+        "tr",
+        "h1",
+        "h2",
+        "h3",
+        "h4",
+        "h5",
+        "h6",
+        "blockquote",
+        "pre",
+        "figure",
+        "figcaption",
+        "dl",
+        "dt",
+        "dd",
+        "hr",
+        "li",
+    ]
+)
+_SKIPPED: Final = frozenset(
+    ["script", "style", "noscript", "template", "nav", "aside", "form", "button", "svg", "iframe", "select", "head"]
+)
+_TEXT: Final = "{urn:oasis:names:tc:opendocument:xmlns:text:1.0}"
+_TABLE: Final = "{urn:oasis:names:tc:opendocument:xmlns:table:1.0}"
+_DRAW: Final = "{urn:oasis:names:tc:opendocument:xmlns:drawing:1.0}"
+_HREF: Final = "{http://www.w3.org/1999/xlink}href"
+
+
+class Pages:
+    """A document's text as it is gathered: lines, and photos (where they stand, their bytes)."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        self.photos: list[tuple[int, bytes]] = []
+        self._length = 0
+
+    def line(self, words: str, before: str = "") -> None:
+        """A line; several where the words have breaks of their own."""
+        for piece in words.split("\n"):
+            said = " ".join(piece.split())
+            self._add(f"{before}{said}" if said else "")
+
+    def heading(self, words: str) -> None:
+        """A heading, with air about it."""
+        if words.strip():
+            self._add("")
+            self.line(words, "## ")
+            self._add("")
+
+    def row(self, cells: list[str]) -> None:
+        """A row of a table."""
+        said = [" ".join(cell.split()) for cell in cells]
+        if any(said):
+            self._add(f"| {' | '.join(said)} |" if len(said) > 1 else said[0])
+
+    def photo(self, data: bytes) -> None:
+        """A photo at this place."""
+        if data:
+            self.photos.append((self._length, data))
+
+    def _add(self, line: str) -> None:
+        if line or (self.lines and self.lines[-1]):
+            self.lines.append(line)
+            self._length += len(line) + 1
+
+    def text(self, path: Path) -> Text:
+        """All of it; TambourError where there are no words."""
+        if not any(self.lines):
+            raise TambourError("this document holds no text", hint="a photo of a page cannot be read", where=str(path))
+        return Text("\n".join(self.lines).rstrip("\n") + "\n", str(path), tuple(self.photos))
+
+
+def read_docx(path: Path) -> Text:
+    """A Word document (OOXML)."""
+    import docx
+    from docx.oxml.ns import qn
+    from docx.table import Table
+    from docx.text.paragraph import Paragraph
+
+    _packed(path)
+    try:
+        document: Any = docx.Document(str(path))
+    except (KeyError, ValueError) as error:
+        raise TambourError(f"this is no Word document: {error}", where=str(path)) from None
+    pages, numbered = Pages(), 0
+    for part in document.element.body.iterchildren():
+        if part.tag == qn("w:tbl"):
+            for row in Table(part, document).rows:
+                pages.row(list(dict.fromkeys(cell.text for cell in row.cells)))
+            continue
+        if part.tag != qn("w:p"):
+            continue
+        paragraph: Any = Paragraph(part, document)
+        style = (paragraph.style.name or "") if paragraph.style is not None else ""
+        listed = style.startswith("List") or bool(part.xpath("./w:pPr/w:numPr"))
+        numbered = numbered + 1 if style.startswith("List Number") else 0
+        if style.startswith(("Heading", "Title")):
+            pages.heading(paragraph.text)
+        elif listed and paragraph.text.strip():
+            pages.line(paragraph.text, f"{numbered}. " if numbered else "- ")
+        else:
+            pages.line(paragraph.text)
+        for blip in part.xpath(".//a:blip/@r:embed"):
+            image = document.part.related_parts.get(str(blip))
+            pages.photo(image.blob if image is not None else b"")
+    return pages.text(path)
+
+
+def read_odt(path: Path) -> Text:
+    """An OpenDocument text."""
+    from xml.etree.ElementTree import ParseError
+
+    from defusedxml.common import DefusedXmlException
+    from defusedxml.ElementTree import fromstring
+
+    with _packed(path) as pack:
+        try:
+            body = fromstring(pack.read("content.xml"))
+        except (KeyError, ParseError, DefusedXmlException) as error:
+            raise TambourError(f"this is no OpenDocument text: {error}", where=str(path)) from None
+        pages = Pages()
+        names = set(pack.namelist())
+
+        def photos(node: Element) -> None:
+            for image in node.iter(f"{_DRAW}image"):
+                name = image.get(_HREF, "")
+                if name in names:
+                    pages.photo(pack.read(name))
+
+        def walk(node: Element, before: str) -> None:
+            for child in node:
+                if child.tag == f"{_TEXT}h":
+                    pages.heading(_words(child))
+                elif child.tag == f"{_TEXT}p":
+                    pages.line(_words(child), before)
+                    photos(child)
+                elif child.tag == f"{_TABLE}table-row":
+                    pages.row(["\n".join(_words(p) for p in cell.iter(f"{_TEXT}p")) for cell in child])
+                elif child.tag == f"{_TEXT}list-item":
+                    walk(child, "- ")
+                else:
+                    walk(child, before)
+
+        walk(body, "")
+    return pages.text(path)
+
+
+def _words(node: Element) -> str:
+    """The words of a paragraph of an OpenDocument text."""
+    made = [node.text or ""]
+    for child in node:
+        if child.tag == f"{_TEXT}line-break":
+            made.append("\n")
+        elif child.tag in (f"{_TEXT}s", f"{_TEXT}tab"):
+            made.append(" ")
+        elif child.tag not in (f"{_TEXT}note", f"{_DRAW}frame"):
+            made.append(_words(child))
+        made.append(child.tail or "")
+    return "".join(made)
+
+
+def _packed(path: Path) -> zipfile.ZipFile:
+    """The archive that a document is; TambourError where it is none, or would not fit into memory."""
+    try:
+        pack = zipfile.ZipFile(path)
+    except zipfile.BadZipFile:
+        raise TambourError("this document is damaged, or of another kind", where=str(path)) from None
+    if sum(entry.file_size for entry in pack.infolist()) > _MOST:
+        raise TambourError(f"this document unpacks to more than {_MOST // 1_000_000} MB", where=str(path))
+    return pack
+
+
+def read_html(path: Path) -> Text:
+    """A page of the web that was saved: what is read on it; its scripts are left alone, other addresses not visited."""
+    raw = path.read_bytes()
+    found = re.search(rb"charset=[\"']?([\w-]+)", raw[:2000])
+    try:
+        text = raw.decode(found[1].decode("ascii") if found else "utf-8-sig")
+    except (UnicodeDecodeError, LookupError):
+        text = raw.decode("cp1252", errors="replace")
+    page = _Page(path)
+    page.feed(text)
+    page.close()
+    page.end()
+    return page.pages.text(path)
+
+
+class _Page(HTMLParser):
+    """Gathers what stands on a page of HTML."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(convert_charrefs=True)
+        self.path, self.pages = path, Pages()
+        self.said: list[str] = []
+        self.cells: list[str] | None = None
+        self.lists: list[int] = []  # the number that comes next in every list that is open, -1 in one with dots
+        self.heading, self.before, self.hidden, self.rough = False, "", 0, False
+
+    def end(self) -> None:
+        """The words so far are a line."""
+        words, self.said = "".join(self.said), []
+        words = words if self.rough else " ".join(words.split(" "))
+        if self.cells is not None or not words.strip():
+            self.said = [words] if self.cells is not None else []
+        elif self.heading:
+            self.pages.heading(words)
+        else:
+            self.pages.line(words, self.before)
+            self.before = ""
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag in _SKIPPED:
+            self.hidden += 1
+        if tag in _BLOCKS:
+            self.end()
+        if tag in ("ul", "ol"):
+            self.lists.append(1 if tag == "ol" else -1)
+        elif tag == "li":
+            number = self.lists[-1] if self.lists else -1
+            self.before = f"{number}. " if number > 0 else "- "
+            if number > 0:
+                self.lists[-1] += 1
+        elif tag == "br":
+            self.said.append("\n")
+        elif tag == "tr":
+            self.cells = []
+        elif tag in ("td", "th") and self.cells is not None:
+            self.said = []
+        elif tag == "img":
+            self.pages.photo(self._image(dict(attrs).get("src") or ""))
+        self.heading = tag in ("h1", "h2", "h3", "h4", "h5", "h6") or (self.heading and tag not in _BLOCKS)
+        self.rough = self.rough or tag == "pre"
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag in _SKIPPED:
+            self.hidden = max(0, self.hidden - 1)
+        if tag in ("td", "th") and self.cells is not None:
+            self.cells.append("".join(self.said))
+            self.said = []
+        elif tag == "tr" and self.cells is not None:
+            self.pages.row(self.cells)
+            self.cells, self.said = None, []
+        elif tag in _BLOCKS:
+            self.end()
+            self.heading = False
+            if tag == "p":
+                self.pages.line("")
+        if tag in ("ul", "ol") and self.lists:
+            self.lists.pop()
+        self.rough = self.rough and tag != "pre"
+
+    def handle_data(self, data: str) -> None:
+        if not self.hidden:
+            self.said.append(data if self.rough else re.sub(r"\s+", " ", data))
+
+    def _image(self, where: str) -> bytes:
+        """A picture that the page holds itself, or that lies beside it."""
+        if where.startswith("data:image/") and ";base64," in where[:60]:
+            try:
+                return base64.b64decode(where.partition(",")[2], validate=False)
+            except ValueError:
+                return b""
+        beside = self.path.parent / where
+        folder = self.path.parent.resolve()
+        if ":" in where or not where or not beside.is_file() or folder not in beside.resolve().parents:
+            return b""
+        return beside.read_bytes()
