@@ -126,8 +126,8 @@ def test_every_language_has_every_word_and_fills_it(code: str) -> None:
     for key, sentence in TERMS["us"].page.items():
         assert set(re.findall(r"{(\w+)}", sentence)) >= set(re.findall(r"{(\w+)}", TERMS[code].page[key])), key
     found = words(toy().built, code)
-    assert [block.title.split(" (")[0] for block in found.parts] == ["Body", "Ear"]
-    assert [row.count for row in found.parts[0].lines if row.label] == [6, 12, 18, 18, 12, 6]
+    assert [block.title.split(" (")[0] for block in found.blocks] == ["Body", "Ear"]
+    assert [row.count for row in found.blocks[0].lines if row.label] == [6, 12, 18, 18, 12, 6]
     assert len(found.seams) + len(found.finish) == 3 and found.abbreviations
 
 

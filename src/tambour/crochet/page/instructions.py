@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import Final
 
@@ -90,6 +90,15 @@ class Words:
     parts: tuple[PartText, ...]
     seams: tuple[str, ...]
     finish: tuple[str, ...]
+
+    @property
+    def blocks(self) -> tuple[PartText, ...]:
+        """Its parts; what is said before the first, such as a colour, belongs to it."""
+        parts = list(self.parts)
+        while len(parts) > 1 and not any(row.label for row in parts[0].lines) and len(parts[0].lines) <= 2:
+            first = parts.pop(0)
+            parts[0] = replace(parts[0], lines=(*first.lines, *parts[0].lines))
+        return tuple(parts)
 
     def color(self, hue: RGB) -> tuple[str, str]:
         """The letter ("" for none) and the name of a colour, as the instructions call it."""

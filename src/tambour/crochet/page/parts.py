@@ -30,9 +30,9 @@ def rounds(book: Book) -> list[Chunk]:
     width = book.frame.width
     chunks: list[Chunk] = []
     parts = piece.built.graph.parts
-    for block in said.parts:
+    for block in said.blocks:
         heads = heading(book, block.title, width)
-        if len(said.parts) > 1 and block.part >= 0 and parts[block.part].end - parts[block.part].start > 2:
+        if len(said.blocks) > 1 and block.part >= 0 and parts[block.part].end - parts[block.part].start > 2:
             picture = of_parts(piece, [block.part], round(width * _DOTS), round(_THUMB * _DOTS))
             heads.append(_photo(picture, width, _THUMB))
         chunks += together(heads, _rows(book, block, width), block.title)
@@ -102,7 +102,7 @@ def charts(book: Book) -> None:
         y += HEAD * 1.2 + 3.0
     y = sheet.lines(wrap(book.own["chart note"], BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
     y = _symbols(book, sheet, MARGIN, y, wide)
-    names = {block.part: block.title if len(book.said.parts) > 1 else "" for block in book.said.parts}
+    names = {block.part: block.title if len(book.said.blocks) > 1 else "" for block in book.said.blocks}
     row: list[tuple[str, float, float, int]] = []
 
     def placed(row: list[tuple[str, float, float, int]], y: float) -> float:
