@@ -47,10 +47,10 @@ class EmbroideryParams(Params):
     """Parameters of the embroidery craft."""
 
     stitch: Stitch | None = None
-    """How areas and lines are stitched (by what the drawing says: areas tatami, lines running, or satin when wide)."""
+    """How areas and lines are stitched (by how wide each limb is: satin, tatami, or a line)."""
 
-    angle: Degrees = 0.0
-    """Direction of the rows, counter-clockwise from +x."""
+    angle: Degrees | None = None
+    """Direction of the rows, counter-clockwise from +x (when not given: tatami by each shape, the others along +x)."""
 
     row_spacing: Length = Field(default=0.4, gt=0.02, le=50)
     """Distance between rows, and between the stitches of a satin column."""

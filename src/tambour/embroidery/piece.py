@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Final
@@ -27,6 +28,9 @@ LOCK: Final = 5
 KINDS: Final = ("fill", "satin", "running", "underlay", "travel", "lock")
 
 
+AUTO: Final = "auto"  # the stitch of a region that nobody has chosen yet
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Region:
     """One thing to embroider: an area or a line, of one colour, with its own parameters.
@@ -34,7 +38,7 @@ class Region:
     id : the element's id in the source, for people and for errors
     paths : mm, y down, origin at the hoop's centre. Areas are valid polygons (``paths.parts`` given, outline first,
         then holes); lines are polylines without parts; rails of a satin column are two paths, its rungs follow
-    stitch : family, resolved (tatami, satin, running, …)
+    stitch : family (tatami, satin, running, …), or AUTO until it is decided
     color : sRGB
     params : the craft's parameters with this region's overrides
     role : "area", "line" or "rails"
@@ -55,6 +59,11 @@ class Region:
     start: tuple[float, float] | None = None
     end: tuple[float, float] | None = None
     flags: frozenset[str] = frozenset()
+
+    @property
+    def turn(self) -> float:
+        """The angle of its rows, radians."""
+        return math.radians(self.params.angle or 0.0)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -13,13 +13,14 @@ from tambour.core.arrays import F8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.embroidery.params import EmbroideryParams
-from tambour.embroidery.piece import SATIN, TRAVEL, UNDERLAY
+from tambour.embroidery.piece import RUNNING, SATIN, TRAVEL, UNDERLAY
 from tambour.embroidery.stitches import Stitches, chain, line_stitches
 from tambour.noise import key, uniform
 
 CROWDED = 0.25  # mm: needle points closer than this on the inner side are drawn in, every other one
 DRAWN = 0.15  # share of the width that they are drawn in
 EDGE_INSET = 0.4  # mm that underlay keeps from a column's edges
+LINE = 0.8  # mm: narrower limbs are a line, sewn there and back
 STEP = 0.1  # mm between samples of a column
 
 
@@ -329,6 +330,9 @@ def there_and_back(column: Column, params: EmbroideryParams, name: str) -> tuple
     """A limb of a branched satin: underlay that ends at its far end, and the satin that comes back over it."""
     words = underlays(column, params.underlay)
     parts = edge_walk(column, params) if "edge" in words else []
+    if float(np.median(np.hypot(*(column.left - column.right).T))) < LINE:
+        line = line_stitches(column.middle, min(params.length, 2.0), RUNNING, 0.1)
+        return line, line.reversed()
     there = (
         zigzag_walk(column, params) if "zigzag" in words else center_walk(column, params, UNDERLAY if words else TRAVEL)
     )

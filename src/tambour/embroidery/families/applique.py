@@ -63,7 +63,7 @@ def knockdown(regions: tuple[Region, ...], p: EmbroideryParams) -> list[Stitches
     whole = of_shapely(shapely.union_all(shapes).buffer(2.0))
     made = []
     if whole is not None and whole.parts is not None:
-        angle = math.radians(p.angle + 45)
+        angle = math.radians((p.angle or 0.0) + 45)
         for a, b in zip(whole.parts[:-1].tolist(), whole.parts[1:].tolist()):
             area = rings(Paths.of([whole[i] for i in range(a, b)]), angle)
             made.append(tatami(area, angle, max(1.2, 3 * p.row_spacing), 4.0, kind=UNDERLAY))

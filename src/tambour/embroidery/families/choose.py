@@ -101,24 +101,26 @@ def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -
 
 def _rest(left: Any, region: Region, below: list[Stitches], satin: list[Stitches]) -> list[Stitches]:
     """What satin leaves of an area, as tatami below it; the whole area's underlay only when it is all tatami."""
-    from tambour.embroidery.regions.read import of_shapely
+    from tambour.embroidery.regions.read import of_shapely, to_shapely
 
     rest = None if left.is_empty else of_shapely(left)
     if rest is None:
         return []
     p = region.params
-    angle = math.radians(p.angle)
+    angle = region.turn
     made = [] if satin else below
     for piece in _split(rest):
         fill = tatami(rings(piece, angle), angle, p.row_spacing, p.length, stagger=p.stagger, travel=p.travel)
-        made.append(Stitches(fill.xy, fill.kind, fill.run, {**fill.facts, "not_satin_mm2": float(left.area)}))
+        # Told only where satin was asked for.
+        wide = sum(a.area for a in to_shapely(piece)) if p.stitch == "satin" else 0.0
+        made.append(Stitches(fill.xy, fill.kind, fill.run, {**fill.facts, "not_satin_mm2": wide}))
     return made
 
 
 def fill(region: Region, polygon: Paths, area: Rings, start: Place) -> Stitches:
     """The visible stitches of one connected polygon."""
     p = region.params
-    angle, name = math.radians(p.angle), region.stitch
+    angle, name = region.turn, region.stitch
     number = key(p.seed, region.id)
     if name in ("tatami", "gradient"):
         turned = rings(polygon, angle)
@@ -184,7 +186,7 @@ def area_underlay(polygon: Paths, p: EmbroideryParams, start: Place) -> list[Sti
             or "zigzag" in words
             or ("auto" in words and float(np.ptp(piece.coords, axis=0).min()) > wide)
         ):
-            across = math.radians(p.angle + 90)
+            across = math.radians((p.angle or 0.0) + 90)
             made.append(
                 tatami(
                     rings(piece, across),

@@ -1,19 +1,82 @@
-"""Decide: what nobody asked for of a region: here the angle of its rows."""
+"""Decide: what nobody asked for of a region: satin, tatami or a line, by how wide its limbs are; and the rows' angle."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
+
+import numpy as np
 
 from tambour.embroidery.lines.angle import angle
-from tambour.embroidery.piece import Region
+from tambour.embroidery.piece import AUTO, Region
+from tambour.embroidery.regions.read import of_shapely, to_shapely
+
+SATIN = 7.0  # mm: limbs up to this width are satin
+SPLIT = 12.1  # mm: up to this satin that is split, above it tatami
+BODY = 0.15  # share of an area that may be wider and still be left to what satin leaves
+ROWS = ("tatami", "gradient")
 
 
-def angled(found: Sequence[Region]) -> tuple[Region, ...]:
-    """Regions with rows along each one's own shape, and apart from those of the one before."""
+def decided(found: Sequence[Region]) -> tuple[Region, ...]:
+    """Regions with a stitch and an angle each; an area whose parts differ becomes one region for each kind.
+
+    What was asked for stays: a region's ``stitch`` where it is not AUTO, its ``angle`` where it is not None.
+    """
     made: list[Region] = []
     for region in found:
-        beside = [made[-1].params.angle] if made else []
-        own = angle(region.paths, 1.0, beside)
+        made += _parts(region) if region.stitch == AUTO else [region]
+    return _angled(made)
+
+
+def stitch_of(area: Any) -> str:
+    """Satin or tatami for one shapely polygon, by the share of it that is wider than satin can be."""
+    if _wider(area, SATIN) <= BODY:
+        return "satin"
+    # Between the two a plain long shape is satin that is split; what branches or turns back is better filled.
+    plain = not area.interiors and area.area > 0.8 * area.convex_hull.area
+    long = area.length**2 > 24 * area.area  # a square has 16, a bar twice as long as wide 18, thrice 21
+    return "satin" if plain and long and _wider(area, SPLIT) <= 0.02 else "tatami"
+
+
+def _wider(area: Any, width: float) -> float:
+    """The share of an area that is wider than ``width``: what discs of that size reach."""
+    body = area.buffer(-width / 2, quad_segs=8)
+    return 0.0 if body.is_empty else float(body.buffer(width / 2, quad_segs=8).intersection(area).area / area.area)
+
+
+def _parts(region: Region) -> list[Region]:
+    """One region for the satins of an area, and one for each of its parts that is tatami."""
+    satin: list[Any] = []
+    rows: list[Any] = []
+    for part in to_shapely(region.paths):
+        (satin if stitch_of(part) == "satin" else rows).append(part)
+    made = []
+    for kind, parts in (("tatami", [p]) for p in rows):
+        made.append((kind, of_shapely(parts[0])))
+    if satin:
+        import shapely
+
+        made.append(("satin", of_shapely(shapely.GeometryCollection(satin))))
+    held = [(kind, paths) for kind, paths in made if paths is not None]
+    return [
+        replace(region, id=region.id if not k else f"{region.id} ({k + 1})", stitch=kind, paths=paths)
+        for k, (kind, paths) in enumerate(held)
+    ]
+
+
+def _angled(found: list[Region]) -> tuple[Region, ...]:
+    """Rows along each area's own shape where no angle was asked for, apart from those of neighbours."""
+    boxes = np.array([[*r.paths.coords.min(0) - 0.5, *r.paths.coords.max(0) + 0.5] for r in found]).reshape(-1, 4)
+    made: list[Region] = []
+    for k, region in enumerate(found):
+        own = region.params.angle
+        if own is None:
+            own = 0.0
+            if region.role == "area" and region.stitch == "tatami":
+                meets = ((boxes[:k, :2] <= boxes[k, 2:]) & (boxes[k, :2] <= boxes[:k, 2:])).all(axis=1)
+                near = [made[j] for j in np.flatnonzero(meets)[-20:].tolist()]
+                own = angle(region.paths, 1.0, [math.degrees(r.turn) for r in near if r.stitch in ROWS])
         made.append(replace(region, params=region.params.model_copy(update={"angle": own})))
     return tuple(made)

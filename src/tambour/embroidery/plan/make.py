@@ -12,7 +12,7 @@ from tambour.core.progress import Progress
 from tambour.core.thread import Thread, ThreadPlan
 from tambour.embroidery.families.applique import applique, basting_box, knockdown
 from tambour.embroidery.families.choose import Place, region_stitches
-from tambour.embroidery.families.decide import angled
+from tambour.embroidery.families.decide import decided
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.plan.design import piece_of
@@ -45,8 +45,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if drawing.about.get("ignored"):
             progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
         found = regions(drawing, params, progress)
-        if isinstance(source, Picture):
-            found = angled(found)
+        found = decided(found)
     how = params.order
     if len(found) > MOST and how == "auto":
         progress.warn(

@@ -64,7 +64,8 @@ def flags(data: Mapping[str, str]) -> frozenset[str]:
 
 def overrides(data: Mapping[str, str], name: str) -> dict[str, Any]:
     """Parameters that an object's ``inkstitch-…`` data ask for; TambourError naming the object for unusable values."""
-    if not any(key.startswith("inkstitch-") for key in data):
+    notes = [key for key in data if key.startswith("inkstitch-") and not key.startswith("inkstitch-command")]
+    if not notes:
         return {}
     table = SATIN if is_satin(data) else {**STROKE, **FILL}
     made: dict[str, Any] = {}
@@ -76,9 +77,11 @@ def overrides(data: Mapping[str, str], name: str) -> dict[str, Any]:
             made[parameter] = reading(text)
         except (ValueError, IndexError):
             raise TambourError(f"inkstitch:{attribute}={text!r} is not a number", where=name) from None
+    # What its own program fills with when it says nothing more.
+    made.setdefault("angle", 0.0)
     method = data.get("inkstitch-fill_method", "")
-    if method in METHODS:
-        made["stitch"] = METHODS[method]
+    if method in METHODS or any(key.startswith("inkstitch-fill") or key == "inkstitch-auto_fill" for key in notes):
+        made["stitch"] = METHODS.get(method, "tatami")
     if is_satin(data):
         made["stitch"] = "satin"
         words = [

@@ -15,7 +15,7 @@ from tambour.core.params import Params
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.embroidery.params import EmbroideryParams, hoop_size
-from tambour.embroidery.piece import Region
+from tambour.embroidery.piece import AUTO, Region
 from tambour.embroidery.regions.inkstitch import flags as inkstitch_flags
 from tambour.embroidery.regions.inkstitch import is_satin, overrides
 
@@ -142,7 +142,7 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
             if area is None:
                 tiny += 0 if stroke[style, 3] else 1
             else:
-                family = str(own.stitch or "tatami")
+                family = str(own.stitch or AUTO)
                 if family in LINES and "inkstitch-stroke_method" in data:
                     family = "tatami"  # that method was said of the stroke
                 role = "line" if family in LINES else "area"

@@ -182,7 +182,13 @@ def _drawing(areas: list[Any], pixel: float, shape: tuple[int, ...]) -> Drawing:
             ids.append(f"area-{len(ids) + 1}")
         colors.append(((*color, 255), None, 0.0))
     coords = Paths.of(rings)
-    groups = Groups(tuple(ids), tuple(ids), np.full(len(ids), -1), np.zeros(len(ids), bool))
+    groups = Groups(
+        tuple(ids),
+        tuple(ids),
+        np.full(len(ids), -1),
+        np.zeros(len(ids), bool),
+        tuple({"tambour-stitch": "tatami"} for _ in ids),
+    )
     return Drawing(
         Paths(coords.coords, coords.offsets, np.array(parts)),
         np.array(style, np.int32),
