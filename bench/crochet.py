@@ -16,10 +16,10 @@ from tambour.crochet.graph.build import build
 from tambour.crochet.language.parse import parse
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import warm
-from tambour.crochet.settle.arrange import fit
 from tambour.crochet.settle.body import State, centroid_counts
 from tambour.crochet.settle.plain_steps import step
 from tambour.crochet.settle.rest import settle, tolerance
+from tambour.geometry.motion import fit
 
 NEAR = 0.1
 

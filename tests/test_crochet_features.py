@@ -161,7 +161,7 @@ def test_materials() -> None:
 def test_doubts() -> None:
     piece = made(
         "eye(Head, round=11, stitch=15, size=12)",
-        "eye(Head, round=11, stitch=16, size=12)",
+        "eye(Head, round=11, stitch=17, size=12)",
         "eye(Head, round=7, stitch=3, size=90)",
         "felt(Head, round=5, width=200)",
         "embroider(Head, 11:15)",

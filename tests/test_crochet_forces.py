@@ -53,6 +53,40 @@ def test_single_loop_is_the_formula() -> None:
     assert not D[22].any(), "three points on a line push nothing"
 
 
+def test_fold_is_the_single_loop_with_the_answer_of_the_fabric_and_has_an_energy() -> None:
+    nodes, planes, strength = np.array([3], np.int32), np.array([[0, 1, 2]], np.int32), np.array([0.05])
+    flat = np.array([[0.0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0]])
+
+    def fold(x: np.ndarray, strength: np.ndarray = strength) -> np.ndarray:
+        D = np.zeros_like(x)
+        forces.fold(x, nodes, planes, strength, D)
+        return D
+
+    for height in (-0.4, -0.2, 0.0, 0.1, 0.29, 0.31, 0.9):
+        x = flat.copy()
+        x[3, 2] = -height  # the back loop's side is -z here
+        D = fold(x)
+        one_sided = np.zeros_like(x)
+        forces.single_loop(x, nodes, planes, strength, one_sided)
+        np.testing.assert_allclose(D[3], one_sided[3] * max(1 - abs(height) / forces.LEAN, 0.0), atol=1e-15)
+        np.testing.assert_allclose(D.sum(0), 0.0, atol=1e-15)
+        np.testing.assert_allclose(np.cross(x, D).sum(0), 0.0, atol=1e-15)
+        np.testing.assert_allclose(fold(x, -strength), -D, atol=1e-15)
+    assert fold(flat).any()
+
+    # A force with an energy has a symmetric derivative.
+    x = flat + 0.1 * shaken(4, "fold")
+    assert fold(x).any()
+    H, h = np.zeros((12, 12)), 1e-6
+    for k in range(12):
+        step = np.zeros(12)
+        step[k] = h
+        H[k] = (fold(x + step.reshape(4, 3)) - fold(x - step.reshape(4, 3))).ravel() / (2 * h)
+    np.testing.assert_allclose(H, H.T, atol=1e-9)
+    flat[1] = [0, 1, 0]
+    assert not fold(flat).any(), "three points on a line have no side"
+
+
 def test_bend_is_the_formula_and_leaves_straight_lines_alone() -> None:
     triples = np.array([[0, 1, 2], [1, 2, 3]], np.int32)
     x = shaken(4, "bend")

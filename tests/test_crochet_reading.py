@@ -1,6 +1,6 @@
 """Printed patterns are read to the graph that their twins in tambour's own language give."""
 
-import time
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -249,13 +249,40 @@ def test_any_text(text):
         assert told.problems
 
 
-def test_noise_is_refused_quickly():
-    line = "the quick brown fox 12 jumps (over) *the* lazy dog, row 3: again and again. "
-    for text in (line * 1400, "Rnd 3: foo bar\n" * 7000, "(" * 100_000, "* " * 50_000, "sc, " * 25_000, "a" * 100_000):
-        begin = time.perf_counter()
+def work(text: str) -> int:
+    """How many calls refusing a text takes."""
+    calls = 0
+
+    def count(frame: object, event: str, what: object) -> None:
+        nonlocal calls
+        calls += event in ("call", "c_call")
+
+    sys.setprofile(count)
+    try:
         with pytest.raises(TambourError):
             build(read(Text(text, "noise.txt")))
-        assert time.perf_counter() - begin < 0.2 * len(text) / 10_000 * 2  # a busy machine may take twice as long
+    finally:
+        sys.setprofile(None)
+    return calls
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "the quick brown fox 12 jumps (over) *the* lazy dog, row 3: again and again. ",
+        "Rnd 3: foo bar\n",
+        "(",
+        "* ",
+        "sc, ",
+        "a",
+    ],
+)
+def test_noise_is_refused_with_work_that_grows_as_its_length(line: str) -> None:
+    work(line * 10)  # what is read but once is no work of this text's
+    once, twice = (line * (n // len(line)) for n in (10_000, 20_000))
+    few = work(once)
+    assert few < 150 * len(once)
+    assert work(twice) < 2.2 * few
 
 
 def test_the_report_says_what_was_read():

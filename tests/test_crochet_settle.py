@@ -11,11 +11,19 @@ import pytest
 
 import crochet_plain as plain
 import crochet_toys as toys
-from tambour.crochet.finish.shape import Shape, Task, first_positions, simulate
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.finish.shape import Shape, Task, first_positions, shaping, simulate
+from tambour.crochet.looks import yarn
+from tambour.crochet.maker.facts import facts
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.settle.arrange import fit
-from tambour.crochet.settle.body import centroid_counts, grown
-from tambour.crochet.settle.rest import tolerance
+from tambour.crochet.plush import make
+from tambour.crochet.settle.body import State, centroid_counts, grown
+from tambour.crochet.settle.contact import ragged
+from tambour.crochet.settle.factor import dissect, factor
+from tambour.crochet.settle.plain_steps import Building, first_place, steps
+from tambour.crochet.settle.rest import settle, tolerance
+from tambour.geometry.motion import fit
 
 
 def task(toy, stuffing: str, start: str = "rounds", **options) -> Task:
@@ -109,6 +117,91 @@ def test_from_one_by_one_the_same_ball() -> None:
 def test_a_goal_out_of_reach_is_told() -> None:
     made = simulate(task(toys.ball(3, 3), "pressure", tolerance=1e-300))
     assert not made.settled and made.residual < 1e-6 and np.isfinite(made.x).all()
+
+
+def test_the_factor_solves() -> None:
+    toy = toys.tube(24, 39)
+    for edges in (toy.edges, toy.edges[::3], toy.edges[:0], np.concatenate([toy.edges, toy.edges[:9]])):
+        n = len(toy)
+        offsets, neighbours = ragged(n, edges, np.zeros(len(edges), bool))
+        assert sorted(dissect(offsets, neighbours)) == list(range(n))
+        A = np.diag(1e-3 + np.diff(offsets))
+        np.subtract.at(A, (np.repeat(np.arange(n), np.diff(offsets)), neighbours), 1.0)
+        q = np.sin(np.arange(3.0 * n))
+        z = factor(offsets, neighbours, np.ones(len(neighbours)), np.diag(A).copy())(q)
+        np.testing.assert_allclose(A @ z.reshape(-1, 3), q.reshape(-1, 3), atol=1e-8)
+
+
+def test_whoever_looks_on_sees_every_move_and_changes_nothing() -> None:
+    toy = toys.ball(3, 3)
+    for what in (task(toy, "pressure"), task(toy, "pressure", "one-by-one", solver="steps", steps=300)):
+        looks, work, made = [], shaping(what), None
+        while made is None:
+            try:
+                looks.append(next(work))
+            except StopIteration as end:
+                made = end.value
+        assert len(looks) > 20 and all(look.done <= look.total for look in looks)
+        assert len({look.x.tobytes() for look in looks}) == len(looks)
+        assert (made.x == simulate(what).x).all()
+    assert len(looks[0].x) < 4 and len(looks[-1].x) == made.worked
+
+
+def test_held_nodes_stay_and_the_rest_comes_to_rest_about_them() -> None:
+    toy = toys.ball(6, 6)
+    what = task(toy, "pressure")
+    body = what.body(toy, what.used)
+    free = simulate(what)
+    held = np.zeros(len(toy), bool)
+    held[[1, 2, 3, -2, -3]] = True
+    x = free.x.copy()
+    x[held & (np.arange(len(x)) > 9)] += [0.0, 3.0, 0.0]
+    state = State(x.copy(), np.zeros((0, 3)), np.zeros(1))
+    moves = settle(body, state, held=held)
+    while True:
+        try:
+            next(moves)
+        except StopIteration as end:
+            rest = end.value
+            break
+        assert (state.x[held] == x[held]).all()
+    assert rest.settled
+    assert np.ptp(state.x[:, 1]) > np.ptp(free.x[:, 1]) + 1.0
+
+    again = State(state.x.copy(), np.zeros((0, 3)), np.zeros(1))
+    for _ in steps(body, again, 50, held):
+        assert (again.x[held] == x[held]).all()
+    assert apart(again.x, state.x) < 0.02
+
+    work = Building(toy, body, 1.0, 0.03, 5, what.used, 60)
+    held = np.arange(len(toy)) < 4
+    for _ in range(100):
+        work.tick(held)
+    placed = [first_place(np.array([0]), np.array([0]), work.state.x, k, 1.0) for k in range(3)]
+    np.testing.assert_array_equal(work.state.x[:3], placed)
+    assert len(work.body) > 10
+
+
+def test_shapes_settle_without_linear_algebra_of_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    import scipy.sparse.linalg
+
+    def refuse(*args: object, **options: object) -> None:
+        raise AssertionError("a vendor's kernel would decide the last bits")
+
+    for module in (np.linalg, scipy.sparse.linalg):
+        for name in dir(module):
+            if callable(getattr(module, name)) and not isinstance(getattr(module, name), type) and name[0] != "_":
+                monkeypatch.setattr(module, name, refuse)
+    with pytest.raises(AssertionError):
+        np.linalg.svd(np.eye(3))
+    text = (
+        "== a ==\n: MR(6)\n: 6 inc\n: BLO, 12 sc\n3: 12 sc\n: 6 dec\nFO\n"
+        "== b ==\n@stuffing = none\n: MR(6)\n: 6 inc\n3: 12 sc\nplace(b, a, round=4)\neye(a, round=4, size=6)\n"
+        "felt(a, circle, round=4, stitch=6, width=9)\n"
+    )
+    made = make(Text(text, "sewn"), CrochetParams(), Progress())
+    assert made.shape.settled and facts(made)["size_mm"][0] > 0
+    yarn(made)
 
 
 def test_bytes_do_not_depend_on_threads() -> None:

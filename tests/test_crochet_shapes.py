@@ -34,14 +34,14 @@ SIZES = {
     "frog": [153.8, 138.9, 94.2],
     "granny": [88.0, 3.3, 88.0],
     "heart": [94.9, 87.3, 61.0],
-    "mushroom": [75.8, 113.8, 75.2],
+    "mushroom": [79.0, 111.1, 78.2],
     "octopus": [170.8, 135.6, 173.1],
     "pouch": [49.8, 66.1, 70.8],
     "ruffle": [88.6, 69.3, 94.8],
     "sampler": [130.5, 3.3, 79.0],
     "slipper": [56.2, 64.0, 91.4],
     "vase": [81.8, 120.1, 81.4],
-    "y": [72.2, 90.8, 33.8],
+    "y": [51.6, 103.6, 38.4],
 }
 
 
@@ -97,3 +97,22 @@ def test_closed_parts_are_watertight_and_right_side_out(name: str) -> None:
         if len(faces) and closed(faces):
             edges = len(faces) * 3 // 2
             assert len(np.unique(faces)) - edges + len(faces) == 2, part.name
+
+
+@pytest.mark.parametrize("loop", ["BLO", "FLO"])
+@pytest.mark.parametrize("stuffing", ["none", "medium"])
+def test_a_basket_worked_into_one_loop_keeps_a_flat_base_and_a_straight_wall(loop: str, stuffing: str) -> None:
+    base = ": MR(6)\n: 6 inc\n: [sc, inc] x 6\n: [2 sc, inc] x 6\n: [3 sc, inc] x 6\n"
+    text = f"@stuffing = {stuffing}\n{base}: {loop}, 30 sc\n6: 30 sc\n"
+    made = make(Text(text), CrochetParams(), Progress())
+    assert made.shape.settled
+    x = made.positions / made.stitch[0]
+    rings = [x[r.first : r.last + 1] for r in made.built.rounds]
+    wide = [float(np.hypot(*(ring - ring.mean(0))[:, [0, 2]].T).mean()) for ring in rings]
+    high = [float(ring[:, 1].mean()) for ring in rings]
+    want = 30 / (2 * np.pi)
+    # A disc of six more in each round is a cone of 17 degrees as it is worked: five rounds of it rise by 1.4.
+    assert wide[4] == pytest.approx(want, rel=0.1)
+    assert high[4] - high[0] < 1.9
+    assert wide[5:] == pytest.approx([want] * 7, rel=0.04)
+    assert np.diff(high[6:]) == pytest.approx(np.ones(5), rel=0.04)

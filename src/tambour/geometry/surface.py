@@ -42,7 +42,7 @@ def face_normals(vertices: Array, faces: Array) -> Array:
     """Unit normals (F, 3), outward for counter-clockwise faces; zero for faces without area."""
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     n = np.cross(b - a, c - a)
-    length = np.linalg.norm(n, axis=1, keepdims=True)
+    length = np.sqrt((n * n).sum(1, keepdims=True))
     return np.asarray(np.divide(n, length, out=np.zeros_like(n), where=length > 0))
 
 

@@ -14,6 +14,7 @@ from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.crochet.finish.ground import Ground, unit
 from tambour.crochet.language.finishes import RGB
+from tambour.geometry.motion import dot
 
 BLACK: RGB = (24, 22, 22)
 DARK = 52
@@ -88,7 +89,7 @@ def _finer(yarn: Strands, near: Array) -> Strands:
 def _pressed(coords: Array, thick: Array, middle: Array, axis: Array, size: float) -> Array:
     radius = size / 2
     off = coords - middle
-    high = off @ axis
+    high = dot(off, axis)
     out = off - high[:, None] * axis
     beside = np.sqrt((out**2).sum(1))
     room = radius + 0.75 * thick

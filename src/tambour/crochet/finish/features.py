@@ -19,6 +19,7 @@ from tambour.crochet.finish.placing import Frames, frames
 from tambour.crochet.graph.build import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Hair, Spot
+from tambour.geometry.motion import length
 
 TAIL = 150.0
 """Yarn, mm, for the two ends of a piece of embroidery, which are hidden inside."""
@@ -271,7 +272,7 @@ def doubts(built: Built, positions: Array) -> list[Problem]:
                 message = f"this eye is {record.size:g} mm wide, {part.name or 'the piece'} only {span[1]:.0f} mm"
                 found.append(Problem(message, "take a smaller one", record.span, text, warning=True))
             for other, point in seen:
-                apart = float(np.linalg.norm(point - at.points[0]))
+                apart = float(length(point - at.points[0]))
                 if apart < (record.size + other.size) / 2:
                     message = f"two eyes are in one another: they are {apart:.1f} mm apart"
                     found.append(Problem(message, "place them further apart", record.span, text, warning=True))
@@ -282,7 +283,7 @@ def doubts(built: Built, positions: Array) -> list[Problem]:
     for record, at in zip(what.records, what.where):
         if isinstance(record, Embroidery):
             for other, point in seen:
-                if (np.linalg.norm(at.points - point, axis=1) < 0.42 * other.size).all():
+                if (length(at.points - point) < 0.42 * other.size).all():
                     message = "this embroidery lies under an eye"
                     found.append(Problem(message, "place it beside the eye", record.span, text, warning=True))
     return found

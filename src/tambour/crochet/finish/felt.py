@@ -13,6 +13,7 @@ from tambour.core.kernels import kernel
 from tambour.core.mesh import Mesh
 from tambour.crochet.finish.eyes import fan
 from tambour.crochet.finish.ground import Ground
+from tambour.geometry.motion import least_squares
 from tambour.noise import stream
 
 THICK = 1.5
@@ -80,14 +81,16 @@ def felt(
     cut = cut - middle
     c, s = np.cos(radians(turn)), np.sin(radians(turn))
     cut, shift = (
-        cut @ np.array([[c, s], [-s, c]]),
+        np.column_stack([c * cut[:, 0] - s * cut[:, 1], s * cut[:, 0] + c * cut[:, 1]]),
         np.array([c * middle[0] - s * middle[1], s * middle[0] + c * middle[1]]),
     )
     if np.abs(shift).sum() > 0:
-        moved, _ = ground.walk(point, (shift @ np.stack([right, up]))[None], np.full((1, 1), float(np.hypot(*shift))))
+        moved, _ = ground.walk(
+            point, (shift[0] * right + shift[1] * up)[None], np.full((1, 1), float(np.hypot(*shift)))
+        )
         point = moved[0, 0]
     far = np.hypot(*cut.T)
-    directions = (cut / far[:, None]) @ np.stack([right, up])
+    directions = (cut[:, :1] * right + cut[:, 1:] * up) / far[:, None]
     rings = min(40, max(4, int(np.ceil(far.max() / 0.9))))
     # The last rings lie where the edge is rounded off.
     soft = 0.45 * THICK
@@ -137,7 +140,7 @@ def _fit(ground: Ground, point: Array, directions: Array, angle: Array, far: Arr
     ways = np.diff(np.concatenate([np.repeat((start + ground.lift * upright)[None], len(top), 0), top], axis=1), axis=1)
     longer = np.sqrt((ways**2).sum(2)).sum(1) / far
     terms = np.column_stack([np.ones_like(angle), np.cos(2 * angle), np.sin(2 * angle)])
-    smooth = terms @ np.linalg.lstsq(terms, longer, rcond=None)[0]
+    smooth = least_squares(terms, longer)
     return np.asarray(1.0 / np.clip(smooth, 0.7, 1.6))
 
 

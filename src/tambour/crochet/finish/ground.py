@@ -12,6 +12,7 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.strands import Strands
 from tambour.geometry.closest import Tree, nearest, tree
+from tambour.geometry.motion import length
 from tambour.geometry.surface import vertex_normals
 
 LIFT = 0.93
@@ -87,7 +88,7 @@ class Ground:
         """A line over the fabric through ``points`` (K, 3), K ≥ 2: places (P, 3) about ``step`` mm apart, normals."""
         runs: list[Array] = []
         for a, b in pairwise(points):
-            count = max(2, int(np.ceil(np.linalg.norm(b - a) / step)) + 1)
+            count = max(2, int(np.ceil(length(b - a) / step)) + 1)
             run = a + (b - a) * np.linspace(0, 1, count)[:, None]
             for _ in range(3):  # drawn tight within the fabric
                 run[1:-1] = 0.25 * run[:-2] + 0.5 * run[1:-1] + 0.25 * run[2:]
@@ -118,7 +119,7 @@ def balls(yarn: Strands) -> Array:
     if not len(coords):
         return np.zeros((0, 4))
     step = np.zeros(len(coords))
-    step[:-1] = np.linalg.norm(np.diff(coords, axis=0), axis=1)
+    step[:-1] = length(np.diff(coords, axis=0))
     step[ends[1:][ends[1:] > 0] - 1] = 0.0
     times = np.maximum(1, np.ceil(step / (0.5 * radius))).astype(np.int64)
     begin = np.concatenate([[0], np.cumsum(times)])

@@ -13,6 +13,7 @@ from tambour.crochet.finish.ground import Ground, unit
 from tambour.crochet.language.finishes import Hair
 from tambour.crochet.yarn.clearance import clear
 from tambour.crochet.yarn.loops import RATIO
+from tambour.geometry import motion
 from tambour.noise import stream
 
 FALL = 0.2
@@ -114,7 +115,7 @@ def _comb(
     draw = stream("hair", number, count).random((2 * count, 4)) - 0.5
     down = np.array([0.0, -1.0, 0.0])
     slope = down + normal[:, 1:2] * normal
-    steep = np.linalg.norm(slope, axis=1, keepdims=True)
+    steep = motion.length(slope)[:, None]
     # On a slope hair is combed down it. Where it is level, or the line itself runs down the slope as a parting does,
     # the two ends go to either side of the line.
     level = np.maximum(0.0, 1.0 - steep / 0.35)
@@ -177,7 +178,7 @@ def _settled(ground: Ground, knots: list[Array], locks: list[Array], thick: floa
         clear(coords, ends, 0.94 * thick, looks=1, rounds=6)
         coords[:held] = knotted
         at, moved = held, []
-        for (count, many, _), length, first in zip(shapes, lengths, locks):
+        for (count, many, _), far, first in zip(shapes, lengths, locks):
             lock = coords[at : at + count * many].reshape(count, many, 3)
             at += count * many
             lock[:, 0] = first[:, 0]
@@ -187,7 +188,7 @@ def _settled(ground: Ground, knots: list[Array], locks: list[Array], thick: floa
             lock[:, 1:-1] = 0.5 * lock[:, 1:-1] + 0.25 * (lock[:, :-2] + lock[:, 2:])
             for k in range(1, many):
                 way = lock[:, k] - lock[:, k - 1]
-                lock[:, k] = lock[:, k - 1] + unit(way) * length[:, k - 1, None]
+                lock[:, k] = lock[:, k - 1] + unit(way) * far[:, k - 1, None]
             free, _, _ = outside(ground, lock[:, 1:].reshape(-1, 3), ground.lift + 0.5 * thick, eyes, thick)
             lock[:, 1:] = free.reshape(count, many - 1, 3)
             moved.append(lock)

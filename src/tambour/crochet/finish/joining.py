@@ -17,6 +17,7 @@ from tambour.crochet.graph.assemble import SEWN_SHORT
 from tambour.crochet.graph.build import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed
+from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.surface import vertex_normals
 
 APART = 1.0
@@ -160,17 +161,17 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         own = bodies[body[part]]
         frame = _frame(joining, x, f, end, upright, bodies[body[other]])
         how = sewing.held(x, own, end)
-        straight = sewing.brought(x, own, end, how, *sewing.turned(f, end, frame, False), frame.points[0])
-        turned = sewing.turned(f, end, frame)
-        moved = sewing.brought(x, own, end, how, *turned, frame.points[0])
+        straight = sewing.brought(x, own, end, how, *sewing.ways(f, end, frame, False), frame.points[0])
+        ways = sewing.ways(f, end, frame)
+        moved = sewing.brought(x, own, end, how, *ways, frame.points[0])
         fixed = np.concatenate([bodies[b] for b in group[body[other]]])
         outward = vertex_normals(x, shell[np.isin(shell[:, 0], fixed)])
         at_end = np.isin(own, end.nodes)
         rank = np.searchsorted(own, end.nodes)
         seams.append(sewing.seam(x, graph, end, straight[rank], bodies[body[other]], frame))
         x[own] = sewing.clear_of(moved, at_end, x[fixed], outward[fixed], frame.normals[0])
-        upright[part] = sewing.leaning(f, frame) @ upright[other]
-        springs, lengths = sewing.stays(x, moved, own, *turned, bodies[body[other]], frame)
+        upright[part] = turned(upright[other], sewing.leaning(f, frame))
+        springs, lengths = sewing.stays(x, moved, own, *ways, bodies[body[other]], frame)
         stays.append(springs)
         rest.append(lengths)
         held.append((int(own[0]), int(fixed[0])))
@@ -200,9 +201,9 @@ def _frame(joining: Joining, x: Array, placed: Placed, end: sewing.End, upright:
     faces = built.graph.faces[built.shell]
     outward = vertex_normals(x, faces[np.isin(faces, near).any(1)])[near]
     # What lies on the other side of a thin part looks the other way.
-    mean = outward[(outward @ frame.normals[0]) > 0.0].sum(0)
-    length = float(np.sqrt(mean @ mean))
-    normals = frame.normals if length < 1e-9 else (mean / length)[None]
+    mean = outward[dot(outward, frame.normals[0]) > 0.0].sum(0)
+    size = float(length(mean))
+    normals = frame.normals if size < 1e-9 else (mean / size)[None]
     return Frames(frame.points, normals, *level(normals, upright[[joining.spots.parts[placed.spot.part]]]))
 
 

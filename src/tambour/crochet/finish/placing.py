@@ -12,6 +12,7 @@ from tambour.core.graph import Part
 from tambour.crochet.graph.build import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Spot
+from tambour.geometry.motion import dot
 from tambour.geometry.surface import vertex_normals
 
 LEVEL = (0.94, 0.985)
@@ -52,7 +53,7 @@ def frames(built: Built, positions: Array, spots: Sequence[Spot], upright: Array
     for k, spot in enumerate(spots):
         place = known.place(spot)
         nodes, weights = list(place.nodes), np.array(place.weights)
-        points[k], normals[k] = weights @ x[nodes], weights @ outward[nodes]
+        points[k], normals[k] = (weights[:, None] * x[nodes]).sum(0), (weights[:, None] * outward[nodes]).sum(0)
         if place.opening:
             normals[k] = _out_of(x, nodes, built.graph.parts[known.parts[spot.part]])
         tops[k] = (0.0, 1.0, 0.0) if upright is None else upright[known.parts[spot.part]]
@@ -65,7 +66,7 @@ def _out_of(x: Array, rim: list[int], part: Part) -> Array:
     off = x[rim] - x[rim].mean(0)
     across = np.cross(off, np.roll(off, -1, 0)).sum(0)
     away = x[rim].mean(0) - x[part.start : part.end].mean(0)
-    return np.asarray(across if across @ away >= 0.0 else -across)
+    return np.asarray(across if dot(across, away) >= 0.0 else -across)
 
 
 def level(normals: Array, tops: Array) -> tuple[Array, Array]:

@@ -13,6 +13,7 @@ from tambour.crochet.finish.placing import Frames
 from tambour.crochet.graph.build import Built
 from tambour.crochet.graph.spots import Spots, rim
 from tambour.crochet.language.finishes import Placed
+from tambour.geometry.motion import dot, length, turned
 
 CLEARANCE = 0.8
 """Stitches that a part keeps at first from the fabric that it is sewn to; the end that is sewn half of that."""
@@ -82,16 +83,16 @@ def held(x: Array, own: Array, end: End) -> Held:
         else:
             line = loop[-1] - loop[0]
         front = _unit(line)
-        return Held(middle, _unit(away - (away @ front) * front), front)
+        return Held(middle, _unit(away - dot(away, front) * front), front)
     off = loop - middle
     axis = np.cross(off, np.roll(off, -1, 0)).sum(0)
-    axis = axis if axis @ away >= 0 else -axis
-    axis = _unit(axis) if np.sqrt(axis @ axis) > 0.1 * len(loop) else _unit(away)
+    axis = axis if dot(axis, away) >= 0 else -axis
+    axis = _unit(axis) if length(axis) > 0.1 * len(loop) else _unit(away)
     ahead = np.array([0.0, 0.0, 1.0]) if abs(axis[2]) < 0.95 else np.array([0.0, -1.0, 0.0])
-    return Held(middle, axis, _unit(ahead - (ahead @ axis) * axis))
+    return Held(middle, axis, _unit(ahead - dot(ahead, axis) * axis))
 
 
-def turned(placed: Placed, end: End, frame: Frames, tilted: bool = True) -> tuple[Array, Array]:
+def ways(placed: Placed, end: End, frame: Frames, tilted: bool = True) -> tuple[Array, Array]:
     """Where the axis and the front of ``placed`` point on a spot with ``frame`` (K = 1): two unit vectors (3,)."""
     n, along, up = frame.normals[0], frame.along[0], frame.up[0]
     a = math.radians(placed.across)
@@ -104,7 +105,7 @@ def turned(placed: Placed, end: End, frame: Frames, tilted: bool = True) -> tupl
     if not tilted:
         return n, front
     turn = leaning(placed, frame)
-    return turn @ n, turn @ front
+    return turned(n, turn), turned(front, turn)
 
 
 def leaning(placed: Placed, frame: Frames) -> Array:
@@ -114,7 +115,7 @@ def leaning(placed: Placed, frame: Frames) -> Array:
     to = math.cos(w) * up - math.sin(w) * along
     k = np.cross(n, to)
     cross = np.array([[0.0, -k[2], k[1]], [k[2], 0.0, -k[0]], [-k[1], k[0], 0.0]])
-    made = np.eye(3) + math.sin(t) * cross + (1.0 - math.cos(t)) * cross @ cross
+    made = np.eye(3) + math.sin(t) * cross + (1.0 - math.cos(t)) * turned(cross, cross.T)
     return np.asarray(made)
 
 
@@ -122,7 +123,7 @@ def brought(x: Array, own: Array, end: End, how: Held, axis: Array, front: Array
     """The part's nodes with the middle of its end at ``point`` and its axis and front turned as told."""
     before = np.column_stack([how.axis, how.front, np.cross(how.axis, how.front)])
     after = np.column_stack([axis, front, np.cross(axis, front)])
-    return np.asarray((x[own] - how.middle) @ (after @ before.T).T + point)
+    return np.asarray(turned(x[own] - how.middle, turned(after, before)) + point)
 
 
 def clear_of(moved: Array, sewn: Array, others: Array, outward: Array, n: Array) -> Array:
@@ -166,7 +167,7 @@ def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array,
     m = len(end.nodes)
     target = target[~np.isin(graph.peculiarity[target], (ROOT, TIP))]
     off = straight - p
-    off = off - (off @ n)[:, None] * n
+    off = off - dot(off, n)[:, None] * n
     if end.ring:
         length = np.sqrt((off**2).sum(1, keepdims=True))
         wanted = p + off / np.maximum(length, 1e-9) * (m / (2.0 * math.pi))
@@ -227,7 +228,7 @@ def stays(
     p, along, up = frame.points[0], frame.along[0], frame.up[0]
     ground = cKDTree(x[target]).query(p + STAY * np.array([along, up, -along, -up]))[1]
     off = moved - p
-    height = off @ axis
+    height = dot(off, axis)
     middle = min(0.6 * float(height.max()), REACH)
     side = np.cross(axis, front)
     ring = np.abs(height - middle) < 1.0
@@ -239,4 +240,4 @@ def stays(
 
 
 def _unit(v: Array) -> Array:
-    return np.asarray(v / max(float(np.sqrt(v @ v)), 1e-12))
+    return np.asarray(v / max(float(length(v)), 1e-12))

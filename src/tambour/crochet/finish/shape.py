@@ -1,8 +1,8 @@
-"""Simulate: from a stitch graph to its shape, by the way that was asked for."""
+"""Shape: from a stitch graph to its shape, by the way that was asked for; step by step, for whoever looks on."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -12,14 +12,20 @@ from tambour.core.check import Array
 from tambour.core.digest import digest
 from tambour.core.graph import StitchGraph
 from tambour.crochet.graph.layout import on_axis, rounds
-from tambour.crochet.settle.arrange import arrange, clusters, cut, fit, parts
+from tambour.crochet.settle.arrange import arrange, clusters, cut, parts
 from tambour.crochet.settle.body import Body, State, build, displacement, joined_up, volumes
 from tambour.crochet.settle.snug import snug
+from tambour.geometry.motion import fit, turned
 
 if TYPE_CHECKING:
     from tambour.crochet.finish.joining import Joined, Joining
     from tambour.crochet.params import CrochetParams
 
+GRAIN = 9
+"""Decimals, in stitches, that positions have where settling begins: the last bits of a sine or a root depend on the
+machine, and a soft shape would enlarge them."""
+ROUGHLY = 30.0
+"""How many times farther from rest a shape may be that only tells how far stuffing stretches it."""
 BUILDING = 2_000_000
 """Node-steps that building one by one may take before settling; what is left then comes at once."""
 
@@ -44,6 +50,18 @@ class Shape:
     hurried: bool = False
     worked: int = -1
     joined: Joined | None = None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Look:
+    """A glance at the work: positions x (M, 3), in stitches, of the nodes that are there; done of total."""
+
+    x: Array
+    done: int
+    total: int
+
+
+Shaping = Generator[Look, None, Shape]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -103,13 +121,25 @@ def _carried(task: Task, x: Array, moved: Array, c: Array) -> Array:
         if first[k + 1] > first[k]:
             a, b = x[p.start : p.end], moved[p.start : p.end]
             turn, shift = fit(a, b, np.ones(len(a)))
-            c[first[k] : first[k + 1]] = c[first[k] : first[k + 1]] @ turn.T + shift
+            c[first[k] : first[k + 1]] = turned(c[first[k] : first[k + 1]], turn) + shift
     return c
 
 
 def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: None) -> Shape:
     """The shape of ``task``'s graph by its solver: settle, steps or none. ``tell(done, total)`` hears of progress."""
-    from tambour.crochet.settle.plain_steps import Building, run
+    work = shaping(task)
+    while True:
+        try:
+            look = next(work)
+        except StopIteration as end:
+            shape: Shape = end.value
+            return shape
+        tell(look.done, look.total)
+
+
+def shaping(task: Task) -> Shaping:
+    """The same, one move after the other: yields a look at the piece after each, returns the shape."""
+    from tambour.crochet.settle.plain_steps import Building, steps
 
     params, graph = task.params, task.graph
     n, p = len(graph), len(graph.parts)
@@ -123,8 +153,7 @@ def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: 
         if params.solver == "steps":
             for k in range(params.steps):
                 work.tick()
-                if k % 64 == 0:
-                    tell(k, params.steps)
+                yield Look(work.state.x, k, params.steps)
             worked = len(work.body)
             work.finish()
             shape = replace(_measured(whole, work.state, worked < n), worked=worked)
@@ -137,6 +166,7 @@ def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: 
         while not work.done and spent < BUILDING:
             work.tick()
             spent += len(work.body) + 200
+            yield Look(work.state.x, len(work.body), n)
         hurried = not work.done
         work.finish()
         x, c, evaluations = work.state.x, work.state.c, work.state.evaluations
@@ -149,9 +179,10 @@ def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: 
             whole = joined_up(whole, np.arange(n), joined.stays, joined.rest, joined.lying)
         state = State(x, c, np.zeros(p))
         if params.solver == "steps":
-            run(whole, state, params.steps, tell)
+            for k in steps(whole, state, params.steps):
+                yield Look(state.x, k, params.steps)
         return replace(_measured(whole, state, False), joined=joined)
-    return _settled(task, x, c, evaluations, hurried, tell)
+    return (yield from _settled(task, x, c, evaluations, hurried))
 
 
 def _measured(body: Body, state: State, hurried: bool) -> Shape:
@@ -162,54 +193,68 @@ def _measured(body: Body, state: State, hurried: bool) -> Shape:
     return Shape(state.x, c, residual, 0.0, spent, True, volumes(body, state.x), hurried)
 
 
-def _settled(
-    task: Task, x: Array, c: Array, evaluations: int, hurried: bool, tell: Callable[[int, int], None]
-) -> Shape:
+def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) -> Shaping:
     """Every body of fabric at rest by itself, then the parts of every sewn piece together."""
+    from tambour.crochet.settle.rest import Rest, laplacian, tolerance
+    from tambour.crochet.settle.rest import settle as bring_to_rest
+
     graph = task.graph
     first = np.concatenate([[0], np.cumsum(task.used)])
-    x, c = x.copy(), c.copy()
+    x, c = np.round(x, GRAIN), np.round(c, GRAIN)
     volume = np.zeros(len(graph.parts))
-    ends: dict[int, tuple[float, float, bool]] = {}
-    known: dict[str, tuple[Array, Array, tuple[float, float, bool], Array]] = {}
-
+    ends: dict[int, Rest] = {}
+    known: dict[str, tuple[Array, Array, Rest, Array]] = {}
+    factors: dict[str, Callable[[Array], Array]] = {}
     joined: Joined | None = None
 
-    def settle(nodes: Array) -> None:
-        from tambour.crochet.settle.rest import settle as bring_to_rest
-
+    def settle(nodes: Array, roughly: bool = False) -> Generator[Look, None, None]:
         nonlocal evaluations
         piece = cut(graph, nodes)
         own = np.unique(graph.part[nodes])
         mine = np.concatenate([np.arange(first[p], first[p + 1]) for p in own]).astype(int)
         moved = x[nodes] - x[nodes[0]]
         shape = [piece.edges, piece.rest, piece.faces, piece.plane, piece.peculiarity, task.used[own]]
-        key = digest([joined is None, *shape, [p.stuffing for p in piece.parts], np.round(moved, 9)])
+        key = digest([joined is None, *shape, [p.stuffing for p in piece.parts], np.round(moved, GRAIN)])
         if key not in known:
             state = State(x[nodes], c[mine], np.zeros(len(own)))
             body = task.body(piece, task.used[own])
             if joined is not None:
                 body = joined_up(body, nodes, joined.stays, joined.rest, joined.lying)
-            rest = bring_to_rest(body, state, task.params.tolerance, tell=tell)
+            fabric = digest([body.edges, body.cubic])
+            if fabric not in factors:
+                factors[fabric] = laplacian(body, np.zeros(len(body), bool))
+            goal = ROUGHLY * tolerance(len(body)) if roughly else task.params.tolerance
+            work = bring_to_rest(body, state, goal, solve=factors[fabric])
+            while True:
+                try:
+                    done, total = next(work)
+                except StopIteration as over:
+                    rest: Rest = over.value
+                    break
+                seen = x.copy()
+                seen[nodes] = state.x
+                yield Look(seen, done, total)
             evaluations += rest.evaluations
             root = body.root[0]
             shift = x[nodes[root]] - state.x[root]
             found = state.c if task.stuffing == "centroid" else c[mine]
-            end = (rest.residual, rest.move, rest.settled)
-            known[key] = (state.x + shift - x[nodes[0]], found + shift - x[nodes[0]], end, volumes(body, state.x))
+            known[key] = (state.x + shift - x[nodes[0]], found + shift - x[nodes[0]], rest, volumes(body, state.x))
         there, centres, end, volume[own] = known[key]
         x[nodes], c[mine] = there + x[nodes[0]], centres + x[nodes[0]]
         for p in own:
             ends[int(p)] = end
 
-    for nodes in parts(graph):
-        settle(nodes)
-    if task.snug:
+    filled = np.array([p.stuffing > 0.0 for p in graph.parts])[graph.part]
+    if task.snug and filled.any():
+        for nodes in parts(graph):
+            if filled[nodes].any():
+                yield from settle(nodes, roughly=True)
         task = replace(task, graph=snug(graph, x, task.width / task.params.link_distance))
         graph = task.graph
-        for nodes in parts(graph):
-            settle(nodes)
+    for nodes in parts(graph):
+        yield from settle(nodes)
     task, x, c, joined = placed(task, x, c)
+    x, c = np.round(x, GRAIN), np.round(c, GRAIN)
     graph = task.graph
     piece = clusters(graph)
     bodies = {int(piece[nodes[0]]): 0 for nodes in parts(graph)}
@@ -217,7 +262,7 @@ def _settled(
         bodies[int(piece[nodes[0]])] += 1
     for k, count in bodies.items():
         if count > 1:
-            settle(np.flatnonzero(piece == k))
+            yield from settle(np.flatnonzero(piece == k))
     if joined is not None:
         x, c = _standing(task, x, c, joined, piece)
         joined = replace(joined, upright=_upright(graph, joined, x))
@@ -227,8 +272,8 @@ def _settled(
             x, c = moved, _carried(task, x, moved, c)
         else:
             x, c = _apart(task, x, c, piece)
-    residual, move = max(e[0] for e in ends.values()), max(e[1] for e in ends.values())
-    settled = all(e[2] for e in ends.values())
+    residual, move = max(e.residual for e in ends.values()), max(e.move for e in ends.values())
+    settled = all(e.settled for e in ends.values())
     return Shape(x, c, residual, move, evaluations, settled, volume, hurried, -1, joined)
 
 
@@ -241,9 +286,9 @@ def _standing(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> t
         own = [p for p in np.unique(task.graph.part[piece == k]) if int(p) not in moved]
         base = np.flatnonzero(np.isin(task.graph.part, own) & (piece == k))
         turn, shift = fit(x[base], joined.x[base], np.ones(len(base)))
-        x[piece == k] = x[piece == k] @ turn.T + shift
+        x[piece == k] = turned(x[piece == k], turn) + shift
         for p in np.unique(task.graph.part[piece == k]):
-            c[first[p] : first[p + 1]] = c[first[p] : first[p + 1]] @ turn.T + shift
+            c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]], turn) + shift
     return x, c
 
 
@@ -253,7 +298,7 @@ def _upright(graph: StitchGraph, joined: Joined, x: Array) -> Array:
     for k, p in enumerate(graph.parts):
         if p.end > p.start:
             turn, _ = fit(joined.x[p.start : p.end], x[p.start : p.end], np.ones(p.end - p.start))
-            up[k] = turn @ up[k]
+            up[k] = turned(up[k], turn)
     return up
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.finish.eyes import across
 from tambour.crochet.finish.ground import Ground
+from tambour.geometry.motion import length
 
 SOFT = 0.55
 """Radius, as a share of its own, with which a stitch lifts those that are laid over it: yarn gives way."""
@@ -44,7 +45,7 @@ def supported(ground: Ground, base: Array, normal: Array, radius: float) -> Arra
     """Heights (P,) over ``base`` on which yarn of a radius rests: the highest beneath half its width."""
     forward = np.gradient(base, axis=0)
     side = np.cross(normal, forward)
-    side *= 0.5 * radius / np.maximum(np.linalg.norm(side, axis=1, keepdims=True), 1e-12)
+    side *= 0.5 * radius / np.maximum(length(side)[:, None], 1e-12)
     return np.max([ground.top(base + k * side, normal) for k in (-1.0, 0.0, 1.0)], axis=0)
 
 

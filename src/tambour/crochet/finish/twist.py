@@ -19,7 +19,7 @@ BETTER = 0.5
 def twisted(built: Built) -> list[Problem]:
     """Doubts about seams that twist: a part's mirror image would fit them far better than the part does."""
     from tambour.crochet.graph.layout import rounds
-    from tambour.crochet.settle.arrange import fit
+    from tambour.geometry.motion import fit, length, turned
     from tambour.geometry.surface import vertex_normals
 
     graph, sewn = built.graph, np.asarray(built.sewn, int)
@@ -38,14 +38,14 @@ def twisted(built: Built) -> list[Problem]:
         p = graph.parts[int(graph.part[own[0]])]
         middle = x[p.start : p.end].mean(0)
         out = outward[other].mean(0)
-        out = out / max(float(np.sqrt(out @ out)), 1e-9)
+        out = out / max(float(length(out)), 1e-9)
         deep = max(float(np.sqrt(((middle - x[own].mean(0)) ** 2).sum())), 0.5)
         fixed = np.vstack([x[other], x[other].mean(0) + deep * out])
         weight = np.append(np.ones(len(own)), float(len(own)))
 
         def left(moving: Array, fixed: Array = fixed, weight: Array = weight) -> float:
             turn, shift = fit(moving, fixed, weight)
-            return float(np.sqrt(((moving[:-1] @ turn.T + shift - fixed[:-1]) ** 2).sum(1).mean()))
+            return float(np.sqrt(((turned(moving[:-1], turn) + shift - fixed[:-1]) ** 2).sum(1).mean()))
 
         held = np.vstack([x[own], middle])
         as_is, mirrored = left(held), left(held * (-1.0, 1.0, 1.0))

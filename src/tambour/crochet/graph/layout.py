@@ -127,7 +127,7 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
             out = apothem - float(ends_of[under].mean())
             up = math.sqrt(h * h - out * out) if out < NEARLY * h else 0.0
             ends_of[nodes] = apothem
-            own, over = flat_at @ [1.0, 1.0j], (stand - centre)[:, [0, 2]] @ [1.0, 1.0j]
+            own, over = flat_at[:, 0] + 1j * flat_at[:, 1], (stand - centre)[:, 0] + 1j * (stand - centre)[:, 2]
             turn = (over * own.conj()).sum()
             own = own * (turn / abs(turn) if abs(turn) > 1e-9 else np.exp(1j * BACK) * own[0].conj() / abs(own[0]))
             x[nodes] = centre + np.column_stack([own.real, np.full(b - a, up), own.imag])

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import THROUGH, YARN
+from tambour.core.graph import ROOT, THROUGH, TIP, YARN
 from tambour.crochet.settle.arrange import clusters
 from tambour.crochet.yarn.loops import THICK
+from tambour.geometry.motion import axes, dot, turned
 from tambour.geometry.surface import vertex_normals
 
 if TYPE_CHECKING:
@@ -142,7 +143,7 @@ def _rounds(piece: Plush, number: int) -> list[tuple[int, float, int, float]]:
         if this.part != number or this.last < this.first:
             continue
         ring = x[this.first : this.last + 1]
-        ring = ring[graph.peculiarity[this.first : this.last + 1] == 0] if len(ring) > 1 else ring
+        ring = ring[~np.isin(graph.peculiarity[this.first : this.last + 1], (ROOT, TIP))]
         if len(ring) < 3:
             continue
         length = float(np.sqrt(((ring - np.roll(ring, 1, axis=0)) ** 2).sum(1)).sum())
@@ -177,15 +178,15 @@ def _rows(piece: Plush, nodes: Array) -> tuple[float, float, float]:
     own = x[nodes]
     if len(own) < 3:
         return float(np.ptp(own, axis=0).max(initial=0.0)), THICK * piece.stitch[0], piece.stitch[1]
-    axes = np.linalg.svd(own - own.mean(0), full_matrices=False)[2]
+    _, main = axes(own)
     yarn = graph.edges[(graph.edge_kind == YARN) & np.isin(graph.edges[:, 0], nodes)]
-    along = int(abs((x[yarn[:, 0]] - x[yarn[:, 1]]) @ axes[:2].T).sum(0).argmax())
+    along = int(abs(turned(x[yarn[:, 0]] - x[yarn[:, 1]], main)[:, :2]).sum(0).argmax())
     # A stitch is a width across; the chains that lift the yarn to the next row lie beyond.
     worked = nodes[np.diff(graph.anchor_offsets)[nodes] > 0]
     worked = worked if len(worked) > 1 else nodes
     # The chain that it begins on may end in a lift: its middle tells where it lies.
-    begun = float(np.median(x[nodes[graph.round[nodes] == graph.round[nodes[0]]]] @ axes[1 - along]))
-    across, deep = float(np.ptp(x[worked] @ axes[along])), float(abs(x[worked] @ axes[1 - along] - begun).max())
+    begun = float(np.median(dot(x[nodes[graph.round[nodes] == graph.round[nodes[0]]]], main[1 - along])))
+    across, deep = float(np.ptp(dot(x[worked], main[along]))), float(abs(dot(x[worked], main[1 - along]) - begun).max())
     return across + piece.stitch[0], THICK * piece.stitch[0], deep
 
 
@@ -199,10 +200,10 @@ def _pose(piece: Plush, nodes: Array, own: list[int]) -> str:
         limb = x[graph.parts[k].start : graph.parts[k].end]
         if k == main or len(limb) < 12 or limb[:, 1].min() > low + 0.12 * (high - low):
             continue
-        _, spread, axes = np.linalg.svd(limb - limb.mean(0), full_matrices=False)
+        spread, ways = axes(limb)
         if spread[0] < 1.25 * spread[1]:
             continue
-        if abs(axes[0, 1]) < 0.55:
+        if abs(ways[0, 1]) < 0.55:
             lying += 1
         else:
             upright += 1

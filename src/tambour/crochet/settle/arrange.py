@@ -6,27 +6,38 @@ from dataclasses import replace
 
 import numpy as np
 
+from tambour.core.arrays import I8x2
 from tambour.core.check import Array
 from tambour.core.graph import SEWN, Part, StitchGraph
+from tambour.core.kernels import kernel
+from tambour.geometry.motion import dot, fit, turned
 from tambour.geometry.surface import vertex_normals
 
 GAP = 2.0
 """Stitches between pieces that are not joined, and between the two sides of a seam at first."""
 
 
+@kernel
+def _firsts(n: int, edges: I8x2) -> Array:
+    """The first node (N,) of the piece that every node hangs together with."""
+    first = np.arange(n)
+    for e in range(len(edges)):
+        i, j = edges[e, 0], edges[e, 1]
+        while first[i] != i:
+            first[i] = first[first[i]]
+            i = first[i]
+        while first[j] != j:
+            first[j] = first[first[j]]
+            j = first[j]
+        first[max(i, j)] = min(i, j)
+    for i in range(n):
+        first[i] = first[first[i]]
+    return first
+
+
 def labels(n: int, edges: Array) -> Array:
     """The connected piece of every node (N,), numbered by first node."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    if not n:
-        return np.zeros(0, np.int64)
-    ones = np.ones(len(edges), np.int8)
-    _, label = connected_components(coo_matrix((ones, (edges[:, 0], edges[:, 1])), shape=(n, n)), False)
-    _, first, number = np.unique(label, return_index=True, return_inverse=True)
-    rank = np.empty(len(first), np.int64)
-    rank[np.argsort(first)] = np.arange(len(first))
-    return rank[number]
+    return np.asarray(np.unique(_firsts(n, np.ascontiguousarray(edges, np.int64)), return_inverse=True)[1])
 
 
 def parts(graph: StitchGraph, held: Array | None = None) -> list[Array]:
@@ -92,18 +103,6 @@ def cut(graph: StitchGraph, nodes: Array) -> StitchGraph:
     )
 
 
-def fit(moving: Array, fixed: Array, weight: Array) -> tuple[Array, Array]:
-    """The rotation R and shift t that bring ``moving`` nearest to ``fixed`` (both (K, 3)): x → R x + t.
-
-    Kabsch 1976, without reflections.
-    """
-    w = weight / weight.sum()
-    a, b = np.einsum("k,kj->j", w, moving), np.einsum("k,kj->j", w, fixed)
-    u, _, v = np.linalg.svd(np.einsum("k,ki,kj->ij", w, moving - a, fixed - b))
-    turn = v.T @ np.diag([1.0, 1.0, np.sign(np.linalg.det(v.T @ u.T)) or 1.0]) @ u.T
-    return turn, b - turn @ a
-
-
 def arrange(graph: StitchGraph, x: Array, held: Array | None = None) -> Array:
     """Positions (N, 3) in stitches with every part moved as a whole to where it belongs; x holds parts by themselves.
 
@@ -132,7 +131,7 @@ def arrange(graph: StitchGraph, x: Array, held: Array | None = None) -> Array:
                 break
             seam = _seam(sewn, owner, b, placed)
             x[bodies[b]], turn = _attach(x, outward, bodies[b], seam)
-            outward[bodies[b]] = outward[bodies[b]] @ turn.T
+            outward[bodies[b]] = turned(outward[bodies[b]], turn)
             placed.append(b)
         nodes = np.flatnonzero(piece == k)
         if right is not None:
@@ -160,7 +159,7 @@ def _attach(x: Array, outward: Array, nodes: Array, seam: Array) -> tuple[Array,
     moving = np.vstack([own, middle])
     fixed = np.vstack([other + 0.5 * GAP * out, other.mean(0) + (deep + 0.5 * GAP) * out])
     turn, shift = fit(moving, fixed, np.append(np.ones(len(own)), float(len(own))))
-    moved = x[nodes] @ turn.T + shift
+    moved = turned(x[nodes], turn) + shift
     # No stitch of it may begin behind the fabric that it is sewn to.
-    behind = float(((other.mean(0) - moved) @ out).max())
+    behind = float(dot(other.mean(0) - moved, out).max())
     return moved + max(behind + 0.5 * GAP, 0.0) * out, turn

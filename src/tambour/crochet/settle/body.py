@@ -24,6 +24,8 @@ LEAST_VOLUME = 0.01
 """Below this share of A^1.5, A the part's area in stitches, the pressure rises no further (a ball has 0.094)."""
 SEAM_HEIGHT = 0.4
 """How far above the fabric that they are sewn to stitches of a seam lie at least, in stitches."""
+HINGE = 0.2
+"""How stiff unstuffed fabric is where it hangs on one loop, as a share of what it is elsewhere."""
 SMOOTHING = 2
 """How often the skeleton's centres are smoothed."""
 
@@ -36,6 +38,7 @@ class Body:
     loop_nodes (L,), loop_planes (L, 3), loop_strength (L,); triples (T, 3), bending (T,);
     fabric (G, 3) faces without lids; faces (F, 3), face_part (F,), lid_offsets, lid_nodes with them; amount (P,) of
     stuffing, per_edge and pressure (P,) its ln V energy per edge and in all, least (P,) volume;
+    folds : whether the fabric answers the push of a single loop, as a hinge does (the seed's steps push one-sidedly)
     lying (K, 4) : stitches of placed parts' seams and triangles that they lie on
     offsets, neighbours : the edges as ragged lists; reach, near, touch : contact's distances and stiffness (0: none)
     centroid : f, cap, b, c; first (P + 1,) each part's centroids
@@ -75,6 +78,7 @@ class Body:
     section_neighbours: Array
     skeleton: float
     lying: Array
+    folds: bool
 
     def __len__(self) -> int:
         return len(self.part)
@@ -112,8 +116,11 @@ def volumes(body: Body, x: Array) -> Array:
     return made
 
 
-def displacement(body: Body, state: State, move_centroids: bool = True) -> Array:
-    """D (N, 3): the sum of all forces on every node, less that on its root. Moves the centroids of ``state``."""
+def displacement(body: Body, state: State, move_centroids: bool = True, held: Array | None = None) -> Array:
+    """D (N, 3): the sum of all forces on every node, less that on its root. Moves the centroids of ``state``.
+
+    held : (N,) bool, nodes that stay; a piece with such a node moves against them, not against its root
+    """
     from tambour.crochet.settle import contact, forces, stuffing
 
     x = state.x
@@ -134,14 +141,20 @@ def displacement(body: Body, state: State, move_centroids: bool = True) -> Array
         cap = body.centroid[1]
         stuffing.skeleton(x, body.part, body.bone, centres, body.radius, body.skeleton, cap, body.amount, D)
         state.c = centres
-    forces.single_loop(x, body.loop_nodes, body.loop_planes, body.loop_strength, D)
+    lean = forces.fold if body.folds else forces.single_loop
+    lean(x, body.loop_nodes, body.loop_planes, body.loop_strength, D)
     if body.touch > 0.0:
         touching(body, state)
         contact.contact(x, state.pair, state.reach, body.touch, D)
         if len(body.lying):
             contact.lie(x, body.lying, SEAM_HEIGHT, body.touch, D)
     state.evaluations += 1
-    D -= D[body.root]
+    if held is None or not held.any():
+        return D - D[body.root]
+    anchored = np.zeros(len(D), bool)
+    anchored[body.root[held]] = True
+    D -= np.where(anchored[body.root, None], 0.0, D[body.root])
+    D[held] = 0.0
     return D
 
 
@@ -174,7 +187,7 @@ def build(
     from tambour.crochet.settle.bones import bones
     from tambour.crochet.settle.contact import ragged
 
-    n, parts = len(graph), len(graph.parts)
+    n, parts, folds = len(graph), len(graph.parts), params.solver == "settle"
     order = np.argsort(graph.edges[:, 0], kind="stable")
     edges = graph.edges[order]
     rest = graph.rest[order] / width * params.link_distance
@@ -191,7 +204,10 @@ def build(
     offsets, neighbours = ragged(n, edges, graph.edge_kind[order] == SEWN)
     radius, section_offsets, members, beside = bones(graph, sections(graph), rise(graph, graph.rest / width))
     bone = np.searchsorted(graph.part[members[section_offsets[:-1]]], np.arange(parts + 1)).astype(np.int64)
-    triples, stiff = _straight(graph, amount, params.bending) if not _cubic(stuffing) else (np.zeros((0, 3)), [])
+    triples, stiff = _straight(graph, amount, 0.0 if _cubic(stuffing) else params.bending)
+    if folds and len(triples):
+        single = np.isin(graph.peculiarity[triples[:, 0]], (FLO, BLO)) & (graph.parent[triples[:, 0]] == triples[:, 1])
+        stiff = np.where(single, HINGE * stiff, stiff)
     first = np.zeros(parts + 1, np.int64)
     if centroids is not None:
         np.cumsum(centroids, out=first[1:])
@@ -230,6 +246,7 @@ def build(
         section_neighbours=beside,
         skeleton=params.skeleton_force,
         lying=np.zeros((0, 4), np.int32),
+        folds=folds,
     )
 
 
@@ -300,14 +317,12 @@ def _cubic(stuffing: str) -> bool:
 
 def roots(graph: StitchGraph) -> Array:
     """For each node the node of its connected piece that stays in place (N,): its first root, else its first node."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
+    from tambour.crochet.settle.arrange import labels
 
     n = len(graph)
     if not n:
         return np.zeros(0, np.int32)
-    ones = np.ones(len(graph.edges), np.int8)
-    _, label = connected_components(coo_matrix((ones, (graph.edges[:, 0], graph.edges[:, 1])), shape=(n, n)), False)
+    label = labels(n, graph.edges)
     order = np.lexsort((np.arange(n), graph.peculiarity != ROOT, label))
     _, first = np.unique(label[order], return_index=True)
     return order[first][label].astype(np.int32)

@@ -14,6 +14,9 @@ from tambour.core.arrays import F8x1, F8x2, I4x1, I4x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
+LEAN = 0.3
+"""How far, in stitches, a stitch in one loop leans to that loop's side; as far on the other side it is let be."""
+
 
 @kernel
 def link(x: F8x2, edges: I4x2, rest: F8x1, cubic: bool, D: F8x2) -> None:
@@ -63,6 +66,36 @@ def single_loop(x: F8x2, nodes: I4x1, planes: I4x2, strength: F8x1, D: F8x2) -> 
             D[i, 0] += nx * s
             D[i, 1] += ny * s
             D[i, 2] += nz * s
+
+
+@kernel
+def fold(x: F8x2, nodes: I4x1, planes: I4x2, strength: F8x1, D: F8x2) -> None:
+    """Fold fabric where it is worked into one loop, towards the side of that loop, as a hinge does.
+
+    nodes, planes, strength : as of :func:`single_loop`, the same push on the stitch; but the fabric that it stands on
+    answers, and it fades as the stitch leans, LEAN to either side: a fold that the work makes is neither undone nor
+    driven on. So it belongs to an energy. Where the plane has next to no area it has no side.
+    """
+    n = np.empty(3)
+    for k in range(len(nodes)):
+        i, a, b, c = nodes[k], planes[k, 0], planes[k, 1], planes[k, 2]
+        ux, uy, uz = x[b, 0] - x[a, 0], x[b, 1] - x[a, 1], x[b, 2] - x[a, 2]
+        vx, vy, vz = x[c, 0] - x[a, 0], x[c, 1] - x[a, 1], x[c, 2] - x[a, 2]
+        n[0], n[1], n[2] = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+        area2 = n[0] * n[0] + n[1] * n[1] + n[2] * n[2]
+        if area2 < 0.01 * (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz):
+            continue
+        px, py, pz = x[i, 0] - x[a, 0], x[i, 1] - x[a, 1], x[i, 2] - x[a, 2]
+        wb = ((py * vz - pz * vy) * n[0] + (pz * vx - px * vz) * n[1] + (px * vy - py * vx) * n[2]) / area2
+        wc = ((uy * pz - uz * py) * n[0] + (uz * px - ux * pz) * n[1] + (ux * py - uy * px) * n[2]) / area2
+        size = math.sqrt(area2)
+        height = (px * n[0] + py * n[1] + pz * n[2]) / size
+        s = strength[k] / size * max(1.0 - abs(height) / LEAN, 0.0)
+        for q in range(3):
+            D[i, q] += s * n[q]
+            D[a, q] -= (1.0 - wb - wc) * s * n[q]
+            D[b, q] -= wb * s * n[q]
+            D[c, q] -= wc * s * n[q]
 
 
 @kernel

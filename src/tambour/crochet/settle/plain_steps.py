@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -14,22 +14,22 @@ from tambour.crochet.settle.body import Body, State, displacement, grown
 APART = 10.0
 """One by one: how far from one another the beginnings of parts are placed, in d."""
 
-Step = Callable[[int, int], None]
 
+def step(body: Body, state: State, held: Array | None = None) -> Array:
+    """One step: all forces on the positions as they are, then positions move. Gives what was added (N, 3).
 
-def step(body: Body, state: State) -> Array:
-    """One step: all forces on the positions as they are, then positions move. Gives what was added (N, 3)."""
-    moved = body.step * displacement(body, state)
+    held : (N,) bool, nodes that stay where they are
+    """
+    moved = body.step * displacement(body, state, held=held)
     state.x = state.x + moved
     return moved
 
 
-def run(body: Body, state: State, count: int, tell: Step = lambda done, total: None) -> None:
-    """Take ``count`` steps."""
+def steps(body: Body, state: State, count: int, held: Array | None = None) -> Iterator[int]:
+    """Take ``count`` steps; yields how many were taken, after each, so that whoever runs it can look at ``state.x``."""
     for k in range(count):
-        step(body, state)
-        if k % 64 == 0:
-            tell(k, count)
+        step(body, state, held)
+        yield k + 1
 
 
 def first_place(starts: Array, joined: Array, x: Array, i: int, d: float) -> Array:
@@ -106,13 +106,16 @@ class Building:
         """Whether every node is there."""
         return len(self.body) == len(self.whole)
 
-    def tick(self) -> None:
-        """Add a node when it is time, then take a step. The first tick begins with the first node alone."""
+    def tick(self, held: Array | None = None) -> None:
+        """Add a node when it is time, then take a step. The first tick begins with the first node alone.
+
+        held : (N,) bool over the whole piece, nodes that stay where they appear
+        """
         if not len(self.body):
             self.grow()
         if not self.done and (self.last < self.force or self.waited >= self.wait):
             self.grow()
-        moved = step(self.body, self.state)
+        moved = step(self.body, self.state, None if held is None else held[: len(self.body)])
         self.last, self.waited = float(np.sqrt((moved[-1] ** 2).sum())), self.waited + 1
 
     def grow(self) -> None:

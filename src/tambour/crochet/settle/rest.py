@@ -1,6 +1,6 @@
 """Settle: the shape at rest under exactly the forces of the plain steps, by preconditioned quasi-Newton moves.
 
-The forces are not all a potential's (single loops push without reaction, centroids move after the nodes), so moves
+The forces are not all a potential's (centroids move after the nodes, seams lie on fabric), so moves
 are judged by forces alone: L-BFGS (Liu & Nocedal 1989), its first guess the inverse of the fabric's graph Laplacian,
 which is what the springs look like to a long wave; a move is shortened when it carries past where the forces turn.
 Rigid motion of a piece is no change of shape and is left out. Sums run in a fixed order: same bytes for any threads.
@@ -9,12 +9,12 @@ Rigid motion of a piece is no change of shape and is left out. Sums run in a fix
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import dataclass
 
 import numpy as np
 
-from tambour.core.arrays import F8x1, F8x2, I8x1
+from tambour.core.arrays import B1x1, F8x1, F8x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.crochet.settle.body import Body, State, displacement
@@ -25,6 +25,8 @@ CAP = 0.5
 """The farthest that a node moves at once, in stitches: less than would carry it through fabric."""
 SOFT = 1e-3
 """Stiffness of the ground in the preconditioner, which makes it invertible."""
+HELD = 1e9
+"""The same below a node that is held."""
 SURE = 1e-3
 """The rms length of the quasi-Newton move, in stitches, below which the shape is taken to be at rest."""
 
@@ -90,72 +92,73 @@ def oldest_first(S: F8x2, Y: F8x2, rho: F8x1, order: I8x1, z: F8x1, a: F8x1) -> 
 
 
 @kernel
-def _moments(x: F8x2, D: F8x2, label: I8x1, out: F8x2) -> None:
-    """Per piece: nodes, Σx, ΣD, then about the mean the six of Σ r rᵀ and the torque Σ r × D; out (K, 16)."""
-    out[:] = 0.0
+def rigid(x: F8x2, label: I8x1, loose: B1x1, D: F8x2) -> None:
+    """Take the rigid motion, translation and small rotation, of every loose piece out of D (N, 3).
+
+    label : (N,) numbers the pieces; loose : (K,) whether a piece is free to move as a whole
+    """
+    m = np.zeros((len(loose), 16))  # nodes, Σx, ΣD, then about the mean the six of Σ r rᵀ and the torque Σ r × D
+    spin = np.zeros((len(loose), 3))
     for i in range(len(x)):
         k = label[i]
-        out[k, 0] += 1.0
+        m[k, 0] += 1.0
         for q in range(3):
-            out[k, 1 + q] += x[i, q]
-            out[k, 4 + q] += D[i, q]
+            m[k, 1 + q] += x[i, q]
+            m[k, 4 + q] += D[i, q]
     for i in range(len(x)):
         k = label[i]
-        n = out[k, 0]
-        rx, ry, rz = x[i, 0] - out[k, 1] / n, x[i, 1] - out[k, 2] / n, x[i, 2] - out[k, 3] / n
+        n = m[k, 0]
+        rx, ry, rz = x[i, 0] - m[k, 1] / n, x[i, 1] - m[k, 2] / n, x[i, 2] - m[k, 3] / n
         dx, dy, dz = D[i, 0], D[i, 1], D[i, 2]
-        out[k, 7] += rx * rx
-        out[k, 8] += ry * ry
-        out[k, 9] += rz * rz
-        out[k, 10] += rx * ry
-        out[k, 11] += rx * rz
-        out[k, 12] += ry * rz
-        out[k, 13] += ry * dz - rz * dy
-        out[k, 14] += rz * dx - rx * dz
-        out[k, 15] += rx * dy - ry * dx
-
-
-@kernel
-def _still(x: F8x2, label: I8x1, moments: F8x2, spin: F8x2, D: F8x2) -> None:
-    """Take the pieces' mean motion and their spin (K, 3) out of D."""
+        m[k, 7] += rx * rx
+        m[k, 8] += ry * ry
+        m[k, 9] += rz * rz
+        m[k, 10] += rx * ry
+        m[k, 11] += rx * rz
+        m[k, 12] += ry * rz
+        m[k, 13] += ry * dz - rz * dy
+        m[k, 14] += rz * dx - rx * dz
+        m[k, 15] += rx * dy - ry * dx
+    for k in range(len(loose)):
+        xx, yy, zz, xy, xz, yz = m[k, 7], m[k, 8], m[k, 9], m[k, 10], m[k, 11], m[k, 12]
+        tx, ty, tz = m[k, 13], m[k, 14], m[k, 15]
+        # The inertia's cofactors: spin = inertia⁻¹ torque.
+        a, b, c = yy + zz, xx + zz, xx + yy
+        aa, bb, cc = b * c - yz * yz, a * c - xz * xz, a * b - xy * xy
+        ab, ac, bc = xy * c + xz * yz, xz * b + xy * yz, yz * a + xy * xz
+        det = a * aa - xy * ab - xz * ac
+        trace = a + b + c
+        if trace == 0.0:
+            continue
+        if det > 1e-9 * trace * trace * trace:
+            spin[k, 0] = (aa * tx + ab * ty + ac * tz) / det
+            spin[k, 1] = (ab * tx + bb * ty + bc * tz) / det
+            spin[k, 2] = (ac * tx + bc * ty + cc * tz) / det
+        else:  # all on one line: no torque about it, half the trace across it
+            spin[k, 0], spin[k, 1], spin[k, 2] = 2.0 * tx / trace, 2.0 * ty / trace, 2.0 * tz / trace
     for i in range(len(x)):
         k = label[i]
-        n = moments[k, 0]
-        rx, ry, rz = x[i, 0] - moments[k, 1] / n, x[i, 1] - moments[k, 2] / n, x[i, 2] - moments[k, 3] / n
-        D[i, 0] -= moments[k, 4] / n + spin[k, 1] * rz - spin[k, 2] * ry
-        D[i, 1] -= moments[k, 5] / n + spin[k, 2] * rx - spin[k, 0] * rz
-        D[i, 2] -= moments[k, 6] / n + spin[k, 0] * ry - spin[k, 1] * rx
+        if not loose[k]:
+            continue
+        n = m[k, 0]
+        rx, ry, rz = x[i, 0] - m[k, 1] / n, x[i, 1] - m[k, 2] / n, x[i, 2] - m[k, 3] / n
+        D[i, 0] -= m[k, 4] / n + spin[k, 1] * rz - spin[k, 2] * ry
+        D[i, 1] -= m[k, 5] / n + spin[k, 2] * rx - spin[k, 0] * rz
+        D[i, 2] -= m[k, 6] / n + spin[k, 0] * ry - spin[k, 1] * rx
 
 
-def rigid(x: Array, D: Array, label: Array) -> Array:
-    """D (N, 3) less the rigid motion, translation and small rotation, of every piece; label (N,) numbers them."""
-    out = D.copy()
-    moments = np.zeros((int(label.max(initial=-1)) + 1, 16))
-    _moments(x, D, label, moments)
-    spin = np.zeros((len(moments), 3))
-    for k, (n, xx, yy, zz, xy, xz, yz, *torque) in enumerate(moments[:, [0, *range(7, 16)]].tolist()):
-        if n > 2 and xx + zz > 0.0 and not (yy or xy or yz or torque[0] or torque[2]):
-            spin[k, 1] = torque[1] / (xx + zz)  # what lies flat stays flat, to the last bit
-        elif n > 2:
-            inertia = np.array([[yy + zz, -xy, -xz], [-xy, xx + zz, -yz], [-xz, -yz, xx + yy]])
-            spin[k] = np.linalg.lstsq(inertia, np.array(torque), rcond=1e-9)[0]
-    _still(x, label, moments, spin, out)
-    return out
+def laplacian(body: Body, held: Array) -> Callable[[Array], Array]:
+    """The preconditioner: solves (L + soft) z = q for three columns, L the Laplacian of the fabric's edges.
 
+    held : (N,) bool, nodes that do not move
+    """
+    from tambour.crochet.settle.contact import ragged
+    from tambour.crochet.settle.factor import factor
 
-def laplacian(body: Body) -> Callable[[Array], Array]:
-    """The preconditioner: solves (L + soft) z = q for three columns, L the Laplacian of the fabric's edges."""
-    from scipy.sparse import coo_matrix, diags, eye
-    from scipy.sparse.linalg import splu
-
-    n = len(body)
-    i, j = body.edges[:, 0], body.edges[:, 1]
-    weight = 0.2 if body.cubic else 1.0
-    half = coo_matrix((np.full(len(i), weight), (i, j)), shape=(n, n))
-    W = (half + half.T).tocsr()
-    L = (diags(np.asarray(W.sum(1)).ravel()) - W + SOFT * eye(n)).tocsc()
-    factor = splu(L, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}, diag_pivot_thresh=0.0)
-    return lambda q: factor.solve(q.reshape(-1, 3)).ravel()
+    stiff = 0.2 if body.cubic else 1.0
+    offsets, neighbours = ragged(len(body), body.edges, np.zeros(len(body.edges), bool))
+    diagonal = stiff * np.diff(offsets) + np.where(held, HELD, SOFT)
+    return factor(offsets, neighbours, np.full(len(neighbours), stiff), diagonal)
 
 
 def settle(
@@ -163,12 +166,16 @@ def settle(
     state: State,
     goal: float | None = None,
     most: int | None = None,
-    tell: Callable[[int, int], None] = lambda done, total: None,
-) -> Rest:
-    """Bring ``state`` to rest.
+    held: Array | None = None,
+    solve: Callable[[Array], Array] | None = None,
+) -> Generator[tuple[int, int], None, Rest]:
+    """Bring ``state`` to rest; a generator, so that whoever runs it can look at ``state.x`` after every move.
 
     goal : largest residual force in stitches; None takes :func:`tolerance` and asks for a short last move as well
     most : evaluations at the most; None takes :func:`budget`, and four times it for a goal that was set
+    held : (N,) bool, nodes that stay where they are; solve : the :func:`laplacian` of the same edges, if there is one
+
+    Yields the evaluations so far and the most there will be, after every accepted move; returns how it ended.
     """
     n = len(body)
     if n < 2:
@@ -176,24 +183,36 @@ def settle(
     wanted, limit = (tolerance(n) if goal is None else goal), most
     if limit is None:
         limit = budget(n) * (1 if goal is None else 4)
+    fixed = np.zeros(n, bool) if held is None else held
     _, label = np.unique(body.root, return_inverse=True)
-    solve = laplacian(body)
+    loose = np.bincount(label, fixed) == 0.0
+    still = np.repeat(~fixed, 3).astype(np.float64)
+    factored = laplacian(body, fixed) if solve is None else solve
+
+    def forces() -> Array:
+        D = displacement(body, state, held=fixed)
+        rigid(state.x, label, loose, D)
+        return D.ravel()
+
+    def preconditioned(q: Array) -> Array:
+        return factored(q) * still
+
     full = (body.pressure > 0.0) & (body.stuffing == "pressure")
     S, Y, rho, a = np.zeros((MEMORY, 3 * n)), np.zeros((MEMORY, 3 * n)), np.zeros(MEMORY), np.zeros(MEMORY)
     order: list[int] = []
     begun, scale, accepted = state.evaluations, 1.0, 0
-    G = rigid(state.x, displacement(body, state), label).ravel()
+    G = forces()
     residual, move = _largest(G), math.inf
     while True:
         z = G.copy()
         ranks = np.array(order, np.int64)
         newest_first(S, Y, rho, ranks, z, a)
-        z = solve(z) * scale
+        z = preconditioned(z) * scale
         oldest_first(S, Y, rho, ranks, z, a)
         slope = dot(G, z)
         if slope <= 0.0:
             order = []
-            z = solve(G) * scale
+            z = preconditioned(G) * scale
             slope = dot(G, z)
         move = math.sqrt(dot(z, z) / n)
         spent = state.evaluations - begun
@@ -207,7 +226,7 @@ def settle(
         x, c, volume, t = state.x, state.c, state.volume.copy(), 1.0
         for _ in range(6):
             state.x, state.c = x + t * z.reshape(-1, 3), c.copy()
-            new = rigid(state.x, displacement(body, state), label).ravel()
+            new = forces()
             turned = dot(new, z)
             burst = full & (volume > body.least) & (state.volume < 0.3 * volume)
             if turned > -0.5 * slope and not burst.any():
@@ -221,11 +240,11 @@ def settle(
             S[k], Y[k], rho[k] = z, y, 1.0 / bent
             order.append(k)
             if accepted % 4 == 0:
-                scale = bent / dot(y, solve(y))
+                scale = bent / dot(y, preconditioned(y))
         accepted += 1
         G = new
         residual = _largest(G)
-        tell(min(spent, limit), limit)
+        yield min(spent, limit), limit
 
 
 @kernel

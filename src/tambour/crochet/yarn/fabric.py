@@ -15,6 +15,7 @@ from tambour.crochet.yarn.lead import way
 from tambour.crochet.yarn.loops import BLOOM, RATIO
 from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
+from tambour.geometry.motion import length
 from tambour.geometry.tube import sweep
 
 SMALL, LARGE = 2000, 5000
@@ -84,7 +85,7 @@ def strands(
 def _dense(coords: Array, ends: Array, stitch: Array, longest: float) -> tuple[Array, Array, Array]:
     """Polylines without segments over ``longest``, for contact: those that are longer are split evenly."""
     step = np.zeros(len(coords))
-    step[:-1] = np.linalg.norm(np.diff(coords, axis=0), axis=1)
+    step[:-1] = length(np.diff(coords, axis=0))
     step[ends[1:] - 1] = 0.0
     times = np.maximum(1, np.ceil(step / longest)).astype(np.int64)
     begin = np.concatenate([[0], np.cumsum(times)])
