@@ -8,7 +8,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import DROP, FADE, HUE, LENS, PI, SINE, at, bell, between, blob, ring, rnd, side, stroke
+from tambour.ink.brush.stroke import FADE, HUE, LENS, PI, SINE, at, bell, between, blob, ring, rnd, side, stroke
 from tambour.ink.ground.marks import INK, LEAF
 from tambour.noise import value
 
@@ -133,7 +133,7 @@ def twig(
 
     right : 1 or -1, the side it leaves to; ``angle`` turns it; ``needles``: their size, 1 in the original, 0 for none;
     ``lift``: how far they stand above the tip (1.7)
-    Needles are the paler the farther out their twig, and stand in a fan, none quite where a comb would have it.
+    Needles are the paler the farther out their twig, and stand as half wheels.
     """
     todo = np.empty((32, 5))
     todo[0, 0], todo[0, 1], todo[0, 2], todo[0, 3], todo[0, 4] = x, y, depth, scale, right
@@ -157,12 +157,12 @@ def twig(
         stroke(rng, marks, n, 100.0, 0.5, 1.0, 0.5, FADE, 1.0)
         if needles > 0.0:
             n[HUE] = LEAF
-            for k in range(5):
-                shift = needles * ((k - 2.0) * 5.0 + 3.0 * bell(rng))
-                a = way[9, 0] + math.cos(angle) * shift
-                b = way[9, 1] + math.sin(angle) * shift - lift / (level + 1.0) + 5.0 * needles * bell(rng)
-                length, breadth = needles * between(rng, 16.0, 29.0), needles * between(rng, 6.5, 10.0)
-                lean = 0.5 * angle + 0.5 * PI + 0.012 * shift + 0.2 * PI * (rnd(rng) - 0.5)
-                alpha = 0.45 + 0.15 * level + 0.1 * rnd(rng)
-                blob(rng, pts, marks, n, a, b, length, breadth, lean, 100.0, alpha, 0.5, DROP)
+            # A wheel of needles over the tip: the upper half of one, its middle the longest.
+            cx, cy = way[9, 0] + needles * 4.0 * bell(rng), way[9, 1] - 0.35 * lift / (level + 1.0)
+            alpha = 0.4 + 0.14 * level + 0.16 * rnd(rng)
+            for k in range(9):
+                turn = angle * 0.5 - 0.5 * PI + (k / 8.0 - 0.5) * 1.15 * PI + 0.16 * bell(rng)
+                length = needles * between(rng, 15.0, 23.0) * (1.0 - 0.25 * abs(k / 4.0 - 1.0))
+                a, b = cx + 0.5 * length * math.cos(turn), cy + 0.5 * length * math.sin(turn)
+                blob(rng, pts, marks, n, a, b, length, needles * between(rng, 2.4, 3.8), turn, 100.0, alpha, 0.4, LENS)
             n[HUE] = INK

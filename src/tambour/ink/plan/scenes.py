@@ -223,7 +223,7 @@ def _banks(stage: Stage, places: list[float]) -> None:
             wide, y = stage.u(600.0, 950.0), 700.0 - 46.0 * j
             at, reach = x + stage.u(-260.0, 260.0) * (j > 0), 0.5 * wide + 300.0
             how = (100.0, wide, stage.u(0.5, 0.7), hutted if j == 0 else 0.0)
-            stage.put(codes.BANK, at, y, y, how, reach, reach, 0.86 if j == 0 else 0.7)
+            stage.put(codes.BANK, at, y, y, how, reach, reach, 0.76 if j == 0 else 0.64)
 
 
 def _hamlet(stage: Stage, s: float, chance: float) -> None:
