@@ -16,10 +16,7 @@ from PIL import Image
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parent / "examples"
 
-KNIT = (
-    "knit {x}/knit/rose.png --stitches 73 --repeat 24+1 --gauge 28x36 --max-float 5 --method exact"
-    " --colors #8d2a33 --colors #f0e6d2 -o {out}.fabric.png"
-)
+KNIT = "knit {x}/knit/dogs.png --gauge 28x36 --max-float 5 --colors #24405e --colors #f3ead8 -o {out}.fabric.png"
 PICTURES = [
     ("readme-bear.jpg", "crochet {x}/crochet/bear.txt -o {out}.png", 900),
     ("readme-frog.jpg", "crochet {x}/crochet/frog.acl -o {out}.png", 900),

@@ -262,6 +262,65 @@ def rose() -> None:
     Image.fromarray(((~dark) * 255).astype(np.uint8)).convert("1").save(HERE / "rose.png", optimize=True)
 
 
+DOG = """
+.......###..................
+......#####.................
+.....#######................
+...#########................
+.#####.#####...............#
+############..............##
+############..............##
+.###########.............##.
+....########.............##.
+.....#######............##..
+......#####.............##..
+......####################..
+.....#####################..
+.....#####################..
+.....#####################..
+.....#####################..
+......####################..
+......####################..
+......#########..#########..
+......#####........#######..
+......#####.........######..
+......##.##.........##.###..
+......##.##.........##..##..
+......##.##.........##..##..
+......##.##.........##..##..
+.....###.##........###..##..
+....####.##.......####.###..
+"""
+HEART = """
+.##...##.
+####.####
+#########
+#########
+.#######.
+..#####..
+...###...
+....#....
+"""
+
+
+def dogs() -> None:
+    """The front of a small jumper: two dogs and a heart between bands of crosses. One pixel is a stitch."""
+    dog, heart = (np.array([[c == "#" for c in line] for line in text.split()]) for text in (DOG, HEART))
+    wide, high = 85, 69
+    panel = np.zeros((high, wide), bool)
+    y, x = np.mgrid[0:high, 0:wide]
+    centre = x - wide // 2
+    for foot in (0, high - 13):
+        v = y - foot - 6
+        crosses = ((centre + v) % 8 == 4) | ((centre - v) % 8 == 4) | ((centre % 8 == 0) & (v == 0))
+        panel |= ((np.abs(v) <= 4) & crosses) | ((np.abs(v) == 6) & (centre % 4 < 2))
+    place = (high - len(dog)) // 2 + 1
+    panel[place : place + len(dog), 4 : 4 + dog.shape[1]] = dog[:, ::-1]
+    panel[place : place + len(dog), wide - 4 - dog.shape[1] : wide - 4] = dog
+    panel[place + 8 : place + 8 + len(heart), wide // 2 - 4 : wide // 2 + 5] = heart
+    Image.fromarray(((~panel) * 255).astype(np.uint8)).convert("1").save(HERE / "dogs.png", optimize=True)
+
+
 if __name__ == "__main__":
-    for draw in (cat, pears, fells, pines, mitten, rose):
+    for draw in (cat, pears, fells, pines, mitten, rose, dogs):
         draw()

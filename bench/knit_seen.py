@@ -1,0 +1,120 @@
+"""Knit: how like its picture a chart looks to an eye 1, 2, 4 and 8 m away, by style and method, all in one run.
+
+    python bench/knit_seen.py [--small]
+
+Thirty pictures: those that scikit-image bundles, and the sources of the knitting examples. Charts at 24 x 32 stitches in 10 cm, floats of
+at most 4 except where the method has no law. The measure is the correlation of what Mannos and Sakrison's contrast sensitivity (1974) passes
+on of the chart and of the picture at chart size, unprepared, in code values (``sight.likeness``). It is one number beside a blind naming, never in its place.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "src"))
+
+from tambour.core.chart import Gauge
+from tambour.core.picture import Picture
+from tambour.core.progress import Progress
+from tambour.knit.params import KnitParams
+from tambour.knit.picture import tone
+from tambour.knit.picture.resample import resample
+from tambour.knit.solve import measure
+from tambour.knit.solve.make import make
+from tambour.knit.solve.sight import likeness
+
+BUNDLED = (
+    "horse text camera coins astronaut page coffee moon chelsea clock rocket logo colorwheel brick cell grass gravel"
+    " hubble_deep_field immunohistochemistry microaneurysms retina stereo_motorcycle shepp_logan_phantom"
+).split()
+OWN = ("cat.png", "pears.jpg", "fells.jpg", "pines.png", "mitten.png", "rose.png", "dogs.png")
+SIZES = (60, 80, 120, 200)
+METRES = (1.0, 2.0, 4.0, 8.0)
+GAUGE = Gauge(24.0, 32.0)
+
+
+def bundled(name: str) -> np.ndarray:
+    """(H, W, 3) uint8 of one of scikit-image's pictures."""
+    from skimage import data
+
+    found = getattr(data, name)()
+    found = np.asarray(found[0] if isinstance(found, tuple) else found)
+    if found.dtype != np.uint8:
+        found = np.round(found.astype(float) / max(float(found.max()), 1e-9) * 255).astype(np.uint8)
+    return np.ascontiguousarray(np.stack([found] * 3, -1) if found.ndim == 2 else found[..., :3])
+
+
+def pictures() -> dict[str, np.ndarray]:
+    here = Path(__file__).resolve().parent.parent / "examples" / "knit"
+    own = {name: np.asarray(Image.open(here / name).convert("RGB")) for name in OWN}
+    return {**{name: bundled(name) for name in BUNDLED}, **own}
+
+
+def ours(**params: object) -> Callable[[np.ndarray, int], np.ndarray]:
+    def chart(rgb: np.ndarray, stitches: int) -> np.ndarray:
+        rgba = np.dstack([rgb, np.full(rgb.shape[:2], 255, np.uint8)])
+        piece = make(Picture(rgba), KnitParams(stitches=stitches, gauge="24x32", max_float="4", **params), Progress())  # type: ignore[arg-type]
+        assert piece.figures["violations"] == 0 or piece.params.method in ("none", "gsat")
+        if piece.textured is not None:
+            ALONE.setdefault(str(params), []).append(measure.facts(piece)["alone"])
+        return piece.chart.cells
+
+    return chart
+
+
+def quantised(rgb: np.ndarray, stitches: int) -> np.ndarray:
+    """AYAB's two levels: Pillow's quantize of the picture at chart size; no law."""
+    rows = max(1, round(stitches * rgb.shape[0] / rgb.shape[1] * 32 / 24))
+    image = Image.fromarray(rgb).resize((stitches, rows), Image.Resampling.BOX).quantize(2)
+    light = np.array(image.getpalette()[:6]).reshape(2, 3).sum(1).argmax()
+    return (np.asarray(image) == light).astype(np.uint8)[::-1]
+
+
+def free(rgb: np.ndarray, stitches: int) -> np.ndarray:
+    """Floyd and Steinberg without any law."""
+    rows = max(1, round(stitches * rgb.shape[0] / rgb.shape[1] * 32 / 24))
+    return tone.assign(tone.brightness(resample(rgb, rows, stitches)[::-1], "code"), "floyd-steinberg", 0.5)
+
+
+ALONE: dict[str, list[float]] = {}
+METHODS: dict[str, Callable[[np.ndarray, int], np.ndarray]] = {
+    "auto": ours(),
+    "graphic": ours(style="graphic"),
+    "graphic, ground stripe": ours(style="graphic", ground="stripe"),
+    "texture": ours(style="texture"),
+    "tonal": ours(style="tonal"),
+    "graphic, caught": ours(style="graphic", floats="caught"),
+    "graphic, 2 tones, caught": ours(style="graphic", tones=2, floats="caught"),
+    "perceptual (the default before)": ours(method="perceptual"),
+    "exact after threshold": ours(method="exact", start="threshold", tone="raw"),
+    "exact after Floyd-Steinberg": ours(method="exact", start="floyd-steinberg", tone="raw"),
+    "GSAT after Floyd-Steinberg (2013)": ours(method="gsat", start="floyd-steinberg", tone="raw"),
+    "Floyd-Steinberg, no law": free,
+    "AYAB's two levels, no law": quantised,
+}
+
+
+def main(small: bool) -> None:
+    found = pictures()
+    print(f"{len(found)} pictures, floats up to 4 where there is a law; mean correlation at {METRES} m")
+    for stitches in SIZES[1:2] if small else SIZES:
+        print(f"\n{stitches} stitches")
+        for name, method in METHODS.items():
+            rows = []
+            for rgb in found.values():
+                cells = method(rgb, stitches)
+                seen = tone.brightness(resample(rgb, *cells.shape)[::-1], "code")
+                rows.append([likeness(cells, seen, GAUGE, m) for m in METRES])
+            print(f"{name:36}" + " ".join(f"{v:5.2f}" for v in np.mean(rows, axis=0)), flush=True)
+    print("\nstitches alone in their colour outside declared textures, percent: mean, worst")
+    for name, alone in ALONE.items():
+        print(f"{name:60} {np.mean(alone):5.2f} {np.max(alone):5.2f}")
+
+
+if __name__ == "__main__":
+    main("--small" in sys.argv[1:])
