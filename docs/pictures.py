@@ -55,6 +55,48 @@ def sheet(name: str, command: str, names: list[str], across: int = 4, side: int 
     page.save(HERE / "pictures" / name, quality=85, optimize=True)
 
 
+def knit_examples() -> None:
+    """The knitting examples, as examples/knit/commands.txt makes them."""
+    lines = (EXAMPLES / "knit" / "commands.txt").read_text().splitlines()
+    made = []
+    for line in (one for one in lines if one.startswith("knit ")):
+        words = shlex.split(line)
+        kept = [w for k, w in enumerate(words) if w != "-o" and words[k - 1] != "-o"]
+        made.append(picture(shlex.join([*kept, "-o", "{out}.fabric.png"]).replace("{examples}", "{x}")))
+    rows([[made[0], made[1], made[4]], [made[2], made[3], made[5]]], 300).save(
+        HERE / "pictures" / "knit-examples.jpg", quality=85, optimize=True
+    )
+
+
+def knit_styles() -> None:
+    """A cat and a portrait (scikit-image's, both in the public domain) and a drawing at 80 stitches: without preparation,
+    by default, and with the floats caught."""
+    from skimage import data
+
+    ways = ("--method perceptual --max-float 5", "--max-float 5", "--floats caught --max-float 5")
+    with tempfile.TemporaryDirectory() as folder:
+        Image.fromarray(data.chelsea()).save(Path(folder) / "cat.png")
+        Image.fromarray(data.astronaut()[:420, 60:400]).save(Path(folder) / "portrait.png")
+        sources = [Path(folder) / "cat.png", Path(folder) / "portrait.png", EXAMPLES / "knit" / "cat.png"]
+        fixed = "--stitches 80 --gauge 24x32 --colors #22263c --colors #f0eadc -o {out}.fabric.png"
+        made = [[picture(f"knit {source} {way} {fixed}") for way in ways] for source in sources]
+    rows(made, 300).save(HERE / "pictures" / "knit-styles.jpg", quality=85, optimize=True)
+
+
+def rows(made: list[list[Image.Image]], width: int, gap: int = 10) -> Image.Image:
+    """Rows of pictures, each ``width`` wide."""
+    fitted = [
+        [one.resize((width, round(one.height * width / one.width)), Image.Resampling.LANCZOS) for one in row]
+        for row in made
+    ]
+    heights = [max(one.height for one in row) + gap for row in fitted]
+    page = Image.new("RGB", (max(map(len, made)) * (width + gap) - gap, sum(heights) - gap), "white")
+    for k, row in enumerate(fitted):
+        for j, one in enumerate(row):
+            page.paste(one, (j * (width + gap), sum(heights[:k])))
+    return page
+
+
 def make(name: str, command: str, width: int) -> None:
     """Run one command and keep its picture, scaled down."""
     image = picture(command)
@@ -69,6 +111,9 @@ if __name__ == "__main__":
     for entry in PICTURES:
         if not wanted or entry[0] in wanted:
             make(*entry)
+    for name, draw in (("knit-examples.jpg", knit_examples), ("knit-styles.jpg", knit_styles)):
+        if not wanted or name in wanted:
+            draw()
     for group in SHEETS:
         if not wanted or group[0] in wanted:
             sheet(*group)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from itertools import pairwise, product
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,8 +17,9 @@ from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.hands.working import catches, longest_span
 from tambour.knit.params import KnitParams
-from tambour.knit.picture import grounds, prepare, regions
+from tambour.knit.picture import grounds, prepare, regions, shades
 from tambour.knit.solve import exact, measure, percept, sight
+from tambour.knit.solve.edit import resolve
 from tambour.knit.solve.floats import limit_of
 from tambour.knit.solve.make import make
 from tambour.knit.task import Task
@@ -148,6 +151,17 @@ def test_regions_have_clean_borders():
     assert measure.facts(piece)["alone"] <= 2.0
 
 
+def test_soft_lines_are_no_third_tone():
+    """A thin line that falls between two stitches is grey in both."""
+    t = np.ones((50, 50), np.float32)
+    t[:, 4::8], t[:, 5::8], t[20:36, 30:46] = 0.5, 0.45, 0.0
+    assert regions.cuts(t, 2)[1] < regions.ENOUGH
+    found, tones = regions.divided(t, None, True)
+    assert tones == 2 and set(np.unique(found)) == {0, 1}
+    t[2:18, 2:18] = 0.5
+    assert regions.divided(t, None, True)[1] == 3
+
+
 def test_colours_of_one_lightness_stay_apart():
     rgb = np.zeros((40, 40, 3), np.uint8)
     rgb[:, :20], rgb[:, 20:] = (205, 92, 92), (70, 140, 190)
@@ -236,3 +250,46 @@ def test_what_one_sees_as_lines():
     assert measure.lone(cells).sum() == 8
     palette = Palette(np.array([[0, 0, 0], [255, 255, 255]], np.uint8), ("a", "b"))
     assert longest_span(Chart(cells, palette), 4, np.zeros(cells.shape, np.bool_)) == 30 - 6
+
+
+def test_edits_in_a_ground_touch_their_rows_alone():
+    piece = piece_of(photo(), gauge="24x32", max_float="5")
+    again = resolve(piece, [(30, 40, 1 - int(piece.chart.cells[30, 40]))])
+    changed = np.flatnonzero((again.chart.cells != piece.chart.cells).any(1))
+    assert changed.tolist() == [30] and lawful(again.chart.cells, 5)
+    assert again.figures["style"] == "graphic" and again.textured is not None
+
+
+def test_light_on_clear_is_not_a_blank_chart():
+    rgba = np.zeros((40, 40, 4), np.uint8)
+    rgba[12:30, 8:30] = 255
+    told = Progress()
+    piece = make(Picture(rgba), KnitParams(floats="caught"), told)
+    assert piece.chart.cells[15:25, 10:28].all() and not piece.chart.cells[:8].any()
+    assert "light on clear" in str(told.warnings[0])
+    rgba[..., :3] = 0
+    assert not make(Picture(rgba), KnitParams(floats="caught"), Progress()).chart.cells[15:25, 10:28].any()
+
+
+def test_flat_art_gets_its_own_colours():
+    art = np.zeros((40, 40, 3), np.uint8)
+    art[:, :10], art[:, 10:22], art[:, 22:30], art[:, 30:] = (200, 40, 40), (196, 42, 44), (240, 205, 160), (20, 20, 20)
+    art[30:] = (250, 240, 225)
+    found = shades.few(art, 4)
+    assert {s.rgb for s in found} == {(196, 42, 44), (240, 205, 160), (20, 20, 20), (250, 240, 225)}
+    assert shades.few(photo(), 4) == []
+
+
+def test_a_limit_of_one_is_answered():
+    told = Progress()
+    rgba = np.dstack([photo(20, 20), np.full((20, 20), 255, np.uint8)])
+    make(Picture(rgba), KnitParams(max_float="1"), told)
+    assert "every row is a check" in str(told.warnings[0])
+
+
+def test_the_example_of_the_docs_runs(monkeypatch):
+    """The Python of docs/knit.md, as it stands there."""
+    here = Path(__file__).resolve().parents[1]
+    monkeypatch.chdir(here)
+    for code in re.findall(r"```python\n(.*?)```", (here / "docs" / "knit.md").read_text(), re.S):
+        exec(compile(code, "docs/knit.md", "exec"), {})

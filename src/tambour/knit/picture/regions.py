@@ -10,6 +10,7 @@ from tambour.core.check import Array
 
 BINS = 64
 ENOUGH = 0.9  # share of the tones' variance that so many regions must show, or one more is taken
+BROAD = 0.03  # the least share of stitches that a third tone has where it is three stitches wide
 FAINT = 0.25  # an island stays when its stitches' distances from the nearest cut add up to this
 
 
@@ -36,15 +37,21 @@ def cuts(t: Array, tones: int) -> tuple[tuple[float, ...], float]:
 
 
 def divided(t: Array, tones: int | None, flat: bool) -> tuple[Array, int]:
-    """(R, C) int, the region of each stitch, 0 the darkest; and how many tones there are. ``tones`` None takes two where two show enough, else three.
+    """(R, C) int, the region of each stitch, 0 the darkest; and how many tones there are. ``tones`` None takes two where two show enough, or where the third
+    would be narrow throughout, else three.
 
     Of a photograph, faint islands join what surrounds them, and a middle tone so narrow that it is but the soft edge
     between two others goes to the nearer of them; ``flat`` art keeps what it has.
     """
-    if tones is None:
-        tones = 2 if cuts(t, 2)[1] >= ENOUGH else 3
-    at, _ = cuts(t, tones)
+    from scipy.ndimage import binary_opening
+
+    wanted = tones or (2 if cuts(t, 2)[1] >= ENOUGH else 3)
+    at, _ = cuts(t, wanted)
     found = np.digitize(t, at)
+    if tones is None and wanted == 3 and binary_opening(found == 1, np.ones((3, 3))).mean() < BROAD:
+        # All that is grey are the soft edges of lines: then it is a drawing in two tones.
+        return divided(t, 2, flat)
+    tones = wanted
     if tones > 2:
         found = without_shells(found, t, at)
     return (found if flat else without_islands(found, t, at)), tones

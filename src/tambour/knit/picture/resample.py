@@ -49,7 +49,10 @@ def size(params: KnitParams, width: int, height: int) -> tuple[int, int]:
 
 
 def upright(picture: Picture, params: KnitParams, progress: Progress) -> Array:
-    """(H, W, 3) uint8: the picture over white, cropped, turned, and laid in the knitting direction; row 0 on top."""
+    """(H, W, 3) uint8: the picture over its ground, cropped, turned, and laid in the knitting direction; row 0 on top.
+
+    The ground is white, or, for what is light on clear, black: white on white would be a blank chart.
+    """
     rgba = picture.rgba
     if rgba.shape[0] == 0 or rgba.shape[1] == 0:
         raise TambourError("the picture has no pixels")
@@ -61,7 +64,10 @@ def upright(picture: Picture, params: KnitParams, progress: Progress) -> Array:
                 where="{--crop}",
             )
         rgba = rgba[top : top + high, left : left + wide]
-    rgb = over_white(rgba)
+    ground = 0 if light_on_clear(rgba) else 255
+    if ground == 0:
+        progress.warn("the picture is light on clear: it was laid over the dark yarn")
+    rgb = over(rgba, ground)
     if params.rotate == "auto":
         angle = straightening(rgb)
         progress.warn(
@@ -69,7 +75,7 @@ def upright(picture: Picture, params: KnitParams, progress: Progress) -> Array:
         )
     else:
         angle = float(params.rotate.removesuffix("deg"))
-    return laid(turned(rgb, angle), params)
+    return laid(turned(rgb, angle, ground), params)
 
 
 def laid(rgb: Array, params: KnitParams) -> Array:
@@ -77,24 +83,31 @@ def laid(rgb: Array, params: KnitParams) -> Array:
     return np.rot90(rgb, -1) if params.direction == "vertical" else rgb
 
 
-def over_white(rgba: Array) -> Array:
-    """(H, W, 3) uint8 of (H, W, 4) straight alpha, laid over white."""
+def light_on_clear(rgba: Array) -> bool:
+    """Whether a good part is clear, and what is opaque is nearly white throughout."""
+    alpha = rgba[..., 3]
+    if (alpha >= 128).mean() > 0.98 or not (alpha >= 128).any():
+        return False
+    return bool((rgba[..., :3][alpha >= 128] @ LUMA >= 224).mean() > 0.9)
+
+
+def over(rgba: Array, ground: int) -> Array:
+    """(H, W, 3) uint8 of (H, W, 4) straight alpha, laid over a grey ``ground``."""
     alpha = rgba[..., 3]
     if (alpha == 255).all():
         return rgba[..., :3]
     a = alpha[..., None].astype(np.float32) / 255
-    return np.round(rgba[..., :3] * a + 255 * (1 - a)).astype(np.uint8)
+    return np.round(rgba[..., :3] * a + ground * (1 - a)).astype(np.uint8)
 
 
-def turned(rgb: Array, angle: float) -> Array:
-    """The picture turned counter-clockwise by ``angle`` degrees, grown to hold its corners, white around it."""
+def turned(rgb: Array, angle: float, ground: int = 255) -> Array:
+    """The picture turned counter-clockwise by ``angle`` degrees, grown to hold its corners, ``ground`` around it."""
     if angle % 360 == 0:
         return rgb
     from PIL import Image
 
-    white = (255,) * 3
     image = Image.fromarray(np.ascontiguousarray(rgb))
-    return np.asarray(image.rotate(angle, Image.Resampling.BICUBIC, expand=True, fillcolor=white))
+    return np.asarray(image.rotate(angle, Image.Resampling.BICUBIC, expand=True, fillcolor=(ground,) * 3))
 
 
 def straightening(rgb: Array) -> float:

@@ -129,7 +129,34 @@ def candidates(picture: Array, params: KnitParams) -> list[Shade]:
         return stash(params.stash)
     if params.card != "none":
         return [Shade(n, (int(c[1:3], 16), int(c[3:5], 16), int(c[5:], 16))) for n, c in CARDS[params.card]]
-    return own(picture)
+    flat = few(picture, params.yarns)
+    return flat if len(flat) == params.yarns else own(picture)
+
+
+SHARE, ENOUGH, NEAR = (
+    0.01,
+    0.6,
+    0.08,
+)  # of flat art: the least share of a colour, of all of them; what counts as one (Oklab)
+
+
+def few(picture: Array, count: int) -> list[Shade]:
+    """The ``count`` colours that flat art is made of, the commonest first; fewer, or none, where it is not.
+
+    A colour counts that is exactly the same in 1 % of the stitches and more, unless it is near one already taken: two
+    near reds are one yarn to a knitter.
+    """
+    whole, number = np.unique(picture.reshape(-1, 3), axis=0, return_counts=True)
+    order = np.argsort(-number, kind="stable")
+    order = order[number[order] >= SHARE * number.sum()]
+    if number[order].sum() < ENOUGH * number.sum():
+        return []
+    taken: list[int] = []
+    lab = color.oklab(whole)
+    for k in order.tolist():
+        if len(taken) < count and all(np.linalg.norm(lab[k] - lab[j]) >= NEAR for j in taken):
+            taken.append(k)
+    return [Shade("", (int(r), int(g), int(b))) for r, g, b in whole[taken]]
 
 
 def own(picture: Array) -> list[Shade]:

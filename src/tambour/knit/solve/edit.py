@@ -60,7 +60,7 @@ def resolve(piece: Piece, edits: Iterable[tuple[int, int, int]]) -> Piece:
             line = replace(task, start=np.where(touched[:, None], start, task.start)).rows(r, r + 1)
             cells[r : r + 1] = exact.solve(line)
     before = floats.measure(task, task.start)
-    return assemble(
+    again = assemble(
         replace(state, task=task, cells=cells),
         piece.chart.palette,
         piece.kind,
@@ -69,6 +69,8 @@ def resolve(piece: Piece, edits: Iterable[tuple[int, int, int]]) -> Piece:
         before,
         Progress(),
     )
+    kept = {k: piece.figures[k] for k in ("style", "why", "technique", "seen_from") if k in piece.figures}
+    return replace(again, textured=piece.textured, figures={**kept, **again.figures})
 
 
 def solve_part(part: Task, cells: Array, touched: Array, eye: percept.Eye, params: KnitParams, whole: Task) -> None:

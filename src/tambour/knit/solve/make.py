@@ -57,6 +57,11 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
             f"{params.edge_stitches} edge stitches of one colour are longer than a float may be ({limit})",
             where="{--edge-stitches}",
         )
+    if limit == 1 and params.floats == "short" and not params.check:
+        progress.warn(
+            "with floats of one stitch every row is a check, whatever the picture",
+            hint="{--max-float} 3 and more leave room for one; {--floats} caught leaves it as it is",
+        )
     if isinstance(source, Chart) or params.check:
         wanted = params.model_copy(update={"method": params.method or "exact", "style": "plain"})
         return of_chart(source, wanted, limit, progress)
