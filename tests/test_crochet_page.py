@@ -67,7 +67,7 @@ def test_the_booklet_says_everything() -> None:
     for wanted in (
         *("A small toy", "Anna Weaver", "Materials", "Finished size", "Gauge", "Abbreviations", "Assembly", "Care"),
         *("Rnd 4-6", "18 sc", "(18)", "Ear (make 2)", "1 safety eye, 4 mm, black", "3.5 mm", "worsted weight (4)"),
-        *("Step 1: Ear", "Step 2: Eyes", "single crochet", "polyester fiberfill"),
+        *("Step 1: Ear", "Insert the eyes now", "single crochet", "polyester fiberfill"),
     ):
         assert wanted in text, wanted
     # Abbreviations that are used and no others.

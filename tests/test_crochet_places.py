@@ -168,3 +168,48 @@ def test_a_whale_lies_and_a_piece_worked_from_its_top_stands_on_its_end():
     assert all(r.spot.round >= 11 for r in flukes) and len(flukes) == 2
     text = f"Owl\n\nOWL\n{CLOSED}\nWING (make 2)\n{TUBE}\nPlace the eyes between rounds 4 and 5. Sew the wings to the sides.\n"
     assert [p.up for p in read_printed(Text(text)).parts] == ["start", None]
+
+
+def test_a_text_comes_back_with_its_counts_ticked_and_doubts_under_their_lines():
+    from tambour.crochet.page.annotated import DOUBT, TICK, annotated
+
+    text = CLOSED.replace("Rnd 11: (2 sc, dec) x 6 (18)", "Rnd 11: (2 sc, dec) x 6 (19)")
+    made = annotated(build(read_printed(Text(f"Ball\n\n{text}"))), (0.0, 0.0, 0.0)).text.split("\n")
+    lines = [line[2:] for line in made if line[:2].strip() or not line.startswith("      ")]
+    assert lines[: len(text.split("\n")) + 1] == ["Ball", "", *text.rstrip("\n").split("\n")]
+    ticked = [line for line in made if line.startswith(TICK)]
+    (wrong,) = [k for k, line in enumerate(made) if line.startswith(DOUBT) and "Rnd 11" in line]
+    assert (
+        len(ticked) == 7
+        and "Rnd 11" in made[wrong]
+        and "the pattern says 19 stitches, the round makes 18" in made[wrong + 1]
+    )
+
+
+def test_a_text_stays_its_designers():
+    from tambour.crochet.page.hers import hers
+
+    text = f"""Rolf the Ball
+by Anna
+
+Rolf rolls.
+
+Materials
+- yarn in red
+
+Notes
+Please do not sell copies of this pattern.
+
+BODY
+{CLOSED.replace("Rnd 11", "Put the eyes in between rounds 8 and 9 now." + chr(10) + "Rnd 11")}
+Assembly
+Embroider a smile on the body. Give Rolf a hug.
+"""
+    pattern = read_printed(Text(text))
+    said = hers(pattern, "us")
+    assert said.intro == ["by Anna.", "Rolf rolls.", "Please do not sell copies of this pattern."]
+    assert next((after, words) for after, words, _ in said.inside[0]) == (
+        10,
+        "Put the eyes in between rounds 8 and 9 now.",
+    )
+    assert said.closing == ["Give Rolf a hug."] and hers(pattern, "de") is None

@@ -47,5 +47,10 @@ VIEWS: dict[str, View] = {
         "the pattern as makers print it, in the words of {--terms}",
         (".txt", ".md"),
     ),
+    "annotated": View(
+        Lazy("tambour.crochet.page.annotated:view"),
+        "Text",
+        "the pattern's own text with its counts ticked and doubts under their lines",
+    ),
     "graph": View(Lazy("tambour.crochet.looks:graph"), "dict", "the stitch graph and its shape as data", (".json",)),
 }

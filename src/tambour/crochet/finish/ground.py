@@ -106,7 +106,7 @@ def ground(vertices: Array, faces: Array, yarn: Strands, stitch: float) -> Groun
     used = np.unique(faces)
     some = used[:: max(1, len(used) // 400)]
     rise = np.full(len(some), -np.inf)
-    near = made.balls[:: max(1, len(made.balls) // 60_000)]
+    near = np.ascontiguousarray(made.balls[:: max(1, len(made.balls) // 60_000)])
     _over(np.ascontiguousarray(vertices[some]), np.ascontiguousarray(normals[some]), near, stitch, 0.0, rise)
     rise = rise[np.isfinite(rise)]
     made.lift = float(np.quantile(rise, LIFT)) if len(rise) else 0.5 * stitch

@@ -1,0 +1,51 @@
+"""Annotated: the designer's text as an editor gives it back: her words untouched, counts ticked, doubts under their lines."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from tambour.core.errors import Problem, Text
+from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.check import size_edit, tech_edit
+from tambour.crochet.language.finishes import GUESSED
+
+if TYPE_CHECKING:
+    from tambour.crochet.piece import Plush
+
+TICK, DOUBT, NOTE = "✓", "✗", "?"
+"""Signs in the margin: a count that holds, something wrong or doubtful, something that was guessed."""
+_WIDE: Final = 2
+
+
+def view(piece: Plush) -> Text:
+    """The text of the pattern, edited; see :func:`annotated`."""
+    import numpy as np
+
+    size = tuple(float(v) for v in np.ptp(piece.positions, axis=0)) if len(piece.positions) else (0.0, 0.0, 0.0)
+    return annotated(piece.built, size)
+
+
+def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
+    """Every line of the source as it stands, a sign before it in the margin, and under it what is to be said of it.
+
+    size_mm : width, height, depth of the piece, against which a stated size is held
+    """
+    text = built.pattern.text
+    guesses = [p for p in built.warnings if p.message.startswith(GUESSED)]
+    found = [*tech_edit(built), *size_edit(built, size_mm)]
+    under: dict[int, list[tuple[str, Problem]]] = {}
+    for sign, problems in ((DOUBT, found), (NOTE, guesses)):
+        for problem in problems:
+            at = text.place(problem.span.start)[0] if problem.span is not None else 1
+            under.setdefault(at, []).append((sign, problem))
+    wrong = {at for at, said in under.items() if any(sign == DOUBT for sign, _ in said)}
+    stated = {text.place(w.line.stated_span.start)[0] for w in built.worked if w.line.stated_span is not None}
+    lines = []
+    for number, line in enumerate(text.text.rstrip("\n").split("\n"), 1):
+        sign = DOUBT if number in wrong else TICK if number in stated else ""
+        lines.append(f"{sign:<{_WIDE}}{line}".rstrip())
+        for mark, problem in under.get(number, []):
+            lines.append(f"{'':<{_WIDE}}    {mark} {problem.message}" + (f" ({problem.hint})" if problem.hint else ""))
+    counts = sum(w.line.stated is not None for w in built.worked)
+    lines += ["", f"{len(built.rounds)} rounds worked, {counts} stated counts checked, {len(found)} doubts"]
+    return Text("\n".join(lines) + "\n", text.name)
