@@ -33,22 +33,16 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     flow(rounds(book), book.frame, lambda: book.page(worked), again, book.below)
     charts(book)
     steps = assembly(book, skin(piece, np.arange(len(piece.positions))))
-    if steps:
-        title = short(book, book.said.terms.word("assembly"))
-        head = heading(book, book.said.terms.word("assembly"), book.size[0] - 2 * MARGIN)[0]
-        flow(steps, book.frame, lambda: book.page(title), again, book.below, head)
-    closing = [s for s in book.hers.closing if s] if book.hers is not None else []
+    closing = book.hers.closing if book.hers is not None else []
+    name = book.said.terms.word("assembly") if steps else book.own["last words"]
     if closing:
         width = book.frame.width
-        told = [atom for k, words in enumerate(closing) for atom in paragraph(words, width, space=1.2 if k else 0.0)]
-        last = book.own["last words"]
-        flow(
-            together(heading(book, last, width), told, last),
-            book.frame,
-            lambda: book.page(short(book, last)),
-            again,
-            book.below,
-        )
+        told = [atom for k, words in enumerate(closing) for atom in paragraph(words, width, space=1.2 if k else 6.0)]
+        heads = heading(book, book.own["last words"], width) if steps else []
+        steps += together(heads, told, book.own["last words"])
+    if steps:
+        head = heading(book, name, book.size[0] - 2 * MARGIN)[0]
+        flow(steps, book.frame, lambda: book.page(short(book, name)), again, book.below, head)
     _care(book)
     sides(book, before)
     total = len(book.pages)
