@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.drawing import Drawing, Label, Placed
+from tambour.core.drawing import Drawing, Label
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.core.reveal import Reveal
@@ -169,11 +169,7 @@ def sheet(scroll: Scroll, marks: Marks, last: bool = True) -> Drawing:
         marks, seals = seal.written(
             marks, p.inscription, p.seal, paint.LIGHTS[p.time], scroll.planned, scroll.origin, scroll.size, p.font
         )
-    glaze: tuple[Placed, ...] = ()
-    if last and p.paper:
-        side = float(paper.SIDE)
-        (x, y), (width, height) = scroll.origin.tolist(), scroll.size.tolist()
-        glaze = (Placed(paper.grain(), x, y, width, height, (side, side), glaze=True),)
+    glaze = paper.glazes(scroll.origin, scroll.size, p.pixels) if last and p.paper else ()
     white = (255, 255, 255) if not p.paper and p.time != "night" else None
     return paint.drawing(
         marks, scroll.origin, scroll.size, p.tall / HEIGHT, p.season, p.time, white, seals, glaze, about(p)
