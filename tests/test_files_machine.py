@@ -243,3 +243,14 @@ def test_header_and_stitches_that_disagree_are_said(tmp_path):
     assert "declares" in files.read(path, ("ThreadPlan",)).about["doubts"]
     path.write_bytes(raw[: 512 + 300])
     assert "end mark" in files.read(path, ("ThreadPlan",)).about["doubts"]
+
+
+def test_a_header_that_was_never_filled_in_is_no_doubt(tmp_path):
+    for suffix, at, blank in (("u01", 0x8C, b"0000"), ("pec", 8 + 512 + 8, b"\0\0\0\0")):
+        path = tmp_path / f"a.{suffix}"
+        files.write(design(), path)
+        raw = bytearray(path.read_bytes())
+        for wrong in (True, False):
+            raw[at : at + 4] = b"\x01\x02\x01\x02" if wrong else blank
+            path.write_bytes(raw)
+            assert ("doubts" in files.read(path, ("ThreadPlan",)).about) == wrong, suffix

@@ -125,10 +125,13 @@ class EmbroideryParams(Params):
     """Width of the design (as the file says, when not given)."""
 
     hoop: str | None = None
-    """The hoop's field, such as 100x100 (mm): the design must fit."""
+    """The hoop's field, such as 100x100 (mm), or Brother's 4x4, 5x7, 6x10: the design must fit."""
 
-    colors: int = Field(default=6, ge=2, le=24)
-    """Colours that a picture is reduced to before its regions are traced."""
+    check: bool = False
+    """What is doubtful to sew (crowded needle points, short stitches, too many threads) is an error, not a warning."""
+
+    colors: int | None = Field(default=None, ge=2, le=24)
+    """Colours that a picture (6 when not given) or a drawing (all it has) is reduced to."""
 
     text: str | None = None
     """Letters to embroider, instead of a drawing or below it."""
@@ -230,10 +233,25 @@ def numbers(text: str, count: int) -> tuple[float, ...]:
     return made
 
 
+NAMED = {
+    ("4", "4"): (100.0, 100.0),
+    ("5", "7"): (130.0, 180.0),
+    ("6", "10"): (160.0, 260.0),
+    ("8", "8"): (200.0, 200.0),
+}
+"""The true fields, mm, of hoops that are called by inches."""
+
+
 def hoop_size(text: str) -> tuple[float, float]:
-    """Width and height in mm of a hoop such as ``100x100`` or ``5x7in``; ValueError when it is none."""
+    """Width and height in mm of a hoop such as ``100x100`` or ``5x7in``; ValueError when it is none.
+
+    ``4x4``, ``5x7``, ``6x10`` and ``8x8`` without a unit, or in inches, are names: the fields that Brother gives them.
+    """
     found = re.fullmatch(r"\s*(\d+\.?\d*)\s*[x×*]\s*(\d+\.?\d*)\s*(mm|cm|in)?\s*", text.lower())
     if not found or float(found[1]) <= 0 or float(found[2]) <= 0:
         raise ValueError(f"{text!r} is not a hoop such as 100x100 (mm)")
+    named = NAMED.get((found[1], found[2]))
+    if named is not None and found[3] in (None, "in"):
+        return named
     unit = {"in": 25.4, "cm": 10.0}.get(found[3] or "mm", 1.0)
     return float(found[1]) * unit, float(found[2]) * unit

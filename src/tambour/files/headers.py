@@ -30,8 +30,13 @@ def _u32(raw: bytes, at: int, order: Any = "little", size: int = 4) -> int:
     return int.from_bytes(raw[at : at + size], order)
 
 
+_ROUGH = ("z01", "pcm")
+
+
 def doubts(kind: str, raw: bytes, stream: Watched, pattern: Any) -> list[str]:
     """Lines on what does not agree in a file of this kind, after pystitch has read it."""
+    if kind in _ROUGH:
+        return ["this format is not fully known: size, threads and order may differ from what its own program shows"]
     check = {"pes": _pec, "pec": _pec, "jef": _jef, "sew": _sew, "xxx": _xxx, "u01": _u01, "tbf": _tbf, "vp3": _vp3}
     return check[kind](raw, stream, pattern) if kind in check else []
 
@@ -58,7 +63,7 @@ def _size(pattern: Any, width: int, height: int) -> list[str]:
         return []
     w = max(s[0] for s in sewn) - min(s[0] for s in sewn)
     h = max(s[1] for s in sewn) - min(s[1] for s in sewn)
-    if abs(w - width) <= 10 and abs(h - height) <= 10:
+    if (abs(w - width) <= 10 and abs(h - height) <= 10) or width == height == 0:  # some programs leave it empty
         return []
     return [f"the header declares {width / 10:g} x {height / 10:g} mm, the stitches fill {w / 10:g} x {h / 10:g} mm"]
 
@@ -99,6 +104,8 @@ def _u01(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
     if len(raw) < 3 or raw[stop - 3] & 0x1F != 0x18:
         said.append(f"the stitches end at byte {stop} of {len(raw)}, before their end mark")
     count, held = _u32(raw, 0x8C), (stop - 0x100) // 3
+    if raw[0x8C:0x90] == b"0000":  # digits as text: the field was never filled in
+        return said
     if abs(held - count) > 4:
         said.append(f"the header declares {count} records, the file holds {held}")
     return said

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from tambour.core.errors import TambourError
+from tambour.core.errors import Problem, TambourError
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.core.thread import Thread, ThreadPlan
@@ -19,8 +19,10 @@ from tambour.embroidery.plan.design import piece_of
 from tambour.embroidery.plan.facts import outside
 from tambour.embroidery.plan.layers import elevation, layers
 from tambour.embroidery.plan.sequence import Layout, order
+from tambour.embroidery.plan.sewable import doubts
 from tambour.embroidery.regions.catalogue import with_catalogue
 from tambour.embroidery.regions.lettering import lettered
+from tambour.embroidery.regions.palette import reduced
 from tambour.embroidery.regions.read import extent, regions
 from tambour.embroidery.regions.trace import traced
 
@@ -45,6 +47,8 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if drawing.about.get("ignored"):
             progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
         found = regions(drawing, params, progress)
+        if params.colors is not None and not isinstance(source, Picture):
+            found = reduced(found, params.colors)
         found = decided(found)
     how = params.order
     if len(found) > MOST and how == "auto":
@@ -101,10 +105,15 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         lies = elevation(plan, layers(region_of, kind), params.thread)
     made = Piece(drawing, found, params, plan, region_of, kind, lies, rows, dict(layout.facts))
     with progress.stage("check"):
+        said = doubts(made)
         out = outside(made, BARE)
         if len(out):
             places = ", ".join(f"({x:.1f}, {y:.1f})" for x, y in plan.xy[out[:3]].tolist())
-            progress.warn(f"{len(out)} stitches leave their area, at {places}{' …' if len(out) > 3 else ''} mm")
+            said.append((f"{len(out)} stitches leave their area, at {places}{' …' if len(out) > 3 else ''} mm", ""))
+        if said and params.check:
+            raise TambourError([Problem(what, hint=remedy, where="{--check}") for what, remedy in said])
+        for what, remedy in said:
+            progress.warn(what, hint=remedy)
     return made
 
 

@@ -70,6 +70,12 @@ def _fits(size: Array, params: EmbroideryParams) -> None:
         return
     hoop = hoop_size(params.hoop)
     if size[0] > hoop[0] + 0.05 or size[1] > hoop[1] + 0.05:
+        if size[1] <= hoop[0] + 0.05 and size[0] <= hoop[1] + 0.05:
+            raise TambourError(
+                f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the hoop {hoop[0]:g} x {hoop[1]:g} mm",
+                hint=f"a quarter turn fits: {{--hoop}} {hoop[1]:g}x{hoop[0]:g}, the hoop turned",
+                where="{--hoop}",
+            )
         fits = min(hoop[0] / size[0], hoop[1] / size[1]) * size[0]
         raise TambourError(
             f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the hoop {hoop[0]:g} x {hoop[1]:g} mm",

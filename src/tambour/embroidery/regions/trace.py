@@ -14,6 +14,7 @@ from tambour.core.picture import Picture
 from tambour.embroidery.params import EmbroideryParams
 from tambour.noise import stream
 
+COLORS = 6
 WIDTH = 100.0  # mm, when neither the file nor --width says
 PIXEL = 0.35  # mm: finer detail than this is no use to a thread
 CRUMB = 4.0  # mm²: smaller areas go to their surroundings
@@ -23,7 +24,7 @@ OVERLAP = 0.15  # mm that areas reach below their neighbours
 
 
 def traced(picture: Picture, params: EmbroideryParams) -> Drawing:
-    """A Drawing in mm of a picture reduced to ``params.colors`` colours.
+    """A Drawing in mm of a picture reduced to ``params.colors`` colours (COLORS when not given).
 
     See-through pixels are cloth; so is a colour that holds most of the picture's rim. Larger areas lie below smaller.
     """
@@ -38,7 +39,7 @@ def traced(picture: Picture, params: EmbroideryParams) -> Drawing:
     lab = oklab(small[..., :3])
     if not solid.any():
         return _drawing([], pixel, small.shape)
-    label, centers = _few(lab, solid, params.colors, params.seed)
+    label, centers = _few(lab, solid, params.colors or COLORS, params.seed)
     label = _calm(label, centers, lab, solid)
     rim = np.concatenate([label[0], label[-1], label[:, 0], label[:, -1]])
     common = int(np.bincount(rim[rim >= 0], minlength=1).argmax()) if (rim >= 0).any() else -1
