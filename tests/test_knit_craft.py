@@ -209,7 +209,7 @@ def test_the_smallest_and_the_longest(shape):
 
 
 def test_bytes_do_not_depend_on_threads_or_processes(monkeypatch):
-    from tambour.knit import task
+    from tambour.core import threads
 
     code = (
         "import hashlib, numpy as np; from tests.test_knit_craft import made, scene;"
@@ -220,7 +220,7 @@ def test_bytes_do_not_depend_on_threads_or_processes(monkeypatch):
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=root)
     found = {done.stdout.strip()}
     for workers in (1, 3):
-        monkeypatch.setattr(task, "WORKERS", workers)
+        monkeypatch.setattr(threads, "WORKERS", workers)
         pieces = [made(scene(300, 200), method=m, tone="raw")[0].chart.cells for m in ("exact", "perceptual")]
         found.add(str([hashlib.sha256(cells.tobytes()).hexdigest() for cells in pieces]))
     assert len(found) == 1

@@ -62,6 +62,8 @@ def test_the_style_is_chosen_and_its_reason_given():
         (photo(200, 180), {"floats": "caught"}, "graphic", "photograph"),
         (photo(), {"seen_from": "10m"}, "tonal", "photograph"),
         (photo(), {"method": "exact"}, "plain", "photograph"),
+        (photo(), {"detail": 1.0}, "plain", "photograph"),
+        (photo(), {"keep": 0.1}, "tonal", "photograph"),
         (photo(), {"style": "texture"}, "texture", "photograph"),
     ):
         told = piece_of(rgb, **params).figures
@@ -278,6 +280,13 @@ def test_flat_art_gets_its_own_colours():
     found = shades.few(art, 4)
     assert {s.rgb for s in found} == {(196, 42, 44), (240, 205, 160), (20, 20, 20), (250, 240, 225)}
     assert shades.few(photo(), 4) == []
+
+
+def test_what_a_style_has_no_part_for_is_said():
+    told = Progress()
+    rgba = np.dstack([photo(40, 40), np.full((40, 40), 255, np.uint8)])
+    make(Picture(rgba), KnitParams(style="graphic", threshold=0.6), told)
+    assert "they are for plain" in str(told.warnings[0])
 
 
 def test_a_limit_of_one_is_answered():

@@ -53,18 +53,25 @@ def chosen(picture: Array, luma: Array, params: KnitParams) -> Style:
     if params.style != "auto":
         metres = asked or (FAR if params.style == "tonal" else near)
         return Style(params.style, kind, metres, f"{params.style}: as asked")
-    if params.method is not None or params.start is not None:
-        return Style("plain", kind, asked or FAR, "plain: solved by the method or start that was asked for")
+    if params.method is not None or params.start is not None or of_plain(params):
+        return Style(
+            "plain", kind, asked or FAR, "plain: solved by the method, start or tone mapping that was asked for"
+        )
+    if params.tone is not None or params.keep:
+        return Style("tonal", kind, asked or FAR, "tonal: tone or keep was asked for")
     rows, stitches = picture.shape[:2]
     if kind != "photograph":
         return Style("graphic", kind, asked or near, f"graphic: {kind}, its areas and lines are kept")
-    if params.tone is not None or params.detail:
-        return Style("tonal", kind, asked or FAR, "tonal: tone or detail was asked for")
     if (asked or 0.0) >= FAR:
         return Style("tonal", kind, asked or FAR, f"tonal: from {asked:g} m stitches mix into tones")
     if min(rows, stitches) >= LARGE and params.floats == "short":
         return Style("tonal", kind, asked or FAR, f"tonal: a photograph, large enough ({stitches} x {rows}) for tones")
     return Style("graphic", kind, asked or near, f"graphic: a photograph of {stitches} stitches reads best as areas")
+
+
+def of_plain(params: KnitParams) -> bool:
+    """Whether something was asked for that only the plain style has."""
+    return bool(params.detail) or params.threshold != 0.5 or params.patches != "ready"
 
 
 def settled(params: KnitParams, style: Style) -> KnitParams:

@@ -22,7 +22,7 @@ from tambour.knit.picture.grounds import laid
 from tambour.knit.picture.layout import Layout, lay
 from tambour.knit.picture.prepare import mixed, prepared
 from tambour.knit.picture.regions import divided
-from tambour.knit.picture.style import Style, chosen, settled
+from tambour.knit.picture.style import Style, chosen, of_plain, settled
 from tambour.knit.piece import Piece
 from tambour.knit.solve import exact, floats, percept, sight
 from tambour.knit.solve import paper2013 as paper
@@ -73,6 +73,10 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
         layout = lay(source, params, progress)
         luma = tone.brightness(layout.picture, "code")
         style = chosen(layout.picture, luma, params)
+        if style.name != "plain" and of_plain(params):
+            progress.warn(
+                f"{style.name} has no part for {{--detail}}, {{--threshold}} and {{--patches}}: they are for plain"
+            )
         params = settled(params, style)
         palette = two_yarns(layout.picture, params, progress)
         aim = aimed(layout, luma, palette, style, params, limit)
