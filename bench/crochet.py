@@ -15,7 +15,6 @@ from tambour.crochet.finish.shape import Task, first_positions
 from tambour.crochet.graph.build import build
 from tambour.crochet.language.parse import parse
 from tambour.crochet.params import CrochetParams
-from tambour.crochet.plush import warm
 from tambour.crochet.settle.body import State, centroid_counts
 from tambour.crochet.settle.plain_steps import step
 from tambour.crochet.settle.rest import settle, tolerance
@@ -100,7 +99,7 @@ def main(arguments: list[str]) -> None:
     quick = "--quick" in arguments
     cap = float(arguments[arguments.index("--cap") + 1]) if "--cap" in arguments else 10.0 if quick else 60.0
     began = time.perf_counter()
-    warm()
+    compare("ball100", "pressure", 0.0)
     print(f"start (imports, kernels): {time.perf_counter() - began:.2f} s")
     text = Text(SHAPES["ball20k"], "ball20k")
     took = []

@@ -56,7 +56,7 @@ def test_a_ball_from_text(tmp_path: Path) -> None:
         report
     )
     assert {"size_mm", "size_in", "tension", "volume_ml", "yarn"} <= set(report)
-    assert {"start", "parse", "build", "settle", "fabric", "write"} <= set(report["seconds"])
+    assert {"start", "parse", "build", "settle", "write"} <= set(report["seconds"])
     assert report["nodes"] == 110 and report["warnings"] == [] and report["settled"]
     data = json.loads((tmp_path / "ball.json").read_text())
     assert list(data) == ["craft", "parts", "nodes", "edges", "sewn", "centroids", "positions", "faces", "stitch_mm"]
@@ -203,3 +203,37 @@ def test_a_side_is_seen_from_there() -> None:
     views = {side: portrait(piece, side, width=120, height=120).rgba for side in SIDES}
     assert all((one[..., :3] != 255).any() for one in views.values())
     assert len({one.tobytes() for one in views.values()}) == len(SIDES)
+
+
+def test_only_who_looks_at_yarn_or_asks_for_it_has_it_led(monkeypatch: pytest.MonkeyPatch) -> None:
+    from tambour.core.errors import Text
+    from tambour.core.progress import Progress
+    from tambour.crochet import looks
+    from tambour.crochet.maker.facts import facts
+    from tambour.crochet.params import CrochetParams
+    from tambour.crochet.plush import make
+    from tambour.crochet.yarn import fabric
+
+    def refuse(*given: object, **options: object) -> None:
+        raise AssertionError("yarn was led")
+
+    monkeypatch.setattr(fabric, "strands", refuse)
+    text = Text(": MR(6)\n: 6 inc\n: 12 sc\n: 6 dec\nFO\n")
+    piece = make(text, CrochetParams(check=True), Progress())
+    assert facts(piece)["size_mm"] and looks.surface(piece) and looks.graph(piece)
+    with pytest.raises(AssertionError):
+        looks.yarn(piece)
+
+
+def test_building_that_steps_may_not_finish_is_told_before_the_first_of_them() -> None:
+    from tambour.core.errors import Text
+    from tambour.core.progress import Progress
+    from tambour.crochet.params import CrochetParams
+    from tambour.crochet.plush import make
+
+    text = Text(": MR(6)\n: 6 inc\n: 6 dec\nFO\n")
+    for steps, told in ((20, True), (2100, False)):
+        progress = Progress()
+        params = CrochetParams(start="one-by-one", solver="steps", steps=steps, wait_steps=100)
+        make(text, params, progress)
+        assert any("one by one may take" in w.message for w in progress.warnings) == told, steps

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from tambour.core.check import Array
@@ -17,14 +18,13 @@ if TYPE_CHECKING:
     from tambour.crochet.yarns import Gauge
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class Plush:
     """A pattern in its shape.
 
     built : the pattern worked; params : what was asked for; stitch : width and height of a single crochet, mm
     gauge : where that size comes from; stuffing, start : what the options and the pattern together chose
     shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm
-    yarn : the yarn of every stitch, in mm
     joining : what was sewn on and where, None where the pattern says nothing of it
     """
 
@@ -37,8 +37,14 @@ class Plush:
     shape: Shape
     positions: Array
     centroids: Array
-    yarn: Strands
     joining: Joining | None = None
+
+    @cached_property
+    def yarn(self) -> Strands:
+        """The yarn of every stitch, in mm; led when it is first looked at."""
+        from tambour.crochet.yarn.fabric import strands
+
+        return strands(self.built.graph, self.positions, detail=self.params.detail)
 
     @property
     def upright(self) -> Array | None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 from typing import TYPE_CHECKING
 
 from tambour.core.errors import TambourError, Text
@@ -19,7 +18,6 @@ if TYPE_CHECKING:
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
-    from tambour.crochet.finish import features
     from tambour.crochet.finish.joining import crowded, prepare
     from tambour.crochet.finish.pose import pose
     from tambour.crochet.finish.twist import twisted
@@ -48,11 +46,6 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
         progress.warn(warning)
     for warning in joining.doubts if joining is not None else ():
         progress.warn(warning)
-    # Only now: a mistake in the pattern is told at once, not when the kernels are loaded.
-    with progress.stage("start"):
-        warm()
-        if features.present(built):
-            features.warm()
     for warning in [*(crowded(joining) if joining is not None else []), *twisted(built)]:
         progress.warn(warning)
     return _shaped(built, joining, params, known, progress)
@@ -67,13 +60,18 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     from tambour.crochet.finish.placing import standing
     from tambour.crochet.finish.shape import Task, simulate
     from tambour.crochet.settle.body import centroid_counts
-    from tambour.crochet.yarn.fabric import strands
 
     stitch = (known.width, known.height)
     if joining is not None and joining.steps:
         built = replace(built, graph=with_seams(built.graph, joining.pinched, stitch[0]))
+    start = params.start or built.initializer or "rounds"
+    longest = len(built.graph) * params.wait_steps
+    if start == "one-by-one" and params.solver == "steps" and params.steps < longest:
+        progress.warn(
+            f"building {len(built.graph)} nodes one by one may take {longest} steps: {params.steps} may not be enough",
+            "take more {--steps}, or let fewer {--wait-steps} pass before the next node",
+        )
     with progress.stage("settle"):
-        start = params.start or built.initializer or "rounds"
         stuffing = params.stuffing or "pressure"
         # Sheets inside the piece are fabric, but do not bound its volume.
         shell = replace(built.graph, faces=built.graph.faces[built.shell])
@@ -107,28 +105,4 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
             raise TambourError(found)
     for doubt in doubts(built, x):
         progress.warn(doubt)
-    with progress.stage("fabric"):
-        yarn = strands(built.graph, x, detail=params.detail)
-    return Plush(built, params, stitch, known, stuffing, start, shape, x, c, yarn, joining)
-
-
-@cache
-def warm() -> None:
-    """Load every kernel, once, by shaping a tiny piece in every way."""
-    from tambour.crochet.finish.joining import prepare
-    from tambour.crochet.graph.build import build
-    from tambour.crochet.language.parse import parse
-    from tambour.crochet.looks import surface, yarn
-    from tambour.crochet.maker.facts import facts
-    from tambour.crochet.maker.gauge import gauge
-
-    one = "== a ==\n@stuffing = light\n: MR(6)\n: BLO, 6 inc\n: 12 sc\n: 6 dec\nFO\n"
-    other = "== b ==\n@stuffing = none\n: MR(6)\n: 6 inc\n2: 12 sc\nplace(b, a, round=2)\n"
-    built = build(parse(Text(one + other)))
-    joining = prepare(built)
-    for stuffing in ("pressure", "centroid", "skeleton"):
-        known = gauge(CrochetParams(), {})
-        piece = _shaped(built, joining, CrochetParams(stuffing=stuffing, tolerance=0.1), known, Progress())
-    facts(piece)
-    yarn(piece)
-    surface(piece)
+    return Plush(built, params, stitch, known, stuffing, start, shape, x, c, joining)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
 from itertools import pairwise
 from typing import Any
 
@@ -187,22 +186,6 @@ def joined(parts: Iterable[Mesh]) -> Mesh:
         face_group=np.concatenate([group(m) for m in every]),
         group_names=names,
     )
-
-
-@cache
-def warm() -> None:
-    """Load every kernel by making one of everything on a tiny ball."""
-    from tambour.core.errors import Text
-    from tambour.crochet.graph.build import build
-    from tambour.crochet.graph.layout import rounds
-    from tambour.crochet.language.parse import parse
-    from tambour.crochet.yarn.fabric import strands
-
-    ball = "== a ==\n: MR(6)\n: 6 inc\n: 12 sc\n: 6 dec\nFO\n"
-    face = "eye(a, round=2)\nembroider(a, 2:1, 2:4)\nfelt(a, round=2, width=3)\nhair(a, 3:1, count=2, length=40)\n"
-    built = build(parse(Text(ball + face)))
-    x = 5.0 * rounds(built.graph, built.graph.rest / 5.0)
-    meshes(built, x, strands(built.graph, x))
 
 
 # Materials -----------------------------------------------------------------------------------------------------------

@@ -15,8 +15,6 @@ def facts(piece: Plush) -> dict[str, Any]:
     from tambour.crochet.finish.features import materials
     from tambour.crochet.finish.joining import assembly
     from tambour.crochet.maker import size
-    from tambour.crochet.maker.materials import lengths as metres
-    from tambour.crochet.maker.materials import materials as needed
     from tambour.crochet.printed.choose import account
     from tambour.crochet.settle.forces import lengths
 
@@ -25,7 +23,6 @@ def facts(piece: Plush) -> dict[str, Any]:
     kinds, counts = np.unique(g.kind, return_counts=True)
 
     measured = size.report(piece)
-    length = metres(piece)
     ml = shape.volume * width**3 / 1000.0
     stretch = lengths(x, g.edges) / (g.rest * piece.params.link_distance) - 1.0 if len(g.edges) else np.zeros(0)
     tension: dict[str, Any] = {"mean": 0.0, "worst": 0.0, "node": None, "at": None}
@@ -62,13 +59,8 @@ def facts(piece: Plush) -> dict[str, Any]:
         "size_mm": [measured[side]["mm"] for side in ("width", "height", "depth")],
         "size_in": [measured[side]["in"] for side in ("width", "height", "depth")],
         "volume_ml": round(float(ml.sum()), 3),
-        "yarn": [
-            {"color": "#{:02x}{:02x}{:02x}".format(*shade), "metres": round(m, 2), "yards": round(m / 0.9144, 2)}
-            for shade, m in length.items()
-        ],
         "features": materials(built, x),
-        "materials": needed(piece),
-        "yarn_metres": round(sum(length.values()), 2),
+        **({} if piece.params.check else _yarn(piece)),
         "stitch_mm": list(piece.stitch),
         "stuffing": piece.stuffing,
         "start": piece.start,
@@ -79,4 +71,19 @@ def facts(piece: Plush) -> dict[str, Any]:
         "assembly": (
             assembly(piece.joining, shape.joined, x) if piece.joining is not None and shape.joined is not None else []
         ),
+    }
+
+
+def _yarn(piece: Plush) -> dict[str, Any]:
+    """What it takes of yarn and all else; a tech edit does without, as the yarn would have to be led for it."""
+    from tambour.crochet.maker.materials import lengths, materials
+
+    metres = lengths(piece)
+    return {
+        "yarn": [
+            {"color": "#{:02x}{:02x}{:02x}".format(*shade), "metres": round(m, 2), "yards": round(m / 0.9144, 2)}
+            for shade, m in metres.items()
+        ],
+        "materials": materials(piece),
+        "yarn_metres": round(sum(metres.values()), 2),
     }
