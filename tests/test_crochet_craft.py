@@ -206,12 +206,7 @@ def test_a_side_is_seen_from_there() -> None:
 
 
 def test_only_who_looks_at_yarn_or_asks_for_it_has_it_led(monkeypatch: pytest.MonkeyPatch) -> None:
-    from tambour.core.errors import Text
-    from tambour.core.progress import Progress
     from tambour.crochet import looks
-    from tambour.crochet.maker.facts import facts
-    from tambour.crochet.params import CrochetParams
-    from tambour.crochet.plush import make
     from tambour.crochet.yarn import fabric
 
     def refuse(*given: object, **options: object) -> None:
@@ -226,13 +221,8 @@ def test_only_who_looks_at_yarn_or_asks_for_it_has_it_led(monkeypatch: pytest.Mo
 
 
 def test_building_that_steps_may_not_finish_is_told_before_the_first_of_them() -> None:
-    from tambour.core.errors import Text
-    from tambour.core.progress import Progress
-    from tambour.crochet.params import CrochetParams
-    from tambour.crochet.plush import make
-
     text = Text(": MR(6)\n: 6 inc\n: 6 dec\nFO\n")
-    for steps, told in ((20, True), (2100, False)):
+    for steps, told in ((20, True), (3000, False)):
         progress = Progress()
         params = CrochetParams(start="one-by-one", solver="steps", steps=steps, wait_steps=100)
         make(text, params, progress)
