@@ -192,7 +192,7 @@ def test_mistakes_in_a_printed_text_are_told():
     with pytest.raises(TambourError, match="is there already"):
         read(Text(text.replace("Toer 4", "Toer 3")), strict=True)
     with pytest.raises(TambourError, match="nonsens"):
-        build(read(Text(text.replace("18 v", "18 nonsens"))))
+        read(Text(text.replace("18 v", "18 nonsens")), strict=True)
 
 
 MORE_ITEMS = [

@@ -27,7 +27,8 @@ def findings(text: str) -> list[tuple[int, str]]:
     """Line and sentence of everything that is wrong or doubtful."""
     source = Text(text, "pattern.txt")
     try:
-        found = tech_edit(build(read(source)))
+        pattern = read(source)
+        found = [*pattern.unread, *tech_edit(build(pattern))]
     except TambourError as error:
         found = list(error.problems)
     return [(source.place(p.span.start)[0] if p.span else 0, p.message) for p in found]

@@ -97,15 +97,17 @@ def test_assembly_in_sentences():
         ("Rnd 2: (sc, inc x 3", "(", '")" closes it'),
         ("Rnd 2: 0 sc", "0", ""),
         ("Rnd 2: 6 sc in next 0 sts", "0", "whole number"),
-        ("Rnds 2-4: repeat Rnd 7", "repeat Rnd 7", "name one"),
+        ("Rnds 2-4: repeat Rnd 7", "repeat Rnd 7", "name rounds"),
         ("Rnd 2: 7 sc in next 3 sts", "7", "say how many"),
     ],
 )
 def test_mistakes_have_a_place_and_a_remedy(text, word, hint):
     whole = "Rnd 1: 6 sc in MR (6)\n" + text
     with pytest.raises(TambourError) as told:
-        read_printed(Text(whole, "toy.txt"))
+        read_printed(Text(whole, "toy.txt"), strict=True)
     (problem,) = told.value.problems
+    loose = read_printed(Text(whole, "toy.txt"))  # else it is told, and the work goes on
+    assert [p.span for p in loose.unread] == [problem.span] and len(loose.parts[0].lines) == 2
     assert whole[problem.span.start : problem.span.end] == word and hint in problem.hint and problem.hint
 
 

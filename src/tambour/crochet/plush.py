@@ -30,7 +30,12 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
 
         tracer()  # what is missing is told before the work, not after it
     with progress.stage("parse"):
-        pattern = read(source, max_stitches=params.max_stitches, strict=params.strict)
+        pattern = read(
+            source,
+            max_stitches=params.max_stitches,
+            strict=params.strict,
+            high=lambda stated: gauge(params, stated).height,
+        )
     known = gauge(params, pattern.stated)
     stitch = (known.width, known.height)
     with progress.stage("build"):
@@ -42,7 +47,7 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
         found = tech_edit(built)
         if found:
             raise TambourError(found)
-    for warning in built.warnings:
+    for warning in (*pattern.unread, *built.warnings):
         progress.warn(warning)
     for warning in joining.doubts if joining is not None else ():
         progress.warn(warning)

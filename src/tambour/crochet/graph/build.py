@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from tambour.crochet.graph.layers import fold, through_both
 from tambour.crochet.graph.moment import Round
 from tambour.crochet.graph.spaces import into_space, spaces_ahead
 from tambour.crochet.graph.starts import foundation_row, leave_spare, oval, ring
-from tambour.crochet.language.stitches import RULES, Stitch
+from tambour.crochet.language.stitches import MOST, RULES, STITCHES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
 
 # Actions that make no node may be repeated this many times per node that a pattern may make.
@@ -41,7 +41,8 @@ class PartFacts:
 @dataclass(frozen=True, slots=True)
 class Done:
     """One thing the hook did, for writing the pattern back: ``what`` is a stitch or a key of RULES; "part" (section, copy)
-    begins a part, "round" or "line" a line, and "end" ends it, with the stitches on its edge as ``times``."""
+    begins a part, "round" or "line" a line, and "end" ends it, with the stitches on its edge as ``times``; "again" stands
+    before the rounds (``times``) that are worked as others are written, "note" is a sentence that makes no stitch."""
 
     what: str
     times: int = 1
@@ -146,6 +147,7 @@ class _Worker:
         self.log: list[Done] = []
         self.worked: list[Worked] = []
         self.fresh = 0  # the first node of the row or round under way
+        self.stitched = False  # the line under way has made more than chains
         self.left: int | None = None  # stitches not worked into when the round was joined
         self.steps = 0
         self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
@@ -192,37 +194,53 @@ class _Worker:
         return fine
 
     def _line(self, line: Line) -> None:
-        hook = self.hook
         if line.times_span is not None:
             self.numbers.append((line.times, line.times_span))
-        names = set(_names(line.items))
-        elsewhere = line.in_round and (bool(_ELSEWHERE & names) or any(n.startswith("MR{") for n in names))
-        for repeat in range(line.times):
-            self.fresh, below, self.left = len(hook), hook.now.count, None
-            if line.in_round:
-                hook.now.loop, hook.now.folded = BOTH, False
-                hook.begin_line()
-                hook.written = 0 if line.number is None else line.number + repeat
-                self.log.append(Done("round", 1, (), (), line.span))
-                self._step(1)
-            else:
-                self.log.append(Done("line", 1, (), (), line.span))
-            for item in line.items:
-                self._item(item)
-            if hook.now.spare >= 0:
-                leave_spare(hook)
-            edge = hook.now.count + hook.joined
-            self.log.append(Done("end", edge))
-            # A magic ring's root, a tip and chains that only lift the yarn are nodes, but no stitches.
-            new = (n for n in range(self.fresh, len(hook)) if n not in hook.lifts)
-            made = sum(hook.styles[hook.style[n]][6] not in (ROOT, TIP) for n in new)
-            left = hook.ahead if self.left is None else self.left
-            ring = line.in_round and hook.now.ring and not elsewhere and below > 0
-            self.worked.append(Worked(line, hook.part, below, left, made, edge, ring))
+        if line.again is not None:
+            self.log.append(Done("again", line.times, (line.again.first, line.again.last), (line.again.part,)))
+            for one in line.rounds():
+                try:
+                    self._once(one, one.number)
+                except HookError as error:  # the fault is where the rounds are named, not where they are written
+                    raise HookError(replace(error.problem, span=line.again.span)) from None
+                if one.stated is not None:
+                    self._check_count(one, self.worked[-1].made)
+        else:
+            for repeat in range(line.times):
+                self._once(line, None if line.number is None else line.number + repeat)
+            if line.stated is not None and line.times:
+                self._check_count(line, self.worked[-1].made)
         if line.times_span is not None:
             self.numbers.pop()
-        if line.stated is not None and line.times:
-            self._check_count(line, made)
+
+    def _once(self, line: Line, number: int | None) -> None:
+        """One working of a line, under the number that the round bears."""
+        hook = self.hook
+        names = set(_names(line.items))
+        elsewhere = line.in_round and (bool(_ELSEWHERE & names) or any(n.startswith("MR{") for n in names))
+        self.fresh, below, self.left, self.stitched = len(hook), hook.now.count, None, False
+        if line.in_round:
+            hook.now.loop, hook.now.folded = BOTH, False
+            hook.begin_line()
+            hook.written = number or 0
+            self.log.append(Done("round", 1, (), (), line.span))
+            self._step(1)
+        else:
+            self.log.append(Done("line", 1, (), (), line.span))
+        for item in line.items:
+            self._item(item)
+        if hook.now.spare >= 0:
+            leave_spare(hook)
+        edge = hook.now.count + hook.joined
+        for note in line.notes:
+            self.log.append(Done("note", 1, (), (self.pattern.text.text[note.start : note.end],)))
+        self.log.append(Done("end", edge))
+        # A magic ring's root, a tip and chains that only lift the yarn are nodes, but no stitches.
+        new = (n for n in range(self.fresh, len(hook)) if n not in hook.lifts)
+        made = sum(hook.styles[hook.style[n]][6] not in (ROOT, TIP) for n in new)
+        left = hook.ahead if self.left is None else self.left
+        ring = line.in_round and hook.now.ring and not elsewhere and below > 0
+        self.worked.append(Worked(line, hook.part, below, left, made, edge, ring))
 
     def _check_count(self, line: Line, made: int) -> None:
         """A stated count may mean the stitches made in the round or those on its edge; slip stitches count there."""
@@ -270,6 +288,9 @@ class _Worker:
         ahead = max(0, hook.ahead)
         if hook.now.folded:
             ahead = (ahead + 1) // 2  # pairs
+        ahead = max(0, ahead - group.leaves)
+        if group.leaves and not ahead:
+            return 0
         times, over = divmod(ahead, takes)
         if times == 0:
             raise hook.fail(f"around needs {takes} stitches, the round has {ahead} left", "give a number instead")
@@ -286,6 +307,8 @@ class _Worker:
         for item in items:
             if isinstance(item, Group):
                 total += (item.times or 0) * self._takes(item.items)
+            elif item.name == "gap":
+                total += self.hook.ahead
             elif item.name in self.pattern.stitches:
                 total += item.times * self.pattern.stitches[item.name].takes
         return total
@@ -330,7 +353,7 @@ class _Worker:
                 self._note(action)
             hook.last_mark = None
             return
-        making = action.name in ("mr", "attach", "oval", "fsc") and bool(action.numbers)
+        making = action.name in ("mr", "attach", "oval", "fsc", "gap") and bool(action.numbers)
         nodes = action.numbers[0] * (2 if action.name == "fsc" else 1) if making else 0
         self._step(nodes, (action.numbers[0], action.span) if making else None)
         mark = hook.last_mark
@@ -363,7 +386,8 @@ class _Worker:
                 hook.fasten_off(self.tip)
             case "turn":
                 hook.turn()
-                self.fresh = len(hook)  # what was worked before it belongs to the row below
+                if not self.stitched:
+                    self.fresh = len(hook)  # what was worked before it belongs to the row below
             case "oval":
                 oval(hook, *action.numbers)
             case "fsc":
@@ -373,6 +397,8 @@ class _Worker:
             case "join":
                 self.left = hook.ahead  # the next round begins with it
                 hook.join_round()
+            case "gap":
+                self._gap(action.numbers[0])
         if action.name != "mark":
             hook.last_mark = None
         self._note(action)
@@ -382,6 +408,7 @@ class _Worker:
         if stitch.approximate and action.name not in self._approximate:
             self._approximate.add(action.name)
             self._doubt(f"approximated: {action.name}", stitch.approximate, action.span)
+        self.stitched = self.stitched or stitch.name != "ch"
         if stitch.where == "ring":
             self.rings += 1
             if self.rings > 1:
@@ -393,6 +420,24 @@ class _Worker:
             through_both(self.hook, stitch, action.times)
         else:
             self.hook.stitch(stitch, action.times)
+
+    def _gap(self, count: int) -> None:
+        """``count`` single crochets spread evenly over what is ahead of a round that nobody could read."""
+        hook = self.hook
+        if not hook.begun:
+            hook.magic_ring(count)
+            return
+        ahead = hook.ahead if 0 < hook.ahead <= MOST * count <= MOST * MOST * hook.ahead else hook.now.count
+        if not ahead or not ahead <= MOST * count <= MOST * MOST * ahead:
+            raise hook.fail(
+                f"{count} stitches do not go over the {ahead} of the round below", "say how they are worked"
+            )
+        fewer, more = sorted((ahead, count))
+        kind = "inc" if count > ahead else "dec"
+        for k in range(fewer):
+            size = (k + 1) * more // fewer - k * more // fewer
+            name = "sc" if size == 1 else kind if size == 2 else f"{kind}{size}"
+            hook.stitch(STITCHES[name], 1)
 
     def _label(self, name: str) -> str:
         """The label as the hook knows it: inside a part made several times, each copy has its own."""

@@ -243,12 +243,12 @@ def _numbers(source: Source, name: str, values: list[tuple[str, Span]], labels: 
             source.error(f'"{value}" is no length of a chain', f"write {RULES[name].usage}", at)
             return None
         return (int(value),)
-    if name == "mr":
+    if name in ("mr", "gap"):
         value, at = values[0]
         if not value.isdigit() or int(value) == 0:
             source.error(f'"{value}" is no number of stitches', f"write {RULES[name].usage}", at)
             return None
-        return (int(value), len(values) - 1)
+        return (int(value), len(values) - 1) if name == "mr" else (int(value),)
     if name in ("oval", "fsc"):
         for value, at in values:
             if not value.isdigit() or int(value) < (1 if name == "fsc" else 2):

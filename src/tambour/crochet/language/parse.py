@@ -13,13 +13,17 @@ from tambour.crochet.language.grammar import read_line, without_comment
 from tambour.crochet.language.items import items
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import RULES, STARTS, STUFFING, standard
-from tambour.crochet.language.tree import Action, Item, Line, Pattern, Section
+from tambour.crochet.language.tree import Action, Again, Item, Line, Pattern, Section, written
 
 # The older dialect's blocks that say where a ring lies.
 _BLOCK = re.compile(r"[ \t]*[A-Za-z_]\w*[ \t]*\{[ \t]*$")
 _PLACE = re.compile(r"[ \t]*[A-Za-z_]\w*[ \t]*=[ \t]*-?[\w.]+[ \t]*,?[ \t]*$")
 # Four words or more and nothing else: a comment that was wrapped.
 _PROSE = re.compile(r"[ \t]*[A-Za-z][A-Za-z'-]*(?:[ \t]+[A-Za-z][A-Za-z'-]*){3,}[ \t]*[.!]?[ \t]*$")
+_AGAIN = re.compile(
+    r"[ \t]*(?P<head>R\d{1,6}(?:[ \t]*-[ \t]*R?\d{1,6})?)[ \t]*:[ \t]*(?P<lead>(?:[^\n]*?,[ \t]*)?)as[ \t]+R(?P<first>\d{1,6})"
+    r"(?:[ \t]*-[ \t]*R?(?P<last>\d{1,6}))?(?:[ \t]+of[ \t]+(?P<part>[\w ]+?))?[ \t]*(?:\((?P<count>\d{1,9})\))?[ \t]*$"
+)
 _TRUTH = {"true": True, "yes": True, "1": True, "false": False, "no": False, "0": False}
 
 
@@ -94,6 +98,9 @@ def _read(source: Source) -> tuple[Section, ...]:
 
 
 def _line(source: Source, drafts: list[_Draft], line: str, span: Span) -> None:
+    if (found := _AGAIN.match(line)) is not None:
+        _again(source, drafts, found, span)
+        return
     tree, problems = read_line(line, source.offset, source.text)
     source.problems += problems
     if tree is None:
@@ -114,6 +121,33 @@ def _line(source: Source, drafts: list[_Draft], line: str, span: Span) -> None:
             drafts[-1].lines.append(_round(source, what, span))
         case _:
             drafts[-1].lines.append(Line(items(source, what.children[0], False), span, False))
+
+
+def _again(source: Source, drafts: list[_Draft], found: re.Match[str], span: Span) -> None:
+    """``R6-R8: as R2-R4 of Head (18)``: rounds that are written elsewhere."""
+    at = Span(source.offset + found.start("head"), source.offset + found.end("head"))
+    number, times = _range(source, found["head"], at)
+    first, last = int(found["first"]), int(found["last"] or found["first"])
+    name = (found["part"] or "").strip()
+    draft = next((d for d in drafts if d.name == name), None) if name else drafts[-1]
+    named = Span(source.offset + found.start("first"), source.offset + found.end("last" if found["last"] else "first"))
+    lines = written(draft.lines if draft is not None else (), first, last)
+    if not lines:
+        source.error("there are no such rounds before this", "name rounds and a part that stand before", named)
+        return
+    lead: tuple[Item, ...] = ()
+    if found["lead"]:
+        tree, problems = read_line(
+            ": " + found["lead"].rstrip(" ,"), source.offset + found.start("lead") - 2, source.text
+        )
+        source.problems += problems
+        inner: Any = tree.children[0] if tree is not None else None
+        if inner is not None and inner.data == "round":
+            lead = next((items(source, c, True) for c in inner.children if getattr(c, "data", "") == "items"), ())
+    stated = int(found["count"]) if found["count"] else None
+    counted = Span(source.offset + found.start("count"), source.offset + found.end("count")) if stated else None
+    again = Again(lines, first, last, name, named)
+    drafts[-1].lines.append(Line(lead, span, True, times, at, number, stated, counted, again))
 
 
 def _known(source: Source, line: str) -> bool:

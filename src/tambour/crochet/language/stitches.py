@@ -291,6 +291,7 @@ RULES: Final[dict[str, Rule]] = {
     "fsc": Rule(1, 1, usage="fsc(12)"),
     "fold": Rule(0, 1, labels=1, outside=False, usage="fold or fold(name)"),
     "join": Rule(0, 0, usage="join"),
+    "gap": Rule(1, 1, outside=False, usage="gap(18): a round that is not known, of which 18 stitches remain"),
 }
 
 # The spelling of actions in a pattern that is written back.

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 
 from tambour.core.errors import Problem, Span, Text
 from tambour.crochet.language.finishes import Finish
@@ -30,24 +30,44 @@ class Action:
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Items worked several times; ``times`` None is "around": as often as the round still has stitches for."""
+    """Items worked several times; ``times`` None is "around": as often as the round still has stitches for, but for the
+    last ``leaves`` of them ("to last 2 sts")."""
 
     items: tuple[Item, ...]
     times: int | None
     span: Span
+    leaves: int = 0
 
 
 Item = Action | Group
 
 
 @dataclass(frozen=True, slots=True)
+class Again:
+    """Rounds that are written elsewhere, worked once more: "as Rnds 2-4 of Head".
+
+    lines : those rounds, in order; they are worked over and over, as many rounds as the line has
+    first, last : the numbers that they bear; part : the part that they stand in, "" for the same one
+    """
+
+    lines: tuple[Line, ...]
+    first: int
+    last: int
+    part: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
 class Line:
     """A round (``in_round``) or a line of actions outside rounds.
 
+    items : what is done; of a round with ``again``, what is done before it
     times, times_span : repetitions of a round, and the number or range that says so
     number : the number that the round bears, None for none
     stated, stated_span : the stitches that the pattern says the round has
     span : the whole line
+    again : rounds written elsewhere, which this line works
+    notes : sentences that stand with the round and make no stitch, as written
     """
 
     items: tuple[Item, ...]
@@ -58,6 +78,58 @@ class Line:
     number: int | None = None
     stated: int | None = None
     stated_span: Span | None = None
+    again: Again | None = None
+    notes: tuple[Span, ...] = ()
+
+    @property
+    def gap(self) -> bool:
+        """Whether it is a round that was not understood, and takes its count."""
+        return any(isinstance(item, Action) and item.name == "gap" for item in self.items)
+
+    def rounds(self) -> Iterator[Line]:
+        """The rounds that it is, one by one, with their numbers; those worked again as they are written elsewhere."""
+        if self.again is None:
+            for k in range(self.times):
+                yield replace(self, times=1, times_span=None, number=None if self.number is None else self.number + k)
+            return
+        made = 0
+        while made < self.times and self.again.lines:
+            for line in self.again.lines:
+                for one in line.rounds():
+                    last = made == self.times - 1
+                    yield replace(
+                        one,
+                        items=self.items + one.items if not made else one.items,
+                        span=self.span,
+                        number=None if self.number is None else self.number + made,
+                        stated=self.stated if last else None,
+                        stated_span=self.stated_span if last else None,
+                        notes=self.notes if last else (),
+                    )
+                    made += 1
+                    if last:
+                        return
+
+
+def written(lines: Iterable[Line], first: int, last: int) -> tuple[Line, ...]:
+    """Of the lines of a part, those that are its rounds ``first`` to ``last``, none when one of them is not there."""
+    found: list[Line] = []
+    want = first
+    for line in lines:
+        if (
+            not line.in_round
+            or line.number is None
+            or not line.number <= want < line.number + line.times
+            or want > last
+        ):
+            continue
+        skip, many = want - line.number, min(last, line.number + line.times - 1) - want + 1
+        if line.again is not None and (skip or many < line.times):
+            found += list(line.rounds())[skip : skip + many]
+        else:
+            found.append(replace(line, times=many, times_span=line.times_span if many > 1 else None, number=want))
+        want += many
+    return tuple(found) if want == last + 1 else ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +169,8 @@ class Pattern:
     terms : the code of the words it is written in ("us", "uk", "letters", …), "" for tambour's own language
     stated : what it says of itself ("title", "yarn", "hook", "gauge", "size", "eyes") → the words, and their place
     passed : stretches of the text that are no instructions and were passed over
+    unread : what was not understood: gaps in the tree that took their counts, and sentences; left_out : rounds of them
+        that are no part of the tree
     """
 
     text: Text
@@ -109,3 +183,5 @@ class Pattern:
     terms: str = ""
     stated: Mapping[str, tuple[str, Span]] = field(default_factory=dict)
     passed: tuple[Span, ...] = ()
+    unread: tuple[Problem, ...] = ()
+    left_out: tuple[Span, ...] = ()

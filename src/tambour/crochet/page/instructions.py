@@ -335,7 +335,7 @@ class _Writer:
             said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
             if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):
                 lines, stuffing = [*lines, *(Row("", words) for words in stuffing)], []
-            lines += said
+            lines += [*said, *(Row("", f"*{' '.join(note.split()).strip('*')}*") for note in line.notes)]
         name = self._heading(section.name) if section.name else self.terms.word("instructions")
         copies = self.phrases.say("copies", count=section.copies) if section.copies > 1 else ""
         return PartText(name, copies, (*lines, *(Row("", words) for words in stuffing)), tuple(settings), part, index)
@@ -407,6 +407,11 @@ class _Writer:
                 return say("close" if closing else "fasten off")
             case "turn" | "join":
                 return say(done.what)
+            case "gap":
+                return say("gap", count=done.numbers[0])
+            case "again":
+                first, last = done.numbers
+                return say("again", first=first, last=None if first == last else last, part=done.labels[0] or None)
             case "oval":
                 self.used["ch"] = None
                 return say("oval", count=done.numbers[0], next=done.numbers[1])

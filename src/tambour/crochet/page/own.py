@@ -49,7 +49,9 @@ def pattern(piece: Built | Pattern) -> Text:
         blocks.append("\n".join(own))
     names = _names([section.name for section in source.parts])
     for section, _, lines in sections(built):
-        said = _head(section, names[section.name]) + [_line(line) for line in lines]
+        said = _head(section, names[section.name])
+        for line in lines:
+            said += [_line(line, names), *(f"# {' '.join(note.split())}" for note in line.notes)]
         if said:
             blocks.append("\n".join(said))
     if source.finish:
@@ -101,10 +103,10 @@ def _head(section: Section, name: str) -> list[str]:
     return lines
 
 
-def _line(line: Written) -> str:
+def _line(line: Written, names: Mapping[str, str]) -> str:
     said = []
     for unit, times in line.pieces:
-        words = ", ".join(map(_said, unit))
+        words = ", ".join(_again(d, names) if d.what == "again" else _said(d) for d in unit)
         said.append(f"[{words}] x {times}" if times > 1 else words)
     text = ", ".join(said) + (f" ({line.count})" if line.count else "")
     if not line.makes:
@@ -113,6 +115,13 @@ def _line(line: Written) -> str:
         return f": {text}"
     last = line.number + line.times - 1
     return f"R{line.number}: {text}" if line.times == 1 else f"R{line.number}-R{last}: {text}"
+
+
+def _again(done: Done, names: Mapping[str, str]) -> str:
+    """Rounds that are written elsewhere."""
+    (first, last), part = done.numbers, done.labels[0]
+    said = f"as R{first}" if first == last else f"as R{first}-R{last}"
+    return f"{said} of {names[part]}" if part else said
 
 
 def _said(done: Done) -> str:

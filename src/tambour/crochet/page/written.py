@@ -24,6 +24,7 @@ class Written:
 
     number : of its round; 0 for a line outside rounds, and for a chain that a part begins with; times : rounds like it
     makes : it is a round, or begins one; count : stitches on its edge afterwards, 0 for none
+    notes : sentences that stand with it
     """
 
     number: int
@@ -31,6 +32,7 @@ class Written:
     makes: bool
     pieces: tuple[Piece, ...]
     count: int
+    notes: tuple[str, ...] = ()
 
 
 def sections(built: Built) -> Iterator[tuple[Section, int, list[Written]]]:
@@ -38,10 +40,11 @@ def sections(built: Built) -> Iterator[tuple[Section, int, list[Written]]]:
     keep: list[Done] = []
     section: Section | None = None
     part = first = -1
+    numbered: dict[str, set[int]] = {}  # the numbers under which a part's rounds can be read
     for done in [*built.log, Done("part", 1, (-1, 1))]:
         if done.what == "part":
             if section is not None:
-                yield section, first, _lines(section, keep)
+                yield section, first, _lines(section, keep, numbered)
             index, copy = done.numbers
             part += 1
             section, keep, first = (built.pattern.parts[index] if copy == 1 and index >= 0 else None), [], part
@@ -49,36 +52,61 @@ def sections(built: Built) -> Iterator[tuple[Section, int, list[Written]]]:
             keep.append(done)
 
 
-def _lines(section: Section, log: list[Done]) -> list[Written]:
+def _lines(section: Section, log: list[Done], numbered: dict[str, set[int]]) -> list[Written]:
     numbers = [None if line.number is None else line.number + k for line in section.lines for k in range(line.times)]
     made: list[Written] = []
+    own = numbered.setdefault(section.name, set())
     line: list[Done] = []
+    notes: list[str] = []
     in_round, last, at = False, 0, 0
+    again: Done | None = None
+    rest, since = 0, 0  # rounds still to come of those worked as others, and where in ``made`` they begin
     for done in log:
-        if done.what in ("round", "line"):
-            in_round, line = done.what == "round", []
+        if done.what == "again":
+            again, rest, since = done, done.times, len(made)
+            known = numbered.get(done.labels[0] or section.name, set())
+            if not set(range(done.numbers[0], done.numbers[1] + 1)) <= known:
+                again, rest = None, 0
+        elif done.what in ("round", "line"):
+            in_round, line, notes = done.what == "round", [], []
+        elif done.what == "note":
+            notes += [] if done.labels[0] in notes else [done.labels[0]]
         elif done.what != "end":
             line.append(done)
         else:
             number, at = numbers[at], at + 1
             makes = in_round or any(d.what in _MAKES for d in line)
-            if not line:
+            if not line and not again:
                 continue
             chain = not last and number is None and all(d.what == "ch" or d.what in RULES for d in line)
             if makes and not (chain and not any(d.what in ("mr", "oval", "fsc") for d in line)):
                 last = last + 1 if number is None else number
                 number = last
+                own.add(last)
             else:
                 number = 0
-            written = Written(number, 1, makes, tuple(brackets(line)), done.times if makes else 0)
+            written = Written(number, 1, makes, tuple(brackets(line)), done.times if makes else 0, tuple(notes))
             before = made[-1] if made else None
-            if before and _follows(before, written):
-                made[-1] = replace(before, times=before.times + 1)
+            if again is not None:
+                made.append(written)
+                rest -= 1
+                if not rest:
+                    lead = tuple(((d,), 1) for d in _lead(made[since]))
+                    one = replace(written, number=made[since].number, times=again.times, pieces=(*lead, ((again,), 1)))
+                    made[since:], again = [one], None
+            elif before and _follows(before, written):
+                made[-1] = replace(before, times=before.times + 1, notes=written.notes)
             else:
                 if before and before.number == written.number and before.times == 1 and _only_chain(before):
                     made[-1] = replace(before, number=0)  # the chain that this round is worked on
                 made.append(written)
     return made
+
+
+def _lead(line: Written) -> list[Done]:
+    """The colour that a round begins with."""
+    first = line.pieces[0][0][0] if line.pieces else None
+    return [first] if first is not None and first.what == "color" else []
 
 
 def _only_chain(line: Written) -> bool:
@@ -88,6 +116,9 @@ def _only_chain(line: Written) -> bool:
 def _follows(before: Written, written: Written) -> bool:
     return (
         bool(written.number)
+        and (before.notes == written.notes or not before.notes)
+        and before.pieces != ()
+        and before.pieces[-1][0][0].what != "again"
         and before.number + before.times == written.number
         and before.count == written.count
         and [(list(map(_key, unit)), n) for unit, n in before.pieces]

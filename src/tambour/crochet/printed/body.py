@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 from tambour.core.errors import Span
+from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import where
-from tambour.crochet.printed.counts import count, ends_with_number
-from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.colors import LETTERS, Palette
+from tambour.crochet.printed.counts import closing, count, counted_at, ends_with_number, makes
+from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.reader import Body, Reader
+from tambour.crochet.printed.references import refers
 from tambour.crochet.printed.repeats import bracket, led, repeated, star
 from tambour.crochet.printed.stitch import standing, stitch
 from tambour.crochet.printed.tokens import Token
@@ -18,31 +23,142 @@ _PHRASE = frozenset(",;.()[]{}*=")
 _ENDS = frozenset((".", ";"))
 
 
+_DOING: Final = frozenset(
+    (
+        "pull",
+        "tighten",
+        "thread",
+        "draw",
+        "insert",
+        "trim",
+        "adjust",
+        "keep",
+        "remove",
+        "replace",
+        "place",
+        "move",
+        "slide",
+        "see",
+        "refer",
+        "shape",
+    )
+)
+_TIGHT: Final = frozenset(
+    ("tight", "tightly", "close", "closed", "remaining", "rem", "final", "last", "secure", "gather")
+)
+_ASIDE: Final = frozenset(
+    (
+        "taking",
+        "making",
+        "being",
+        "ensuring",
+        "holding",
+        "pushing",
+        "placing",
+        "weaving",
+        "pulling",
+        "keeping",
+        "carrying",
+        "moving",
+    )
+)
+_FACING: Final = frozenset(("right", "wrong", "rs", "ws", "facing"))
+_HOOKS: Final = frozenset(("smaller", "larger", "size", "small", "large", "hook"))
+_DONE: Final = ("marker", "stuff", "eyes")
+_NOT: Final = ("join", "turn", "stuff", "color", "marker", "begin")
+
+
+def doing(c: Cursor) -> bool:
+    """Whether the sentence at the cursor is something that hands do and that makes no stitch: a marker, stuffing, a tail."""
+    first = c.look()
+    while first is not None and first.kind == "mark" and first.word in _BETWEEN:
+        c.at += 1
+        first = c.look()
+    if first is None:
+        return False
+    if c.key("marker") and _and_stitches(c):
+        return False
+    if c.key(*_DONE) or (c.key("not") and c.key(*_NOT, ahead=1)):
+        return True
+    if c.key("begin", "leave", "close") and c.key("stuff", ahead=1):
+        return True
+    after = c.look(1)
+    loop = first.word == "draw" and after is not None and after.word == "loop"  # "draw up a loop": a stitch
+    return first.kind == "word" and first.word in _DOING and not loop
+
+
+def _and_stitches(c: Cursor) -> bool:
+    """Whether stitches stand behind a comma of the sentence at the cursor: "place marker fork, 9 sc"."""
+    ahead = 1
+    while (token := c.look(ahead)) is not None and not c.mark(".", ";", ahead=ahead):
+        after = c.look(ahead + 1)
+        if token.word == "," and after is not None and after.kind in ("number", "stitch"):
+            return True
+        ahead += 1
+    return False
+
+
 class Walk(Reader):
     """Reads one body, clause after clause."""
 
     def read(self) -> Body:
-        """The body; NotUnderstood when its first sentence is not understood."""
+        """The body; NotUnderstood when none of its sentences is understood."""
         body, c = self.body, self.c
         while c.look() is not None:
             at, made = c.at, len(body.items)
+            if doing(c):
+                c.at = self.end_of_sentence()
+                body.doings.append(c.tokens[at : c.at])
+                words = {t.word for t in c.tokens[at : c.at]}
+                if words & _TIGHT and words & {"pull", "draw", "close", "thread", "cinch"}:
+                    body.ends = "close"
+                c.at += 1
+                continue
+            before = (body.stated, body.stated_span, body.rounds, body.sides)
             try:
                 self.items(body.items, _ENDS)
-            except NotUnderstood:
-                if not body.items[:made]:
-                    raise
+            except NotUnderstood as wrong:
+                body.wrong = body.wrong or wrong
                 del body.items[made:]
+                body.stated, body.stated_span, body.rounds, body.sides = before
                 self.depth = self.stars = 0
                 self.before = None
                 c.at = at
-                while c.look() is not None and not c.mark(*_ENDS):
-                    c.at += 1
+                c.at = self.end_of_sentence()
                 body.left.append(c.tokens[at : c.at])
             if c.look() is not None:
                 c.at += 1
-        if self.ring is not None:
-            raise NotUnderstood(self.ring, "the ring has no stitches", "say how many: 6 sc in magic ring")
+        body.pending = self.ring is not None
+        if body.wrong is not None and not any(map(makes, body.items)) and body.refers is None:
+            raise body.wrong
         return body
+
+    def end_of_sentence(self) -> int:
+        """Where the sentence at the cursor ends: at its point, or before a count that follows a dash."""
+        c, at = self.c, self.c.at
+        depth = 0
+        while at < len(c.tokens):
+            token = c.tokens[at]
+            if token.kind == "mark":
+                depth += (token.word in OPEN) - (token.word in ")]}>")
+                if token.word in _ENDS and depth <= 0:
+                    return at
+                if depth <= 0 and token.word in "-([{" and at > c.at and self.counted(at):
+                    return at - 1 if c.tokens[at - 1].word in _ENDS else at
+            at += 1
+        return at
+
+    def counted(self, at: int) -> bool:
+        """Whether a count stands behind the dash, or in the bracket, at ``at``."""
+        c, before = self.c, self.c.at
+        c.at = at
+        depth, self.depth = self.depth, 0
+        try:
+            return ends_with_number(self, 1) if c.mark("-") else counted_at(self, closing(self))
+        except NotUnderstood:
+            return False
+        finally:
+            c.at, self.depth = before, depth
 
     # -- clauses ----------------------------------------------------------------------------------------------------
 
@@ -58,13 +174,20 @@ class Walk(Reader):
     def between(self, token: Token) -> bool:
         """Goes past what only stands between clauses."""
         c = self.c
+        if token.word in _ASIDE and token.kind == "word":
+            self.to_separator()
+            return True
+        after = c.look(1)
+        if token.kind == "key" and token.value == "with" and after is not None and after.word in _FACING:
+            self.to_separator()  # "with right side facing"
+            return True
         if token.kind == "mark" and token.word in _BETWEEN:
             if token.word in "-:" and ends_with_number(self, 1):
                 return False
             c.at += 1
             return True
         if token.kind == "key" and token.value in ("and", "begin", "make", "times", "for", "more"):
-            if token.value == "begin" and c.key("from", "in", ahead=1):
+            if token.value == "begin" and c.key("from", "in", "to", ahead=1):
                 return False
             if token.value == "for" and c.kind("number", 1) and c.key("round", "row", ahead=2):
                 return False
@@ -158,10 +281,11 @@ class Walk(Reader):
                 del c.tokens[c.at + 2], c.tokens[c.at]
             while c.key("with", "in", "and") and (c.kind("number", 1) or c.kind("stitch", 1)):
                 c.at += 1
+        elif word in ("in", "over") and c.key("bumps", "foundation"):
+            self.to_separator()  # "working in back bumps of foundation ch"
         elif word in ("in", "over", "each", "next", *_LOOPS):
             if c.key("side"):
-                self.body.sides = True
-                self.to_separator()
+                self.other_side(found)
                 return
             c.at -= 1
             place = where(c)
@@ -183,13 +307,11 @@ class Walk(Reader):
                     place.loops = ""
                 self.before = place
         elif word == "turn" and (c.key("side") or c.key("side", ahead=1)):
-            self.body.sides = True
-            self.to_separator()
+            self.other_side(found)
         elif word == "turn":
             found.append(Action("turn", token.span))
         elif word == "join":
-            self.to_separator("turn", "fasten off", "and", "form")
-            found.append(Action("join", token.span))
+            self.joining(found, token)
         elif word == "form":
             if not any(isinstance(i, Action) and i.name == "join" for i in found):
                 found.append(Action("join", token.span))
@@ -202,11 +324,20 @@ class Walk(Reader):
         elif word in ("stuff", "marker", "foundation"):
             self.to_separator()
         elif word == "begin":
-            pass
+            if c.key("to", "in", "from") and not c.kind("ordinal", 1):  # "beginning at top of head with A"
+                while c.look() is not None and not c.mark(",", ".", ";") and not c.key("with"):
+                    c.at += 1
         elif word == "even":
             c.skip_key("around")
             found.append(Group((Action("sc", token.span),), None, token.span))
-        elif word == "repeat" or (word == "as" and c.key("round", "row")):
+        elif word == "thicknesses":
+            raise NotUnderstood(token, "both layers are not known here", "say how many stitches close the opening")
+        elif (
+            word in ("repeat", "as", "same")
+            or (word == "from" and c.mark("**", "***"))
+            or (word in ("round", "row") and c.whole() is not None)
+        ):
+            c.at -= 1
             self.again(found, token)
         elif word == "for" and c.whole() is not None:
             self.body.rounds = (c.whole() or 0, c.take().span)
@@ -215,9 +346,10 @@ class Walk(Reader):
             if word == "count":
                 standing(found)
             self.to_separator()
-        elif word == "side" or (word == "with" and c.key("side")):
-            self.body.sides = True
+        elif word == "not" and c.key("join", "turn", "fasten off", "close", "stuff", "marker", "color", "begin"):
             self.to_separator()
+        elif word == "side" or (word == "with" and c.key("side")):
+            self.other_side(found)
         elif word == "around" and self.depth == 0 and found:
             lead, inner = led(found)
             found[:] = [*lead, Group(tuple(inner), None, token.span)]
@@ -227,33 +359,57 @@ class Walk(Reader):
             )
 
     def again(self, found: list[Item], token: Token) -> None:
-        """``repeat Rnd 4``, ``rep Rnds 2-3``, or a repeat of all that was said."""
-        c = self.c
-        if c.key("round", "row"):
-            c.at += 1
-            first = last = c.whole()
-            if first is None:
-                raise NotUnderstood(token, "the number of the round is missing", "say which: repeat Rnd 4")
-            end = c.take()
-            while (c.mark("-", ",") or c.key("to", "and")) and (
-                c.whole(1) is not None or (c.key("round", "row", ahead=1) and c.whole(2) is not None)
-            ):
-                c.at += 1 + c.key("round", "row", ahead=1)
-                last, end = c.whole(), c.take()
-            self.body.refers = (first, last or first, Span(token.start, end.end))
-            return
+        """``repeat Rnd 4``, ``as Rnds 2-3 of Head``, or a repeat of all that was said."""
         lead, inner = led(found)
+        if not self.depth and (said := refers(self)) is not None:
+            if any(map(makes, inner)) or self.body.refers is not None:
+                self.body.more.append(said)
+            else:
+                self.body.refers = said
+            return
+        if token.value != "repeat":
+            raise NotUnderstood(token, f'"{token.word}" is not understood here', "say which rounds: as Rnds 2-4")
         if not inner:
             raise NotUnderstood(token, "there is nothing to repeat here", "say which round: repeat Rnd 4")
-        c.at -= 1
         found[:] = lead
         repeated(self, found, inner, token.span, star=True)
+
+    def other_side(self, found: list[Item]) -> None:
+        """The work goes on along the other side of the foundation chain."""
+        self.body.sides, self.body.turned = True, len(found)
+        self.to_separator()
+
+    def joining(self, found: list[Item], token: Token) -> None:
+        """``join``, ``join with sl st in first sc``, ``join B with sl st``; without stitches before it, yarn that is joined."""
+        c = self.c
+        c.skip_key("with", "color", "yarn")
+        shade = self.palette.color(c) or self.palette.letter(c, c.at)
+        worked = any(not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "turn") for i in found)
+        if shade is not None:
+            span = Span(c.tokens[c.at].start, c.tokens[c.at + shade[1] - 1].end)
+            c.at += shade[1]
+            begin = c.at
+            self.to_separator("turn", "fasten off", "and", "form")
+            tied = any(t.kind == "stitch" and t.value in ("slst", "sc") for t in c.tokens[begin : c.at])
+            if worked and tied:
+                found.append(Action("join", token.span))
+            found.append(Action("color", span, numbers=shade[0]))
+            return
+        self.to_separator("turn", "fasten off", "and", "form")
+        found.append(Action("join", token.span))
 
     def ending(self) -> None:
         """How the end is left: closed, or open for sewing; to the end of the sentence."""
         c = self.c
         left = False
-        while c.look() is not None and not c.mark(".", "(", "["):
+        while c.look() is not None and not c.mark("."):
+            if c.mark(",", ";") and c.kind("stitch", 1):
+                break
+            if c.mark(*OPEN):
+                end = closing(self)
+                if counted_at(self, end):
+                    break
+                c.at = end
             if c.key("close"):
                 self.body.ends = "close"
             elif (c.key("open") or (left and c.tokens[c.at].word == "tail")) and self.body.ends != "close":
@@ -265,22 +421,66 @@ class Walk(Reader):
         """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
         c = self.c
         at = c.at
-        asked = False
-        while at < len(c.tokens) and at - c.at < 4:
+        asked = hooked = False
+        while at < len(c.tokens) and at - c.at < 8:
             token = c.tokens[at]
+            after = c.look(at - c.at + 1)
+            if (
+                token.word in ("color", "contrast")
+                and after is not None
+                and (after.word in LETTERS or after.word.isdigit())
+            ):
+                asked = True
+                break
             if token.kind == "key" and token.value in ("color", "with", "in", "join", "yarn", "to", "begin"):
                 asked = asked or token.value in ("color", "with", "yarn")
                 at += 1
+            elif asked and (token.word in _HOOKS or (token.kind == "key" and token.value in ("hook", "and"))):
+                hooked = hooked or token.word in _HOOKS
+                at += 1  # "with smaller hook and A"
+            elif hooked and after is not None and after.kind == "key" and after.value == "hook":
+                at += 1  # "with size F hook"
             elif token.word in ("color", "colour", "new") and at + 1 < len(c.tokens):
                 asked = True
                 at += 1
             else:
                 break
         shade = self.palette.color(c, at) or (self.palette.letter(c, at) if asked else None)
+        if shade is None and hooked:
+            c.at = at
+            return True
         if shade is None:
             return False
         rgb, length = shade
         found.append(Action("color", Span(c.tokens[at].start, c.tokens[at + length - 1].end), numbers=rgb))
         c.at = at + length
         c.skip_key("yarn")
+        while c.key("and") and c.look(1) is not None and (c.look(1).word in _HOOKS):  # type: ignore[union-attr]
+            c.at += 2
+            c.skip_key("hook")
+        if c.key("in", "to") and c.key("last", ahead=1):  # "change to B in last st of Row 8"
+            self.to_separator()
         return True
+
+
+def count_in(tokens: list[Token], stitches: dict[str, Stitch], palette: Palette) -> Token | None:
+    """The count that a round states, wherever it stands in words that are not understood; None where none is stated."""
+    found: Token | None = None
+    walk = Walk(tokens, stitches, palette)
+    for at, token in enumerate(tokens):
+        before = tokens[at - 1] if at else None
+        if token.kind != "number" or not isinstance(token.value, int) or before is None or not token.value:
+            continue
+        walk.c.at = at
+        if before.word in ("-", "=", ".", ";") or (before.kind == "key" and before.value in ("join", "turn", "around")):
+            if ends_with_number(walk, 0) and (
+                before.word in "-=" or walk.c.kind("stitch", 1) or walk.c.key("stitch", ahead=1)
+            ):
+                found = token
+        elif before.word in OPEN:
+            walk.c.at = at - 1
+            try:
+                found = token if counted_at(walk, closing(walk)) else found
+            except NotUnderstood:
+                continue
+    return found

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from typing import Final
 
-from tambour.core.errors import TambourError, Text
+from tambour.core.errors import Span, TambourError, Text
 from tambour.crochet.language.parse import parse
-from tambour.crochet.language.tree import Pattern
+from tambour.crochet.language.tree import Line, Pattern
 from tambour.crochet.printed.pattern import read_printed
-from tambour.crochet.printed.prose import NOT_UNDERSTOOD
 from tambour.crochet.printed.restated import restated
+from tambour.crochet.printed.state import Height, plain_height
 
 # What only tambour's own language says, at the beginning of a line; and what it says besides.
 _OWN: Final = re.compile(
@@ -27,7 +28,7 @@ _MORE: Final = 40
 _HEADING: Final = re.compile(r"^[ \t]*##", re.MULTILINE)
 
 
-def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pattern:
+def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False, high: Height = plain_height) -> Pattern:
     """The pattern that ``text`` says, in tambour's own language (parse) or printed (read_printed).
 
     An ``.acl`` file is always in the language; so is a text with lines that only the language has, when it is not mostly
@@ -51,7 +52,7 @@ def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -> Pa
             return parse(text, max_stitches=max_stitches, strict=strict)
         except TambourError:
             pass  # as print it may be read
-    return read_printed(text, max_stitches=max_stitches, strict=strict)
+    return read_printed(text, max_stitches=max_stitches, strict=strict, high=high)
 
 
 def _lines(text: str) -> list[str]:
@@ -74,18 +75,37 @@ def _own(lines: list[str]) -> bool:
 
 
 def account(pattern: Pattern) -> dict[str, object]:
-    """What the report says of a printed pattern: its terms, the lines passed over, and those that were not understood."""
+    """What the report says of a printed pattern: its terms, how many rounds were read and how many taken from their
+    counts, the lines passed over, and what was not understood."""
     if not pattern.terms:
         return {}
     text = pattern.text
-    doubts = [p for p in pattern.warnings if p.message == NOT_UNDERSTOOD and p.span is not None]
+    rounds = [line for part in pattern.parts for line in part.lines if line.in_round]
+    gaps = [line for line in rounds if line.gap]
+    taken, whole = sum(line.times for line in gaps), sum(line.times for line in rounds) + len(pattern.left_out)
     return {
         "terms": pattern.terms,
+        **({"reading": _summary(pattern, whole, gaps)} if gaps or pattern.left_out else {}),
+        "rounds_read": whole - taken - len(pattern.left_out),
+        "rounds_taken": taken,
         "passed_over": len({text.place(span.start)[0] for span in pattern.passed}),
         "not_understood": [
-            {"line": text.place(p.span.start)[0], "text": text.text[p.span.start : p.span.end]}
-            for p in doubts
+            {"line": text.place(p.span.start)[0], "text": text.text[p.span.start : p.span.end], "why": p.message}
+            for p in pattern.unread
             if p.span
         ],
         "stated": {key: words for key, (words, _) in pattern.stated.items()},
     }
+
+
+def _summary(pattern: Pattern, whole: int, gaps: list[Line]) -> str:
+    """``41 of 43 rounds read; 2 taken from their counts (lines 31, 57)``."""
+
+    def lines(spans: Iterable[Span]) -> str:
+        numbers = list(dict.fromkeys(pattern.text.place(span.start)[0] for span in spans))
+        return f"line{'s' if len(numbers) > 1 else ''} {', '.join(map(str, numbers))}"
+
+    taken, out = sum(line.times for line in gaps), len(pattern.left_out)
+    said = f"{whole - taken - out} of {whole} rounds read"
+    said += f"; {taken} taken from their counts ({lines(line.span for line in gaps)})" if gaps else ""
+    return said + (f"; {out} left out ({lines(pattern.left_out)})" if out else "")

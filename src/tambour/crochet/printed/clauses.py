@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.printed.cursor import Cursor, NotUnderstood
@@ -16,6 +17,8 @@ class Where:
     count : how many places; each : every one of them gets all that is said
     loops : "flo", "blo" or ""; ordinal : of a chain from the hook; together : one stitch over all the places
     spaces : the places are spaces of chains
+    leaves : of "around", how many stitches at the end are left ("to last 2 sts")
+    final : they are the last ones of the round; other : every other one only
     """
 
     kind: str
@@ -26,39 +29,62 @@ class Where:
     ordinal: int = 0
     together: bool = False
     spaces: bool = False
+    leaves: int = 0
+    final: bool = False
+    other: bool = False
 
 
-_LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
+LOOPS: Final = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
+_JOINED: Final = frozenset(("join", "slst", "first", "beginning"))
+_CLAUSE: Final = (",", ".", ";", "(", ")", "[", "]", "*", "**", "-")
 
 
-def where(c: Cursor) -> Where | None:
-    """The place that is said at the cursor, None when none is."""
+def where(c: Cursor, inside: bool = False) -> Where | None:
+    """The place that is said at the cursor, None when none is; ``inside``: a word such as "in" may be left out."""
     begin = c.at
     kind = loops = ""
-    inside = each = counted = together = placed = spaces = False
-    count, ordinal = 1, 0
+    each = counted = together = placed = spaces = final = other = False
+    count, ordinal, leaves = 1, 0, 0
     while (token := c.look()) is not None:
         if token.kind == "key":
+            if token.value == "to" and (many := to_last(c)) is not None:
+                kind, leaves = "around", many
+                break
             if token.value in ("in", "over", "to") and not placed and kind != "around":
                 if token.value == "to" and not (c.kind("ordinal", 1) or c.key("next", "last", ahead=1)):
                     break
                 inside = True
-            elif token.value in _LOOPS:
-                loops = _LOOPS[token.value]
+            elif token.value in LOOPS:
+                loops = LOOPS[token.value]
+            elif token.value == "bumps":
+                pass
             elif token.value == "each" and not placed:
                 each = True
+            elif token.value == "other" and each and not placed:
+                other = True
             elif token.value == "next" and not placed:
                 kind = "next"
             elif token.value == "next" and spaces:
                 pass  # "dans l'arceau suivant"
+            elif token.value == "last" and placed and each and c.whole(1) is not None and not counted:
+                # "1 sc in each sc of last 19 sc"
+                count, counted, final = c.whole(1) or 1, True, True
+                c.at += 2
+                if c.key("stitch") or c.kind("stitch"):
+                    c.at += 1
+                continue
             elif token.value in ("last", "rest") and not placed:
                 kind = kind or ("next" if token.value == "last" else "around")
+                final = final or token.value == "last"
             elif token.value == "same" and not placed:
                 kind = "same"
             elif token.value == "stitch" and (inside or each or kind) and not placed:
                 placed = True
-            elif token.value == "space" and (inside or each) and not placed:
-                kind, placed, spaces = ("space" if not each else kind), True, True
+            elif token.value == "space" and (inside or each or kind) and not placed:
+                if kind == "same":  # "in same sp as last sl st"
+                    placed = True
+                else:
+                    kind, placed, spaces = ("space" if not each else kind), True, True
             elif token.value in ("ring", "loop") and inside and not placed:
                 kind, placed = "ring", True
             elif token.value == "around" and c.key("each", "next", "same", "stitch", ahead=1):
@@ -72,6 +98,9 @@ def where(c: Cursor) -> Where | None:
             elif token.value == "from" and c.key("hook", ahead=1) and ordinal:
                 kind = "hook"
                 c.at += 2
+                break
+            elif token.value == "as" and kind == "same":
+                kind = _same_as(c)
                 break
             else:
                 break
@@ -87,16 +116,22 @@ def where(c: Cursor) -> Where | None:
             count, counted = token.value, True
             if not count:
                 raise NotUnderstood(token, "nothing goes into no stitches", "a whole number from 1")
-        elif token.kind == "stitch" and (inside or each or kind == "next") and not placed:
+        elif token.kind == "stitch" and token.value != "skip" and (inside or each or kind) and not placed:
             placed = True
             ahead = 1 + c.mark("-", ahead=1)
             ahead += c.kind("number", ahead)
-            if token.value == "ch" and c.key("space", ahead=ahead):  # "ch-2 sp"
+            if token.value == "ch" and c.key("space", "loop", ahead=ahead):  # "ch-2 sp"
                 kind, spaces = kind if each else "space", True
                 c.at += ahead
+        elif token.word == "marked" and (inside or each) and not placed:
+            raise NotUnderstood(
+                token, "where the marker is, is not known here", "say how many stitches there are to it"
+            )
         else:
             break
         c.at += 1
+    if kind == "around" and not leaves and c.key("to"):
+        leaves = to_last(c) or 0  # "in each st around to last 2 sts"
     if c.at == begin:
         return None
     span = Span(c.tokens[begin].start, c.tokens[c.at - 1].end)
@@ -111,4 +146,28 @@ def where(c: Cursor) -> Where | None:
         kind = "around"
     if kind == "around" and counted:
         kind = "next"
-    return Where(kind or "next", span, count, each, loops, ordinal, together, spaces)
+    return Where(kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other)
+
+
+def to_last(c: Cursor) -> int | None:
+    """Goes past "to last 2 sts" and gives the number; None where something else is said."""
+    if not c.key("last", ahead=1):
+        return None
+    number = c.whole(2)
+    ahead = 2 + (number is not None)
+    if not (c.key("stitch", ahead=ahead) or c.kind("stitch", ahead)):
+        return None
+    c.at += ahead + 1
+    return 1 if number is None else number
+
+
+def _same_as(c: Cursor) -> str:
+    """Goes past "as joining sl st", "as last sl st"; "join" where that is what the round was joined with, else "same"."""
+    joined = False
+    c.at += 1
+    while (token := c.look()) is not None and not (token.kind == "mark" and token.word in _CLAUSE):
+        if token.kind == "key" and token.value in ("and", "turn", "next", "each", "in"):
+            break
+        joined = joined or token.value in _JOINED
+        c.at += 1
+    return "joined" if joined else "same"

@@ -52,7 +52,7 @@ _MORE: Final[dict[str, RGB]] = {
     "black": (0, 0, 0),
 }
 # Letters without a meaning of their own get these, one after the other.
-_LETTERS: Final = ("mc", "cc", "a", "b", "c", "d", "e", "f", "g")
+LETTERS: Final = ("mc", "cc", "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k")
 _SHADES: Final[tuple[RGB, ...]] = (
     (176, 134, 92),
     (245, 235, 210),
@@ -114,8 +114,14 @@ class Palette:
     def letter(self, c: Cursor, at: int) -> tuple[RGB, int] | None:
         """The same for a letter, which means a colour only after words that ask for one ("change to B")."""
         word = c.tokens[at].word if at < len(c.tokens) else ""
-        if word not in _LETTERS:
+        length = 1
+        if word in ("color", "colour", "contrast", "yarn") and at + 1 < len(c.tokens):
+            after = c.tokens[at + 1].word
+            if after in LETTERS or (after.isdigit() and len(after) == 1):
+                word, length = after, 2
+        if word not in LETTERS and length == 1:
             return None
         if word not in self.given:
             self.told.append(word)
-        return self.given.get(word) or _SHADES[_LETTERS.index(word)], 1
+        index = LETTERS.index(word) if word in LETTERS else int(word)
+        return self.given.get(word) or _SHADES[index % len(_SHADES)], length

@@ -15,36 +15,112 @@ DEEPEST: Final = 24  # brackets within brackets
 Times = tuple[int | None, Span]
 
 
+_TAIL: Final = ("total", "around", "in", "stitch", "rest", "round", "row", "last", "to", "from", "each", "and", "next")
+_TAIL_WORDS: Final = frozenset(("end", "left", "made", "now", "remain", "rem", "complete", "completed"))
+_ENDS: Final = (".", "(", "[", ";", "*", "**")
+
+
 def ends_with_number(r: Reader, ahead: int) -> bool:
-    """Whether a number stands there that ends the body, or its sentence."""
+    """Whether a number stands there that ends the body, or its sentence: ``18``, ``18 sts rem.``, ``24 sc at end of last rnd``."""
     c = r.c
     if c.whole(ahead) is None or r.depth:
         return False
-    colon = ahead > 0 and c.mark(":")
+    signed, colon = ahead > 0, ahead > 0 and c.mark(":")
     ahead += 1
-    named = c.key("stitch", ahead=ahead)
-    if c.kind("stitch", ahead) and (colon or (c.look(ahead + 1) is not None and not c.mark(".", ahead=ahead + 1))):
+    if c.key("round", "row", "times", "more", ahead=ahead):
         return False
-    ahead += named or c.kind("stitch", ahead)
-    while c.key("total", "around", "in", "stitch", ahead=ahead):
+    key = c.key("stitch", ahead=ahead)
+    named = key or c.kind("stitch", ahead)
+    if c.kind("stitch", ahead) and colon:
+        return False
+    ahead += named
+    while (token := c.look(ahead)) is not None:
+        if (token.kind == "key" and token.value in _TAIL) or token.word in _TAIL_WORDS:
+            if token.value == "in" and not (
+                c.key("total", "round", "row", "each", ahead=ahead + 1) or c.look(ahead + 1) is None
+            ):
+                return False  # "6 sc in ring"
+        elif named and token.kind == "ordinal":
+            pass
+        elif (
+            not ((named and c.mark(",", "&", "/", ahead=ahead)) or c.key("and", ahead=ahead))
+            or (more := _and_more(r, ahead)) is None
+        ):
+            break
+        else:
+            ahead = more
+            continue
         ahead += 1
-    if c.mark("-", ahead=ahead) and c.look(ahead + 1) is None:
+    after = c.look(ahead)
+    if after is None or c.mark(*_ENDS, ahead=ahead):
+        return True
+    if c.mark("-", ahead=ahead):
+        return c.look(ahead + 1) is None or signed or named
+    return (key or (named and signed)) and c.mark(",", ahead=ahead)
+
+
+def _and_more(r: Reader, ahead: int) -> int | None:
+    """The place after ", 1 ch-2 sp" or "and 2 ch" in a count, None where none stands there."""
+    c = r.c
+    ahead += 1
+    if c.key("and", ahead=ahead):
         ahead += 1
-    return c.look(ahead) is None or c.mark(".", "(", "[", ahead=ahead) or (named and c.mark(",", ";", ahead=ahead))
+    if c.whole(ahead) is None or not (c.kind("stitch", ahead + 1) or c.key("space", "stitch", ahead=ahead + 1)):
+        return None
+    ahead += 2
+    while c.mark("-", ahead=ahead) or c.whole(ahead) is not None or c.key("space", "loop", ahead=ahead):
+        ahead += 1
+    after = c.look(ahead)
+    return ahead if after is None or c.mark(*_ENDS, ",", ahead=ahead) or c.key("and", ahead=ahead) else None
 
 
 def count(r: Reader, found: list[Item]) -> bool:
     """A count without brackets: ``= 18``, ``- 18 sts``, ``18 sts`` or, as a sentence of its own, ``18 sc``."""
     c = r.c
     sign = int(c.mark("-", "=", ":"))
-    if not found or not ends_with_number(r, sign):
+    if not (any(map(makes, found)) or r.body.left) or not ends_with_number(r, sign):
         return False
-    if not sign and not c.key("stitch", "total", ahead=1) and not c.mark(".", "|", ";", ahead=-1):
+    alone = c.mark(".", "|", ";", "-", ")", "]", ahead=-1) or c.key("join", "turn", "around", ahead=-1)
+    if not sign and not c.key("stitch", "total", ahead=1) and not alone:
         return False
     c.at += sign
+    if c.mark("*", "**", ahead=1) and c.kind("stitch", 2):
+        return False
     _state(r, c.take())
-    r.to_separator()
+    if c.kind("stitch") and c.look().value in ("slst", "ch"):  # type: ignore[union-attr]
+        ahead = 1  # "2 slip sts, 49 sc"
+        while c.mark(",", "&", ahead=ahead) or c.key("and", ahead=ahead):
+            ahead += 1
+        if c.whole(ahead) is not None and c.kind("stitch", ahead + 1) and c.look(ahead + 1).value != "ch":  # type: ignore[union-attr]
+            c.at += ahead
+            _state(r, c.take())
+    while (
+        c.look() is not None
+        and not c.mark(".", "(", "[", ";", "*", "**")
+        and not (c.mark("-") and not c.key("space", ahead=2))
+    ):
+        c.at += 1
     return True
+
+
+def makes(item: Item) -> bool:
+    """Whether an item makes stitches, chains and slip stitches aside."""
+    if isinstance(item, Action):
+        return item.name not in (
+            "ch",
+            "slst",
+            "skip",
+            "join",
+            "turn",
+            "color",
+            "flo",
+            "blo",
+            "bl",
+            "fo",
+            "mark",
+            "goto",
+        )
+    return any(map(makes, item.items))
 
 
 def _state(r: Reader, token: Token) -> None:
@@ -75,11 +151,11 @@ def counted_at(r: Reader, end: int) -> bool:
 def bracketed_count(r: Reader, found: list[Item], end: int) -> bool:
     """Reads the count of the round, if the bracket at the cursor is one."""
     c = r.c
-    if r.depth or not found or not counted_at(r, end):
+    if r.depth or not (found or r.body.left) or not counted_at(r, end):
         return False
     inner = c.tokens[c.at + 1 : end]
     number = next(t for t in inner if t.kind == "number" and isinstance(t.value, int))
-    last, after = found[-1], c.tokens[end + 1] if end + 1 < len(c.tokens) else None
+    last, after = found[-1] if found else None, c.tokens[end + 1] if end + 1 < len(c.tokens) else None
     if after is not None and after.word in OPEN and isinstance(last, Action) and last.times == 1 and len(inner) == 1:
         c.at = end + 1
         if last.name in r.stitches and counted_at(r, closing(r)):  # "inc (6) [12]"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from tambour.core.errors import Span
 from tambour.crochet.printed.tokens import Token
 
 OPEN: Final = {"(": ")", "[": "]", "{": "}", "<": ">"}
@@ -61,3 +62,27 @@ class Cursor:
         """The whole number there."""
         token = self.look(ahead)
         return token.value if token is not None and token.kind == "number" and isinstance(token.value, int) else None
+
+
+@dataclass(frozen=True)
+class Refers:
+    """Which rounds are worked once more.
+
+    numbers : theirs; empty for ``latest``, the last so many, for ``marks``, from ** to **, and for all of a part, up to
+        its round ``through``
+    part : the words that name it, "" for the part under way
+    times : how often all of them are worked, None for once or as often as the line has rounds
+    length : mm, "until piece measures 3 ins"; whole : that is measured from the beginning, and not from a marker
+    mirrored : sides are reversed
+    """
+
+    span: Span
+    numbers: tuple[int, ...] = ()
+    latest: int = 0
+    marks: bool = False
+    through: int = 0
+    part: str = ""
+    times: int | None = None
+    length: float | None = None
+    whole: bool = True
+    mirrored: bool = False

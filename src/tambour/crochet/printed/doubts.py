@@ -10,14 +10,14 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import Stitch
+from tambour.crochet.language.stitches import Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.body import Walk
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.phrasing import shortened
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.repeats import led
-from tambour.crochet.printed.stitch import standing
 from tambour.crochet.printed.tokens import Token
 from tambour.crochet.words.phrases import Phrases
 
@@ -26,15 +26,22 @@ READINGS: Final = {
     "one glued": ("stitch after stitch", "all in one stitch"),
     "more": ("so many times more", "so many times in all"),
     "all": ("so many in each stitch around", "so many stitches, and no more"),
+    "places": ("so many in all of these stitches", "so many in each of these stitches"),
     "pair": ("one stitch", "two stitches"),
     "once": ("once", "again and again, around"),
     "open": ("once", "again and again, around"),
+    "stands": ("chains that only lift the yarn", "a stitch"),
+    "passed": ("chains that only lift the yarn", "a stitch"),
 }
 """Wording → its first reading, which is taken unless the count speaks for the second."""
 
+_COUNTED: Final = frozenset(("open", "more", "stands", "passed", "pair", "one", "one glued"))
+_MOST: Final = 200  # rounds that are counted through
 _TO_MARK: Final = re.compile(r"[^\n,.;:()\[\]{}*]{0,40}")
 
-_QUIET: Final = frozenset(("one", "all", "once", "pair"))  # usual enough not to be asked about when no count is stated
+_QUIET: Final = frozenset(
+    ("one", "all", "once", "pair", "stands", "places", "passed")
+)  # usual enough not to be asked about when no count is stated
 
 
 def worked(items: list[Item] | tuple[Item, ...], edge: int, stitches: dict[str, Stitch]) -> tuple[int, int] | None:
@@ -49,7 +56,7 @@ def worked(items: list[Item] | tuple[Item, ...], edge: int, stitches: dict[str, 
             if times is None:
                 if once[1] == 0:
                     return None
-                times = max(0, edge - taken) // once[1]
+                times = max(0, edge - taken - item.leaves) // once[1]
             made, taken = made + once[0] * times, taken + once[1] * times
         elif item.name == "mr":
             made, taken, edge = item.numbers[0], 0, 0
@@ -65,6 +72,8 @@ def worked(items: list[Item] | tuple[Item, ...], edge: int, stitches: dict[str, 
                 made, taken = made + kind.makes * item.times, taken + kind.takes * item.times
         elif item.name in ("turn", "join"):
             continue
+        elif item.name == "gap":
+            made, taken = item.numbers[0], edge
         elif item.name not in ("flo", "blo", "bl", "color", "fo"):
             return None
     return made, taken
@@ -75,7 +84,7 @@ def after(items: list[Item] | tuple[Item, ...], edge: int | None, stitches: dict
     done = worked(items, edge or 0, stitches)
     if done is None:
         return None
-    if any(not isinstance(i, Group) and (i.name == "mr" or i.name.startswith("MR{")) for i in items):
+    if any(not isinstance(i, Group) and (i.name in ("mr", "gap") or i.name.startswith("MR{")) for i in items):
         return done[0]
     return None if edge is None else edge - done[1] + done[0]
 
@@ -102,8 +111,21 @@ def chainless(items: list[Item], edge: int | None, stitches: dict[str, Stitch]) 
     return None if done is None or not out else done[0] - out
 
 
-def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | None, phrases: Phrases) -> Body:
-    """The body of a round in the reading that fits its count; doubts that the count leaves are told."""
+def decided(
+    source: Source,
+    tokens: list[Token],
+    palette: Palette,
+    edge: int | None,
+    phrases: Phrases,
+    times: int = 1,
+    chain: int | None = None,
+) -> Body:
+    """The body of a round in the reading that fits its count and the round below; doubts that the count leaves are told.
+
+    edge : stitches below, None where they are not known; times : rounds that are worked so
+    chain : the foundation chain that it is worked into, None for none
+    """
+    tokens = shortened(tokens)
 
     def phrase(begin: int, end: int) -> Action | None:
         # Small words are no tokens: "change to color A" goes on to the comma.
@@ -114,7 +136,15 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
     def read(choices: frozenset[str] = frozenset()) -> Body:
-        return Walk(list(tokens), source.stitches, palette, choices, phrase).read()
+        body = Walk(list(tokens), source.stitches, palette, choices, phrase).read()
+        if body.sides and (base := _base(body, chain)) is not None:
+            along(body, base, source.stitches)
+        return body
+
+    def fit(body: Body) -> int:
+        base = _base(body, chain)
+        below = edge if base is None else 2 * base - 1 if body.sides else base
+        return _fits(body, below, source.stitches, times)
 
     body = read()
     one = body.items[0] if len(body.items) == 1 else None
@@ -128,25 +158,21 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
     ):
         body.items = [Group((one,), None, one.span)]  # "Rounds 4-6: dc": the whole round
     first = body
-    if body.stated is not None:
+    known = edge is not None or _base(body, chain) is not None
+    if body.refers is None and (body.stated is not None or known):
+        begun = fit(body)
         open_span = _implied(body, edge, source.stitches)
-        if open_span is not None and not _fits(body, edge, source.stitches):
+        if body.stated is not None and open_span is not None and not begun:
             body.asked["open"] = open_span
-        if body.asked and (fit := _fits(body, edge, source.stitches)) < 2:
-            body = _second(source, read, edge, body, fit) or body
-        if body is first and edge is not None and _fits(body, edge, source.stitches) < 2:
-            body = _stood(body, edge, source.stitches) or body
+        if body.asked and begun < 2:
+            body = _second(read, body, begun, fit) or body
+    body.fit = fit(body) if body.refers is None else 2
     for what, span in first.asked.items():
         first_way, second_way = READINGS[what]
-        if body is not first and what in body.asked and what != "pair":
+        if body is not first and what in body.asked and what not in ("pair", "stands", "passed"):
             said = f"this can be read as {first_way}, or as {second_way}: the count speaks for the second"
             source.doubt(said, "say it so that there is one reading", span)
-        elif (
-            body is first
-            and what not in _QUIET
-            and what != "open"
-            and (body.stated is None or not _fits(body, edge, source.stitches))
-        ):
+        elif body is first and what not in _QUIET and what != "open" and (body.stated is None or not body.fit):
             source.doubt(
                 f"this can be read as {first_way}, or as {second_way}; the first is taken",
                 "a stated count would decide",
@@ -155,24 +181,73 @@ def decided(source: Source, tokens: list[Token], palette: Palette, edge: int | N
     return body
 
 
-def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> int:
-    """How well a body fits its count: 2 also uses up the round below, 1 leaves some of it over, 0 does not fit."""
-    done = after(body.items, edge, stitches)
-    if done is not None and done != body.stated:
+def _base(body: Body, chain: int | None) -> int | None:
+    """How many chains the first round of a part goes into; None where it is not worked into a chain."""
+    if not body.hook:
+        return None
+    own = next((i.times for i in body.items if isinstance(i, Action) and i.name == "ch"), None)
+    long = own if own is not None and own > (chain or 0) else chain
+    return None if long is None or long < body.hook else long - body.hook + 1
+
+
+def along(body: Body, base: int, stitches: dict[str, Stitch]) -> None:
+    """A round on both sides of a chain of ``base``: what goes around goes to the end of its own side."""
+
+    def takes(item: Item) -> int:
+        if isinstance(item, Group):
+            return (item.times or 0) * sum(map(takes, item.items))
+        return stitches[item.name].takes * item.times if item.name in stitches and item.name != "ch" else 0
+
+    def bounded(items: list[Item], room: int) -> list[Item]:
+        taken = sum(map(takes, items))
+        made: list[Item] = []
+        for item in items:
+            once = sum(map(takes, item.items)) if isinstance(item, Group) else 0
+            if isinstance(item, Group) and item.times is None and once:
+                made.append(Group(item.items, max(0, room - taken) // once, item.span))
+            else:
+                made.append(item)
+        return made
+
+    one, other = body.items[: body.turned], body.items[body.turned :]
+    one, other = bounded(one, base), bounded(other, base - 1)
+    if sum(map(takes, one)) + sum(map(takes, other)) == 2 * base and one and other:
+        # The chain at the turn is worked into on both its sides: as into one place.
+        last, first = one[-1], other[0]
+        if (
+            isinstance(last, Action)
+            and isinstance(first, Action)
+            and all(i.name in stitches and stitches[i.name].fits_in_one for i in (last, first))
+        ):
+            both = into_one([(stitches[last.name], 1), (stitches[first.name], 1)])
+            stitches.setdefault(both.name, both)
+            one = [
+                *one[:-1],
+                *([replace(last, times=last.times - 1)] if last.times > 1 else []),
+                Action(both.name, last.span),
+            ]
+            other = [*([replace(first, times=first.times - 1)] if first.times > 1 else []), *other[1:]]
+    body.items, body.turned = [*one, *other], len(one)
+
+
+def reached(items: list[Item], edge: int | None, stitches: dict[str, Stitch], times: int) -> int | None:
+    """Stitches on the edge after ``times`` rounds of ``items``, None when it is not known."""
+    for _ in range(min(times, _MOST)):
+        before, edge = edge, after(items, edge, stitches)
+        if edge is None or edge == before:
+            break
+    return edge
+
+
+def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch], times: int) -> int:
+    """How well a body fits: 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit."""
+    done = reached(body.items, edge, stitches, times)
+    if body.stated is not None and done is not None and done != body.stated:
         return 0
     taken = worked(body.items, edge or 0, stitches)
-    return 2 if done is None or taken is None or edge is None or taken[1] in (0, edge) else 1
-
-
-def _stood(body: Body, edge: int, stitches: dict[str, Stitch]) -> Body | None:
-    """The body with the chains that it begins with standing for a stitch, when that gives its count."""
-    lead, inner = led(body.items)
-    chains = next((k for k, i in enumerate(lead) if isinstance(i, Action) and i.name == "ch" and i.times > 1), None)
-    if chains is None:
-        return None
-    standing(stood := lead[: chains + 1])
-    other = replace(body, items=[*stood, *lead[chains + 1 :], *inner])
-    return other if _fits(other, edge, stitches) == 2 else None
+    if done is None or taken is None or edge is None or taken[1] in (0, edge):
+        return 2
+    return 1 if taken[1] < edge or body.stated is not None else 0
 
 
 def _implied(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> Span | None:
@@ -187,13 +262,14 @@ def _implied(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> Span 
     return Span(first.span.start, last.span.end)
 
 
-def _second(
-    source: Source, read: Callable[[frozenset[str]], Body], edge: int | None, body: Body, fit: int
-) -> Body | None:
-    """The first combination of second readings that fits the count better than ``fit``, the fewest of them first."""
+def _second(read: Callable[[frozenset[str]], Body], body: Body, begun: int, fit: Callable[[Body], int]) -> Body | None:
+    """The first combination of second readings that fits better than ``begun``, the fewest of them first."""
     asked = list(body.asked)[:5]
+    best: Body | None = None
     for many in range(1, len(asked) + 1):
         for chosen in combinations(asked, many):
+            if body.stated is None and set(chosen) & _COUNTED:
+                continue  # only a count speaks for these
             try:
                 other = read(frozenset(chosen))
             except NotUnderstood:
@@ -201,7 +277,10 @@ def _second(
             if "open" in chosen:
                 lead, inner = led(other.items)
                 other.items = [*lead, Group(tuple(inner), None, body.asked["open"])]
-            if after(other.items, edge, source.stitches) is not None and _fits(other, edge, source.stitches) > fit:
+            found = fit(other)
+            if found > begun:
                 other.asked = {what: body.asked[what] for what in chosen}
-                return other
+                best, begun = other, found
+        if best is not None:
+            return best
     return None

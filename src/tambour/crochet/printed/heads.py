@@ -8,8 +8,11 @@ from tambour.core.errors import Span
 from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.tokens import Token
 
+_STARRED = frozenset(("**", "***"))
 _BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))
-_BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))
+_SIDES = frozenset(("rs", "ws", "right", "wrong", "side"))
+_OTHER = frozenset(("alt", "alternate", "alternating", "every", "other"))
+_NAMED = frozenset(("joining", "foundation", "setup", "edging", "dividing", "final", "decrease", "increase", "first"))
 _AFTER = frozenset((":", ".", ")", "-", "=", ",", "]", "|", "–"))
 
 
@@ -19,7 +22,8 @@ class Head:
 
     numbers : those of its rounds, none for "next round"; span : their place
     end : the first token after it; row : it says row; strong : it names a round, and is no bare number
-    extra : tokens of a remark in it, such as a colour; stated : a count in it
+    extra : tokens of a remark in it, such as a colour; parted : a mark parts it from the body
+    many : "next 5 rnds"; other : "and every other round after it"
     """
 
     numbers: tuple[int, ...]
@@ -29,6 +33,8 @@ class Head:
     strong: bool
     extra: tuple[Token, ...] = ()
     parted: bool = False
+    many: int = 1
+    other: bool = False
 
 
 def head(tokens: list[Token], at: int = 0) -> Head | None:
@@ -39,22 +45,26 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
     first = c.look()
     if first is None:
         return None
-    row = strong = False
+    row = strong = other = False
+    many = 1
     numbers: list[int] = []
     if c.key("round", "row"):
         row, strong = c.key("row"), True
         c.at += 1
         if c.mark(".", "#") and c.whole(1) is not None:
             c.at += 1
-        if not _numbers(c, numbers):
+        if not list_of_numbers(c, numbers):
             return None
-    elif c.key("next", "last") and c.key("round", "row", ahead=1):
-        row, strong = c.key("row", ahead=1), True
-        c.at += 2
-    elif (first.kind == "ordinal" or (first.kind == "number" and c.mark(".", ahead=1))) and _ordinals(c, numbers):
+    elif _unnumbered(c) is not None:
+        many, ahead = _unnumbered(c) or (1, 0)
+        row, strong = c.key("row", ahead=ahead), True
+        c.at += ahead + 1
+    elif (first.kind == "ordinal" or (first.kind == "number" and c.mark(".", ahead=1))) and list_of_ordinals(
+        c, numbers
+    ):
         row, strong = c.key("row", ahead=-1), True
     elif isinstance(first.value, int) and first.kind == "number":
-        if not _numbers(c, numbers):
+        if not list_of_numbers(c, numbers):
             return None
         if not c.mark(":", ".", ")", "|") or (c.mark(".") and c.look(1) is not None and c.look(1).glued):  # type: ignore[union-attr]
             return None
@@ -63,12 +73,14 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
     if any(n > 100_000 for n in numbers):
         return None
     span = Span(first.start, tokens[c.at - 1].end)
+    other = any(t.word in _OTHER for t in tokens[at : c.at])
     extra: tuple[Token, ...] = ()
     # "Rnd 3 (Yellow):", "Row 2 (WS) -"
     if c.mark(*OPEN):
         end = next((k for k in range(c.at, min(c.at + 12, len(tokens))) if tokens[k].word in (")", "]", "}")), None)
         if end is not None and end + 1 < len(tokens) and tokens[end + 1].word in (":", "-", ".", "="):
             extra = tuple(tokens[c.at + 1 : end])
+            extra = () if any(t.word in _SIDES for t in extra) else extra
             c.at = end + 1
     parted = False
     while c.look() is not None and c.look().kind == "mark" and c.look().word in _AFTER:  # type: ignore[union-attr]
@@ -76,12 +88,30 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
             break
         c.at += 1
         parted = True
-    if c.key("round", "row") and parted and numbers:
+    if c.key("round", "row") and parted and numbers and c.whole(1) is None:
         c.at += 1
-    return Head(tuple(numbers), span, c.at, row, strong, extra, parted)
+    if c.mark(*OPEN) and any(t.word in _SIDES for t in tokens[c.at + 1 : c.at + 3]):  # "1st rnd: (RS). Ch 1."
+        end = next((k for k in range(c.at, min(c.at + 12, len(tokens))) if tokens[k].word in (")", "]", "}")), c.at - 1)
+        c.at = end + 1
+        while c.mark(".", ",", ":", "]", ")"):
+            c.at += 1
+    return Head(tuple(numbers), span, c.at, row, strong, extra, parted, many, other)
 
 
-def _numbers(c: Cursor, numbers: list[int]) -> bool:
+def _unnumbered(c: Cursor) -> tuple[int, int] | None:
+    """How many rounds "Next 5 rnds:" or "Joining rnd:" begins, and where the word round stands; None for no such head."""
+    if not (c.key("next", "last", "join") or (c.kind("word") and c.tokens[c.at].word in _NAMED)):
+        return None
+    ahead = 1 + (c.whole(1) is not None)
+    if not c.key("round", "row", ahead=ahead):
+        return None
+    after = c.look(ahead + 1)
+    if after is None or not (after.word in (":", "-", ".") or after.word in OPEN):
+        return None if not c.key("next") or ahead > 1 else (1, 1)
+    return (c.whole(1) or 1 if ahead == 2 else 1), ahead
+
+
+def list_of_numbers(c: Cursor, numbers: list[int]) -> bool:
     """``7-12``, ``3 to 5``, ``4, 6 and 8``, ``R5) to R8)``."""
     first = c.whole()
     if first is None:
@@ -109,7 +139,17 @@ def _numbers(c: Cursor, numbers: list[int]) -> bool:
             return True
         if ranged and not named and last <= numbers[-1]:
             return True  # "R7 - 6 sc": a dash, then the body
-        if ranged and after is not None and after.kind == "stitch" and c.mark("-") and not c.look().glued:  # type: ignore[union-attr]
+        if (
+            ranged
+            and after is not None
+            and sign is not None
+            and sign.word == "-"
+            and (
+                (after.kind == "stitch" and (not sign.glued or len(numbers) > 1))
+                or (after.kind == "key" and after.value == "stitch")
+                or (after.kind == "stitch" and len(numbers) > 1)
+            )
+        ):
             return True
         if ranged and last > numbers[-1]:
             numbers.extend(range(numbers[-1] + 1, min(last, numbers[-1] + 10_000) + 1))
@@ -118,7 +158,7 @@ def _numbers(c: Cursor, numbers: list[int]) -> bool:
         c.at += ahead + 1
 
 
-def _ordinals(c: Cursor, numbers: list[int]) -> bool:
+def list_of_ordinals(c: Cursor, numbers: list[int]) -> bool:
     """``2nd rnd``, ``5th to 8th rnds``, ``3. Rd``."""
     found: list[int] = []
     at = c.at
@@ -132,6 +172,17 @@ def _ordinals(c: Cursor, numbers: list[int]) -> bool:
             at += 1
         ahead = at - c.at
         if c.key("round", "row", ahead=ahead):
+            break
+        other = ahead + c.key("and", "next", ahead=ahead)
+        more = c.look(other)
+        if more is not None and (more.word in _OTHER or c.key("each", "other", ahead=other)):
+            while other < ahead + 5 and not c.key("round", "row", ahead=other):
+                other += 1
+            if c.key("round", "row", ahead=other):
+                at += other - ahead
+                break
+        if c.mark(":", ahead=ahead) and token.kind == "ordinal" and (at < 2 or c.tokens[at - 2].kind != "word"):
+            at -= 1
             break
         if not (c.mark("-", ",", "&", ahead=ahead) or c.key("to", "and", ahead=ahead)):
             return False
@@ -149,18 +200,27 @@ def _ordinals(c: Cursor, numbers: list[int]) -> bool:
 
 
 def heads(tokens: list[Token]) -> list[tuple[int, Head]]:
-    """The heads of a line, in order: the one that it begins with, and, when it begins with one that names a round, those
-    of later sentences (a pattern whose line ends were lost)."""
+    """The heads of a line, in order: the one that it begins with, and those of later sentences that end with a colon."""
     found: list[tuple[int, Head]] = []
-    first = head(tokens)
+    at = 0
+    while at < len(tokens) and tokens[at].word in _STARRED:
+        at += 1
+    first = head(tokens, at)
     if first is not None:
         found.append((0, first))
     at = first.end if first is not None else 1
     while at < len(tokens):
-        if tokens[at].kind == "key" and tokens[at].value in ("round", "row") and tokens[at - 1].word in _BEFORE:
+        token, before = tokens[at], tokens[at - 1]
+        named = token.kind == "key" and token.value in ("round", "row", "next", "join")
+        if (named or token.kind == "ordinal" or token.word in _NAMED) and (
+            before.word in _BEFORE or before.word in _STARRED
+        ):
             later = head(tokens, at)
-            if later is not None and later.numbers and tokens[later.end - 1].word == ":":
-                found.append((at, later))
+            if later is not None and later.strong and any(t.word == ":" for t in tokens[at : later.end]):
+                begin = at
+                while begin > 1 and tokens[begin - 1].word in _STARRED:
+                    begin -= 1
+                found.append((begin, later))
                 at = later.end
                 continue
         at += 1

@@ -130,6 +130,9 @@ def _copies(c: Cursor) -> tuple[int, Span] | None:
     if c.mark("x") or c.key("times", "make"):
         c.at += 1
         worded = True
+    ahead = next((k for k in range(6) if c.mark(")", "]", ahead=k)), 0)
+    if worded and ahead and not any(c.kind("stitch", k) or c.whole(k) is not None for k in range(ahead)):
+        c.at += ahead  # "(make 2 with C)"
     bracketed = c.mark(")", "]")
     c.at += bracketed
     if not worded and not (bracketed and c.look() is None):
@@ -165,6 +168,32 @@ def stated(text: str, row: Row, tokens: list[Token]) -> list[tuple[str, str, Spa
         if words:
             found.append((STATED[token.value], words, Span(begin, end)))
     return found
+
+
+def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
+    """A stitch of the pattern's own, explained in its abbreviations: ``Cross sc = …``, ``Scbl = single crochet in back loop``.
+
+    Gives its spellings and the usual stitch that it is nearest to: the one that its name ends with, or that its
+    explanation names first.
+    """
+    at = next((k for k, t in enumerate(tokens[:7]) if t.word in ("=", ":")), 0)
+    name, said = tokens[:at], tokens[at + 1 :]
+    if not name or not said or len(name) > 6 or (len(name) == 1 and name[0].kind == "stitch"):
+        return None
+    if any(t.kind in ("number", "ordinal") or t.word in "()[]" for t in name):
+        return None
+    whole = "-".join(t.word for t in name if t.word != "-")
+    stitch = any(t.kind == "stitch" or (t.kind == "key" and t.value == "stitch") for t in name)
+    kinds = [t.value for t in said if t.kind == "stitch" and t.value in _KINDS]
+    named = [t.value for t in name if t.kind == "stitch" and t.value in _KINDS]
+    glued = next((k for k in _KINDS if name[0].word.startswith(k) and len(name) == 1), "")
+    if not (stitch or glued) or not (kinds or named):
+        return None
+    kind = (named[-1:] or [glued] if named or glued else kinds[:1])[0]
+    return [whole, f"{whole}s", whole.replace("-st", "-sts")], kind
+
+
+_KINDS: Final = ("sc", "hdc", "dc", "tr")
 
 
 def definition(tokens: list[Token]) -> tuple[Token, str] | None:

@@ -9,14 +9,16 @@ from tambour.core.errors import Span
 from tambour.crochet.graph.hook import MOST_AT_TIP
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import into_one
-from tambour.crochet.language.tree import Action, Group, Item, Line, Section
-from tambour.crochet.printed.doubts import after, chainless
+from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Section, written
+from tambour.crochet.printed.cursor import Refers
+from tambour.crochet.printed.doubts import after, chainless, reached
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.reader import Body
 
 _CLOSED = (
     8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
 )
+_SMALL = frozenset(("the", "a", "of", "for", "as", "given", "first", "1st", "one", "piece", "pattern", "instructions"))
 _STARTS = ("oval", "fsc", "goto", "attach")
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
 
@@ -27,8 +29,11 @@ class Draft:
 
     name, span, copies, copies_span : as the heading says; lines : what was read
     edge, peak : stitches on the edge (None: not known), and the most there were
-    last : the last round's number; rounds : number → its lines
+    last : the last round's number; marks : before which lines an asterisk pair stands ("from ** to **")
     chain : where in ``lines`` a foundation chain stands that is not worked into yet
+    other : the count that the last round states, where it makes another
+    sure : the number of stitches on its edge is known for certain; offset : its last round when numbers began at 1 again
+    others : "11th and alt rows": that row, and its number
     flat : worked in rows; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
 
@@ -40,7 +45,7 @@ class Draft:
     edge: int | None = None
     peak: int = 0
     last: int = 0
-    rounds: dict[int, list[Line]] = field(default_factory=dict)
+    marks: list[int] = field(default_factory=list)
     chain: int | None = None
     flat: bool = False
     parted: bool = False
@@ -49,12 +54,19 @@ class Draft:
     up: str | None = None
     ends: str = ""
     off: Span | None = None
+    other: int | None = None
+    sure: bool = True
+    offset: int = 0
+    others: tuple[int, Line] | None = None
 
     def begun(self) -> bool:
         """Whether anything but colours stands in it."""
-        return any(not isinstance(i, Action) or i.name != "color" for line in self.lines for i in line.items)
+        return any(
+            line.again is not None or any(not isinstance(i, Action) or i.name != "color" for i in line.items)
+            for line in self.lines
+        )
 
-    def add(self, source: Source, head: Head | None, body: Body, span: Span) -> None:
+    def add(self, source: Source, head: Head | None, body: Body, span: Span, notes: tuple[Span, ...] = ()) -> None:
         """A round, or a line of its own, that ``body`` says."""
         if body.ends and self.ends != "close":
             self.ends = body.ends
@@ -63,9 +75,6 @@ class Draft:
         if offs:
             self.off = offs[0].span
             items = [i for i in items if i not in offs]
-        if body.refers is not None:
-            self._again(source, head, body, span)
-            return
         ring = next((k for k, i in enumerate(items) if isinstance(i, Action) and _ring(source, i)), None)
         if ring is not None and body.lift > 1 and body.stated is not None:
             # "ch 3, 11 dc in ring. (12)": the chains count as a stitch.
@@ -73,43 +82,62 @@ class Draft:
             assert isinstance(ringed, Action)
             if after([ringed], None, source.stitches) == body.stated - 1:
                 items[ring] = _one_more(source, ringed)
-        if body.ringed and self.chain is not None:
-            del self.lines[self.chain]
-            self.chain = None
+        if body.ringed:
+            self.drop_chain()
         if not items:
             return
         items = self._founded(source, head, body, items, span)
         if items:
-            self._line(source, head, body, self._begun(source, head, items), span)
+            self._line(source, head, body, self._begun(source, head, items), span, notes)
 
-    def _line(self, source: Source, head: Head | None, body: Body, items: list[Item], span: Span) -> None:
+    def started(self, source: Source) -> bool:
+        """Whether the part has what its rounds are worked on."""
+        return any(_founds(source, item) for line in self.lines for item in line.items) or any(
+            line.again is not None for line in self.lines
+        )
+
+    def drop_chain(self) -> None:
+        """Takes the foundation chain away that a ring stands for."""
+        if self.chain is not None:
+            del self.lines[self.chain]
+            self.marks = [mark - (mark > self.chain) for mark in self.marks]
+            self.chain = None
+
+    def gap(self, source: Source, head: Head | None, count: int, span: Span, at: Span) -> None:
+        """A round that was not understood, and takes its count."""
+        body = Body([Action("gap", at, numbers=(count,))])
+        if not self.begun() or (self.chain is not None and not (head is not None and head.row)):
+            self.drop_chain()  # it begins with a ring of so many
+        self.add(source, head, body, span)
+
+    def _line(
+        self, source: Source, head: Head | None, body: Body, items: list[Item], span: Span, notes: tuple[Span, ...] = ()
+    ) -> None:
         """A line of finished items, under the numbers of its head."""
         numbers = head.numbers if head is not None else ()
         worked = any(_works(i) for i in items)
-        alone = body.rounds is not None and len(numbers) < 2 and worked
-        times = body.rounds[0] if alone and body.rounds is not None else max(1, len(numbers))
-        if body.rounds is not None and not alone and body.rounds[0] != len(numbers):
-            message = f"{body.rounds[0]} rounds are said here, {len(numbers)} at the line's start"
-            source.doubt(message, "make them agree", body.rounds[1], True)
-        at = head.span if head is not None and numbers else body.rounds[1] if body.rounds is not None else None
-        line = Line(tuple(items), span, worked, 1, None, None, body.stated, body.stated_span)
+        said = body.rounds or ((head.many, head.span) if head is not None and head.many > 1 else None)
+        alone = said is not None and len(numbers) < 2 and worked
+        times = said[0] if alone and said is not None else max(1, len(numbers))
+        if said is not None and not alone and said[0] != len(numbers):
+            message = f"{said[0]} rounds are said here, {len(numbers)} at the line's start"
+            source.doubt(message, "make them agree", said[1], True)
+        at = head.span if head is not None and numbers else said[1] if said is not None else None
+        line = Line(tuple(items), span, worked, 1, None, None, body.stated, body.stated_span, None, notes)
         steady = all(b == a + 1 for a, b in pairwise(numbers))
         if numbers and head is not None:
             self._numbered(source, head, steady)
         if steady:
-            made = [
-                replace(line, times=times, times_span=at if times > 1 else None, number=numbers[0] if numbers else None)
-            ]
+            number = numbers[0] if numbers else self.last + 1 if worked and (head is not None or self.last) else None
+            made = [replace(line, times=times, times_span=at if times > 1 else None, number=number)]
         else:
             self.parted = True
             made = [replace(line, number=n) for n in numbers]
         self.lines += made
-        for number in numbers or ((self.last + 1,) if worked else ()):
-            self.rounds[number] = [replace(line, number=number)]
         if worked:
             self.last = max(numbers) + (times - 1) * alone if numbers else self.last + times
         before = self.edge
-        edge = after(items, self.edge, source.stitches)
+        edge = reached(items, self.edge, source.stitches, times)
         if (
             body.stated is not None
             and edge != body.stated
@@ -118,8 +146,7 @@ class Draft:
             made = [replace(m, stated=None, stated_span=None) for m in made]  # chains are not counted here
             self.lines[-len(made) :] = made
         self.edge = edge if edge is not None else body.stated if worked else self.edge
-        if times > 1 and edge is not None and body.stated is not None and body.stated != edge:
-            self.edge = body.stated
+        self.other = body.stated if edge != body.stated else None
         if worked:
             fewer = self.edge is not None and before is not None and self.edge < before
             self.shrunk = fewer and not any(_skips(i) for i in items)
@@ -128,31 +155,90 @@ class Draft:
     def _numbered(self, source: Source, head: Head, steady: bool) -> None:
         """Doubts about numbers that do not follow."""
         first, before = head.numbers[0], self.last
-        if steady and self.rounds and not self.parted and first not in (1, before + 1):
+        if steady and self.last and not self.parted and first not in (1, before + 1):
             said = "is there already" if first <= before else "leaves rounds out"
             source.doubt(
                 f"round {first} {said}: the one before is {before}", f"{before + 1} would follow", head.span, True
             )
 
-    def _again(self, source: Source, head: Head | None, body: Body, span: Span) -> None:
-        """Rounds that were written already, worked once more."""
-        assert body.refers is not None
-        first, last, at = body.refers
-        known = [line for n in range(first, min(last, first + 1000) + 1) for line in self.rounds.get(n, ())]
-        if not known or last < first:
-            source.error(f"round {first} is not there to be repeated", "name one that stands before this", at)
-            return
+    def again(
+        self, source: Source, head: Head | None, body: Body, span: Span, parts: list[Draft], height: float
+    ) -> bool:
+        """Rounds that are written elsewhere, worked once more; False where they are not there.
+
+        parts : those read so far; height : of a round, mm
+        """
+        refers = body.refers
+        assert refers is not None
+        origin = named(parts, refers.part, self) if refers.part else self
+        if origin is None:
+            return False
+        lines = origin.referred(refers)
+        if not lines:
+            return False
         numbers = head.numbers if head is not None else ()
-        total = len(numbers) or (body.rounds[0] if body.rounds is not None else len(known))
-        if len(known) == 1:
-            again = Body(list(known[0].items), body.stated, body.stated_span, body.rounds)
-            self._line(source, head, again, self._begun(source, head, again.items), span)
-            return
-        for k in range(min(total, 10_000)):
-            line = known[k % len(known)]
-            one = Body(list(line.items), body.stated if k == total - 1 else None, body.stated_span)
-            own = Head((numbers[k],), head.span, 0, head.row, True) if head is not None and numbers else None
-            self._line(source, own, one, list(line.items), span)
+        once = sum(line.times for line in lines)
+        total = len(numbers) or (head.many if head is not None and head.many > 1 else once * (refers.times or 1))
+        if refers.length is not None:
+            done = self.last if refers.whole else 0
+            total = max(once, round(refers.length / height) - done)
+            message = f"so many rounds as make {refers.length:.0f} mm: {total}, by the gauge"
+            source.doubt(message, "a number of rounds would be sure", refers.span)
+        if refers.mirrored:
+            source.doubt("sides are not reversed here", "write the mirrored rounds out", refers.span)
+        if not self.begun() or self.chain is not None:
+            first = next(k for k, line in enumerate(origin.lines) if line.in_round)
+            if lines[0].number == origin.lines[first].number and origin is not self:
+                own = [
+                    line for line in self.lines if all(isinstance(i, Action) and i.name == "color" for i in line.items)
+                ]
+                self.lines, self.chain, self.flat = [*own, *origin.lines[:first]], None, origin.flat
+        number = numbers[0] if numbers else self.last + 1
+        first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
+        name = "" if origin is self else origin.name
+        lead = tuple(i for i in body.items if isinstance(i, Action) and i.name == "color")
+        again = Again(lines, first_number, last_number, name, refers.span)
+        at = head.span if head is not None and numbers else refers.span
+        line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
+        if numbers and head is not None:
+            self._numbered(source, head, True)
+        self.lines.append(line)
+        self.last = number + total - 1
+        before = self.edge
+        for one in line.rounds():
+            before, self.edge = self.edge, after(one.items, self.edge, source.stitches)
+            self.peak = max(self.peak, self.edge or 0)
+        self.edge = self.edge if self.edge is not None else body.stated
+        self.shrunk = self.edge is not None and before is not None and self.edge < before
+        return True
+
+    def referred(self, refers: Refers) -> tuple[Line, ...]:
+        """The rounds that are named, none where one of them is not there."""
+        if refers.numbers:
+            first, last = refers.numbers[0], refers.numbers[-1]
+            return written(self.lines, first, last) if last >= first else ()
+        if refers.marks:
+            if len(self.marks) < 2:
+                return ()
+            return tuple(line for line in self.lines[self.marks[0] : self.marks[1]] if line.in_round)
+        rounds = [line for line in self.lines if line.in_round]
+        if refers.latest:
+            found: list[Line] = []
+            want = refers.latest
+            while rounds and want:
+                line = rounds.pop()
+                if line.times <= want:
+                    found.insert(0, line)
+                elif line.again is None:
+                    number = None if line.number is None else line.number + line.times - want
+                    found.insert(0, replace(line, times=want, number=number))
+                else:
+                    found[:0] = list(line.rounds())[-want:]
+                want -= min(want, line.times)
+            return () if want else tuple(found)
+        if refers.through:
+            return written(self.lines, next((n.number for n in rounds if n.number), 1), refers.through)
+        return tuple(rounds)
 
     # -- foundations ------------------------------------------------------------------------------------------------
 
@@ -287,7 +373,7 @@ class Draft:
         )
 
     def _sorted(self) -> list[Line]:
-        lines = [line for line in self.lines if line.items]
+        lines = [line for line in self.lines if line.items or line.again]
         if not self.parted:
             return lines
         keyed, key = [], 0
@@ -295,6 +381,33 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
+
+
+def _founds(source: Source, item: Item) -> bool:
+    if isinstance(item, Group):
+        return any(_founds(source, i) for i in item.items)
+    return item.name in ("mr", "ch", "gap", *_STARTS) or _ring(source, item)
+
+
+def named(parts: list[Draft], words: str, own: Draft) -> Draft | None:
+    """The part that words mean: ``head``, ``the first leg``; None where none is meant."""
+    want = [_one(w) for w in words.lower().split() if w not in _SMALL]
+    if not want:
+        return own
+    best: tuple[int, int, Draft] | None = None
+    for at, draft in enumerate(parts):
+        name = [_one(w) for w in draft.name.lower().replace("_", " ").split()]
+        common = len(set(want) & set(name))
+        if common and (common == len(set(want)) or common == len(set(name))):
+            rank = (common * 4 - abs(len(name) - common), at)
+            if best is None or rank > best[:2]:
+                best = (*rank, draft)
+    return best[2] if best is not None else None
+
+
+def _one(word: str) -> str:
+    """A word as its singular, roughly."""
+    return word[:-1] if word.endswith("s") and len(word) > 3 else word
 
 
 def _ring(source: Source, action: Action) -> bool:

@@ -2,35 +2,50 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
 from tambour.crochet.language.finishes import GUESSED, check_names
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.tree import Action, Line, Pattern
+from tambour.crochet.language.stitches import MOST
+from tambour.crochet.language.tree import Action, Again, Line, Pattern
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
+from tambour.crochet.printed.body import count_in
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import Head, heads
-from tambour.crochet.printed.prose import WRAPPED, left_over, text_line
-from tambour.crochet.printed.state import State
+from tambour.crochet.printed.mend import agreed, is_start, mended
+from tambour.crochet.printed.parts import Draft
+from tambour.crochet.printed.prose import NOT_UNDERSTOOD, STARS, WRAPPED, finishing, instructs, stuffed, text_line
+from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.state import Height, State, plain_height
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.phrases import Phrases
 
 NOTHING: Final = "this holds no crochet instructions"
 _LINES = 100  # lines of other text to a round of one that is a pattern at all
+_HOPELESS = 12  # rounds that were not understood to one that was
+_MOST = 5000  # stitches of a round that is taken from its count
 _HINTED = 20  # errors that suggestions are looked for
 _LONG = 50  # characters of a line that was broken
 
 
-def read_printed(text: Text, *, max_stitches: int = 200_000, strict: bool = False, usual: bool = True) -> Pattern:
+def read_printed(
+    text: Text,
+    *,
+    max_stitches: int = 200_000,
+    strict: bool = False,
+    usual: bool = True,
+    high: Height = plain_height,
+) -> Pattern:
     """The pattern that a printed text says (docs/crochet-printed.md, "Patterns as people write them").
 
     usual : parts that no sentence places go where such parts usually do, which is told as a doubt
 
     Raises TambourError with every problem of the text; with one line when it holds no crochet instructions.
     """
-    return Printed(Source(text, strict)).pattern(max_stitches, usual)
+    return Printed(Source(text, strict), high).pattern(max_stitches, usual)
 
 
 class Printed(State):
@@ -43,37 +58,43 @@ class Printed(State):
             at = self._row(at)
         source = self.source
         worded = sum(bool(row.tokens) for row in self.rows)
-        lost = self.failed > 3 * self.understood or (self.failed and worded > _LINES * self.understood)
+        lost = self.failed > _HOPELESS * self.understood or (self.failed and worded > _LINES * self.understood)
         if not self.understood or lost:
             hint = "a round looks like this: Rnd 1: 6 sc in magic ring (6)"
             raise TambourError(NOTHING, hint=hint, where=source.text.name)
         if self.lead and self.parts:
             self.parts[-1].lines += self.lead
+        self.parts = [draft for draft in self.parts if draft.begun()]
         if self.sentences and self.parts and not self.parts[0].name:
             taken = {draft.name.lower() for draft in self.parts}
             self.parts[0].name = "piece" if len(self.parts) == 1 or "body" in taken else "Body"  # sentences want a name
         sections = tuple(draft.section(source) for draft in self.parts)
         self._colors_told()
+        pattern = Pattern(source.text, sections, source.stitches, max_stitches=max_stitches,
+                          terms=self.language.code, stated=self.stated)  # fmt: skip
         if all(p.warning for p in source.problems):
-            plain = Pattern(source.text, sections, source.stitches, max_stitches=max_stitches,
-                            terms=self.language.code, stated=self.stated)  # fmt: skip
-            sections = self._assemble(plain, usual).parts
-        errors = [p for p in source.problems if not p.warning]
+            pattern, built, found = mended(pattern)
+            if built is not None:
+                pattern, built, more = agreed(pattern, built, self.sound)
+                found += more
+            for problem in found:
+                self.tell(problem.message, problem.hint, problem.span or Span(0, 0))
+            if built is not None:
+                pattern = self._assemble(pattern, usual)
+        errors = [p for p in (*source.problems, *self.unread) if not p.warning]
         if errors:
             raise TambourError(sorted(errors, key=_place))
         if self.title is not None:
             self.stated.setdefault("title", self.title)
-        return Pattern(
-            source.text,
-            sections,
-            source.stitches,
-            source.own,
-            tuple(sorted(source.problems, key=_place)),
-            max_stitches,
-            tuple(source.finish),
-            self.language.code,
-            self.stated,
-            tuple(self.passed),
+        return replace(
+            pattern,
+            own=source.own,
+            warnings=tuple(sorted(source.problems, key=_place)),
+            finish=tuple(source.finish),
+            stated=self.stated,
+            passed=tuple(self.passed),
+            unread=tuple(sorted(self.unread, key=_place)),
+            left_out=tuple(self.left_out),
         )
 
     def _assemble(self, pattern: Pattern, usual: bool) -> Pattern:
@@ -127,7 +148,8 @@ class Printed(State):
             return at
         for k, (begin, head) in enumerate(found):
             if k == 0 and begin > 0:
-                text_line(self, row, tokens[:begin])
+                raw = [t for t in row.tokens if t.end <= tokens[begin - 1].end]
+                text_line(self, Row(raw, row.start, raw[-1].end, row.marked), tokens[:begin])
             end = found[k + 1][0] if k + 1 < len(found) else len(tokens)
             self._round(head, tokens[head.end : end], tokens[begin:end])
         return at
@@ -174,33 +196,171 @@ class Printed(State):
     def _round(self, head: Head, tokens: list[Token], whole: list[Token]) -> None:
         """A round that has a head."""
         span = Span(whole[0].start, whole[-1].end)
-        self.begin(head.numbers[0] == 1 if head.numbers else False, span)
+        starred, ended = whole[0].word in STARS, any(t.word in STARS for t in tokens[-3:])
+        if ended:
+            tokens = [t for t in tokens if t.word not in STARS or t not in tokens[-3:]]
+        head = self._part_of(head, tokens, span)
         draft = self.parts[-1]
+        if starred or self.starred:
+            draft.marks.append(0 if self.starred and not draft.last else len(draft.lines))
+            self.starred = False
         body = [*head.extra, Token("mark", ",", head.span.end, head.span.end), *tokens] if head.extra else tokens
         self.source.last_number = draft.last or None
-        try:
-            read = decided(self.source, body, self.palette, draft.edge, self.phrases)
-        except NotUnderstood as wrong:
-            self._wrong(wrong)
-            draft.last = max(head.numbers) if head.numbers else draft.last + 1
-            draft.edge = None
-            return
+        self._others(draft, head)
         before = len(draft.lines)
-        draft.add(self.source, head, read, span)
-        self.understood += len(draft.lines) > before
-        for left in read.left:
-            left_over(self, left, True)
+        self._worked(draft, head, body, span)
+        if head.other and len(draft.lines) > before and head.numbers:
+            draft.others = (head.numbers[-1], draft.lines[-1])
+        if ended:
+            draft.marks.append(len(draft.lines))
 
-    def _wrong(self, wrong: NotUnderstood) -> None:
+    def _part_of(self, head: Head, tokens: list[Token], span: Span) -> Head:
+        """Begins the part that a head begins; its numbers go on where they only begin at 1 again."""
+        last = self.parts[-1] if self.parts else None
+        first = head.numbers[:1] == (1,)
+        if (
+            first
+            and last is not None
+            and last.last
+            and last.off is None
+            and (last.edge or 0) > 2
+            and not _starts(tokens)
+            and (self.heading is None or not self.heading.marked)
+        ):
+            self.heading = None
+            last.offset, first = last.last, False
+        self.begin(first, span)
+        draft = self.parts[-1]
+        if (
+            draft.offset
+            and head.numbers
+            and head.numbers[0] <= draft.offset
+            and head.numbers[0] + draft.offset > draft.last
+        ):
+            return replace(head, numbers=tuple(n + draft.offset for n in head.numbers))
+        return head
+
+    def _others(self, draft: Draft, head: Head) -> None:
+        """Works the rounds that "and every other round" means, up to the one that comes next."""
+        if draft.others is None or not head.numbers:
+            return
+        number, line = draft.others
+        if head.numbers[0] == draft.last + 2 and (draft.last + 1 - number) % 2 == 0:
+            again = Again((replace(line, times=1),), number, number, "", line.span)
+            draft.lines.append(Line((), line.span, True, 1, None, draft.last + 1, None, None, again))
+            draft.last += 1
+        elif head.numbers[0] <= draft.last:
+            draft.others = None
+
+    def _worked(self, draft: Draft, head: Head, tokens: list[Token], span: Span) -> None:
+        """The round as its words say, or as a gap."""
+        first = tokens[0] if tokens else Token("mark", "", head.span.start, head.span.end)
+        times = len(head.numbers) if len(head.numbers) > 1 else head.many
+        chain = (
+            next((i.times for i in draft.lines[draft.chain].items if isinstance(i, Action) and i.name == "ch"), None)
+            if draft.chain is not None
+            else None
+        )
+        try:
+            read = decided(self.source, tokens, self.palette, draft.edge, self.phrases, times, chain)
+        except NotUnderstood as wrong:
+            self._gap(draft, head, tokens, span, wrong)
+            return
+        if not read.fit and draft.other is not None:
+            # The round before does not make its own count: this one may stand on either.
+            second = decided(self.source, tokens, self.palette, draft.other, self.phrases, times, chain)
+            read, draft.edge = (second, draft.other) if second.fit else (read, draft.edge)
+        if read.pending and not any(is_start(i, self.source.stitches) for i in read.items):
+            ring = next((t for t in tokens if t.kind == "key" and t.value == "ring"), first)
+            self._gap(
+                draft,
+                head,
+                tokens,
+                span,
+                NotUnderstood(ring, "the ring has no stitches", "say how many: 6 sc in magic ring"),
+            )
+            return
+        unread = []
+        for left in read.left:
+            if not finishing(self, left):
+                unread.append(left)
+        instructive = [left for left in unread if instructs(self, left)]
+        notes = tuple(Span(d[0].start, d[-1].end) for d in read.doings if d)
+        for done in read.doings:
+            amount = stuffed(done)
+            if amount is not None and amount >= 0:
+                draft.stuffing = amount
+        if read.refers is not None:
+            if draft.offset and read.refers.numbers and read.refers.numbers[0] + draft.offset <= draft.last:
+                numbers = tuple(n + draft.offset for n in read.refers.numbers)
+                read.refers = replace(read.refers, numbers=numbers)
+            if not draft.again(self.source, head, read, span, self.parts, self.height()):
+                at = Token("mark", "", read.refers.span.start, read.refers.span.end)
+                lacking = NotUnderstood(
+                    at, "these rounds are not there to be repeated", "name rounds that stand before this"
+                )
+                self._gap(draft, head, tokens, span, lacking)
+                return
+        elif not read.fit and (instructive or not draft.sure):
+            self._gap(
+                draft, head, tokens, span, read.wrong or NotUnderstood(first, "these words do not make the count")
+            )
+            return
+        else:
+            before, edge, last = len(draft.lines), draft.edge, draft.last
+            draft.add(self.source, head, read, span, notes)
+            if not draft.started(self.source):
+                del draft.lines[before:]
+                draft.edge, draft.last = edge, last
+                self._gap(draft, head, tokens, span, NotUnderstood(first, "what this is worked on is not known"))
+                return
+            if read.stated is not None and read.fit:
+                draft.sure = True
+                self.sound.add(span.start)
+        self.understood += 1
+        for more in read.more:
+            again = Body(refers=more)
+            if not draft.again(self.source, None, again, more.span, self.parts, self.height()):
+                self.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
+                draft.sure = False
+        for left in instructive:
+            self.tell(
+                NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", Span(left[0].start, left[-1].end)
+            )
+            draft.sure = False
+        self.passed += [Span(left[0].start, left[-1].end) for left in unread if left not in instructive]
+
+    def _gap(self, draft: Draft, head: Head, tokens: list[Token], span: Span, wrong: NotUnderstood) -> None:
+        """A round that was not understood takes its count, or else that of the round below."""
         self.failed += 1
         hint = wrong.hint
         if wrong.token.kind == "word" and self.failed <= _HINTED:
             hint = did_you_mean(wrong.token.word, self.palette.known) or hint
-        self.source.error(wrong.message, hint, wrong.token.span)
+        count = count_in(tokens, self.source.stitches, self.palette)
+        many = count.value if count is not None else draft.edge if draft.chain is None else None
+        on = draft.started(self.source) or count is not None
+        if (
+            not on
+            or not many
+            or many > _MOST
+            or (draft.edge and not draft.edge <= MOST * many <= MOST * MOST * draft.edge)
+        ):
+            self.left_out.append(span)
+            self.tell(f"{wrong.message}: this round is left out", hint, wrong.token.span)
+            draft.last = max(head.numbers) if head.numbers else draft.last + 1
+            draft.sure = False
+            return
+        said = (
+            "taken from its stated count" if count is not None else "taken to have as many stitches as the one before"
+        )
+        self.tell(f"{wrong.message}: this round is {said}, {many}", hint, wrong.token.span)
+        draft.gap(self.source, head, many, span, count.span if count is not None else head.span)
+        draft.sure = count is not None
 
 
-def _names(line: Line) -> list[str]:
-    return [i.name for i in line.items if isinstance(i, Action)]
+def _starts(tokens: list[Token]) -> bool:
+    """Whether words begin a piece of work: in a ring, in a chain, or as another part."""
+    return any(t.kind == "key" and t.value in ("ring", "loop", "hook", "foundation", "as", "same") for t in tokens)
 
 
 def _place(problem: Problem) -> int:

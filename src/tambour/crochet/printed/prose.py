@@ -11,12 +11,14 @@ from tambour.crochet.places.hear import assembling
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.doubts import decided
-from tambour.crochet.printed.notes import MODES, Heading, definition, heading, plain_name, stated
+from tambour.crochet.printed.notes import MODES, Heading, definition, heading, own_stitch, plain_name, stated
+from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.special import explained
 
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
+STARS: Final = ("**", "***")
 WRAPPED: Final = 12  # lines of a paragraph
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
@@ -33,6 +35,17 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     title = p.title is not None and p.heading is not None and p.heading.span == p.title[1]
     if title and p.heading is not None and p.heading.copies_span is None and tokens[0].word not in OPEN:
         p.heading = None  # what stands over the whole pattern names no part
+    if p.mode not in ("materials", "abbreviations") and (at := _headed(text, row, tokens)):
+        cut = tokens[at].end
+        for part, some in ((tokens[: at + 1], True), (tokens[at + 1 :], False)):
+            raw = [t for t in row.tokens if (t.end <= cut) == some]
+            text_line(p, Row(raw, raw[0].start, raw[-1].end, row.marked if some else 0), part)
+        return
+    if p.mode == "abbreviations" and (mine := own_stitch(tokens)) is not None:
+        for spelling in mine[0]:
+            p.vocabulary.define(spelling, mine[1])
+        p.passed.append(whole)
+        return
     new = definition(tokens)
     if new is not None and new[1] in p.source.stitches:
         p.vocabulary.define(new[0].word, new[1])
@@ -60,10 +73,11 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if (found is None or not found.marked) and _sentences(p, tokens, lefts):
         found = None
         for left in lefts:
-            left_over(p, left, False)
+            left_over(p, left)
         return
     if found is not None and (found.marked or found.strong or p.mode not in ("materials", "abbreviations", "notes")):
-        p.mode = "" if found.marked else p.mode  # a marked heading ends the list that stands before it
+        # A marked heading ends the list that stands before it, and notes end where a part is headed.
+        p.mode = "" if found.marked or p.mode == "notes" else p.mode
         if p.title is None:
             p.title = (text[found.span.start : found.span.end], found.span)
             p.heading = found if found.strong else None
@@ -78,7 +92,27 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     else:
         p.passed.append(whole)
     for left in lefts:
-        left_over(p, left, False)
+        left_over(p, left)
+
+
+def _headed(text: str, row: Row, tokens: list[Token]) -> int:
+    """Where the colon stands behind the name of a part that a line begins with and goes on; 0 where it does not."""
+    at = next((k for k, t in enumerate(tokens[:12]) if t.word == ":"), 0)
+    if (
+        not at
+        or at + 1 >= len(tokens)
+        or tokens[0].kind == "stitch"
+        or tokens[0].value in (*MODES, "round", "row", "repeat")
+    ):
+        return 0
+    if not any(
+        t.kind == "stitch" or (t.kind == "key" and t.value in ("ring", "make", "with", "begin", "as", "join"))
+        for t in tokens[at + 1 :]
+    ):
+        return 0
+    raw = [t for t in row.tokens if t.end <= tokens[at].end]
+    found = heading(text, Row(raw, row.start, raw[-1].end, row.marked), tokens[: at + 1])
+    return at if found is not None and found.strong else 0
 
 
 def _said(p: State, span: Span) -> bool:
@@ -137,13 +171,30 @@ def _sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
     any_read = False
     begin = 0
     ends = (".", "!", "?") if any(t.word == "*" for t in tokens) else (".", "!", "?", ";")
+    depth = 0
     for at in range(len(tokens) + 1):
-        if at < len(tokens) and tokens[at].word not in ends:
+        if at < len(tokens):
+            depth += (tokens[at].word in OPEN) - (tokens[at].word in ")]}>") if tokens[at].kind == "mark" else 0
+        if at < len(tokens) and (tokens[at].word not in ends or depth > 0):
             continue
         sentence = tokens[begin:at]
+        while sentence and sentence[0].word in STARS:
+            sentence = sentence[1:]
+        while len(sentence) > 1 and sentence[-1].word in STARS and sentence[-2].word != "to":
+            sentence = sentence[:-1]
+        before = len(p.parts[-1].lines) if p.parts else 0
+        count = len(p.parts)
+        starred = [t.word in STARS for t in tokens[begin:at]]
         begin = at + 1
+        if starred and starred[0] and sentence:
+            p.starred = True
         if sentence and _sentence(p, sentence):
             any_read = True
+            if p.starred and p.parts and len(p.parts[-1].lines) > (before if len(p.parts) == count else 0):
+                p.parts[-1].marks.append(before if len(p.parts) == count else 0)
+                p.starred = False
+            if starred[-1] and p.parts and not (len(sentence) > 1 and sentence[-1].word in STARS):
+                p.parts[-1].marks.append(len(p.parts[-1].lines))
         elif sentence:
             lefts.append(sentence)
     return any_read
@@ -151,7 +202,7 @@ def _sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
 
 def _sentence(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds; whether it was understood."""
-    if _finishes(p, tokens):
+    if finishing(p, tokens):
         return True
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
     said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end", "up side"))
@@ -165,20 +216,27 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         else:
             setattr(draft, name, value)
         return True
-    stuffing = _stuffing(p, tokens)
+    stuffing = stuffed(tokens)
     if stuffing is not None and draft is not None:
         if stuffing >= 0:
             draft.stuffing = stuffing
         return True
     if p.mode in ("materials", "abbreviations", "notes", "assembly"):
         return False
-    if any(t.kind == "key" and t.value == "not" for t in tokens):
-        return False
+    if any(t.kind == "key" and t.value == "not" for t in tokens[:2]):
+        return True  # "do not fasten off", "do not stuff"
     try:
         body = decided(p.source, tokens, p.palette, draft.edge if draft else None, p.phrases)
     except NotUnderstood:
         return False
-    if body.left or not (body.items or body.ends or body.refers):
+    if body.refers is not None and draft is not None:
+        return _referred(p, body, tokens)
+    if body.pending:
+        p.lead += [Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False)] if body.items else []
+        return True
+    if body.doings and not body.items and not body.left:
+        return True
+    if body.left or not (body.items or body.ends):
         return False
     if body.items and all(isinstance(i, Action) and i.name == "color" for i in body.items):
         if not any(t.kind == "key" and t.value in ("color", "with", "begin", "in", "join") for t in tokens):
@@ -200,7 +258,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     return True
 
 
-def _finishes(p: State, tokens: list[Token]) -> bool:
+def finishing(p: State, tokens: list[Token]) -> bool:
     """Whether a sentence puts a part or a face somewhere; it is kept until all parts are known."""
     if not p.parts or p.mode in ("materials", "abbreviations"):
         return False
@@ -211,7 +269,23 @@ def _finishes(p: State, tokens: list[Token]) -> bool:
     return True
 
 
-def _stuffing(p: State, tokens: list[Token]) -> float | None:
+def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
+    """A sentence between the rounds that works rounds once more: "Rep last rnd 3 times more."."""
+    span = Span(tokens[0].start, tokens[-1].end)
+    assert body.refers is not None
+    if p.heading is not None and (body.refers.part or body.refers.numbers):
+        p.begin(True, span)
+    draft = p.parts[-1]
+    if draft.again(p.source, None, body, span, p.parts, p.height()):
+        p.understood += 1
+        for more in body.more:
+            if not draft.again(p.source, None, Body(refers=more), more.span, p.parts, p.height()):
+                p.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
+        return True
+    return False
+
+
+def stuffed(tokens: list[Token]) -> float | None:
     """How much a sentence wants the part stuffed; -1 when it says only that it is."""
     if not any(t.kind == "key" and t.value == "stuff" for t in tokens) or len(tokens) > 14:
         return None
@@ -223,21 +297,25 @@ def _stuffing(p: State, tokens: list[Token]) -> float | None:
     return -1.0
 
 
-def left_over(p: State, tokens: list[Token], in_round: bool) -> None:
-    """A sentence that was not read: kept when it puts something somewhere, a doubt when it looks like instructions."""
-    if in_round and _finishes(p, tokens):
-        return
-    span = Span(tokens[0].start, tokens[-1].end)
-    words = [t for t in tokens if t.kind != "mark"] or tokens
-    known = sum(t.kind in ("stitch", "number", "ordinal", "key") for t in words)
-    stitches = sum(t.kind == "stitch" for t in words)
-    blocked = p.mode in ("materials", "abbreviations", "notes")
-    begins = words[0].kind == "stitch" or (words[0].kind == "number" and len(words) > 1 and words[1].kind == "stitch")
-    likely = known * 2 >= len(words) if begins else known * 4 >= len(words) * 3
-    if stitches and known >= 3 and likely and p.parts and not blocked:
-        p.source.doubt(NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", span)
-    elif in_round:
-        p.passed.append(span)
+def instructs(p: State, tokens: list[Token]) -> bool:
+    """Whether a sentence that was not read may instruct: it holds a number, a stitch, a repeat, a reference or a colour."""
+    if not p.parts or p.mode in ("materials", "abbreviations"):
+        return False
+    stitches = any(t.kind == "stitch" for t in tokens)
+    numbers = any(t.kind in ("number", "ordinal") and t.word[0].isdigit() for t in tokens)
+    repeats = any(t.kind == "key" and t.value in ("repeat", "same", "as") and t.word != "like" for t in tokens)
+    if p.mode == "notes":
+        return stitches and numbers
+    return stitches or numbers or repeats or any(p.palette.name(t.word) for t in tokens if t.kind == "word")
+
+
+def left_over(p: State, tokens: list[Token]) -> None:
+    """A sentence that was not read: told when it may instruct."""
+    if instructs(p, tokens):
+        span = Span(tokens[0].start, tokens[-1].end)
+        if p.parts and p.mode != "assembly" and any(t.kind == "stitch" for t in tokens):
+            p.parts[-1].sure = False
+        p.tell(NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", span)
 
 
 def _ring(item: object) -> bool:

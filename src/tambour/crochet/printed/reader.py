@@ -11,7 +11,7 @@ from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Item
 from tambour.crochet.printed.clauses import Where
 from tambour.crochet.printed.colors import Palette
-from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.cursor import Cursor, NotUnderstood, Refers
 from tambour.crochet.printed.tokens import Token
 
 _STOPS = (".", ",", ";", ":", "(", "[", "{", "*", ")", "]", "}")
@@ -22,30 +22,39 @@ class Body:
     """What the body of a round says.
 
     items : its items; stated, stated_span : the count that it states
-    rounds : "for 5 rounds", with its place; refers : the rounds that it repeats, and their place
+    rounds : "for 5 rounds", with its place; refers : the rounds that it works again;
+        more : rounds that are worked after it
     hook : which chain from the hook its first stitch goes into, 0 when nothing is said; fresh : its items before that
     rings, ringed : how many rings it begins; it works into a ring that was made of a chain
     lift : chains before the ring's first stitch
-    sides : it goes on around the other side of its foundation chain
+    sides : it goes on around the other side of its foundation chain, after so many of its items (``turned``)
     ends : "close" or "open" when it says how its end is left
-    left : sentences that were not understood
+    left : sentences that were not understood, and why the first was not; doings : those that make no stitch
     asked : wordings that can be read in two ways → their place
+    pending : a magic ring still wants its stitches
+    fit : 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit
     """
 
     items: list[Item] = field(default_factory=list)
     stated: int | None = None
     stated_span: Span | None = None
     rounds: tuple[int, Span] | None = None
-    refers: tuple[int, int, Span] | None = None
+    refers: Refers | None = None
+    more: list[Refers] = field(default_factory=list)
     hook: int = 0
     fresh: int = 0
     rings: int = 0
     lift: int = 0
     ringed: bool = False
     sides: bool = False
+    turned: int = 0
     ends: str = ""
     left: list[list[Token]] = field(default_factory=list)
+    wrong: NotUnderstood | None = None
+    doings: list[list[Token]] = field(default_factory=list)
     asked: dict[str, Span] = field(default_factory=dict)
+    pending: bool = False
+    fit: int = 2
 
 
 class Reader(ABC):
@@ -68,6 +77,7 @@ class Reader(ABC):
         self.body = Body()
         self.ring: Token | None = None  # a magic ring that still wants its stitches
         self.before: Where | None = None  # "in next st", said before its stitches
+        self.leaves = 0  # stitches at the end that the repeat just read leaves
         self.depth = self.stars = 0  # brackets, and asterisks, that are open
 
     @abstractmethod

@@ -6,7 +6,7 @@ from typing import Literal
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item
-from tambour.crochet.printed.clauses import where
+from tambour.crochet.printed.clauses import to_last, where
 from tambour.crochet.printed.counts import Times, bracketed_count, checked, closing, counted_at, multiplier
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.reader import Reader
@@ -124,8 +124,10 @@ def repeated(r: Reader, found: list[Item], inner: list[Item], span: Span, star: 
         return
     c.at = begin
     given = times(r, star)
-    if given is not False:
-        found.append(Group(tuple(inner), *given))
+    if star and any(isinstance(i, Group) and i.times is None for i in inner):
+        found += inner  # a stray star: what it holds goes around by itself
+    elif given is not False:
+        found.append(Group(tuple(inner), *given, r.leaves if given[0] is None else 0))
     elif star:
         found.append(Group(tuple(inner), None, span))
     else:
@@ -137,6 +139,7 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
     """How often, by the words at the cursor: a number, or None for around, and its place; False when nothing is said."""
     c = r.c
     begin = c.at
+    r.leaves = 0
     while c.mark(",", ";", "-", ".", ":", "and") and (c.key("repeat", "around", ahead=1) or c.mark("x", ahead=1)):
         c.at += 1
     said = c.at if c.key("repeat") else -1
@@ -150,6 +153,9 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
             or (c.mark("-") and c.mark("*", ahead=-1))
             or (c.kind("word") and c.at - said < 6)
         ):
+            if c.key("to") and (many := to_last(c)) is not None:
+                r.leaves = many
+                return None, c.tokens[said].span
             if c.mark("*") and c.whole(1) is not None and not c.key("from", "to", "between", "and", ahead=-1):
                 break
             from_star = from_star or c.key("from")

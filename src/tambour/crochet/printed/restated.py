@@ -12,13 +12,14 @@ from tambour.crochet.language.finishes import RGB, Finish
 from tambour.crochet.language.items import MOST_IN_ONE
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import STARTS, STITCHES, STUFFING, Stitch, into_one
-from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
+from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Pattern, Section, written
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.special import heard
 from tambour.crochet.words.table import TERMS, Terms
 
 _COUNT: Final = re.compile(r"\s*\((\d{1,9})\)$")
 _SETTING: Final = re.compile(r"@(centroids|initializer) = ([\w-]+)$")
+_NOTE: Final = re.compile(r"\*[^*].*[^*]\*$")
 _STATED: Final = re.compile(r"\*\*(.+?):\*\* (.+)$")
 _ANEW: Final = ("mr", "goto", "oval", "fsc")
 """Actions with which other work begins, that has numbers of its own."""
@@ -216,6 +217,10 @@ class _Reader:
                 factor = about[1]["factor"] if amount == "factor" else STUFFING[amount]
                 draft.section = replace(draft.section, stuffing=factor)
             return
+        if _NOTE.match(line) and draft.lines:
+            note = Span(span.start + 1, span.end - 1)
+            draft.lines[-1] = replace(draft.lines[-1], notes=(*draft.lines[-1].notes, note))
+            return
         head = self.round.match(line)
         at, end = (head.end() if head else 0), len(line)
         if head is None:
@@ -232,7 +237,12 @@ class _Reader:
             stated = int(counted[1])
             stated_span = Span(span.start + counted.start(1), span.start + counted.end(1))
             end = counted.start()
-        items = self._items(line[at:end], span.start + at, 0)
+        again, whole = None, end
+        if head is not None:
+            begin = max(line.rfind(",", at, end) + 1, at)
+            again = self._again(line[begin:end], Span(span.start + begin, span.start + end))
+            whole = max(begin - 1, at) if again is not None else end
+        items = self._items(line[at:whole], span.start + at, 0) if whole > at else []
         times, number, times_span = 1, None, None
         if head is not None:
             number = int(head[1])
@@ -243,7 +253,21 @@ class _Reader:
             self._follows(number, number + times - 1, times_span)
         elif any(isinstance(i, Action) and i.name in _ANEW for i in items):
             self.source.last_number = None
-        draft.lines.append(Line(tuple(items), span, True, times, times_span, number, stated, stated_span))
+        draft.lines.append(Line(tuple(items), span, True, times, times_span, number, stated, stated_span, again))
+
+    def _again(self, words: str, span: Span) -> Again | None:
+        """Rounds that are written elsewhere; None where the words name none."""
+        found = self.phrases.read(words, ("again",))
+        if found is None:
+            return None
+        fields = found[1]
+        first, part = fields["first"], fields.get("part", "")
+        last = fields.get("last", first)
+        draft = next((d for d in self.drafts if d.section.name == part), None) if part else self.drafts[-1]
+        lines = written(draft.lines, first, last) if draft is not None else ()
+        if not lines:
+            raise _Unknown
+        return Again(lines, first, last, part, span)
 
     def _follows(self, first: int, last: int, at: Span) -> None:
         """Doubts a number of a round that does not follow the one before."""

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-from tambour.core.errors import Span
+from tambour.core.errors import Problem, Span
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
 from tambour.crochet.printed.assembly import Said
@@ -35,11 +36,20 @@ _KNOWN: Final = (
 )
 
 
+Height = Callable[[Mapping[str, tuple[str, Span]]], float]
+"""What a pattern states → the height of a round, mm: for lengths that are told in place of a number of rounds."""
+
+
+def plain_height(stated: Mapping[str, tuple[str, Span]]) -> float:
+    """The height where no gauge is known: 5 mm."""
+    return 5.0
+
+
 class State:
     """What is known of a text so far: its lines, its words, its parts, and what waits for the part that comes next."""
 
-    def __init__(self, source: Source) -> None:
-        self.source = source
+    def __init__(self, source: Source, high: Height) -> None:
+        self.source, self._high = source, high
         self.rows = rows(source.text.text)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
@@ -55,13 +65,25 @@ class State:
         self.passed: list[Span] = []
         self.understood = self.failed = self.row_at = 0
         self.early: dict[str, Any] = {}  # what is said of a part before its first round
+        self.unread: list[Problem] = []  # what was not understood, and rounds that were taken from their counts
+        self.left_out: list[Span] = []  # rounds without a count, or on no edge that is known
+        self.sound: set[int] = set()  # where rounds begin whose words make their counts
+        self.starred = False  # two asterisks stand before what comes next
         self.sentences: list[Said] = []  # of finishing, read once the parts are known
+
+    def height(self) -> float:
+        """The height of a round, mm, by what the pattern states so far."""
+        return self._high(self.stated)
+
+    def tell(self, message: str, hint: str, span: Span) -> None:
+        """Something that was not understood: told, and refused only when the reading is strict."""
+        self.unread.append(Problem(message, hint, span, self.source.text, warning=not self.source.strict))
 
     def begin(self, first: bool, span: Span) -> None:
         """Goes on with the part, or begins another."""
         last = self.parts[-1] if self.parts else None
         title = self.heading is not None and self.title is not None and self.heading.span == self.title[1]
-        if last is not None and last.begun() and not (first and (last.last or self.heading)):
+        if last is not None and last.begun() and not (first and (last.last or (self.heading and last.chain is None))):
             if self.heading is not None and not title:
                 self.passed.append(self.heading.span)
                 self.heading = None

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from dataclasses import replace
+from typing import Final, Literal
 
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STANDING, Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import Where, where
-from tambour.crochet.printed.counts import multiplier
+from tambour.crochet.printed.counts import makes, multiplier
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
 
 _TWO = ("inc", "dec")
+_STANDING: Final = {int(name[2]): name for name in STANDING if name[2] != "1"}
 _MOST = 64  # stitches in one place
+_FEW = 4  # "2 sc in next 3 sts" is two in each; of more, nobody means that
 
 
 def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
@@ -29,9 +32,16 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     if name == "slst" and _joins(r):
         found.append(Action("join", token.span))
         return
-    place = r.before or where(c)
+    place = r.before or where(c, name == "skip")
     if place is not None and place.kind == "hook":
         r.body.hook, r.body.fresh = place.ordinal, len(found)
+        if place.ordinal - 1 in _STANDING:
+            counts = c.mark("(") and c.key("count", ahead=1) and not c.key("not", ahead=2)
+            if not counts:
+                r.ask("passed", place.span)
+            if counts or "passed" in r.choices:  # the chains that are passed over are the first stitch
+                r.body.hook -= 1
+                found.append(Action(_STANDING[place.ordinal - 1], place.span))
         if r.before is not None:  # "starting in 2nd ch from hook: 5 sc"
             place = None
     r.before = None
@@ -39,7 +49,13 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         more = where(c)
         if more is not None and more.kind != "loops":
             more.loops, place = place.loops, more
-    if name == "slst" and place is not None and place.kind == "first":
+    if place is not None and place.kind == "joined" and found and _stands(found[-1]):
+        place.kind = "same"  # the chains stand there already
+    if place is not None and place.kind == "joined":
+        if any(map(makes, found)) and name != "slst":
+            raise NotUnderstood(token, "nothing was joined here", "say which stitch it goes into")
+        place.kind = "first"  # the stitch that the round before was joined with is still to be worked
+    if name == "slst" and place is not None and place.kind == "first" and any(map(makes, found)):
         r.to_separator()
         found.append(Action("join", token.span))
         return
@@ -58,7 +74,14 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     ):
         _ring(r, found, name, number, token)
         return
+    if name == "ch" and place is None and not any(map(makes, found)) and not r.depth and _may_stand(r, number):
+        r.ask("stands", token.span)
+        if "stands" in r.choices:
+            found.append(Action(_STANDING[number.value], token.span))  # type: ignore[union-attr]
+            return
     made = _lower(r, found, name, before, after, token, place)
+    if place is not None and place.final:
+        _room(r, found, made)
     given = multiplier(r) if place is None or place.kind != "around" else False
     if given is not False:
         times, span = given
@@ -76,6 +99,33 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
             c.at = begin
             break
         found += _lower(r, found, name, before, after, token, place)
+
+
+def _stands(item: Item) -> bool:
+    """Whether an item is chains that count as a stitch."""
+    return isinstance(item, Action) and item.name in STANDING
+
+
+def _may_stand(r: Reader, number: Token | None) -> bool:
+    """Whether so many chains may count as a stitch, and nothing says that they do not."""
+    c = r.c
+    if number is None or number.value not in _STANDING or c.look() is None:
+        return False
+    said = c.tokens[c.at : c.at + 8]
+    return not (c.mark("(", "[") and any(t.kind == "key" and t.value in ("not", "count") for t in said))
+
+
+def _room(r: Reader, found: list[Item], made: list[Item]) -> None:
+    """Leaves room before the stitches of a round's end ("1 sc in last st") in the repeat around that stands before them."""
+    for k in range(len(found) - 1, -1, -1):
+        item = found[k]
+        if isinstance(item, Group) and item.times is None:
+            after = [*found[k + 1 :], *made]
+            takes = [
+                r.stitches[i.name].takes * i.times for i in after if isinstance(i, Action) and i.name in r.stitches
+            ]
+            found[k] = replace(item, leaves=sum(takes))
+            return
 
 
 def _joins(r: Reader) -> bool:
@@ -165,14 +215,15 @@ def _lower(
     if place.spaces:
         return placed(r, found, [Action(name, token.span, k or 1, at)], place, token.span)
     if place.kind == "around":
-        if k is None or (after is not None and k == 1):
-            return [Group((Action(name, token.span),), None, place.span)]
+        if k is None or k == 1:
+            skipped = (Action("skip", place.span),) if place.other else ()
+            return [Group((Action(name, token.span), *skipped), None, place.span, place.leaves)]
         if name in ("ch", "skip", "slst") or kind.makes != 1 or kind.takes != 1:
             return [Action(name, token.span, k, at)]
         if not place.each and before is not None and k < 4:
             r.ask("all", place.span)
         if place.each or (before is not None and k < 4 and "all" not in r.choices):
-            return [Group((_together(r, [(kind, k)], token),), None, place.span)]
+            return [Group((_together(r, [(kind, k)], token),), None, place.span, place.leaves)]
         return [Action(name, token.span, k, at)]
     if place.kind == "same" or (place.kind == "hook" and (k or 1) > 1):
         return placed(r, found, [Action(name, token.span, k or 1, at)], place, token.span)
@@ -190,13 +241,16 @@ def _lower(
         return [Action(name, token.span, k or max(fits, 1), at or place.span)]
     if kind.makes > 1:
         return [Action(name, token.span, count if count > 1 else k or 1, place.span)]
-    if k is None or k == 1 or (k == count and not place.each and count > 1):
+    if k is None or k == 1:
         return [Action(name, token.span, count, place.span)]
-    if place.each or count == 1:
+    if not place.each and count > 1:
+        if k % count == 0:
+            r.ask("places", place.span)
+        if k % count == 0 and "places" not in r.choices:  # "6 sc in next 3 sts": two in each
+            one = _together(r, [(kind, k // count)], token)
+            return [Action(one.name, one.span, count, place.span)]
+    if place.each or count == 1 or k < _FEW:
         one = _together(r, [(kind, k)], token)
-        return [Action(one.name, one.span, count, place.span)]
-    if k % count == 0:
-        one = _together(r, [(kind, k // count)], token)
         return [Action(one.name, one.span, count, place.span)]
     raise NotUnderstood(given or token, f"{k} stitches do not go evenly into {count}", "say how many go into each")
 
@@ -222,7 +276,7 @@ def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: 
         return [_together(r, parts, token, "ring")]
     one = _together(r, parts, token, "sp" if place.spaces else "")
     if place.kind == "around":
-        return [Group((one,), None, place.span)]
+        return [Group((one,), None, place.span, place.leaves)]
     return [Action(one.name, one.span, place.count, place.span)]
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, Final
 
 from tambour.core.errors import Span
@@ -16,6 +18,7 @@ _TOKEN: Final = re.compile(
     r"|(?P<word>[^\W\d_][\w'’]*)"
     r"|(?P<mark>\*\*+|\*|--+|[^\s\w]|_+)"
 )
+_SPLIT: Final = re.compile(r"/f_([il]) ")  # a ligature that a page lost: "/f_i rst"
 _DASHES: Final = dict.fromkeys("–—−‐‑-", "-") | {"--": "-", "---": "-"}
 _MARKS: Final = {"×": "x", "✕": "x", "✖": "x", "∗": "*", "⁎": "*", "＊": "*", "“": '"', "”": '"', "、": ",", "：": ":"}
 _LONGEST: Final = 9  # digits of a number that is taken for one
@@ -30,6 +33,7 @@ class Token:
     start, end : its characters in the text
     value : a number's value; what a word means
     glued : nothing stands between it and the token before
+    capital : it begins with a capital letter
     """
 
     kind: str
@@ -38,6 +42,7 @@ class Token:
     end: int
     value: Any = None
     glued: bool = False
+    capital: bool = False
 
     @property
     def span(self) -> Span:
@@ -58,6 +63,7 @@ class Row:
 def rows(text: str) -> list[Row]:
     """The lines of ``text``; Markdown's signs of weight, quotation and lists are taken off."""
     made: list[Row] = []
+    text = _SPLIT.sub(r"   f\1", text)  # places stay as they are
     tokens: list[Token] = []
     start = last = 0
     for found in _TOKEN.finditer(text):
@@ -70,6 +76,7 @@ def rows(text: str) -> list[Row]:
         value: Any = None
         if kind == "word":
             word = word.lower().replace("’", "'")
+            word = word if word.isascii() else unicodedata.normalize("NFKC", word)  # ligatures of a typeset page
             word = word.removesuffix("'s").rstrip("'")
             if word == "a" and found[0] == "A" and tokens:
                 value = "A"  # it may be a yarn's letter, where an article would be small
@@ -84,7 +91,8 @@ def rows(text: str) -> list[Row]:
             word = _DASHES.get(word, _MARKS.get(word, word))
         if word == "\\":
             continue
-        tokens.append(Token(kind or "mark", word, at, end, value, bool(tokens) and at == last))
+        capital = found[0][0].isupper()
+        tokens.append(Token(kind or "mark", word, at, end, value, bool(tokens) and at == last, capital))
         last = end
     made.append(_row(tokens, start, len(text)))
     return made
@@ -104,7 +112,7 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
         tokens.pop()
     tokens = tokens[at:]
     weights = [t for t in tokens if t.word in _WEIGHTS]
-    if weights:
+    if weights and not any(b.word in _WEIGHTS and a.word in _PAIRED for a, b in pairwise(tokens)):
         if len(weights) == 2 and tokens[0] is weights[0] and not marked:
             marked = int(tokens[-1] is weights[1] or (tokens[-1].word == ":" and tokens[-2] is weights[1]))
         # A closing pair that a repeat follows is a repeat's sign; any other is weight.
@@ -113,6 +121,7 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
     return Row(tokens, start, end, marked)
 
 
+_PAIRED: Final = frozenset(("from", "to", "between"))  # "rep from ** to **": no weight
 _WEIGHTS: Final = frozenset(("**", "***", "__", "___"))
 _LEADING: Final = frozenset("#>•◦▪●○■□★☆♥❤·*-+|")
 

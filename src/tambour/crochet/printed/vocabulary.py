@@ -61,7 +61,9 @@ class Vocabulary:
             for word in said:
                 for n in range(2, 6):
                     what = f"{prefix}dec{n if n > 2 else ''}"
-                    self._add([f"{word}{n}tog", f"{word} {n} tog", f"{word} {n} together"], "stitch", what)
+                    self._add(
+                        [f"{word}{n}tog", f"{word} {n} tog", f"{word}{n} tog", f"{word} {n} together"], "stitch", what
+                    )
                 for inc in heard.increases:
                     self._add([f"{word} {inc}", f"{word}{inc}"], "stitch", f"{prefix}inc")
                     self._add([f"{word} {inc} 3", f"{word}{inc}3"], "stitch", f"{prefix}inc3")
@@ -133,12 +135,19 @@ class Vocabulary:
                 continue
             last = tokens[end - 1]
             word = token.word if end == at + 1 else " ".join(t.word for t in tokens[at:end])
-            made.append(Token(kind, word, token.start, last.end, value, token.glued))
-            # The point of an abbreviation: "rnd. 4", "sl. st. in".
-            if end < n and tokens[end].word == "." and tokens[end].glued and end + 1 < n and kind in ("stitch", "key"):
+            made.append(Token(kind, word, token.start, last.end, value, token.glued, token.capital))
+            # The point of an abbreviation: "rnd. 4", "rep. from"; before a capital it ends the sentence.
+            if end + 1 < n and tokens[end].word == "." and tokens[end].glued and kind == "key" and len(token.word) <= 4:
                 after = tokens[end + 1]
-                if not after.glued and (after.kind == "number" or after.kind == "word") and len(token.word) <= 4:
-                    end += 1 if kind == "key" and value in ("round", "row", "repeat", "stitch") else 0
+                if value in ("round", "row"):
+                    ordinal = bool(made) and len(made) > 1 and made[-2].kind == "ordinal"  # "as 3rd rnd. 18 sc."
+                    end += (
+                        not ordinal
+                        and not after.glued
+                        and (after.kind == "number" or (after.kind == "word" and not after.capital))
+                    )
+                elif value in ("repeat", "stitch"):
+                    end += not after.glued and after.kind == "word" and not after.capital
             at = end
         return made
 

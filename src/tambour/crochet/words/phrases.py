@@ -37,6 +37,7 @@ ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
     "foundation": ("fsc", ()),
     "fold": ("fold", ()),
     "fold to": ("fold", ()),
+    "gap": ("gap", ()),
 }
 """Sentence → the action that it says, and the numbers that it implies."""
 
@@ -297,7 +298,7 @@ class Phrases:
             return r"[A-Z]\d*"
         if field == "hex":
             return r"#[0-9a-f]{6}"
-        if field in ("count", "next"):
+        if field in ("count", "next", "first", "last"):
             return r"\d{1,9}"
         if field in ("name", "item", "items"):
             return ".+?"
@@ -318,7 +319,7 @@ class Phrases:
             return [self._place(piece) for piece in words.split(";")]
         if field in ("label", "one", "other", "letter", "name", "item", "items"):
             return words.upper() if field == "letter" else words
-        return int(words) if field in ("count", "next") else float(words)
+        return int(words) if field in ("count", "next", "first", "last") else float(words)
 
     def _place(self, words: str) -> tuple[float, float | None]:
         found = self.read(words, ("at between", "at round"))

@@ -39,6 +39,8 @@ SENTENCES: Final = {
     "foundation": "count",  # single crochets that make their own chain
     "fold": "",  # through both layers of the edge, folded
     "fold to": "label",
+    "again": "first last part",  # rounds that are written elsewhere
+    "gap": "count",  # a round that nobody could read, and how many stitches it has
     # Stitches worked into one place.
     "one stitch": "items",
     "one space": "items",

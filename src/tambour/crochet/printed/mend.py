@@ -1,0 +1,143 @@
+"""Printed patterns, mended: rounds that cannot be worked as they were read become gaps, so that the rest can be."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tambour.core.errors import Problem, Span, TambourError
+from tambour.crochet.graph.build import Built, build
+from tambour.crochet.language.stitches import Stitch
+from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
+
+_ROUNDS = 60  # times that a part is worked to find the next fault
+_TRIES = 6  # times that the whole is
+
+
+def is_start(item: Item, stitches: dict[str, Stitch]) -> bool:
+    """Whether an item begins a piece of work."""
+    if isinstance(item, Group):
+        return any(is_start(i, stitches) for i in item.items)
+    if item.name in ("mr", "ch", "oval", "fsc", "goto", "attach"):
+        return True
+    return item.name in stitches and stitches[item.name].where == "ring"
+
+
+def mended(pattern: Pattern) -> tuple[Pattern, Built | None, list[Problem]]:
+    """``pattern`` with gaps for the rounds that the hook cannot work, worked, and what is told of each gap.
+
+    Each part is mended by itself, so that only those with a fault are worked more than once; None in place of the work
+    where it still cannot be done.
+    """
+    told: list[Problem] = []
+    for _ in range(_TRIES):
+        try:
+            return pattern, build(pattern), told
+        except TambourError as error:
+            wrong = [p for p in error.problems if not p.warning and p.span is not None]
+        parts = []
+        for section in pattern.parts:
+            if any(_inside(p.span, line) for p in wrong for line in section.lines):
+                section, found = _section(pattern, section)
+                told += found
+            parts.append(section)
+        if tuple(parts) == pattern.parts:
+            break
+        pattern = replace(pattern, parts=tuple(parts))
+    return pattern, None, told
+
+
+def agreed(pattern: Pattern, built: Built, sound: set[int]) -> tuple[Pattern, Built, list[Problem]]:
+    """The same with gaps where the hook makes another count than the one stated, though the words do make it on the count
+    that is stated below: there something before was read wrongly, and it is no mistake of the text.
+
+    sound : where the lines begin whose words make their counts
+    """
+    told: list[Problem] = []
+    for _ in range(_TRIES):
+        wrong = [
+            p
+            for p in built.warnings
+            if p.span is not None and p.message.startswith("the pattern says") and _sound(pattern, p.span, sound)
+        ]
+        firsts = {next(k for k, s in enumerate(pattern.parts) if _within(p.span, s)): p for p in reversed(wrong)}
+        if not firsts:
+            break
+        parts = list(pattern.parts)
+        for k, problem in firsts.items():
+            lines = []
+            for line in parts[k].lines:
+                at = line.stated_span
+                if at is not None and at == problem.span and line.stated:
+                    line = replace(line, items=(Action("gap", at, numbers=(line.stated,)),), again=None)
+                lines.append(line)
+            said = f"this round does not fit the one below as that was read: it is taken from its count, {_stated(lines, problem)}"
+            told.append(replace(problem, message=said, warning=True))
+            parts[k] = replace(parts[k], lines=tuple(lines))
+        pattern, again, found = mended(replace(pattern, parts=tuple(parts)))
+        told += found
+        if again is None:
+            break
+        built = again
+    return pattern, built, told
+
+
+def _stated(lines: list[Line], problem: Problem) -> int:
+    return next((line.stated or 0 for line in lines if line.stated_span == problem.span), 0)
+
+
+def _within(span: Span | None, section: Section) -> bool:
+    return any(line.stated_span == span for line in section.lines)
+
+
+def _sound(pattern: Pattern, span: Span, sound: set[int]) -> bool:
+    return any(
+        line.stated_span == span and line.span.start in sound and not line.gap
+        for s in pattern.parts
+        for line in s.lines
+    )
+
+
+def _section(pattern: Pattern, section: Section) -> tuple[Section, list[Problem]]:
+    """One part with gaps where the hook fails."""
+    told: list[Problem] = []
+    for _ in range(_ROUNDS):
+        try:
+            build(replace(pattern, parts=(replace(section, copies=1, copies_span=None),)))
+        except TambourError as error:
+            wrong = [p for p in error.problems if not p.warning and p.span is not None]
+            (mended,), found = _gaps(replace(pattern, parts=(section,)), wrong)
+            if mended == section:
+                return section, told
+            section = mended
+            told += found
+            continue
+        break
+    return section, told
+
+
+def _gaps(pattern: Pattern, wrong: list[Problem]) -> tuple[tuple[Section, ...], list[Problem]]:
+    """The parts with a gap in place of each line that a problem stands in."""
+    told: list[Problem] = []
+    parts = []
+    for section in pattern.parts:
+        lines: list[Line] = []
+        for line in section.lines:
+            problem = next((p for p in wrong if _inside(p.span, line)), None)
+            if problem is None:
+                lines.append(line)
+                continue
+            count = line.stated or next((one.stated for one in reversed(lines) if one.stated), None)
+            at = line.stated_span or line.span
+            gap: tuple[Item, ...] = (Action("gap", at, numbers=(count or 1,)),)
+            if line.gap or not count or not line.in_round:
+                said = f"{problem.message}: this round is left out"
+            else:
+                said = f"{problem.message}: this round is taken from its count, {count}"
+                lines.append(replace(line, items=gap, again=None))
+            told.append(replace(problem, message=said, warning=True))
+        parts.append(replace(section, lines=tuple(lines)))
+    return tuple(parts), told
+
+
+def _inside(span: Span | None, line: Line) -> bool:
+    return span is not None and line.span.start <= span.start and span.end <= line.span.end

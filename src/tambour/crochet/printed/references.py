@@ -1,0 +1,131 @@
+"""Printed patterns, references: rounds that are named instead of written ("as Rnds 2-4 of Head", "rep last rnd 3 times more")."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.printed.counts import multiplier
+from tambour.crochet.printed.cursor import Cursor, NotUnderstood, Refers
+from tambour.crochet.printed.heads import list_of_numbers, list_of_ordinals
+from tambour.crochet.printed.reader import Reader
+from tambour.crochet.printed.tokens import Token
+
+_UNITS: Final = {"in": 25.4, "ins": 25.4, "inch": 25.4, "inches": 25.4, '"': 25.4, "cm": 10.0, "mm": 1.0}
+_FRACTIONS: Final = {"¼": 0.25, "½": 0.5, "¾": 0.75, "⅓": 1 / 3, "⅔": 2 / 3, "⅛": 0.125}
+_GIVEN: Final = frozenset(
+    ("given", "instructions", "directions", "instructed", "written", "described", "done", "previously")
+)
+_ENDS: Final = (".", ",", ";", "(", ")", "[", "]", "-", ":", "*", "**", "***", "=")
+
+
+def refers(r: Reader) -> Refers | None:
+    """The reference at the cursor, which goes on to the end of its clause; None, the cursor unmoved, where none is said."""
+    c = r.c
+    begin = c.at
+    first = c.tokens[begin]
+    repeats = c.key("repeat")
+    while c.key("repeat", "as", "same", "for", "in", "from", "each") or (
+        c.kind("word") and c.tokens[c.at].word in _GIVEN
+    ):
+        if c.key("from") and c.mark("*", "**", "***", ahead=1):
+            break
+        if c.key("each", "in", "from") and not (c.key("round", "row", ahead=1) or c.kind("word", 1)):
+            break
+        c.at += 1
+    found: Refers | None = None
+    numbers: list[int] = []
+    if c.key("from") and c.mark("**", "***", ahead=1) and c.key("to", ahead=2) and c.mark("**", "***", ahead=3):
+        c.at += 4
+        found = Refers(first.span, marks=True)
+    elif c.key("last") and (
+        c.key("round", "row", ahead=1) or (c.whole(1) is not None and c.key("round", "row", ahead=2))
+    ):
+        many = c.whole(1)
+        c.at += 2 if many is None else 3
+        found = Refers(first.span, latest=1 if many is None else many)
+    elif c.key("round", "row") and c.whole(1) is not None:
+        c.at += 1
+        list_of_numbers(c, numbers)
+        found = Refers(first.span, tuple(numbers))
+    elif (c.kind("ordinal") or c.kind("number")) and list_of_ordinals(c, numbers):
+        found = Refers(first.span, tuple(numbers))
+    elif not repeats and c.at > begin and c.look() is not None and not c.kind("number"):
+        found = Refers(first.span)
+    if found is None:
+        c.at = begin
+        return None
+    times, length, whole = None, None, True
+    words: list[str] = []
+    through, mirrored = 0, False
+    while (token := c.look()) is not None and not (token.kind == "mark" and token.word in _ENDS):
+        if (given := multiplier(r)) is not False:
+            times = given[0]
+            if c.skip_key("more"):
+                c.skip_key("times")
+            continue
+        if c.whole() is not None and c.key("more", ahead=1):
+            times = c.whole()
+            c.at += 2
+            c.skip_key("times")
+        elif c.key("until") or (c.key("to") and c.key("measures", ahead=2)):
+            length, whole = _length(c)
+        elif (
+            (c.key("to") and c.key("round", "row", ahead=1) and c.whole(2) is not None)
+            or (token.word in ("through", "thru") and c.key("round", "row", ahead=1) and c.whole(2) is not None)
+            or (
+                c.key("in")
+                and token.word in ("through", "thru")
+                and c.key("round", "row", ahead=1)
+                and c.whole(2) is not None
+            )
+        ):
+            through = c.whole(2) or 0
+            c.at += 3
+        elif token.word in ("reversing", "reverse", "reversed"):
+            mirrored = True
+            c.at += 1
+        else:
+            if token.kind in ("word", "ordinal", "stitch") or (
+                token.kind == "key" and token.value not in ("as", "for", "in", "from")
+            ):
+                words += [] if token.word in _GIVEN or token.word == "alternately" else [token.word]
+            c.at += 1
+    part = " ".join(words)
+    if not (numbers or found.latest or found.marks or part):
+        c.at = begin
+        return None
+    if len(words) > 5:
+        raise NotUnderstood(first, "what is repeated here is not understood", "name the rounds: as Rnds 2-4 of Head")
+    span = Span(first.start, c.tokens[c.at - 1].end)
+    return Refers(span, found.numbers, found.latest, found.marks, through, part, times, length, whole, mirrored)
+
+
+def _length(c: Cursor) -> tuple[float | None, bool]:
+    """Goes on to the end of "until work measures 3 ins from beg" and gives the length, mm."""
+    length, whole = None, True
+    while (token := c.look()) is not None and not (token.kind == "mark" and token.word in (".", ",", ";", "(", "[")):
+        if token.kind == "number" and length is None:
+            value = float(token.value)
+            ahead = 1
+            part = c.look(ahead)
+            if part is not None and part.word in _FRACTIONS:
+                value += _FRACTIONS[part.word]
+                ahead += 1
+            elif c.whole(ahead) is not None and c.mark("/", ahead=ahead + 1) and c.whole(ahead + 2):
+                value += (c.whole(ahead) or 0) / (c.whole(ahead + 2) or 1)
+                ahead += 3
+            unit = c.look(ahead)
+            if unit is not None and unit.word in _UNITS:
+                length = value * _UNITS[unit.word]
+                c.at += ahead
+        elif token.word in _FRACTIONS and (unit := c.look(1)) is not None and unit.word in _UNITS and length is None:
+            length = _FRACTIONS[token.word] * _UNITS[unit.word]
+        whole = whole and not (token.kind == "key" and token.value == "marker") and token.word != "marked"
+        c.at += 1
+    return length, whole
+
+
+def sentence(tokens: list[Token]) -> bool:
+    """Whether a sentence between the rounds may be a reference."""
+    return bool(tokens) and any(t.kind == "key" and t.value in ("repeat", "as", "same") for t in tokens[:4])
