@@ -40,7 +40,7 @@ def sections(built: Built) -> Iterator[tuple[Section, int, list[Written]]]:
     keep: list[Done] = []
     section: Section | None = None
     part = first = -1
-    numbered: dict[str, set[int]] = {}  # the numbers under which a part's rounds can be read
+    numbered: dict[str, dict[int, Written]] = {}  # under which numbers a part's rounds can be read
     for done in [*built.log, Done("part", 1, (-1, 1))]:
         if done.what == "part":
             if section is not None:
@@ -52,20 +52,22 @@ def sections(built: Built) -> Iterator[tuple[Section, int, list[Written]]]:
             keep.append(done)
 
 
-def _lines(section: Section, log: list[Done], numbered: dict[str, set[int]]) -> list[Written]:
+def _lines(section: Section, log: list[Done], numbered: dict[str, dict[int, Written]]) -> list[Written]:
     numbers = [None if line.number is None else line.number + k for line in section.lines for k in range(line.times)]
     made: list[Written] = []
-    own = numbered.setdefault(section.name, set())
+    own = numbered.setdefault(section.name, {})
     line: list[Done] = []
     notes: list[str] = []
     in_round, last, at = False, 0, 0
     again: Done | None = None
+    named: list[Written | None] = []  # the rounds that are worked again
     rest, since = 0, 0  # rounds still to come of those worked as others, and where in ``made`` they begin
     for done in log:
         if done.what == "again":
             again, rest, since = done, done.times, len(made)
-            known = numbered.get(done.labels[0] or section.name, set())
-            if not set(range(done.numbers[0], done.numbers[1] + 1)) <= known:
+            known = numbered.get(done.labels[0] or section.name, {})
+            named = [known.get(n) for n in range(done.numbers[0], done.numbers[1] + 1)]
+            if None in named:
                 again, rest = None, 0
         elif done.what in ("round", "line"):
             in_round, line, notes = done.what == "round", [], []
@@ -82,13 +84,18 @@ def _lines(section: Section, log: list[Done], numbered: dict[str, set[int]]) -> 
             if makes and not (chain and not any(d.what in ("mr", "oval", "fsc") for d in line)):
                 last = last + 1 if number is None else number
                 number = last
-                own.add(last)
             else:
                 number = 0
             written = Written(number, 1, makes, tuple(brackets(line)), done.times if makes else 0, tuple(notes))
             before = made[-1] if made else None
+            if number:
+                own[number] = written
             if again is not None:
                 made.append(written)
+                like = named[(len(made) - 1 - since) % len(named)]
+                if like is None or not _alike(like, written, bool(_lead(made[since])) and len(made) - 1 == since):
+                    again = None  # on another number of stitches the same words come to others: written out
+                    continue
                 rest -= 1
                 if not rest:
                     lead = tuple(((d,), 1) for d in _lead(made[since]))
@@ -101,6 +108,16 @@ def _lines(section: Section, log: list[Done], numbered: dict[str, set[int]]) -> 
                     made[-1] = replace(before, number=0)  # the chain that this round is worked on
                 made.append(written)
     return made
+
+
+def _alike(one: Written, other: Written, led: bool) -> bool:
+    """Whether the same things are done in two rounds; ``led``: but for the colour that the other begins with."""
+
+    def plain(line: Written) -> list[tuple[object, ...]]:
+        pieces = line.pieces[1:] if led and _lead(line) else line.pieces
+        return [(tuple(map(_key, unit)), n) for unit, n in pieces]
+
+    return plain(one) == plain(other)
 
 
 def _lead(line: Written) -> list[Done]:

@@ -78,7 +78,7 @@ def count(r: Reader, found: list[Item]) -> bool:
     """A count without brackets: ``= 18``, ``- 18 sts``, ``18 sts`` or, as a sentence of its own, ``18 sc``."""
     c = r.c
     sign = int(c.mark("-", "=", ":"))
-    if not (any(map(makes, found)) or r.body.left) or not ends_with_number(r, sign):
+    if not (any(map(makes, found)) or r.body.left or r.body.refers) or not ends_with_number(r, sign):
         return False
     alone = c.mark(".", "|", ";", "-", ")", "]", ahead=-1) or c.key("join", "turn", "around", ahead=-1)
     if not sign and not c.key("stitch", "total", ahead=1) and not alone:

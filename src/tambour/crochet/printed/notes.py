@@ -178,6 +178,8 @@ def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
     """
     at = next((k for k, t in enumerate(tokens[:7]) if t.word in ("=", ":")), 0)
     name, said = tokens[:at], tokens[at + 1 :]
+    if len(name) == 1 and name[0].kind == "stitch" and said and name[0].word.endswith("st"):
+        return [name[0].word.replace(" - ", "-") + "s"], name[0].value  # its plural
     if not name or not said or len(name) > 6 or (len(name) == 1 and name[0].kind == "stitch"):
         return None
     if any(t.kind in ("number", "ordinal") or t.word in "()[]" for t in name):

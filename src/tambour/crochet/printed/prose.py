@@ -77,7 +77,8 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         return
     if found is not None and (found.marked or found.strong or p.mode not in ("materials", "abbreviations", "notes")):
         # A marked heading ends the list that stands before it, and notes end where a part is headed.
-        p.mode = "" if found.marked or p.mode == "notes" else p.mode
+        alone = found.strong and p.row_at > 0 and not p.rows[p.row_at - 1].tokens
+        p.mode = "" if found.marked or p.mode == "notes" or alone else p.mode
         if p.title is None:
             p.title = (text[found.span.start : found.span.end], found.span)
             p.heading = found if found.strong else None
