@@ -16,6 +16,7 @@ from tambour.embroidery.regions.read import of_shapely, to_shapely
 SATIN = 7.0  # mm: limbs up to this width are satin
 SPLIT = 12.1  # mm: up to this satin that is split, above it tatami
 BODY = 0.15  # share of an area that may be wider and still be left to what satin leaves
+ROUND = 17.0  # length² / area of a dot: 12.6 for a disc, 16 for a square, 18 for a bar twice as long as wide
 ROWS = ("tatami", "gradient")
 
 
@@ -32,6 +33,8 @@ def decided(found: Sequence[Region]) -> tuple[Region, ...]:
 
 def stitch_of(area: Any) -> str:
     """Satin or tatami for one shapely polygon, by the share of it that is wider than satin can be."""
+    if not area.interiors and area.length**2 < ROUND * area.area:
+        return "tatami"  # a dot has no middle line to sew along
     if _wider(area, SATIN) <= BODY:
         return "satin"
     # Between the two a plain long shape is satin that is split; what branches or turns back is better filled.
