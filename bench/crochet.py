@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Generator
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from tambour.crochet.language.parse import parse
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.settle.body import State, centroid_counts
 from tambour.crochet.settle.plain_steps import step
-from tambour.crochet.settle.rest import settle, tolerance
+from tambour.crochet.settle.rest import Rest, settle, tolerance
 from tambour.geometry.motion import fit
 
 NEAR = 0.1
@@ -46,6 +47,16 @@ def apart(a: np.ndarray, b: np.ndarray) -> float:
     return float(np.sqrt(((a @ turn.T + shift - b) ** 2).sum(1).mean()))
 
 
+def at_rest(moves: Generator[tuple[int, int], None, Rest]) -> Rest:
+    """All the moves, and how they ended."""
+    while True:
+        try:
+            next(moves)
+        except StopIteration as over:
+            rest: Rest = over.value
+            return rest
+
+
 def compare(name: str, stuffing: str, cap: float) -> None:
     """One row: settle by its own stop rule, and steps until they are as near the deep solve."""
     built = build(parse(Text(SHAPES[name], name)))
@@ -60,13 +71,13 @@ def compare(name: str, stuffing: str, cap: float) -> None:
     for _ in range(3):
         state = fresh()
         began = time.perf_counter()
-        rest = settle(body, state)
+        rest = at_rest(settle(body, state))
         best = min(best, time.perf_counter() - began)
         if best > 5:
             break
     assert rest is not None
     deep = State(state.x.copy(), state.c.copy(), np.zeros(1))
-    end = settle(body, deep, goal=tolerance(len(graph)) / 100, most=6000)
+    end = at_rest(settle(body, deep, goal=tolerance(len(graph)) / 100, most=6000))
     error = apart(state.x, deep.x)
 
     plain, spent, count, chunk = fresh(), 0.0, 0, 20
@@ -80,7 +91,7 @@ def compare(name: str, stuffing: str, cap: float) -> None:
     off = apart(plain.x, deep.x)
     if off > 1.0:  # perhaps another equilibrium: then it is steps' own that counts
         own = State(plain.x.copy(), plain.c.copy(), np.zeros(1))
-        settle(body, own, goal=tolerance(len(graph)) / 100, most=6000)
+        at_rest(settle(body, own, goal=tolerance(len(graph)) / 100, most=6000))
         other = f", steps head for another shape ({apart(own.x, deep.x):.1f} off)" if apart(own.x, deep.x) > 1 else ""
     else:
         other = ""
