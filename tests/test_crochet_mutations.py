@@ -4,6 +4,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -52,6 +53,7 @@ def damaged(text, edits, moves):
     return "\n".join(lines)
 
 
+@pytest.mark.slow
 @settings(max_examples=2000, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(st.sampled_from(TEXTS), st.lists(EDIT, min_size=1, max_size=4), st.lists(LINES, max_size=1))
 def test_a_damaged_pattern_is_a_graph_or_a_located_error(whole, edits, moves):

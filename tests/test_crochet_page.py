@@ -62,6 +62,7 @@ def said(drawings: tuple[Drawing, ...]) -> str:
     return "\n".join(label.text for page in drawings for label in page.labels)
 
 
+@pytest.mark.slow
 def test_the_booklet_says_everything() -> None:
     text = said(booklet(designer="Anna Weaver", title="A small toy"))
     for wanted in (
@@ -196,6 +197,7 @@ def test_headings_stay_with_rounds_and_columns_are_even() -> None:
     assert abs(counts[0] - counts[1]) <= 6
 
 
+@pytest.mark.slow
 def test_pictures_hold_the_toy() -> None:
     cover = booklet(title="A small toy", designer="Anna Weaver")[0].images[0].picture.rgba
     assert cover.shape[1] > 1500  # 200 dots an inch over the page

@@ -2,8 +2,9 @@
 
 ``command.txt`` holds the words after ``tambour``, with {out} for an output folder, {case} for the case's folder and
 {examples} for the examples; every other file is what the command must leave in {out} under that name. Texts are equal
-when their words are equal and their numbers agree to 1e-6 of the largest (or to the number in a file ``tolerance``);
-pictures are not compared. ``pytest --update-golden`` records them anew.
+when their words are equal and their numbers agree: each to 1e-6 (or the number in a file ``tolerance``) of the largest
+number that stands under the same word, for those share a unit, and to one of its own last digit where it was rounded.
+A file ``slow`` says why the case is slow. Pictures are not compared. ``pytest --update-golden`` records them anew.
 """
 
 from __future__ import annotations
@@ -19,9 +20,17 @@ import pytest
 from tambour.cli import main
 
 HERE = Path(__file__).parent / "golden"
-CASES = sorted(p.parent for p in HERE.glob("*/*/command.txt"))
+CASES = [
+    pytest.param(
+        p.parent, marks=[pytest.mark.slow] if (p.parent / "slow").exists() else [], id=f"{p.parts[-3]}/{p.parts[-2]}"
+    )
+    for p in sorted(HERE.glob("*/*/command.txt"))
+]
 NUMBER = re.compile(r"-?(?:\d+\.\d*|\.\d+|\d+)(?:[eE][-+]?\d+)?")
-ASIDE = {"command.txt", "tolerance"}
+NAMED = re.compile(rf"([A-Za-z_][\w-]*)|({NUMBER.pattern})")
+ROUNDED = 4  # decimals up to which a number counts as rounded
+LEAST = 1e-3  # numbers under a word that are all smaller are told apart as if one were so large
+ASIDE = {"command.txt", "tolerance", "slow"}
 VOLATILE = re.compile(r'^ {2}"(?:seconds|version|files)": .*(?:\n {4}.*)*(?:\n {2}[}\]],?)?\n', re.M)
 
 
@@ -33,13 +42,26 @@ def difference(made: str, golden: str, tolerance: float) -> str:
             if a != b:
                 return f"line {n}: {a[:200]!r}, golden {b[:200]!r}"
         return f"{made.count(chr(10))} lines, golden {golden.count(chr(10))}"
-    ours, theirs = ([float(n) for n in NUMBER.findall(t)] for t in (made, golden))
-    size = max(map(abs, theirs), default=0.0)
-    for k, (a, b) in enumerate(zip(ours, theirs)):
-        # The last digit of a rounded number may fall either way.
-        if abs(a - b) > tolerance * max(size, 1.0) + 1.01e-3 * (a != round(a)):
-            return f"number {k}: {a}, golden {b}"
+    ours, theirs = (numbers(t) for t in (made, golden))
+    sizes: dict[str, float] = {}
+    for word, spelt in theirs:
+        sizes[word] = max(sizes.get(word, LEAST), abs(float(spelt)))
+    for (_, a), (word, b) in zip(ours, theirs):
+        digits = len(b.partition(".")[2]) if "e" not in b.lower() else ROUNDED + 1
+        last = 1.01 * 10.0**-digits if 0 < digits <= ROUNDED else 0.0
+        if abs(float(a) - float(b)) > tolerance * sizes[word] + last:
+            return f"{word}: {a}, golden {b}"
     return ""
+
+
+def numbers(text: str) -> list[tuple[str, str]]:
+    """All numbers of a text, each with the last word before it: a key, an attribute, a command of a path."""
+    found, word = [], ""
+    for name, number in NAMED.findall(text):
+        word = name or word
+        if number:
+            found.append((word, number))
+    return found
 
 
 def run(case: Path, out: Path, root: Path) -> None:
@@ -50,7 +72,7 @@ def run(case: Path, out: Path, root: Path) -> None:
     assert left.value.code == 0, said.getvalue()
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda p: f"{p.parent.name}/{p.name}")
+@pytest.mark.parametrize("case", CASES)
 def test_case(case: Path, tmp_path: Path, root: Path, request: pytest.FixtureRequest) -> None:
     run(case, tmp_path, root)
     golden = [p for p in sorted(case.iterdir()) if p.name not in ASIDE]
@@ -69,9 +91,18 @@ def test_case(case: Path, tmp_path: Path, root: Path, request: pytest.FixtureReq
 
 
 def test_the_comparison_can_fail() -> None:
-    text = '{"nodes": 434, "size": [100.0, 60.25], "craft": "crochet"}'
+    text = '{"nodes": 434, "size": [100.0, 60.25], "ratio": 0.51234567891, "share": 0.25, "craft": "crochet"}'
     assert not difference(text, text, 1e-6)
-    assert not difference(text, text.replace("60.25", "60.25001"), 1e-6)
-    assert difference(text, text.replace("434", "435"), 1e-6)
-    assert difference(text, text.replace("60.25", "60.29"), 1e-6)
-    assert difference(text, text.replace("nodes", "edges"), 1e-6)
+    assert not difference(text, text.replace("60.25", "60.26"), 1e-6)  # one of its last digit
+    assert not difference(text, text.replace("0.51234567891", "0.51234567893"), 1e-6)
+    for good, bad in (
+        ("434", "435"),
+        ("60.25", "60.29"),
+        ("0.51234567891", "0.51235"),  # however large the sizes are
+        ("0.25", "0.27"),
+        ("nodes", "edges"),
+    ):
+        assert difference(text.replace(good, bad), text, 1e-6), bad
+    path = '<path d="M10.25 20.5L1000.125 3"/><circle r="0.125"/>'
+    assert difference(path.replace("0.125", "0.128"), path, 1e-6)
+    assert not difference(path.replace("1000.125", "1000.126"), path, 1e-6)

@@ -27,7 +27,7 @@ def plain_name(color: RGB) -> str:
         (160, "green"),
         (195, "turquoise"),
         (255, "blue"),
-        (300, "purple"),
+        (301, "purple"),
     )
     return next((name for edge, name in edges if hue < edge), "pink" if hue < 345 else "red")
 
