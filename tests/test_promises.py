@@ -20,7 +20,7 @@ from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.core.thread import END, STITCH, TRIM
 from tambour.crochet.finish.placing import Frames
-from tambour.crochet.finish.sewing import End, turned
+from tambour.crochet.finish.sewing import End, ways
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import size_edit, tech_edit
 from tambour.crochet.language.finishes import Placed, Spot
@@ -216,7 +216,7 @@ def test_a_ring_is_turned_counter_clockwise_as_one_looks_at_its_place(degrees):
     # A place on the front of the toy: out of it is +z, right +x, up +y; at 0 the front looks down.
     frame = Frames(np.zeros((1, 3)), *(np.array([v], float) for v in ((0, 0, 1), (1, 0, 0), (0, 1, 0))))
     placed = Placed("a", Spot("b", 1.0, None), across=float(degrees))
-    axis, front = turned(placed, End(np.arange(6), True, np.zeros((0, 2), int)), frame)
+    axis, front = ways(placed, End(np.arange(6), True, np.zeros((0, 2), int)), frame)
     a = math.radians(degrees)
     assert np.allclose(axis, (0, 0, 1)) and np.allclose(front, (math.sin(a), -math.cos(a), 0), atol=1e-12)
 
