@@ -4,24 +4,32 @@ VENV := .venv
 BIN := $(VENV)/bin
 T := $(BIN)/tambour
 
-.PHONY: demo test check bench docs golden planted clean
+.PHONY: demo test check bench docs golden planted kernels clean
 
-$(VENV)/ready: pyproject.toml
+# What a user has: the package and its kernels, built once and kept in the user's cache.
+$(VENV)/used: pyproject.toml
 	$(PYTHON) -c 'import sys; assert sys.version_info >= (3, 11), "Tambour needs Python 3.11 or newer"'
 	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e .
+	touch $@
+
+$(VENV)/ready: $(VENV)/used
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
 	touch $@
 
-demo: $(VENV)/ready
+demo: $(VENV)/used
 	mkdir -p out
 	$(BIN)/python examples/demo.py out
 
 test: $(VENV)/ready
 	$(BIN)/python -m pytest
 
+kernels: $(VENV)/ready
+	$(BIN)/python -m kernels
+
 check: $(VENV)/ready
-	$(BIN)/ruff check src tests bench examples
-	$(BIN)/ruff format --check src tests bench examples
+	$(BIN)/ruff check src tests bench examples kernels
+	$(BIN)/ruff format --check src tests bench examples kernels
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
@@ -41,3 +49,4 @@ planted: $(VENV)/ready
 clean:
 	rm -rf $(VENV) out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
 	find src -name '*.nb?' -delete
+	rm -f src/tambour/core/_native.abi3.so

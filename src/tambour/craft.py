@@ -12,10 +12,6 @@ if TYPE_CHECKING:
     from tambour.core.progress import Progress
 
 
-def _nothing() -> None:
-    pass
-
-
 def _no_facts(piece: Any) -> dict[str, Any]:
     return {}
 
@@ -77,7 +73,6 @@ class Craft:
     make : ``make(source, params, progress) -> piece``; pure, deterministic
     views : name → View
     facts : piece → what the report says about it
-    warm : loads kernels by one call on tiny input, so that no other stage contains it
     stem : params → name (without suffix) for files that were asked for by suffix alone; "" takes the source's
     optional_source : the craft can also start from nothing
     check : (params, the views that are asked for); raises TambourError, before any work, for what cannot be made of them
@@ -91,7 +86,6 @@ class Craft:
     make: Callable[[Any, Any, Progress], Any]
     views: Mapping[str, View]
     facts: Callable[[Any], dict[str, Any]] = _no_facts
-    warm: Callable[[], None] = _nothing
     stem: Callable[[Any], str] = _plain_name
     optional_source: bool = False
     check: Callable[[Any, Sequence[str]], None] = _no_objection

@@ -170,9 +170,6 @@ def make(
         if source is not None:
             origin["sha256"] = digest(source)
         full = load_files(given)
-    # After reading: what cannot be read is told at once, not when the kernels are loaded.
-    with progress.stage("start"):
-        what.warm()
     return Made(what, what.make(source, full, progress), given, origin or None, stem, progress)
 
 
@@ -190,9 +187,10 @@ def write(
     progress : for this writing (the making's own when None)
 
     All files appear, or, on any error, none. Raises TambourError. The report holds craft, version, edition, params,
-    source, the craft's facts, warnings, files, and seconds per stage.
+    source, the craft's facts, warnings, files, how its kernels ran, and seconds per stage.
     """
     from tambour import __version__
+    from tambour.core.kernels import ways
     from tambour.files.sink import Writing, refused
     from tambour.files.text import write_json
 
@@ -226,6 +224,7 @@ def write(
             "warnings": [str(w) for w in progress.warnings],
             "problems": [w.plain() for w in progress.warnings],
             "files": [str(path) for path in writing.paths],
+            "kernels": ways(),
             "seconds": {stage: round(s, 6) for stage, s in progress.seconds.items()},
         }
         if report is not None:

@@ -14,6 +14,5 @@ CRAFT = Craft(
     make=Lazy("tambour.embroidery.plan.make:make"),
     views=VIEWS,
     facts=Lazy("tambour.embroidery.plan.facts:facts"),
-    warm=Lazy("tambour.embroidery.warm:warm"),
     optional_source=True,
 )

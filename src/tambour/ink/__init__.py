@@ -14,7 +14,6 @@ CRAFT = Craft(
     make=Lazy("tambour.ink.views:make"),
     views=VIEWS,
     facts=Lazy("tambour.ink.views:facts"),
-    warm=Lazy("tambour.ink.plan.scroll:warm"),
     stem=stem,
     check=check,
 )

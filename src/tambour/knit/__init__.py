@@ -14,5 +14,4 @@ CRAFT = Craft(
     make=Lazy("tambour.knit.flow:make"),
     views=VIEWS,
     facts=Lazy("tambour.knit.flow:facts"),
-    warm=Lazy("tambour.knit.flow:warm"),
 )

@@ -42,16 +42,3 @@ def facts(piece: Piece) -> dict[str, Any]:
     from tambour.knit.views import facts as told
 
     return {**piece.figures, **measure.facts(piece), **told(piece)}
-
-
-def warm() -> None:
-    """Load all kernels: a small ramp, by both methods."""
-    import numpy as np
-
-    from tambour.core.picture import Picture
-    from tambour.knit.solve.make import make
-
-    grey = np.tile(np.linspace(0, 255, 24).astype(np.uint8)[None, :, None], (12, 1, 4))
-    grey[..., 3] = 255
-    for method in ("exact", "perceptual"):
-        make(Picture(grey), KnitParams(method=method, start="floyd-steinberg"), Progress())

@@ -219,16 +219,3 @@ def plan(scroll: Scroll) -> dict[str, Any]:
 def facts(scroll: Scroll) -> dict[str, Any]:
     """Report keys: elements, polygons, points."""
     return {"elements": scroll.elements, "polygons": scroll.polygons, "points": scroll.points}
-
-
-def warm() -> None:
-    """Load all kernels: a tile with a little of everything."""
-    from tambour.ink.ground import codes
-
-    how: dict[int, tuple[Any, ...]] = {
-        codes.HILL: (150.0, 400.0, 0, 0.0, 0, 60, 1.0), codes.BANK: (100.0, 600.0, 0.5, 1.0), codes.BOAT: (120.0, 0.5, 1.0),
-        codes.RANGE: (150.0, 100.0, 0.0), codes.WATER: (2.0, 20.0, 1), codes.MIST: (0.1, 400.0), codes.BIRDS: (1,),
-        codes.MOON: (9.0,), codes.SUN: (9.0,), codes.SKY: (512.0, 900.0),
-    }  # fmt: skip
-    draw([Planned(k, 0.0, 300.0, 0.0, f"{k}", (k,), h, 0.0, 0.0) for k, h in how.items()], Manner())
-    window(Rules("warm"), 0.0, 1.0)

@@ -76,8 +76,6 @@ class Plot:
 
 def make(source: None, params: Ink, progress: Progress) -> Plot:
     """The window, specimen or sheets that ``params`` ask for, as pen lines."""
-    with progress.stage("start"):
-        warm()
     reach(params, progress)
     painted = scroll.make(source, windowed(params, HEIGHT), progress)
     if params.inscription or params.seal:
@@ -264,18 +262,3 @@ def facts(plot: Plot) -> dict[str, Any]:
         "minutes": math.ceil(taken(plot.pages, params) / 0.6) / 100,
         "thinned": plot.thinned,
     }
-
-
-def warm() -> None:
-    """Load the plotter's kernels."""
-    square = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
-    from tambour.ink.plotter.lines import areas, hatched
-
-    one, line = np.array([0, 4], np.int64), np.zeros(1, np.int64)
-    areas(square, one)
-    hatched(square, one, 0.3, np.zeros(1), 0.7)
-    coords, offsets, _ = visible(square, one, line, square, one, line + 1)
-    coords, offsets, _ = cut(square, one, 0.0, 0.0, 0.5, 0.5)
-    coords, offsets = simplified(coords, offsets, 0.1)
-    order, turned = tour(coords[offsets[:-1]], coords[offsets[1:] - 1], 0.0, 0.0)
-    strung(coords, offsets, order, turned, 0.1, 0.0, 0.0)

@@ -1,0 +1,123 @@
+"""Compile: every kernel that Python calls becomes an object file, by Numba, for any processor of the kind.
+
+``python kernels/compile.py objects SHARE OF`` compiles the part ``SHARE`` of ``OF`` parts into the cache, and needs Numba;
+``python kernels/compile.py keys`` tells where each kernel lies there, and its fingerprint. How native functions are called (see ``runtime.c``) is Numba's own affair, not promised by it: so Numba is pinned, and a test
+calls a kernel of each kind of argument and result. Should it change, ``numba.cfunc`` with ``carray`` is the public way.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib
+import json
+import os
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+PROCESSOR = "x86-64-v2"
+NUMBA = "numba==0.68.1"
+BARE = {"cache": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}  # the native function alone
+SOURCE = Path(__file__).resolve().parent.parent / "src"
+
+
+def cache() -> Path:
+    """The folder of the user's cache where objects lie, one for each state of a kernel."""
+    base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    return Path(base) / "tambour" / "kernels"
+
+
+def modules() -> list[str]:
+    """The modules that hold kernels."""
+    paths = [p for p in (SOURCE / "tambour").rglob("*.py") if re.search(r"^@kernel$", p.read_text("utf-8"), re.M)]
+    return sorted(".".join(p.relative_to(SOURCE).with_suffix("").parts) for p in paths)
+
+
+def entries() -> list[Any]:
+    """The kernels that declare what each argument is."""
+    from tambour.core.kernels import Kernel, signature
+
+    found = [v for m in modules() for v in vars(importlib.import_module(m)).values() if isinstance(v, Kernel)]
+    unique = {k.name: k for k in found if not k.place and signature(k) is not None}
+    return [unique[name] for name in sorted(unique)]
+
+
+def key(kernel: Any) -> str:
+    """The name of a kernel's object in the cache."""
+    from tambour.core.kernels import fingerprint
+
+    made = hashlib.sha256(f"{fingerprint(kernel)} {NUMBA} {PROCESSOR}".encode())
+    made.update(Path(__file__).read_bytes())
+    return f"{kernel.name}-{made.hexdigest()[:32]}"
+
+
+def compiled(kernel: Any) -> tuple[bytes, dict[str, Any]]:
+    """A kernel's object code, and what the glue must know of it."""
+    import llvmlite.binding as llvm
+
+    from tambour.core.kernels import numba_types, signature
+
+    made = kernel.twin()
+    made.compile(numba_types(kernel.function))
+    result = made.overloads[numba_types(kernel.function)]
+    symbol = "tambour_" + re.sub(r"\W", "_", kernel.name)
+    code = llvm.parse_assembly(str(result.library._final_module))
+    for function in code.functions:
+        if function.name == result.fndesc.llvm_func_name:
+            function.name = symbol
+            function.visibility = "hidden"
+        elif not function.is_declaration:
+            function.linkage = "internal"
+    machine = llvm.Target.from_triple(llvm.get_process_triple()).create_target_machine(
+        cpu=PROCESSOR, opt=3, reloc="pic", codemodel="default"
+    )
+    # What nobody calls any more goes: the copies of callees that were inlined.
+    passes = llvm.create_new_module_pass_manager()
+    passes.add_global_dead_code_eliminate_pass()
+    passes.run(code, llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options()))
+    returned = result.signature.return_type
+    parts = list(returned) if hasattr(returned, "types") else [] if str(returned) == "none" else [returned]
+    told = {
+        "name": kernel.name,
+        "symbol": symbol,
+        "arguments": list(kernel.function.__code__.co_varnames[: len(signature(kernel) or ())]),
+        "kinds": signature(kernel),
+        "result": [(str(p.dtype), p.ndim) if hasattr(p, "ndim") else (str(p), 0) for p in parts],
+        "single": not hasattr(returned, "types"),
+    }
+    return machine.emit_object(code), told
+
+
+def keep(kernel: Any, code: bytes, told: dict[str, Any]) -> str:
+    """Put a kernel's object into the cache; gives its name there."""
+    path = cache() / key(kernel)
+    for suffix, content in ((".o", code), (".json", json.dumps(told).encode())):
+        half = path.with_name(f"{path.name}.{os.getpid()}")
+        half.write_bytes(content)
+        half.replace(path.with_name(path.name + suffix))
+    return path.name
+
+
+def objects(share: int, of: int) -> None:
+    """Compile this process's part of what the cache lacks."""
+    from tambour.core import kernels
+
+    kernels.OPTIONS |= BARE
+    missing = [k for k in entries() if not (cache() / f"{key(k)}.json").exists()]
+    cut = len(missing) * share // of, len(missing) * (share + 1) // of
+    for kernel in missing[slice(*cut)]:
+        keep(kernel, *compiled(kernel))
+        print(kernel.name, flush=True)
+
+
+if __name__ == "__main__":
+    # Set before Numba is loaded: code for every processor of the kind, the same wherever it is built.
+    os.environ |= {"NUMBA_CPU_NAME": PROCESSOR, "NUMBA_CPU_FEATURES": "", "TAMBOUR_KERNELS": "numba"}
+    sys.path.insert(0, str(SOURCE))
+    if sys.argv[1] == "keys":
+        from tambour.core.kernels import fingerprint
+
+        print(json.dumps([(key(kernel), fingerprint(kernel)) for kernel in entries()]))
+    else:
+        objects(*map(int, sys.argv[2:]))

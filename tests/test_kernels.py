@@ -1,0 +1,179 @@
+"""Kernels: built, compiled by Numba and plain they are one function; what is stale never runs."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+
+KINDS = """
+from __future__ import annotations
+import numpy as np
+from tambour.core.arrays import B1x1, F4x2, F8x1, F8x2, F8x3, I1x1, I4x2, I8x1, I8x2, U1x1, U8x1
+from tambour.core.kernels import kernel
+
+SCALE = 3.0
+
+@kernel
+def arrays(a: F8x1, b: F8x2, c: F8x3, d: F4x2, e: I1x1, f: I4x2, g: I8x1, h: U1x1, i: U8x1, j: B1x1) -> float:
+    total = a.sum() + b.sum() * 2 + c.sum() * 3 + d.sum() * 4 + e.sum() * 5 + f.sum() * 6 + g.sum() * 7 + h.sum() * 8
+    for k in range(len(j)):
+        total += i[k] if j[k] else 0.5
+    b[0, 1], f[1, 0], j[0] = total, 9, not j[0]
+    return total
+
+@kernel
+def numbers(x: float, i: int, k: np.uint64, t: bool, s: np.float32) -> tuple[float, int, int, bool]:
+    return scaled(x + s), i - 1, k + np.uint64(1), not t
+
+@kernel
+def scaled(x):
+    return SCALE * x
+
+@kernel
+def results(n: int) -> tuple[F8x2, I8x1, B1x1, float]:
+    grown = [0]
+    for k in range(n):
+        grown.append(k * k)
+    made = np.arange(2 * n).reshape(n, 2) * 0.5
+    return made, np.array(grown), made[:, 0].copy() > 1.0, 0.25
+
+@kernel
+def one(n: int) -> I8x2:
+    return np.full((n, 3), n)
+
+@kernel
+def nothing(a: F8x1) -> None:
+    a[:] = np.sqrt(a)
+"""
+
+TRIED = """
+import numpy as np, kinds
+
+def same(a, b):
+    assert type(a) is type(b) or np.isscalar(a), (a, b)
+    if isinstance(a, tuple):
+        assert len(a) == len(b)
+        [same(x, y) for x, y in zip(a, b)]
+    elif isinstance(a, np.ndarray):
+        assert a.dtype == b.dtype and a.shape == b.shape and (a == b).all() and a.flags.writeable
+    else:
+        assert a == b, (a, b)
+
+def both(kernel, *args):
+    other = [a.copy() if isinstance(a, np.ndarray) else a for a in args]
+    same(kernel(*args), kernel.function(*other))
+    [same(a, b) for a, b in zip(args, other)]
+
+kinds.scaled.run = kinds.scaled.function  # kernels alone call it: nothing of it is built by itself
+for n in (2, 5):
+    given = [np.arange(n) + 0.5, np.ones((n, 2)), np.ones((n, 1, 2)), np.ones((2, n), np.float32)]
+    given += [np.arange(n).astype(np.int8), np.ones((2, n), np.int32), np.arange(n), np.arange(n).astype(np.uint8)]
+    given += [np.arange(n).astype(np.uint64), np.arange(n) % 2 == 0]
+    both(kinds.arrays, *given)
+both(kinds.numbers, 2, np.int32(-4), 2**64 - 9, True, 0.5)
+assert kinds.numbers(2, -4, 7, False, 0.1)[0] == 3.0 * (2 + float(np.float32(0.1)))
+for n in (0, 3, 400):
+    both(kinds.results, n)
+    both(kinds.one, n)
+both(kinds.nothing, np.arange(4.0))
+kept = [kinds.one(500) for _ in range(200)]
+assert all((k == 500).all() for k in kept)
+for bad in (np.arange(4), np.ones((2, 2)), np.arange(8.0)[::2], np.arange(4.0, dtype=">f8"), [1.0], None):
+    try:
+        kinds.nothing(bad)
+    except TypeError as error:
+        assert "a must be an array of float64 with 1 axis" in str(error), error
+    else:
+        raise AssertionError(bad)
+frozen = np.arange(4.0)
+frozen.setflags(write=False)
+for words in ((frozen,), (), (frozen, 1)):
+    try:
+        kinds.nothing(*words)
+    except TypeError:
+        continue
+    raise AssertionError(words)
+from tambour.core.kernels import RAN
+assert set(RAN.values()) == {"native"} and len(RAN) == 5, RAN
+"""
+
+BUILD = """
+import os, sys
+from pathlib import Path
+root, folder = map(Path, sys.argv[1:])
+os.environ |= {"NUMBA_CPU_NAME": "x86-64-v2", "NUMBA_CPU_FEATURES": "", "TAMBOUR_KERNELS": "numba"}
+sys.path[:0] = [str(root), str(folder)]
+import kinds
+from kernels import build, compile
+from kernels.glue import Entry
+from tambour.core import kernels
+kernels.OPTIONS |= compile.BARE
+entries = []
+for made in (kinds.arrays, kinds.numbers, kinds.results, kinds.one, kinds.nothing):
+    code, told = compile.compiled(made)
+    entries.append((compile.keep(made, code, told), Entry(digest=kernels.fingerprint(made), **told)))
+build._link(entries, folder / "_native.abi3.so")
+"""
+
+
+def _python(code: str, *words: Path | str, **more: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-c", textwrap.dedent(code), *map(str, words)]
+    return subprocess.run(command, capture_output=True, text=True, env=os.environ | more)
+
+
+@pytest.fixture(scope="module")
+def built(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with kernels of every kind of argument and result, and these built."""
+    folder = tmp_path_factory.mktemp("kinds")
+    (folder / "kinds.py").write_text(KINDS)
+    (folder / "tambour" / "kernels").mkdir(parents=True)
+    made = _python(BUILD, root, folder, XDG_CACHE_HOME=str(folder), PYTHONHASHSEED="0")
+    assert made.returncode == 0, made.stderr
+    return folder
+
+
+def _tried(built: Path, code: str, **more: str) -> str:
+    """What Python says of a program for which the built kernels are those of ``built``."""
+    take = f"""
+import importlib.util, sys
+sys.path.insert(0, {str(built)!r})
+from tambour.core import kernels
+spec = importlib.util.spec_from_file_location("_native", {str(built / "_native.abi3.so")!r})
+native = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(native)
+kernels._native = lambda: native
+"""
+    made = _python(take + code, **more)
+    return "" if made.returncode == 0 else made.stderr
+
+
+def test_every_kind_of_argument_and_result(built: Path) -> None:
+    assert _tried(built, TRIED, TAMBOUR_KERNELS="native") == ""
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("SCALE = 3.0", "SCALE = 2.0"), ("return SCALE * x", "return x * SCALE"), ("return scaled(x", "return -scaled(x")],
+    ids=["a constant", "a kernel that it calls", "itself"],
+)
+def test_what_is_stale_never_runs(built: Path, tmp_path: Path, old: str, new: str) -> None:
+    assert KINDS.count(old) == 1
+    (tmp_path / "kinds.py").write_text("\n\n" + KINDS.replace(old, new))
+    (tmp_path / "_native.abi3.so").symlink_to(built / "_native.abi3.so")
+    code = "import kinds, numpy as np\nkinds.nothing(np.arange(3.0))\nkinds.numbers(1.0, 1, 1, True, 1.0)"
+    assert "kinds.numbers was built from another source: run `make kernels`" in _tried(
+        tmp_path, code, TAMBOUR_KERNELS="native"
+    )
+    code += "\nassert kernels.RAN == {'kinds.nothing': 'native', 'kinds.numbers': 'numba'}, kernels.RAN"
+    assert _tried(tmp_path, code, TAMBOUR_KERNELS="") == ""
+
+
+def test_kernels_as_plain_functions() -> None:
+    code = "from tambour.noise import drift, uniform; print(type(drift).__name__, uniform(3, 5))"
+    plain, compiled = (_python(code, TAMBOUR_KERNELS=way).stdout.split() for way in ("python", "numba"))
+    assert plain == ["function", compiled[1]] and compiled[0] == "Kernel"
