@@ -111,8 +111,14 @@ class Printed(State):
         if found.guessed:
             hint = "say the rounds, and how many stitches apart, to have them elsewhere"
             source.doubt(f"{GUESSED}: {told(found)}", hint, Span(0, 0))
-        source.finish += found.finish
-        check_names(source, copies, source.finish)
+        for record in found.finish:
+            # What is guessed wrongly is told, and does not refuse the whole text.
+            trial = Source(source.text, source.strict)
+            check_names(trial, copies, [record])
+            wrong = [p for p in trial.problems if not p.warning]
+            for problem in wrong:
+                self.tell(problem.message, problem.hint, problem.span or Span(0, 0))
+            source.finish += [] if wrong else [record]
         return with_places(pattern, found)
 
     def _colors_told(self) -> None:
