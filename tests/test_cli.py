@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 import io
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -81,7 +83,40 @@ def test_help_names_every_option_and_view(name: str) -> None:
     code, said = call(f"{name} --help")
     assert code == 0
     what = craft(name)
-    flags = {"--" + f.rstrip("_").replace("_", "-") for f in what.params.model_fields}
+    flags = {"--" + f.rstrip("_").replace("_", "-") for f in what.params.asked()}
     assert all(flag in said for flag in flags)
     assert all(view in said for view in what.views)
     assert all(f.description for f in what.params.model_fields.values()), "every option says what it does"
+
+
+def shell(line: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    line = line.replace("tambour", f"{sys.executable} -m tambour")
+    return subprocess.run(["bash", "-c", line], cwd=folder, capture_output=True, text=True, timeout=300)
+
+
+def test_streams_that_are_full_or_closed(tmp_path: Path) -> None:
+    full = shell("tambour formats > /dev/full", tmp_path)
+    assert full.returncode == 2 and full.stderr == "cannot be printed: No space left on device\n"
+    piped = shell("tambour formats | true; exit ${PIPESTATUS[0]}", tmp_path)
+    assert piped.returncode == 0 and not piped.stderr
+    closed = shell("tambour ink --span 300 -o a.svg <&- >&- 2>&-", tmp_path)
+    assert closed.returncode == 0
+    assert (tmp_path / "a.svg").read_text().startswith("<svg") and (tmp_path / "a.svg").read_text().endswith("</svg>\n")
+
+
+def test_a_process_may_be_copied_after_a_run(tmp_path: Path) -> None:
+    """Threads of OpenMP once ended each copy: no pool may outlive its work."""
+    code = (
+        "import os, sys\nfrom tambour.run import run, craft\np = craft('ink').params(span=600)\n"
+        "run('ink', None, p, ['a.svg'])\npid = os.fork()\nrun('ink', None, p, [f'b{pid == 0}.svg'])\n"
+        "sys.exit(os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) if pid else 0)\n"
+    )
+    made = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert made.returncode == 0, made.stderr
+    assert len({p.read_bytes() for p in tmp_path.glob("*.svg")}) == 1 and len(list(tmp_path.glob("*.svg"))) == 3
+
+
+def test_a_number_of_threads_that_is_none_is_told(tmp_path: Path) -> None:
+    for bad in ("x", "0", "-1", "9" * 5000):
+        told = shell(f"TAMBOUR_THREADS={bad} tambour ink --span 300", tmp_path)
+        assert told.returncode == 2 and told.stderr == "TAMBOUR_THREADS: wanted a number of threads from 1 to 256\n"

@@ -208,3 +208,24 @@ def test_empty_mesh_is_still_a_glb(tmp_path: Path) -> None:
     files.write(Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), tmp_path / "m.glb")
     with pytest.raises(TambourError, match="no triangles"):
         files.read(tmp_path / "m.glb", ["Mesh"])
+
+
+def test_a_few_bytes_cannot_claim_any_number_of_nodes_or_points(tmp_path: Path) -> None:
+    nodes = [{"children": [k + 1, k + 1]} for k in range(60)] + [{}]
+    bombs = {
+        "nodes": {"scenes": [{"nodes": [0]}], "nodes": nodes},
+        **{
+            str(count): {
+                "scenes": [{"nodes": [0]}],
+                "nodes": [{"mesh": 0}],
+                "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                "accessors": [{"componentType": 5126, "type": "VEC3", "count": count}],
+            }
+            for count in (3_000_000_000, 10**15, 10**30, -1, 1.5, True, "9")
+        },
+    }
+    for name, head in bombs.items():
+        (tmp_path / "a.gltf").write_text(json.dumps({"asset": {"version": "2.0"}, "scene": 0, **head}))
+        with pytest.raises(TambourError) as caught:
+            files.read(tmp_path / "a.gltf", ("Mesh",))
+        assert "not a glTF 2.0 file" in str(caught.value), name

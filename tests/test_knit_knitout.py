@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -253,3 +254,10 @@ def test_what_a_machine_cannot_knit_is_said_at_once() -> None:
     with pytest.raises(TambourError) as caught:
         lines(chart)
     assert len(caught.value.problems) == 3
+
+
+@pytest.mark.parametrize("word", ["1e9nit", "abc", "nan", "", "1 2", "1e400"])
+def test_a_rack_that_is_no_number_is_told(word: str, tmp_path: Path) -> None:
+    (tmp_path / "a.k").write_text(f";!knitout-2\n;;Carriers: 1 2\nrack {word}\n")
+    with pytest.raises(TambourError, match='"rack" wants one number'):
+        files.read(tmp_path / "a.k", ("Chart",))

@@ -18,7 +18,7 @@ from tambour.core.drawing import Drawing, Styles
 from tambour.core.errors import TambourError, Text
 from tambour.core.params import Degrees, Duration, Length, Params, file
 from tambour.core.paths import Paths
-from tambour.core.progress import Progress
+from tambour.core.progress import Progress, Stopped
 from tambour.craft import Craft, View
 
 
@@ -248,3 +248,33 @@ def test_what_is_no_report_is_told(text: str, tmp_path: Path) -> None:
     (tmp_path / "r.json").write_text(text)
     code, said = call("run", tmp_path / "r.json")
     assert code == 2 and "not a report" in said, said
+
+
+def test_who_watches_sees_and_who_leaves_stops(tmp_path: Path) -> None:
+    seen: list[Any] = []
+    progress = Progress(watch=seen.append)
+    asked = []
+    for k in range(1000):
+        progress.look(lambda k=k: asked.append(k) or k)  # type: ignore[misc,func-returns-value]
+    assert seen == asked and seen[0] == 0 and len(seen) < 1000, "looked at now and then, and made only then"
+    Progress().look(lambda: pytest.fail("nobody looks"))
+
+    def leave(stage: str, done: int, total: int) -> None:
+        if done == 3:
+            raise Stopped
+
+    (tmp_path / "a.svg").write_text("old")
+    with pytest.raises(Stopped):
+        runner.run(WEAVE, None, WeaveParams(), [tmp_path / "a.svg"], Progress(leave))
+    assert {p.name: p.read_text() for p in tmp_path.iterdir()} == {"a.svg": "old"}
+
+
+def test_names_that_no_disk_should_hold_are_refused(tmp_path: Path) -> None:
+    for bad in ("a\x00.svg", "\ud800.svg", "\x1b[2J.svg", "x" * 20_000 + ".svg"):
+        told = {"craft": "weave", "params": {}, "source": None, "files": [bad]}
+        (tmp_path / "r.json").write_text(json.dumps(told))
+        code, said = call("run", tmp_path / "r.json")
+        assert code == 2 and "the name of an output" in said and "\x1b" not in said, said
+        (tmp_path / "r.json").write_text(json.dumps({**told, "source": {"path": bad}, "files": []}))
+        code, said = call("run", tmp_path / "r.json")
+        assert code == 2 and "the name of the source" in said, said

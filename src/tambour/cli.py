@@ -6,18 +6,20 @@ import time
 
 BEGAN = time.perf_counter()
 
+import os  # noqa: E402
 import signal  # noqa: E402
 import sys  # noqa: E402
 import threading  # noqa: E402
 import types  # noqa: E402
 from collections.abc import Callable, Iterator  # noqa: E402
-from contextlib import contextmanager  # noqa: E402
+from contextlib import contextmanager, suppress  # noqa: E402
 from typing import Any, Literal, Union, get_args, get_origin  # noqa: E402
 
 import click  # noqa: E402
 
 from tambour import __version__  # noqa: E402
 from tambour.core.errors import TambourError, did_you_mean, shown, spelt  # noqa: E402
+from tambour.core.params import bounds, unit  # noqa: E402
 from tambour.core.progress import Stopped  # noqa: E402
 from tambour.run import CRAFTS  # noqa: E402
 
@@ -32,6 +34,13 @@ class _Crafts(click.Group):
 
     def get_command(self, ctx: click.Context, name: str) -> click.Command | None:
         return craft_command(name) if name in CRAFTS else super().get_command(ctx, name)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError:  # who reads no further has what they wanted; the files stand
+            _hushed()
+            return 0
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
         known = self.list_commands(ctx)
@@ -79,12 +88,12 @@ def options(params: Any) -> Callable[[Any], Any]:
         if get_origin(kind) is Literal:
             words = "|".join(str(w) for w in get_args(kind))
             return click.option(flag, name, type=str, default=None, help=text, metavar=f"[{words}]", multiple=many)
-        unit = extra.get("metavar") or _unit(f) or {int: "N", float: "X"}.get(kind, "TEXT")
-        metavar = ("|".join([*extra.get("words", []), "FILE"])) if "file" in extra else str(unit).upper()
+        counted = extra.get("metavar") or unit(f) or {int: "N", float: "X"}.get(kind, "TEXT")
+        metavar = ("|".join([*extra.get("words", []), "FILE"])) if "file" in extra else str(counted).upper()
         return click.option(flag, name, type=str, default=None, help=text, metavar=metavar, multiple=many)
 
     def decorate(command: Any) -> Any:
-        for name, f in reversed(list(params.model_fields.items())):
+        for name, f in reversed(list(params.asked().items())):
             command = option(name, f)(command)
         return command
 
@@ -95,20 +104,9 @@ def _plain(default: Any) -> str:
     return ", ".join(map(str, default)) if isinstance(default, tuple) else str(default)
 
 
-def _unit(f: Any) -> str:
-    for m in f.metadata:
-        schema = getattr(m, "json_schema", None)
-        if isinstance(schema, dict) and "unit" in schema:
-            return str(schema["unit"])
-    extra = f.json_schema_extra if isinstance(f.json_schema_extra, dict) else {}
-    return str(extra.get("unit", ""))
-
-
 def _bounds(f: Any) -> str:
-    signs = {"ge": "≥", "gt": ">", "le": "≤", "lt": "<"}
-    return ", ".join(
-        f"{s} {getattr(m, k)}" for m in f.metadata for k, s in signs.items() if getattr(m, k, None) is not None
-    )
+    signs = {"minimum": "≥", "exclusiveMinimum": ">", "maximum": "≤", "exclusiveMaximum": "<"}
+    return ", ".join(f"{signs[k]} {v}" for k, v in bounds(f).items() if k in signs)
 
 
 def craft_command(name: str) -> click.Command:
@@ -125,6 +123,10 @@ def craft_command(name: str) -> click.Command:
     @click.command(name, help=text)
     @options(what.params)
     @click.option("-o", "out", multiple=True, metavar="OUT", help="A file to write; may be given several times.")
+    @click.option("--edit", "edit", multiple=True, metavar="KIND:PLACE=VALUE", help=_edits(what))
+    @click.option(
+        "--edits", "edits", metavar="FILE", help="A JSON file of edits, such as a report; before those of --edit."
+    )
     @click.option("--report", metavar="FILE", help="Write what was measured as JSON.")
     @click.option("--quiet", is_flag=True, help="No progress, no summary.")
     def command(source: str | None = None, **given: Any) -> None:
@@ -135,40 +137,40 @@ def craft_command(name: str) -> click.Command:
     return command
 
 
+def _edits(what: Any) -> str:
+    """The help of --edit: the kinds of edits that a craft understands."""
+    kinds = [f"{k}:{c.words.replace('{', '').replace('}', '').upper()}, {c.help}" for k, c in what.changes.items()]
+    return "Change a thing by hand; may be given several times. " + "; ".join(kinds)
+
+
 def run_craft(
-    what: Any, source: str | None, out: tuple[str, ...], report: str | None, quiet: bool, **given: Any
+    what: Any,
+    source: str | None,
+    out: tuple[str, ...],
+    report: str | None,
+    quiet: bool,
+    edit: tuple[str, ...] = (),
+    edits: str | None = None,
+    **given: Any,
 ) -> None:
     """Run one craft from the words of the command line."""
+    from tambour.files.text import read_edits
     from tambour.run import run
 
     values = {name: value for name, value in given.items() if value is not None and value != ()}
-    for name, value in {**values, "source": source, "report": report, "o": out}.items():
-        if any(
-            isinstance(v, str) and not v.isprintable() and _unspeakable(v)
-            for v in (value if isinstance(value, tuple) else (value,))
-        ):
-            raise TambourError("holds bytes that are no text", where=f"--{name.rstrip('_').replace('_', '-')}")
     params = what.params.of(values)
     with _bar(quiet) as progress:
-        made = run(what, source, params, out, progress, BEGAN, report)
+        changed = [*(read_edits(edits) if edits else ()), *edit]
+        made = run(what, source, params, out, progress, BEGAN, report, changed)
     for problem in progress.warnings:
         click.echo(str(problem), err=True)
     if not quiet:
         summary(made)
 
 
-def _unspeakable(word: str) -> bool:
-    """Whether a word of the command line is no Unicode text (bytes of another encoding)."""
-    try:
-        word.encode()
-    except UnicodeEncodeError:
-        return True
-    return False
-
-
 def summary(report: dict[str, Any]) -> None:
     """Print what was made: the short facts, then the files."""
-    skip = {"craft", "version", "edition", "params", "source", "warnings", "problems", "files", "seconds"}
+    skip = {"craft", "version", "edition", "params", "source", "edits", "warnings", "problems", "files", "seconds"}
     for key, value in report.items():
         if key not in skip and isinstance(value, (int, float, str)) and not isinstance(value, bool):
             text = f"{value:.4g}" if isinstance(value, float) else shown(str(value))
@@ -226,13 +228,14 @@ def again(report: str, out: tuple[str, ...]) -> None:
         told = json.loads(Path(report).read_text())
         name, values, source = told["craft"], dict(told["params"]), (told["source"] or {}).get("path")
         known, kept = (told["source"] or {}).get("sha256"), told.get("files", ())
+        edits = list(told.get("edits", ()))
         words = [name, *kept, *([source] if source is not None else [])]
         if isinstance(kept, str) or not all(isinstance(word, str) for word in words):
             raise ValueError("words are wanted")
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise TambourError("this is not a report of tambour", where=report) from None
     what = craft(name)
-    made = run(what, source, what.params.of(values), out or kept, began=BEGAN)
+    made = run(what, source, what.params.of(values), out or kept, began=BEGAN, edits=edits)
     if known and made["source"]["sha256"] != known:
         click.echo(f"{source}: warning: the source has changed since the report was written", err=True)
     summary(made)
@@ -259,6 +262,23 @@ def examples(folder: str) -> None:
     click.echo(f"wrote {len(made)} files into {folder}")
 
 
+def _opened() -> None:
+    """See that the three standard streams are open, so that no file that is written takes the place of one."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)
+    sys.stdout = sys.stdout or open(os.devnull, "w")  # noqa: SIM115
+    sys.stderr = sys.stderr or open(os.devnull, "w")  # noqa: SIM115
+
+
+def _hushed() -> None:
+    """Send what is still to be printed nowhere."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
 @contextmanager
 def _stoppable() -> Iterator[None]:
     """Signals that ask the process to end are raised as Stopped, so that what is being made is cleared away."""
@@ -280,12 +300,14 @@ def _stoppable() -> Iterator[None]:
 
 def main(arguments: list[str] | None = None) -> None:
     """Run the command line; leaves with 0, 2 for bad input, 1 for a fault of ours, 130 when interrupted."""
+    _opened()
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")  # a terminal that cannot show "→" is no reason to stop
     try:
         with _stoppable():
             code = tambour.main(arguments, prog_name="tambour", standalone_mode=False)
+            sys.stdout.flush()
     except TambourError as error:
         for problem in error.problems:
             click.echo(str(problem), err=True)
@@ -299,8 +321,10 @@ def main(arguments: list[str] | None = None) -> None:
     except click.ClickException as error:
         error.show()
         sys.exit(2)
-    except BrokenPipeError:
-        sys.exit(1)
+    except OSError as error:  # files speak by TambourError: this was printing
+        _hushed()
+        click.echo(f"cannot be printed: {error.strerror}", err=True)
+        sys.exit(2)
     except Exception:  # noqa: BLE001 - the last line of defence: a traceback, and what to do with it
         import traceback
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
+
+from tambour.core.errors import Problem, TambourError, did_you_mean
 
 if TYPE_CHECKING:
     from tambour.core.params import Params
@@ -62,6 +65,26 @@ class View:
     stage: str = "view"
 
 
+Edit = Mapping[str, Any]
+"""An edit as data: ``{"edit": KIND, field: value, …}``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A kind of edit that a craft understands: a small Params says what one holds.
+
+    words : how one is spelt after ``KIND:``, its fields in braces: ``{row},{stitch}={yarn}``
+    before : (source, params, edits) → (source, params), for what is changed before the piece is made; or
+    after : (piece, edits, progress) → piece, for what is changed on the made piece
+    """
+
+    help: str
+    params: type[Params]
+    words: str
+    before: Callable[[Any, Any, Sequence[Any]], tuple[Any, Any]] | None = None
+    after: Callable[[Any, Sequence[Any], Progress], Any] | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class Craft:
     """A craft.
@@ -76,6 +99,7 @@ class Craft:
     stem : params → name (without suffix) for files that were asked for by suffix alone; "" takes the source's
     optional_source : the craft can also start from nothing
     check : (params, the views that are asked for); raises TambourError, before any work, for what cannot be made of them
+    changes : name → Change, the edits that it understands
     prefer : params → {suffix: view} where they choose another default view than the views' own suffixes do
     """
 
@@ -90,3 +114,50 @@ class Craft:
     optional_source: bool = False
     check: Callable[[Any, Sequence[str]], None] = _no_objection
     prefer: Callable[[Any], Mapping[str, str]] = _no_preference
+    changes: Mapping[str, Change] = field(default_factory=dict)
+
+    def edits(self, given: Sequence[Edit | str]) -> list[tuple[str, Params]]:
+        """Edits as values, checked: each as text (``stitch:12,30=CC``) or as data (``{"edit": "stitch", "row": 12, …}``).
+
+        TambourError with all that is wrong in them.
+        """
+        made: list[tuple[str, Params]] = []
+        problems: list[Problem] = []
+        for one in given:
+            try:
+                made.append(_edit(self, one))
+            except TambourError as error:
+                problems += error.problems
+        if problems:
+            raise TambourError(problems)
+        return made
+
+
+def _edit(craft: Craft, given: Edit | str) -> tuple[str, Params]:
+    shown = given if isinstance(given, str) else repr(dict(given)) if isinstance(given, Mapping) else repr(given)
+    where = f"{{--edit}} {shown[:120]}"
+    if isinstance(given, str):
+        kind, _, words = given.partition(":")
+    else:
+        kind = str(given.get("edit", "")) if isinstance(given, Mapping) else ""
+    if kind not in craft.changes:
+        forms = [f"{name}:{change.words}".replace("{", "").replace("}", "") for name, change in craft.changes.items()]
+        hint = did_you_mean(kind, craft.changes) or f"there is {', '.join(forms)}"
+        raise TambourError(f'{craft.name} has no edit "{kind}"', hint=hint, where=where)
+    change = craft.changes[kind]
+    if isinstance(given, str):
+        pattern = re.sub(r"\\\{(\w+)\\\}", r"(?P<\1>.+)", re.escape(change.words))
+        found = re.fullmatch(pattern, words.strip(), re.DOTALL)
+        if found is None:
+            form = change.words.replace("{", "").replace("}", "").upper()
+            raise TambourError("this edit cannot be read", hint=f"its form is {kind}:{form}", where=where)
+        values: dict[str, Any] = {name: word.strip() for name, word in found.groupdict().items()}
+    else:
+        values = {str(k): v for k, v in given.items() if k != "edit"}
+    spell = where.replace("{", "{{").replace("}", "}}") + ": {}"
+    return kind, change.params.of(values, spell=spell)
+
+
+def plain_edit(kind: str, edit: Params) -> Edit:
+    """An edit as data, as reports and files of edits hold it."""
+    return {"edit": kind, **{name: value for name, value in edit.plain().items() if name != "edition"}}

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib import import_module
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tambour import files
 from tambour.core.digest import digest
-from tambour.core.errors import Problem, TambourError, did_you_mean
+from tambour.core.errors import Problem, TambourError, did_you_mean, unspeakable
 from tambour.core.progress import Progress
-from tambour.craft import Craft, View
+from tambour.craft import Craft, Edit, View, plain_edit
 
 if TYPE_CHECKING:
     from tambour.core.params import Params
@@ -64,6 +65,9 @@ def outputs(
     problems: list[Problem] = []
     for name in names:
         path, text = Path(name), str(name)
+        if why := unspeakable(text):
+            problems.append(Problem(f"the name of an output {why}", where=text[:80]))
+            continue
         if text.startswith(".") and "/" not in text and path.stem.startswith("."):
             path = Path((stem or what.name) + text)
         suffix = path.suffix.lower()
@@ -127,6 +131,7 @@ class Made:
     """A piece, and all that a report says of its making; any number of files can be written of it.
 
     params : as given, fields that name files still naming them
+    edits : what was changed by hand, as data
     source : path (where it was read from one) and sha256 of the source, or None
     stem : the name of files that are asked for by suffix alone
     progress : the stages' seconds and the warnings of the making
@@ -135,6 +140,7 @@ class Made:
     craft: Craft
     piece: Any
     params: Params
+    edits: Sequence[Edit]
     source: Mapping[str, str] | None
     stem: str
     progress: Progress
@@ -144,6 +150,7 @@ def make(
     what: Craft | str,
     source: Any = None,
     params: Params | None = None,
+    edits: Sequence[Edit | str] = (),
     progress: Progress | None = None,
 ) -> Made:
     """Make a piece of ``source``.
@@ -151,16 +158,22 @@ def make(
     what : a Craft or its name
     source : a path (read by its suffix), a value, or None
     params : the craft's Params (defaults when None); fields that name files are read here
+    edits : what is changed by hand, in this order; see :meth:`tambour.craft.Craft.edits`
 
     Raises TambourError for input that cannot be used.
     """
     what = craft(what) if isinstance(what, str) else what
     progress = progress or Progress()
     given = what.params() if params is None else params
+    changed = what.edits(edits)
+    for problem in given.idle():
+        progress.warn(problem)
     if source is None and what.reads and not what.optional_source:
         raise TambourError(f"{what.name} needs a source", hint=f"tambour {what.name} SOURCE -o OUT; --help tells more")
     if source is not None and not what.reads:
         raise TambourError(f"{what.name} takes no source", where=str(source))
+    if isinstance(source, (str, Path)) and (why := unspeakable(str(source))):
+        raise TambourError(f"the name of the source {why}", where=str(source)[:80])
     origin: dict[str, str] = {}
     stem = _stem(what, source, given)
     with progress.stage("read"):
@@ -170,7 +183,21 @@ def make(
         if source is not None:
             origin["sha256"] = digest(source)
         full = load_files(given)
-    return Made(what, what.make(source, full, progress), given, origin or None, stem, progress)
+    for kind, values in _runs(changed):
+        if (before := what.changes[kind].before) is not None:
+            source, full = before(source, full, values)
+    piece = what.make(source, full, progress)
+    for kind, values in _runs(changed):
+        if (after := what.changes[kind].after) is not None:
+            piece = after(piece, values, progress)
+    told = [plain_edit(kind, edit) for kind, edit in changed]
+    return Made(what, piece, given, told, origin or None, stem, progress)
+
+
+def _runs(edits: Sequence[tuple[str, Params]]) -> Iterator[tuple[str, list[Params]]]:
+    """Edits of one kind that follow each other, together."""
+    for kind, group in groupby(edits, key=lambda edit: edit[0]):
+        yield kind, [edit for _, edit in group]
 
 
 def _stem(what: Craft, source: Any, params: Params) -> str:
@@ -187,7 +214,11 @@ def write(
     progress : for this writing (the making's own when None)
 
     All files appear, or, on any error, none. Raises TambourError. The report holds craft, version, edition, params,
+    <<<<<<< HEAD
     source, the craft's facts, warnings, files, how its kernels ran, and seconds per stage.
+    =======
+    source, edits, the craft's facts, warnings, files, and seconds per stage.
+    >>>>>>> 7d21985 (Edits as data, one spelling in every craft; params carry all that a form needs; full and closed streams, racks, glTF bombs and threads are told; bench/bad_values.py)
     """
     from tambour import __version__
     from tambour.core.kernels import ways
@@ -220,6 +251,7 @@ def write(
                 **{n: str(getattr(made.params, n)) for n in made.params.files() if getattr(made.params, n) is not None},
             },
             "source": made.source,
+            "edits": list(made.edits),
             **what.facts(made.piece),
             "warnings": [str(w) for w in progress.warnings],
             "problems": [w.plain() for w in progress.warnings],
@@ -243,7 +275,9 @@ def guard(plan: Sequence[Output], source: str | Path | None, report: str | Path 
     ]
     if report is not None:
         at = Path(report)
-        if not at.parent.is_dir():
+        if why := unspeakable(str(report)):
+            problems.append(Problem(f"the name of the report {why}", where=str(report)[:80]))
+        elif not at.parent.is_dir():
             problems.append(Problem("its folder does not exist", where=str(report)))
         elif at.is_dir():
             problems.append(Problem("this is a folder, name a file in it", where=str(report)))
@@ -268,6 +302,7 @@ def run(
     progress: Progress | None = None,
     began: float | None = None,
     report: str | Path | None = None,
+    edits: Sequence[Edit | str] = (),
 ) -> dict[str, Any]:
     """:func:`make` and :func:`write` in one; what cannot be written is told before anything is made.
 
@@ -280,5 +315,6 @@ def run(
     plan = outputs(what, out, _stem(what, source, given), what.prefer(given))
     guard(plan, source if isinstance(source, (str, Path)) else None, report)
     what.check(given, [item.view for item in plan])
+    what.edits(edits)
     progress.seconds["start"] = time.perf_counter() - begin
-    return write(make(what, source, given, progress), out, report)
+    return write(make(what, source, given, edits, progress), out, report)

@@ -17,6 +17,22 @@ _OPTION = re.compile(r"\{--([a-z][a-z0-9-]*)\}")
 _DANGEROUS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
 
 
+_CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+LONGEST_TEXT = 10_000
+"""Characters above which no parameter and no name is taken."""
+
+
+def unspeakable(text: str) -> str:
+    """Why a text from outside cannot be a parameter or a name; empty when it can."""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return "holds bytes that are no text"
+    if _CONTROLS.search(text):
+        return "holds a control character"
+    return f"has more than {LONGEST_TEXT:,} characters" if len(text) > LONGEST_TEXT else ""
+
+
 def shown(text: str) -> str:
     """A text from a file or a command line as it may stand in a terminal: a visible sign for each control character."""
 

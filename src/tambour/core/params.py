@@ -7,11 +7,15 @@ cache key and the sweep's axes. Fields are flat: numbers, words, switches, lengt
 from __future__ import annotations
 
 import re
-from typing import Annotated, Any, ClassVar
+import types
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, ClassVar, Literal, Union, get_args, get_origin
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, WithJsonSchema
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, ValidationInfo, field_validator
 
-from tambour.core.errors import Problem, TambourError, did_you_mean
+from tambour.core.errors import Problem, TambourError, did_you_mean, unspeakable
 
 _LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, '"': 25.4, "pt": 25.4 / 72}
 _TIMES = {"s": 1.0, "min": 60.0, "m": 60.0, "h": 3600.0}
@@ -33,27 +37,25 @@ def length(value: Any) -> Any:
     return measure(value, _LENGTHS)
 
 
-Length = Annotated[
-    float,
-    BeforeValidator(length),
-    Field(allow_inf_nan=False),
-    WithJsonSchema({"type": "number", "unit": "mm"}),
-]
+@dataclass(frozen=True)
+class Unit:
+    """In a number's annotations: the unit that a bare number counts."""
+
+    name: str
+
+    def __get_pydantic_json_schema__(self, core: Any, handler: Any) -> dict[str, Any]:
+        """Pydantic's schema, with the unit."""
+        return {**handler(core), "unit": self.name}
+
+
+Length = Annotated[float, BeforeValidator(length), Field(allow_inf_nan=False), Unit("mm")]
 """A length in mm; at the surface ``mm``, ``cm``, ``m``, ``in`` and ``pt`` are understood."""
 
-Duration = Annotated[
-    float,
-    BeforeValidator(lambda v: measure(v, _TIMES)),
-    Field(allow_inf_nan=False),
-    WithJsonSchema({"type": "number", "unit": "s"}),
-]
+Duration = Annotated[float, BeforeValidator(lambda v: measure(v, _TIMES)), Field(allow_inf_nan=False), Unit("s")]
 """A time in seconds; ``90s``, ``20min`` and ``3h`` are understood."""
 
 Degrees = Annotated[
-    float,
-    BeforeValidator(lambda v: measure(v, {"deg": 1.0})),
-    Field(allow_inf_nan=False),
-    WithJsonSchema({"type": "number", "unit": "degrees"}),
+    float, BeforeValidator(lambda v: measure(v, {"deg": 1.0})), Field(allow_inf_nan=False), Unit("degrees")
 ]
 """An angle in degrees, 0 along +x, counter-clockwise as one sees it."""
 
@@ -67,6 +69,11 @@ def file(value: str, help: str, words: tuple[str, ...] = ()) -> Any:
     return Field(default=None, description=help, json_schema_extra={"file": value, "words": list(words)})
 
 
+def edited(default: tuple[str, ...] = ()) -> Any:
+    """A field that is set by a craft's edits alone (:class:`tambour.craft.Change`): neither option nor form shows it."""
+    return Field(default=default, json_schema_extra={"edited": True})
+
+
 class Params(BaseModel):
     """Base of every craft's parameters: frozen, unknown names refused, docstrings under fields are their help."""
 
@@ -74,7 +81,16 @@ class Params(BaseModel):
         frozen=True, extra="forbid", use_attribute_docstrings=True, arbitrary_types_allowed=True, allow_inf_nan=False
     )
 
-    sources: ClassVar[tuple[str, ...]] = ()
+    groups: ClassVar[Mapping[str, str]] = {}
+    """What belongs together in a form: a heading → its fields, in order, parted by spaces."""
+    first: ClassVar[str] = ""
+    """The fields that most people want (tier "first"); all others but the rare ones are tier "more"."""
+    rare: ClassVar[str] = "edition"
+    """The fields that few ever need (tier "rare")."""
+    widgets: ClassVar[Mapping[str, str]] = {}
+    """Field → what it is set with, where its type does not say so: color, lines, box."""
+    when: ClassVar[Mapping[str, Mapping[str, Any]]] = {}
+    """Field → when it has an effect: other fields → True (given or on), False (not), or the values that they may have."""
 
     edition: int = Field(default=1, ge=1, le=1)
     """The generation of the algorithms that make the piece; old pieces keep theirs."""
@@ -92,6 +108,76 @@ class Params(BaseModel):
         listed = extra.get("words", []) if isinstance(extra, dict) else []
         return tuple(map(str, listed)) if isinstance(listed, list) else ()
 
+    @field_validator("*", mode="before")
+    @classmethod
+    def _words(cls, value: Any, info: ValidationInfo) -> Any:
+        if info.field_name in cls.files() and isinstance(value, (bool, int, float, bytes, list, dict, tuple, set)):
+            raise ValueError("a file's name is wanted")
+        for text in value if isinstance(value, (tuple, list)) else (value,):
+            if isinstance(text, (str, Path)) and (why := unspeakable(str(text))):
+                raise ValueError(why)
+        return value
+
+    @classmethod
+    def asked(cls) -> dict[str, Any]:
+        """The fields that options and forms ask for: all but those that edits set."""
+        extras = {name: f.json_schema_extra for name, f in cls.model_fields.items()}
+        edits = {name for name, e in extras.items() if isinstance(e, dict) and "edited" in e}
+        return {name: f for name, f in cls.model_fields.items() if name not in edits}
+
+    @classmethod
+    def form(cls) -> dict[str, dict[str, Any]]:
+        """All that a form needs of each field: label, help, group, tier, widget, unit, minimum, maximum (or
+        exclusiveMinimum, exclusiveMaximum), choices, file (the value type read from it), many, default, when.
+
+        Help names other fields as ``{--max-float}``; see :func:`tambour.core.errors.spelt`.
+        """
+        of_group = {name: group for group, names in cls.groups.items() for name in names.split()}
+        made = {}
+        for name, f in cls.asked().items():
+            kind, many = _kind(f.annotation)
+            extra = f.json_schema_extra if isinstance(f.json_schema_extra, dict) else {}
+            listed = extra.get("choices", ())
+            choices = [*cls.words(name), *(get_args(kind) if get_origin(kind) is Literal else ())]
+            choices += listed if isinstance(listed, list) else []
+            plain = {bool: "switch", int: "number", float: "number"}.get(kind, "text")
+            widget = "file" if name in cls.files() else "choice" if choices else plain
+            default = f.get_default(call_default_factory=True)
+            told: dict[str, Any] = {
+                "label": name.rstrip("_").replace("_", " ").capitalize(),
+                "help": (f.description or "").strip().replace("\n", " "),
+                "group": of_group.get(name, "Making"),
+                "tier": "first" if name in cls.first.split() else "rare" if name in cls.rare.split() else "more",
+                "widget": cls.widgets.get(name, widget),
+                "many": many,
+                "default": list(default) if isinstance(default, tuple) else default,
+                "when": {k: list(v) if isinstance(v, tuple) else v for k, v in cls.when.get(name, {}).items()},
+            }
+            found = {"unit": unit(f), "choices": choices, "file": cls.files().get(name), **bounds(f)}
+            made[name] = {**told, **{k: v for k, v in found.items() if v not in ("", [], None)}}
+        return made
+
+    @classmethod
+    def model_json_schema(cls, *args: Any, **options: Any) -> dict[str, Any]:
+        """Pydantic's schema, and with each property what :meth:`form` knows of it."""
+        made = super().model_json_schema(*args, **options)
+        for name, told in cls.form().items():
+            for part in made["properties"][name].get("anyOf", ()):
+                for word in ("gt", "ge", "lt", "le"):  # pydantic's own words, left there by bounds of what may be None
+                    part.pop(word, None)
+            made["properties"][name] |= told
+        return made
+
+    def idle(self) -> list[Problem]:
+        """Warnings about the fields that are set and have no effect, by ``when``."""
+        problems = []
+        for name, needs in self.when.items():
+            unmet = [(k, v) for k, v in needs.items() if not _holds(getattr(self, k), v)]
+            if unmet and getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
+                why = " and ".join(_needed(k, v) for k, v in unmet)
+                problems.append(Problem(f"has no effect without {why}", where=f"{{--{_dashed(name)}}}", warning=True))
+        return problems
+
     @classmethod
     def of(cls, values: dict[str, Any], spell: str = "{{--{}}}") -> Any:
         """Validated params; all that is wrong at once as a TambourError whose places are the fields."""
@@ -103,7 +189,7 @@ class Params(BaseModel):
                     Problem(
                         _sentence(e),
                         _remedy(e),
-                        where=spell.format(str(e["loc"][0]).rstrip("_").replace("_", "-")) if e["loc"] else "",
+                        where=spell.format(_dashed(str(e["loc"][0]))) if e["loc"] else "",
                     )
                     for e in error.errors()
                 ]
@@ -118,6 +204,53 @@ class Params(BaseModel):
         from tambour.core.digest import digest
 
         return digest([type(self).__name__, self.plain(), {name: getattr(self, name) for name in self.files()}])
+
+
+def _dashed(name: str) -> str:
+    return name.rstrip("_").replace("_", "-")
+
+
+def _holds(value: Any, wanted: Any) -> bool:
+    if isinstance(wanted, bool):
+        return (value not in (None, "", (), False)) == wanted
+    return value in wanted
+
+
+def _needed(name: str, wanted: Any) -> str:
+    field = f"{{--{_dashed(name)}}}"
+    if isinstance(wanted, bool):
+        return field if wanted else f"leaving out {field}"
+    return f"{field} {' or '.join(str(w) for w in wanted if w is not None)}"
+
+
+def _kind(annotation: Any) -> tuple[Any, bool]:
+    """The type of a field's values, None left out, and whether it takes many."""
+    if get_origin(annotation) in (Union, types.UnionType):
+        annotation = next(k for k in get_args(annotation) if k is not type(None))
+    if get_origin(annotation) is Annotated:
+        annotation = get_args(annotation)[0]
+    if get_origin(annotation) is tuple and get_args(annotation)[-1] is Ellipsis:
+        return _kind(get_args(annotation)[0])[0], True
+    return annotation, False
+
+
+def _marks(f: Any) -> list[Any]:
+    """The annotations of a field, and those of the type in ``Length | None``."""
+    inner = [get_args(k) for k in get_args(f.annotation) if get_origin(k) is Annotated]
+    marks = [*(m for found in inner for m in found[1:]), *f.metadata]
+    return [m for mark in marks for m in (mark, *(getattr(mark, "metadata", None) or ()))]
+
+
+def unit(f: Any) -> str:
+    """The unit of a pydantic field's numbers, or an empty string."""
+    return next((m.name for m in _marks(f) if isinstance(m, Unit)), "")
+
+
+def bounds(f: Any) -> dict[str, Any]:
+    """minimum, maximum, exclusiveMinimum, exclusiveMaximum and maxLength of a pydantic field, where it has them."""
+    words = {"ge": "minimum", "le": "maximum", "gt": "exclusiveMinimum", "lt": "exclusiveMaximum"}
+    words["max_length"] = "maxLength"
+    return {w: v for m in _marks(f) for k, w in words.items() if (v := getattr(m, k, None)) is not None}
 
 
 def _remedy(error: Any) -> str:

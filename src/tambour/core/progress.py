@@ -5,8 +5,12 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
 from tambour.core.errors import Problem
+
+LOOK = 0.016
+"""Seconds between two looks."""
 
 
 class Stopped(BaseException):
@@ -19,16 +23,18 @@ Show = Callable[[str, int, int], None]
 class Progress:
     """Handed to every ``make``: names stages, counts, collects warnings.
 
-    ``show(stage, done, total)`` is called on every change: a bar in the terminal, an event in the studio, nothing in
-    batch. ``seconds`` holds the time spent in each stage, nested stages taken out of their surroundings.
+    ``show(stage, done, total)`` is called on every change: a bar in the terminal, nothing in batch. It may raise
+    :class:`Stopped`, which ends the work. ``watch`` is shown what is being made, at most every 16 ms. ``seconds`` holds the time spent in each stage, nested stages taken out of their surroundings.
     """
 
-    def __init__(self, show: Show | None = None) -> None:
+    def __init__(self, show: Show | None = None, watch: Callable[[Any], None] | None = None) -> None:
         self.seconds: dict[str, float] = {}
         self.warnings: list[Problem] = []
         self._show = show or (lambda stage, done, total: None)
         self._open: list[str] = []
         self._since = 0.0
+        self._watch = watch
+        self._looked = 0.0
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
@@ -45,6 +51,13 @@ class Progress:
     def step(self, done: int, total: int) -> None:
         """The open stage has done ``done`` of ``total``."""
         self._show(self._open[-1] if self._open else "", done, total)
+
+    def look(self, make: Callable[[], Any]) -> None:
+        """Show who watches what is being made: ``make()`` is called only when somebody does and the last look is over."""
+        now = time.perf_counter()
+        if self._watch is not None and now - self._looked >= LOOK:
+            self._watch(make())
+            self._looked = time.perf_counter()
 
     def warn(self, problem: Problem | str, hint: str = "", where: str = "") -> None:
         """Note a doubt; it is printed, and stands in the report, but stops nothing."""

@@ -6,7 +6,22 @@ import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
-WORKERS = min(os.cpu_count() or 1, 8)
+from tambour.core.errors import TambourError
+
+
+def _workers() -> int:
+    """TAMBOUR_THREADS, else the processors that this process may use, at most 8."""
+    told = os.environ.get("TAMBOUR_THREADS", "")
+    if told:
+        if not (told.isdecimal() and 1 <= int(told[:6]) <= 256):
+            raise TambourError("wanted a number of threads from 1 to 256", where="TAMBOUR_THREADS")
+        return int(told)
+    may = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return min(may, 8)
+
+
+WORKERS = _workers()
+"""How many threads every pool has. No byte depends on it."""
 
 
 def share(count: int, block: int, work: Callable[[int, int], None]) -> None:

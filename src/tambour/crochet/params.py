@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
 from tambour.core.errors import TambourError
-from tambour.core.params import Length, Params
+from tambour.core.params import Length, Params, edited
 from tambour.crochet.words.table import TERMS
 from tambour.crochet.yarns import WEIGHTS, class_of, ravelled
 
@@ -17,17 +17,51 @@ if TYPE_CHECKING:
 else:
     Code = Literal[tuple(TERMS)]  # a language is a file of words/
 
-_GAUGE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*[xX×]\s*(\d+(?:\.\d+)?)\s*$")
+_GAUGE = re.compile(r"\s*(\d{1,3}(?:\.\d+)?)\s*[xX×]\s*(\d{1,3}(?:\.\d+)?)\s*$")
 
 
 class CrochetParams(Params):
     """Parameters of crochet. Where a pattern's ``@`` parameter can speak, None leaves it the word."""
 
+    groups: ClassVar = {
+        "Pattern": "terms strict check max_stitches",
+        "Yarn and gauge": "yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
+        "Pictures and pages": "detail photo page title designer",
+        "Shape": "stuffing contact solver steps tolerance start link_distance single_loop_force bending",
+        "Stuffing": "pressure centroids nodes_per_centroid centroid_force centroid_cap weight_peak weight_width skeleton_force",
+        "Contact": "contact_distance contact_near contact_stiffness",
+        "One by one": "wait_force wait_steps",
+    }
+    first: ClassVar = "yarn hook gauge terms check detail page title designer"
+    rare: ClassVar = (
+        "edition solver steps tolerance start link_distance single_loop_force bending pressure centroids nodes_per_centroid"
+        " centroid_force centroid_cap weight_peak weight_width skeleton_force contact_distance contact_near"
+        " contact_stiffness wait_force wait_steps max_stitches"
+    )
+    when: ClassVar = {
+        "steps": {"solver": ("steps",)},
+        "tolerance": {"solver": ("settle",)},
+        "stuffing": {"solver": ("settle", "steps")},
+        "gauge": {"gauge_circle": False},
+        "gauge_yarn": {"gauge_circle": False, "gauge": False},
+        "stitch_width": {"gauge_circle": False, "gauge": False, "gauge_yarn": False},
+        "stitch_height": {"gauge_circle": False, "gauge": False, "gauge_yarn": False},
+        "pressure": {"stuffing": ("pressure", None)},
+        "skeleton_force": {"stuffing": ("skeleton", None)},
+        "nodes_per_centroid": {"stuffing": ("centroid", None), "centroids": False},
+        **{
+            name: {"stuffing": ("centroid", None)}
+            for name in ("centroids", "centroid_force", "centroid_cap", "weight_peak", "weight_width")
+        },
+        **{name: {"contact": True} for name in ("contact_distance", "contact_near", "contact_stiffness")},
+        **{name: {"start": ("one-by-one", None)} for name in ("wait_force", "wait_steps")},
+    }
+
     solver: Literal["settle", "steps", "none"] = "settle"
     """settle: the shape at rest. steps: a number of plain simulation steps. none: first positions only."""
     steps: int = Field(default=1000, ge=0, le=10_000_000)
     """How many steps {--solver} steps takes; with {--start} one-by-one they include the building."""
-    tolerance: float | None = Field(default=None, gt=0)
+    tolerance: float | None = Field(default=None, gt=0, le=1)
     """Largest residual force at rest, in stitches; without it, what an error well under 0.1 stitch needs."""
     start: Literal["rounds", "one-by-one"] | None = None
     """First positions: a ring per round, or a node at a time while the others move (@initializer; else rounds)."""
@@ -35,8 +69,8 @@ class CrochetParams(Params):
     """What presses the fabric outwards (else pressure). How much, a pattern says part by part: @stuffing = none|light|firm."""
     contact: bool = True
     """Fabric that is not joined does not pass through itself, nor parts through one another."""
-    pose: tuple[str, ...] = ()
-    """How a placed part leans, in place of what the pattern says: "Arm.1 tilt=30 towards=200 across=0"."""
+    pose: tuple[str, ...] = edited()
+    """How placed parts lean, in place of what the pattern says: "Arm.1 tilt=30 towards=200 across=0"; the edit "pose"."""
     detail: Literal["low", "medium", "high"] = "medium"
     """How finely the yarn is swept in 3-D files and pictures."""
     photo: bool = False
@@ -70,40 +104,40 @@ class CrochetParams(Params):
     """The words of written instructions: US or UK terms, another language, or letters (else the pattern's own, else US)."""
     strict: bool = False
     """Stated counts that do not agree with the work, and other doubts, are errors."""
-    max_stitches: int = Field(default=200_000, ge=1)
+    max_stitches: int = Field(default=200_000, ge=1, le=5_000_000)
     """More stitches than this are an error at the count that asks for them."""
 
     link_distance: float = Field(default=1.0, ge=0.1, le=10)
     """The seed's d: scales every edge's rest length."""
     pressure: float = Field(default=0.02, ge=0, le=10)
     """Pressure stuffing: its energy is -p · edges · ln V; 0.01 stretches a ball by 3 %, 0.05 by 13 %."""
-    centroids: int | None = Field(default=None, ge=0)
+    centroids: int | None = Field(default=None, ge=0, le=10_000)
     """Centroid stuffing: centroids in each part (@centroids; else by {--nodes-per-centroid})."""
-    nodes_per_centroid: int = Field(default=60, ge=1)
+    nodes_per_centroid: int = Field(default=60, ge=1, le=1_000_000)
     """Centroid stuffing: a centroid for every so many nodes."""
-    centroid_force: float = Field(default=0.05, ge=0)
+    centroid_force: float = Field(default=0.05, ge=0, le=100)
     """Centroid stuffing, the seed's f: strength of the push f · min(1 / r², cap)."""
-    centroid_cap: float = Field(default=1000.0, gt=0)
+    centroid_cap: float = Field(default=1000.0, gt=0, le=1e6)
     """Centroid stuffing: the push's cap."""
-    weight_peak: float = 1.0
+    weight_peak: float = Field(default=1.0, ge=-10, le=10)
     """Centroid stuffing, the seed's b: the weight is exp(-(ln r - b)² / c²)."""
-    weight_width: float = Field(default=1.4, gt=0)
+    weight_width: float = Field(default=1.4, ge=0.01, le=100)
     """Centroid stuffing, the seed's c."""
-    skeleton_force: float = Field(default=0.02, ge=0)
+    skeleton_force: float = Field(default=0.02, ge=0, le=100)
     """Skeleton stuffing: strength of the push f / R · min((R / r)², cap)."""
-    single_loop_force: float = Field(default=0.05, ge=0)
+    single_loop_force: float = Field(default=0.05, ge=0, le=100)
     """How strongly stitches in one loop lean to its side."""
-    bending: float = Field(default=0.05, ge=0)
+    bending: float = Field(default=0.05, ge=0, le=100)
     """How strongly fabric without stuffing resists bending, against 1 for stretching."""
-    contact_distance: float = Field(default=1.2, gt=0)
+    contact_distance: float = Field(default=1.2, gt=0, le=5)
     """Fabric pushes fabric that is nearer than this, in stitches."""
-    contact_near: float = Field(default=1.0, gt=0)
+    contact_near: float = Field(default=1.0, gt=0, le=5)
     """The same for two stitches with one or two stitches between them."""
-    contact_stiffness: float | None = Field(default=None, gt=0)
+    contact_stiffness: float | None = Field(default=None, gt=0, le=100)
     """Strength of contact against 1 for springs (else 1, and 0.2 with the seed's cubic links)."""
-    wait_force: float = Field(default=0.03, ge=0)
+    wait_force: float = Field(default=0.03, ge=0, le=100)
     """One by one: the next node comes once the last one's displacement is below this."""
-    wait_steps: int = Field(default=100, ge=1)
+    wait_steps: int = Field(default=100, ge=1, le=1_000_000)
     """One by one: or after so many steps."""
 
     @field_validator("gauge")

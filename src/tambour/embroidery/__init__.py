@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tambour.craft import Craft, Lazy
+from tambour.embroidery.edits import REGION
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.views import VIEWS
 
@@ -15,4 +16,5 @@ CRAFT = Craft(
     views=VIEWS,
     facts=Lazy("tambour.embroidery.plan.facts:facts"),
     optional_source=True,
+    changes={"region": REGION},
 )

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 import re
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, ClassVar, Literal, get_args
 
-from pydantic import BeforeValidator, Field, WithJsonSchema, field_validator
+from pydantic import BeforeValidator, Field, field_validator
 
-from tambour.core.params import Degrees, Length, Params, file, length
+from tambour.core.params import Degrees, Length, Params, Unit, file, length
 
 Stitch = Literal[
     "tatami",
@@ -38,18 +38,34 @@ def thread_width(value: Any) -> Any:
     return length(value)
 
 
-Thread = Annotated[
-    float, BeforeValidator(thread_width), Field(gt=0, le=5), WithJsonSchema({"type": "number", "unit": "mm"})
-]
+Thread = Annotated[float, BeforeValidator(thread_width), Field(ge=0.01, le=5), Unit("mm")]
 
 
 class EmbroideryParams(Params):
     """Parameters of the embroidery craft."""
 
+    groups: ClassVar = {
+        "Stitches": "stitch angle row_spacing row_spacing_end length min_length stagger jitter seed motif motif_size repeats",
+        "Satin and lines": "satin_from split jagged",
+        "Thread": "thread pull underlay travel locks trim catalogue",
+        "Design": "width hoop order colors text font text_size applique knockdown baste",
+        "Cloth": "cloth ground frames ends theta place place_at place_offset place_rotate place_scale place_group",
+        "Machine": "pes jef_trims",
+    }
+    first: ClassVar = "stitch angle row_spacing width hoop text colors cloth"
+    rare: ClassVar = "edition min_length stagger jitter seed jagged theta ends place_group jef_trims"
+    widgets: ClassVar = {"ground": "color"}
+    when: ClassVar = {
+        "font": {"text": True},
+        "text_size": {"text": True},
+        "place_at": {"place": ("point",)},
+        "place_group": {"cloth": True},
+    }
+
     stitch: Stitch | None = None
     """How areas and lines are stitched (by how wide each limb is: satin, tatami, or a line)."""
 
-    angle: Degrees | None = None
+    angle: Degrees | None = Field(default=None, ge=-360, le=360)
     """Direction of the rows, counter-clockwise from +x (when not given: tatami by each shape, the others along +x)."""
 
     row_spacing: Length = Field(default=0.4, gt=0.02, le=50)
@@ -73,7 +89,7 @@ class EmbroideryParams(Params):
     jitter: Length = Field(default=0.0, ge=0, le=3)
     """Ends of rows move along their row by up to this much, needle points in a row too."""
 
-    seed: str = "tambour"
+    seed: str = Field(default="tambour", max_length=1000)
     """Any text: other seeds, other jitter and other meanders."""
 
     underlay: str = "auto"
@@ -115,7 +131,7 @@ class EmbroideryParams(Params):
     locks: bool = True
     """Small stitches that tie each thread's start and end."""
 
-    trim: Length = Field(default=2.0, ge=0)
+    trim: Length = Field(default=2.0, ge=0, le=1000)
     """Thread is cut before jumps longer than this."""
 
     order: Literal["auto", "file"] = "auto"
@@ -133,7 +149,7 @@ class EmbroideryParams(Params):
     colors: int | None = Field(default=None, ge=2, le=24)
     """Colours that a picture (6 when not given) or a drawing (all it has) is reduced to."""
 
-    text: str | None = None
+    text: str | None = Field(default=None, max_length=500)
     """Letters to embroider, instead of a drawing or below it."""
 
     font: Any = file("Font", "A .ttf or .otf file for the letters of {--text} (the shipped one when not given).")
@@ -160,7 +176,7 @@ class EmbroideryParams(Params):
     place_offset: str = "0,0"
     """Moves the design on the cloth, right and down, as X,Y in mm."""
 
-    place_rotate: Degrees = 0.0
+    place_rotate: Degrees = Field(default=0.0, ge=-360, le=360)
     """Turns the design on the cloth, counter-clockwise."""
 
     place_scale: float = Field(default=1.0, gt=0, le=1000)
@@ -228,7 +244,7 @@ def numbers(text: str, count: int) -> tuple[float, ...]:
         made = tuple(float(length(p)) for p in parts)
     except ValueError:
         made = ()
-    if len(made) != count or not all(map(math.isfinite, made)):
+    if len(made) != count or not all(abs(n) <= 100_000 for n in made):
         raise ValueError(f"{text!r} is not {count} lengths such as {','.join(['10', '-2.5', '0'][:count])}")
     return made
 
@@ -254,4 +270,6 @@ def hoop_size(text: str) -> tuple[float, float]:
     if named is not None and found[3] in (None, "in"):
         return named
     unit = {"in": 25.4, "cm": 10.0}.get(found[3] or "mm", 1.0)
+    if max(float(found[1]), float(found[2])) * unit > 5000:
+        raise ValueError(f"{text!r}: a hoop is at most 5 m wide and high")
     return float(found[1]) * unit, float(found[2]) * unit

@@ -163,6 +163,11 @@ def _runs(faces: Array, count: int) -> list[tuple[int, int, int, int]]:
     return runs
 
 
+_MOST_NODES = 100_000
+_MOST_VALUES = 50_000_000
+"""Nodes visited and points shown above which a file is refused: a few bytes can claim any number of either."""
+
+
 def write_mesh(value: Mesh, sink: Sink) -> None:
     """A .glb: positions in metres, colours as linear light, a primitive and a material for every group of faces."""
     body = Body()
@@ -242,7 +247,9 @@ def _accessor(head: dict[str, Any], buffers: list[bytes], index: int) -> Array:
     """Values (N, width) of an accessor, in its own type, or float64 in 0…1 (-1…1) when it is normalised."""
     accessor = head["accessors"][index]
     kind, width, count = np.dtype(_TYPES[accessor["componentType"]]), _WIDTHS[accessor["type"]], accessor["count"]
-    values = np.zeros((count, width), kind)
+    if isinstance(count, bool) or not isinstance(count, int) or not 0 <= count <= _MOST_VALUES:
+        raise ValueError("an accessor counts more values than a file can hold")
+    values = np.zeros((count, width) if "bufferView" not in accessor else (0, width), kind)
     if "bufferView" in accessor:
         values = _view(head, buffers, accessor["bufferView"], accessor.get("byteOffset", 0), kind, width, count)
     if "sparse" in accessor:
@@ -300,10 +307,11 @@ def _scene(head: dict[str, Any], buffers: list[bytes], path: Path) -> Mesh:
     roots = scenes[head.get("scene", 0)].get("nodes", []) if scenes else range(len(nodes))
     stack = [(k, np.eye(4), 0) for k in reversed(list(roots))]
     vertices, faces, colors, uvs, groups, names = [], [], [], [], [], []
-    total, drawn = 0, 0
+    total, drawn, visited = 0, 0, 0
     while stack:
         index, above, depth = stack.pop()
-        if depth > 500:
+        visited += 1
+        if depth > 500 or visited > _MOST_NODES:
             raise ValueError("its nodes contain each other")
         node = nodes[index]
         place = above @ _matrix(node)
@@ -337,6 +345,8 @@ def _scene(head: dict[str, Any], buffers: list[bytes], path: Path) -> Mesh:
                 names.append(name)
             groups.append(np.full(len(triangles), names.index(name), np.int32))
             total += len(points)
+            if total > _MOST_VALUES:
+                raise ValueError("its nodes show more points than fit into memory")
     if not faces:
         raise TambourError("there are no triangles in this file", where=str(path))
     plain = all(c is None for c in colors)

@@ -180,8 +180,11 @@ def _step(
     if word.startswith("x-") or word in _QUIET or word == "miss":
         if word == "drop" and arguments:
             loops.discard(arguments[0])
-        if word == "rack" and arguments and float(arguments[0]) != 0:
-            return "a racked bed: this is not plain knitting"
+        if word == "rack":
+            if len(arguments) != 1 or not re.fullmatch(r"[-+]?(\d+\.?\d*|\.\d+)", arguments[0]):
+                return '"rack" wants one number'
+            if float(arguments[0]) != 0:
+                return "a racked bed: this is not plain knitting"
         return ""
     if word not in ("knit", "tuck"):
         return f'"{word}" is not plain knitting' if word in ("xfer", "split") else f'there is no operation "{word}"'

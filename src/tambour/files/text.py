@@ -25,6 +25,21 @@ def read_text(path: Path) -> Text:
     return Text(text.replace("\r\n", "\n").replace("\r", "\n"), str(path))
 
 
+def read_edits(path: str | Path) -> list[Any]:
+    """The edits in a JSON file: a list of them, or what a report has under "edits". TambourError for any other file."""
+    try:
+        told = json.loads(Path(path).read_bytes())
+        edits = told["edits"] if isinstance(told, dict) else told
+        if isinstance(edits, list):
+            return edits
+    except OSError as error:
+        raise TambourError(f"cannot be read: {error.strerror or error}", where=str(path)) from None
+    except (ValueError, KeyError, RecursionError):
+        pass
+    hint = 'such as [{"edit": "stitch", "row": 12, "stitch": 30, "yarn": "CC"}], or a report'
+    raise TambourError("this is no list of edits", hint=hint, where=str(path))
+
+
 def write_text(value: Text, sink: Sink) -> None:
     """UTF-8, line ends as they are."""
     sink.put(value.text.encode())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tambour.craft import Craft, Lazy
+from tambour.ink.edits import LEAVE
 from tambour.ink.params import Ink, check, stem
 from tambour.ink.views import VIEWS
 
@@ -16,4 +17,5 @@ CRAFT = Craft(
     facts=Lazy("tambour.ink.views:facts"),
     stem=stem,
     check=check,
+    changes={"leave": LEAVE},
 )

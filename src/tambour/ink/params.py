@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Literal
 from pydantic import Field, field_validator, model_validator
 
 from tambour.core.errors import Problem, TambourError, did_you_mean
-from tambour.core.params import Duration, Length, Params, file
+from tambour.core.params import Duration, Length, Params, edited, file
 from tambour.ink.ground.kinds import SPECIMENS
 
 FARTHEST = 1e12
@@ -25,9 +25,26 @@ LOWEST = 3.0
 class Ink(Params):
     """A window of an endless scroll, or one of its elements."""
 
-    sources: ClassVar[tuple[str, ...]] = ()
+    groups: ClassVar = {
+        "Window": "seed from_ span reading specimen",
+        "Landscape": "density height season time mist figures buildings boats birds waterfalls",
+        "Sheet": "paper inscription seal font tall pixels",
+        "Painting": "painting steps",
+        "Plotter": "plotter page margin crop model nib pens speed budget sheets frame",
+    }
+    first: ClassVar = "seed from_ span season time mist density plotter"
+    rare: ClassVar = "edition steps speed frame model"
+    widgets: ClassVar = {"inscription": "lines"}
+    when: ClassVar = {
+        **{name: {"specimen": False} for name in ("from_", "span", "density", "mist")},
+        **{
+            name: {"plotter": True}
+            for name in ("page", "margin", "crop", "model", "nib", "pens", "speed", "budget", "frame")
+        },
+        "tall": {"plotter": False},
+    }
 
-    seed: str = "1"
+    seed: str = Field(default="1", max_length=1000)
     """Any text: the same text gives the same scroll."""
 
     from_: float = Field(default=0.0, ge=-FARTHEST, le=FARTHEST)
@@ -36,7 +53,7 @@ class Ink(Params):
     span: float = Field(default=3000.0, ge=1.0, le=LONGEST)
     """How long the window is, in scroll units."""
 
-    specimen: str | None = None
+    specimen: str | None = Field(default=None, json_schema_extra={"choices": list(SPECIMENS)})
     """One element by itself, or "all" for a sheet of every one with its name."""
 
     density: float = Field(default=1.0, ge=0.0, le=3.0)
@@ -75,7 +92,7 @@ class Ink(Params):
     paper: bool = True
     """The warm fibrous paper; without it the sheet is plain white."""
 
-    inscription: str = ""
+    inscription: str = Field(default="", max_length=200)
     """A text written down the upper right of the window."""
 
     seal: str = ""
@@ -94,6 +111,9 @@ class Ink(Params):
 
     steps: int = Field(default=120, ge=2, le=5000)
     """Steps of the view "painting": frames of a .gif or .png, delays of an .svg."""
+
+    left_out: tuple[str, ...] = edited()
+    """The ids of wholes that are left out; the edit "leave"."""
 
     # ── the plotter ──────────────────────────────────────────────────────────
 
@@ -121,7 +141,7 @@ class Ink(Params):
     speed: float = Field(default=55.0, gt=0.0, le=1000.0)
     """Speed of the lowered pen in mm/s; times are reckoned with it."""
 
-    budget: Duration = Field(default=0.0, ge=0.0)
+    budget: Duration = Field(default=0.0, ge=0.0, le=1e7)
     """The time there is for all sheets, such as 3h or 20min; what matters least is left out. 0: no limit."""
 
     sheets: str = ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tambour.craft import Craft, Lazy
+from tambour.knit.edits import STITCH
 from tambour.knit.params import KnitParams
 from tambour.knit.views import VIEWS
 
@@ -14,4 +15,5 @@ CRAFT = Craft(
     make=Lazy("tambour.knit.flow:make"),
     views=VIEWS,
     facts=Lazy("tambour.knit.flow:facts"),
+    changes={"stitch": STITCH},
 )

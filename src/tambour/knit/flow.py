@@ -26,11 +26,16 @@ def make(source: Any, params: KnitParams, progress: Progress) -> Piece:
         from tambour.knit.views import yarn
 
         warn_of_shortage(piece.chart.palette, [(a.color, a.metres) for a in yarn(piece)], params, progress)
-    if params.machine is not None:
+    return fitting(piece)
+
+
+def fitting(piece: Piece) -> Piece:
+    """The piece, if its machine can knit it; else TambourError."""
+    if piece.params.machine is not None:
         from tambour.core.errors import TambourError
         from tambour.knit.machines.limits import check
 
-        problems = check(piece.chart, params.machine)
+        problems = check(piece.chart, piece.params.machine)
         if problems:
             raise TambourError(problems)
     return piece

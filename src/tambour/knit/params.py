@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field, model_validator
 
@@ -13,13 +13,13 @@ from tambour.core.params import Params, file, length
 def _limit(value: Any) -> Any:
     text = str(value).strip()
     if re.fullmatch(r"\d+", text):
-        if not 1 <= int(text) <= 1000:
+        if len(text) > 4 or not 1 <= int(text) <= 1000:
             raise ValueError("wanted 1 to 1000 stitches, or a length such as 2.5cm")
         return text
     if not re.search(r"[a-z\"]$", text):
         raise ValueError("wanted a whole number of stitches, or a length such as 2.5cm")
-    if length(text) <= 0:
-        raise ValueError("wanted a length above 0")
+    if not 0 < length(text) <= 10_000:
+        raise ValueError("wanted a length above 0 and up to 10 m")
     return text
 
 
@@ -53,14 +53,14 @@ def _gauge(value: Any) -> Any:
 
 def _box(value: Any) -> Any:
     numbers = re.split(r"[,\s]+", str(value).strip())
-    if len(numbers) != 4 or not all(re.fullmatch(r"\d+", n) for n in numbers) or "0" in numbers[2:]:
+    if len(numbers) != 4 or not all(re.fullmatch(r"\d{1,6}", n) for n in numbers) or "0" in numbers[2:]:
         raise ValueError("wanted left,top,width,height in whole pixels, such as 40,0,300,200")
     return ",".join(numbers)
 
 
 def _repeat(value: Any) -> Any:
     text = str(value).replace(" ", "")
-    found = re.fullmatch(r"(\d+)(?:\+(\d+))?", text)
+    found = re.fullmatch(r"(\d{1,5})(?:\+(\d{1,5}))?", text)
     if not found or not 2 <= int(found[1]) <= 20000 or int(found[2] or 0) >= int(found[1]):
         raise ValueError("wanted a number of stitches such as 24, or 24+1 for a multiple of 24 plus 1")
     return text
@@ -70,9 +70,11 @@ def _turn(value: Any) -> Any:
     text = str(value).strip()
     if text != "auto":
         try:
-            float(text.removesuffix("deg"))
+            turned = float(text.removesuffix("deg"))
         except ValueError:
             raise ValueError("wanted an angle in degrees, or auto") from None
+        if not abs(turned) <= 360:
+            raise ValueError("wanted an angle from -360 to 360 degrees, or auto")
     return text
 
 
@@ -87,6 +89,34 @@ Turn = Annotated[str, BeforeValidator(_turn)]
 
 class KnitParams(Params):
     """Parameters of the knit craft."""
+
+    groups: ClassVar = {
+        "Size": "stitches rows gauge crop rotate direction repeat border edge_stitches round edges edge_run shape",
+        "Look": "style tones ground use seen_from floats",
+        "Tones": "brightness contrast detail sharpen tone light",
+        "First version": "start threshold patches patch_from",
+        "Floats": "max_float soft catch relax lock weights focus method keep tidy",
+        "Search": "seed walk_sample walk_stop walk_gain walk_steps check",
+        "Yarns": "yarns colors card stash switch max_switches min_contrast yarn_weight skein_metres skein_grams",
+        "Pages": "title page large_cells cells swatch",
+        "Machine": "machine punch_card mirror_card",
+    }
+    first: ClassVar = "stitches gauge max_float yarns colors title page"
+    rare: ClassVar = "edition walk_sample walk_stop walk_gain walk_steps tidy patch_from edge_run light"
+    widgets: ClassVar = {"colors": "color", "crop": "box", "patch_from": "box"}
+    when: ClassVar = {
+        "threshold": {"start": ("threshold", "floyd-steinberg", "atkinson", None)},
+        "patches": {"start": ("patches",)},
+        "patch_from": {"start": ("patches",), "patches": ("marked",)},
+        "edge_run": {"edges": ("free",)},
+        "keep": {"method": ("perceptual", None)},
+        "tidy": {"method": ("exact", None)},
+        **{
+            name: {"method": ("random-walk", "hybrid")}
+            for name in ("walk_sample", "walk_stop", "walk_gain", "walk_steps")
+        },
+        **{name: {"yarns": (3, 4, 5, 6, 7, 8)} for name in ("switch", "max_switches")},
+    }
 
     # --- from the picture to stitches
     stitches: int | None = Field(default=None, ge=1, le=20000)
@@ -172,7 +202,7 @@ class KnitParams(Params):
     tidy: float = Field(default=3.0, ge=0, le=10)
     """Exact: what a flip in line with others costs more, in flips. 0 makes the fewest flips; 1 breaks up most lines.
     Where {--ground} lays the flips it has no part."""
-    seed: str = "knit"
+    seed: str = Field(default="knit", max_length=1000)
     """Any text: the random choices of the paper's methods, and of ties."""
     walk_sample: int = Field(default=100, ge=1, le=1_000_000)
     """Random walk: stitches looked at in a step, n."""
@@ -195,7 +225,7 @@ class KnitParams(Params):
     stash: Any = file("Text", "Choose the yarns from a CSV file: name, colour, metres, grams.")
     switch: float = Field(default=1.0, ge=0, le=1000)
     """More than two yarns: cost of changing the pair from one row to the next."""
-    max_switches: int | None = Field(default=None, ge=0)
+    max_switches: int | None = Field(default=None, ge=0, le=20_000)
     """More than two yarns: the most changes of pair."""
     min_contrast: float = Field(default=1.5, ge=1, le=21)
     """Least contrast of luminance (WCAG, 1 to 21) of two yarns that share a row; below it there is a warning."""
@@ -215,9 +245,9 @@ class KnitParams(Params):
     """Put a swatch into the printed pattern: the most typical part, the worst floats, and a card to measure them."""
     yarn_weight: Literal["lace", "fingering", "sport", "dk", "worsted", "aran", "bulky"] = "dk"
     """Weight of the yarn: metres per gram, and the gauge where none is given."""
-    skein_metres: float | None = Field(default=None, gt=0, le=100_000)
+    skein_metres: float | None = Field(default=None, ge=0.1, le=100_000)
     """Metres in a skein; without it, by the weight."""
-    skein_grams: float = Field(default=50.0, gt=0, le=10_000)
+    skein_grams: float = Field(default=50.0, ge=0.1, le=10_000)
     """Grams in a skein."""
     machine: (
         Literal[

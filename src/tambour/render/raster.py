@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from concurrent.futures import ThreadPoolExecutor
 from math import radians
 
@@ -12,6 +11,7 @@ from tambour.color import coded, linear
 from tambour.core.check import Array
 from tambour.core.mesh import Mesh
 from tambour.core.picture import Picture
+from tambour.core.threads import WORKERS
 from tambour.geometry.surface import closed, vertex_normals
 from tambour.render.camera import THREE_QUARTER, look
 from tambour.render.cover import cover, turn
@@ -65,7 +65,7 @@ def picture(
     points = points if frame is None else frame
     camera = look(points, width=width, height=height, azimuth=azimuth, elevation=elevation, lens=lens)
     height = camera.height
-    threads = min(os.cpu_count() or 1, 8)
+    threads = WORKERS
 
     x, y, z = turn(mesh.vertices - camera.eye, camera.axes)
     z = 1.0 / np.maximum(-z, 1e-9)

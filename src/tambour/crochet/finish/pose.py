@@ -15,7 +15,7 @@ ANGLES = ("tilt", "towards", "across")
 """What a pose may set, in degrees."""
 
 _SET = re.compile(r"([a-z]+)\s*=\s*(-?\d{1,4}(?:\.\d+)?)$", re.IGNORECASE)
-_USAGE = 'a pose is {--pose} "Arm.1 tilt=30 towards=200"'
+_USAGE = "a pose is such as pose:Arm.1.tilt=30"
 
 
 def pose(built: Built, poses: Sequence[str]) -> Built:
@@ -40,22 +40,24 @@ def pose(built: Built, poses: Sequence[str]) -> Built:
                 f"placed are {', '.join(names)}" if names else "the pattern places no parts: place(…) does"
             )
             problems.append(
-                Problem(f'no part "{name}" is placed' if name else "a pose names a part", hint, where="{--pose}")
+                Problem(f'no part "{name}" is placed' if name else "a pose names a part", hint, where="{--edit} pose")
             )
             continue
         if not angles:
-            problems.append(Problem(f'"{text}" sets no angle', _USAGE, where="{--pose}"))
+            problems.append(Problem(f'"{text}" sets no angle', _USAGE, where="{--edit} pose"))
         values: dict[str, Any] = {}
         for word in angles:
             said = _SET.match(word)
             key = said[1].lower() if said else ""
             if said is None or key not in ANGLES:
                 hint = did_you_mean(word.partition("=")[0], ANGLES) or _USAGE
-                problems.append(Problem(f'"{word}" is no angle of a pose', hint, where="{--pose}"))
+                problems.append(Problem(f'"{word}" is no angle of a pose', hint, where="{--edit} pose"))
                 continue
             low, high = KINDS["place"][1][key]
             if not low <= float(said[2]) <= high:
-                problems.append(Problem(f'"{word}" does not fit', f"{key} is {low:g} to {high:g}", where="{--pose}"))
+                problems.append(
+                    Problem(f'"{word}" does not fit', f"{key} is {low:g} to {high:g}", where="{--edit} pose")
+                )
                 continue
             values[key] = float(said[2])
         for k in found:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections import deque
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -13,9 +12,11 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.drawing import Drawing, Label
+from tambour.core.errors import Problem, TambourError, did_you_mean
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.core.reveal import Reveal
+from tambour.core.threads import WORKERS
 from tambour.ink.elements import specimens
 from tambour.ink.ground.kinds import NAMES
 from tambour.ink.ground.marks import Marks
@@ -87,12 +88,11 @@ def batches(params: Ink, planned: tuple[Planned, ...]) -> Iterator[Marks]:
     A batch is drawn by itself, so the marks do not depend on how many are drawn at once; as many wait as there are cores.
     """
     begin, end = params.from_, params.from_ + params.span
-    workers = os.cpu_count() or 1
     waiting: deque[Future[Marks]] = deque()
-    with ThreadPoolExecutor(workers) as pool:
+    with ThreadPoolExecutor(WORKERS) as pool:
         for i in range(0, len(planned), BATCH):
             waiting.append(pool.submit(draw, planned[i : i + BATCH], manner(params), params.edition, begin, end))
-            if len(waiting) > workers:
+            if len(waiting) > WORKERS:
                 yield waiting.popleft().result()
         while waiting:
             yield waiting.popleft().result()
@@ -111,6 +111,11 @@ def make(source: None, params: Ink, progress: Progress) -> Scroll:
             progress.step(k - first, last + 1 - first)
             tile(how, k)
         planned = tuple(window(how, params.from_, params.from_ + params.span))
+        ids = {p.id for p in planned}
+        if strange := [name for name in params.left_out if name not in ids]:
+            hint = did_you_mean(strange[0], ids) or "the plan (-o plan.json) lists them"
+            raise TambourError([Problem("stands nowhere here", hint, where=f"{{--edit}} leave:{n}") for n in strange])
+        planned = tuple(p for p in planned if p.id not in params.left_out)
     with progress.stage("draw"):
         count = np.zeros(len(NAMES), np.int64)
         polygons = points = 0
@@ -118,6 +123,8 @@ def make(source: None, params: Ink, progress: Progress) -> Scroll:
         found: set[str] = set()
         for k, marks in enumerate(batches(params, planned)):
             progress.step(k * BATCH, len(planned))
+            batch = marks
+            progress.look(lambda: batch)  # noqa: B023 - looked at before the next
             count += np.bincount(marks.elements.kind, minlength=len(NAMES))
             found.update(marks.elements.id[e] for e in np.flatnonzero(marks.elements.parent < 0).tolist())
             polygons, points = polygons + len(marks), points + len(marks.coords)

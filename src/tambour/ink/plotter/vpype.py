@@ -13,7 +13,7 @@ import numpy as np
 import vpype
 import vpype_cli
 
-from tambour.core.errors import TambourError
+from tambour.core.errors import TambourError, spelt
 from tambour.core.progress import Progress
 from tambour.ink.params import Ink
 
@@ -30,11 +30,11 @@ SWITCHES = ("crop", "figures", "buildings", "boats", "birds", "waterfalls")
 def _options(command: Any) -> Any:
     """The options that the scroll's and the plotter's params are told by, with their own help."""
     for name in reversed(SWITCHES):
-        said = Ink.model_fields[name].description
+        said = spelt(Ink.model_fields[name].description or "")
         command = click.option(f"--{name}/--no-{name}", default=None, help=said)(command)
     for name, kind in reversed(OPTIONS):
         field = "from_" if name == "from" else name
-        said = Ink.model_fields[field].description
+        said = spelt(Ink.model_fields[field].description or "")
         command = click.option(f"--{name}", field, type=kind, default=None, help=said)(command)
     return command
 

@@ -1,0 +1,93 @@
+"""What can be changed by hand in an embroidery: how one region is stitched."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from pydantic import Field
+
+from tambour.core.drawing import Drawing
+from tambour.core.errors import Problem, TambourError, did_you_mean
+from tambour.core.params import Params
+from tambour.core.picture import Picture
+from tambour.core.progress import Progress
+from tambour.craft import Change
+from tambour.embroidery.params import EmbroideryParams
+
+
+class Region(Params):
+    """A region is stitched another way."""
+
+    region: str = Field(max_length=200)
+    """The region: its shape's number in the drawing, from 1, or the id of its shape or group."""
+    field: str = Field(max_length=40)
+    """Which parameter: stitch, angle, row-spacing …"""
+    value: str = Field(max_length=200)
+    """Its value there, as the option takes it."""
+
+
+def _changed(source: Any, params: EmbroideryParams, edits: Sequence[Region]) -> tuple[Any, EmbroideryParams]:
+    """The drawing with the edits as data of its groups, where an SVG's ``data-tambour-…`` stand too."""
+    if isinstance(source, Picture):
+        from tambour.embroidery.regions.trace import traced
+
+        source, params = traced(source, params), params.model_copy(update={"width": None})
+    if params.text is not None:
+        from tambour.embroidery.regions.lettering import lettered
+
+        source = lettered(source, params.text, params.text_size, params.font, Progress())
+        params = params.model_copy(update={"text": None})
+    if not isinstance(source, Drawing):
+        raise TambourError("a machine file has no regions any more", hint="edit the drawing", where="{--edit} region")
+    problems: list[Problem] = []
+    for edit in edits:
+        where = f"{{--edit}} region:{edit.region}.{edit.field}={edit.value}"
+        name = edit.field.replace("-", "_")
+        known = sorted(set(EmbroideryParams.asked()) - set(EmbroideryParams.files()))
+        if name not in known:
+            hint = did_you_mean(name, known) or "stitch, angle, row-spacing and others say how a region is stitched"
+            problems.append(Problem(f'there is no parameter "{edit.field}" of a region', hint, where=where))
+            continue
+        try:
+            EmbroideryParams.of({name: edit.value}, spell=where.replace("{", "{{").replace("}", "}}"))
+            source = _told(source, edit.region, f"tambour-{name.replace('_', '-')}", edit.value, where)
+        except TambourError as error:
+            problems += error.problems
+    if problems:
+        raise TambourError(problems)
+    return source, params
+
+
+def _told(drawing: Drawing, region: str, key: str, value: str, where: str) -> Drawing:
+    """The drawing with one more datum on a group, or on a group of its own for one shape."""
+    groups = drawing.groups
+    data = tuple(groups.data) or tuple({} for _ in groups.ids)
+    if f"shape {region}" in groups.ids:
+        region = f"shape {region}"  # a shape that has a group of its own by an edit before
+    if region in groups.ids:
+        k = groups.ids.index(region)
+        changed = tuple({**d, key: value} if i == k else d for i, d in enumerate(data))
+        return replace(drawing, groups=replace(groups, data=changed))
+    number = int(region) if region.isdecimal() and len(region) < 9 else 0
+    if not 1 <= number <= len(drawing):
+        hint = did_you_mean(region, groups.ids) or f"a number from 1 to {len(drawing)}, or an id of the drawing"
+        raise TambourError("there is no such region", hint=hint, where=where)
+    old = int(drawing.group[number - 1])
+    alone = f"shape {number}"
+    group = drawing.group.copy()
+    group[number - 1] = len(groups.ids)
+    made = replace(
+        groups,
+        ids=(*groups.ids, alone),
+        names=(*groups.names, groups.names[old] if old >= 0 else alone),
+        parent=np.r_[groups.parent, groups.parent[old] if old >= 0 else -1],
+        layer=np.r_[groups.layer, False],
+        data=(*data, {**(data[old] if old >= 0 else {}), key: value}),
+    )
+    return replace(drawing, groups=made, group=group)
+
+
+REGION = Change("how one region is stitched", Region, "{region}.{field}={value}", before=_changed)

@@ -1,0 +1,72 @@
+"""What can be changed by hand in a chart: a stitch takes another yarn, and the rows that see it are solved again."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from pydantic import Field
+
+from tambour.core.errors import Problem, TambourError
+from tambour.core.params import Params
+from tambour.core.progress import Progress
+from tambour.craft import Change
+
+if TYPE_CHECKING:
+    from tambour.knit.piece import Piece
+
+
+class Stitch(Params):
+    """A stitch takes another yarn and stays so."""
+
+    row: int = Field(ge=1, le=20_000)
+    """The row, from 1 at the cast-on edge."""
+    stitch: int = Field(ge=1, le=20_000)
+    """The stitch, from 1 at the right, as charts are numbered."""
+    yarn: str = Field(max_length=40)
+    """MC, CC, the yarn's number from 1 (the chart's order), or its colour as #rrggbb."""
+
+
+def _set(piece: Piece, edits: Sequence[Stitch], progress: Progress) -> Piece:
+    from tambour.knit.flow import fitting
+    from tambour.knit.solve.edit import resolve
+
+    rows, stitches = piece.chart.cells.shape
+    problems, wanted = [], []
+    for e in edits:
+        where = f"{{--edit}} stitch:{e.row},{e.stitch}={e.yarn}"
+        if e.row > rows or e.stitch > stitches:
+            problems.append(Problem("there is no such stitch", f"{rows} rows of {stitches} stitches", where=where))
+        elif (yarn := _yarn(piece, e)) is None:
+            known = ", ".join(_codes(piece))
+            problems.append(Problem("there is no such yarn", f"MC, CC, a number, or {known}", where=where))
+        elif yarn not in (pair := piece.state.pairs[e.row - 1].tolist()):
+            told = " and ".join(_codes(piece)[k] for k in pair)
+            problems.append(Problem("this row is not knitted with that yarn", f"it has {told}", where=where))
+        else:
+            wanted.append((e.row - 1, stitches - e.stitch, yarn))
+    if problems:
+        raise TambourError(problems)
+    with progress.stage("solve"):
+        return fitting(resolve(piece, wanted))
+
+
+def _codes(piece: Piece) -> list[str]:
+    return ["#{:02x}{:02x}{:02x}".format(*rgb) for rgb in piece.chart.palette.rgb.tolist()]
+
+
+def _yarn(piece: Piece, edit: Stitch) -> int | None:
+    """The palette entry that an edit names. CC of a row is the yarn beside the main colour."""
+    word = edit.yarn.strip().lower()
+    pair = piece.state.pairs[edit.row - 1].tolist()
+    if word in ("mc", "cc"):
+        main = piece.background if piece.background in pair else pair[0]
+        return int(main if word == "mc" else next(k for k in pair if k != main))
+    if word in _codes(piece):
+        return _codes(piece).index(word)
+    return int(word) - 1 if word.isdecimal() and len(word) < 4 and 0 < int(word) <= len(piece.chart.palette) else None
+
+
+STITCH = Change(
+    "a stitch takes another yarn, and what sees it is solved again", Stitch, "{row},{stitch}={yarn}", after=_set
+)
