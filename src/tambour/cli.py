@@ -19,7 +19,6 @@ import click  # noqa: E402
 
 from tambour import __version__  # noqa: E402
 from tambour.core.errors import TambourError, did_you_mean, shown, spelt  # noqa: E402
-from tambour.core.params import bounds, unit  # noqa: E402
 from tambour.core.progress import Stopped  # noqa: E402
 from tambour.run import CRAFTS  # noqa: E402
 
@@ -69,6 +68,7 @@ def options(params: Any) -> Callable[[Any], Any]:
     Values arrive as texts and are judged by the model alone, so that the library, the command line and the studio
     refuse the same things in the same words.
     """
+    from tambour.core.params import unit
 
     def option(name: str, f: Any) -> Any:
         flag = "--" + name.rstrip("_").replace("_", "-")  # "from_": a word that Python keeps for itself
@@ -105,6 +105,8 @@ def _plain(default: Any) -> str:
 
 
 def _bounds(f: Any) -> str:
+    from tambour.core.params import bounds
+
     signs = {"minimum": "≥", "exclusiveMinimum": ">", "maximum": "≤", "exclusiveMaximum": "<"}
     return ", ".join(f"{signs[k]} {v}" for k, v in bounds(f).items() if k in signs)
 
