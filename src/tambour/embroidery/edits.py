@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from pydantic import Field
 
-from tambour.core.drawing import Drawing
 from tambour.core.errors import Problem, TambourError, did_you_mean
 from tambour.core.params import Params
-from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.craft import Change
 from tambour.embroidery.params import EmbroideryParams
+
+if TYPE_CHECKING:
+    from tambour.core.drawing import Drawing
 
 
 class Region(Params):
@@ -31,6 +31,9 @@ class Region(Params):
 
 def _changed(source: Any, params: EmbroideryParams, edits: Sequence[Region]) -> tuple[Any, EmbroideryParams]:
     """The drawing with the edits as data of its groups, where an SVG's ``data-tambour-…`` stand too."""
+    from tambour.core.drawing import Drawing
+    from tambour.core.picture import Picture
+
     if isinstance(source, Picture):
         from tambour.embroidery.regions.trace import traced
 
@@ -63,6 +66,8 @@ def _changed(source: Any, params: EmbroideryParams, edits: Sequence[Region]) -> 
 
 def _told(drawing: Drawing, region: str, key: str, value: str, where: str) -> Drawing:
     """The drawing with one more datum on a group, or on a group of its own for one shape."""
+    import numpy as np
+
     groups = drawing.groups
     data = tuple(groups.data) or tuple({} for _ in groups.ids)
     if f"shape {region}" in groups.ids:
