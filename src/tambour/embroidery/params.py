@@ -50,7 +50,7 @@ class EmbroideryParams(Params):
         "Thread": "thread pull underlay travel locks trim catalogue",
         "Design": "width hoop order colors text font text_size applique knockdown baste",
         "Cloth": "cloth ground frames ends theta place place_at place_offset place_rotate place_scale place_group",
-        "Machine": "pes jef_trims",
+        "Machine": "pes jef_trims check",
     }
     first: ClassVar = "stitch angle row_spacing width hoop text colors cloth"
     rare: ClassVar = "edition min_length stagger jitter seed jagged theta ends place_group jef_trims"
