@@ -214,11 +214,7 @@ def write(
     progress : for this writing (the making's own when None)
 
     All files appear, or, on any error, none. Raises TambourError. The report holds craft, version, edition, params,
-    <<<<<<< HEAD
-    source, the craft's facts, warnings, files, how its kernels ran, and seconds per stage.
-    =======
-    source, edits, the craft's facts, warnings, files, and seconds per stage.
-    >>>>>>> 7d21985 (Edits as data, one spelling in every craft; params carry all that a form needs; full and closed streams, racks, glTF bombs and threads are told; bench/bad_values.py)
+        source, edits, the craft's facts, warnings, files, how its kernels ran, and seconds per stage.
     """
     from tambour import __version__
     from tambour.core.kernels import ways
