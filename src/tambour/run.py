@@ -214,7 +214,7 @@ def write(
     progress : for this writing (the making's own when None)
 
     All files appear, or, on any error, none. Raises TambourError. The report holds craft, version, edition, params,
-        source, edits, the craft's facts, warnings, files, how its kernels ran, and seconds per stage.
+    source, edits, the craft's facts, warnings, files, how its kernels ran, and seconds per stage.
     """
     from tambour import __version__
     from tambour.core.kernels import ways
