@@ -6,6 +6,8 @@ from tambour.core.errors import Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.page.own import pattern as own
 from tambour.crochet.printed.choose import account, read
+from tambour.crochet.printed.shades import YARNS, listed, shade
+from tambour.crochet.yarns import hook_of, swatch_of
 
 START = "Toy\n\nBODY\nWith A, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. Join with sl st to first sc. 6 sc.\n"
 TWO = START + "2nd rnd: Ch 1. 2 sc in each sc around. Join. 12 sc.\n"
@@ -283,3 +285,37 @@ def test_a_mistake_is_told(below, said):
     built = build(pattern)
     found = [*pattern.unread, *(w for w in built.warnings if "the pattern says" in w.message)]
     assert {pattern.text.place(p.span.start)[0] for p in found} == {7}
+
+
+# Yarns as a list of materials names them, and what the letters then mean.
+LISTED = [
+    ("Main Color (MC) Soft Teal (01234) 2 balls\nContrast A Denim Blue (01101) 1 ball", {"mc": "soft teal", "a": "denim blue"}),
+    ("1 skein each 0512 Pumpkin A, 0672 Spring Green B, and 12 Black C", {"a": "pumpkin", "b": "spring green", "c": "black"}),
+    ("Main Color (MC) (01612 Country Yellow) 2 balls", {"mc": "country yellow"}),
+    ("Contrast B Ivory (00110) 1 ball or 20 yds/18 m", {"b": "ivory"}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("line, meant", LISTED)
+def test_letters_have_the_colours_of_the_list(line, meant):
+    assert {k: v.lower() for k, v in listed("\n".join(line.split("\n"))).items()} == meant
+    assert all(shade(name) is not None for name in meant.values())
+
+
+def test_a_list_colours_the_rounds_and_an_unknown_yarn_is_told():
+    materials = "MATERIALS\nMain Color (MC) Blue (00101) 1 ball\nContrast A Stormy Tuesday (00102) 1 ball\n"
+    rounds = "BODY\nWith MC, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n"
+    pattern = read(Text(f"Toy\n\n{materials}\n{rounds}3rd rnd: With A, 1 sc in each sc around. 12 sc.\n", "toy.txt"))
+    colors = [i.numbers for s in pattern.parts for n in s.lines for i in n.items if getattr(i, "name", "") == "color"]
+    assert colors[0] == YARNS["blue"] != (0, 0, 255)
+    told = [w.message for w in pattern.warnings if "our choice" in w.message]
+    assert told == ["the yarns A (Stormy Tuesday) are given colours of our choice"]
+
+
+@pytest.mark.parametrize("gauge", ['GAUGE\n26 sts = 4" [10 cm]; 22 rounds = 4" [10 cm]\n', 'Gauge\n\n26 sts = 4"; 22 rnds = 4"\n', 'GAUGE:\n26 sc and 22 rows = 4 ins [10 cm].\n'])  # fmt: skip
+def test_what_stands_below_its_heading_is_stated(gauge):
+    above = f'MATERIALS\nSize U.S. F/5 (3.75 mm) crochet hook or size needed\n\nMEASUREMENTS\nApprox 9" [23 cm] tall\n\n{gauge}'
+    stated = read(Text(f"Toy\n\n{above}\nINSTRUCTIONS\n{TWO.removeprefix('Toy')}", "toy.txt")).stated
+    assert swatch_of(stated["gauge"][0]) == pytest.approx((101.6 / 26, 101.6 / 22))
+    assert hook_of(stated["hook"][0]) == 3.75
+    assert stated["size"][0].startswith("Approx 9")

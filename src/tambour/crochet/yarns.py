@@ -66,12 +66,19 @@ HOOKS: Final = {
 """Hooks of the US by letter, mm."""
 
 _NUMBER = r"(\d+(?:[.,]\d+)?)"
-_UNITS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "inch": 25.4, "inches": 25.4, '"': 25.4, "″": 25.4, "”": 25.4}
-_LENGTH = re.compile(_NUMBER + r"\s*-?\s*(mm|cm|m|inches|inch|in|\"|″|”)(?![a-z])", re.IGNORECASE)
+_UNITS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ins": 25.4, "inch": 25.4, "inches": 25.4,
+          '"': 25.4, "″": 25.4, "”": 25.4}  # fmt: skip
+_LENGTH = re.compile(_NUMBER + r"\s*-?\s*(mm|cm|m|inches|inch|ins|in|\"|″|”)(?![a-z])", re.IGNORECASE)
 _SWATCH = re.compile(
     _NUMBER + r"\s*(?:sc|dc|sts?|stitches|m|p|v)?\b[^\d]{0,40}?(?:[x×*]|and|by|,|&|und|y|et|en)\s*" + _NUMBER
     + r"\s*(?:rows?|rounds?|rnds?|r\b)?", re.IGNORECASE,
 )  # fmt: skip
+_STITCHES = re.compile(
+    _NUMBER + r"\s*(?:sc|hdc|dc|sts?|stitches|single crochets?)\b(?!\s*(?:rows?|rounds?|rnds?)\b)", re.IGNORECASE
+)
+_ROWS = re.compile(_NUMBER + r"(\s*½)?\s*(?:(?:sc|hdc|dc)\s+)?(?:rows?|rounds?|rnds?)\b", re.IGNORECASE)
+_CIRCLE = re.compile(r"\b(?:circle|diameter|across|first)\b|\b(?:rounds?|rnds?)\s*\d", re.IGNORECASE)
+_TALL: Final = 1.3  # height over width that no single crochet has: rows of taller stitches
 _RAVELLED = re.compile(r"\s*(\d+)\s*[^\d]*?" + _NUMBER + r"\s*(mm|cm|m|inches|inch|in|\")\s*$", re.IGNORECASE)
 _LETTER = re.compile(r"\b([B-P])\s*[-/]\s*\d|\b([B-P])\b(?=\s*(?:hook|size|$|,|\())|size\s+([B-P])\b")
 
@@ -134,27 +141,39 @@ def hook_of(words: str) -> float | None:
 
 
 def swatch_of(words: str) -> tuple[float, float] | None:
-    """Width and height, mm, that a stated gauge gives: ``20 sc x 22 rows = 10 cm``, ``5 sts and 6 rows = 1 inch``,
-    ``first 5 rounds = 5 cm across``; None where it is not understood."""
-    lengths = [_float(n) * _UNITS[u.lower()] for n, u in _LENGTH.findall(words)]
-    around = re.search(r"\b(?:circle|rounds?|rnds?|diameter|across)\b", words, re.IGNORECASE)
+    """Width and height, mm, that a stated gauge gives: ``20 sc x 22 rows = 10 cm``, ``26 sts = 4"; 22 rounds = 4"``,
+    ``first 5 rounds = 5 cm across``; None where it is not understood. Rounds are of a circle only where that is said."""
+    found = [(m.start(), _float(m[1]) * _UNITS[m[2].lower()]) for m in _LENGTH.finditer(words)]
+    lengths = [length for _, length in found]
+    if not lengths:
+        return None
+    stitches, rows = _STITCHES.search(words), _ROWS.search(words)
+
+    def size(said: re.Match[str] | None) -> float:
+        """Of one of those that ``said`` counts, by the length that stands behind it; 0 where none is counted."""
+        if said is None:
+            return 0.0
+        count = _float(said[1]) + (0.5 if said is rows and said[2] else 0.0)
+        behind = next((length for at, length in found if at >= said.end()), lengths[0])
+        return behind / count if count > 0 else 0.0
+
+    width, height = size(stitches), size(rows)
+    if width and height:
+        return width, height if height < _TALL * width else width * SQUARE
     swatch = _SWATCH.search(_LENGTH.sub(" ", words))
-    if swatch and lengths:
-        stitches, rows = _float(swatch[1]), _float(swatch[2])
-        if stitches > 0 and rows > 0:
-            return lengths[0] / stitches, lengths[0] / rows
-    if around and lengths:
+    if swatch and not (rows and _CIRCLE.search(words)):
+        across, up = _float(swatch[1]), _float(swatch[2])
+        if across > 0 and up > 0:
+            return lengths[0] / across, lengths[0] / up
+    if not stitches and _CIRCLE.search(words):
         rounds = re.search(
             r"(?:rounds?|rnds?)\s*(?:1\s*(?:-|–|to)\s*)?(\d+)|(\d+)\s*(?:rounds?|rnds?)", words, re.IGNORECASE
         )
         count = int(rounds[1] or rounds[2]) if rounds else CIRCLE
-        if 1 <= count <= 100:
-            return lengths[-1] * math.pi / (6 * count), lengths[-1] / (2 * count)
-    one = re.search(_NUMBER + r"\s*(?:sc|dc|sts?|stitches)\b", words, re.IGNORECASE)
-    if one and lengths and _float(one[1]) > 0:
-        width = lengths[-1] / _float(one[1])
+        return (lengths[-1] * math.pi / (6 * count), lengths[-1] / (2 * count)) if 1 <= count <= 100 else None
+    if width:
         return width, width * SQUARE
-    return None
+    return (height / SQUARE, height) if height else None
 
 
 def ravelled(words: str) -> float:

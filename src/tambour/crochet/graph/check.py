@@ -17,7 +17,7 @@ from tambour.crochet.language.tree import Group, Item
 NEAR = 0.2
 """A stated size may differ from the predicted one by this share: hands differ as much."""
 
-_LENGTH = re.compile(r"(\d+(?:[.,]\d+)?)\s*(mm|cm|inches|inch|in\b|\"|″|”)", re.IGNORECASE)
+_LENGTH = re.compile(r"(?<![\d/.,])(\d+(?:[.,]\d+)?)\s*(mm|cm|inches|inch|in\b|\"|″|”)", re.IGNORECASE)
 _MM = {"mm": 1.0, "cm": 10.0}
 _YARN = re.compile(
     r"\b(lace|fingering|sock|sport|dk|double knitting|light worsted|worsted|aran|bulky|chunky|roving|jumbo|cotton|wool|"

@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass, replace
 from typing import Final
 
-from tambour.core.errors import Span, TambourError
-from tambour.crochet.graph.build import Built, build
+from tambour.core.errors import Span
+from tambour.crochet.graph.build import Built
 from tambour.crochet.language.finishes import RGB, Finish
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.assemble import Assembly
@@ -48,18 +48,14 @@ def shades(tokens: list[Token], palette: Palette, start: int) -> tuple[tuple[int
     return tuple(made)
 
 
-def assembled(pattern: Pattern, said: list[Said], phrases: Phrases, palette: Palette, usual: bool) -> Assembled | None:
-    """What the sentences of a pattern, and its parts' names, say of its assembly; None where it cannot be worked."""
-    if not said and (not usual or len(pattern.parts) < 2):
-        return None
-    try:
-        built = build(pattern)
-    except TambourError:
+def assembled(built: Built, said: list[Said], phrases: Phrases, palette: Palette, usual: bool) -> Assembled | None:
+    """What the sentences of a pattern, as worked, and its parts' names, say of its assembly; None where nothing is said."""
+    if not said and (not usual or len(built.pattern.parts) < 2):
         return None
     sentences = []
     for one in said:
         span = one.span
-        words = pattern.text.text[span.start : span.end]
+        words = built.pattern.text.text[span.start : span.end]
         exact: Finish | None = phrases.finishing(words, span)
         sentences.append(Sentence(words, span, one.part, shades(one.tokens, palette, span.start), exact))
     return _assembly(built, sentences).assemble(usual)

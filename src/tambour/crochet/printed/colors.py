@@ -2,55 +2,12 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import Final
 
 from tambour.crochet.language.finishes import RGB
 from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.shades import listed, said, shade
 
-_MORE: Final[dict[str, RGB]] = {
-    "cream": (245, 235, 210),
-    "ecru": (236, 224, 200),
-    "off white": (246, 240, 228),
-    "offwhite": (246, 240, 228),
-    "natural": (236, 224, 200),
-    "mustard": (208, 160, 48),
-    "peach": (250, 205, 170),
-    "apricot": (246, 190, 140),
-    "rust": (176, 82, 42),
-    "burgundy": (116, 28, 48),
-    "wine": (116, 28, 48),
-    "rose": (226, 136, 150),
-    "mint": (168, 220, 190),
-    "sage": (156, 175, 136),
-    "lilac": (196, 166, 206),
-    "charcoal": (62, 62, 66),
-    "camel": (186, 144, 96),
-    "caramel": (186, 122, 62),
-    "denim": (74, 104, 146),
-    "petrol": (20, 92, 104),
-    "skin": (240, 206, 176),
-    "flesh": (240, 206, 176),
-    "light brown": (176, 134, 92),
-    "dark brown": (84, 54, 32),
-    "medium brown": (128, 84, 48),
-    "light grey": (211, 211, 211),
-    "light gray": (211, 211, 211),
-    "baby pink": (250, 204, 214),
-    "baby blue": (176, 210, 236),
-    "pale pink": (250, 218, 221),
-    "dusty pink": (206, 152, 156),
-    "bright pink": (240, 80, 150),
-    "bright red": (222, 30, 38),
-    "dark red": (139, 0, 0),
-    "light yellow": (255, 250, 190),
-    "pale yellow": (252, 244, 180),
-    "light orange": (250, 186, 110),
-    "light purple": (190, 160, 216),
-    "dark purple": (76, 34, 100),
-    "dark pink": (200, 70, 120),
-    "black": (0, 0, 0),
-}
 # Letters without a meaning of their own get these, one after the other.
 LETTERS: Final = ("mc", "cc", "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k")
 _SHADES: Final[tuple[RGB, ...]] = (
@@ -66,13 +23,6 @@ _SHADES: Final[tuple[RGB, ...]] = (
 )
 
 
-@lru_cache(maxsize=1)
-def _css() -> dict[str, RGB]:
-    from PIL import ImageColor
-
-    return {name: ImageColor.getrgb(name)[:3] for name in ImageColor.colormap}
-
-
 class Palette:
     """The colours of a pattern. ``given``: letters and names of its own; ``told``: those without a colour that were used;
     ``known``: words for suggestions."""
@@ -81,11 +31,19 @@ class Palette:
         self.known = known
         self.given: dict[str, RGB] = {}
         self.told: list[str] = []
-        self._css = _css()
+        self.named: dict[str, str] = {}  # what the yarns of the letters are called
 
     def name(self, words: str) -> RGB | None:
         """The colour of a name, None when it is none."""
-        return self.given.get(words) or _MORE.get(words) or self._css.get(words.replace(" ", ""))
+        return self.given.get(words) or said(words)
+
+    def listed(self, line: str) -> None:
+        """Takes the yarns that a line of the materials gives letters."""
+        for letter, name in listed(line).items():
+            self.named.setdefault(letter, name)
+            hue = shade(name)
+            if hue is not None:
+                self.given.setdefault(letter, hue)
 
     def color(self, c: Cursor, at: int | None = None) -> tuple[RGB, int] | None:
         """The colour that stands at token ``at`` (else at the cursor), and how many tokens it takes."""

@@ -36,6 +36,9 @@ STATED: Final = {
 }
 """A word before a colon → what the pattern states after it."""
 
+BELOW: Final = {key: STATED[key] for key in ("gauge", "finished size", "hook")}
+"""A heading's concept → what the line below it states."""
+
 _WORDS: Final = 6  # of a heading
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
+from tambour.crochet.graph.build import Built
 from tambour.crochet.language.finishes import GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import MOST
@@ -80,7 +81,7 @@ class Printed(State):
             for problem in found:
                 self.tell(problem.message, problem.hint, problem.span or Span(0, 0))
             if built is not None:
-                pattern = self._assemble(pattern, usual)
+                pattern = self._assemble(pattern, built, usual)
         errors = [p for p in (*source.problems, *self.unread) if not p.warning]
         if errors:
             raise TambourError(sorted(errors, key=_place))
@@ -97,14 +98,14 @@ class Printed(State):
             left_out=tuple(self.left_out),
         )
 
-    def _assemble(self, pattern: Pattern, usual: bool) -> Pattern:
+    def _assemble(self, pattern: Pattern, built: Built, usual: bool) -> Pattern:
         """The pattern with what the sentences of finishing say, now that the parts are there."""
         source = self.source
         copies = {part.name: part.copies for part in pattern.parts}
         phrases = Phrases(self.phrases.terms, copies, {k.upper(): rgb for k, rgb in self.palette.given.items()})
-        found = assembled(pattern, self.sentences, phrases, self.palette, usual)
+        found = assembled(built, self.sentences, phrases, self.palette, usual)
         if found is None:
-            return pattern  # the build tells what is wrong with the rounds
+            return pattern
         for span in found.lost:
             hint = "say the part and the round: sew the ears to the head between Rnds 5 and 6, 8 sts apart"
             source.doubt(UNPLACED, hint, span)
@@ -123,7 +124,10 @@ class Printed(State):
 
     def _colors_told(self) -> None:
         if self.palette.told:
-            letters = ", ".join(dict.fromkeys(w.upper() for w in self.palette.told))
+            named = self.palette.named
+            letters = ", ".join(
+                dict.fromkeys(w.upper() + (f" ({named[w]})" if w in named else "") for w in self.palette.told)
+            )
             hint = "say which colours they are: A = brown"
             self.source.doubt(f"the yarns {letters} are given colours of our choice", hint, Span(0, 0))
 

@@ -11,11 +11,12 @@ from tambour.crochet.places.hear import assembling
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.doubts import decided
-from tambour.crochet.printed.notes import MODES, Heading, definition, heading, own_stitch, plain_name, stated
+from tambour.crochet.printed.notes import BELOW, MODES, Heading, definition, heading, own_stitch, plain_name, stated
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.special import explained
+from tambour.crochet.yarns import hook_of
 
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
 STARS: Final = ("**", "***")
@@ -53,7 +54,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         return
     line = text[row.tokens[0].start : row.tokens[-1].end]
     shade = _named_color(p, tokens)
-    said = stated(text, row, tokens)
+    if p.mode == "materials":
+        p.palette.listed(line)
+    said = stated(text, row, tokens) or _below(p, row, tokens)
     for key, words, span in said:
         p.stated.setdefault(key, (words, span))
     if said or shade:
@@ -65,6 +68,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     names = [t for t in tokens if t.kind != "mark"]
     if len(names) <= 3 and first.kind == "key" and first.value in MODES:
         p.mode = MODES[first.value]
+        p.below = BELOW.get(first.value, "")
         p.heading = None
         p.passed.append(whole)
         return
@@ -94,6 +98,19 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.passed.append(whole)
     for left in lefts:
         left_over(p, left)
+
+
+def _below(p: State, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]]:
+    """What a line states of gauge and size below a heading that says only which, and of the hook in a list of materials."""
+    span = Span(row.tokens[0].start, row.tokens[-1].end)
+    words = p.source.text.text[span.start : span.end]
+    below, p.below = p.below, ""
+    if p.mode != "materials" or not any(t.kind == "number" for t in tokens):
+        return []
+    if below:
+        return [(below, words, span)]
+    hook = any(t.kind == "key" and t.value == "hook" for t in tokens) and "hook" not in p.stated
+    return [("hook", words, span)] if hook and hook_of(words) is not None else []
 
 
 def _headed(text: str, row: Row, tokens: list[Token]) -> int:

@@ -60,6 +60,7 @@ class State:
         self.lead: list[Line] = []  # colours said before the part that they begin
         self.heading: Heading | None = None
         self.mode = ""
+        self.below = ""  # what the next line states, by the heading over it
         self.title: tuple[str, Span] | None = None
         self.stated: dict[str, tuple[str, Span]] = {}
         self.passed: list[Span] = []

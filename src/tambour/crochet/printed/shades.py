@@ -1,0 +1,265 @@
+"""Printed patterns, the colours of yarn: what makers call them → how they are dyed, never as pure as the colours of screens."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import Final
+
+from tambour.crochet.language.finishes import RGB
+
+YARNS: Final[dict[str, RGB]] = {
+    "amethyst": (140, 98, 170),
+    "apricot": (246, 190, 140),
+    "aqua": (88, 188, 196),
+    "aquamarine": (100, 196, 180),
+    "aran": (238, 228, 204),
+    "avocado": (122, 138, 62),
+    "baby blue": (176, 210, 236),
+    "baby pink": (250, 204, 214),
+    "beige": (224, 206, 176),
+    "berry": (142, 40, 88),
+    "black": (28, 28, 30),
+    "blue": (48, 86, 160),
+    "bluebell": (118, 136, 200),
+    "blush": (238, 190, 184),
+    "bone": (228, 220, 204),
+    "bone gray": (206, 200, 190),
+    "bone grey": (206, 200, 190),
+    "brick": (150, 62, 48),
+    "bright pink": (240, 80, 150),
+    "bright red": (222, 30, 38),
+    "bright yellow": (252, 214, 42),
+    "brown": (112, 70, 42),
+    "buff": (220, 190, 146),
+    "burgundy": (116, 28, 48),
+    "camel": (186, 144, 96),
+    "candy pink": (244, 142, 176),
+    "caramel": (186, 122, 62),
+    "carrot": (236, 118, 42),
+    "charcoal": (62, 62, 66),
+    "charcoal gray": (62, 62, 66),
+    "charcoal grey": (62, 62, 66),
+    "cherry": (178, 28, 46),
+    "cherry red": (190, 26, 40),
+    "chocolate": (78, 48, 34),
+    "claret": (112, 26, 46),
+    "clementine": (244, 138, 60),
+    "coal": (48, 48, 50),
+    "coffee": (84, 58, 44),
+    "coral": (238, 126, 104),
+    "cornmeal": (244, 222, 150),
+    "cream": (245, 235, 210),
+    "crimson": (164, 28, 50),
+    "cyan": (72, 178, 196),
+    "daffodil": (250, 212, 64),
+    "dark brown": (84, 54, 32),
+    "dark pink": (200, 70, 120),
+    "dark purple": (76, 34, 100),
+    "dark red": (139, 0, 0),
+    "denim": (74, 104, 146),
+    "denim blue": (74, 104, 146),
+    "dusty pink": (206, 152, 156),
+    "ebony": (38, 34, 34),
+    "ecru": (236, 224, 200),
+    "eggshell": (240, 232, 214),
+    "emerald": (24, 128, 84),
+    "fawn": (194, 156, 116),
+    "flesh": (240, 206, 176),
+    "forest green": (40, 92, 62),
+    "fuchsia": (196, 46, 124),
+    "gold": (222, 168, 58),
+    "grass": (82, 150, 66),
+    "gray": (140, 140, 142),
+    "green": (62, 134, 74),
+    "grey": (140, 140, 142),
+    "heather gray": (166, 166, 168),
+    "heather grey": (166, 166, 168),
+    "honey": (224, 164, 66),
+    "hot pink": (232, 66, 138),
+    "hunter green": (34, 78, 58),
+    "indigo": (58, 54, 112),
+    "iris": (104, 96, 170),
+    "ivory": (246, 240, 222),
+    "jade": (48, 146, 112),
+    "lavender": (188, 170, 214),
+    "leaf": (88, 146, 66),
+    "leaf green": (88, 146, 66),
+    "lemon": (250, 226, 96),
+    "lettuce": (150, 196, 90),
+    "light brown": (176, 134, 92),
+    "light gray": (211, 211, 211),
+    "light grey": (211, 211, 211),
+    "light orange": (250, 186, 110),
+    "light purple": (190, 160, 216),
+    "light yellow": (255, 250, 190),
+    "lilac": (196, 166, 206),
+    "lime": (156, 200, 66),
+    "linen": (226, 214, 190),
+    "magenta": (184, 44, 116),
+    "maize": (246, 206, 110),
+    "maroon": (110, 30, 42),
+    "mauve": (170, 126, 150),
+    "medium brown": (128, 84, 48),
+    "mint": (168, 220, 190),
+    "mocha": (122, 90, 70),
+    "moss": (112, 124, 66),
+    "mustard": (208, 160, 48),
+    "natural": (236, 224, 200),
+    "navy": (34, 44, 84),
+    "oatmeal": (218, 204, 178),
+    "off white": (246, 240, 228),
+    "offwhite": (246, 240, 228),
+    "olive": (116, 118, 60),
+    "orange": (232, 122, 48),
+    "orchid": (190, 128, 190),
+    "paddy green": (30, 124, 70),
+    "pale pink": (250, 218, 221),
+    "pale yellow": (252, 244, 180),
+    "peach": (250, 205, 170),
+    "perfect pink": (240, 130, 166),
+    "periwinkle": (140, 146, 208),
+    "petal pink": (246, 190, 202),
+    "petrol": (20, 92, 104),
+    "pewter": (128, 128, 130),
+    "pink": (240, 160, 184),
+    "pistachio": (186, 208, 150),
+    "platinum": (204, 204, 202),
+    "plum": (96, 48, 88),
+    "pumpkin": (224, 112, 36),
+    "purple": (112, 64, 140),
+    "raspberry": (188, 42, 92),
+    "red": (190, 38, 44),
+    "rose": (226, 136, 150),
+    "rose pink": (232, 142, 164),
+    "royal blue": (42, 72, 156),
+    "rust": (176, 82, 42),
+    "sage": (156, 175, 136),
+    "salmon": (240, 150, 130),
+    "sand": (214, 190, 150),
+    "seafoam": (150, 212, 188),
+    "shocking pink": (240, 68, 140),
+    "silver": (190, 192, 194),
+    "skin": (240, 206, 176),
+    "skipper blue": (36, 66, 138),
+    "sky": (140, 190, 224),
+    "sky blue": (140, 190, 224),
+    "slate": (96, 108, 120),
+    "soft white": (250, 246, 234),
+    "spring green": (168, 206, 92),
+    "strawberry": (226, 88, 104),
+    "sunflower": (244, 186, 44),
+    "taffy": (244, 160, 190),
+    "tan": (206, 172, 128),
+    "tangerine": (242, 132, 46),
+    "taupe": (146, 128, 114),
+    "teal": (24, 112, 118),
+    "terracotta": (190, 96, 66),
+    "thyme": (126, 146, 120),
+    "toffee": (168, 112, 64),
+    "turqua": (52, 170, 178),
+    "turquoise": (52, 170, 178),
+    "violet": (138, 96, 170),
+    "white": (250, 249, 245),
+    "wine": (116, 28, 48),
+    "yellow": (244, 208, 72),
+}
+"""Names of yarn → sRGB, by eye from shade cards."""
+
+_THINGS: Final = frozenset(
+    [
+        "amethyst",
+        "aran",
+        "avocado",
+        "berry",
+        "bluebell",
+        "blush",
+        "bone",
+        "brick",
+        "buff",
+        "carrot",
+        "cherry",
+        "clementine",
+        "coal",
+        "coffee",
+        "cornmeal",
+        "daffodil",
+        "eggshell",
+        "emerald",
+        "fawn",
+        "grass",
+        "honey",
+        "iris",
+        "jade",
+        "leaf",
+        "lemon",
+        "lettuce",
+        "linen",
+        "maize",
+        "mocha",
+        "moss",
+        "oatmeal",
+        "pewter",
+        "pistachio",
+        "platinum",
+        "pumpkin",
+        "raspberry",
+        "sand",
+        "sky",
+        "slate",
+        "strawberry",
+        "sunflower",
+        "taffy",
+        "tangerine",
+        "thyme",
+        "toffee",
+    ]
+)  # colours in a list of yarns; in other sentences the things themselves
+
+_LIGHTER: Final = {"light": 0.4, "lt": 0.4, "pale": 0.5, "soft": 0.35, "baby": 0.5, "pastel": 0.5}
+_DARKER: Final = {"dark": 0.35, "dk": 0.35, "deep": 0.3, "bright": 0.0, "hot": 0.0, "medium": 0.0, "med": 0.0, "country": 0.1,
+                  "warm": 0.0, "golden": 0.0, "real": 0.0, "heather": 0.0, "weathered": 0.15}  # fmt: skip
+
+# "Contrast A Pewter (1401)", "Main Color (MC) Teal", "Main Color (MC) (01612 Country Yellow)"; "0512 Turqua A, 0672 Spring Green B"
+_NAME: Final = r"((?:[A-Z][A-Za-z’']*[ -]?){1,4}?)"
+_LED: Final = re.compile(
+    r"\b(?:Main Colou?r|Contrast|Colou?r)\s+\(?(MC|CC|[A-K])\)?[\s:,]+\(?(?:\d{3,6}\s+)?"
+    + _NAME
+    + r"\s*(?=[(),.;\d]|$)"
+)
+_ENDED: Final = re.compile(r"(?<![\w./])#?\d{2,6}\s+" + _NAME + r"\s*\(?\b(MC|CC|[A-K])\b\)?(?=[\s,.;)]|$)")
+
+
+def listed(line: str) -> dict[str, str]:
+    """The letters that a list of materials gives to yarns → the names of their colours."""
+    found = {m[1].lower(): m[2].strip() for m in _LED.finditer(line)}
+    return {**{m[2].lower(): m[1].strip() for m in _ENDED.finditer(line)}, **found}
+
+
+def said(name: str) -> RGB | None:
+    """The colour that ``name`` means in any sentence; None where it means none, or may mean a thing."""
+    return None if name in _THINGS else shade(name)
+
+
+def shade(name: str) -> RGB | None:
+    """The colour of a yarn of this name; None where no colour is known by it."""
+    words = name.lower().replace("-", " ").split()
+    whole = " ".join(words)
+    if whole in YARNS or whole.replace(" ", "") in css():
+        return YARNS.get(whole) or css()[whole.replace(" ", "")]
+    if len(words) < 2 or words[0] not in {**_LIGHTER, **_DARKER}:
+        return None
+    base = shade(" ".join(words[1:]))
+    if base is None:
+        return None
+    white, black = _LIGHTER.get(words[0], 0.0), _DARKER.get(words[0], 0.0)
+    red, green, blue = (round((c + (255 - c) * white) * (1 - black)) for c in base)
+    return red, green, blue
+
+
+@lru_cache(maxsize=1)
+def css() -> dict[str, RGB]:
+    """The named colours of screens."""
+    from PIL import ImageColor
+
+    return {name: ImageColor.getrgb(name)[:3] for name in ImageColor.colormap}
