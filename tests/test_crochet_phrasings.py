@@ -319,3 +319,54 @@ def test_what_stands_below_its_heading_is_stated(gauge):
     assert swatch_of(stated["gauge"][0]) == pytest.approx((101.6 / 26, 101.6 / 22))
     assert hook_of(stated["hook"][0]) == 3.75
     assert stated["size"][0].startswith("Approx 9")
+
+
+# A repeat whose end nobody says goes through its sentences and around, where the count bears it out.
+UNSAID = [
+    ("3rd rnd: Ch 1. *1 sc in next sc. 2 sc in next sc. Join. 18 sc.", 18),
+    ("3rd rnd: Ch 1. *2 sc in next sc. 1 sc in each of next 3 sc. Join. 15 sc.", 15),
+    ("3rd rnd: *Sc2tog. 1 sc in each of next 2 sc. 9 sts.", 9),
+    ("3rd rnd: Ch 1. *Sc2tog. 1 sc in next sc. Join. 8 sts. Fasten off.", 8),
+    ("3rd rnd: Ch 1. *Sc2tog. Join. 6 sts.", 6),
+]
+
+
+@pytest.mark.parametrize("said, many", UNSAID)
+def test_an_asterisk_without_its_end_goes_around(said, many):
+    assert counts(TWO + said + "\n") == [6, 12, many]
+
+
+def test_rounds_worked_once_more_lift_no_stitch():
+    unjoined = "4th rnd: Ch 1. *Sc2tog. 1 sc in next sc. Rep from * around. 12 sts.\n5th rnd: As 4th rnd. 8 sts.\n"
+    assert counts(THREE + unjoined) == [6, 12, 18, 12, 8]
+    rows = "2nd row: Ch 1. 2 sc in first sc. 1 sc in each sc to end of row. 8 sc. Turn.\n3rd row: Ch 1. 1 sc in each sc to end of row.\n"
+    assert counts(ROWS + rows + "4th and 5th rows: As 2nd and 3rd rows once more. 9 sc. Turn.\n") == [7, 8, 8, 9, 9]
+
+
+def test_a_decrease_of_the_pattern_is_one():
+    own = "ABBREVIATIONS\nSc2togtbl = Working into back loops only, draw up a loop in each of next 2 stitches, yoh and draw through\n\n"
+    text = THREE.replace("Toy\n\n", f"Toy\n\n{own}INSTRUCTIONS\n", 1)
+    assert counts(text + "4th rnd: *Sc2togtbl. 1 sc in next sc. Rep from * around. 12 sts.\n") == [6, 12, 18, 12]
+
+
+def test_no_alarm_behind_what_was_not_read():
+    lost = "4th rnd: Ch 1. 3 glorps in each sc around. Join.\n5th rnd: Ch 1. *1 sc in next sc. 2 sc in next sc. Rep from * around. Join. 36 sc.\n"
+    built = build(pattern := read(Text(THREE + lost, "toy.txt")))
+    assert pattern.unread and not [w for w in built.warnings if "the pattern says" in w.message]
+    wrong = "4th rnd: Ch 1. 1 sc in each sc around. Join.\n5th rnd: Ch 1. (1 sc in next sc. 2 sc in next sc) 9 times. Join. 28 sc.\n"
+    built = build(read(Text(THREE + wrong, "toy.txt")))
+    assert [w.message for w in built.warnings if "the pattern says" in w.message] == [
+        "the pattern says 28 stitches, the round makes 27"
+    ]
+
+
+def test_chains_behind_a_gap_are_no_stitch():
+    # The fourth round states what it cannot make; the fifth fits that, and is taken from its count; the sixth goes on.
+    odd = "4th rnd: Ch 1. 1 sc in each sc around. Join. 24 sc.\n5th rnd: Ch 1. *Sc2tog. Rep from * around. Join. 12 sts.\n"
+    built = build(read(Text(THREE + odd + "6th rnd: Ch 1. *Sc2tog. Rep from * around. Join. 6 sts.\n", "toy.txt")))
+    assert [w.edge for w in built.worked if w.line.in_round] == [6, 12, 18, 18, 12, 6]
+
+
+def test_chains_that_stand_share_the_first_stitch():
+    rows = "2nd row: Ch 3 (counts as dc). 1 dc in first sc. 2 dc in each sc to end of row. Turn. 14 dc.\n"
+    assert counts(ROWS + rows) == [7, 14]

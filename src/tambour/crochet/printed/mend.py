@@ -46,18 +46,20 @@ def mended(pattern: Pattern) -> tuple[Pattern, Built | None, list[Problem]]:
     return pattern, None, told
 
 
-def agreed(pattern: Pattern, built: Built, sound: set[int]) -> tuple[Pattern, Built, list[Problem]]:
+def agreed(pattern: Pattern, built: Built, sound: set[int], unread: list[Span]) -> tuple[Pattern, Built, list[Problem]]:
     """The same with gaps where the hook makes another count than the one stated, though the words do make it on the count
-    that is stated below: there something before was read wrongly, and it is no mistake of the text.
+    that is stated below, or though something since the last count that it did make was not read: there something before
+    was read wrongly, and it is no mistake of the text.
 
-    sound : where the lines begin whose words make their counts
+    sound : where the lines begin whose words make their counts; unread : what was not understood
     """
     told: list[Problem] = []
     for _ in range(_TRIES):
+        alarms = {p.span: p for p in built.warnings if p.span is not None and p.message.startswith("the pattern says")}
         wrong = [
             p
-            for p in built.warnings
-            if p.span is not None and p.message.startswith("the pattern says") and _sound(pattern, p.span, sound)
+            for span, p in alarms.items()
+            if _sound(pattern, span, sound) or any(_shaken(s, span, set(alarms), unread) for s in pattern.parts)
         ]
         firsts = {next(k for k, s in enumerate(pattern.parts) if _within(p.span, s)): p for p in reversed(wrong)}
         if not firsts:
@@ -68,7 +70,7 @@ def agreed(pattern: Pattern, built: Built, sound: set[int]) -> tuple[Pattern, Bu
             for line in parts[k].lines:
                 at = line.stated_span
                 if at is not None and at == problem.span and line.stated:
-                    line = replace(line, items=(Action("gap", at, numbers=(line.stated,)),), again=None)
+                    line = replace(line, items=_gap(line, at, line.stated), again=None)
                 lines.append(line)
             said = f"this round does not fit the one below as that was read: it is taken from its count, {_stated(lines, problem)}"
             told.append(replace(problem, message=said, warning=True))
@@ -95,6 +97,22 @@ def _sound(pattern: Pattern, span: Span, sound: set[int]) -> bool:
         for s in pattern.parts
         for line in s.lines
     )
+
+
+def _shaken(section: Section, span: Span, alarms: set[Span | None], unread: list[Span]) -> bool:
+    """Whether something was not read between the last count that was made and the one stated at ``span``."""
+    at = next((k for k, line in enumerate(section.lines) if line.stated_span == span and not line.gap), None)
+    if at is None:
+        return False
+    begin = section.span.start
+    for line in reversed(section.lines[:at]):
+        if line.gap and not line.stated:
+            return True
+        if line.stated is not None and line.stated_span not in alarms:
+            begin = line.span.end
+            break
+    end = section.lines[at].span.end
+    return any(begin <= one.start < end for one in unread)
 
 
 def _section(pattern: Pattern, section: Section) -> tuple[Section, list[Problem]]:
@@ -128,15 +146,21 @@ def _gaps(pattern: Pattern, wrong: list[Problem]) -> tuple[tuple[Section, ...], 
                 continue
             count = line.stated or next((one.stated for one in reversed(lines) if one.stated), None)
             at = line.stated_span or line.span
-            gap: tuple[Item, ...] = (Action("gap", at, numbers=(count or 1,)),)
             if line.gap or not count or not line.in_round:
                 said = f"{problem.message}: this round is left out"
             else:
                 said = f"{problem.message}: this round is taken from its count, {count}"
-                lines.append(replace(line, items=gap, again=None))
+                lines.append(replace(line, items=_gap(line, at, count), again=None))
             told.append(replace(problem, message=said, warning=True))
         parts.append(replace(section, lines=tuple(lines)))
     return tuple(parts), told
+
+
+def _gap(line: Line, at: Span, count: int) -> tuple[Item, ...]:
+    """A gap in place of what a line works; its join or turn stays, since the next line counts on it."""
+    last = line.items[-1:]
+    ends = last if last and isinstance(last[0], Action) and last[0].name in ("join", "turn") else ()
+    return (Action("gap", at, numbers=(count,)), *ends)
 
 
 def _inside(span: Span | None, line: Line) -> bool:

@@ -192,6 +192,9 @@ def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
     kinds = [t.value for t in said if t.kind == "stitch" and t.value in _KINDS]
     named = [t.value for t in name if t.kind == "stitch" and t.value in _KINDS]
     glued = next((k for k in _KINDS if name[0].word.startswith(k) and len(name) == 1), "")
+    together = re.fullmatch(r"(sc|hdc|dc|tr)([2-6])tog\w+", name[0].word) if len(name) == 1 else None
+    if together is not None:  # "sc2togtbl"
+        return [whole], f"{together[1].removeprefix('sc')}dec{together[2] if together[2] != '2' else ''}"
     if not (stitch or glued) or not (kinds or named):
         return None
     kind = (named[-1:] or [glued] if named or glued else kinds[:1])[0]

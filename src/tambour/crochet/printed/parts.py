@@ -195,6 +195,7 @@ class Draft:
                 self.lines, self.chain, self.flat = [*own, *origin.lines[:first]], None, origin.flat
         number = numbers[0] if numbers else self.last + 1
         first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
+        lines = self._lifted(lines)
         name = "" if origin is self else origin.name
         lead = tuple(i for i in body.items if isinstance(i, Action) and i.name == "color")
         again = Again(lines, first_number, last_number, name, refers.span)
@@ -211,6 +212,21 @@ class Draft:
         self.edge = self.edge if self.edge is not None else body.stated
         self.shrunk = self.edge is not None and before is not None and self.edge < before
         return True
+
+    def _lifted(self, lines: tuple[Line, ...]) -> tuple[Line, ...]:
+        """``lines`` as they go on from the last one: where that says no join and no turn, the chains that they begin with
+        would be worked as stitches."""
+        last = self.lines[-1] if self.lines else None
+        while last is not None and last.again is not None:
+            last = last.again.lines[-1]
+        ends = next((i for i in reversed(last.items) if _moves(i)), None) if last is not None else None
+        again = next((i for i in reversed(lines[-1].items) if _moves(i)), None)
+        first = next((i for i in lines[0].items if not isinstance(i, Action) or i.name != "color"), None)
+        closed = any(isinstance(i, Action) and i.name in ("join", "turn") for i in (ends, again, *lines[0].items[:2]))
+        if closed or not (isinstance(first, Action) and first.name == "ch" and first.times <= _LIFT):
+            return lines
+        move = Action("turn" if self.flat else "join", first.span)
+        return (replace(lines[0], items=(move, *lines[0].items)), *lines[1:])
 
     def referred(self, refers: Refers) -> tuple[Line, ...]:
         """The rounds that are named, none where one of them is not there."""

@@ -76,7 +76,7 @@ class Printed(State):
         if all(p.warning for p in source.problems):
             pattern, built, found = mended(pattern)
             if built is not None:
-                pattern, built, more = agreed(pattern, built, self.sound)
+                pattern, built, more = agreed(pattern, built, self.sound, self._not_read())
                 found += more
             for problem in found:
                 self.tell(problem.message, problem.hint, problem.span or Span(0, 0))
@@ -97,6 +97,10 @@ class Printed(State):
             unread=tuple(sorted(self.unread, key=_place)),
             left_out=tuple(self.left_out),
         )
+
+    def _not_read(self) -> list[Span]:
+        """Where something that may work stitches was not understood."""
+        return [*self.left_out, *(p.span for p in self.unread if p.span is not None)]
 
     def _assemble(self, pattern: Pattern, built: Built, usual: bool) -> Pattern:
         """The pattern with what the sentences of finishing say, now that the parts are there."""

@@ -7,7 +7,15 @@ from typing import Literal
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import to_last, where
-from tambour.crochet.printed.counts import Times, bracketed_count, checked, closing, counted_at, multiplier
+from tambour.crochet.printed.counts import (
+    Times,
+    bracketed_count,
+    checked,
+    closing,
+    counted_at,
+    ends_with_number,
+    multiplier,
+)
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.stitch import placed, standing
@@ -67,9 +75,8 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
     inner = []
     while True:
         _starred(r, inner)
-        if not c.mark(".") or not any(
-            t.word in ("*", "**") or (t.kind == "key" and t.value == "repeat") for t in c.tokens[c.at :]
-        ):
+        later = any(t.word in ("*", "**") or (t.kind == "key" and t.value == "repeat") for t in c.tokens[c.at :])
+        if not c.mark(".") or not (later or _more_stitches(r)):
             break
         c.at += 1  # a sentence ends, the repeat goes on
     if c.mark("*", "**"):
@@ -77,6 +84,15 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
     if not inner:
         raise NotUnderstood(token, "nothing stands after this asterisk", "say what is repeated")
     repeated(r, found, inner, token.span, star=True)
+
+
+def _more_stitches(r: Reader) -> bool:
+    """Whether the sentence behind the point at the cursor is stitches, and no count: of a repeat whose end is not said."""
+    c = r.c
+    if ends_with_number(r, 1):
+        return False
+    plain = c.kind("stitch", 1) or (c.whole(1) is not None and c.kind("stitch", 2))
+    return plain and not (c.kind("stitch", 1) and c.look(1).value in ("slst", "ch"))  # type: ignore[union-attr]
 
 
 def _starred(r: Reader, inner: list[Item]) -> None:

@@ -237,8 +237,9 @@ def listed(line: str) -> dict[str, str]:
 
 
 def said(name: str) -> RGB | None:
-    """The colour that ``name`` means in any sentence; None where it means none, or may mean a thing."""
-    return None if name in _THINGS else shade(name)
+    """The colour that ``name`` means in any sentence: as tambour's own language has it, else a yarn's; None where it means
+    none, or may mean a thing."""
+    return None if name in _THINGS else css().get(name.replace(" ", "")) or shade(name)
 
 
 def shade(name: str) -> RGB | None:

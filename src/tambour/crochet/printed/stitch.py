@@ -49,7 +49,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         more = where(c)
         if more is not None and more.kind != "loops":
             more.loops, place = place.loops, more
-    if place is not None and place.kind == "joined" and found and _stands(found[-1]):
+    if place is not None and place.kind in ("joined", "first") and found and _stands(found[-1]):
         place.kind = "same"  # the chains stand there already
     if place is not None and place.kind == "joined":
         if any(map(makes, found)) and name != "slst":
