@@ -21,7 +21,9 @@ PICTURES = [
     ("readme-bear.jpg", "crochet {x}/crochet/bear.txt -o {out}.png", 900),
     ("readme-frog.jpg", "crochet {x}/crochet/frog.acl -o {out}.png", 900),
     ("readme-knit.jpg", KNIT, 900),
-    ("readme-scroll.jpg", "ink --seed 7 --span 3000 -o {out}.png", 1800),
+    ("readme-scroll.jpg", "ink --seed 8 --span 2700 -o {out}.png", 1800),
+    ("ink-specimens.jpg", "ink --specimen all --seed 3 --pixels 1600 -o {out}.png", 1600),
+    ("ink-plotter.png", "ink --seed 7 --from -5200 --span 1000 --plotter -o {out}.png", 1400),
     ("readme-embroidery.jpg", "embroidery {x}/embroidery/logo.svg -o {out}.png", 900),
 ]
 
@@ -97,6 +99,30 @@ def rows(made: list[list[Image.Image]], width: int, gap: int = 10) -> Image.Imag
     return page
 
 
+STRIPS = [
+    ("ink-seeds.jpg", [f"ink --seed {seed} --span 2627 --pixels 1500 -o {{out}}.png" for seed in (1, 2, 3, 4, 5)]),
+    (
+        "ink-seasons.jpg",
+        [
+            f"ink --seed {seed} --span 2627 --pixels 1500 {words} -o {{out}}.png"
+            for seed, words in (
+                ("4", "--season winter"),
+                ("8", "--season autumn --time dusk --mist 0.6"),
+                ("3", "--time night"),
+                ("5", "--season spring --inscription 'far hills, still water' --seal AB"),
+            )
+        ],
+    ),
+]
+
+
+def strip(name: str, commands: list[str]) -> None:
+    """Pictures one below the other."""
+    made = [picture(c) for c in commands]
+    whole = rows([[image] for image in made], 1500)
+    whole.save(HERE / "pictures" / name, quality=85, optimize=True)
+
+
 def make(name: str, command: str, width: int) -> None:
     """Run one command and keep its picture, scaled down."""
     image = picture(command)
@@ -114,6 +140,9 @@ if __name__ == "__main__":
     for name, draw in (("knit-examples.jpg", knit_examples), ("knit-styles.jpg", knit_styles)):
         if not wanted or name in wanted:
             draw()
+    for name, commands in STRIPS:
+        if not wanted or name in wanted:
+            strip(name, commands)
     for group in SHEETS:
         if not wanted or group[0] in wanted:
             sheet(*group)

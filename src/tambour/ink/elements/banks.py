@@ -227,7 +227,8 @@ def group(
             grass(rng, pts, marks, n, a + 16.0 * bell(rng), b + 4.0 * bell(rng), between(rng, 5.0, 12.0))
     if hutted > 0.0:
         count = pick(rng, 3) if rnd(rng) < people else 0
-        a, b = along(rng, left, width), middle + 15.0
+        # To one side of the flat: what grows on it stands beside the hut, not on its roof.
+        a, b = left + width * (0.14 if rnd(rng) < 0.5 else 0.86), middle + 15.0
         hut(
             table,
             rng,

@@ -117,7 +117,7 @@ def bush(
     for i in range(LEVELS - 1):
         rung[0], rung[1], rung[2] = stem[i], stem[i + 1], stem[2 * LEVELS - 2 - i]
         rung[3], rung[4] = stem[2 * LEVELS - 1 - i], stem[i]
-        shatter(table, pts, marks, n, rung, 50.0, GRAIN, tone, 50.0, 200.0, 0.8, 0.0)
+        shatter(table, pts, marks, n, rung, 50.0, GRAIN, tone, 80.0, 205.0, 0.8, 0.0)
     n[HUE] = LEAF
     axis, ring = np.empty((2, 2)), np.empty((TOUCH, 2))
     for i in range(3, LEVELS):
@@ -128,7 +128,7 @@ def bush(
         dx, dy = 0.5 * length * math.cos(angle), 0.5 * length * math.sin(angle)
         axis[0, 0], axis[0, 1], axis[1, 0], axis[1, 1] = cx - dx, cy - dy, cx + dx, cy + dy
         touch(axis, breadth, 0.5, forms[PUFF], loops[int(rnd(rng) * len(loops))], ring)
-        shatter(table, pts, marks, n, ring, 50.0, GRAIN, tone, 50.0, 200.0, 0.8, 0.0)
+        shatter(table, pts, marks, n, ring, 50.0, GRAIN, tone, 80.0, 205.0, 0.8, 0.0)
     n[HUE] = INK
     n[OPEN] = before
 
