@@ -370,3 +370,17 @@ def test_chains_behind_a_gap_are_no_stitch():
 def test_chains_that_stand_share_the_first_stitch():
     rows = "2nd row: Ch 3 (counts as dc). 1 dc in first sc. 2 dc in each sc to end of row. Turn. 14 dc.\n"
     assert counts(ROWS + rows) == [7, 14]
+
+
+def test_a_doubt_goes_on_through_rounds_that_state_nothing():
+    # The fourth round states 24; the sixth is worked on these, so that the fourth alone is to blame.
+    even = "5th rnd: Ch 1. 1 sc in each sc around. Join.\n6th rnd: Ch 1. (1 sc in next sc. Sc2tog) 8 times. Join. 16 sts.\n"
+    built = build(read(Text(THREE + "4th rnd: Ch 1. 1 sc in each sc around. Join. 24 sc.\n" + even, "toy.txt")))
+    told = [w.message for w in built.warnings if "the pattern says" in w.message]
+    assert told == ["the pattern says 24 stitches, the round makes 18"]
+
+
+def test_a_stray_asterisk_before_what_goes_around_by_itself():
+    assert counts(
+        TWO + "3rd rnd: Ch 1. *2 sc in each of first 3 sc. 1 sc in each sc to end of rnd. Join. 15 sc.\n"
+    ) == [6, 12, 15]

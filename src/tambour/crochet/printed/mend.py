@@ -104,6 +104,9 @@ def _shaken(section: Section, span: Span, alarms: set[Span | None], unread: list
     at = next((k for k, line in enumerate(section.lines) if line.stated_span == span and not line.gap), None)
     if at is None:
         return False
+    again = section.lines[at].again
+    if again is not None and any(line.gap for line in again.lines):
+        return True  # a count that is worked again is none
     begin = section.span.start
     for line in reversed(section.lines[:at]):
         if line.gap and not line.stated:

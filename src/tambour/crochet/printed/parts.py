@@ -146,7 +146,10 @@ class Draft:
             made = [replace(m, stated=None, stated_span=None) for m in made]  # chains are not counted here
             self.lines[-len(made) :] = made
         self.edge = edge if edge is not None else body.stated if worked else self.edge
-        self.other = body.stated if edge != body.stated else None
+        if body.stated is None and self.other is not None:
+            self.other = reached(items, self.other, source.stitches, times)  # a round that states none keeps the doubt
+        else:
+            self.other = body.stated if edge != body.stated else None
         if worked:
             fewer = self.edge is not None and before is not None and self.edge < before
             self.shrunk = fewer and not any(_skips(i) for i in items)
@@ -209,6 +212,11 @@ class Draft:
         for one in line.rounds():
             before, self.edge = self.edge, after(one.items, self.edge, source.stitches)
             self.peak = max(self.peak, self.edge or 0)
+        if self.other is not None:
+            for one in line.rounds():
+                self.other = after(one.items, self.other, source.stitches)
+        if body.stated is not None:
+            self.other = body.stated if self.edge is not None and self.edge != body.stated else None
         self.edge = self.edge if self.edge is not None else body.stated
         self.shrunk = self.edge is not None and before is not None and self.edge < before
         return True

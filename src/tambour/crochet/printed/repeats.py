@@ -89,7 +89,7 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
 def _more_stitches(r: Reader) -> bool:
     """Whether the sentence behind the point at the cursor is stitches, and no count: of a repeat whose end is not said."""
     c = r.c
-    if ends_with_number(r, 1):
+    if c.whole(1) != 1 and ends_with_number(r, 1):
         return False
     plain = c.kind("stitch", 1) or (c.whole(1) is not None and c.kind("stitch", 2))
     return plain and not (c.kind("stitch", 1) and c.look(1).value in ("slst", "ch"))  # type: ignore[union-attr]
