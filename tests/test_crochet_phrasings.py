@@ -384,3 +384,8 @@ def test_a_stray_asterisk_before_what_goes_around_by_itself():
     assert counts(
         TWO + "3rd rnd: Ch 1. *2 sc in each of first 3 sc. 1 sc in each sc to end of rnd. Join. 15 sc.\n"
     ) == [6, 12, 15]
+
+
+def test_a_word_may_show_its_abbreviation():
+    said = "3rd rnd: *1 single crochet (sc) in next sc. 2 sc in next sc. Repeat (Rep) from * around. 18 sc.\n"
+    assert counts(TWO + said) == [6, 12, 18]

@@ -7,7 +7,7 @@ from tambour.crochet.printed.tokens import Token
 
 def shortened(tokens: list[Token]) -> list[Token]:
     """``tokens`` with "draw up a loop in each of next 2 sts, yoh and draw through all loops" as one decrease, without
-    "- sc2tog made" and without remarks on the side that faces."""
+    "- sc2tog made", without the "(sc)" of "single crochet (sc)" and without remarks on the side that faces."""
     made: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -22,8 +22,17 @@ def shortened(tokens: list[Token]) -> list[Token]:
             at = past
             continue
         made.append(tokens[at])
-        at += 1
+        at += 4 if _shown(tokens, at) else 1
     return made
+
+
+def _shown(tokens: list[Token], at: int) -> bool:
+    """Whether the word at ``at`` is followed by its own abbreviation: ``single crochet (sc)``."""
+    if at + 3 >= len(tokens) or tokens[at].kind not in ("stitch", "key") or tokens[at + 1].word != "(":
+        return False
+    one, other = tokens[at], tokens[at + 2]
+    same = (one.kind, one.value) == (other.kind, other.value) and one.word != other.word
+    return same and tokens[at + 3].word == ")"
 
 
 def _drawn(tokens: list[Token], at: int) -> tuple[int, int] | None:
