@@ -77,7 +77,7 @@ def test_a_command_of_the_docs_is_one(command: str, workplace: Path, monkeypatch
         def make(*given: object) -> None:
             raise Reached
 
-        return replace(known(name), make=make, warm=lambda: None)
+        return replace(known(name), make=make)
 
     monkeypatch.setattr(run, "craft", stopped)
     said = io.StringIO()
