@@ -122,7 +122,7 @@ def test_same_bytes_whatever_the_number_of_threads(monkeypatch: pytest.MonkeyPat
     mesh = sphere(12)
     made = []
     for count in (1, 2, 5):
-        monkeypatch.setattr(raster.os, "cpu_count", lambda count=count: count)
+        monkeypatch.setattr(raster, "WORKERS", count)
         made.append(raster.picture(mesh, width=90).rgba.tobytes())
     assert made[0] == made[1] == made[2]
 
