@@ -1,9 +1,11 @@
 """Assembly by sense: loose names, places in words, usual places that are told, faces by their names."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
-from tambour.core.errors import Text
+from tambour.core.errors import TambourError, Text
 from tambour.crochet.finish.joining import prepare
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
@@ -11,6 +13,7 @@ from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
 from tambour.crochet.places.names import Made, mentions
 from tambour.crochet.places.said import clauses, where
 from tambour.crochet.printed.pattern import read_printed
+from tambour.run import craft, run
 
 BALL = """Rnd 1: 6 sc in MR (6)
 Rnd 2: inc x 6 (12)
@@ -213,3 +216,16 @@ Embroider a smile on the body. Give Rolf a hug.
         "Put the eyes in between rounds 8 and 9 now.",
     )
     assert said.closing == ["Give Rolf a hug."] and hers(pattern, "de") is None
+
+
+def test_what_cannot_be_placed_is_left_out_and_told(tmp_path: Path) -> None:
+    text = (
+        "BODY\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each st around. (12)\nRnd 3-6: sc in each st around. (12)\n"
+        "Attach safety eyes between Rnds 19 and 20, 3 stitches apart.\n"
+    )
+    (tmp_path / "toy.txt").write_text(text)
+    report = run("crochet", tmp_path / "toy.txt", out=[tmp_path / "toy.json"])
+    told = [w for w in report["warnings"] if "left out" in w and "no round" in w]
+    assert told and "toy.txt:5" in told[0]
+    with pytest.raises(TambourError, match="no round"):
+        run("crochet", tmp_path / "toy.txt", craft("crochet").params(strict=True), out=[tmp_path / "b.json"])

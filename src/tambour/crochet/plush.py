@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
-    from tambour.crochet.finish.joining import crowded, prepare
+    from tambour.crochet.finish.joining import crowded, prepare, prepare_what_stands
     from tambour.crochet.finish.pose import pose
     from tambour.crochet.finish.twist import twisted
     from tambour.crochet.graph.build import build
@@ -40,14 +40,17 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     stitch = (known.width, known.height)
     with progress.stage("build"):
         built = pose(build(pattern, stitch=stitch, strict=params.strict), params.pose)
-        joining = prepare(built)
+        if pattern.terms and not params.strict:
+            built, joining = prepare_what_stands(built)
+        else:
+            joining = prepare(built)
     if params.check:
         from tambour.crochet.graph.check import tech_edit
 
         found = tech_edit(built)
         if found:
             raise TambourError(found)
-    for warning in (*pattern.unread, *built.warnings):
+    for warning in (*built.pattern.unread, *built.warnings):
         progress.warn(warning)
     for warning in joining.doubts if joining is not None else ():
         progress.warn(warning)

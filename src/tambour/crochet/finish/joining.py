@@ -16,7 +16,7 @@ from tambour.crochet.finish.placing import Frames, frames, level, standing
 from tambour.crochet.graph.assemble import SEWN_SHORT
 from tambour.crochet.graph.build import Built
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Placed
+from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, Spot
 from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.surface import vertex_normals
 
@@ -97,6 +97,28 @@ def prepare(built: Built) -> Joining | None:
     if any(not p.warning for p in problems):
         raise TambourError(sorted(problems, key=lambda p: p.span.start if p.span else 0))
     return Joining(built, spots, tuple((f, sewing.end_of(built, spots, f)) for f in order), tuple(problems))
+
+
+def prepare_what_stands(built: Built) -> tuple[Built, Joining | None]:
+    """As :func:`prepare`, for a text as people write it: what cannot be placed is left out and told with what was not read.
+
+    Where a round was not read its number may be missing; the rest of the toy is still to be seen.
+    """
+    while True:
+        try:
+            return built, prepare(built)
+        except TambourError as error:
+            wrong = [p for p in error.problems if not p.warning]
+            spans = {p.span for p in wrong}
+            kept = tuple(f for f in built.pattern.finish if not spans & {f.span, *(s.span for s in _spots(f))})
+            if len(kept) == len(built.pattern.finish):
+                raise
+            told = (*built.pattern.unread, *(replace(p, message=f"left out: {p.message}", warning=True) for p in wrong))
+            built = replace(built, pattern=replace(built.pattern, finish=kept, unread=told))
+
+
+def _spots(finish: Finish) -> tuple[Spot, ...]:
+    return finish.spots if isinstance(finish, (Embroidery, Hair)) else (finish.spot,)
 
 
 def crowded(joining: Joining) -> list[Problem]:
