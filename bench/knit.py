@@ -27,7 +27,8 @@ from tambour.knit.picture import tone
 from tambour.knit.solve import exact, floats, measure, percept
 from tambour.knit.solve import paper2013 as paper
 from tambour.knit.solve.edit import resolve
-from tambour.knit.solve.make import make, sweeps_for
+from tambour.knit.solve.make import make
+from tambour.knit.solve.stages import sweeps_for
 from tambour.knit.task import Task
 
 CASES = [

@@ -7,8 +7,9 @@ import pytest
 
 from tambour.core.chart import Chart
 from tambour.core.palette import Palette
-from tambour.knit.machines.limits import MODELS, card, check, end_needles, needles, period, steps
+from tambour.knit.machines.limits import MODELS, check, end_needles, needles, period, steps
 from tambour.knit.params import KnitParams
+from tambour.knit.sheets.setup import card
 
 WOOL = Palette(np.array([[240, 230, 210], [30, 40, 90]], np.uint8), ("natural", "indigo"))
 

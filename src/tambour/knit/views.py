@@ -145,7 +145,7 @@ def floats(piece: Piece) -> Drawing:
 def card(piece: Piece) -> Drawing:
     """The machine's card. Raises TambourError without ``machine``."""
     from tambour.core.errors import TambourError
-    from tambour.knit.machines.limits import card as printed
+    from tambour.knit.sheets.setup import card as printed
 
     if piece.params.machine is None:
         raise TambourError("the card is for a machine: say which", hint="{--machine} kh930-ayab", where="{--machine}")

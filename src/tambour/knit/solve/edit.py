@@ -13,7 +13,8 @@ from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.piece import Piece
 from tambour.knit.solve import exact, floats, percept
-from tambour.knit.solve.make import State, assemble, priced, seen_task, sight_of
+from tambour.knit.solve.assemble import State, assemble
+from tambour.knit.solve.stages import priced, seen_task, sight_of
 from tambour.knit.task import PLAIN, Task
 
 

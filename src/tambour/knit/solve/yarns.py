@@ -21,7 +21,8 @@ from tambour.knit.picture import shades, tone
 from tambour.knit.picture.layout import lay
 from tambour.knit.picture.style import FAR, Style, recognised, settled
 from tambour.knit.piece import Piece
-from tambour.knit.solve import exact, floats, percept
+from tambour.knit.solve import exact, floats, percept, stages
+from tambour.knit.solve.assemble import State, assemble
 from tambour.knit.solve.lanes import FORBIDDEN
 from tambour.knit.solve.pairs import colour_batches, pair_rows
 from tambour.knit.task import Task
@@ -36,8 +37,6 @@ def make(source: Picture, params: KnitParams, limit: int, progress: Progress) ->
     Raises TambourError for what needs two yarns only (locked stitches, frames, weights, patches), and for yarns that
     have too little contrast to share any row.
     """
-    from tambour.knit.solve import make as solve
-
     for what, given in (
         ("lock", params.lock),
         ("weights", params.weights),
@@ -64,24 +63,24 @@ def make(source: Picture, params: KnitParams, limit: int, progress: Progress) ->
     with progress.stage("start_assignment"):
         blank = np.zeros(aim.shape[:2], np.uint8)
         seen = min(limit, percept.LARGEST)
-        task = solve.task_of(blank.astype(np.float32), blank, seen, params, layout)
+        task = stages.task_of(blank.astype(np.float32), blank, seen, params, layout)
         possible = pairs_of(palette, params)
-        eye = solve.sight_of(limit, params)
+        eye = stages.sight_of(limit, params)
         chosen, bits = choose(task, aim, space, possible, eye, params, progress)
         pairs = possible[chosen]
         projected = project(aim, space, pairs)
         how = params.start or ("threshold" if kind == "line drawing" else "floyd-steinberg")
         start = tone.assign(projected, how, params.threshold)
-    whole = solve.task_of(projected, start, limit, params, layout)
+    whole = stages.task_of(projected, start, limit, params, layout)
     before = floats.measure(whole, start)
-    solve.advise(before, params, progress)
+    stages.advise(before, params, progress)
     with progress.stage("solve"):
         if params.method == "perceptual":
             cells = sweep(task, aim, space, pairs, bits, eye, SWEEPS)
         else:
-            cells = solve.solved(whole, params, progress)
+            cells = stages.solved(whole, params, progress)
     switches = int((chosen[1:] != chosen[:-1]).sum())
-    piece = solve.assemble(solve.State(whole, cells, layout, pairs), palette, kind, how, params, before, progress)
+    piece = assemble(State(whole, cells, layout, pairs), palette, kind, how, params, before, progress)
     figures = {**piece.figures, "yarns": len(palette), "switches": switches, **colour_error(piece, aim, space)}
     return Piece(
         piece.chart,
