@@ -19,13 +19,14 @@ from tambour.crochet.page.booklet import pages
 from tambour.crochet.page.flow import Atom, Chunk, Frame, flow, together
 from tambour.crochet.page.instructions import words
 from tambour.crochet.page.pictures import steps
-from tambour.crochet.page.sheet import Sheet, width_of, wrap
+from tambour.crochet.page.type import width_of, wrap
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 from tambour.crochet.plush import make
 from tambour.crochet.words.table import TERMS
 from tambour.crochet.yarns import WEIGHTS
 from tambour.files import write
+from tambour.render.page import Page
 
 TOY = """\
 color(#e4572e)
@@ -171,10 +172,10 @@ def test_lines_are_as_wide_as_they_may_be_and_no_wider() -> None:
 
 def test_headings_stay_with_rounds_and_columns_are_even() -> None:
     drawn: list[tuple[int, float, str]] = []
-    sheets: list[Sheet] = []
+    sheets: list[Page] = []
 
-    def page() -> Sheet:
-        sheets.append(Sheet(100, 100))
+    def page() -> Page:
+        sheets.append(Page(100, 100))
         return sheets[-1]
 
     def atom(name: str, height: float) -> Atom:

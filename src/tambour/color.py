@@ -1,10 +1,11 @@
-"""Colour: sRGB ↔ linear light ↔ Oklab, the nearest of a palette."""
+"""Colour: sRGB ↔ linear light ↔ Oklab, the nearest of a palette, and what a colour is called."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.core.palette import RGB, unhexed
 
 # B. Ottosson, "A perceptual color space for image processing" (2020): linear sRGB → LMS → Oklab.
 _LMS = np.array(
@@ -81,3 +82,50 @@ def nearest_distinct(rgb: Array, palette: Array) -> Array:
         chosen[k] = int(np.where(free, far, np.inf).argmin()) if free.any() else int(far.argmin())
         free[chosen[k]] = False
     return np.asarray(chosen[which.reshape(-1)], np.int32)
+
+
+_NAMES = {
+    "black": "#0a0a0a", "charcoal": "#2e3034", "grey": "#808488", "silver": "#c0c2c6", "white": "#fafafa",
+    "cream": "#f2e9d4", "oatmeal": "#d8c7a6", "camel": "#b48a5a", "brown": "#6e4a2e", "dark brown": "#3c281c",
+    "midnight": "#10123a", "navy": "#1e2a52", "indigo": "#30407c", "blue": "#3564b4", "sky blue": "#8fb8e0", "teal": "#1f7478",
+    "turquoise": "#4cb8b4", "bottle green": "#1f4a34", "green": "#3f8f4a", "sage": "#98ac84", "lime": "#a8c848",
+    "mustard": "#c99a24", "yellow": "#f0d040", "gold": "#e0b050", "orange": "#e07c2c", "rust": "#a84a24",
+    "red": "#c4242c", "madder": "#8c2a34", "wine": "#581c2c", "rose": "#d87c8c", "pink": "#f0bcc8",
+    "plum": "#6c3464", "violet": "#7c58a8", "lilac": "#c0a8d8",
+}  # fmt: skip
+
+
+def plain_name(rgb: Array) -> str:
+    """What one would call a colour, (3,) uint8: the nearest of 34 words, such as "bottle green"."""
+    shades = np.array([unhexed(v) for v in _NAMES.values()], np.uint8)
+    return list(_NAMES)[int(((oklab(shades) - oklab(rgb)) ** 2).sum(axis=1).argmin())]
+
+
+def family(color: RGB) -> str:
+    """The plainest name of a colour: one of fourteen, which every language of patterns has a word for."""
+    import colorsys
+
+    red, green, blue = (c / 255 for c in color)
+    hue, saturation, value = colorsys.rgb_to_hsv(red, green, blue)
+    hue *= 360.0
+    if value < 0.2:
+        return "black"
+    if 20 <= hue < 65 and 0.05 < saturation < 0.4 and value > 0.75:
+        return "ivory" if value > 0.92 else "beige"
+    if saturation < 0.12 or (saturation < 0.2 and value < 0.5):
+        return "white" if value > 0.93 else "gray"
+    warm = hue < 50 or hue >= 345
+    if (warm and value < 0.62) or (15 <= hue < 45 and value < 0.72):
+        return "red" if (hue < 8 or hue >= 345) and saturation > 0.6 and value > 0.35 else "brown"
+    if (hue < 12 or hue >= 315) and saturation < 0.6:
+        return "pink"
+    edges = (
+        (14, "red"),
+        (40, "orange"),
+        (68, "yellow"),
+        (160, "green"),
+        (195, "turquoise"),
+        (255, "blue"),
+        (301, "purple"),
+    )
+    return next((name for edge, name in edges if hue < edge), "pink" if hue < 345 else "red")

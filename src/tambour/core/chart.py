@@ -10,7 +10,7 @@ import numpy as np
 
 from tambour.core.check import Array, array, put, within
 from tambour.core.errors import LawError
-from tambour.core.palette import Palette
+from tambour.core.palette import Palette, hexed, unhexed
 
 FORMAT = "tambour chart 1"
 DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"
@@ -98,7 +98,7 @@ class Chart:
             "circular": self.circular,
             "gauge": None if self.gauge is None else [self.gauge.stitches, self.gauge.rows],
             "palette": [
-                {"rgb": "#{:02x}{:02x}{:02x}".format(*rgb), "name": name, "code": code}
+                {"rgb": hexed(rgb), "name": name, "code": code}
                 for rgb, name, code in zip(self.palette.rgb.tolist(), self.palette.names, self.palette.codes)
             ],
             "cells": {
@@ -124,7 +124,7 @@ class Chart:
                 raise ValueError(f"{stitches} stitches and {rows} rows: 1 to {LONGEST} of each can be read")
             colours = told["palette"]
             palette = Palette(
-                np.array([[int(c["rgb"][i : i + 2], 16) for i in (1, 3, 5)] for c in colours], np.uint8).reshape(-1, 3),
+                np.array([unhexed(c["rgb"]) for c in colours], np.uint8).reshape(-1, 3),
                 tuple(str(c.get("name", "")) for c in colours),
                 tuple(str(c.get("code", "")) for c in colours),
             )

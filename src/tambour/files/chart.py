@@ -14,7 +14,7 @@ import numpy as np
 from tambour.core.chart import LONGEST, Chart, Gauge
 from tambour.core.check import Array
 from tambour.core.errors import LawError, Problem, TambourError
-from tambour.core.palette import Palette
+from tambour.core.palette import Palette, hexed, unhexed
 from tambour.files.sink import Sink
 from tambour.files.text import read_text, write_json
 
@@ -110,7 +110,7 @@ def read_png(path: Path) -> Chart:
 
 def write_csv(value: Chart, sink: Sink) -> None:
     """A table that looks like the chart: the top row first, ``#rrggbb`` per stitch, an empty field for no stitch."""
-    names = np.array(["#{:02x}{:02x}{:02x}".format(*rgb) for rgb in value.palette.rgb.tolist()])
+    names = np.array([hexed(rgb) for rgb in value.palette.rgb.tolist()])
     table = names[value.cells]
     if value.no_stitch is not None:
         table = np.where(value.no_stitch, "", table)
@@ -183,7 +183,7 @@ def read_json(path: Path) -> Chart:
 def _colour(text: str) -> list[int] | None:
     if len(text) == 7 and text[0] == "#":
         try:
-            return [int(text[i : i + 2], 16) for i in (1, 3, 5)]
+            return list(unhexed(text))
         except ValueError:
             return None
     return None

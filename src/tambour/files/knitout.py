@@ -14,7 +14,7 @@ import numpy as np
 
 from tambour.core.chart import Chart
 from tambour.core.errors import LawError, Problem, Span, TambourError, Text
-from tambour.core.palette import Palette
+from tambour.core.palette import Palette, hexed, unhexed
 from tambour.files.sink import Sink
 from tambour.files.text import read_text, write_text
 
@@ -58,7 +58,7 @@ def lines(chart: Chart) -> list[str]:
     _check(chart, len(used))
     out = [";!knitout-2", f";;Carriers: {' '.join(str(k + 1) for k in range(_CARRIERS))}"]
     for k, color in enumerate(used, 1):
-        rgb = "#{:02x}{:02x}{:02x}".format(*chart.palette.rgb[color].tolist())
+        rgb = hexed(chart.palette.rgb[color].tolist())
         out.append(f";yarn {k} {rgb} {chart.palette.names[color]}".rstrip())
     out += [f";{stitches} stitches, {rows} rows{', in the round' if chart.circular else ''}", "inhook 1"]
 
@@ -226,7 +226,7 @@ def _chart(stitches: dict[str, list[str]], ways: set[tuple[str, str]], yarns: di
     for k, c in enumerate(carriers):
         told = re.match(r"#([0-9a-fA-F]{6})\s*(.*)", yarns.get(c, ""))
         shade = _SHADES[k] if k < len(_SHADES) else (25 * k % 256,) * 3
-        rgb.append([int(told[1][i : i + 2], 16) for i in (0, 2, 4)] if told else list(shade))
+        rgb.append(unhexed(told[1]) if told else shade)
         names.append(told[2] if told else yarns.get(c, f"carrier {c}"))
     try:
         return Chart(cells, Palette(np.array(rgb, np.uint8), tuple(names)), circular=tube)

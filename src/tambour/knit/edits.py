@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from pydantic import Field
 
 from tambour.core.errors import Problem, TambourError
+from tambour.core.palette import hexed
 from tambour.core.params import Params
 from tambour.core.progress import Progress
 from tambour.craft import Change
@@ -52,7 +53,7 @@ def _set(piece: Piece, edits: Sequence[Stitch], progress: Progress) -> Piece:
 
 
 def _codes(piece: Piece) -> list[str]:
-    return ["#{:02x}{:02x}{:02x}".format(*rgb) for rgb in piece.chart.palette.rgb.tolist()]
+    return [hexed(rgb) for rgb in piece.chart.palette.rgb.tolist()]
 
 
 def _yarn(piece: Piece, edit: Stitch) -> int | None:

@@ -12,6 +12,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import Problem
 from tambour.core.mesh import Mesh
+from tambour.core.palette import hexed
 from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.crochet.finish.placing import Frames, frames
@@ -208,7 +209,7 @@ def materials(built: Built, positions: Array) -> dict[str, list[dict[str, Any]]]
     tufts: dict[tuple[Any, ...], int] = {}
     what = placed(built, positions)
     for record, at in zip(what.records, what.where):
-        color = "#{:02x}{:02x}{:02x}".format(*record.color)
+        color = hexed(record.color)
         if isinstance(record, Eye):
             eyes[color, record.size] = eyes.get((color, record.size), 0) + 1
         elif isinstance(record, Embroidery):

@@ -90,10 +90,10 @@ def assemble(
         whole, posts = count * width / (2.0 * np.pi), int(at.sum()) * width / (2.0 * np.pi)
         rest[at] = np.maximum(rest[at], np.maximum(posts, np.minimum(whole, rest[at] + OPEN * width)))
     faces = np.array(hook.faces, np.int32).reshape(-1, 3)
-    sheet = np.array(hook.face_sheet, np.int64)
-    for number, count in enumerate(np.bincount(sheet, minlength=len(hook.sheets.sheets))):
-        hook.sheets.sheets[number].faces = int(count)
-    outside = np.array(hook.sheets.shell(), np.bool_)
+    stretch = np.array(hook.face_stretch, np.int64)
+    for number, count in enumerate(np.bincount(stretch, minlength=len(hook.stretches.all))):
+        hook.stretches.all[number].faces = int(count)
+    outside = np.array(hook.stretches.shell(), np.bool_)
     graph = StitchGraph(
         kinds=kinds,
         parent=np.array(hook.parent, np.int32),
@@ -109,7 +109,7 @@ def assemble(
         previous=previous,
         **fields,
     )
-    return graph, outside[sheet] if len(sheet) else np.zeros(0, np.bool_)
+    return graph, outside[stretch] if len(stretch) else np.zeros(0, np.bool_)
 
 
 def _edges(

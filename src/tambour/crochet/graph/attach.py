@@ -29,7 +29,7 @@ def attach(hook: Hook, label: str, size: int) -> None:
     if target == now.spine[-1]:
         raise hook.fail("the mark is right here: there is nothing to attach to", "work some stitches first")
     places = [i for i, n in enumerate(now.front) if (n if n >= 0 else ~n) == target]
-    if not places and any(hook.sheets.sheets[f].begun for f in hook.sheets.followers[edge]):
+    if not places and any(hook.stretches.all[f].begun for f in hook.stretches.followers[edge]):
         raise hook.fail(f'the mark "{label}" is on no edge any more', "it was worked over: set the mark later")
     chain, end = _chain(hook, size, target)
     hook.end_round(False)
@@ -42,7 +42,7 @@ def attach(hook: Hook, label: str, size: int) -> None:
         hook.now.spine.append(end)
         hook.now.front.append(end)
         hook.now.count += 1
-        hook.now.sheet = hook.sheets.begin(edge)
+        hook.now.stretch = hook.stretches.begin(edge)
     else:
         _join(hook, moment, edge, chain, end)
     hook.end_round(False)
@@ -64,36 +64,38 @@ def _split(hook: Hook, place: int, target: int, chain: list[int], end: int) -> N
     now = hook.now
     front = list(now.front)
     here = now.spine[-1]
-    one, other = hook.sheets.edge(now.sheet), hook.sheets.edge(now.sheet)
+    one, other = hook.stretches.edge(now.stretch), hook.stretches.edge(now.stretch)
     kept = now.copy()
     kept.front = deque([*front[:place], ~target, end, *reversed(chain), ~here])
     kept.count = sum(n >= 0 for n in kept.front)
-    kept.sheet = now.sheet
+    kept.stretch = now.stretch
     if hook.last_mark is not None:
         hook.labels[hook.last_mark] = (kept, other)
     now.front = deque([*front[place + 1 :], *chain, ~end])
     now.count = sum(n >= 0 for n in now.front)
     now.spine = [target, end]
-    now.sheet = hook.sheets.begin(one)
+    now.stretch = hook.stretches.begin(one)
 
 
 def _join(hook: Hook, moment: Moment, edge: int, chain: list[int], end: int) -> None:
     """Around the marked edge, back along the chain, around the present edge, and along the chain again."""
     now = hook.now
-    mine = hook.sheets.edge(now.sheet)
+    mine = hook.stretches.edge(now.stretch)
     joined = moment.copy()
     behind = [~n for n in reversed(now.spine)]
     joined.spine.append(end)
     joined.front = deque([*moment.front, ~end, *reversed(chain), *behind, *now.front, *chain, ~end])
     joined.count = sum(n >= 0 for n in joined.front)
     joined.loop, joined.direction = now.loop, now.direction
-    joined.sheet = hook.sheets.begin(edge, mine)
+    joined.stretch = hook.stretches.begin(edge, mine)
     hook.now = joined
 
 
 def _merge(hook: Hook, moment: Moment, edge: int) -> None:
     now = hook.now
-    if hook.sheets.sheets[now.sheet].begun and any(hook.sheets.sheets[f].begun for f in hook.sheets.followers[edge]):
+    if hook.stretches.all[now.stretch].begun and any(
+        hook.stretches.all[f].begun for f in hook.stretches.followers[edge]
+    ):
         raise hook.fail("the marked edge has been worked on already", "set the mark at its last round")
     hook.end_round(False)
     front = list(moment.front)
@@ -104,21 +106,21 @@ def _merge(hook: Hook, moment: Moment, edge: int) -> None:
         _, end = _chain(hook, 0, moment.spine[-1])
         hook.end_round(False)
         way = []
-        mine = hook.sheets.edge(now.sheet)
+        mine = hook.stretches.edge(now.stretch)
         behind = [~n for n in reversed(now.spine)]
         now.front = deque([*front, ~end, *behind, *now.front, ~end])
         now.spine = [*moment.spine, end]
         now.count = sum(n >= 0 for n in now.front)
-        now.sheet = hook.sheets.begin(edge, mine)
+        now.stretch = hook.stretches.begin(edge, mine)
         hook.end_round(False)
         hook.ahead, hook.joined = now.count, 0
         return
-    mine = hook.sheets.edge(now.sheet)
+    mine = hook.stretches.edge(now.stretch)
     tie = now.bridge[1]
     between = [] if tie in now.front else [~tie]
     now.front = deque([*way, *front, *between, *now.front])
     now.count = sum(n >= 0 for n in now.front)
     now.bridge = None
-    now.sheet = hook.sheets.begin(edge, mine)
+    now.stretch = hook.stretches.begin(edge, mine)
     hook.end_round(False)
     hook.ahead = now.count

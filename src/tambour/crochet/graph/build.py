@@ -75,7 +75,7 @@ class Built:
     rounds : the rounds (seed: round_spans); a node's ring root and tip count to the round beside them
     marks : label → node
     parts : what each part's text asks for, as many as graph.parts
-    shell : (F,) bool, the faces that bound the outside: of two sheets worked on one edge (goto), one
+    shell : (F,) bool, the faces that bound the outside: of two stretches worked on one edge (goto), one
     initializer : how the pattern wants to begin ("rounds", "one-by-one", None)
     up : the end of the work that is on top ("start", "end")
     counts : stitch or action as written → how often it was worked

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from tambour.core.errors import Problem, Span, Text
 from tambour.core.graph import BACK, BLO, BOTH, FLO, FRONT, PLAIN, ROOT, TIP
-from tambour.crochet.graph.moment import Moment, Round, Sheets
+from tambour.crochet.graph.moment import Moment, Round, Stretches
 from tambour.crochet.language.stitches import JOIN, KNOT, NEXT, OVER, THROUGH, UNDYED, Stitch
 
 MOST_AT_TIP = 12
@@ -37,7 +37,7 @@ class Hook:
         self.anchors: list[int] = []
         self.ends: list[int] = [0]
         self.faces: list[tuple[int, int, int]] = []
-        self.face_sheet: list[int] = []
+        self.face_stretch: list[int] = []
         self.joins: list[tuple[int, int]] = []
         self.aside: dict[int, float] = {}  # stitches in a chain space → how far they stand from their chain
         self.over: list[tuple[int, int, float]] = []  # … and the stitches beside the space, and how far from over them
@@ -52,7 +52,7 @@ class Hook:
         self._style_of: dict[tuple[object, ...], int] = {}
         self.rounds: list[Round] = []
         self.round: list[int] = []
-        self.sheets = Sheets()
+        self.stretches = Stretches()
         self.marks: dict[str, int] = {}
         self.labels: dict[str, tuple[Moment, int]] = {}  # label → its moment and its edge
         self.color: tuple[int, int, int] = UNDYED
@@ -83,7 +83,7 @@ class Hook:
         """A new part: fresh moment, loops both."""
         self.part += 1
         self.begun = False
-        self.now = Moment(sheet=self.sheets.begin())
+        self.now = Moment(stretch=self.stretches.begin())
         self._first, self._picots, self._number, self._chained = len(self), 0, 0, None
 
     def begin_line(self) -> None:
@@ -175,7 +175,7 @@ class Hook:
         """A triangle of the fabric, unless it has no extent; turned rows are seen from their back."""
         if a != b and b != c and a != c:
             self.faces.append((a, b, c) if self.now.direction > 0 else (b, a, c))
-            self.face_sheet.append(self.now.sheet)
+            self.face_stretch.append(self.now.stretch)
 
     def fill(self, path: list[int]) -> None:
         """The triangles between the hook's node ``path[0]`` and the rest of ``path``, a closed stretch of the edge."""
@@ -186,7 +186,7 @@ class Hook:
         """A root and ``size`` stitches into it, a fan round it; the ring's end is joined by the next round."""
         self.end_round(False)
         self.begun = True
-        now = self.now = Moment(loop=self.now.loop, sheet=self.sheets.begin())
+        now = self.now = Moment(loop=self.now.loop, stretch=self.stretches.begin())
         root = self.node(self.look("ring", 0.0, ROOT), [], -1, -1)
         look = self.look("sc", 1.0)
         first = len(self)
@@ -208,8 +208,8 @@ class Hook:
         now = self.now
         front = now.front
         if any(m.what in (THROUGH, JOIN) for m in stitch.moves):
-            self.begin_sheet()
-        faces, sheets, sheet, forward = self.faces, self.face_sheet, now.sheet, now.direction > 0
+            self.begin_stretch()
+        faces, stretches, stretch, forward = self.faces, self.face_stretch, now.stretch, now.direction > 0
         looks = [self.look(m.kind, m.height, self.single()) if m.what == OVER else -1 for m in stitch.moves]
         for _ in range(times):
             spine = now.spine
@@ -235,7 +235,7 @@ class Hook:
                         for b in path[1:]:
                             if a != b:
                                 faces.append((b, a, c) if forward else (a, b, c))
-                                sheets.append(sheet)
+                                stretches.append(stretch)
                             a = b
                         front.append(c)
                         now.count += 1
@@ -345,19 +345,19 @@ class Hook:
         """A chain begins a piece of work."""
         self.end_round(False)
         self.begun = True
-        self.now = Moment(loop=self.now.loop, sheet=self.sheets.begin(), chain=True)
+        self.now = Moment(loop=self.now.loop, stretch=self.stretches.begin(), chain=True)
 
-    def begin_sheet(self) -> None:
-        """Stitches are worked into the present sheet from here on; a foundation chain becomes a ring."""
+    def begin_stretch(self) -> None:
+        """Stitches are worked into the present stretch from here on; a foundation chain becomes a ring."""
         if self.now.chain:
             self.now.chain = False
             self.now.spine = self.now.spine[-1:]
             self.end_round(False)
         elif self.now.left <= 0 < self.now.count and len(self) > self._first:
             self.end_round(True)  # its last stitches were skipped
-        sheet = self.sheets.sheets[self.now.sheet]
-        if not sheet.begun:
-            sheet.begun, sheet.back = True, self.now.loop == BACK
+        stretch = self.stretches.all[self.now.stretch]
+        if not stretch.begun:
+            stretch.begun, stretch.back = True, self.now.loop == BACK
 
     # -- the edge ---------------------------------------------------------------------------------------------------
 
@@ -375,7 +375,7 @@ class Hook:
                     f"FO draws at most {MOST_AT_TIP} stitches together, here are {now.count}",
                     "decrease further, or leave FO out: the end stays open",
                 )
-            self.begin_sheet()
+            self.begin_stretch()
             front, spine = now.front, now.spine
             while len(spine) > 1 and front[-1] == ~spine[-1] and front[-2] in (spine[-2], ~spine[-2]):
                 front.pop()  # chains just made stand off the edge
@@ -387,9 +387,9 @@ class Hook:
             if len(edge) > 2:  # two stitches lie against each other: nothing is open between them
                 for a, b in zip(edge, edge[1:] + edge[:1]):
                     self.face(b, a, tip)
-            self.sheets.sheets[now.sheet].shut = True
+            self.stretches.all[now.stretch].shut = True
         self.end_round(False)
-        self.now = Moment(sheet=now.sheet)
+        self.now = Moment(stretch=now.stretch)
 
     def turn(self) -> None:
         """Work goes back along the edge, on the fabric's other side; chains just made are not worked into."""
@@ -430,7 +430,7 @@ class Hook:
         self.need_edge("join")
         now = self.now
         if now.chain:
-            self.begin_sheet()
+            self.begin_stretch()
         path = now.spine[::-1]
         left = now.left if len(self) > self._first else 0  # anchors that the round leaves out
         while now.front[0] < 0 or left > 0:
@@ -473,10 +473,10 @@ class Hook:
             raise self.fail("this mark is of no use: no stitch is left to work into", "mark before FO")
         if label in self.labels:
             raise self.fail(f'there is a mark "{label}" already', "a mark in a repeated round is set once too often")
-        edge = self.sheets.edge(now.sheet)
+        edge = self.stretches.edge(now.stretch)
         self.labels[label] = (now.copy(), edge)
         self.marks[label] = now.spine[-1]
-        now.sheet = self.sheets.begin(edge)
+        now.stretch = self.stretches.begin(edge)
         self.last_mark = label
 
     def goto(self, label: str) -> None:
@@ -485,6 +485,6 @@ class Hook:
         moment, edge = self.labels[label]
         self.end_round(False)
         self.now = moment.copy()
-        self.now.sheet = self.sheets.begin(edge)
+        self.now.stretch = self.stretches.begin(edge)
         self.end_round(False)
         self.ahead, self.joined = self.now.count, 0

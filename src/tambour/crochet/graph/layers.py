@@ -31,7 +31,7 @@ def through_both(hook: Hook, stitch: Stitch, times: int) -> None:
     The edge is a closed walk: ``front`` ends with the way from the other layer's next anchor to the hook. A stitch
     closes the strip on its own layer, from the hook to the anchor, and that on the other, from its anchor to the hook.
     """
-    hook.begin_sheet()
+    hook.begin_stretch()
     for _ in range(times):
         _one(hook, stitch)
 
@@ -109,7 +109,7 @@ def _one(hook: Hook, stitch: Stitch) -> None:
         _fan(hook, [*(n if n >= 0 else ~n for n in front), *path[1:]])
         front.clear()
         now.ring = now.folded = False
-        hook.sheets.sheets[now.sheet].shut = True
+        hook.stretches.all[now.stretch].shut = True
     if now.left <= 0 and touched:
         hook.round_done()
 

@@ -1,4 +1,4 @@
-"""Moment: the edge being worked and where on it the hook is (seed 000, "Moments"); the rounds and sheets of fabric.
+"""Moment: the edge being worked and where on it the hook is (seed 000, "Moments"); the rounds and stretches of fabric.
 
 The edge of the fabric is a walk ``spine → front → back to the hook``. ``front`` holds what lies ahead: anchors, and, as
 ``~node``, nodes on the edge that are not worked into. ``spine`` is the way from the last anchor worked into up to the
@@ -25,7 +25,7 @@ class Moment:
     ring : the edge closes on itself (False: rows)
     chain : nothing but a foundation chain so far; a turn makes rows of it, a stitch makes a ring of it
     left : anchors of the round below that are still to be worked
-    sheet : the sheet that new faces belong to
+    stretch : the stretch that new faces belong to
     starting : chains made now only lift the yarn to the next round or row
     bridge : the spine of the edge that a direct ``attach`` came from, and the node it made
     folded : the edge lies flat, and stitches go through both its layers
@@ -41,7 +41,7 @@ class Moment:
     ring: bool = True
     chain: bool = False
     left: int = 0
-    sheet: int = 0
+    stretch: int = 0
     starting: bool = False
     bridge: tuple[list[int], int] | None = None
     folded: bool = False
@@ -59,7 +59,7 @@ class Moment:
             self.ring,
             self.chain,
             self.left,
-            self.sheet,
+            self.stretch,
             self.starting,
             self.bridge,
             self.folded,
@@ -88,7 +88,7 @@ class Round:
 
 
 @dataclass(slots=True)
-class Sheet:
+class Stretch:
     """A stretch of fabric between two places where the work can fork (a mark, an attach, a ring).
 
     ends : edges (ids) it leaves for others to go on from; an edge that nobody goes on from stays open
@@ -105,51 +105,51 @@ class Sheet:
     back: bool = False
 
 
-class Sheets:
-    """The sheets of one part and the edges between them.
+class Stretches:
+    """The stretches of one part and the edges between them.
 
-    A ``goto`` back to an edge that was worked on already gives that edge a second sheet: the fabric branches, and only
-    one of the two is the outside. :meth:`shell` says which sheets the outside is made of.
+    A ``goto`` back to an edge that was worked on already gives that edge a second stretch: the fabric branches, and only
+    one of the two is the outside. :meth:`shell` says which stretches the outside is made of.
     """
 
     def __init__(self) -> None:
-        self.sheets: list[Sheet] = []
-        self.followers: list[list[int]] = []  # edge → sheets that go on from it
+        self.all: list[Stretch] = []
+        self.followers: list[list[int]] = []  # edge → stretches that go on from it
 
     def begin(self, *edges: int) -> int:
-        """A new sheet that goes on from ``edges`` (none: from a ring or a chain)."""
-        self.sheets.append(Sheet())
-        number = len(self.sheets) - 1
+        """A new stretch that goes on from ``edges`` (none: from a ring or a chain)."""
+        self.all.append(Stretch())
+        number = len(self.all) - 1
         for edge in edges:
             self.followers[edge].append(number)
         return number
 
-    def edge(self, sheet: int) -> int:
-        """A new edge at which ``sheet`` may be gone on from."""
+    def edge(self, stretch: int) -> int:
+        """A new edge at which ``stretch`` may be gone on from."""
         self.followers.append([])
-        self.sheets[sheet].ends.append(len(self.followers) - 1)
+        self.all[stretch].ends.append(len(self.followers) - 1)
         return len(self.followers) - 1
 
     def shell(self) -> list[bool]:
-        """For each sheet, whether it is part of the outside.
+        """For each stretch, whether it is part of the outside.
 
-        Of the sheets that go on from one edge, one is taken: rather one that ends up shut, then one that is not worked
+        Of the stretches that go on from one edge, one is taken: rather one that ends up shut, then one that is not worked
         into back loops (those lie inside), then the one with most faces.
         """
-        n = len(self.sheets)
+        n = len(self.all)
         faces, shut = [0] * n, [False] * n
         chosen: dict[int, int] = {}
-        # A sheet's followers are younger than it, so the youngest are settled first.
+        # A stretch's followers are younger than it, so the youngest are settled first.
         for k in range(n - 1, -1, -1):
-            sheet = self.sheets[k]
-            faces[k] = sheet.faces
-            for edge in sheet.ends:
+            stretch = self.all[k]
+            faces[k] = stretch.faces
+            for edge in stretch.ends:
                 after = [f for f in self.followers[edge] if faces[f]]
                 if after:
-                    chosen[edge] = max(after, key=lambda f: (shut[f], not self.sheets[f].back, faces[f], -f))
+                    chosen[edge] = max(after, key=lambda f: (shut[f], not self.all[f].back, faces[f], -f))
                     faces[k] += faces[chosen[edge]]
-            ended = [edge in chosen and shut[chosen[edge]] for edge in sheet.ends]
-            shut[k] = sheet.shut or (bool(ended) and all(ended))
+            ended = [edge in chosen and shut[chosen[edge]] for edge in stretch.ends]
+            shut[k] = stretch.shut or (bool(ended) and all(ended))
         outside = [False] * n
         followed = {f for fs in self.followers for f in fs}
         todo = [k for k in range(n) if k not in followed]
@@ -157,5 +157,5 @@ class Sheets:
             k = todo.pop()
             if not outside[k]:
                 outside[k] = True
-                todo += [chosen[e] for e in self.sheets[k].ends if e in chosen]
+                todo += [chosen[e] for e in self.all[k].ends if e in chosen]
         return outside

@@ -35,7 +35,7 @@ def into_space(hook: Hook, stitch: Stitch, times: int) -> None:
     under it. HookError when the round has no chain space left.
     """
     hook.need_start()
-    hook.begin_sheet()
+    hook.begin_stretch()
     for _ in range(times):
         _one(hook, stitch)
 

@@ -25,7 +25,7 @@ def oval(hook: Hook, size: int, first: int) -> None:
         )
     hook.end_round(False)
     hook.begun = True
-    now = hook.now = Moment(loop=hook.now.loop, sheet=hook.sheets.begin())
+    now = hook.now = Moment(loop=hook.now.loop, stretch=hook.stretches.begin())
     look, start = hook.look("ch", 1.0), len(hook)
     for k in range(size):
         hook.node(look, [], start + k - 1 if k else -1, -1)
@@ -60,7 +60,7 @@ def ring(hook: Hook, stitch: Stitch) -> None:
     """A magic ring that holds ``stitch``: its stitches and chains go round the root, and every one is an anchor."""
     hook.end_round(False)
     hook.begun = True
-    now = hook.now = Moment(loop=hook.now.loop, sheet=hook.sheets.begin())
+    now = hook.now = Moment(loop=hook.now.loop, stretch=hook.stretches.begin())
     root = hook.node(hook.look("ring", 0.0, ROOT), [], -1, -1)
     edge: list[int] = []
     pulled = 0

@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from tambour.core.errors import Span, did_you_mean
+from tambour.core.palette import RGB
 from tambour.crochet.language.source import Source
-
-RGB = tuple[int, int, int]
 
 
 @dataclass(frozen=True, slots=True)

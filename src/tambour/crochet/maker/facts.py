@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from tambour.core.palette import hexed
+
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
 
@@ -81,8 +83,7 @@ def _yarn(piece: Plush) -> dict[str, Any]:
     metres = lengths(piece)
     return {
         "yarn": [
-            {"color": "#{:02x}{:02x}{:02x}".format(*shade), "metres": round(m, 2), "yards": round(m / 0.9144, 2)}
-            for shade, m in metres.items()
+            {"color": hexed(shade), "metres": round(m, 2), "yards": round(m / 0.9144, 2)} for shade, m in metres.items()
         ],
         "materials": materials(piece),
         "yarn_metres": round(sum(metres.values()), 2),

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from tambour.core.palette import hexed, unhexed
 from tambour.crochet.yarns import WEIGHTS
 
 if TYPE_CHECKING:
@@ -53,15 +54,15 @@ def materials(piece: Plush) -> dict[str, Any]:
     ends = TAIL * max(0, len(piece.built.graph.parts) - 1)
     whole = sum(metres.values())
     for tuft in made["hair"]:
-        color = tuple(int(tuft["color"][k : k + 2], 16) for k in (1, 3, 5))
-        metres[color] = metres.get(color, 0.0) + tuft["metres"]
+        of_hair = unhexed(tuft["color"])
+        metres[of_hair] = metres.get(of_hair, 0.0) + tuft["metres"]
     yarn = []
     for color, worked in metres.items():
         bought = (worked + (ends * worked / whole if whole else 0.0)) * SPARE
         grams = bought / kind.metres * 100.0
         yarn.append(
             {
-                "color": "#{:02x}{:02x}{:02x}".format(*color),
+                "color": hexed(color),
                 "metres": round(bought, 1),
                 "yards": round(bought / 0.9144, 1),
                 "grams": round(grams, 1),

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from tambour.core.palette import RGB, unhexed
 from tambour.crochet.maker.materials import materials
 from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.book import Book, short, size_lines, weight_name, yarn_name
 from tambour.crochet.page.flow import Atom, Chunk, flow, together
-from tambour.crochet.page.sheet import BODY, HAIR, HEAD, LEADING, RGB, SMALL, SOFT, Sheet, width_of, wrap
+from tambour.crochet.page.type import BODY, HAIR, HEAD, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.crochet.yarns import WEIGHTS
+from tambour.render.page import Page
 
 
 def heading(book: Book, text: str, width: float, note: str = "") -> list[Atom]:
@@ -15,8 +17,8 @@ def heading(book: Book, text: str, width: float, note: str = "") -> list[Atom]:
     side = width_of(note, SMALL) + 3.0 if note else 0.0
     lines = wrap(text, HEAD, width - side, True)
 
-    def draw(sheet: Sheet, x: float, y: float) -> None:
-        sheet.lines(lines, x, y + HEAD * 0.8, HEAD, True, book.accent, 1.2)
+    def draw(sheet: Page, x: float, y: float) -> None:
+        sheet.paragraph(lines, x, y + HEAD * 0.8, HEAD, True, book.accent, 1.2)
         sheet.text(note, x + width, y + HEAD * 0.8, SMALL, color=SOFT, anchor="end")
         sheet.line(x, y + HEAD * 1.2 * len(lines) + 0.6, x + width, y + HEAD * 1.2 * len(lines) + 0.6, HAIR)
 
@@ -30,7 +32,7 @@ def paragraph(
     made = []
     for k, line in enumerate(wrap(text, size, width, bold)):
 
-        def draw(sheet: Sheet, x: float, y: float, line: str = line) -> None:
+        def draw(sheet: Page, x: float, y: float, line: str = line) -> None:
             if color is None:
                 sheet.text(line, x, y + size, size, bold)
             else:
@@ -46,9 +48,9 @@ def pair(left: str, right: str, width: float, share: float = 0.45, bold: bool = 
     b = wrap(right, BODY, width * (1 - share))
     tall = max(len(a), len(b)) * BODY * LEADING + 0.6
 
-    def draw(sheet: Sheet, x: float, y: float) -> None:
-        sheet.lines(a, x, y + BODY, BODY, bold)
-        sheet.lines(b, x + width * share, y + BODY, BODY)
+    def draw(sheet: Page, x: float, y: float) -> None:
+        sheet.paragraph(a, x, y + BODY, BODY, bold)
+        sheet.paragraph(b, x + width * share, y + BODY, BODY)
 
     return Atom(tall, draw)
 
@@ -95,7 +97,7 @@ def _materials(book: Book, width: float) -> list[Atom]:
         f"{book.said.terms.word('yarn')}: {weight_name(book)}", width, BODY, None, 1.0 if made else 0.0, True
     )
     for yarn in found["yarn"]:
-        color = _rgb(yarn["color"])
+        color = unhexed(yarn["color"])
         letter, name = book.said.color(color)
         skein = own["skein" if yarn["skeins"] == 1 else "skeins"].format(n=yarn["skeins"], grams=number(kind.skein, 0))
         much = f"{number(max(1.0, yarn['metres']), 0)} m"
@@ -105,7 +107,7 @@ def _materials(book: Book, width: float) -> list[Atom]:
         made.append(_yarn(color, letter, name, much, grams, skein, width))
     threads: dict[RGB, float] = {}
     for thread in found["embroidery"]:
-        color = _rgb(thread["color"])
+        color = unhexed(thread["color"])
         threads[color] = threads.get(color, 0.0) + thread["cm"]
     for color, cm in threads.items():
         letter, name = book.said.color(color)
@@ -117,16 +119,16 @@ def _materials(book: Book, width: float) -> list[Atom]:
         other.append((own["hook"], f"{number(book.piece.gauge.hook, 2)} mm"))
     for eye in found["eyes"]:
         word = own["eye" if eye["count"] == 1 else "eyes"]
-        name = book.said.color(_rgb(eye["color"]))[1]
+        name = book.said.color(unhexed(eye["color"]))[1]
         other.append(
             (book.said.terms.word("eyes"), f"{word.format(n=eye['count'], size=number(eye['size_mm']))}, {name}")
         )
     for felt in found["felt"]:
         words = own["felt"].format(n=felt["count"], w=number(felt["width_mm"]), h=number(felt["height_mm"]))
-        other.append((book.said.color(_rgb(felt["color"]))[1], words))
+        other.append((book.said.color(unhexed(felt["color"]))[1], words))
     for hair in found["hair"]:
         words = own["hair"].format(n=hair["strands"], cm=number(hair["cut_mm"] / 10, 0))
-        other.append((book.said.color(_rgb(hair["color"]))[1], words))
+        other.append((book.said.color(unhexed(hair["color"]))[1], words))
     filling = found["stuffing"]
     if filling["grams"] > 0.05:
         other.append(
@@ -145,7 +147,7 @@ def _materials(book: Book, width: float) -> list[Atom]:
 def _yarn(color: RGB, letter: str, name: str, much: str, grams: str, skein: str, width: float) -> Atom:
     """A row of the yarn table: swatch, letter and name, length, mass, skeins."""
 
-    def draw(sheet: Sheet, x: float, y: float) -> None:
+    def draw(sheet: Page, x: float, y: float) -> None:
         sheet.box(x, y + 0.2, 6.0, 4.6, color, HAIR, 0.15, 0.9)
         base = y + BODY + 0.6
         sheet.text(letter, x + 8.0, base, BODY, True)
@@ -172,7 +174,3 @@ def _gauge(book: Book, width: float) -> list[Atom]:
     if "gauge" not in known.told:
         made += paragraph(own["expected"], width, space=0.8)
     return [*made, *paragraph(own["tight"], width, SMALL, SOFT, 1.0)]
-
-
-def _rgb(text: str) -> RGB:
-    return int(text[1:3], 16), int(text[3:5], 16), int(text[5:7], 16)

@@ -9,13 +9,15 @@ import numpy as np
 
 from tambour.color import linear
 from tambour.core.check import Array
+from tambour.core.palette import RGB
 from tambour.crochet.maker.size import Size
 from tambour.crochet.page.flow import Frame
 from tambour.crochet.page.hers import hers
 from tambour.crochet.page.instructions import Words, words
 from tambour.crochet.page.placed import Spoken
-from tambour.crochet.page.sheet import HAIR, LEAD, RGB, Sheet, wrap
+from tambour.crochet.page.type import HAIR, INK, LEAD, wrap
 from tambour.crochet.yarns import WEIGHTS
+from tambour.render.page import Page
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
@@ -46,7 +48,7 @@ class Book:
         self.title = " ".join(title.split()) or self.own["pattern"]
         self.designer = " ".join((params.designer or stated.get("designer", ("",))[0]).split())
         self.size = PAGES[params.page]
-        self.pages: list[Sheet] = []
+        self.pages: list[Page] = []
         self.used: list[RGB] = [(int(r), int(g), int(b)) for r, g, b in _in_order(piece.yarn.color)]
         self.accent = _readable(_main(piece))
 
@@ -73,14 +75,14 @@ class Book:
         return f"{cm} ({self.number(mm / 25.4)} in)" if self.imperial else cm
 
     @property
-    def below(self) -> tuple[Sheet, float]:
+    def below(self) -> tuple[Page, float]:
         """The last page, and where something else may begin on it."""
         sheet = self.pages[-1]
         return sheet, sheet.lowest + 12.0
 
-    def page(self, heading: str = "") -> Sheet:
+    def page(self, heading: str = "") -> Page:
         """A new page; ``heading`` stands at its head."""
-        sheet = Sheet(*self.size)
+        sheet = Page(*self.size, ink=INK)
         if heading:
             sheet.text(heading, MARGIN, TOP - 8.0, LEAD, True, self.accent)
             sheet.line(MARGIN, TOP - 5.2, self.size[0] - MARGIN, TOP - 5.2, HAIR)

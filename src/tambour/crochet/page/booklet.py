@@ -13,7 +13,8 @@ from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, cut, short, weigh
 from tambour.crochet.page.flow import flow, together
 from tambour.crochet.page.parts import assembly, charts, rounds, sides
 from tambour.crochet.page.pictures import whole
-from tambour.crochet.page.sheet import BODY, COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, Sheet, wrap
+from tambour.crochet.page.type import BODY, COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, wrap
+from tambour.render.page import Page
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
@@ -60,17 +61,17 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
 def _cover(book: Book) -> None:
     """A large picture, the title, and what a buyer asks first."""
     wide, high = book.size
-    sheet = Sheet(wide, high, PAPER)
+    sheet = Page(wide, high, PAPER, INK)
     book.pages.append(sheet)
     tall = high - 93.0
-    sheet.image(whole(book.piece, round(wide * 8.2), round(tall * 8.2)), 0.0, 0.0, wide, tall)
+    sheet.image(whole(book.piece, round(wide * 8.2), round(tall * 8.2)), 0.0, 0.0, wide, tall, photo=True)
     room = wide - 2 * MARGIN
     size = COVER
     while len(wrap(book.title, size, room, True)) > (1 if size > 8.0 else 2) and size > 5.5:
         size *= 0.94
     lines = wrap(book.title, size, room, True)[:4]
     y = tall + 8.0 + size * 0.8
-    y = sheet.lines(lines, MARGIN, y, size, True, INK, 1.18) - size * 1.18
+    y = sheet.paragraph(lines, MARGIN, y, size, True, INK, 1.18) - size * 1.18
     y += 4.0 + LEAD
     under = book.own["pattern"]
     if book.designer:
@@ -93,10 +94,10 @@ def _cover(book: Book) -> None:
     for k, (what, much) in enumerate(facts):
         x = MARGIN + k * step
         sheet.text(what, x, top + 6.5, SMALL, color=SOFT)
-        sheet.lines(wrap(much, LEAD, step - 4.0, True)[:2], x, top + 12.0, LEAD, True)
+        sheet.paragraph(wrap(much, LEAD, step - 4.0, True)[:2], x, top + 12.0, LEAD, True)
     dots = book.used[:12]
     for k, color in enumerate(dots):
-        sheet.disc(wide - MARGIN - 2.4 - 6.4 * (len(dots) - 1 - k), high - 12.5, 2.4, color, HAIR)
+        sheet.circles([(wide - MARGIN - 2.4 - 6.4 * (len(dots) - 1 - k), high - 12.5)], 2.4, color, HAIR)
 
 
 def _care(book: Book) -> None:
@@ -115,5 +116,5 @@ def _care(book: Book) -> None:
         y = high - FOOT - tall
     sheet.box(MARGIN, y, wide - 2 * MARGIN, tall, PAPER, None, 0.0, 2.0)
     sheet.text(own["care"], MARGIN + 6.0, y + 8.0, LEAD, True, book.accent)
-    y = sheet.lines(text, MARGIN + 6.0, y + 14.0, BODY)
-    sheet.lines(small, MARGIN + 6.0, y + 1.0, SMALL, color=SOFT)
+    y = sheet.paragraph(text, MARGIN + 6.0, y + 14.0, BODY)
+    sheet.paragraph(small, MARGIN + 6.0, y + 1.0, SMALL, color=SOFT)

@@ -3,53 +3,25 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass, field
 from pathlib import PurePath
 
-import numpy as np
-
-from tambour.core.drawing import Drawing, Label, Styles
+from tambour.core.drawing import Drawing
 from tambour.core.graph import BACK, FRONT, JOIN
-from tambour.core.paths import Paths
 from tambour.crochet.graph import ovals
 from tambour.crochet.graph.build import Built
 from tambour.crochet.language.stitches import BUMPS, KINDS
 from tambour.crochet.page.chart import Cell, Chart, charts
 from tambour.crochet.page.symbols import BARS, NAMES, Line, loop_mark, post, ring_mark, solid, strokes
 from tambour.crochet.piece import Plush
+from tambour.render.page import Page
 
 CELL = 7.0  # mm, a single crochet on paper
 _PEN = 0.35  # mm
 _TEXT = 2.6  # mm
-_INK = (40, 38, 36, 255)
-_PALE = (250, 248, 244, 255)
-_GREY = (150, 146, 140, 255)
+_INK = (40, 38, 36)
+_PALE = (250, 248, 244)
+_GREY = (150, 146, 140)
 _GAP = 0.06  # of a cell, between two
-
-
-@dataclass
-class _Sheet:
-    """Shapes as they are drawn: outlines, their styles, and the table of styles."""
-
-    lines: list[list[tuple[float, float]]] = field(default_factory=list)
-    style: list[int] = field(default_factory=list)
-    styles: dict[tuple[object, ...], int] = field(default_factory=dict)
-    labels: list[Label] = field(default_factory=list)
-
-    def draw(
-        self,
-        line: list[tuple[float, float]],
-        fill: tuple[int, int, int, int] | None,
-        pen: tuple[int, int, int, int] | None,
-        width: float = _PEN,
-    ) -> None:
-        """One shape, in mm."""
-        self.lines.append(line)
-        self.style.append(self.styles.setdefault((fill, pen, width), len(self.styles)))
-
-    def say(self, text: str, x: float, y: float, size: float = _TEXT, middle: bool = True, bold: bool = False) -> None:
-        """A line of text."""
-        self.labels.append(Label(text, x, y, size, "middle" if middle else "start", 0.0, _INK, bold))
 
 
 def view(piece: Plush) -> Drawing:
@@ -59,7 +31,7 @@ def view(piece: Plush) -> Drawing:
 
 def diagram(built: Built) -> Drawing:
     """The chart of a pattern: every piece a disc of rounds (flat pieces: rows), its counts, and a legend; mm."""
-    sheet = _Sheet()
+    sheet = Page(0.0, 0.0, ink=_INK)
     found = charts(built)
     margin, title = 8.0, 9.0
     sizes = [_extent(chart) for chart in found]
@@ -76,21 +48,9 @@ def diagram(built: Built) -> Drawing:
         width = max(width, (left + right) * CELL + 2 * margin, said + 2 * margin)
     width += x
     height = _legend(sheet, built, margin, tall)
-    labels = [*sheet.labels]
-    width = max(width, *(label.x + 0.6 * label.size * len(label.text) for label in labels), 60.0)
-    return _drawing(sheet, width + margin, height + margin, PurePath(built.pattern.text.name).stem)
-
-
-def _drawing(sheet: _Sheet, width: float, height: float, title: str = "") -> Drawing:
-    return Drawing(
-        Paths.of([np.array(line) for line in sheet.lines]),
-        np.array(sheet.style, np.int32),
-        Styles.of(*sheet.styles),  # type: ignore[arg-type]
-        np.array([width, height]),
-        labels=tuple(sheet.labels),
-        background=(255, 255, 255, 255),
-        about={"title": title},
-    )
+    width = max(width, *(label.x + 0.6 * label.size * len(label.text) for label in sheet.labels), 60.0)
+    sheet.size = width + margin, height + margin
+    return sheet.drawing(title=PurePath(built.pattern.text.name).stem)
 
 
 def plates(built: Built) -> list[tuple[int, Drawing]]:
@@ -98,9 +58,9 @@ def plates(built: Built) -> list[tuple[int, Drawing]]:
     made = []
     for chart in charts(built):
         left, right, up, down = _extent(chart)
-        sheet = _Sheet()
+        sheet = Page((left + right) * CELL, (up + down) * CELL, ink=_INK)
         _chart(sheet, built, chart, left * CELL, up * CELL)
-        made.append((chart.part, _drawing(sheet, (left + right) * CELL, (up + down) * CELL)))
+        made.append((chart.part, sheet.drawing(title="")))
     return made
 
 
@@ -108,10 +68,11 @@ def symbols(built: Built) -> list[tuple[str, Drawing]]:
     """The symbols that occur, each by itself, with the stitch's standard name, "front loops" or "back loops"; mm."""
     made = []
     for kind, _ in _entries(built):
-        sheet = _Sheet()
-        height = _symbol(sheet, kind, 0.5 * CELL, CELL * _TALL.get(kind, 1.0))
+        height = _TALL.get(kind, 1.0)
+        sheet = Page(CELL, height * CELL, ink=_INK)
+        _symbol(sheet, kind, 0.5 * CELL, CELL * height)
         name = {"FLO": "front loops", "BLO": "back loops"}.get(kind, kind)
-        made.append((name, _drawing(sheet, CELL, height * CELL)))
+        made.append((name, sheet.drawing(title="")))
     return made
 
 
@@ -124,7 +85,7 @@ def _extent(chart: Chart) -> tuple[float, float, float, float]:
     return 2.2 - min(xs), max(xs) + 2.2, chart.reach + 0.5, 0.8
 
 
-def _chart(sheet: _Sheet, built: Built, chart: Chart, x: float, y: float) -> None:
+def _chart(sheet: Page, built: Built, chart: Chart, x: float, y: float) -> None:
     """One chart with its origin at x, y mm."""
     graph = built.graph
     colors = graph.color.tolist()
@@ -132,12 +93,12 @@ def _chart(sheet: _Sheet, built: Built, chart: Chart, x: float, y: float) -> Non
     kinds, loops = [graph.kinds[k] for k in graph.kind.tolist()], graph.loop.tolist()
     for node, cell in chart.cells.items():
         if node in chart.base:
-            sheet.draw(
+            sheet.shape(
                 _around(chart, cell, [(-0.09, 0.4), (0.09, 0.4), (0.09, 0.6), (-0.09, 0.6)], x, y, True), _GREY, None
             )
             continue
         red, green, blue = colors[node]
-        sheet.draw(_sector(chart, cell, x, y), (red, green, blue, 255), None)
+        sheet.shape(_sector(chart, cell, x, y), (red, green, blue), None)
     # How many stitches of a round stand in each anchor.
     rounds = graph.round.tolist()
     shared = Counter((rounds[n], a) for n in chart.cells for a in set(anchors[cuts[n] : cuts[n + 1]]))
@@ -159,31 +120,31 @@ def _chart(sheet: _Sheet, built: Built, chart: Chart, x: float, y: float) -> Non
         for foot, head in legs:
             if tall:  # a slanted post stands for the leg
                 for line in post(foot, chart.spot(cell.at, cell.high - 0.08), BARS[kinds[node]]):
-                    sheet.draw([(x + CELL * u, y - CELL * v) for u, v in line], None, pen)
+                    sheet.shape([(x + CELL * u, y - CELL * v) for u, v in line], None, pen, _PEN)
             else:
-                sheet.draw([(x + CELL * u, y - CELL * v) for u, v in (foot, head)], None, pen, 0.7 * _PEN)
+                sheet.shape([(x + CELL * u, y - CELL * v) for u, v in (foot, head)], None, pen, 0.7 * _PEN)
         if not (tall and legs):
             for line in strokes(kinds[node], height):
-                sheet.draw(_around(chart, cell, line, x, y), None, pen)
+                sheet.shape(_around(chart, cell, line, x, y), None, pen, _PEN)
         dot = solid(kinds[node], height)
         if dot:
-            sheet.draw(_around(chart, cell, dot, x, y, True), pen, None)
+            sheet.shape(_around(chart, cell, dot, x, y, True), pen, None, _PEN)
         if loops[node] in (FRONT, BACK) and own:
-            sheet.draw(_around(chart, cell, loop_mark(loops[node] == FRONT), x, y), None, pen, 0.8 * _PEN)
+            sheet.shape(_around(chart, cell, loop_mark(loops[node] == FRONT), x, y), None, pen, 0.8 * _PEN)
     for later, earlier in graph.edges[graph.edge_kind == JOIN].tolist():
         # A slip stitch is a dot where the end of a round meets the stitch that it is joined to.
         here = earlier in chart.cells and later in chart.cells and kinds[later] != "picot"
         if here and not {later, earlier} & set(chart.base):
             cell = chart.cells[earlier]
             edge = Cell(cell.at - (0.0 if chart.rows else cell.half), cell.half, cell.low, cell.high)
-            sheet.draw(_around(chart, edge, solid("slst", cell.high - cell.low) or [], x, y, True), _INK, None)
+            sheet.shape(_around(chart, edge, solid("slst", cell.high - cell.low) or [], x, y, True), _INK, None)
     if chart.root >= 0:
         for line in ring_mark():
-            sheet.draw([(x + CELL * u, y - CELL * v) for u, v in line], None, _INK)
+            sheet.shape([(x + CELL * u, y - CELL * v) for u, v in line], None, _INK, _PEN)
     _numbers(sheet, chart, x, y)
 
 
-def _contrast(rgb: list[int]) -> tuple[int, int, int, int]:
+def _contrast(rgb: list[int]) -> tuple[int, int, int]:
     """Ink or pale, whichever shows on a colour."""
     red, green, blue = ((c / 255) ** 2.2 for c in rgb)
     return _INK if 0.2126 * red + 0.7152 * green + 0.0722 * blue > 0.18 else _PALE
@@ -252,7 +213,7 @@ def _legs(
     return [(foot, head) for foot in feet]
 
 
-def _numbers(sheet: _Sheet, chart: Chart, x: float, y: float) -> None:
+def _numbers(sheet: Page, chart: Chart, x: float, y: float) -> None:
     """The number of each round where it begins."""
     for this in chart.rounds:
         cell = chart.cells[this.first]
@@ -273,11 +234,11 @@ def _numbers(sheet: _Sheet, chart: Chart, x: float, y: float) -> None:
                 (px + half, py + 0.2),
                 (px - half, py + 0.2),
             ]
-            sheet.draw([*box, box[0]], (255, 255, 255, 230), None)
-        sheet.say(str(this.number), px, py, 0.72 * _TEXT)
+            sheet.shape([*box, box[0]], (255, 255, 255, 230), None)
+        sheet.text(str(this.number), px, py, 0.72 * _TEXT, anchor="middle")
 
 
-def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y: float) -> float:
+def _title(sheet: Page, built: Built, found: list[Chart], k: int, x: float, y: float) -> float:
     """Name, copies, rounds and the way the piece ends; about how wide that is."""
     chart = found[k]
     part = built.parts[chart.part]
@@ -297,8 +258,8 @@ def _title(sheet: _Sheet, built: Built, found: list[Chart], k: int, x: float, y:
     if chart.folded:
         span += f", {what} {min(chart.folded)} through both layers"
     end = f"{span}; {chart.rounds[-1].count} stitches at its end" + (", drawn together (FO)" if chart.tip >= 0 else "")
-    sheet.say(name + copies, x, y + 1.0, 1.5 * _TEXT, False, True)
-    sheet.say(end, x, y + 5.2, _TEXT, False)
+    sheet.text(name + copies, x, y + 1.0, 1.5 * _TEXT, True)
+    sheet.text(end, x, y + 5.2, _TEXT)
     return 0.55 * _TEXT * len(end)
 
 
@@ -319,27 +280,27 @@ def _entries(built: Built) -> list[tuple[str, str]]:
     return entries + [("BLO", "in the back loop only")] * (BACK in loops)
 
 
-def _symbol(sheet: _Sheet, kind: str, x: float, y: float) -> float:
+def _symbol(sheet: Page, kind: str, x: float, y: float) -> float:
     """A symbol that stands on y; its height in cells."""
     chart = Chart(0, True)
     height = _TALL.get(kind, 1.0)
     cell = Cell(0.0, 0.5, 0.0, height)
     if kind in ("FLO", "BLO"):
-        sheet.draw(_around(chart, cell, loop_mark(kind == "FLO"), x, y), None, _INK)
+        sheet.shape(_around(chart, cell, loop_mark(kind == "FLO"), x, y), None, _INK, _PEN)
         return height
     for line in strokes(kind, height):
-        sheet.draw(_around(chart, cell, line, x, y), None, _INK)
+        sheet.shape(_around(chart, cell, line, x, y), None, _INK, _PEN)
     dot = solid(kind, height)
     if dot:
-        sheet.draw(_around(chart, cell, dot, x, y, True), _INK, None)
+        sheet.shape(_around(chart, cell, dot, x, y, True), _INK, None)
     return height
 
 
-def _legend(sheet: _Sheet, built: Built, x: float, y: float) -> float:
+def _legend(sheet: Page, built: Built, x: float, y: float) -> float:
     """The symbols that occur, with their names; the height that is used up."""
     for kind, name in _entries(built):
         height = _TALL.get(kind, 1.0)
         y += height * CELL + 1.0
         _symbol(sheet, kind, x + 0.5 * CELL, y)
-        sheet.say(name, x + 1.4 * CELL, y - 0.5 * height * CELL + 0.35 * _TEXT, _TEXT, False)
+        sheet.text(name, x + 1.4 * CELL, y - 0.5 * height * CELL + 0.35 * _TEXT, _TEXT)
     return y + 4.0

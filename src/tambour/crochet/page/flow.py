@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from tambour.crochet.page.sheet import HAIR, SMALL, SOFT, Sheet
+from tambour.crochet.page.type import HAIR, SMALL, SOFT
+from tambour.render.page import Page
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,7 +17,7 @@ class Atom:
     """
 
     height: float
-    draw: Callable[[Sheet, float, float], None]
+    draw: Callable[[Page, float, float], None]
     space: float = 0.0
     keep: bool = False
 
@@ -89,9 +90,9 @@ def _pack(chunks: list[Chunk], room: float) -> list[list[Chunk]]:
 def flow(
     chunks: list[Chunk],
     frame: Frame,
-    page: Callable[[], Sheet],
+    page: Callable[[], Page],
     again: str,
-    below: tuple[Sheet, float] | None = None,
+    below: tuple[Page, float] | None = None,
     head: Atom | None = None,
 ) -> None:
     """Set chunks into columns on as many pages as they take; the last page's columns are made equally high.

@@ -7,16 +7,17 @@ from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import Final
 
+from tambour.color import family
 from tambour.core.errors import TambourError, Text
 from tambour.core.graph import TIP
+from tambour.core.palette import RGB, hexed
 from tambour.crochet.graph.build import Built, Done, build
-from tambour.crochet.language.finishes import RGB, Embroidery, Hair
+from tambour.crochet.language.finishes import Embroidery, Hair
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section
 from tambour.crochet.page.written import Written, sections
 from tambour.crochet.piece import Plush
-from tambour.crochet.words.hues import plain_name
-from tambour.crochet.words.phrases import Phrases, hexed
+from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.special import told
 from tambour.crochet.words.table import TERMS, Terms
 
@@ -106,7 +107,7 @@ class Words:
             if rgb == hue:
                 return letter, name
         spoken = Phrases(self.terms, {}, {letter: rgb for letter, _, rgb, _ in self.colors}).shade(hue)
-        return "", self.terms.colors[plain_name(hue)][0] if spoken.startswith("#") else spoken
+        return "", self.terms.colors[family(hue)][0] if spoken.startswith("#") else spoken
 
 
 def view(piece: Plush) -> Text:
@@ -237,7 +238,7 @@ class _Writer:
         special = self._special()
         materials = [f"{self.terms.word(key)}: {said}" for key in _STATED if (said := self._stated(key))]
         colors = [
-            (x, self.terms.colors[plain_name(h)][0], h, self._legend_line(x, h)) for x, h in self.phrases.legend.items()
+            (x, self.terms.colors[family(h)][0], h, self._legend_line(x, h)) for x, h in self.phrases.legend.items()
         ]
         return Words(
             self.terms,
@@ -265,7 +266,7 @@ class _Writer:
         return "" if title.strip("<> ") in ("", "text", "stdin") else title[:1].upper() + title[1:]
 
     def _legend_line(self, letter: str, hue: RGB) -> str:
-        name = self.terms.colors[plain_name(hue)][0]
+        name = self.terms.colors[family(hue)][0]
         return self._sentence(self.phrases.say("legend", letter=letter, name=name, hex=hexed(hue)), "")
 
     def _abbreviations(self) -> tuple[tuple[str, str], ...]:

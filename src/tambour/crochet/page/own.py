@@ -9,13 +9,14 @@ from types import MappingProxyType
 from typing import Any, Final
 
 from tambour.core.errors import Text
+from tambour.core.palette import hexed
 from tambour.crochet.graph.build import Built, Done, build
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.language.stitches import RULES, SPELT, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section
 from tambour.crochet.page.written import Written, sections
 from tambour.crochet.piece import Plush
-from tambour.crochet.words.phrases import hexed, number
+from tambour.crochet.words.phrases import number
 from tambour.crochet.words.special import told
 from tambour.crochet.words.table import Terms
 

@@ -14,7 +14,8 @@ from tambour.crochet.page.diagram import plates, symbols
 from tambour.crochet.page.flow import Atom, Chunk, together
 from tambour.crochet.page.instructions import PartText, Row
 from tambour.crochet.page.pictures import Step, from_side, lies, of_parts, of_step, steps
-from tambour.crochet.page.sheet import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, Sheet, width_of, wrap
+from tambour.crochet.page.type import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, width_of, wrap
+from tambour.render.page import Page
 
 _DOTS = 7.6  # pixels a mm of the small pictures
 _THUMB = 30.0
@@ -41,7 +42,7 @@ def rounds(book: Book) -> list[Chunk]:
 
 def _photo(picture: Picture, width: float, high: float) -> Atom:
     """A picture in the middle of a column."""
-    return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x, y, width, high))
+    return Atom(high + 2.0, lambda sheet, x, y: sheet.image(picture, x, y, width, high, photo=True))
 
 
 def _rows(book: Book, block: PartText, width: float) -> list[Atom]:
@@ -58,25 +59,25 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
     if not row.label:
         lines = wrap(row.words, BODY, width - (7.0 if changes else 0.0))
 
-        def alone(sheet: Sheet, x: float, y: float) -> None:
+        def alone(sheet: Page, x: float, y: float) -> None:
             for k, color in enumerate(changes[:1]):
                 sheet.box(x + 5.4 * k, y + 0.5, 4.2, BODY + 0.2, color, HAIR, 0.15, 0.8)
-            sheet.lines(lines, x + (6.2 if changes else 0.0), y + BODY, BODY, color=SOFT)
+            sheet.paragraph(lines, x + (6.2 if changes else 0.0), y + BODY, BODY, color=SOFT)
 
         return Atom(len(lines) * BODY * LEADING + 1.0, alone, 0.4, keep=bool(changes))
     left = _TICK + 2.0 + label
     lines = wrap(row.words, BODY, width - left - count) or [""]
     tall = len(lines) * BODY * LEADING + 1.1
 
-    def draw(sheet: Sheet, x: float, y: float) -> None:
+    def draw(sheet: Page, x: float, y: float) -> None:
         base = y + BODY + 0.2
         sheet.box(x + 0.1, base - _TICK + 0.15, _TICK, _TICK, None, HAIR, 0.25, 0.4)
         sheet.text(row.label, x + _TICK + 2.0, base, BODY, True)
-        sheet.lines(lines, x + left, base, BODY)
+        sheet.paragraph(lines, x + left, base, BODY)
         if row.count:
             sheet.text(f"({row.count})", x + width, base, BODY, True, anchor="end")
         for k, color in enumerate(changes[:6]):
-            sheet.disc(x + width - 1.0 - 2.6 * k, base + BODY * 0.9, 0.95, color, HAIR)
+            sheet.circles([(x + width - 1.0 - 2.6 * k, base + BODY * 0.9)], 0.95, color, HAIR)
         sheet.line(x, y + tall - 0.2, x + width, y + tall - 0.2, (236, 232, 226), 0.12)
 
     if changes and len(lines) == 1:
@@ -100,7 +101,7 @@ def charts(book: Book) -> None:
         sheet.text(book.own["charts"], MARGIN, y + HEAD * 0.8, HEAD, True, book.accent)
         sheet.line(MARGIN, y + HEAD * 1.2 + 0.6, MARGIN + wide, y + HEAD * 1.2 + 0.6, HAIR)
         y += HEAD * 1.2 + 3.0
-    y = sheet.lines(wrap(book.own["chart note"], BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
+    y = sheet.paragraph(wrap(book.own["chart note"], BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
     y = _symbols(book, sheet, MARGIN, y, wide)
     names = {block.part: block.title if len(book.said.blocks) > 1 else "" for block in book.said.blocks}
     row: list[tuple[str, float, float, int]] = []
@@ -140,7 +141,7 @@ def charts(book: Book) -> None:
     placed(row, y)
 
 
-def _symbols(book: Book, sheet: Sheet, x: float, y: float, wide: float) -> float:
+def _symbols(book: Book, sheet: Page, x: float, y: float, wide: float) -> float:
     """The symbols that occur and what they mean; the height they end at."""
     left = x
     tall = 0.0
@@ -154,12 +155,12 @@ def _symbols(book: Book, sheet: Sheet, x: float, y: float, wide: float) -> float
         scale = 0.85
         high = float(drawing.size[1]) * scale
         sheet.place(drawing, left, y + (0.0 if high > 5 else 1.0), scale)
-        sheet.lines(lines, left + 7.6, y + 4.2, SMALL, color=INK)
+        sheet.paragraph(lines, left + 7.6, y + 4.2, SMALL, color=INK)
         left, tall = left + w, max(tall, high + 2.0, len(lines) * SMALL * LEADING + 4.0)
     return y + tall + 3.0
 
 
-def sides(book: Book, sheet: Sheet) -> None:
+def sides(book: Book, sheet: Page) -> None:
     """The piece from three sides at the foot of a page, where that is still white."""
     bottom, wide = book.size[1] - FOOT, book.size[0] - 2 * MARGIN
     gap, top = 5.0, sheet.lowest + 14.0
@@ -170,7 +171,9 @@ def sides(book: Book, sheet: Sheet) -> None:
     y = bottom - high - 6.0
     for k, side in enumerate(("front", "right", "back")):
         x = MARGIN + k * (width + gap)
-        sheet.image(from_side(book.piece, side, round(width * _DOTS), round(high * _DOTS)), x, y, width, high)
+        sheet.image(
+            from_side(book.piece, side, round(width * _DOTS), round(high * _DOTS)), x, y, width, high, photo=True
+        )
         sheet.text(book.own[side], x, y + high + SMALL + 1.6, SMALL, color=SOFT)
 
 
@@ -189,8 +192,8 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
         names = _names(book, step)
         head = f"{book.own['step'].format(n=k + 1)}: {names}"
 
-        def draw(sheet: Sheet, x: float, y: float, picture: Picture = picture, head: str = head) -> None:
-            sheet.image(picture, x, y, width, high)
+        def draw(sheet: Page, x: float, y: float, picture: Picture = picture, head: str = head) -> None:
+            sheet.image(picture, x, y, width, high, photo=True)
             sheet.text(head, x, y + high + LEAD + 1.8, LEAD, True, book.accent)
 
         # Long lists of points are set smaller.

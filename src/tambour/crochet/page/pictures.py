@@ -19,7 +19,7 @@ from tambour.crochet.finish.features import joined, meshes
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, Spot
 from tambour.crochet.maker.size import skin
-from tambour.crochet.page.sheet import BACKDROP
+from tambour.crochet.page.type import BACKDROP
 from tambour.crochet.yarn.fabric import mesh
 from tambour.crochet.yarn.loops import RATIO
 from tambour.crochet.yarn.spline import thin

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from tambour.core.errors import Span
-from tambour.crochet.language.finishes import RGB, Finish
+from tambour.core.palette import RGB
+from tambour.crochet.language.finishes import Finish
 from tambour.crochet.places import face
 from tambour.crochet.places.names import Made, Mention, kind_of, mentions, one
 from tambour.crochet.places.said import VERB, Where, clauses, where

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from tambour.crochet.language.finishes import RGB
+from tambour.core.palette import RGB, unhexed
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.shades import listed, said, shade
 
@@ -57,7 +57,7 @@ class Palette:
                 count += 1
             if length == len(digits) in (3, 6) and all(d in "0123456789abcdef" for d in digits):
                 wide = digits if length == 6 else "".join(d + d for d in digits)
-                return (int(wide[:2], 16), int(wide[2:4], 16), int(wide[4:], 16)), count
+                return unhexed(wide), count
         for length in (3, 2, 1):
             if at + length > len(tokens):
                 continue

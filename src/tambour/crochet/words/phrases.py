@@ -14,7 +14,8 @@ from functools import cached_property, lru_cache
 from typing import Any, Final
 
 from tambour.core.errors import Span
-from tambour.crochet.language.finishes import RGB, SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
+from tambour.core.palette import RGB, hexed
+from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.words.table import SENTENCES, Terms
 
 ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
@@ -61,11 +62,6 @@ def _pieces(template: str) -> tuple[tuple[str, str], ...]:
 def number(value: float) -> str:
     """A number as it is read back, without an exponent."""
     return str(int(value)) if value == int(value) else format(Decimal(repr(float(value))), "f")
-
-
-def hexed(color: Iterable[int]) -> str:
-    """``#rrggbb``."""
-    return "#{:02x}{:02x}{:02x}".format(*color)
 
 
 @dataclass(frozen=True)

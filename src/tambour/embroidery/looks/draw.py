@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from tambour.core.drawing import Drawing, Groups, Styles
+from tambour.core.palette import hexed
 from tambour.core.paths import Paths
 from tambour.core.thread import COMMANDS, STITCH
 from tambour.embroidery.piece import KINDS, Piece
@@ -24,7 +25,7 @@ def stitch_lines(piece: Piece) -> Drawing:
     thread = plan.thread[first]
     low, high = plan.xy[sewn].min(0) - MARGIN, plan.xy[sewn].max(0) + MARGIN
     styles = Styles.of(*((None, (*t.rgb, 255), 0.75 * piece.params.thread) for t in plan.threads))
-    names = tuple(t.name or "#{:02x}{:02x}{:02x}".format(*t.rgb) for t in plan.threads)
+    names = tuple(t.name or hexed(t.rgb) for t in plan.threads)
     groups = Groups(
         tuple(f"thread-{k + 1}" for k in range(len(names))), names, np.full(len(names), -1), np.ones(len(names), bool)
     )

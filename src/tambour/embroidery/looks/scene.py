@@ -11,6 +11,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.mesh import Mesh
+from tambour.core.palette import unhexed
 from tambour.core.picture import Picture
 from tambour.core.scene import Scene
 from tambour.core.thread import STITCH, ThreadPlan
@@ -24,11 +25,6 @@ SPEED = 700 / 60
 """Stitches that a machine makes in a second."""
 
 
-def rgb(text: str) -> tuple[int, int, int]:
-    """sRGB of ``#rrggbb``."""
-    return int(text[1:3], 16), int(text[3:5], 16), int(text[5:7], 16)
-
-
 def machine(piece: Piece) -> ThreadPlan:
     """The plan, with what the formats are to know of it."""
     title = "" if piece.drawing is None else piece.drawing.about.get("title", "")
@@ -40,7 +36,7 @@ def machine(piece: Piece) -> ThreadPlan:
 
 def preview(piece: Piece) -> Picture:
     """Thread on cloth, from above."""
-    return picture(piece.plan, piece.elevation, thread=piece.params.thread, ground=rgb(piece.params.ground))
+    return picture(piece.plan, piece.elevation, thread=piece.params.thread, ground=unhexed(piece.params.ground))
 
 
 def extent(plan: ThreadPlan) -> tuple[Array, Array]:
@@ -113,7 +109,7 @@ def scene(piece: Piece) -> Scene:
     shown = (
         ground
         if ground.color is not None
-        else replace(ground, color=np.tile(np.array(rgb(params.ground), np.uint8), (len(ground.vertices), 1)))
+        else replace(ground, color=np.tile(np.array(unhexed(params.ground), np.uint8), (len(ground.vertices), 1)))
     )
     return Scene((shown,), (strands,), ("cloth", "thread"))
 
@@ -201,7 +197,7 @@ def simulate(piece: Piece, frames: int = 60, width: int = 640) -> Iterator[Pictu
     middle, size = extent(plan)
     low, high = middle - size / 2 - 5, middle + size / 2 + 5
     density = min(16.0, width / float((high - low).max()))
-    ground = rgb(params.ground)
+    ground = unhexed(params.ground)
     made = field(plan, piece.elevation, thread=params.thread, ground=ground, density=density, low=low, high=high)
     done = np.unique(np.linspace(0, len(made.a), min(frames, max(1, len(made.a))) + 1).round().astype(int))
     for first, past in pairwise(done.tolist()):

@@ -13,10 +13,9 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.drawing import Drawing, Groups, Label, Placed, Styles
+from tambour.core.palette import RGB
 from tambour.core.paths import Paths
 from tambour.ink.ground.marks import LEAF, TINTS, Marks
-
-RGB = tuple[int, int, int]
 
 
 @dataclass(frozen=True, slots=True)

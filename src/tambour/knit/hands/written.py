@@ -5,11 +5,10 @@ from __future__ import annotations
 import re
 from textwrap import wrap
 
-import numpy as np
-
-from tambour.color import oklab
+from tambour.color import plain_name
 from tambour.core.chart import Chart
 from tambour.core.errors import Text
+from tambour.core.palette import hexed
 from tambour.knit.hands.working import catches, crossed, floats, ladders, roles, runs, worked, wrong_side
 from tambour.knit.hands.yarn import Amount, gauge_of
 
@@ -164,26 +163,13 @@ def pattern(
     return Text("\n".join(out) + "\n", f"{title}.txt")
 
 
-_WORDS = {
-    "black": "#0a0a0a", "charcoal": "#2e3034", "grey": "#808488", "silver": "#c0c2c6", "white": "#fafafa",
-    "cream": "#f2e9d4", "oatmeal": "#d8c7a6", "camel": "#b48a5a", "brown": "#6e4a2e", "dark brown": "#3c281c",
-    "midnight": "#10123a", "navy": "#1e2a52", "indigo": "#30407c", "blue": "#3564b4", "sky blue": "#8fb8e0", "teal": "#1f7478",
-    "turquoise": "#4cb8b4", "bottle green": "#1f4a34", "green": "#3f8f4a", "sage": "#98ac84", "lime": "#a8c848",
-    "mustard": "#c99a24", "yellow": "#f0d040", "gold": "#e0b050", "orange": "#e07c2c", "rust": "#a84a24",
-    "red": "#c4242c", "madder": "#8c2a34", "wine": "#581c2c", "rose": "#d87c8c", "pink": "#f0bcc8",
-    "plum": "#6c3464", "violet": "#7c58a8", "lilac": "#c0a8d8",
-}  # fmt: skip
-
-
 def color_name(chart: Chart, color: int) -> str:
     """The colour's own name and code; where it has none, the nearest plain word with its hexadecimal value."""
     name = " ".join(filter(None, (chart.palette.codes[color], chart.palette.names[color])))
     if name and not name.startswith("#"):
         return name
     rgb = chart.palette.rgb[color]
-    words = np.array([[int(v[i : i + 2], 16) for i in (1, 3, 5)] for v in _WORDS.values()], np.uint8)
-    far = ((oklab(words) - oklab(rgb)) ** 2).sum(axis=1)
-    return "{} #{:02x}{:02x}{:02x}".format(list(_WORDS)[int(far.argmin())], *rgb.tolist())
+    return f"{plain_name(rgb)} {hexed(rgb)}"
 
 
 def float_list(chart: Chart, catch: int, anchored: bool = True) -> list[str]:

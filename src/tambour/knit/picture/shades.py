@@ -12,7 +12,7 @@ import numpy as np
 from tambour import color
 from tambour.core.check import Array
 from tambour.core.errors import Problem, Span, TambourError, Text
-from tambour.core.palette import Palette
+from tambour.core.palette import Palette, unhexed
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.picture.resample import LUMA
@@ -124,11 +124,11 @@ def stash(text: Text) -> list[Shade]:
 def candidates(picture: Array, params: KnitParams) -> list[Shade]:
     """The yarns to choose from: those named, the shade card, the stash, or else colours of the picture's own."""
     if params.colors:
-        return [Shade("", (int(c[1:3], 16), int(c[3:5], 16), int(c[5:], 16))) for c in params.colors]
+        return [Shade("", unhexed(c)) for c in params.colors]
     if params.stash is not None:
         return stash(params.stash)
     if params.card != "none":
-        return [Shade(n, (int(c[1:3], 16), int(c[3:5], 16), int(c[5:], 16))) for n, c in CARDS[params.card]]
+        return [Shade(n, unhexed(c)) for n, c in CARDS[params.card]]
     flat = few(picture, params.yarns)
     return flat if len(flat) == params.yarns else own(picture)
 

@@ -10,7 +10,7 @@ from tambour.core.check import Array
 from tambour.core.drawing import Drawing
 from tambour.core.picture import Picture
 from tambour.knit.sheets.fabric import aspect_of
-from tambour.knit.sheets.sheet import GREY, Sheet
+from tambour.render.page import GREY, Page
 
 SIGMAS = (1.5, 3.0)
 """Blur in stitches: near and far."""
@@ -41,7 +41,7 @@ def distance(chart: Chart, picture: Array, tone: Array, light: bool = False) -> 
     tall = _PANEL * rows / width / aspect_of(chart)
     scale = min(1.0, 120.0 / tall)
     w, h = _PANEL * scale, tall * scale
-    sheet = Sheet(10 + len(panels) * (w + 5) + 5, 14 + len(SIGMAS) * (h + 12) + 2)
+    sheet = Page(10 + len(panels) * (w + 5) + 5, 14 + len(SIGMAS) * (h + 12) + 2)
     for j, sigma in enumerate(SIGMAS):
         y = 12 + j * (h + 12)
         sheet.text(_seen(chart, sigma), 10, y + h + 4.6, 3.2, color=GREY)

@@ -14,13 +14,13 @@ from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
 from tambour.knit.hands.working import catches, floats, roles, wrong_side
 from tambour.knit.hands.written import color_name
-from tambour.knit.sheets.sheet import GREY, INK, RGB, Sheet
+from tambour.render.page import GREY, INK, Color, Page
 
 Cells = Literal["both", "colour", "symbol"]
 LARGEST = 1_000_000
 """Stitches above which a chart is not drawn."""
-RED: RGB = (200, 30, 40)
-PALE: RGB = (226, 226, 230)
+RED: Color = (200, 30, 40)
+PALE: Color = (226, 226, 230)
 
 
 class Look(NamedTuple):
@@ -77,25 +77,25 @@ def sign(chart: Chart, color: int) -> str:
     return SIGNS[place] if place < len(SIGNS) else SIGNS[1 + (place - 1) % (len(SIGNS) - 1)]
 
 
-def _rgb(chart: Chart, color: int) -> RGB:
+def _rgb(chart: Chart, color: int) -> Color:
     r, g, b = chart.palette.rgb[color].tolist()
     return r, g, b
 
 
-def _shown(chart: Chart, color: int) -> RGB:
+def _shown(chart: Chart, color: int) -> Color:
     """A colour as the chart shows it: a little paler, so that lines and signs are seen on black, and ink is spared."""
     r, g, b = (255 - round((255 - v) * 0.86) for v in _rgb(chart, color))
     return r, g, b
 
 
-def _against(chart: Chart, color: int, look: Look) -> RGB:
+def _against(chart: Chart, color: int, look: Look) -> Color:
     """Ink that reads on a colour."""
     if look.cells == "symbol":
         return INK
     return (255, 255, 255) if float(luminance(chart.palette.rgb[color])) < 0.25 else INK
 
 
-def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:
+def grid(sheet: Page, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:
     """Draw part of a chart with its numbers; ``x, y`` is the top left corner of its cells."""
     w, h = look.cell
     _rows, width = chart.shape
@@ -108,7 +108,7 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
     if look.cells != "symbol":
         for color in roles(chart):
             sheet.boxes(_run_boxes((cells == color) & ~absent, x, y, w, h), _shown(chart, color))
-    rule: RGB = (160, 160, 164)
+    rule: Color = (160, 160, 164)
     at = np.arange(wide + 1)
     column = width - left - at  # stitches that lie right of each vertical line
     up = np.arange(high + 1)
@@ -121,7 +121,7 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
         return np.stack([x + at[pick] * w, np.full(pick.sum(), y), x + at[pick] * w, np.full(pick.sum(), y1)], axis=1)
 
     thin = max(0.06, 0.02 * w)
-    sheet.lines(np.concatenate([across(row % 5 > 0), down(column % 5 > 0)]), rule, thin)
+    sheet.segments(np.concatenate([across(row % 5 > 0), down(column % 5 > 0)]), rule, thin)
     for color in roles(chart):
         name = sign(chart, color)
         if name and look.cells != "colour":
@@ -130,14 +130,14 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
             size = 0.9 * min(w, h)
             for ring in _shape(name):
                 sheet.rings(centre[:, None] + np.array(ring) * size, _against(chart, color, look))
-    sheet.lines(np.concatenate([across(row % 10 == 5), down(column % 10 == 5)]), GREY, 2 * thin)
+    sheet.segments(np.concatenate([across(row % 10 == 5), down(column % 10 == 5)]), GREY, 2 * thin)
     heavy = min(0.45, max(0.3, 0.09 * w))
     tens = np.concatenate([across(row % 10 == 0), down(column % 10 == 0)])
-    sheet.lines(tens, (255, 255, 255), 1.9 * heavy)  # a light halo: the line shows on dark yarn too
-    sheet.lines(tens, INK, heavy)
+    sheet.segments(tens, (255, 255, 255), 1.9 * heavy)  # a light halo: the line shows on dark yarn too
+    sheet.segments(tens, INK, heavy)
     if absent.any():
         sheet.boxes(_run_boxes(absent, x, y, w, h), PALE)
-        sheet.lines(_outline(absent, x, y, w, h), INK, heavy)
+        sheet.segments(_outline(absent, x, y, w, h), INK, heavy)
     sheet.boxes([(x, y, x1, y1)], None, INK, heavy)
     if look.limit is not None:
         _catch_marks(sheet, chart, window, x, y, look)
@@ -146,7 +146,7 @@ def grid(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: L
     _numbers(sheet, chart, window, x, y, look)
 
 
-def _frame_repeat(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look, thick: float) -> None:
+def _frame_repeat(sheet: Page, chart: Chart, window: Window, x: float, y: float, look: Look, thick: float) -> None:
     """The sides of the repeat, counted from the right, that lie in the window."""
     w, h = look.cell
     rows, width = chart.shape
@@ -161,7 +161,7 @@ def _frame_repeat(sheet: Sheet, chart: Chart, window: Window, x: float, y: float
         (t == rows, (x0, y, x1, y)),
         (b == 0, (x0, y1, x1, y1)),
     ]
-    sheet.lines([line for seen, line in sides if seen], RED, thick)
+    sheet.segments([line for seen, line in sides if seen], RED, thick)
 
 
 def _run_boxes(mask: Array, x: float, y: float, w: float, h: float) -> Array:
@@ -183,7 +183,7 @@ def _outline(mask: Array, x: float, y: float, w: float, h: float) -> Array:
     return np.concatenate([upright, level])
 
 
-def _catch_marks(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:
+def _catch_marks(sheet: Page, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:
     """A small wedge at the foot of each stitch behind which a float is caught."""
     assert look.limit is not None
     w, h = look.cell
@@ -195,7 +195,7 @@ def _catch_marks(sheet: Sheet, chart: Chart, window: Window, x: float, y: float,
         sheet.rings(marks[:, None] + wedge, INK, (255, 255, 255), 0.07 * w)
 
 
-def _numbers(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:
+def _numbers(sheet: Page, chart: Chart, window: Window, x: float, y: float, look: Look) -> None:
     """Row numbers where each row begins, stitch numbers at the foot, counted from the right."""
     w, h = look.cell
     b, t, left, right = window
@@ -209,16 +209,16 @@ def _numbers(sheet: Sheet, chart: Chart, window: Window, x: float, y: float, loo
             continue
         base = y + (t - r - 0.5) * h + 0.36 * size
         if wrong_side(chart, r):
-            sheet.text(str(number), x - 0.9, base, size, "end", number % 10 == 0)
+            sheet.text(str(number), x - 0.9, base, size, number % 10 == 0, anchor="end")
         else:
-            sheet.text(str(number), x1 + 0.9, base, size, "start", number % 10 == 0)
+            sheet.text(str(number), x1 + 0.9, base, size, number % 10 == 0)
     size = min(2.7, max(1.3, 0.55 * w))
     room = 0.62 * size * len(str(width - left)) + 0.5
     step = 1 if w > room else 5 if 5 * w > room else 10
     for c in range(left, right):
         number = width - c
         if number == 1 or number % step == 0:
-            sheet.text(str(number), x + (c - left + 0.5) * w, y1 + 0.6 + size, size, "middle", number % 10 == 0)
+            sheet.text(str(number), x + (c - left + 0.5) * w, y1 + 0.6 + size, size, number % 10 == 0, anchor="middle")
 
 
 def key_rows(chart: Chart, look: Look) -> list[tuple[int, str, str]]:
@@ -229,7 +229,7 @@ def key_rows(chart: Chart, look: Look) -> list[tuple[int, str, str]]:
     ]
 
 
-def key(sheet: Sheet, chart: Chart, x: float, y: float, look: Look, size: float = 3.0) -> float:
+def key(sheet: Page, chart: Chart, x: float, y: float, look: Look, size: float = 3.0) -> float:
     """Draw the key downwards from ``y``; gives the y below it."""
     box = 1.7 * size
 
@@ -279,7 +279,7 @@ def sheet_of(chart: Chart, look: Look, title: str = "", lines: tuple[str, ...] =
     rows, width = chart.shape
     margin, head = 14.0, 16.0 if title else 8.0
     foot = 12.0 + 6.5 * (len(roles(chart)) + 3) + 4.5 * len(lines)
-    sheet = Sheet(max(2 * margin + width * w, 110.0), head + rows * h + foot + 6)
+    sheet = Page(max(2 * margin + width * w, 110.0), head + rows * h + foot + 6)
     if title:
         sheet.text(title, margin, 10.0, 5.5, bold=True)
     grid(sheet, chart, Window(0, rows, 0, width), margin, head, look)
@@ -294,7 +294,7 @@ def float_sheet(chart: Chart, look: Look, title: str = "") -> Drawing:
     w, h = look.cell
     rows, width = chart.shape
     limit = look.limit or 5
-    sheet = Sheet(max(2 * 14.0 + width * w, 110.0), 16 + rows * h + 40)
+    sheet = Page(max(2 * 14.0 + width * w, 110.0), 16 + rows * h + 40)
     sheet.text(f"{title}: floats" if title else "Floats", 14, 10.0, 5.5, bold=True)
     pale = np.round(255 - (255 - chart.palette.rgb.astype(np.float64)) * 0.45).astype(np.uint8)
     light = Chart(
@@ -319,8 +319,8 @@ def float_sheet(chart: Chart, look: Look, title: str = "") -> Drawing:
         rest = np.stack(
             [np.full(over.sum(), 14.0), level[over], 14 + (start + length - width - 0.3)[over] * w, level[over]], axis=1
         )
-        sheet.lines(np.concatenate([bars, rest]), color, 0.22 * min(w, h))
-        sheet.lines([(14, y, 22, y)], color, 0.9)
+        sheet.segments(np.concatenate([bars, rest]), color, 0.22 * min(w, h))
+        sheet.segments([(14, y, 22, y)], color, 0.9)
         sheet.text(f"{name}: {int(pick.sum())}", 25, y + 1.1, 3.0)
         y += 6
     sheet.text(f"longest {int(found.length.max(initial=0))} stitches", 25, y + 1.1, 3.0)

@@ -16,10 +16,10 @@ from tambour.knit.hands.working import roles
 from tambour.knit.hands.written import color_name, float_list, ladder_list
 from tambour.knit.hands.yarn import Amount, gauge_of
 from tambour.knit.sheets.draw import RED, Look, Window, drawable, grid, key
-from tambour.knit.sheets.sheet import GREY, INK, Sheet
 from tambour.knit.sheets.swatch import page as swatch_page
+from tambour.render.page import GREY, INK, Page
 
-Page = Literal["a4", "a3", "letter"]
+Paper = Literal["a4", "a3", "letter"]
 PAGES: dict[str, tuple[float, float]] = {"a4": (210.0, 297.0), "a3": (297.0, 420.0), "letter": (215.9, 279.4)}
 MARGIN = 12.0
 HEAD = 12.0
@@ -42,7 +42,7 @@ class Layout(NamedTuple):
     up: int
 
 
-def layout(chart: Chart, page: Page = "a4", aspect: float = 1.0, large: bool = False) -> Layout:
+def layout(chart: Chart, page: Paper = "a4", aspect: float = 1.0, large: bool = False) -> Layout:
     """Fit the chart onto as few pages as legible cells allow, upright or across.
 
     aspect : width of a stitch over the height of a row; large : cells for tired eyes
@@ -108,7 +108,7 @@ def booklet(
     words: Words,
     amounts: list[Amount],
     fabric: Picture,
-    page: Page = "a4",
+    page: Paper = "a4",
     large: bool = False,
     swatch: bool = False,
 ) -> tuple[Drawing, ...]:
@@ -133,7 +133,7 @@ def booklet(
         page_number(pages[-1], 2, total)
     pages += [_tile(chart, look, words, plan, k, first, total) for k in range(len(plan.windows))]
     for k, columns in enumerate(texts):
-        sheet = Sheet(*PAGES[page])
+        sheet = Page(*PAGES[page])
         _head(sheet, words.title, "floats to catch", first + len(plan.windows) + k, total)
         wide = (PAGES[page][0] - 2 * MARGIN) / 2
         for c, lines in enumerate(columns):
@@ -142,26 +142,26 @@ def booklet(
     return tuple(sheet.drawing(title=words.title) for sheet in pages)
 
 
-def page_number(sheet: Sheet, number: int, total: int) -> None:
+def page_number(sheet: Page, number: int, total: int) -> None:
     """The page's number at the foot."""
     width, height = sheet.size
-    sheet.text(f"{number} / {total}", width - MARGIN, height - MARGIN + 4, 2.8, "end", color=GREY)
+    sheet.text(f"{number} / {total}", width - MARGIN, height - MARGIN + 4, 2.8, color=GREY, anchor="end")
 
 
-def _head(sheet: Sheet, title: str, what: str, number: int, total: int) -> None:
+def _head(sheet: Page, title: str, what: str, number: int, total: int) -> None:
     width = sheet.size[0]
     sheet.text(title, MARGIN, MARGIN + 3.5, 3.6, bold=True)
-    sheet.text(what, width - MARGIN, MARGIN + 3.5, 3.2, "end", color=GREY)
-    sheet.lines([(MARGIN, MARGIN + 5.5, width - MARGIN, MARGIN + 5.5)], GREY, 0.15)
+    sheet.text(what, width - MARGIN, MARGIN + 3.5, 3.2, color=GREY, anchor="end")
+    sheet.segments([(MARGIN, MARGIN + 5.5, width - MARGIN, MARGIN + 5.5)], GREY, 0.15)
     page_number(sheet, number, total)
 
 
-def _tile(chart: Chart, look: Look, words: Words, plan: Layout, k: int, first: int, total: int) -> Sheet:
+def _tile(chart: Chart, look: Look, words: Words, plan: Layout, k: int, first: int, total: int) -> Page:
     """One page of the chart."""
     _rows, width = chart.shape
     w, h = look.cell
     window = plan.windows[k]
-    sheet = Sheet(*plan.page)
+    sheet = Page(*plan.page)
     word = "rounds" if chart.circular else "rows"
     where = f"{word} {window.bottom + 1}–{window.top}, stitches {width - window.right + 1}–{width - window.left}"
     _head(sheet, words.title, where, first + k, total)
@@ -176,7 +176,7 @@ def _tile(chart: Chart, look: Look, words: Words, plan: Layout, k: int, first: i
         sheet.text(f"again on page {first + 1 + k}", x + OVERLAP * w + 1, y - 0.9, 2.0, color=GREY)
     if i:
         sheet.boxes([(x + wide - OVERLAP * w, y - band - 0.4, x + wide, y - 0.4)], (255, 205, 120))
-        sheet.text(f"also on page {first - 1 + k}", x + wide - OVERLAP * w - 1, y - 0.9, 2.0, "end", color=GREY)
+        sheet.text(f"also on page {first - 1 + k}", x + wide - OVERLAP * w - 1, y - 0.9, 2.0, color=GREY, anchor="end")
     if j + 1 < plan.up:
         sheet.boxes([(x - band - 5.6, y, x - 5.6, y + OVERLAP * h)], (255, 205, 120))
         sheet.text(
@@ -184,8 +184,8 @@ def _tile(chart: Chart, look: Look, words: Words, plan: Layout, k: int, first: i
             x - 5.9,
             y + OVERLAP * h + 1,
             2.0,
-            "end",
             color=GREY,
+            anchor="end",
             angle=np.pi / 2,
         )
     if j:
@@ -219,9 +219,9 @@ def _cover(
     first: int,
     total: int,
     listed: bool,
-) -> Sheet:
+) -> Page:
     """Title, how it will look with the pages marked on it, size, gauge, key, yarn, how to read."""
-    sheet = Sheet(*page)
+    sheet = Page(*page)
     rows, width = chart.shape
     gauge = gauge_of(chart, words.weight)
     word = "round" if chart.circular else "row"
@@ -248,7 +248,7 @@ def _cover(
             sheet.boxes([box], None, RED, 0.3)
             middle = ((box[0] + box[2]) / 2, (box[1] + box[3]) / 2)
             sheet.circles([middle], 3.2, (255, 255, 255), RED, 0.3)
-            sheet.text(str(first + k), middle[0], middle[1] + 1.2, 3.4, "middle", True)
+            sheet.text(str(first + k), middle[0], middle[1] + 1.2, 3.4, bold=True, anchor="middle")
     y += h + 10
     left, right = MARGIN, page[0] / 2 + 4
     sheet.text("Key", left, y, 4.2, bold=True)
@@ -263,7 +263,7 @@ def _cover(
     sheet.text("How to read it", right, y, 4.2, bold=True)
     sheet.paragraph(_reading(chart, look, words, plan, listed), right, y + 5.5, 2.9)
     page_number(sheet, 1, total)
-    sheet.lines([(MARGIN, page[1] - MARGIN, page[0] - MARGIN, page[1] - MARGIN)], GREY, 0.15)
+    sheet.segments([(MARGIN, page[1] - MARGIN, page[0] - MARGIN, page[1] - MARGIN)], GREY, 0.15)
     catch = look.limit or words.limit
     caught = f", caught so that at most {catch} lie free" if words.longest > catch else ""
     sheet.text(f"Longest float {words.longest} stitches{caught}", MARGIN, page[1] - MARGIN + 4, 2.8, color=INK)

@@ -16,7 +16,7 @@ from tambour.core.drawing import Drawing
 from tambour.core.errors import TambourError
 from tambour.knit.hands.working import roles
 from tambour.knit.machines.limits import check, period
-from tambour.knit.sheets.sheet import GREY, RGB, Sheet
+from tambour.render.page import GREY, Color, Page
 
 Brand = Literal["brother", "silver-reed"]
 STITCHES = 24
@@ -31,7 +31,7 @@ _SPROCKET_X, _CLIP_X, _LAP = 13.5, 6.75, 2
 LEAST = 36
 """Rows below which a joined card is too short to turn in the reader."""
 LONGEST = 200
-CUT: RGB = (200, 30, 40)
+CUT: Color = (200, 30, 40)
 BELOW = {"brother": 7, "silver-reed": 5}
 """How many rows below the eye a machine reads."""
 
@@ -65,7 +65,7 @@ def card(chart: Chart, brand: Brand = "brother", mirror: bool = True) -> Drawing
     punched = holes(chart, mirror)
     rows = len(punched)
     height = 2 * END + (rows - 1) * ROW
-    sheet = Sheet(WIDTH, height)
+    sheet = Page(WIDTH, height)
     c = 2.0
     ring = [(c, 0), (WIDTH - c, 0), (WIDTH, c), (WIDTH, height - c), (WIDTH - c, height), (c, height), (0, height - c)]
     sheet.rings([[*ring, (0, c)]], None, CUT, 0.1)
@@ -83,7 +83,7 @@ def card(chart: Chart, brand: Brand = "brother", mirror: bool = True) -> Drawing
     sheet.circles(clips, CLIP / 2, None, CUT, 0.1)
     for n in range(1, rows + 1):
         at = (n - 1 + BELOW[brand]) % rows
-        sheet.text(str(n), 11.2, height - END - ROW * at + 0.9, 2.4, "end", n % 10 == 0, GREY)
+        sheet.text(str(n), 11.2, height - END - ROW * at + 0.9, 2.4, n % 10 == 0, GREY, "end")
     name = "Brother, Toyota" if brand == "brother" else "Silver Reed, Singer"
-    sheet.text(f"{name} · {rows} rows · this side up", WIDTH - 4.6, height / 2, 2.4, "middle", False, GREY, np.pi / 2)
+    sheet.text(f"{name} · {rows} rows · this side up", WIDTH - 4.6, height / 2, 2.4, False, GREY, "middle", np.pi / 2)
     return sheet.drawing(title=f"Punch card, {name}")

@@ -11,7 +11,7 @@ from tambour.core.check import Array
 from tambour.knit.hands.working import floats, roles
 from tambour.knit.hands.yarn import gauge_of
 from tambour.knit.sheets.draw import Look, Window, grid
-from tambour.knit.sheets.sheet import Sheet
+from tambour.render.page import Page
 
 STITCHES, ROWS = 28, 34
 
@@ -71,9 +71,9 @@ def cut(chart: Chart, window: Window) -> Chart:
     return Chart(chart.cells[pick], chart.palette, no_stitch=absent, gauge=chart.gauge)
 
 
-def page(chart: Chart, look: Look, title: str, weight: str, size: tuple[float, float]) -> Sheet:
+def page(chart: Chart, look: Look, title: str, weight: str, size: tuple[float, float]) -> Page:
     """One page: both windows as small charts, and beside them the card to fill in when they are knitted."""
-    sheet = Sheet(*size)
+    sheet = Page(*size)
     gauge = gauge_of(chart, weight)
     aspect = gauge.width / gauge.height if chart.gauge else 1.0
     found = swatch(chart, look.anchored)
@@ -116,5 +116,5 @@ def page(chart: Chart, look: Look, title: str, weight: str, size: tuple[float, f
     ]
     x = max(18 + wide * w + 14, size[0] - 76)
     sheet.text("Card", x, 38, 4.4, bold=True)
-    sheet.paragraph(lines, x, 45, 3.0, 1.6)
+    sheet.paragraph(lines, x, 45, 3.0, leading=1.6)
     return sheet

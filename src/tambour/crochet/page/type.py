@@ -1,0 +1,55 @@
+"""Type: the sizes and colours of the booklet, and lines of type measured before they are set."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+from tambour.core.palette import RGB
+from tambour.render.type import text_width
+
+INK: RGB = (38, 35, 33)
+SOFT: RGB = (112, 106, 100)
+HAIR: RGB = (214, 208, 200)
+PAPER: RGB = (241, 240, 238)
+"""As the rasteriser shows :data:`BACKDROP`: its film rolls off what is bright."""
+BACKDROP: RGB = (248, 245, 240)
+
+# The type scale, mm: each step is a fourth or a third above the one before.
+SMALL, BODY, LEAD, HEAD, COVER = 2.7, 3.3, 3.9, 5.4, 12.5
+LEADING = 1.45
+
+_GLUED = re.compile(r"(?<=\d) (?=(?:mm|cm|m|g|l|in|yd)\b)|(?<=\w) (?=[;:!?»])|(?<=«) ")
+
+
+@lru_cache(maxsize=20_000)
+def width_of(text: str, size: float, bold: bool = False) -> float:
+    """Width of a line of text, mm."""
+    return text_width(text, size, bold)
+
+
+def wrap(text: str, size: float, room: float, bold: bool = False) -> list[str]:
+    """Lines of at most ``room`` mm; words that are longer are cut. No word stands alone in the last of three lines."""
+    lines: list[str] = []
+    line = ""
+    # A number stays with its unit, a mark with the word before it.
+    glued = _GLUED.sub("\u00a0", " ".join(text.split()))
+    for word in glued.split(" ") if glued else []:
+        trial = f"{line} {word}" if line else word
+        if width_of(trial, size, bold) <= room:
+            line = trial
+            continue
+        if line:
+            lines.append(line)
+        while width_of(word, size, bold) > room and len(word) > 1:
+            fits = next(k for k in range(len(word) - 1, 0, -1) if k == 1 or width_of(word[:k], size, bold) <= room)
+            lines.append(word[:fits])
+            word = word[fits:]
+        line = word
+    if line:
+        lines.append(line)
+    if len(lines) > 2 and " " not in lines[-1] and lines[-2].count(" ") > 1:
+        head, _, tail = lines[-2].rpartition(" ")
+        if width_of(f"{tail} {lines[-1]}", size, bold) <= room:
+            lines[-2:] = [head, f"{tail} {lines[-1]}"]
+    return [line.replace("\u00a0", " ") for line in lines]
