@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.palette import RGB, unhexed
+from tambour.core.rgb import RGB, unhexed
 
 # B. Ottosson, "A perceptual color space for image processing" (2020): linear sRGB → LMS → Oklab.
 _LMS = np.array(

@@ -10,7 +10,8 @@ import numpy as np
 
 from tambour.core.check import Array, array, put, within
 from tambour.core.errors import LawError
-from tambour.core.palette import Palette, hexed, unhexed
+from tambour.core.palette import Palette
+from tambour.core.rgb import hexed, unhexed
 
 FORMAT = "tambour chart 1"
 DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"

@@ -1,35 +1,13 @@
-"""Palette: named colours, and the catalogue codes one can buy them by; a colour as text and back."""
+"""Palette: named colours, and the catalogue codes one can buy them by."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
 from tambour.core.check import Array, array, put
 from tambour.core.errors import LawError
-
-RGB = tuple[int, int, int]
-
-
-def hexed(rgb: Iterable[int]) -> str:
-    """``#rrggbb`` of red, green and blue.
-
-    >>> hexed((255, 128, 0))
-    '#ff8000'
-    """
-    return "#{:02x}{:02x}{:02x}".format(*rgb)
-
-
-def unhexed(text: str) -> RGB:
-    """Red, green and blue of ``#rrggbb``; ValueError for other text.
-
-    >>> unhexed("#ff8000")
-    (255, 128, 0)
-    """
-    red, green, blue = bytes.fromhex(text.removeprefix("#"))
-    return red, green, blue
 
 
 @dataclass(frozen=True, eq=False, slots=True)

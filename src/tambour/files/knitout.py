@@ -14,7 +14,8 @@ import numpy as np
 
 from tambour.core.chart import Chart
 from tambour.core.errors import LawError, Problem, Span, TambourError, Text
-from tambour.core.palette import Palette, hexed, unhexed
+from tambour.core.palette import Palette
+from tambour.core.rgb import hexed, unhexed
 from tambour.files.sink import Sink
 from tambour.files.text import read_text, write_text
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from pydantic import Field
 
 from tambour.core.errors import Problem, TambourError
-from tambour.core.palette import hexed
 from tambour.core.params import Params
 from tambour.core.progress import Progress
+from tambour.core.rgb import hexed
 from tambour.craft import Change
 
 if TYPE_CHECKING:

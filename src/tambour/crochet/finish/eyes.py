@@ -10,8 +10,8 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.mesh import Mesh
-from tambour.core.palette import RGB
 from tambour.core.paths import Paths
+from tambour.core.rgb import RGB
 from tambour.core.strands import Strands
 from tambour.crochet.finish.ground import Ground, unit
 from tambour.geometry.motion import dot

@@ -12,8 +12,8 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import Problem
 from tambour.core.mesh import Mesh
-from tambour.core.palette import hexed
 from tambour.core.paths import Paths
+from tambour.core.rgb import hexed
 from tambour.core.strands import Strands
 from tambour.crochet.finish.placing import Frames, frames
 from tambour.crochet.graph.build import Built

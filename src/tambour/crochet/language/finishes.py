@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from tambour.core.errors import Span, did_you_mean
-from tambour.core.palette import RGB
+from tambour.core.rgb import RGB
 from tambour.crochet.language.source import Source
 
 

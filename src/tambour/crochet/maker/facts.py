@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tambour.core.palette import hexed
+from tambour.core.rgb import hexed
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from tambour.core.palette import hexed, unhexed
+from tambour.core.rgb import hexed, unhexed
 from tambour.crochet.yarns import WEIGHTS
 
 if TYPE_CHECKING:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tambour.core.palette import RGB, unhexed
+from tambour.core.rgb import RGB, unhexed
 from tambour.crochet.maker.materials import materials
 from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.book import Book, short, size_lines, weight_name, yarn_name

@@ -9,7 +9,7 @@ import numpy as np
 
 from tambour.color import linear
 from tambour.core.check import Array
-from tambour.core.palette import RGB
+from tambour.core.rgb import RGB
 from tambour.crochet.maker.size import Size
 from tambour.crochet.page.flow import Frame
 from tambour.crochet.page.hers import hers

@@ -10,7 +10,7 @@ from typing import Final
 from tambour.color import family
 from tambour.core.errors import TambourError, Text
 from tambour.core.graph import TIP
-from tambour.core.palette import RGB, hexed
+from tambour.core.rgb import RGB, hexed
 from tambour.crochet.graph.build import Built, Done, build
 from tambour.crochet.language.finishes import Embroidery, Hair
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch

@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any, Final
 
 from tambour.core.errors import Text
-from tambour.core.palette import hexed
+from tambour.core.rgb import hexed
 from tambour.crochet.graph.build import Built, Done, build
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.language.stitches import RULES, SPELT, STITCHES, STUFFING, Stitch

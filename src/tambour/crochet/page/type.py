@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from tambour.core.palette import RGB
+from tambour.core.rgb import RGB
 from tambour.render.type import text_width
 
 INK: RGB = (38, 35, 33)

@@ -9,7 +9,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.errors import Span
-from tambour.core.palette import RGB
+from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Embroidery, Spot
 from tambour.crochet.places.stand import Host
 

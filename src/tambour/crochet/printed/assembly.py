@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from tambour.core.errors import Span
-from tambour.core.palette import RGB
+from tambour.core.rgb import RGB
 from tambour.crochet.graph.build import Built
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.language.tree import Pattern

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from tambour.core.palette import RGB, unhexed
+from tambour.core.rgb import RGB, unhexed
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.shades import listed, said, shade
 

@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import Final, Literal
 
 from tambour.core.errors import Span, TambourError, Text
-from tambour.core.palette import RGB
+from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.language.items import MOST_IN_ONE
 from tambour.crochet.language.source import Source

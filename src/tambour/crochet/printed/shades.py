@@ -6,7 +6,7 @@ import re
 from functools import lru_cache
 from typing import Final
 
-from tambour.core.palette import RGB
+from tambour.core.rgb import RGB
 
 YARNS: Final[dict[str, RGB]] = {
     "amethyst": (140, 98, 170),

@@ -14,7 +14,7 @@ from functools import cached_property, lru_cache
 from typing import Any, Final
 
 from tambour.core.errors import Span
-from tambour.core.palette import RGB, hexed
+from tambour.core.rgb import RGB, hexed
 from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.words.table import SENTENCES, Terms
 

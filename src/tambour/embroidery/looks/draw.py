@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from tambour.core.drawing import Drawing, Groups, Styles
-from tambour.core.palette import hexed
 from tambour.core.paths import Paths
+from tambour.core.rgb import hexed
 from tambour.core.thread import COMMANDS, STITCH
 from tambour.embroidery.piece import KINDS, Piece
 

@@ -11,8 +11,8 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.mesh import Mesh
-from tambour.core.palette import unhexed
 from tambour.core.picture import Picture
+from tambour.core.rgb import unhexed
 from tambour.core.scene import Scene
 from tambour.core.thread import STITCH, ThreadPlan
 from tambour.embroidery.cloth.place import lay, place

@@ -9,7 +9,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.drawing import Drawing
-from tambour.core.palette import hexed
+from tambour.core.rgb import hexed
 from tambour.core.thread import COLOR, STITCH, STOP, ThreadPlan
 from tambour.embroidery.looks.preview import stitches
 from tambour.embroidery.looks.scene import extent, preview

@@ -13,8 +13,8 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.drawing import Drawing, Groups, Label, Placed, Styles
-from tambour.core.palette import RGB
 from tambour.core.paths import Paths
+from tambour.core.rgb import RGB
 from tambour.ink.ground.marks import LEAF, TINTS, Marks
 
 

@@ -8,7 +8,7 @@ from textwrap import wrap
 from tambour.color import plain_name
 from tambour.core.chart import Chart
 from tambour.core.errors import Text
-from tambour.core.palette import hexed
+from tambour.core.rgb import hexed
 from tambour.knit.hands.working import catches, crossed, floats, ladders, roles, runs, worked, wrong_side
 from tambour.knit.hands.yarn import Amount, gauge_of
 

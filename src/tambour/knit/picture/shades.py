@@ -12,8 +12,9 @@ import numpy as np
 from tambour import color
 from tambour.core.check import Array
 from tambour.core.errors import Problem, Span, TambourError, Text
-from tambour.core.palette import Palette, unhexed
+from tambour.core.palette import Palette
 from tambour.core.progress import Progress
+from tambour.core.rgb import unhexed
 from tambour.knit.params import KnitParams
 from tambour.knit.picture.resample import LUMA
 
