@@ -53,4 +53,8 @@ VIEWS: dict[str, View] = {
         "the pattern's own text with its counts ticked and doubts under their lines",
     ),
     "graph": View(Lazy("tambour.crochet.looks:graph"), "dict", "the stitch graph and its shape as data", (".json",)),
+    "live": View(
+        Lazy("tambour.crochet.live:live"), "Packed", "the yarn in the order of work, for screens", (".pack",), "fabric"
+    ),
+    "steps": View(Lazy("tambour.crochet.live:steps"), "dict", "the rounds in the order of work, as data"),
 }

@@ -37,4 +37,8 @@ VIEWS: dict[str, View] = {
     "stitches": View(
         Lazy("tambour.embroidery.looks.draw:stitch_table"), "dict", "every needle point as data", (".json",)
     ),
+    "live": View(
+        Lazy("tambour.embroidery.live:live"), "Packed", "the thread in the order of sewing, for screens", (".pack",)
+    ),
+    "steps": View(Lazy("tambour.embroidery.live:steps"), "dict", "what is sewn between two stops, as data"),
 }

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
-from tambour.craft import View
+from tambour.craft import Lazy, View
 from tambour.ink.params import Ink
 
 if TYPE_CHECKING:
@@ -82,4 +82,6 @@ VIEWS: dict[str, View] = {
     "painting": View(painting, "Reveal", "the painting being painted: .svg, .gif, numbered .png", (".gif",), "write"),
     "plot": View(plot, "Drawing", "the pen plotter's lines, with {--plotter}", (".hpgl", ".plt"), "write"),
     "plan": View(plan, "dict", "what stands where", (".json",), "write"),
+    "live": View(Lazy("tambour.ink.live:live"), "Packed", "the marks in painter's order, for screens", (".pack",)),
+    "steps": View(Lazy("tambour.ink.live:steps"), "dict", "what is painted one after the other, as data"),
 }

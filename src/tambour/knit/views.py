@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tambour.craft import View
+from tambour.craft import Lazy, View
 
 if TYPE_CHECKING:
     from tambour.core.chart import Chart
@@ -196,6 +196,8 @@ VIEWS: dict[str, View] = {
     "punchcard": View(punchcard, "Drawing", "a 24-stitch punch card at true size"),
     "silverknit": View(silverknit, "Text", "text for SilverKnit"),
     "dak": View(dak, "Text", "text for DesignaKnit and Kniterate"),
+    "live": View(Lazy("tambour.knit.live:live"), "Packed", "the chart and its masks, for screens", (".pack",)),
+    "steps": View(Lazy("tambour.knit.live:steps"), "dict", "the rows in the order of work, as data"),
 }
 
 

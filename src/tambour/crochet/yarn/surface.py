@@ -29,10 +29,8 @@ def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
 
     width : of a stitch, mm. Parts with an opening get none: one looks into them.
     """
-    part = graph.part[graph.faces[:, 0]]
-    shut = [number for number in range(len(graph.parts)) if _whole(graph, part == number)]
-    faces = graph.faces[np.isin(part, shut)]
-    used = np.unique(faces)
+    faces = _shut(graph)
+    used = lined(graph)
     renamed = np.zeros(len(graph), np.int32)
     renamed[used] = np.arange(len(used))
     inward = positions - DEPTH * width * vertex_normals(positions, faces)
@@ -48,6 +46,18 @@ def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
         face_group=np.zeros(len(faces), np.int32),
         group_names=("lining",),
     )
+
+
+def lined(graph: StitchGraph) -> Array:
+    """The stitch (V,) that every vertex of the lining lies under."""
+    return np.unique(_shut(graph))
+
+
+def _shut(graph: StitchGraph) -> Array:
+    """The faces of closed parts."""
+    part = graph.part[graph.faces[:, 0]]
+    shut = [number for number in range(len(graph.parts)) if _whole(graph, part == number)]
+    return np.asarray(graph.faces[np.isin(part, shut)])
 
 
 def _whole(graph: StitchGraph, own: Array) -> bool:
