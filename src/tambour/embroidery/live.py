@@ -8,6 +8,7 @@ import numpy as np
 
 from tambour.core.packed import Packed, of_strands
 from tambour.core.paths import Paths
+from tambour.core.rgb import hexed
 from tambour.core.steps import Step, told
 from tambour.core.strands import Strands
 from tambour.core.thread import COLOR, COMMANDS, STITCH, STOP, Thread
@@ -137,4 +138,4 @@ def steps(piece: Piece) -> dict[str, Any]:
 def _called(thread: Thread) -> str:
     """A thread's name and code, else its colour."""
     named = " ".join(filter(None, (thread.catalogue, thread.code, thread.name)))
-    return named or "#{:02x}{:02x}{:02x}".format(*thread.rgb)
+    return named or hexed(thread.rgb)
