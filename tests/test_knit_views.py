@@ -25,7 +25,13 @@ CHARTS = {
     "empty rows": Chart(CHECK[:4, :6], WOOL, no_stitch=np.indices((4, 6))[0] % 2 == 0),
     "plain": Chart(CHECK, WOOL, gauge=Gauge(20, 20)),
 }
-SUFFIX = {"Chart": (".png", ".csv", ".k", ".img"), "dict": (".json",), "Drawing": (".pdf",), "Text": (".txt",)}
+SUFFIX = {
+    "Chart": (".png", ".csv", ".k", ".img"),
+    "dict": (".json",),
+    "Drawing": (".pdf",),
+    "Text": (".txt",),
+    "Packed": (".pack",),
+}
 EXPECTED = ("too few for a machine", "shaped chart", "knits flat", "leave stitches out", "the disk holds")
 
 
