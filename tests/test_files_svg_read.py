@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import math
 import time
+from itertools import permutations
 
 import numpy as np
 import pytest
@@ -133,6 +134,10 @@ def _selects(selector, chain):
 
 @settings(max_examples=200, deadline=None)
 @given(st.lists(_selector, min_size=1, max_size=4), _chain)
+@example(  # a grandparent is no parent
+    [[(("g", "", frozenset()), " "), (("rect", "", frozenset()), ">")]],
+    [("g", "", frozenset()), ("rect", "", frozenset()), ("rect", "", frozenset())],
+)
 def test_selectors_select_what_they_say(selectors, chain):
     def spelt(selector):
         text = ""
@@ -183,6 +188,23 @@ def test_style_comes_from_sheet_attribute_and_inheritance(tmp_path):
     assert styles == [[255, 0, 0, 255], [0, 128, 0, 255], [0, 0, 255, 255], [255, 255, 0, 128]]
     assert made.styles.stroke[made.style][0].tolist() == [0, 0, 255, 255]
     assert made.styles.width[made.style][0] == 2
+
+
+def test_the_weightier_rule_wins_wherever_it_stands(tmp_path):
+    rules = ["rect{fill:#000001}", ".a{fill:#000002}", ".a.b{fill:#000003}", "#x{fill:#000004}"]
+    for order in permutations(rules):
+        shown = "".join(order)
+        made = read(tmp_path, f"<style>{shown}</style>" + "".join(f"<rect {a} width='1' height='1'/>" for a in _MARKED))
+        assert made.styles.fill[made.style, 2].tolist() == [1, 2, 3, 4], shown
+
+
+_MARKED = ["", "class='a'", "class='a b'", "class='a b' id='x'"]
+
+
+def test_equal_ids_become_unlike_ones(tmp_path):
+    box = "<rect id='{}' width='1' height='1'/>"
+    made = read(tmp_path, "".join(box.format(k) for k in ("a", "a", "a-2", "a", "b")))
+    assert made.groups is not None and made.groups.ids == ("a", "a-2", "a-2-2", "a-3", "b")
 
 
 def test_use_symbol_and_nested_svg(tmp_path):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import get_args
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -16,7 +18,7 @@ from tambour.core.palette import Palette
 from tambour.knit.hands.yarn import amounts
 from tambour.knit.sheets.draw import Look, float_sheet, sheet_of, sign
 from tambour.knit.sheets.fabric import front
-from tambour.knit.sheets.pages import MARGIN, OVERLAP, PAGES, Words, booklet, layout
+from tambour.knit.sheets.pages import MARGIN, OVERLAP, Paper, Words, booklet, layout
 
 WOOL = Palette(np.array([[240, 230, 210], [30, 40, 90]], np.uint8), ("natural", "indigo"))
 
@@ -34,7 +36,7 @@ def book(chart: Chart, look: Look | None = None, **options: object) -> tuple[Dra
 @given(
     rows=st.integers(1, 300),
     stitches=st.integers(1, 300),
-    page=st.sampled_from(sorted(PAGES)),
+    page=st.sampled_from(sorted(get_args(Paper))),
     aspect=st.sampled_from([1.0, 1.36, 0.8]),
     large=st.booleans(),
 )

@@ -12,7 +12,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from tambour import files
-from tambour.color import nearest_distinct, oklab
+from tambour.color import family, nearest_distinct, oklab
 from tambour.core.chart import Chart
 from tambour.core.errors import Span, TambourError, Text
 from tambour.core.palette import Palette
@@ -33,8 +33,7 @@ from tambour.crochet.printed.heads import heads
 from tambour.crochet.printed.pattern import read_printed
 from tambour.crochet.printed.tokens import rows
 from tambour.crochet.printed.vocabulary import vocabulary
-from tambour.crochet.words.hues import plain_name
-from tambour.crochet.yarns import SQUARE, WEIGHTS, class_of
+from tambour.crochet.yarns import SQUARE, WEIGHTS, class_of, swatch_of
 from tambour.embroidery import CRAFT as EMBROIDERY
 from tambour.embroidery.columns.satin import from_stroke
 from tambour.embroidery.params import EmbroideryParams
@@ -48,12 +47,13 @@ from tambour.files.svg.path import fitted
 from tambour.files.svg.read import read_drawing
 from tambour.geometry.surface import face_normals
 from tambour.ink.params import Ink
-from tambour.ink.plotter.sheet import PAGES, TRAVEL, reach
+from tambour.ink.plotter.sheet import TRAVEL, reach
 from tambour.knit.hands.yarn import amounts
 from tambour.knit.params import KnitParams
 from tambour.knit.solve.floats import limit_of
 from tambour.render import light
 from tambour.render.camera import look
+from tambour.render.page import PAPERS
 
 # -- embroidery ---------------------------------------------------------------------------------------------------
 
@@ -234,6 +234,9 @@ def test_the_shopping_list_holds_yarn_for_sewing_on():
         assert colour["grams"] == pytest.approx(colour["metres"] / kind.metres * 100, abs=0.06)
         assert colour["skeins"] == math.ceil(colour["grams"] / kind.skein)
     assert bought == pytest.approx((sum(lengths(piece).values()) + 0.3) * SPARE, abs=0.06)  # one tail of 30 cm
+    long = ": MR(6)\n: 6 inc\n: 12 inc\n" + ": 24 sc\n" * 80
+    (much,) = materials(make(Text(long), CrochetParams(yarn="super-bulky", solver="none"), Progress()))["yarn"]
+    assert much["skeins"] == math.ceil(much["grams"] / WEIGHTS["super-bulky"].skein) > 1
 
 
 def test_the_width_of_a_stitch_is_that_of_the_gauge():
@@ -344,9 +347,9 @@ def test_plain_names_of_plain_colours():
     from PIL import ImageColor
 
     for name in ("black", "white", "gray", "red", "orange", "yellow", "green", "blue", "purple", "pink"):
-        assert plain_name(ImageColor.getrgb(name)[:3]) == name
-    assert plain_name((120, 70, 30)) == "brown"
-    assert plain_name((255, 120, 0)) == plain_name((240, 150, 40)) == "orange"
+        assert family(ImageColor.getrgb(name)[:3]) == name
+    assert family((120, 70, 30)) == "brown"
+    assert family((255, 120, 0)) == family((240, 150, 40)) == "orange"
 
 
 def made_of(text):
@@ -369,8 +372,21 @@ def test_the_foot_of_a_post_stitch_goes_right_in_front_and_left_behind():
 def test_papers_halve_from_size_to_size():
     # ISO 216: each is the one before, halved across its longer side, to the millimetre.
     for large, small in (("a2", "a3"), ("a3", "a4"), ("a4", "a5")):
-        (wide, high), (w, h) = PAGES[large], PAGES[small]
-        assert w == high and h == math.floor(wide / 2)
+        (wide, high), (w, h) = PAPERS[large], PAPERS[small]
+        assert h == wide and w == math.floor(high / 2)
+
+
+def test_rounds_that_grow_by_six_stitches_lie_flat_where_one_size_is_known():
+    # A ring at r heights from the middle is 2πr heights long and has 6r stitches.
+    for words in ("20 sc = 10 cm", "22 rounds = 10 cm"):
+        width, height = swatch_of(words)
+        assert 6 * width == pytest.approx(2 * math.pi * height), words
+
+
+def test_normals_have_length_one_however_small_the_triangle():
+    corners = np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
+    for size in (1e-3, 1.0, 1e3):
+        assert face_normals(size * corners, np.array([(0, 1, 2)])) == pytest.approx(np.array([(0.0, 0.0, 1.0)]))
 
 
 def test_yards_and_skeins_of_knitting():

@@ -1,4 +1,4 @@
-"""Yarns: their classes, hooks, how large a single crochet is in them, and the phrases that say a gauge."""
+"""Yarns: which class of yarn words name, hooks, how large a single crochet is in them, and the phrases that say a gauge."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from tambour.core.errors import TambourError
+from tambour.weights import WEIGHTS as CLASSES
 
 IN_A_STITCH: Final = 8.0
 """Yarn in a single crochet, in stitch widths, once hands have drawn it tight: swatches that makers unravelled and
@@ -21,36 +22,8 @@ CIRCLE: Final = 5
 """Rounds of the gauge circle; its last has 30 stitches."""
 
 
-@dataclass(frozen=True, slots=True)
-class Weight:
-    """A class of yarn: number and name of the Craft Yarn Council's system.
-
-    stitches : single crochets in 4 in, the middle of the range; hook : mm, the middle of the range (lace: hands' usual)
-    amigurumi : mm, the hook for toys, several sizes smaller, so that no stuffing shows
-    metres : in 100 g, typically; skein : grams, typically
-    """
-
-    number: int
-    name: str
-    stitches: float
-    hook: float
-    amigurumi: float
-    metres: float
-    skein: float
-
-
-WEIGHTS: Final[dict[str, Weight]] = {
-    "lace": Weight(0, "lace", 37.0, 1.9, 1.5, 800.0, 50.0),
-    "fingering": Weight(1, "fingering", 26.5, 2.9, 2.0, 400.0, 50.0),
-    "sport": Weight(2, "sport", 18.0, 4.0, 2.5, 300.0, 50.0),
-    "dk": Weight(3, "DK", 14.5, 5.0, 2.75, 225.0, 50.0),
-    "worsted": Weight(4, "worsted", 12.5, 6.0, 3.5, 190.0, 100.0),
-    "bulky": Weight(5, "bulky", 9.5, 7.75, 5.0, 110.0, 100.0),
-    "super-bulky": Weight(6, "super bulky", 7.5, 12.0, 8.0, 65.0, 100.0),
-    "jumbo": Weight(7, "jumbo", 5.0, 16.0, 12.0, 40.0, 200.0),
-}
-"""Yarn classes: stitches and hooks are the middles of the Craft Yarn Council's ranges (Standard Yarn Weight System);
-hooks for toys and metres are what bands and patterns usually say."""
+WEIGHTS: Final = {name: weight for name, weight in CLASSES.items() if name != "aran"}
+"""Classes of yarn by name; crocheters say aran for worsted."""
 
 _ALIASES: Final = {
     "4-ply": "fingering", "4 ply": "fingering", "sock": "fingering", "super fine": "fingering", "5-ply": "sport",
@@ -111,7 +84,7 @@ def expected(weight: str, hook: float) -> float:
     the gauge circle of a book of toys, two inches across five rounds at 3.5 mm.
     """
     kind = WEIGHTS[weight]
-    return 101.6 / kind.stitches * (0.15 + 0.85 * hook / kind.hook)
+    return 101.6 / kind.single * (0.15 + 0.85 * hook / kind.hook)
 
 
 def class_of(words: str) -> str | None:

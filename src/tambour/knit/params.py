@@ -243,7 +243,7 @@ class KnitParams(Params):
     """Longest float that is left free behind; longer ones are listed for catching. Without it, the limit itself."""
     swatch: bool = False
     """Put a swatch into the printed pattern: the most typical part, the worst floats, and a card to measure them."""
-    yarn_weight: Literal["lace", "fingering", "sport", "dk", "worsted", "aran", "bulky"] = "dk"
+    yarn_weight: Literal["lace", "fingering", "sport", "dk", "worsted", "aran", "bulky", "super-bulky", "jumbo"] = "dk"
     """Weight of the yarn: metres per gram, and the gauge where none is given."""
     skein_metres: float | None = Field(default=None, ge=0.1, le=100_000)
     """Metres in a skein; without it, by the weight."""

@@ -89,10 +89,10 @@ def pattern(piece: Piece) -> tuple[Drawing, ...]:
 
 def swatch(piece: Piece) -> Drawing:
     """The swatch page."""
-    from tambour.knit.sheets.pages import PAGES
     from tambour.knit.sheets.swatch import page
+    from tambour.render.page import PAPERS
 
-    sheet = page(piece.chart, look(piece), title(piece), piece.params.yarn_weight, PAGES[piece.params.page])
+    sheet = page(piece.chart, look(piece), title(piece), piece.params.yarn_weight, PAPERS[piece.params.page])
     return sheet.drawing(title=f"{title(piece)}: swatch")
 
 

@@ -20,6 +20,15 @@ WHITE: Color = (255, 255, 255)
 INK: Color = (25, 25, 28)
 GREY: Color = (120, 120, 125)
 
+PAPERS: dict[str, tuple[float, float]] = {
+    "a5": (148.0, 210.0),
+    "a4": (210.0, 297.0),
+    "a3": (297.0, 420.0),
+    "a2": (420.0, 594.0),
+    "letter": (215.9, 279.4),
+}
+"""Sizes of paper by name: width and height upright, mm."""
+
 _RGBA = tuple[int, int, int, int]
 _Style = tuple[_RGBA | None, _RGBA | None, float]
 

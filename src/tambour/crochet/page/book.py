@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import PurePath
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,12 +17,11 @@ from tambour.crochet.page.instructions import Words, words
 from tambour.crochet.page.placed import Spoken
 from tambour.crochet.page.type import HAIR, INK, LEAD, wrap
 from tambour.crochet.yarns import WEIGHTS
-from tambour.render.page import Page
+from tambour.render.page import PAPERS, Page
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
 
-PAGES: Final = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
 MARGIN, TOP, FOOT, GUTTER = 18.0, 24.0, 20.0, 9.0
 
 
@@ -47,7 +46,7 @@ class Book:
         title = params.title or stated.get("title", ("",))[0] or self.said.title or stem
         self.title = " ".join(title.split()) or self.own["pattern"]
         self.designer = " ".join((params.designer or stated.get("designer", ("",))[0]).split())
-        self.size = PAGES[params.page]
+        self.size = PAPERS[params.page]
         self.pages: list[Page] = []
         self.used: list[RGB] = [(int(r), int(g), int(b)) for r, g, b in _in_order(piece.yarn.color)]
         self.accent = _readable(_main(piece))

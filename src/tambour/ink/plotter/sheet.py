@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from tambour.core.params import length
 from tambour.core.progress import Progress
 from tambour.ink.params import Ink
+from tambour.render.page import PAPERS
 
-PAGES = {"a2": (594.0, 420.0), "a3": (420.0, 297.0), "a4": (297.0, 210.0), "a5": (210.0, 148.0)}
 TRAVEL = {
     "v3": (300.0, 218.0),
     "se-a4": (300.0, 218.0),
@@ -44,12 +44,12 @@ class Sheet:
 
 def page(text: str) -> tuple[float, float]:
     """Width and height in mm, the longer first, of ``a4`` or ``300x200mm``; ValueError for what is neither."""
-    known = PAGES.get(text.strip().lower())
+    known = PAPERS.get(text.strip().lower())
     if known:
-        return known
+        return known[1], known[0]
     found = _SIZE.fullmatch(text.lower())
     if not found:
-        raise ValueError(f'there is no page "{text}"; there are {", ".join(PAGES)}, or a size such as 300x200mm')
+        raise ValueError(f'there is no page "{text}"; there are {", ".join(PAPERS)}, or a size such as 300x200mm')
     unit = found[3] or "mm"
     a, b = (float(length(f"{found[k]}{unit}")) for k in (1, 2))
     if not 10 <= min(a, b) <= max(a, b) <= 5000:

@@ -3,24 +3,11 @@
 from __future__ import annotations
 
 from math import ceil
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from tambour.core.chart import Chart, Gauge
 from tambour.knit.hands.working import carried, tally
-
-Weight = Literal["lace", "fingering", "sport", "dk", "worsted", "aran", "bulky"]
-
-WEIGHTS: dict[str, tuple[float, float, float]] = {
-    "lace": (33.0, 42.0, 800.0),
-    "fingering": (29.0, 36.0, 400.0),
-    "sport": (25.0, 32.0, 300.0),
-    "dk": (22.0, 30.0, 225.0),
-    "worsted": (19.0, 26.0, 190.0),
-    "aran": (17.0, 23.0, 165.0),
-    "bulky": (14.0, 19.0, 110.0),
-}
-"""Yarn weight → stitches and rows per 10 cm in stranded stocking stitch, metres per 100 g: the middle of what
-spinners' bands and the Craft Yarn Council's table give."""
+from tambour.weights import WEIGHTS
 
 STITCH = 3.2
 """Yarn in one stitch, in stitch widths (hand knitters count 3 to 3.5)."""
@@ -42,7 +29,7 @@ class Amount(NamedTuple):
 
 def gauge_of(chart: Chart, weight: str) -> Gauge:
     """The chart's gauge, or the usual one of a yarn weight where it has none."""
-    return chart.gauge or Gauge(*WEIGHTS[weight][:2])
+    return chart.gauge or Gauge(*WEIGHTS[weight].knit)
 
 
 def amounts(
@@ -54,11 +41,11 @@ def amounts(
 ) -> list[Amount]:
     """The yarn that each colour takes: ``STITCH`` widths for a stitch, a width per stitch for what lies behind.
 
-    weight : a key of ``WEIGHTS``; gives the gauge where the chart has none, and metres per gram
+    weight : a key of :data:`tambour.weights.WEIGHTS`; gives the gauge where the chart has none, and metres per gram
     skein_metres : metres in a skein (default: by the weight), skein_grams : its mass
     """
     width = gauge_of(chart, weight).width / 1000
-    per_gram = skein_metres / skein_grams if skein_metres else WEIGHTS[weight][2] / 100
+    per_gram = skein_metres / skein_grams if skein_metres else WEIGHTS[weight].metres / 100
     behind = carried(chart, anchored)
     made = []
     for color, stitches in enumerate(tally(chart).tolist()):

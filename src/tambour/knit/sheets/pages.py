@@ -17,10 +17,9 @@ from tambour.knit.hands.written import color_name, float_list, ladder_list
 from tambour.knit.hands.yarn import Amount, gauge_of
 from tambour.knit.sheets.draw import RED, Look, Window, drawable, grid, key
 from tambour.knit.sheets.swatch import page as swatch_page
-from tambour.render.page import GREY, INK, Page
+from tambour.render.page import GREY, INK, PAPERS, Page
 
 Paper = Literal["a4", "a3", "letter"]
-PAGES: dict[str, tuple[float, float]] = {"a4": (210.0, 297.0), "a3": (297.0, 420.0), "letter": (215.9, 279.4)}
 MARGIN = 12.0
 HEAD = 12.0
 GUTTER = 8.0
@@ -51,7 +50,7 @@ def layout(chart: Chart, page: Paper = "a4", aspect: float = 1.0, large: bool = 
     least = 6.5 if large else 3.3  # the smaller side of a cell, mm
     choices = []
     for turned in (False, True):
-        sheet = PAGES[page][::-1] if turned else PAGES[page]
+        sheet = PAPERS[page][::-1] if turned else PAPERS[page]
         room = (sheet[0] - 2 * MARGIN - 2 * GUTTER, sheet[1] - 2 * MARGIN - HEAD - FOOT)
         w = least * max(1.0, aspect)
         h = w / aspect
@@ -124,18 +123,18 @@ def booklet(
     catch = look.limit or words.limit
     listed = float_list(chart, catch, look.anchored)
     ladder = ladder_list(chart, catch, look.anchored) if listed else []
-    texts = _columns(listed, ladder, catch, PAGES[page]) if listed else []
+    texts = _columns(listed, ladder, catch, PAPERS[page]) if listed else []
     first = 3 if swatch else 2  # the page of the first tile
     total = first - 1 + len(plan.windows) + len(texts)
-    pages = [_cover(chart, look, words, amounts, fabric, plan, PAGES[page], first, total, bool(listed))]
+    pages = [_cover(chart, look, words, amounts, fabric, plan, PAPERS[page], first, total, bool(listed))]
     if swatch:
-        pages.append(swatch_page(chart, look, words.title, words.weight, PAGES[page]))
+        pages.append(swatch_page(chart, look, words.title, words.weight, PAPERS[page]))
         page_number(pages[-1], 2, total)
     pages += [_tile(chart, look, words, plan, k, first, total) for k in range(len(plan.windows))]
     for k, columns in enumerate(texts):
-        sheet = Page(*PAGES[page])
+        sheet = Page(*PAPERS[page])
         _head(sheet, words.title, "floats to catch", first + len(plan.windows) + k, total)
-        wide = (PAGES[page][0] - 2 * MARGIN) / 2
+        wide = (PAPERS[page][0] - 2 * MARGIN) / 2
         for c, lines in enumerate(columns):
             sheet.paragraph(lines, MARGIN + c * wide, MARGIN + HEAD + 4, 2.6)
         pages.append(sheet)
