@@ -6,6 +6,8 @@ import time
 
 BEGAN = time.perf_counter()
 
+import atexit  # noqa: E402
+import gc  # noqa: E402
 import os  # noqa: E402
 import signal  # noqa: E402
 import sys  # noqa: E402
@@ -14,6 +16,10 @@ import types  # noqa: E402
 from collections.abc import Callable, Iterator  # noqa: E402
 from contextlib import contextmanager, suppress  # noqa: E402
 from typing import Any, Literal, Union, get_args, get_origin  # noqa: E402
+
+# Threads are ours (core.threads): BLAS's own take .05 s to start, and add in an order that hangs on their number.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+atexit.register(gc.freeze)  # what is left at the end is the system's to clear, at once
 
 import click  # noqa: E402
 
@@ -56,6 +62,18 @@ class _Crafts(click.Group):
             formatter.write_dl([(n, c.get_short_help_str(90)) for n, c in sorted(self.commands.items())])
 
 
+class _Option(click.Option):
+    """An option whose help is put together only where it is shown."""
+
+    def __init__(self, *words: Any, told: Callable[[], str], **given: Any) -> None:
+        super().__init__(*words, **given)
+        self.told = told
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        self.help = self.told()
+        return super().get_help_record(ctx)
+
+
 @click.group(cls=_Crafts, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
 @click.version_option(__version__, prog_name="tambour")
 def tambour() -> None:
@@ -78,19 +96,23 @@ def options(params: Any) -> Callable[[Any], Any]:
             kind = next(k for k in get_args(kind) if k is not type(None))
         if get_origin(kind) is tuple and get_args(kind)[-1] is Ellipsis:
             kind, many = get_args(kind)[0], True
-        default = f.get_default(call_default_factory=True)
-        standard = f"  [default: {_plain(default)}]" if default not in (None, (), "", False, True) else ""
-        note = _bounds(f)
-        text = spelt((f.description or "").strip().replace("\n", " ")) + standard + (f" [{note}]" if note else "")
+
+        def told() -> str:
+            default = f.get_default(call_default_factory=True)
+            standard = f"  [default: {_plain(default)}]" if default not in (None, (), "", False, True) else ""
+            if kind is bool:
+                standard = "" if default is None else f"  [default: {'on' if default else 'off'}]"
+            note = _bounds(f)
+            return spelt(params.help(name)) + standard + (f" [{note}]" if note else "")
+
         if kind is bool:
-            state = "" if default is None else f"  [default: {'on' if default else 'off'}]"
-            return click.option(f"{flag}/--no-{flag[2:]}", name, default=None, help=text + state)
+            return click.option(f"{flag}/--no-{flag[2:]}", name, cls=_Option, told=told, default=None)
         if get_origin(kind) is Literal:
-            words = "|".join(str(w) for w in get_args(kind))
-            return click.option(flag, name, type=str, default=None, help=text, metavar=f"[{words}]", multiple=many)
-        counted = extra.get("metavar") or unit(f) or {int: "N", float: "X"}.get(kind, "TEXT")
-        metavar = ("|".join([*extra.get("words", []), "FILE"])) if "file" in extra else str(counted).upper()
-        return click.option(flag, name, type=str, default=None, help=text, metavar=metavar, multiple=many)
+            metavar = "[" + "|".join(str(w) for w in get_args(kind)) + "]"
+        else:
+            counted = extra.get("metavar") or unit(f) or {int: "N", float: "X"}.get(kind, "TEXT")
+            metavar = "|".join([*extra.get("words", []), "FILE"]) if "file" in extra else str(counted).upper()
+        return click.option(flag, name, cls=_Option, told=told, type=str, default=None, metavar=metavar, multiple=many)
 
     def decorate(command: Any) -> Any:
         for name, f in reversed(list(params.asked().items())):

@@ -6,10 +6,15 @@ cache key and the sweep's axes. Fields are flat: numbers, words, switches, lengt
 
 from __future__ import annotations
 
+import ast
+import inspect
+import itertools
 import re
+import textwrap
 import types
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Union, get_args, get_origin
 
@@ -77,9 +82,7 @@ def edited(default: tuple[str, ...] = ()) -> Any:
 class Params(BaseModel):
     """Base of every craft's parameters: frozen, unknown names refused, docstrings under fields are their help."""
 
-    model_config = ConfigDict(
-        frozen=True, extra="forbid", use_attribute_docstrings=True, arbitrary_types_allowed=True, allow_inf_nan=False
-    )
+    model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True, allow_inf_nan=False)
 
     groups: ClassVar[Mapping[str, str]] = {}
     """What belongs together in a form: a heading → its fields, in order, parted by spaces."""
@@ -126,6 +129,12 @@ class Params(BaseModel):
         return {name: f for name, f in cls.model_fields.items() if name not in edits}
 
     @classmethod
+    def help(cls, name: str) -> str:
+        """What the field ``name`` is for: the text that stands under it, in one line."""
+        said = cls.model_fields[name].description or _texts(cls).get(name, "")
+        return said.strip().replace("\n", " ")
+
+    @classmethod
     def form(cls) -> dict[str, dict[str, Any]]:
         """All that a form needs of each field: label, help, group, tier, widget, unit, minimum, maximum (or
         exclusiveMinimum, exclusiveMaximum), choices, file (the value type read from it), many, default, when.
@@ -145,7 +154,7 @@ class Params(BaseModel):
             default = f.get_default(call_default_factory=True)
             told: dict[str, Any] = {
                 "label": name.rstrip("_").replace("_", " ").capitalize(),
-                "help": (f.description or "").strip().replace("\n", " "),
+                "help": cls.help(name),
                 "group": of_group.get(name, "Making"),
                 "tier": "first" if name in cls.first.split() else "rare" if name in cls.rare.split() else "more",
                 "widget": cls.widgets.get(name, widget),
@@ -165,7 +174,7 @@ class Params(BaseModel):
             for part in made["properties"][name].get("anyOf", ()):
                 for word in ("gt", "ge", "lt", "le"):  # pydantic's own words, left there by bounds of what may be None
                     part.pop(word, None)
-            made["properties"][name] |= told
+            made["properties"][name] |= {"description": told["help"], **told}
         return made
 
     def idle(self) -> list[Problem]:
@@ -204,6 +213,24 @@ class Params(BaseModel):
         from tambour.core.digest import digest
 
         return digest([type(self).__name__, self.plain(), {name: getattr(self, name) for name in self.files()}])
+
+
+@cache
+def _texts(cls: type) -> dict[str, str]:
+    """Field → the text under it, of a class and those it comes from.
+
+    Read only for help and forms: pydantic's own ``use_attribute_docstrings`` reads the source whenever a class is made.
+    """
+    made: dict[str, str] = {}
+    for made_by in reversed(cls.__mro__):
+        if issubclass(made_by, Params):
+            found = ast.parse(textwrap.dedent(inspect.getsource(made_by))).body[0]
+            body = found.body if isinstance(found, ast.ClassDef) else []
+            for field, text in itertools.pairwise(body):
+                match field, text:
+                    case ast.AnnAssign(target=ast.Name(id=name)), ast.Expr(value=ast.Constant(value=str(said))):
+                        made[name] = inspect.cleandoc(said)
+    return made
 
 
 def _dashed(name: str) -> str:

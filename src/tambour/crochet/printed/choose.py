@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Span, TambourError, Text
 from tambour.crochet.language.parse import parse
 from tambour.crochet.language.tree import Line, Pattern
-from tambour.crochet.printed.pattern import read_printed
 from tambour.crochet.printed.restated import restated
-from tambour.crochet.printed.state import Height, plain_height
+
+if TYPE_CHECKING:
+    from tambour.crochet.printed.state import Height
 
 # What only tambour's own language says, at the beginning of a line; and what it says besides.
 _OWN: Final = re.compile(
@@ -28,7 +29,7 @@ _MORE: Final = 40
 _HEADING: Final = re.compile(r"^[ \t]*##", re.MULTILINE)
 
 
-def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False, high: Height = plain_height) -> Pattern:
+def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False, high: Height | None = None) -> Pattern:
     """The pattern that ``text`` says, in tambour's own language (parse) or printed (read_printed).
 
     An ``.acl`` file is always in the language; so is a text with lines that only the language has, when it is not mostly
@@ -52,7 +53,10 @@ def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False, high:
             return parse(text, max_stitches=max_stitches, strict=strict)
         except TambourError:
             pass  # as print it may be read
-    return read_printed(text, max_stitches=max_stitches, strict=strict, high=high)
+    from tambour.crochet.printed.pattern import read_printed
+    from tambour.crochet.printed.state import plain_height
+
+    return read_printed(text, max_stitches=max_stitches, strict=strict, high=high or plain_height)
 
 
 def _lines(text: str) -> list[str]:

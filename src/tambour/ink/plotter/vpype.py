@@ -30,11 +30,11 @@ SWITCHES = ("crop", "figures", "buildings", "boats", "birds", "waterfalls")
 def _options(command: Any) -> Any:
     """The options that the scroll's and the plotter's params are told by, with their own help."""
     for name in reversed(SWITCHES):
-        said = spelt(Ink.model_fields[name].description or "")
+        said = spelt(Ink.help(name))
         command = click.option(f"--{name}/--no-{name}", default=None, help=said)(command)
     for name, kind in reversed(OPTIONS):
         field = "from_" if name == "from" else name
-        said = spelt(Ink.model_fields[field].description or "")
+        said = spelt(Ink.help(field))
         command = click.option(f"--{name}", field, type=kind, default=None, help=said)(command)
     return command
 
