@@ -1,9 +1,10 @@
 """Start: what small commands cost, as processor seconds of the whole process, with the goals beside them.
 
-    python bench/start.py [--booklet] [--demo]
+    python bench/start.py [--booklet]
 
-Each command runs once unmeasured and then three times; the middle one is printed. What is imported that need not be
-stands behind it. Run on Linux or macOS, with kernels built.
+Each command runs once unmeasured, so that byte code lies ready, and then five times (the booklet once more); the least
+is printed, as other work on the machine only adds. Behind it stands what the command has loaded of the libraries that
+take long. On Linux and macOS, kernels built.
 """
 
 from __future__ import annotations
@@ -28,21 +29,10 @@ COMMANDS = [
     ("crochet, bear.txt --check", "crochet {examples}/crochet/bear.txt --check", 1.2),
 ]
 BOOKLET = [("crochet, bear.txt as a booklet", "crochet {examples}/crochet/bear.txt -o {out}/bear.pdf", 10.0)]
+RUNS = 5
 DISC = '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40"><circle cx="20" cy="20" r="18" fill="#c33"/></svg>'
 # What only some commands have a use for; found in sys.modules afterwards, it is printed.
-HEAVY = (
-    "numba",
-    "llvmlite",
-    "scipy",
-    "scipy.optimize",
-    "scipy.ndimage",
-    "skia",
-    "PIL",
-    "shapely",
-    "lark",
-    "rich",
-    "pystitch",
-)
+HEAVY = "numba llvmlite scipy scipy.optimize scipy.ndimage skia PIL shapely lark rich pystitch"
 WATCH = """
 import atexit, os, sys
 def told():
@@ -57,7 +47,7 @@ main()
 def seconds(words: list[str], folder: Path) -> tuple[float, str]:
     """Processor seconds (user and system) of one command, and what it loaded."""
     told = folder / "loaded"
-    env = os.environ | {"TAMBOUR_WATCH": str(told), "TAMBOUR_HEAVY": " ".join(HEAVY)}
+    env = os.environ | {"TAMBOUR_WATCH": str(told), "TAMBOUR_HEAVY": HEAVY}
     env |= {
         "PYTHONDONTWRITEBYTECODE": "",
         "PYTHONPYCACHEPREFIX": str(folder / "bytecode"),
@@ -82,8 +72,7 @@ def main() -> None:
         for name, words, goal in jobs:
             command = words.format(examples=EXAMPLES, out=out).split()
             seconds(command, out)
-            runs = sorted(seconds(command, out) for _ in range(3))
-            took, loaded = runs[1]
+            took, loaded = min(seconds(command, out) for _ in range(RUNS if (name, words, goal) in COMMANDS else 1))
             print(f"{name:42} {took:6.2f} {goal:6.2f}  {loaded}", flush=True)
 
 
