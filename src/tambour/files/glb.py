@@ -94,9 +94,10 @@ def _spelt(mesh: Mesh) -> tuple[Array, Array] | None:
     corner = code[mesh.faces]
     if (corner != corner[:, :1]).any():
         return None
-    tones, tone = np.unique(corner[:, 0], return_inverse=True)
+    tones = np.unique(corner[:, 0])
     if len(tones) > 64:
         return None
+    tone = np.searchsorted(tones, corner[:, 0])
     return np.stack([tones >> 16, tones >> 8 & 255, tones & 255], axis=1).astype(np.uint8), tone
 
 
@@ -124,8 +125,10 @@ def primitives(mesh: Mesh, body: Body) -> tuple[list[dict[str, Any]], list[dict[
     tones, tone = (np.zeros((1, 3), np.uint8), np.zeros(len(mesh.faces), np.int64)) if spelt is None else spelt
     made: list[dict[str, Any]] = []
     materials: list[dict[str, Any]] = []
-    for number, part in np.unique(np.stack([group, tone], axis=1), axis=0).tolist() if len(group) else []:
-        name, faces = names[number], mesh.faces[(group == number) & (tone == part)]
+    kind = group.astype(np.int64) * len(tones) + tone
+    for k in np.unique(kind).tolist():
+        number, part = divmod(k, len(tones))
+        name, faces = names[number], mesh.faces[kind == k]
         surface: dict[str, Any] = {"metallicFactor": 0, "roughnessFactor": _ROUGH.get(name, 1.0)}
         if spelt is not None:
             surface["baseColorFactor"] = [*np.round(linear(tones[part] / 255.0), 6).tolist(), 1]
@@ -134,13 +137,14 @@ def primitives(mesh: Mesh, body: Body) -> tuple[list[dict[str, Any]], list[dict[
             material["name"] = name
         if not closed(faces):
             material["doubleSided"] = True
-        used, faces = np.unique(faces, return_inverse=True)
-        faces = faces.reshape(-1, 3)
+        named = np.zeros(len(mesh.vertices), bool)
+        named[faces] = True
+        used, faces = np.flatnonzero(named), (np.cumsum(named) - 1)[faces]
         for begin, end, low, high in _runs(faces, len(used)):
             own = used[low:high]
             stretch = {key: body.add(values[own], target=_VERTEX, **how) for key, (values, how) in attributes.items()}
-            kind = np.uint16 if high - low <= _SHORT else np.uint32
-            indices = body.add((faces[begin:end] - low).ravel().astype(kind), target=_INDEX)
+            short = np.uint16 if high - low <= _SHORT else np.uint32
+            indices = body.add((faces[begin:end] - low).ravel().astype(short), target=_INDEX)
             made.append({"attributes": stretch, "indices": indices, "material": len(materials), "mode": 4})
         materials.append(material)
     return made, materials
