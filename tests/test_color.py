@@ -22,15 +22,5 @@ def test_there_and_back() -> None:
     assert np.abs(color.coded(color.linear(x)) - x).max() < 1e-7
 
 
-def test_nearest_is_nearest() -> None:
-    rng = np.random.default_rng(3)
-    palette = rng.integers(0, 256, (20, 3)).astype(np.uint8)
-    picture = rng.integers(0, 256, (6, 7, 3)).astype(np.uint8)
-    found = color.nearest(picture, palette)
-    distance = ((color.oklab(picture)[..., None, :] - color.oklab(palette)) ** 2).sum(-1)
-    assert found.shape == (6, 7)
-    assert np.array_equal(found, distance.argmin(-1))
-
-
 def test_luminance_of_black_and_white() -> None:
     assert np.allclose(color.luminance(np.array([[0, 0, 0], [255, 255, 255]], np.uint8)), [0, 1])

@@ -49,15 +49,6 @@ def from_oklab(lab: Array) -> Array:
     return np.round(np.clip(coded(np.clip(lms @ np.linalg.inv(_LMS).T, 0, 1)), 0, 1) * 255).astype(np.uint8)
 
 
-def nearest(rgb: Array, palette: Array) -> Array:
-    """Index (…) of the palette colour (K, 3) uint8 nearest to each sRGB colour (…, 3), by distance in Oklab."""
-    from scipy.spatial import cKDTree
-
-    flat = oklab(rgb).reshape(-1, 3)
-    index = cKDTree(oklab(palette)).query(flat)[1]
-    return np.asarray(index, np.int32).reshape(np.shape(rgb)[:-1])
-
-
 def luminance(rgb: Array) -> Array:
     """Relative luminance (…) in 0…1 of sRGB (…, 3) uint8 (WCAG 2 weights)."""
     return np.asarray(linear(np.asarray(rgb) / 255.0) @ np.array([0.2126, 0.7152, 0.0722]))

@@ -14,6 +14,7 @@ from tambour.crochet.graph.build import Built
 from tambour.crochet.graph.spots import Spots, rim
 from tambour.crochet.language.finishes import Placed
 from tambour.geometry.motion import dot, length, turned
+from tambour.geometry.near import assigned, nearest
 
 CLEARANCE = 0.8
 """Stitches that a part keeps at first from the fabric that it is sewn to; the end that is sewn half of that."""
@@ -131,14 +132,11 @@ def clear_of(moved: Array, sewn: Array, others: Array, outward: Array, n: Array)
 
     sewn : (K,) bool, the stitches of its end, which come nearer
     """
-    from scipy.spatial import cKDTree
-
-    tree = cKDTree(others)
     want = np.where(sewn, 0.5 * CLEARANCE, CLEARANCE)
     lift = 0.0
     while lift < MOST_LIFT:
         at = moved + lift * n
-        _, near = tree.query(at)
+        near = nearest(at, others)[1][:, 0]
         short = float((want - ((at - others[near]) * outward[near]).sum(1)).max())
         if short <= 0.0:
             break
@@ -182,15 +180,11 @@ def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array,
 
 def _nearest(wanted: Array, there: Array) -> Array:
     """For each of the points ``wanted`` (M, 3) one of ``there`` (J, 3), in all as near as can be; few are taken twice."""
-    from scipy.optimize import linear_sum_assignment
-    from scipy.spatial import cKDTree
-
-    _, near = cKDTree(there).query(wanted, k=min(8, len(there)))
-    some = np.unique(near)
+    some = np.unique(nearest(wanted, there, min(8, len(there)))[1])
     cost = ((wanted[:, None] - there[some]) ** 2).sum(2)
     times = 2 if 2 * len(some) >= len(wanted) else math.ceil(len(wanted) / len(some))
     choices = np.concatenate([cost + AGAIN * k for k in range(times)], axis=1)
-    return np.asarray(some[linear_sum_assignment(choices)[1] % len(some)])
+    return np.asarray(some[assigned(choices) % len(some)])
 
 
 def lying(faces: Array, pairs: Array) -> Array:
@@ -223,17 +217,15 @@ def stays(
     From four stitches about its middle to four about the seam, as long as they are in the pose. moved : (O, 3) where
     the nodes ``own`` are in it; axis, front : how they are turned; target : nodes of the fabric
     """
-    from scipy.spatial import cKDTree
-
     p, along, up = frame.points[0], frame.along[0], frame.up[0]
-    ground = cKDTree(x[target]).query(p + STAY * np.array([along, up, -along, -up]))[1]
+    ground = nearest(p + STAY * np.array([along, up, -along, -up]), x[target])[1]
     off = moved - p
     height = dot(off, axis)
     middle = min(0.6 * float(height.max()), REACH)
     side = np.cross(axis, front)
     ring = np.abs(height - middle) < 1.0
     wide = float(np.sqrt(((off - height[:, None] * axis) ** 2).sum(1))[ring].mean()) if ring.any() else 1.0
-    held_by = cKDTree(moved).query(p + middle * axis + wide * np.array([front, side, -front, -side]))[1]
+    held_by = nearest(p + middle * axis + wide * np.array([front, side, -front, -side]), moved)[1]
     a, b = np.repeat(np.unique(held_by), len(np.unique(ground))), np.tile(np.unique(ground), len(np.unique(held_by)))
     rest = np.sqrt(((moved[a] - x[target[b]]) ** 2).sum(1))
     return np.column_stack([own[a], target[b]]), rest
