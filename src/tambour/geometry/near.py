@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tambour.core.arrays import F8x1, F8x2, I8x1, I8x2
+from tambour.core.arrays import F8x2, I8x1, I8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
