@@ -234,7 +234,8 @@ def tiles(count: int = 1000) -> None:
 def hidden_lines() -> None:
     """Seconds to remove the hidden lines of a tile, and with every polygon taken for opaque."""
     from tambour.ink.plotter.hidden import visible
-    from tambour.ink.plotter.lines import hiding, lines, ragged
+    from tambour.ink.plotter.lines import ragged
+    from tambour.ink.plotter.redraw import hiding, lines
 
     for seed in ("7", "3", "5"):
         marks = scroll.make(None, Ink(seed=seed, span=512.0), Progress()).marks()

@@ -20,9 +20,12 @@ from tambour.core.progress import Progress
 from tambour.ink.params import Ink
 from tambour.ink.plan import scroll
 from tambour.ink.plotter import job as plot
+from tambour.ink.plotter.hand import contours, dabs, passes, pressed, zigzags
 from tambour.ink.plotter.hidden import visible
-from tambour.ink.plotter.lines import hiding, lines, ragged
+from tambour.ink.plotter.layers import Layer, grey, pens, refilled
+from tambour.ink.plotter.lines import ragged
 from tambour.ink.plotter.path import cut, simplified, strung, tour
+from tambour.ink.plotter.redraw import hiding, lines
 from tambour.run import run
 
 
@@ -132,13 +135,102 @@ def steps(coords, offsets):
 
 
 def test_a_hatch_covers_what_its_tone_asks():
-    from tambour.ink.plotter.lines import hatched
+    from tambour.ink.plotter.hatch import hatched
 
     square = np.array([(0.0, 0), (100, 0), (100, 100), (0, 100)])
     for level in (0.0, 1.0, 3.0):
         segments, _ = hatched(square, np.array([0, 4]), 1.0, np.array([level]), 0.7)
         length = np.hypot(segments[:, 2] - segments[:, 0], segments[:, 3] - segments[:, 1]).sum()
         assert length * 2**level == pytest.approx(10_000, rel=0.06)
+
+
+def ribbon(width, n=41, long=100.0):
+    """A stroke's outline as the press leaves it, of half a sine's breadth."""
+    t = np.linspace(0, 1, n)
+    half = 0.5 * width * np.sin(np.pi * t)
+    there, back = np.stack([long * t, half], 1), np.stack([long * t, -half], 1)
+    return np.concatenate([there, back[-2::-1]])
+
+
+@pytest.mark.parametrize(("width", "passed"), [(0.4, 1), (1.0, 1), (3.0, 3), (5.0, 5)])
+def test_a_black_stroke_is_as_many_passes_in_one_line_as_it_is_wide(width, passed):
+    outline = ribbon(width)
+    one = np.array([1.0])
+    coords, ends, source = passes(outline, np.array([0, len(outline)]), one, 0.5 * one, 1.0)
+    assert source.tolist() == [0] and len(ends) == 2
+    # In the middle every pass crosses once, side by side; towards the ends there are fewer.
+    x, y = coords.T
+    across = [y[i] for i in range(len(x) - 1) if min(x[i], x[i + 1]) < 51.0 < max(x[i], x[i + 1])]
+    assert len(across) == passed
+    assert np.allclose(np.diff(np.sort(across)), 0.85, atol=0.1)
+    assert (np.abs(y) <= max(0.0, width / 2 - 0.5) + 1e-9).all()
+    assert len([i for i in range(len(x) - 1) if min(x[i], x[i + 1]) < 3.0 < max(x[i], x[i + 1])]) <= 2
+
+
+def test_a_wash_is_lines_apart():
+    outline = ribbon(20.0)
+    coords, ends, _ = passes(outline, np.array([0, len(outline)]), np.array([0.2]), np.array([0.5]), 1.0)
+    middles = np.sort([coords[a:b, 1][(b - a) // 2] for a, b in pairwise(ends)])
+    assert len(middles) > 2 and np.diff(middles).min() > 2.0
+
+
+def test_a_pen_that_swells_is_lowered_by_the_breadth():
+    outline = ribbon(3.2)
+    coords, ends, source, press = pressed(outline, np.array([0, len(outline)]), np.array([1.0]), 1.0, 3)
+    assert press.tolist() == [0, 1, 2, 1, 0] and set(source.tolist()) == {0}
+    # The pieces follow one another without a gap.
+    assert (coords[ends[1:-1]] == coords[ends[1:-1] - 1]).all()
+    assert steps(coords, ends).sum() == pytest.approx(100.0)
+
+
+def facets(tone, columns=40, rows=8, high=80.0):
+    """A far range of even facets under a level crest, as the element draws it; their tones."""
+    quads = []
+    for i in range(columns):
+        for r in range(rows):
+            a, b, top, low = 10.0 * i, 10.0 * (i + 1), high * r / rows, high * (r + 1) / rows
+            quads.append([(a, top), (b, top), (b, low), (a, low), (a, top)])
+    return np.array(quads, float).reshape(-1, 2), ends_of([5] * columns * rows), np.tile(tone, columns)
+
+
+def test_a_far_range_is_lines_along_its_crest_the_closer_the_darker():
+    rows = []
+    for dark in (0.1, 0.2):
+        coords, ends, tone = facets(np.full(8, dark))
+        out, offsets, number = contours(coords, ends, tone, 1.0)
+        level = [out[a:b, 1].mean() for a, b in pairwise(offsets)]
+        assert number.tolist() == list(range(len(number))) and level[0] == 0.0
+        assert np.allclose(np.diff(level), 1.0 / dark)
+        rows.append(len(level))
+    assert rows[1] > 1.8 * rows[0]
+    # Paler towards the foot: the lines lie further apart there.
+    coords, ends, tone = facets(np.linspace(0.3, 0.05, 8))
+    out, offsets, _ = contours(coords, ends, tone, 1.0)
+    apart = np.diff([out[a:b, 1].mean() for a, b in pairwise(offsets)])
+    assert apart[-1] > 2 * apart[0]
+
+
+def test_touches_that_follow_one_another_are_one_line():
+    axes = np.array([[(0.0, 0), (10, 0)], [(0, -3), (8, -3)], [(90, 0), (99, 0)]])
+    wide, turns, groups = np.full(3, 3.0), np.array([2, 1, 1]), np.array([0, 3])
+    _, ends, source = dabs(axes, wide, turns, groups, 1.0, 20.0)
+    assert len(ends) == 3 and source.tolist() == [0, 0]
+    coords, ends, _ = zigzags(axes[:2], wide[:2], np.array([3, 3]), np.array([0, 2]), 20.0, 0.0)
+    assert (
+        len(ends) == 2 and (np.diff(coords[:, 1]) <= 0).all() and (np.diff(np.sign(np.diff(coords[:, 0]))) != 0).all()
+    )
+
+
+def test_a_pen_is_filled_again_between_two_lines():
+    coords = np.array([(0.0, 0), (30, 0), (0, 1), (30, 1), (0, 2), (100, 2), (0, 3), (30, 3)])
+    layer = Layer(coords, np.array([0, 2, 4, 6, 8]), pause=True)
+    pieces, drawn = refilled(layer, 70.0, 0.0)
+    assert [p.down for p in pieces] == [60.0, 100.0, 30.0] and drawn == 30.0
+    assert all(p.pause for p in pieces) and (np.concatenate([p.coords for p in pieces]) == coords).all()
+    # What was drawn at another height counts; a pen that is dry is filled first, and an endless one never.
+    pieces, _ = refilled(Layer(coords, layer.offsets), 70.0, 60.0)
+    assert [p.down for p in pieces] == [30.0 + 30.0, 100.0, 30.0] and pieces[0].pause
+    assert refilled(layer, 0.0, 60.0) == ([layer], 250.0)
 
 
 def walk(rng, count=300, size=12):
@@ -190,7 +282,7 @@ def test_a_closed_line_begins_at_the_pen_and_touching_lines_become_one():
 
 
 def made(**told):
-    return plot.make(None, Ink(plotter=True, seed="7", **told), Progress())
+    return plot.make(None, Ink.of({"plotter": True, "seed": "7", **told}), Progress())
 
 
 @pytest.fixture(scope="module")
@@ -217,13 +309,15 @@ def test_all_stays_on_the_page_and_pens_share_by_tone(booklet):
     for page in booklet.pages:
         for pen in page:
             assert pen.lifts and (pen.coords >= 10 - 1e-9).all() and (pen.coords <= (287 + 1e-9, 200 + 1e-9)).all()
-    assert plot.pens(np.array([0.02, 0.33, 0.34, 0.67, 1.0]), 3).tolist() == [2, 2, 1, 0, 0]
+    assert pens(np.array([0.02, 0.33, 0.34, 0.67, 1.0]), 3).tolist() == [0, 0, 1, 2, 2]
+    # The palest is drawn first, and shown paler.
+    assert grey(0, 3) > grey(1, 3) > grey(2, 3) == 0
 
 
 def test_the_budget_is_kept_and_what_matters_stays():
-    full, less = made(span=1900, from_=900.0), made(span=1900, from_=900.0, budget="8min")
-    assert plot.facts(full)["minutes"] > 10
-    assert 6.5 < plot.facts(less)["minutes"] <= 8 and less.thinned > 0
+    full, less = made(span=1900, from_=900.0), made(span=1900, from_=900.0, budget="6min")
+    assert plot.facts(full)["minutes"] > 9
+    assert 5 < plot.facts(less)["minutes"] <= 6 and less.thinned > 0
     report = plot.facts(less)["pens"][0]
     assert report["lifts"] < plot.facts(full)["pens"][0]["lifts"]
 
@@ -241,6 +335,22 @@ def test_layers_are_numbered_and_other_software_agrees(tmp_path):
         assert layer.length() * 25.4 / 96 / 1000 == pytest.approx(pen["down_m"], rel=0.002)
         assert layer.pen_up_length()[0] * 25.4 / 96 / 1000 == pytest.approx(pen["up_m"], rel=0.002)
         assert len(layer) == pen["lifts"]
+
+
+def test_layers_tell_the_axidraw_when_to_wait_and_how_to_hold_the_pen(tmp_path):
+    out = tmp_path / "a.svg"
+    told = {"seed": "31", "from_": 700, "span": 600, "pens": 2, "swell": 2, "heights": "60..20", "refill": "5m"}
+    report = run("ink", None, Ink.of({"plotter": True, **told}), [out])
+    labels = re.findall(r'inkscape:groupmode="layer" inkscape:label="([^"]*)"', out.read_text())
+    codes = [re.match(r"(!?)(\d+)\+H(\d+)\+S(\d+) pen (\d) ", label) for label in labels]
+    assert [int(c[2]) for c in codes] == list(range(1, len(labels) + 1))
+    assert {(c[3], c[4]) for c in codes} == {("60", "25"), ("20", "12")}
+    # Waits for the second pen, and whenever five metres are drawn.
+    first = next(i for i, c in enumerate(codes) if c[5] == "2")
+    assert codes[first][1] == "!" and not codes[0][1] and sum(c[1] == "!" for c in codes) == report["pauses"]
+    assert report["pauses"] >= 1 + sum(int(pen["down_m"] / 5) for pen in report["pens"])
+    page = made(**told).pages[0]
+    assert all(layer.down <= 5000 for layer in page)
 
 
 def test_vpype_draws_the_scroll_by_itself(tmp_path):
@@ -300,6 +410,8 @@ def test_a_plotter_that_does_not_reach_is_said():
         ({"page": "a9"}, "there is no page"),
         ({"page": "1x1mm"}, "not between"),
         ({"margin": 105}, "leaves nothing"),
+        ({"heights": "50"}, "no pair of heights"),
+        ({"heights": "30..50"}, "the pressed pen is the lower"),
         ({"sheets": "9..0"}, "the first sheet comes first"),
         ({"sheets": "many"}, "does not number sheets"),
         ({"sheets": "0", "plotter": False}, "--plotter"),

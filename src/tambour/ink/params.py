@@ -30,16 +30,28 @@ class Ink(Params):
         "Landscape": "density height season time mist figures buildings boats birds waterfalls",
         "Sheet": "paper inscription seal font tall pixels",
         "Painting": "painting steps",
-        "Plotter": "plotter page margin crop model nib pens speed budget sheets frame",
+        "Plotter": "plotter page margin crop model nib pens swell heights refill speed budget sheets frame",
     }
     first: ClassVar = "seed from_ span season time mist density plotter"
-    rare: ClassVar = "edition steps speed frame model"
+    rare: ClassVar = "edition steps speed frame model heights"
     widgets: ClassVar = {"inscription": "lines"}
     when: ClassVar = {
         **{name: {"specimen": False} for name in ("from_", "span", "density", "mist")},
         **{
             name: {"plotter": True}
-            for name in ("page", "margin", "crop", "model", "nib", "pens", "speed", "budget", "frame")
+            for name in (
+                "page",
+                "margin",
+                "crop",
+                "model",
+                "nib",
+                "pens",
+                "swell",
+                "refill",
+                "speed",
+                "budget",
+                "frame",
+            )
         },
         "tall": {"plotter": False},
     }
@@ -136,7 +148,16 @@ class Ink(Params):
     """Width of the pen's line; hatching is pitched from it."""
 
     pens: int = Field(default=1, ge=1, le=8)
-    """How many pens, the first the darkest: each draws a band of tones on its own layer."""
+    """How many pens, the first the palest: each draws a band of tones on its own layer."""
+
+    swell: int = Field(default=0, ge=0, le=8)
+    """To how many heights a brush pen is lowered, a {--nib} broader each, on layers with AxiDraw's codes; 0: one width."""
+
+    heights: str = "50..30"
+    """Of a pen that swells: per cent of the way up at which it touches the paper, and at which it is pressed."""
+
+    refill: Length = Field(default=0.0, ge=0.0, le=1e7)
+    """How far a pen draws before it is filled again, such as 30m: the plotter waits there. 0: it never runs dry."""
 
     speed: float = Field(default=55.0, gt=0.0, le=1000.0)
     """Speed of the lowered pen in mm/s; times are reckoned with it."""
@@ -164,6 +185,14 @@ class Ink(Params):
         from tambour.ink.plotter.sheet import page
 
         page(value)
+        return value
+
+    @field_validator("heights")
+    @classmethod
+    def _lowered(cls, value: str) -> str:
+        from tambour.ink.plotter.sheet import heights
+
+        heights(value)
         return value
 
     @field_validator("sheets")

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from tambour.core.check import Array
 from tambour.core.drawing import Drawing, Groups, Styles
 from tambour.core.errors import TambourError
 from tambour.core.paths import Paths
@@ -19,14 +18,12 @@ from tambour.ink.params import Ink
 from tambour.ink.plan import scroll
 from tambour.ink.plan.wholes import HEIGHT
 from tambour.ink.plotter.hidden import visible
-from tambour.ink.plotter.lines import Lines, hiding, lines, ragged
+from tambour.ink.plotter.layers import LIFT, Layer, grey, pens, refilled, title
+from tambour.ink.plotter.lines import Lines, ragged
 from tambour.ink.plotter.path import cut, simplified, strung, tour
+from tambour.ink.plotter.redraw import hiding, lines
 from tambour.ink.plotter.sheet import Sheet, laid, reach, windowed
 
-UP = 165.0
-"""Speed of the raised pen, mm/s: 75 % of an AxiDraw's."""
-LIFT = 0.3
-"""Seconds to raise and lower the pen once."""
 TOLERANCE = 0.02
 """How far a simplified line may leave the exact one, mm."""
 SPECK = 0.05
@@ -34,42 +31,16 @@ SPECK = 0.05
 BLUE = (120, 170, 230, 255)
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Pen:
-    """One pen's lines on one page, in the order they are drawn, mm from the page's corner."""
-
-    coords: Array
-    offsets: Array
-
-    @property
-    def lifts(self) -> int:
-        """How often the pen is lowered."""
-        return len(self.offsets) - 1
-
-    @property
-    def down(self) -> float:
-        """Length drawn, mm."""
-        step = np.hypot(*np.diff(self.coords, axis=0).T)
-        step[self.offsets[1:-1] - 1] = 0.0
-        return float(step.sum())
-
-    @property
-    def up(self) -> float:
-        """Length travelled between lines, mm, without the way from home and back."""
-        return float(np.hypot(*(self.coords[self.offsets[1:-1]] - self.coords[self.offsets[1:-1] - 1]).T).sum())
-
-    def seconds(self, speed: float) -> float:
-        """How long it takes with the pen down at ``speed`` mm/s."""
-        return self.down / speed + self.up / UP + self.lifts * LIFT
+Page = tuple[Layer, ...]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Plot:
-    """A scroll on pages: for each page a Pen for every pen; ``thinned`` lines of ``lines`` were given up for time."""
+    """A scroll on pages: the layers of each; ``thinned`` lines of ``lines`` were given up for time."""
 
     scroll: scroll.Scroll
     sheets: tuple[Sheet, ...]
-    pages: tuple[tuple[Pen, ...], ...]
+    pages: tuple[Page, ...]
     lines: int
     thinned: int
 
@@ -83,7 +54,7 @@ def make(source: None, params: Ink, progress: Progress) -> Plot:
     with progress.stage("plot"):
         (x, y), (wide, high) = painted.origin.tolist(), painted.size.tolist()
         sheets = laid(params, x, y, wide, high)
-        seen = unhidden(painted, params.nib / sheets[0].scale)
+        seen = unhidden(painted, params.nib / sheets[0].scale, params.swell)
         pages = tuple(routed(seen, sheet, params) for sheet in sheets)
         left = len(seen.order)
         total = taken(pages, params)
@@ -95,52 +66,49 @@ def make(source: None, params: Ink, progress: Progress) -> Plot:
     return Plot(painted, tuple(sheets), pages, left, given_up)
 
 
-def unhidden(painted: scroll.Scroll, nib: float) -> Lines:
+def unhidden(painted: scroll.Scroll, nib: float, heights: int = 0) -> Lines:
     """What is seen of the scroll's pen lines, scroll units."""
     marks = painted.marks()
-    drawn = lines(marks, nib)
+    drawn = lines(marks, nib, heights)
     opaque = hiding(marks, drawn.order)
     outlines, ends = ragged(marks.coords, marks.offsets, opaque)
     coords, offsets, source = visible(drawn.coords, drawn.offsets, drawn.order, outlines, ends, opaque)
-    return Lines(coords, offsets, drawn.order[source], drawn.tone[source], drawn.worth[source])
+    return Lines(coords, offsets, drawn.order[source], drawn.tone[source], drawn.worth[source], drawn.press[source])
 
 
-def pens(tone: Array, count: int) -> Array:
-    """(N,) which pen, 0 the darkest, draws a line of each tone: bands of equal breadth."""
-    return np.clip(count - 1 - np.ceil(tone * count - 1).astype(np.int64), 0, count - 1)
+def routed(seen: Lines, sheet: Sheet, params: Ink) -> Page:
+    """The lines on one page, cut to it, shared among the pens, each pen's in the order it is drawn.
 
-
-def grey(pen: int, count: int) -> int:
-    """What a pen of ``count`` is shown as, 0 black."""
-    return round(255 * 0.85 * pen / count)
-
-
-def routed(seen: Lines, sheet: Sheet, params: Ink) -> tuple[Pen, ...]:
-    """The lines on one page, cut to it, shared among the pens, each pen's in the order it is drawn."""
+    The palest pen comes first: its tip would be soiled by wet dark lines that it crosses.
+    """
     mm = (seen.coords - (sheet.x, sheet.y)) * sheet.scale + (sheet.left, sheet.top)
     coords, offsets, source = cut(mm, seen.offsets, *sheet.box)
     # To the file's own thousandths first, so that a sheet made alone chooses as the same sheet of a booklet does.
     coords, offsets = simplified(np.round(coords, 3), offsets, TOLERANCE)
-    which = pens(seen.tone[source], params.pens)
+    which, press = pens(seen.tone[source], params.pens), seen.press[source]
     step = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))]) if len(coords) else np.zeros(1)
     long = step[offsets[1:] - 1] - step[offsets[:-1]] >= SPECK if len(source) else np.zeros(0, np.bool_)
-    made = []
+    made: list[Layer] = []
     home = (0.0, 0.0)
-    for k in range(params.pens):
-        part, ends = ragged(coords, offsets, np.flatnonzero(long & (which == k)))
-        order, turned = tour(part[ends[:-1]], part[ends[1:] - 1], *home)
-        made.append(Pen(*strung(part, ends, order, turned, 0.25 * params.nib, *home)))
+    for pen in range(params.pens):
+        drawn = 0.0
+        for height in range(max(1, params.swell)):
+            part, ends = ragged(coords, offsets, np.flatnonzero(long & (which == pen) & (press == height)))
+            order, turned = tour(part[ends[:-1]], part[ends[1:] - 1], *home)
+            line = Layer(*strung(part, ends, order, turned, 0.25 * params.nib, *home), pen, height, height == 0 < pen)
+            pieces, drawn = refilled(line, params.refill, drawn)
+            made += pieces
     return tuple(made)
 
 
-def taken(pages: tuple[tuple[Pen, ...], ...], params: Ink) -> float:
+def taken(pages: tuple[Page, ...], params: Ink) -> float:
     """Seconds for all pages."""
-    return sum(pen.seconds(params.speed) for page in pages for pen in page)
+    return sum(layer.seconds(params) for page in pages for layer in page)
 
 
 def thinned(
-    seen: Lines, sheets: tuple[Sheet, ...], pages: tuple[tuple[Pen, ...], ...], params: Ink
-) -> tuple[Lines, tuple[tuple[Pen, ...], ...]]:
+    seen: Lines, sheets: tuple[Sheet, ...], pages: tuple[Page, ...], params: Ink
+) -> tuple[Lines, tuple[Page, ...]]:
     """The lines that matter most and can be drawn within the budget.
 
     Lines are given up by their worth for the time they take: a lift costs as much as drawing LIFT · speed mm. How many
@@ -152,36 +120,35 @@ def thinned(
     length = (along[seen.offsets[1:] - 1] - along[seen.offsets[:-1]]) * sheets[0].scale
     by = np.argsort(-seen.worth * length / (length + LIFT * params.speed), kind="stable")
     low, high = 0, len(by)
-    best: tuple[Lines, tuple[tuple[Pen, ...], ...]] | None = None
+    best: tuple[Lines, tuple[Page, ...]] | None = None
     for _ in range(9):
         middle = (low + high) // 2
         chosen = np.sort(by[:middle])
-        coords, offsets = ragged(seen.coords, seen.offsets, chosen)
-        some = Lines(coords, offsets, seen.order[chosen], seen.tone[chosen], seen.worth[chosen])
+        some = seen.some(chosen)
         tried = tuple(routed(some, sheet, params) for sheet in sheets)
         if taken(tried, params) <= params.budget:
             low, best = middle, (some, tried)
         else:
             high = middle
     if best is None:
-        none = Lines(np.zeros((0, 2)), np.zeros(1, np.int64), *(np.zeros(0, np.int64) for _ in range(3)))
+        none = Lines(np.zeros((0, 2)), np.zeros(1, np.int64), *(np.zeros(0, np.int64) for _ in range(4)))
         return none, tuple(routed(none, sheet, params) for sheet in sheets)
     return best
 
 
 def drawings(plot: Plot) -> tuple[Drawing, ...]:
-    """A Drawing in mm for every page: a layer per pen; a frame, where asked for, on a layer that is not plotted."""
+    """A Drawing in mm for every page: a layer per pen, height and filling; a frame, where asked for, on a layer that is not plotted."""
     return tuple(_drawing(plot, k) for k in range(len(plot.pages)))
 
 
 def _drawing(plot: Plot, k: int) -> Drawing:
     params, sheet, page = plot.scroll.params, plot.sheets[k], plot.pages[k]
-    # A number first, so that layers are drawn in turn; "!" stops the plotter for the change of pen.
-    names = [f"{'!' if i else ''}{i + 1} pen {i + 1}, {params.nib:g} mm" for i in range(len(page))]
-    ids = [f"pen-{i + 1}" for i in range(len(page))]
-    coords = [pen.coords for pen in page]
-    counts = [np.diff(pen.offsets) for pen in page]
-    colors = [(g, g, g, 255) for g in (grey(i, len(page)) for i in range(len(page)))]
+    names = [title(params, layer, i) for i, layer in enumerate(page)]
+    ids = [f"layer-{i + 1}" for i in range(len(page))]
+    coords = [layer.coords for layer in page]
+    counts = [np.diff(layer.offsets) for layer in page]
+    colors = [(g, g, g, 255) for g in (grey(layer.pen, params.pens) for layer in page)]
+    widths = [params.nib * (1 + layer.press) for layer in page]
     if params.frame:
         x0, y0, x1, y1 = sheet.box
         coords.append(np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]))
@@ -189,6 +156,7 @@ def _drawing(plot: Plot, k: int) -> Drawing:
         names.append("% frame, not plotted")
         ids.append("frame")
         colors.append(BLUE)
+        widths.append(params.nib)
     which = np.repeat(np.arange(len(counts)), [len(c) for c in counts]).astype(np.int32)
     about = scroll.about(params)
     if len(plot.pages) > 1:
@@ -196,7 +164,7 @@ def _drawing(plot: Plot, k: int) -> Drawing:
     return Drawing(
         Paths(np.concatenate(coords), np.concatenate([[0], np.cumsum(np.concatenate(counts))]).astype(np.int64)),
         which,
-        Styles.of(*((None, color, params.nib) for color in colors)),
+        Styles.of(*((None, color, width) for color, width in zip(colors, widths))),
         np.array([sheet.width, sheet.height]),
         group=which,
         groups=Groups(tuple(ids), tuple(names), np.full(len(ids), -1, np.int32), np.ones(len(ids), np.bool_)),
@@ -241,24 +209,25 @@ def picture(plot: Plot) -> Picture:
 
 
 def facts(plot: Plot) -> dict[str, Any]:
-    """Report keys: those of the scroll, and ``plot``: per pen metres drawn and travelled, lifts, minutes; in all."""
+    """Report keys: those of the scroll, and per pen, the palest first, metres drawn and travelled, lifts, minutes; in all, minutes and pauses."""
     params = plot.scroll.params
     each = []
     for k in range(params.pens):
-        mine = [page[k] for page in plot.pages]
+        mine = [layer for page in plot.pages for layer in page if layer.pen == k]
         each.append(
             {
                 "pen": k + 1,
                 "down_m": round(sum(p.down for p in mine) / 1000, 3),
                 "up_m": round(sum(p.up for p in mine) / 1000, 3),
                 "lifts": sum(p.lifts for p in mine),
-                "minutes": round(sum(p.seconds(params.speed) for p in mine) / 60, 2),
+                "minutes": round(sum(p.seconds(params) for p in mine) / 60, 2),
             }
         )
     return {
         **scroll.facts(plot.scroll),
         "pages": len(plot.pages),
         "pens": each,
+        "pauses": sum(layer.pause for page in plot.pages for layer in page),
         "minutes": math.ceil(taken(plot.pages, params) / 0.6) / 100,
         "thinned": plot.thinned,
     }

@@ -21,7 +21,7 @@ TRAVEL = {
 }
 """How far each AxiDraw model reaches, mm (dossier 7)."""
 _SIZE = re.compile(r"\s*([\d.]+)\s*[x×*]\s*([\d.]+)\s*(mm|cm|in)?\s*")
-_SHEETS = re.compile(r"\s*(-?\d+)\s*(?:\.\.\s*(-?\d+)\s*)?")
+_RANGE = re.compile(r"\s*(-?\d+)\s*(?:\.\.\s*(-?\d+)\s*)?")
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ def page(text: str) -> tuple[float, float]:
 
 def sheets(text: str) -> tuple[int, int]:
     """First and last number of ``0..9`` or ``3``; ValueError for what is neither, or more than 500."""
-    found = _SHEETS.fullmatch(text)
+    found = _RANGE.fullmatch(text)
     if not found:
         raise ValueError(f'"{text}" does not number sheets; write 0..9, or 3')
     first = int(found[1])
@@ -67,6 +67,17 @@ def sheets(text: str) -> tuple[int, int]:
     if not first <= last < first + 500:
         raise ValueError(f'"{text}": the first sheet comes first, and at most 500 are made at once')
     return first, last
+
+
+def heights(text: str) -> tuple[float, float]:
+    """Per cent at which the pen touches and at which it is pressed all the way, of ``50..30``; ValueError for what is neither."""
+    found = _RANGE.fullmatch(text)
+    if not found or not found[2]:
+        raise ValueError(f'"{text}" is no pair of heights; write 50..30')
+    touching, pressed = int(found[1]), int(found[2])
+    if not 0 <= pressed <= touching <= 100:
+        raise ValueError(f'"{text}": heights are per cent of the way up, and the pressed pen is the lower')
+    return float(touching), float(pressed)
 
 
 def inner(params: Ink) -> tuple[float, float]:

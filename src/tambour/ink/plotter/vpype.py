@@ -16,13 +16,14 @@ import vpype_cli
 from tambour.core.errors import TambourError, spelt
 from tambour.core.progress import Progress
 from tambour.ink.params import Ink
+from tambour.ink.plotter.layers import grey, title
 
 PIXELS = 96 / 25.4
 """vpype's unit, the CSS pixel, per mm."""
 OPTIONS = (
     ("seed", str), ("from", float), ("span", float), ("specimen", str), ("season", str), ("density", float),
-    ("height", float), ("mist", float), ("page", str), ("margin", str), ("nib", str), ("pens", int), ("speed", float),
-    ("budget", str),
+    ("height", float), ("mist", float), ("page", str), ("margin", str), ("nib", str), ("pens", int), ("swell", int),
+    ("heights", str), ("refill", str), ("speed", float), ("budget", str),
 )  # fmt: skip
 SWITCHES = ("crop", "figures", "buildings", "boats", "birds", "waterfalls")
 
@@ -43,7 +44,7 @@ def _options(command: Any) -> Any:
 @_options
 @vpype_cli.global_processor
 def tambour_ink(document: vpype.Document, **given: Any) -> vpype.Document:
-    """Draw a window of an endless shan-shui scroll in pen lines, a layer per pen."""
+    """Draw a window of an endless shan-shui scroll in pen lines, a layer per pen, height and filling."""
     from tambour.ink.plotter import job as plot
 
     progress = Progress()
@@ -54,15 +55,14 @@ def tambour_ink(document: vpype.Document, **given: Any) -> vpype.Document:
         raise click.ClickException(str(error)) from None
     for warning in progress.warnings:
         click.echo(str(warning), err=True)
-    sheet, pens = made.sheets[0], made.pages[0]
+    sheet, page = made.sheets[0], made.pages[0]
     first = max(document.layers, default=0) + 1
-    for k, pen in enumerate(pens):
-        flat = (pen.coords[:, 0] + 1j * pen.coords[:, 1]) * PIXELS
-        document.add(vpype.LineCollection(np.split(flat, pen.offsets[1:-1]) if len(flat) else []), first + k)
+    for k, drawn in enumerate(page):
+        flat = (drawn.coords[:, 0] + 1j * drawn.coords[:, 1]) * PIXELS
+        document.add(vpype.LineCollection(np.split(flat, drawn.offsets[1:-1]) if len(flat) else []), first + k)
         layer = document.layers[first + k]
-        layer.set_property(vpype.METADATA_FIELD_PEN_WIDTH, params.nib * PIXELS)
-        layer.set_property(vpype.METADATA_FIELD_NAME, f"{first + k} pen {k + 1}")
-        grey = plot.grey(k, len(pens))
-        layer.set_property(vpype.METADATA_FIELD_COLOR, vpype.Color(grey, grey, grey))
+        layer.set_property(vpype.METADATA_FIELD_PEN_WIDTH, params.nib * (1 + drawn.press) * PIXELS)
+        layer.set_property(vpype.METADATA_FIELD_NAME, title(params, drawn, first + k - 1))
+        layer.set_property(vpype.METADATA_FIELD_COLOR, vpype.Color(*3 * [grey(drawn.pen, params.pens)]))
     document.extend_page_size((sheet.width * PIXELS, sheet.height * PIXELS))
     return document
