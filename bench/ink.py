@@ -234,14 +234,12 @@ def tiles(count: int = 1000) -> None:
 def hidden_lines() -> None:
     """Seconds to remove the hidden lines of a tile, and with every polygon taken for opaque."""
     from tambour.ink.plotter.hidden import visible
-    from tambour.ink.plotter.lines import ragged
     from tambour.ink.plotter.redraw import hiding, lines
 
     for seed in ("7", "3", "5"):
         marks = scroll.make(None, Ink(seed=seed, span=512.0), Progress()).marks()
         drawn, every = lines(marks, 1.1), np.arange(len(marks))
-        opaque = hiding(marks, drawn.order)
-        outlines, ends = ragged(marks.coords, marks.offsets, opaque)
+        outlines, ends, opaque = hiding(marks, 1.1)
         some, _ = best(lambda: visible(drawn.coords, drawn.offsets, drawn.order, outlines, ends, opaque))  # noqa: B023
         all_, _ = best(lambda: visible(marks.coords, marks.offsets, every, marks.coords, marks.offsets, every))  # noqa: B023
         print(

@@ -23,7 +23,7 @@ PICTURES = [
     ("readme-knit.jpg", KNIT, 900),
     ("readme-scroll.jpg", "ink --seed 8 --span 2700 -o {out}.png", 1800),
     ("ink-specimens.jpg", "ink --specimen all --seed 3 --pixels 1600 -o {out}.png", 1600),
-    ("ink-plotter.png", "ink --seed 7 --from -5200 --span 1000 --plotter -o {out}.png", 1400),
+    ("ink-plotter.png", "ink --seed 31 --from 700 --span 1000 --plotter --pens 3 -o {out}.png", 1400),
     ("readme-embroidery.jpg", "embroidery {x}/embroidery/logo.svg -o {out}.png", 900),
 ]
 

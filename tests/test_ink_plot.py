@@ -23,7 +23,6 @@ from tambour.ink.plotter import job as plot
 from tambour.ink.plotter.hand import contours, dabs, passes, pressed, zigzags
 from tambour.ink.plotter.hidden import visible
 from tambour.ink.plotter.layers import Layer, grey, pens, refilled
-from tambour.ink.plotter.lines import ragged
 from tambour.ink.plotter.path import cut, simplified, strung, tour
 from tambour.ink.plotter.redraw import hiding, lines
 from tambour.run import run
@@ -108,8 +107,7 @@ def winding(points, ring):
 def test_hidden_lines_of_a_tile_agree_with_brute_force(tile):
     rng = np.random.default_rng(5)
     drawn = lines(tile, 1.1)
-    opaque = hiding(tile, drawn.order)
-    outlines, ends = ragged(tile.coords, tile.offsets, opaque)
+    outlines, ends, opaque = hiding(tile, 1.1)
     coords, pieces, source = visible(drawn.coords, drawn.offsets, drawn.order, outlines, ends, opaque)
     points, piece = along(rng, coords, pieces, 20_000)
     order = drawn.order[source[piece]]

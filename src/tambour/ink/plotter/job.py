@@ -70,9 +70,7 @@ def unhidden(painted: scroll.Scroll, nib: float, heights: int = 0) -> Lines:
     """What is seen of the scroll's pen lines, scroll units."""
     marks = painted.marks()
     drawn = lines(marks, nib, heights)
-    opaque = hiding(marks, drawn.order)
-    outlines, ends = ragged(marks.coords, marks.offsets, opaque)
-    coords, offsets, source = visible(drawn.coords, drawn.offsets, drawn.order, outlines, ends, opaque)
+    coords, offsets, source = visible(drawn.coords, drawn.offsets, drawn.order, *hiding(marks, nib))
     return Lines(coords, offsets, drawn.order[source], drawn.tone[source], drawn.worth[source], drawn.press[source])
 
 

@@ -70,20 +70,42 @@ def of(marks: Marks, kinds: list[int]) -> Array:
     return found
 
 
-def hiding(marks: Marks, drawn: Array) -> Array:
-    """Indices of the marks that hide what lies behind, for pen lines of the marks ``drawn``.
+def wheels(marks: Marks) -> tuple[Array, Array]:
+    """(K,) int64 which touches belong together, and (K,) bool whether a touch has fellows: needles about one point."""
+    starts = marks.spine[marks.spines[:-1]]
+    follows = np.zeros(len(marks), np.bool_)
+    follows[1:] = (marks.kind[1:] == BLOB) & (marks.kind[:-1] == BLOB) & (starts[1:] == starts[:-1]).all(1)
+    wheel = follows.copy()
+    wheel[:-1] |= follows[1:]
+    return np.cumsum(~follows), wheel
 
-    Opaque insides; veils that are more paper than air; and touches of a wet brush that are drawn: where many lie over
-    each other the painting grows no darker than one, and so must the lines. A tree hides the tree behind it.
+
+def hiding(marks: Marks, nib: float) -> tuple[Array, Array, Array]:
+    """Outlines of what hides the lines behind it: coords, offsets, and the place of each in painter's order.
+
+    Opaque insides; veils that are more paper than air; and touches of a wet brush: where many lie over each other the
+    painting grows no darker than one, and so must the lines. A tree hides the tree behind it, a wheel of needles the
+    wheels behind, as scales do.
     """
     opaque = np.isin(marks.kind, [BODY, WASH, RING]) & (marks.fill[:, 1] >= 250)
     veil = (marks.kind == VEIL) & (marks.fill[:, 1] >= 128) & (marks.fill[:, 0] >= 250)
-    touch = np.zeros(len(marks), np.bool_)
-    touch[drawn] = True
-    touch &= (marks.kind == BLOB) & (marks.fill[:, 1] >= WET)
+    number, wheel = wheels(marks)
+    # What is hardly broader than the pen's lines hides none: they would be left in crumbs.
+    touch = (marks.kind == BLOB) & (marks.fill[:, 1] >= WET) & (marks.breadth > 4.0 * nib) & ~wheel
     tree = of(marks, LEAFY) & (marks.kind == BLOB) & (marks.fill[:, 1] >= DAMP)
     bush = of(marks, [BUSH]) & (marks.kind == WASH)
-    return np.flatnonzero(opaque | veil | touch | tree | bush)
+    chosen = np.flatnonzero(opaque | veil | touch | tree | bush)
+    coords, offsets = ragged(marks.coords, marks.offsets, chosen)
+    needles = np.flatnonzero(wheel)
+    groups = bounds(number[needles])
+    # A fan: the tips, in their order, and the point about which they stand.
+    axes = marks.spine[marks.spines[:-1][needles][:, None] + np.arange(2)]
+    fans = np.insert(axes[:, 1], groups[:-1], axes[groups[:-1], 0], axis=0)
+    rank = np.concatenate([chosen, needles[groups[1:] - 1]])
+    ends = np.concatenate([offsets, offsets[-1] + groups[1:] + np.arange(1, len(groups))])
+    by = np.argsort(rank, kind="stable")
+    outlines, ends = ragged(np.concatenate([coords, fans]), ends, by)
+    return outlines, ends.astype(np.int64), rank[by]
 
 
 def chances(marks: Marks) -> tuple[Array, Array]:
@@ -100,6 +122,13 @@ def chances(marks: Marks) -> tuple[Array, Array]:
     even = (seed + place * GOLDEN) % 1.0
     cell = np.floor(marks.spine[marks.spines[:-1]] / BUNCH).astype(np.int64) @ (7919, 104729)
     return even, 0.8 * ((seed + cell * GOLDEN) % 1.0) + 0.2 * even
+
+
+def bounds(number: Array) -> Array:
+    """(G + 1,) where runs of equal numbers begin, and the end."""
+    if not len(number):
+        return np.zeros(1, np.int64)
+    return np.concatenate([[0], np.flatnonzero(np.diff(number)) + 1, [len(number)]])
 
 
 def lines(marks: Marks, nib: float, heights: int = 0) -> Lines:
@@ -230,14 +259,20 @@ class Hand:
         )
 
     def touches(self) -> Lines:
-        """Single touches of the brush: leaves that one counts, needles, moss, straw."""
-        touch = (self.marks.kind == BLOB) & (self.fill > 0) & ~of(self.marks, LEAFY)
-        chance = np.where(of(self.marks, [HILL]), self.bunch, self.chance)
-        chosen = np.flatnonzero(touch & self.shown & (self.built | (chance * self.axis < 1.3 * self.line)))
-        turns = self.turns(chosen)
-        axes = self.axes(chosen)
-        coords, ends, source = dabs(axes, self.marks.breadth[chosen], turns, np.arange(len(chosen) + 1), self.nib, 0.0)
-        return self.made(coords, ends, chosen[source], 0.8 * self.fill[chosen[source]])
+        """Single touches of the brush: leaves that one counts, moss, straw; and wheels of needles, each as one line."""
+        marks = self.marks
+        number, wheel = wheels(marks)
+        chance = np.where(of(marks, [HILL]), self.bunch, self.chance)
+        # A needle of a wheel is drawn there and back: half as many lay down their ink.
+        often = np.where(wheel, 0.9, 1.3) * self.line
+        touch = (marks.kind == BLOB) & (self.fill > 0) & ~of(marks, LEAFY)
+        chosen = np.flatnonzero(touch & self.shown & (self.built | (chance * self.axis < often)))
+        turns = np.where(wheel[chosen], 2, self.turns(chosen))
+        groups = bounds(number[chosen])
+        wide = np.where(wheel[chosen], 0.0, marks.breadth[chosen])
+        coords, ends, source = dabs(self.axes(chosen), wide, turns, groups, self.nib, 2.5 * self.nib)
+        last = chosen[groups[1:] - 1]
+        return self.made(coords, ends, last[source], 0.8 * self.fill[last[source]])
 
     def saplings(self) -> list[Lines]:
         """Far trees: the slim an upright stroke, the others a cone of a line that goes from side to side."""
@@ -261,7 +296,7 @@ class Hand:
         chosen = np.flatnonzero(leaf & (self.chance * self.axis < 1.2 * self.line))
         y = self.marks.spine[self.marks.spines[:-1][chosen], 1]
         chosen = chosen[np.lexsort((-y, self.marks.element[chosen]))]
-        groups = self.groups(chosen)
+        groups = bounds(self.marks.element[chosen])
         room = np.floor(self.marks.breadth[chosen] / (1.2 * self.nib))
         wanted = np.round(self.line[chosen] / np.maximum(self.axis[chosen], 1e-9) + 0.5)
         turns = np.clip(wanted, 1, np.clip(room, 1, 7)).astype(np.int64)
@@ -276,7 +311,7 @@ class Hand:
         facet = (self.marks.kind == WASH) & of(self.marks, [BUSH]) & self.shown
         chosen = np.flatnonzero(facet & (self.chance < 0.6 * self.fill))
         corners = self.marks.coords[self.marks.offsets[:-1][chosen][:, None] + np.arange(3)]
-        groups = self.groups(chosen)
+        groups = bounds(self.marks.element[chosen])
         last = np.array([chosen[b - 1] for b in groups[1:].tolist()], np.int64)
         axes = 0.7 * corners[:, :2] + 0.3 * corners[:, 2:]
         one = np.ones(len(chosen), np.int64)
@@ -308,12 +343,6 @@ class Hand:
         segments, owner = hatched(coords, ends, self.nib * FINEST, level, SLANT)
         order = chosen[owner]
         return self.made(segments.reshape(-1, 2), 2 * np.arange(len(segments) + 1), order, 0.3 * self.fill[order])
-
-    def groups(self, chosen: Array) -> Array:
-        """Where each element's marks begin among the chosen, and the end."""
-        if not len(chosen):
-            return np.zeros(1, np.int64)
-        return np.concatenate([[0], np.flatnonzero(np.diff(self.marks.element[chosen])) + 1, [len(chosen)]])
 
     def axes(self, chosen: Array) -> Array:
         """(C, 2, 2) the tips of touches."""
