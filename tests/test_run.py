@@ -269,6 +269,25 @@ def test_who_watches_sees_and_who_leaves_stops(tmp_path: Path) -> None:
     assert {p.name: p.read_text() for p in tmp_path.iterdir()} == {"a.svg": "old"}
 
 
+def test_a_report_from_a_stranger_writes_beside_itself_or_here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    theirs, mine = tmp_path / "theirs", tmp_path / "mine"
+    theirs.mkdir()
+    mine.mkdir()
+    monkeypatch.chdir(mine)
+    told = {"craft": "weave", "params": {}, "source": None}
+    for name in ("../evil.svg", str(tmp_path / "evil.svg")):
+        (theirs / "r.json").write_text(json.dumps({**told, "files": ["a.svg", name]}))
+        code, said = call("run", theirs / "r.json")
+        assert code == 2 and "would write elsewhere" in said and f"-o {name}" in said, said
+    assert [p.name for p in tmp_path.rglob("*.svg")] == []
+    code, said = call("run", theirs / "r.json", "-o", tmp_path / "good.svg")
+    assert code == 0 and (tmp_path / "good.svg").exists(), said
+    for name in ("here.svg", str(theirs / "beside.svg")):
+        (theirs / "r.json").write_text(json.dumps({**told, "files": [name]}))
+        assert call("run", theirs / "r.json")[0] == 0
+    assert sorted(p.name for p in tmp_path.rglob("*.svg")) == ["beside.svg", "good.svg", "here.svg"]
+
+
 def test_names_that_no_disk_should_hold_are_refused(tmp_path: Path) -> None:
     for bad in ("a\x00.svg", "\ud800.svg", "\x1b[2J.svg", "x" * 20_000 + ".svg"):
         told = {"craft": "weave", "params": {}, "source": None, "files": [bad]}

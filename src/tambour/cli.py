@@ -24,7 +24,7 @@ atexit.register(gc.freeze)  # what is left at the end is the system's to clear, 
 import click  # noqa: E402
 
 from tambour import __version__  # noqa: E402
-from tambour.core.errors import TambourError, did_you_mean, shown, spelt  # noqa: E402
+from tambour.core.errors import Problem, TambourError, did_you_mean, shown, spelt  # noqa: E402
 from tambour.core.progress import Stopped  # noqa: E402
 from tambour.run import CRAFTS  # noqa: E402
 
@@ -244,6 +244,7 @@ def _bar(quiet: bool) -> Any:
 def again(report: str, out: tuple[str, ...]) -> None:
     """Make a piece again from its report."""
     import json
+    from os.path import abspath
     from pathlib import Path
 
     from tambour.run import craft, run
@@ -258,6 +259,13 @@ def again(report: str, out: tuple[str, ...]) -> None:
             raise ValueError("words are wanted")
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise TambourError("this is not a report of tambour", where=report) from None
+    # A report may come from a stranger: by itself it writes beside itself or here, and nowhere else.
+    rooms = [Path.cwd(), Path(report).absolute().parent]
+    astray = [] if out else [k for k in kept if not any(Path(abspath(k)).is_relative_to(r) for r in rooms)]
+    if astray:
+        raise TambourError(
+            [Problem("the report would write elsewhere", f"to write there: -o {k}", where=k) for k in astray]
+        )
     what = craft(name)
     made = run(what, source, what.params.of(values), out or kept, began=BEGAN, edits=edits)
     if known and made["source"]["sha256"] != known:
