@@ -11,7 +11,7 @@ from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP, StitchGraph
 from tambour.crochet.finish.placing import Frames
 from tambour.crochet.graph.build import Built
-from tambour.crochet.graph.spots import Spots, rim
+from tambour.crochet.graph.spots import Spots, edge, sewn_rim
 from tambour.crochet.language.finishes import Placed
 from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.near import assigned, nearest
@@ -26,6 +26,8 @@ AGAIN = 0.5
 """What it costs, in square stitches, to sew into a stitch that is sewn into already."""
 STAY = 2.5
 """How far from a seam's middle stays begin on the fabric, in stitches."""
+STRIP = 3
+"""A piece in rows is a strip where its last row has so many stitches to a row, or more."""
 REACH = 5.0
 """How far up a part they hold it at the most."""
 
@@ -35,31 +37,58 @@ class End:
     """The stitches by which a part is sewn.
 
     nodes : (M,) in the order of work; ring : they run round; pinched : pairs (K, 2) of them that are drawn together
+    laid : it is the edge of a flat piece that lies on the fabric
     """
 
     nodes: Array
     ring: bool
     pinched: Array
+    laid: bool = False
 
 
 def end_of(built: Built, spots: Spots, placed: Placed) -> End:
-    """The end by which ``placed`` is sewn: its rim where it is open, else its last round; or the round that it says."""
+    """The end by which ``placed`` is sewn: its rim where it is open, else its last round; or the round that it says.
+
+    Of a piece in rows: its edge all round where it is laid flat, the short end of a strip, the wider of its ends.
+    """
     graph, part = built.graph, spots.parts[placed.part]
-    nodes = np.zeros(0, int)
     rows = bool(spots.in_rows[part])
-    if placed.by is None:
-        nodes = np.zeros(0, int) if rows else rim(built, part)
-        if not len(nodes):
-            nodes = spots.stitches(spots.last(part))
-    else:
+    none = np.zeros((0, 2), int)
+    if placed.by is not None:
         number = spots.round_at(part, round(placed.by))
         assert number is not None
         nodes = spots.stitches(number)
+    elif rows:
+        if placed.flat and len(loop := edge(built, part)) > 3:
+            return End(loop, True, none, True)
+        nodes = _end_of_rows(built, spots, part)
+    else:
+        nodes = sewn_rim(built, part)
+        if not len(nodes):
+            nodes = spots.stitches(spots.last(part))
     nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
+    if len(nodes) < 2:
+        p = graph.parts[part]
+        nodes = np.arange(max(p.start, p.end - 3), p.end)
     m = len(nodes)
     pinch = placed.flat and not rows
-    pairs = np.column_stack([nodes[: m // 2], nodes[::-1][: m // 2]]) if pinch else np.zeros((0, 2), int)
+    pairs = np.column_stack([nodes[: m // 2], nodes[::-1][: m // 2]]) if pinch else none
     return End(nodes, not rows and not placed.flat, pairs)
+
+
+def _end_of_rows(built: Built, spots: Spots, part: int) -> Array:
+    """The stitches by which a piece in rows is sewn that stands out from the fabric."""
+    mine = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part]
+    mine = [nodes for nodes in mine if len(nodes)]
+    first, last = mine[0], mine[-1]
+    if len(last) >= STRIP * len(mine):
+        x = spots.layout
+        own = np.concatenate(mine)
+        way = x[last[-1]] - x[last[0]]
+        reach = dot(x[own] - x[last[-1]], _unit(way))
+        return np.sort(own[reach > -0.6])
+    wide = mine[1] if len(mine) > 1 and len(mine[1]) >= len(first) else first
+    return wide if len(last) <= 2 < len(wide) else last
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -169,6 +198,7 @@ def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array,
     if end.ring:
         length = np.sqrt((off**2).sum(1, keepdims=True))
         wanted = p + off / np.maximum(length, 1e-9) * (m / (2.0 * math.pi))
+        wanted = p + off if end.laid else wanted
         return np.column_stack([end.nodes, target[_nearest(wanted, x[target])]])
     half = len(end.pinched)
     line = off[m // 2] - off[0] if half else off[-1] - off[0]

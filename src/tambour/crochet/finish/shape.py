@@ -303,17 +303,18 @@ def _upright(graph: StitchGraph, joined: Joined, x: Array) -> Array:
 
 
 def _apart(task: Task, x: Array, c: Array, piece: Array) -> tuple[Array, Array]:
-    """Settled pieces side by side, as they are."""
+    """Settled pieces side by side, on one floor."""
     from tambour.crochet.settle.arrange import GAP
 
     x, c, right = x.copy(), c.copy(), None
     first = np.concatenate([[0], np.cumsum(task.used)])
+    floor = float(x[piece == int(np.bincount(piece).argmax()), 1].min())
     for k in range(int(piece.max()) + 1):
         nodes = np.flatnonzero(piece == k)
         if right is not None:
-            shift = right + GAP - x[nodes, 0].min()
-            x[nodes, 0] += shift
+            shift = np.array([right + GAP - x[nodes, 0].min(), floor - x[nodes, 1].min(), 0.0])
+            x[nodes] += shift
             for p in np.unique(task.graph.part[nodes]):
-                c[first[p] : first[p + 1], 0] += shift
+                c[first[p] : first[p + 1]] += shift
         right = x[nodes, 0].max()
     return x, c

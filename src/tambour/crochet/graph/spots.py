@@ -216,21 +216,31 @@ class Spots:
             yield Problem(message, "count from its first stitch, which is 1", spot.span, text)
 
 
-def rim(built: Built, part: int) -> Array:
-    """The edge of a part that was worked last, where it is open: nodes in the order of work; empty where it is closed."""
+def edge(built: Built, part: int, at: int | None = None) -> Array:
+    """The edge of a part that its last stitch (or node ``at``) is on, all round: nodes in order; empty where none is."""
     graph = built.graph
     p = graph.parts[part]
     faces = graph.faces[built.shell]
     faces = faces[graph.part[faces[:, 0]] == part]
-    if not len(faces):
+    if not len(faces) or (at is None and graph.peculiarity[p.end - 1] == TIP):
         return np.zeros(0, int)
     _, _, offsets, found = lids(faces, np.zeros(len(faces), np.int32), len(graph))
     loops = [found[a:b] for a, b in pairwise(offsets)]
-    if not loops or graph.peculiarity[p.end - 1] == TIP:
-        return np.zeros(0, int)
-    loop = next((r for r in loops if p.end - 1 in r), None)
-    if loop is None:
-        return np.zeros(0, int)
+    node = p.end - 1 if at is None else at
+    return np.asarray(next((r for r in loops if node in r), np.zeros(0, int)), int)
+
+
+def sewn_rim(built: Built, part: int) -> Array:
+    """The edge that a part in rounds is sewn by: that of its last round, else that of its first; empty where both are closed."""
+    last = rim(built, part)
+    return last if len(last) else edge(built, part, built.graph.parts[part].start)
+
+
+def rim(built: Built, part: int) -> Array:
+    """The edge of a part that was worked last, where it is open: nodes in the order of work; empty where it is closed."""
+    graph, p, loop = built.graph, built.graph.parts[part], edge(built, part)
+    if not len(loop):
+        return loop
     last = int(np.flatnonzero(loop == p.end - 1)[0])
     loop = np.roll(loop, -1 - last)  # the stitch worked last comes last
     if len(loop) > 2 and loop[0] == p.end - 2:

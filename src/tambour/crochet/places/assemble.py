@@ -24,37 +24,48 @@ _TOP: Final = re.compile(
 _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
 _NO_GUESS: Final = Where(shown=True)
+FLAT: Final = frozenset(
+    ("ear", "wing", "fin", "fluke", "leaf", "hat", "spot", "cheek", "eye", "tuft", "collar", "bow", "spike", "inner", "door",
+     "tooth", "face", "beard", "worn")
+)  # fmt: skip
+"""Kinds of parts that are not stuffed, unless it is said."""
 
 
 class Assembly(Toy):
     """Puts a pattern together.
 
     built : the pattern worked; sentences : of its finishing, in order; stitch : a stitch's width, mm
-    eye : the size of eyes that the materials name, mm; None unsaid
+    eye : the size of eyes that the materials name, mm; None unsaid; names : of the parts of this toy
     """
 
-    def __init__(self, built: Built, sentences: list[Sentence], stitch: float, eye: float | None = None) -> None:
-        super().__init__(built, stitch, eye)
-        self.heard = Heard(self.parts, sentences)
-        self.made.lost = self.heard.lost
-        self.text = built.pattern.text.text.lower()
+    def __init__(
+        self, built: Built, sentences: list[Sentence], stitch: float, eye: float | None, names: list[str]
+    ) -> None:
+        super().__init__(built, stitch, eye, names)
         of = built.graph.part
         self.sewn = {int(k) for a, b in built.sewn.tolist() for k in (of[a], of[b]) if of[a] != of[b]}
         if self.parts:
-            self.main = self._main()
             self._shaped()
+        self.heard = Heard(self.parts, sentences)
+        self.made.lost = self.heard.lost
+        self.text = built.pattern.text.text.lower()
+        if self.parts:
+            self.main = self._main()
 
     def _main(self) -> Made:
         """What everything else is put on: what parts are sewn to and is sewn to nothing, else the body, else the head,
         else a stem under its cap, else the largest part made once."""
-        single = [p for p in self.parts if p.copies == 1] or self.parts
+        bare = [p for p in self.parts if not p.worn] or self.parts
+        single = [p for p in bare if p.copies == 1] or bare
         largest = max(single, key=self.size)
         body = self.of_kind("body") or self.of_kind("head")
-        if body is not None and 3 * self.size(body) > self.size(largest):
+        if body is not None and (3 * self.size(body) > self.size(largest) or largest.kind):
             return body
         put = {c[0] for p in self.heard.puts for c in p.copies}
         under = [
-            p.host[0] for p in self.heard.puts if p.host is not None and p.host[0] not in put and p.host[0].copies == 1
+            p.host[0]
+            for p in self.heard.puts
+            if p.host is not None and p.host[0] not in put and p.host[0].copies == 1 and not p.host[0].worn
         ]
         if under:
             return max(under, key=self.size)
@@ -64,17 +75,24 @@ class Assembly(Toy):
         )
 
     def _shaped(self) -> None:
-        """Parts whose names say nothing: a large one beside the main part is its head, where there is none."""
-        if self.of_kind("head") is not None or self.main.kind not in ("body", ""):
+        """Parts whose names do not say what they are: a leg that goes on into the body; a large one beside the body."""
+        bare = [p for p in self.parts if p.copies == 1 and not p.worn]
+        if not bare:
             return
-        others = [p for p in self.parts if p.copies == 1 and not p.kind and p != self.main]
+        legs = sorted((p for p in bare if p.kind == "leg"), key=self.size)
+        if self.of_kind("body") is None and len(legs) > 1 and 2 * self.size(legs[-1]) > 3 * self.size(legs[-2]):
+            self._likely(legs[-1], "body")  # the leg that goes on into the body
+            return
+        body = self.of_kind("body")
+        if body is None or self.of_kind("head") is not None or "head" in body.kinds:
+            return
+        others = [p for p in bare if not p.kind and not self.spots.in_rows[self.spots.parts[p.name]]]
         large = max(others, key=self.size, default=None)
-        if large is not None and 3 * self.size(large) > self.size(self.main):
-            named = replace(large, likely="head")
-            self.parts[self.parts.index(large)] = named
-            for p in self.heard.puts:
-                p.copies = [(named, k) if q == large else (q, k) for q, k in p.copies]
-                p.host = (named, p.host[1]) if p.host is not None and p.host[0] == large else p.host
+        if large is not None and 3 * self.size(large) > self.size(body):
+            self._likely(large, "head")
+
+    def _likely(self, part: Made, kind: str) -> None:
+        self.parts[self.parts.index(part)] = replace(part, likely=kind)
 
     # -- the whole --------------------------------------------------------------------------------------------------
 
@@ -87,13 +105,18 @@ class Assembly(Toy):
         if usual and (self.heard.puts or self.heard.features):
             self._stand_up()
         put = Facer(self)
+        self._fill()
         waiting = self._tree()
+        trunk = [p for p in waiting if p.kind in ("head", "body", "neck")]
+        for p in trunk:
+            self.out += [(p.order, record) for record in put.part(p)]
+        # Eyes whose rounds are known come before a muzzle, which is below them.
+        self._eyes(put, [f for f in self._seeing(usual) if f.where.rounds is not None])
         for turn in ("plain", "beside"):
             if turn == "beside":
-                self._eyes(put, usual)
-            for p in list(waiting):
-                if bool(p.where.beside) == (turn == "beside") or p.copies[0][0].kind in ("muzzle", "head", "body"):
-                    waiting.remove(p)
+                self._eyes(put, [f for f in self._seeing(usual) if f.where.rounds is None])
+            for p in [p for p in waiting if p not in trunk]:
+                if (bool(p.where.beside) and p.kind != "muzzle") == (turn == "beside"):
                     self.out += [(p.order, record) for record in put.part(p)]
         for feature in self.heard.features:
             if feature.what != "safety eyes":
@@ -101,6 +124,21 @@ class Assembly(Toy):
         self.out += [(order, record) for record, order in self.heard.exact]
         self.made.finish = [record for _, record in sorted(self.out, key=lambda pair: pair[0])]
         return self.made
+
+    def _fill(self) -> None:
+        """Which parts are made to be flat: those that such parts are, and discs; where the text does not say it."""
+        text, starts = self.text, sorted(p.span.start for p in self.built.pattern.parts)
+        for part in self.built.pattern.parts:
+            made = next((p for p in self.parts if p.name == part.name), None)
+            if made is None or part.stuffing is not None or made == self.main:
+                continue
+            end = next((k for k in starts if k > part.span.start), len(text))
+            if re.search(r"\bstuff", text[part.span.start : end]) and not made.worn:
+                continue
+            counts = [r.count for r in self.built.rounds if r.part == self.spots.parts[f"{part.name}.1"]]
+            disc = bool(counts) and counts[-1] == max(counts) and counts[-1] > 4 * len(counts)
+            if disc or made.worn or made.kind in FLAT:
+                self.made.unstuffed.append(part.name)
 
     def _taken(self) -> set[Copy]:
         """Copies that sentences put somewhere."""
@@ -112,13 +150,13 @@ class Assembly(Toy):
         """Puts for parts that no sentence speaks of, and whose name says what they are."""
         taken, main = self._taken(), self.main
         order = len(self.heard.puts) + len(self.heard.features) + len(self.heard.exact)
-        said = bool(taken or self.heard.features or self.heard.everything)
         for part in self.parts:
             free = [(part, k) for k in range(1, part.copies + 1) if (part, k) not in taken]
             free = [c for c in free if self.spots.parts[c[0].copy(c[1])] not in self.sewn]
-            if not free or part == main or (not part.kind and not said):
+            if not free or part == main:
                 continue
-            if not part.kind and self.built.pattern.terms == "":
+            if not part.kind or part.worn:
+                self.made.apart.append(part.name)
                 continue
             onto = main if (part.kind in ("head", "body")) else None
             self.heard.puts.append(
@@ -151,6 +189,8 @@ class Assembly(Toy):
             return "side"
         if head is not None and head != main:
             return "end"
+        if main.kind == "head" and "body" not in main.kinds and legs:
+            return "start"
         if (
             early
             or any(p.kind == "tentacle" for p in self.parts)
@@ -177,11 +217,15 @@ class Assembly(Toy):
         main, head = self.main, self.of_kind("head")
         seen: set[Copy] = {(main, 1)}
         puts: list[Put] = []
-        for p in self.heard.puts:
+        # What says most of a place comes first, whatever was said before.
+        for p in sorted(self.heard.puts, key=lambda p: 0 if p.where.rounds else 1 if p.where.says else 2):
             if (main, 1) in p.copies:
                 # "Sew the body to the head": the head is put on the body.
                 if p.host is not None and len(p.copies) == 1 and p.host not in seen:
-                    p = replace(p, copies=[p.host], host=(main, 1))
+                    part, k = p.host
+                    p = replace(
+                        p, copies=[(part, n) for n in ([k] if k else range(1, part.copies + 1))], host=(main, 1)
+                    )
                 else:
                     p = replace(p, copies=[c for c in p.copies if c != (main, 1)], host=p.host or (main, 1))
             free = [c for c in p.copies if c not in seen and self.spots.parts[c[0].copy(c[1])] not in self.sewn]
@@ -192,7 +236,7 @@ class Assembly(Toy):
         exact = {r.part: r.spot.part for r, _ in self.heard.exact if isinstance(r, Placed)}
         on: dict[str, str] = {}
         for p in puts:
-            kind = p.copies[0][0].kind
+            kind = p.kind
             if p.host is None or p.host in p.copies:
                 host = (
                     main
@@ -202,6 +246,8 @@ class Assembly(Toy):
                     else main
                 )
                 p.host = (host, 1)
+            if kind == "head" and p.host[0].kind == "body" and (necks := self.of_kind("neck")) is not None:
+                p.host = (necks, 1)
             if kind == "inner" or "inner" in p.copies[0][0].words:
                 ears = [m for m in self.parts if m.kind == "ear" and m != p.copies[0][0]]
                 if ears and ears[0].copies >= len(p.copies):
@@ -225,22 +271,19 @@ class Assembly(Toy):
     def _goes_on_head(self, p: Put) -> bool:
         from tambour.crochet.places.usual import usual
 
-        kind = p.copies[0][0].kind
+        kind = p.kind
         return p.region == "head" or (p.region != "body" and usual(kind, len(p.copies))[0].on == "head")
 
-    def _eyes(self, put: Facer, usual: bool) -> None:
-        """Safety eyes; those that the materials list and no sentence places are guessed."""
-        said = [f for f in self.heard.features if f.what in ("safety eyes", "eyes", "closed eyes")]
+    def _eyes(self, put: Facer, features: list[Feature]) -> None:
+        for feature in features:
+            self.out += [(feature.order, record) for record in put.eyes(feature)]
+
+    def _seeing(self, usual: bool) -> list[Feature]:
+        """Safety eyes, where they are said; once, or those that the materials list, where nothing says more."""
+        every = [f for f in self.heard.features if f.what in ("safety eyes", "eyes", "closed eyes")]
         there = any("eye" in p.kinds for p in self.parts) or any(isinstance(r, Eye) for r, _ in self.heard.exact)
-        if (
-            usual
-            and not said
-            and not there
-            and re.search(r"\b(?:safety|plastic|toy|doll) eyes?\b|\beyes?:|\bbeads? for (?:the )?eyes", self.text)
-        ):
-            self.heard.features.append(
-                Feature("safety eyes", None, "", _NO_GUESS, Span(0, 0), 10_000, None, "eyes", True)
-            )
-        for feature in self.heard.features:
-            if feature.what == "safety eyes":
-                self.out += [(feature.order, record) for record in put.eyes(feature)]
+        listed = re.search(r"\b(?:safety|plastic|toy|doll) eyes?\b|\beyes?:|\bbeads? for (?:the )?eyes", self.text)
+        if usual and not every and not there and listed:
+            return [Feature("safety eyes", None, "", _NO_GUESS, Span(0, 0), 10_000, None, "eyes", True)]
+        said = [f for f in every if f.where.says] or every[:1]
+        return [f for f in said if f.what == "safety eyes"]

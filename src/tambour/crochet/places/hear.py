@@ -10,7 +10,7 @@ from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.places import face
-from tambour.crochet.places.names import Made, Mention, kind_of, mentions, one
+from tambour.crochet.places.names import SIDED, Made, Mention, kind_of, mentions, one
 from tambour.crochet.places.said import VERB, Where, clauses, where
 
 Copy = tuple[Made, int]
@@ -28,8 +28,31 @@ _ALL: Final = re.compile(
 )
 _STITCHES: Final = re.compile(r"\b(?:sc|hdc|dc|sl st|ch \d+|inc|dec|magic|marker|hook|seam)\b")
 _TO: Final = re.compile(
-    r"\b(?:to|onto|on|in|into|inside|over|at|along|around|atop|between|under|below|above|behind|against|through|of|underneath)\b"
+    r"\b(?:to|onto|on|in|into|inside|over|at|along|around|atop|between|under|below|above|behind|against|through|underneath|down)\b"
 )
+_ON: Final = re.compile(r"(?:sew|stitch|put|attach|pin|glue)\s+on\s+(?:the\s+|both\s+|all\s+)?")
+"""Where "on" may belong to the verb: "sew on the snout"."""
+_ADJACENT: Final = re.compile(
+    r"(?:\W*\b(?:the|an?|each|both|all|your|of|two|four|three|one|six|eight|\d+|open|ends?|edges?|tops?|bottom|base|lower|upper|wide|narrow|"
+    r"last|first|rnd|round|row|\d(?:st|nd|rd|th)|rounds?|rnds?|stuffed|piece|pieces|completed|finished|sides?|back|front|hind|fore|left|"
+    r"right|inner|outer|small|large|big|little|short|long|flat|straight|pair|safety|plastic|on|its|their|other|crocheted|unstuffed|cast|"
+    r"remaining|rem|same|colou?red|felt|up|foundation|ch|chain|opening|closed|rem|corner|second|white|black|pink)\b)*\W*(?:[a-z'’]+\s+)?$"
+)
+"""What may stand between a verb and what is put."""
+_PASSIVE: Final = re.compile(r"(?:\b(?:is|are|be|being|get|gets|should be)\s+|[:–—-]\s*|^|\beach\s+)$")
+_CLOSING: Final = re.compile(r"\b(?:closed|shut|tog|together|in half|seams?|opening|flat)\b")
+"""A sentence that closes a part, and puts it nowhere."""
+_IT: Final = re.compile(
+    r"(?:sew|stitch|attach|pin|place|position|glue|whipstitch|put|fasten|tack|secure|join|seam)\w*\s+(?:it\b|them\b|these\b|"
+    r"this\b|piece\b|both\b|to\b|onto\b|on\b|in place|in position|between\b|at\b|over\b|around\b|securely\b|firmly\b|\d|one\b|"
+    r"evenly\b|down\b|across\b|centered\b|under\b|below\b|above\b|along\b|each\b|using\b|as\b)"
+)
+"""A sentence that says what is done with the part that it stands in."""
+_NEAR: Final = re.compile(
+    r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|behind|in front of|level with|in line with|"
+    r"on (?:either|both|each) sides? of|as|from|towards?)\s+(?:the\s+|each\s+|both\s+|its\s+)*$"
+)
+"""Words before a part that something is only near."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +77,14 @@ class Put:
     span: Span
     order: int
     guess: bool = False
+    word: str = ""
+
+    @property
+    def kind(self) -> str:
+        """What the parts are: of "Arms and legs" what the sentence calls them."""
+        made = self.copies[0][0]
+        said = kind_of(self.word)
+        return said if said in made.kinds and len(made.kinds) > 1 and made.kind == "arm" else made.kind
 
 
 @dataclass
@@ -89,7 +120,7 @@ def assembling(text: str, names: list[str]) -> bool:
     if _STITCHES.search(low) and not re.search(r"\bsew\b|\bpin\b", low):
         return False
     if not re.search(
-        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|whipstitch|go)\b",
+        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|whipstitch|go|seam|applique)\b",
         low,
     ):
         return False
@@ -126,10 +157,14 @@ class Heard:
         if _ALL.search(low):
             self.everything = True
             return
-        heard = False
+        heard, begin = False, 0
         for a, b in clauses(low):
             shades = [rgb for at, rgb in sentence.colors if a <= at < b] or [rgb for _, rgb in sentence.colors[:1]]
-            heard = self._clause(low[a:b], sentence, order, shades[0] if shades else None) or heard
+            # What says nothing alone belongs to what follows: "locate the nose 1 rnd below and embroider it".
+            done = self._clause(low[a:b], sentence, order, shades[0] if shades else None) or (
+                begin < a and self._clause(low[begin:b], sentence, order, shades[0] if shades else None)
+            )
+            heard, begin = heard or done, b if done else begin
         if not heard:
             self.lost.append(sentence.span)
 
@@ -177,17 +212,18 @@ class Heard:
         verb = VERB.search(low)
         between = low[verb.end() : eyes] if verb and verb.end() <= eyes else ""
         return not re.search(
-            r"\b(?:below|under|beneath|above|between|beside|from|to|of)(?:\s+the|\s+each|\s+both)*\s*$", between
+            r"\b(?:below|under|beneath|above|between|beside|from|to|of|as|with|around|center|centre)(?:\s+the|\s+each|\s+both)*\s*$",
+            between,
         )
 
     def _put(self, low: str, found: list[Mention], at: Where, sentence: Sentence, order: int) -> bool:
         verb = VERB.search(low)
         if not verb or not re.search(
-            r"\b(?:sew|sewn|attach\w*|stitch\w*|pin\w*|position\w*|place\w*|join|fix|glue|fasten|secure|put|add|tack|whipstitch|set|insert|mount|center|centre)\b",
+            r"\b(?:sew|sewn|attach\w*|stitch\w*|pin\w*|position\w*|place\w*|join|fix|glue|fasten|secure|put|add|tack|whipstitch|set|insert|mount|center|centre|seam|applique)\b",
             low,
         ):
             return False
-        to = _TO.search(low, verb.end())
+        to = _TO.search(low, self._particle(low, verb, found, sentence))
         # "arms to the sides of the body and legs to its bottom" are two.
         more = [
             m for m in found if to and m.start > to.end() and _NEXT.match(low, m.end) and _MORE.search(low[: m.start])
@@ -198,22 +234,50 @@ class Heard:
             low = low[: more[0].start]
             at, found = where(low), [m for m in found if m.end <= more[0].start]
         objects = [m for m in found if m.start >= verb.end() and (not to or m.start < to.start())]
-        hosts = [m for m in found if to and m.start >= to.end()]
-        if not objects:
+        hosts = [m for m in found if to and m.start >= to.end() and not _NEAR.search(low[: m.start])]
+        if to is not None and at.rounds is not None:
+            # "the last round of the tail to the body": rounds of what is sewn say nothing of where.
+            there = where(low[to.start() :])
+            at = at if there.rounds is not None and there.rounds == at.rounds else replace(at, rounds=there.rounds)
+        if objects and not _ADJACENT.match(low[verb.end() : objects[0].start]):
+            objects = []
+        elif (
+            not objects and found and found[0].end <= verb.start() and _PASSIVE.search(low[found[0].end : verb.start()])
+        ):
             objects = [m for m in found if m.end <= verb.start()]
-        if not objects and sentence.part and to and (re.search(r"\b(?:it|them|these|this|piece|both)\b", low) or hosts):
+        if not objects and sentence.part and _IT.match(low, verb.start()):
             known = next((p for p in self.parts if p.name == sentence.part), None)
             if known is not None:
                 every = tuple((known, k) for k in range(1, known.copies + 1))
                 objects = [Mention(0, 0, known.words[-1] if known.words else "", every, True)]
+                hosts = [m for m in hosts if m.copies[0][0] != known]
+        if not hosts and _CLOSING.search(low) and len({c[0] for m in objects for c in m.copies}) < 2:
+            return bool(objects or sentence.part)
         if not objects:
             return False
         copies = list(dict.fromkeys(c for m in objects for c in m.copies))
-        host = next((c for m in hosts for c in m.copies if c[0] not in [p for p, _ in copies]), None)
+        host = next((_each(m, copies) for m in hosts for c in m.copies if c[0] not in [p for p, _ in copies]), None)
         if host is None and re.search(r"\btog(?:ether)?\b", low) and len({p.name for p, _ in copies}) == 2:
             host = copies.pop()
-        self.puts.append(Put(copies, host, self._region(low, host), at, sentence.span, order))
+            host = (host[0], 0) if host[0].copies == len([c for c in copies if c[0] != host[0]]) > 1 else host
+            copies = [c for c in copies if c[0] != host[0]]
+        word = {p: m.word for m in objects for p, _ in m.copies}
+        for group in _apart(copies):
+            self.puts.append(
+                Put(group, host, self._region(low, host), at, sentence.span, order, word=one(word[group[0][0]]))
+            )
         return True
+
+    @staticmethod
+    def _particle(low: str, verb: re.Match[str], found: list[Mention], sentence: Sentence) -> int:
+        """Where the words after a verb begin; "on" of "sew on the snout" belongs to it, not that of "sew on body"."""
+        on = _ON.match(low, verb.start())
+        after = next((m for m in found if on and m.start == on.end()), None)
+        if on is None or after is None:
+            return verb.end()
+        kind = after.copies[0][0].kind
+        limb = set(Made(sentence.part, 1).kinds) & {"leg", "arm", "tail", "foot", "body"}
+        return on.end() if kind not in ("head", "body") or (kind == "head" and limb) else verb.end()
 
     def _on(self, found: list[Mention], low: str) -> Copy | None:
         """The part that a face is on: one that is named after "on", "of", "to", and made once."""
@@ -226,6 +290,23 @@ class Heard:
         if re.search(r"\b(?:head|face|forehead)\b", low):
             return "head"
         return "body" if re.search(r"\b(?:body|torso|belly|chest|waist|hips?)\b", low) else ""
+
+
+def _each(mention: Mention, copies: list[Copy]) -> Copy:
+    """What is meant by a part that is named as a place: its first copy, or each (0) where as many are sewn to them."""
+    part, k = mention.copies[0]
+    own = [c for c in copies if c[0] == copies[0][0]]
+    return (part, 0) if len(mention.copies) > 1 and len(own) % part.copies == 0 else (part, k)
+
+
+def _apart(copies: list[Copy]) -> list[list[Copy]]:
+    """Copies by what they are: every part for itself, but the left and the right one of a pair together."""
+    groups: dict[str, list[Copy]] = {}
+    for part, k in copies:
+        sided = part.copies == 1 and SIDED & set(part.words)
+        key = " ".join(w for w in part.words if w not in SIDED) if sided else part.name
+        groups.setdefault(key, []).append((part, k))
+    return list(groups.values())
 
 
 def _pieces(low: str, features: list[str]) -> list[str]:

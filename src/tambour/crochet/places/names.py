@@ -8,31 +8,35 @@ from typing import Final
 
 # Kind → words that name it, singular, English first; then Spanish, German, French, Dutch.
 _KINDS: Final[dict[str, str]] = {
-    "head": "head face skull noggin kopf cabeza tête tete hoofd",
-    "body": "body torso trunk tummybody körper koerper rumpf cuerpo corps lijf lichaam",
-    "ear": "ear ohr oreja oreille oor",
+    "head": "head skull noggin kopf cabeza tête tete hoofd",
+    "body": "body torso tummybody körper koerper rumpf cuerpo corps lijf lichaam",
+    "ear": "ear eartuft ohr oreja oreille oor",
+    "face": "face gesicht cara visage gezicht",
     "eye": "eye eyeball pupil iris eyelid eyepatch auge ojo oeil œil oog",
-    "muzzle": "muzzle snout schnauze hocico museau snuit",
+    "muzzle": "muzzle snout trunk schnauze hocico museau snuit",
     "nose": "nose nase nariz nez neus proboscis",
     "beak": "beak bill schnabel pico bec snavel",
     "cheek": "cheek",
-    "arm": "arm hand armflipper brazo bras sleeve",
-    "leg": "leg bein pierna jambe been hindleg foreleg thigh",
-    "foot": "foot shoe boot paw hoof fuß fuss pie pied voet pata patte poot",
+    "beard": "beard mustache moustache wattle",
+    "arm": "arm hand armflipper glove mitten brazo bras",
+    "claw": "claw pincer",
+    "branch": "branch",
+    "leg": "leg bein pierna jambe been hindleg foreleg thigh pant",
+    "foot": "foot shoe boot bootie sandal slipper paw hoof fuß fuss pie pied voet pata patte poot",
     "tail": "tail schwanz cola queue staart",
     "fluke": "fluke",
     "wing": "wing flügel ala aile vleugel",
     "fin": "fin flipper flosse aleta nageoire vin",
-    "horn": "horn antler antenna antennae feeler ossicone tusk cuerno corne hoorn",
-    "hat": "hat cap beanie helmet crown bonnet roof lid mütze dach gorro sombrero chapeau bonnet hoed dak top hair wig hood",
-    "tuft": "mane bang fringe curl pigtail ponytail topknot tuft pompom comb crest bun bobble",
+    "horn": "horn antler antenna antennae antennaes feeler ossicone tusk cuerno corne hoorn",
+    "hat": "hat cap beanie helmet crown bonnet roof lid mütze dach gorro sombrero chapeau bonnet hoed dak hair wig hood fleece",
+    "tuft": "mane bang fringe curl pigtail ponytail topknot tuft pompom comb crest bun bobble forelock",
     "stem": "stem stalk stiel tallo tige steel twig chimney",
     "leaf": "leaf petal sepal blatt hoja feuille blad calyx frond",
     "bow": "bow flower rose heart star button ribbon schleife blume lazo flor",
     "spike": "spike spine scale plate dorsal",
     "belly": "belly tummy chest bib bauch barriga ventre buik",
     "spot": "spot dot patch stripe",
-    "collar": "collar scarf ruff belt necklace bowtie tie",
+    "collar": "collar ruff bowtie",
     "shell": "shell backpack carapace hump",
     "wheel": "wheel tire tyre",
     "door": "door window porthole pocket",
@@ -41,10 +45,23 @@ _KINDS: Final[dict[str, str]] = {
     "base": "base bottom sole",
     "inner": "inner",
     "tooth": "tooth fang tongue",
+    "handle": "handle spout",
+    "worn": "dress necktie skirt sweater cape coat bodice shirt tunic robe apron jacket vest cardigan undershirt overall dungaree jumper "
+    "trouser short legging jean knicker diaper tutu swimsuit romper pajama bandana necklace headband tiara bag purse basket blanket "
+    "strap lace tie scarf belt sleeve emblem bracelet glasses edging trim ruffle garland wreath clothe saddle bridle",
 }
 KINDS: Final[dict[str, str]] = {word: kind for kind, words in _KINDS.items() for word in words.split()}
 """Word → kind."""
-LIKE: Final = ({"fluke", "tail"}, {"fin", "arm", "wing"}, {"muzzle", "nose", "beak"}, {"leg", "foot"}, {"hat", "tuft"})
+LIKE: Final = (
+    {"fluke", "tail"},
+    {"fin", "arm", "wing"},
+    {"muzzle", "nose", "beak"},
+    {"leg", "foot"},
+    {"hat", "tuft"},
+    {"face", "head"},
+    {"claw", "arm"},
+    {"spot", "door"},
+)
 """Kinds that one word may mean for another, where no part has the word itself."""
 _ODD: Final = {
     "feet": "foot", "leaves": "leaf", "antennae": "antenna", "teeth": "tooth", "halves": "half", "hooves": "hoof",
@@ -53,15 +70,22 @@ _ODD: Final = {
     "scarves": "scarf", "loaves": "loaf",
 }  # fmt: skip
 _FILLER: Final = frozenset(("the", "a", "an", "and", "of", "for", "with", "each", "both", "&"))
+_OF: Final = frozenset(("of", "on", "for", "from", "at"))
 _WORD: Final = re.compile(r"[^\W\d_]+(?:['’]s)?|\d+")
 _SECOND: Final = frozenset(("right", "second", "other", "2nd"))
 _FIRST: Final = frozenset(("left", "first", "one", "1st"))
+SIDED: Final = _FIRST | _SECOND
+"""Words that tell the two of a pair apart."""
+_YARN: Final = frozenset(
+    ("long", "yarn", "beg", "beginning", "leaving", "using", "rem", "remaining", "with", "ending", "ch", "chain")
+)
+"""Words before the tail of yarn."""
 _EACH: Final = frozenset(("each", "either", "every", "both"))
 
 
 @dataclass(frozen=True)
 class Made:
-    """A part that is there to be sewn: its name, its copies, and what it is by its shape where its name does not say it."""
+    """A part that is there to be sewn: its name, its copies, and what it is by its shape where its name does not say it, or says it wrongly."""
 
     name: str
     copies: int
@@ -75,16 +99,28 @@ class Made:
 
     @property
     def kinds(self) -> list[str]:
-        """What its name says that it is, the last noun first."""
-        return list(dict.fromkeys(kind_of(w) for w in reversed(self.words) if kind_of(w)))
+        """What its name says that it is, the last noun first; "top of head" is no head."""
+        words = [one(w) for w in _WORD.findall(self.name.lower().replace("_", " "))]
+        words = words[: next((k for k, w in enumerate(words) if k and w in _OF), None)]
+        return list(dict.fromkeys(kind_of(w) for w in reversed(words) if kind_of(w)))
 
     @property
     def kind(self) -> str:
-        """What it is by its name; "" unknown. Where it is several things the greatest of them."""
+        """What it is by its name; "" unknown. Of several joined by "and" a body or a head, else the last noun."""
         found = self.kinds
-        return next(
-            (k for k in ("body", "head") if k in found and "inner" not in found), found[0] if found else self.likely
-        )
+        if self.likely or not found:
+            return self.likely
+        if found[0] == "worn" and "bow" in found:
+            return "bow"
+        if {"arm", "leg"} <= set(found):
+            return "arm"
+        joined = set(found) <= {"head", "body", "neck", "leg"} or re.search(r"\band\b|&", self.name.lower())
+        return next((k for k in ("body", "head") if joined and k in found), found[0])
+
+    @property
+    def worn(self) -> bool:
+        """Whether it is put on a toy, and not sewn to make it."""
+        return "worn" in self.kinds
 
     def copy(self, k: int) -> str:
         """The name of its k-th copy, from 1."""
@@ -132,7 +168,7 @@ def mentions(text: str, parts: list[Made]) -> list[Mention]:
     at = 0
     while at < len(words):
         n, hit = _best(words, at, parts)
-        if not hit:
+        if not hit or (words[at][3] == "tail" and at and words[at - 1][2] in _YARN):
             at += 1
             continue
         found.append(_mention(words, at, n, hit))
@@ -171,7 +207,7 @@ def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) ->
     kind = kind_of(word)
     if not kind:
         return 0, []
-    alike = [p for p in parts if kind in p.kinds]
+    alike = [p for p in parts if kind in p.kinds or kind == p.likely]
     if not alike:
         alike = [p for p in parts for group in LIKE if kind in group and set(p.kinds) & group]
     return (1, alike) if alike else (0, [])
@@ -186,6 +222,14 @@ def _mention(words: list[tuple[int, int, str, str]], at: int, n: int, hit: list[
         closer = [p for p in hit if set(p.words) & (near - {last[3]})]
         hit = closer or hit
     copies = [(p, k) for p in hit for k in range(1, p.copies + 1)]
+    if len(hit) == 1 and hit[0].copies == 4:
+        # Of four the first two are arms, or front legs.
+        both = {"arm", "leg"} <= set(hit[0].kinds) and kind_of(last[3]) in ("arm", "leg")
+        low = kind_of(last[3]) == "arm" if both else bool(before & {"front", "fore"})
+        if (both and not {"arm", "leg"} <= {kind_of(w[3]) for w in words[at : at + n]}) or (
+            kind_of(last[3]) in ("leg", "foot") and before & {"front", "fore", "back", "hind", "rear"}
+        ):
+            copies = copies[:2] if low else copies[2:]
     after = {w[2] for w in words[at + n : at + n + 5]}
     if not plural and len(copies) > 1 and len(hit) == 1 and before & (_FIRST | _SECOND) and not after & _EACH:
         k = 2 if before & _SECOND else 1

@@ -28,6 +28,14 @@ _ON_TOP: Final = frozenset(("head", "body", "hat", "neck", "stem", "base", "inne
 """What goes on an end of what it is sewn to, without a word."""
 
 
+_BELOW_EYES: Final = {"muzzle": 0.75, "nose": 0.4, "beak": 0.3}
+"""How far below the eyes the middle of a thing is, in halves of its width, where nothing says it."""
+_LAID: Final = frozenset(("belly", "spot", "face", "eye", "cheek", "muzzle", "nose", "door", "bow", "inner"))
+"""Kinds of pieces that lie on the fabric, sewn all round, where they are worked in rows."""
+_PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
+"""Kinds of open pieces that stand on a line, where they are not stuffed."""
+
+
 class Putter(Beside):
     """Puts parts on a toy's parts, one after the other."""
 
@@ -37,20 +45,31 @@ class Putter(Beside):
         """The records of a part, or of all its copies."""
         assert put.host is not None
         work, made = self.work, put.copies[0][0]
-        kind = made.kind
+        kind = put.kind
+        if kind == "head" and put.host[0].kind == "neck" and self._lies((work.main, 1)):
+            ways = [Way((0.0, 0.9, 0.4), (0.0, 0.05, 1.0), flat=False)]
+            host = work.host(put.host)
+            spot, way = self._spotted(put, host, ways[0], 0)
+            record = self._placed(put, put.copies[0], spot, way, host)
+            self.stand.place(record)
+            return [record]
         if kind in ("head", "body") and put.host[0].kind in ("head", "body", "neck", "") and not put.where.rounds:
             joined = self._joint(put)
             if joined is not None:
                 return joined
         if put.host[1] == 0:  # one on each copy of something
             found: list[Placed] = []
-            for c in put.copies:
-                found += self.part(replace(put, copies=[c], host=(put.host[0], min(c[1], put.host[0].copies))))
+            on, many = put.host[0], len(put.copies)
+            for k in range(on.copies):
+                own = [c for i, c in enumerate(put.copies) if i * on.copies // many == k]
+                found += self.part(replace(put, copies=own, host=(on, k + 1))) if own else []
             return found
         lies = self._lies(put.host)
         wanted = frozenset(w for c in put.copies for w in c[0].words) | (
             frozenset(put.where.text.split()) - {"front", "fore"}
         )
+        if made.copies == 4 and len(put.copies) == 2:
+            wanted |= {"front"} if put.copies[0][1] == 1 else {"hind"}
         ways = usual(kind, len(put.copies), lying=lies, long=self._long(put.copies[0]), words=wanted)
         # The same noun on several parts ("left ear", "right ear"), or one copy of several.
         if len(put.copies) == 1 and (made.copies == 2 or {"left", "right"} & set(made.words)):
@@ -87,6 +106,10 @@ class Putter(Beside):
     def _spotted(self, put: Put, host: Host, way: Way, k: int) -> tuple[Spot, Way]:
         """Where one copy goes."""
         at, direction = put.where, way.direction
+        if at.rounds is not None and put.region == "body" and host.low > 1 and at.rounds[1] < host.low:
+            # Rounds of a body that is worked on from the head, and numbered from 1 again.
+            low, high, between = at.rounds
+            at = replace(at, rounds=(low + host.low - 1, high + host.low - 1, between))
         beside = self._beside(put.where, host, way, self._half(put.copies[k]))
         if at.rounds is not None:
             level = 0.5 * (at.rounds[0] + at.rounds[1])
@@ -100,6 +123,11 @@ class Putter(Beside):
             return Spot(host.name, level, round(stitch, 3), put.span), way
         if beside is not None:
             return replace(host.near(beside), span=put.span), way
+        eyes = self.known.get("eye")
+        if put.kind in _BELOW_EYES and eyes is not None and eyes[0] == host.name and not at.says:
+            middle, deep = np.array(eyes[1]).mean(0), self.deep.get("eye", 0.5)
+            drop = deep + _BELOW_EYES[put.kind] * self._half(put.copies[k])
+            return replace(host.near(host.ahead(middle[0], middle[1] - drop)), span=put.span), way
         if "tip" in at.words and len(put.copies) == 1:
             pole = self._far_end(host)
             if pole is not None:
@@ -162,7 +190,9 @@ class Putter(Beside):
         name = copy[0].copy(copy[1])
         edge = self.work.open(name)
         if self.work.spots.in_rows[self.work.spots.parts[name]]:
-            return False
+            return copy[0].kind in _LAID
+        if copy[0].name in self.work.made.unstuffed and copy[0].kind in _PINCHED:
+            return edge >= 4
         if way.flat is None:
             levels = self.work.host((copy[0], 1)).levels
             return (

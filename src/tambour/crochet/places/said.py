@@ -9,7 +9,7 @@ from typing import Final
 VERB: Final = re.compile(
     r"\b(?:sew|sewn|sewing|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
     r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
-    r"set|hot-?glue|work|tie|mount|push|make|draw|applique)\b"
+    r"set|hot-?glue|work|tie|mount|push|make|draw|applique|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
 )
 """Words that put something somewhere."""
 
@@ -108,7 +108,9 @@ class Where:
 def where(text: str) -> Where:
     """What ``text`` (in small letters) says of a place."""
     rounds = None
-    found = _ROUNDS.search(text) or _ORDINAL.search(text)
+    text = re.sub(r"\b(?:approx(?:imately)?\.?|about|around(?= \d)|roughly)\s+", "", text)
+    both = [m for m in (_ROUNDS.search(text), _ORDINAL.search(text)) if m is not None]
+    found = min(both, key=lambda m: m.start(), default=None)
     if found:
         first, last = float(found[2]), float(found[4] or found[2])
         rounds = (first, last, found[1] == "between" and found[4] is not None)

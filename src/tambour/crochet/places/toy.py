@@ -3,40 +3,51 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.build import Built
-from tambour.crochet.graph.spots import Spots, rim
+from tambour.crochet.graph.spots import Spots, sewn_rim
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.places.hear import Copy
 from tambour.crochet.places.names import Made
 from tambour.crochet.places.stand import Host, Stand, neck, numbers_of
 
+_TALL: Final = 0.45
+"""A part with so many rounds to a stitch of its widest is longer than wide."""
+
 
 @dataclass
 class Assembled:
-    """What came of it: records in order; which way parts stand; what was guessed (part → words); what says no place."""
+    """What came of it: records in order; which way parts stand; what was guessed (part → words); what says no place.
+
+    apart : parts that nothing places, which stand beside the toy; unstuffed : those that nobody fills, by their names
+    """
 
     finish: list[Finish] = field(default_factory=list)
     ups: dict[str, str] = field(default_factory=dict)
     guessed: list[str] = field(default_factory=list)
     loose: list[str] = field(default_factory=list)
     lost: list[Span] = field(default_factory=list)
+    apart: list[str] = field(default_factory=list)
+    unstuffed: list[str] = field(default_factory=list)
 
 
 class Toy:
     """A pattern's parts in the poses known so far.
 
     built : the pattern worked; stitch : a stitch's width, mm; eye : the size of eyes that the materials name, mm
+    names : of its parts, where the pattern makes several toys
     parts : those with stitches; main : what everything else is put on; up : which way parts stand as the text says
     out : records so far, each with the order of its sentence; made : what comes of it
     """
 
-    def __init__(self, built: Built, stitch: float, eye: float | None) -> None:
+    def __init__(self, built: Built, stitch: float, eye: float | None, names: list[str]) -> None:
         self.built, self.stitch, self.eye = built, stitch, eye
         self.spots = Spots(built)
         self.stand = Stand(self.spots)
-        named = [Made(p.name, p.copies) for p in built.pattern.parts if f"{p.name}.1" in self.spots.parts]
+        named = [Made(p.name, p.copies) for p in built.pattern.parts
+                 if f"{p.name}.1" in self.spots.parts and p.name in names]  # fmt: skip
         self.parts = [p for p in named if self.size(p) > 2] or named
         self.main = self.parts[0] if self.parts else Made("", 1)
         self.up = {p.name: p.up for p in built.pattern.parts}
@@ -51,7 +62,7 @@ class Toy:
     def open(self, name: str) -> int:
         """How many stitches the open edge of a part has; 0 where it is closed or worked in rows."""
         part = self.spots.parts[name]
-        return 0 if self.spots.in_rows[part] else len(rim(self.built, part))
+        return 0 if self.spots.in_rows[part] else len(sewn_rim(self.built, part))
 
     def of_kind(self, *kinds: str) -> Made | None:
         """The largest part of a kind that is made once."""
@@ -64,9 +75,32 @@ class Toy:
         part = self.spots.parts[name]
         low, high = numbers_of(self.spots, part)
         alone = not [p for p in self.parts if p != copy[0] and p.copies == 1 and p.kind in ("head", "body")]
-        waist = neck(self.spots, part) if region and alone else None
+        waist = (neck(self.spots, part) or self._half(part, low, high)) if region and alone else None
         if waist is not None:
             x, own = self.stand.x, self.stand.nodes(part)
             down = x[own[0], 1] > x[own[-1], 1] if abs(x[own[0], 1] - x[own[-1], 1]) > 2.0 else True
             low, high = (low, waist) if (region == "head") == bool(down) else (waist, high)
         return Host(self.stand, name, low, high)
+
+    def _half(self, part: int, low: int, high: int) -> int | None:
+        """The round in the middle of a part that is clearly longer than wide; None of a ball."""
+        widest = max(int(r.count) for r in self.built.rounds if r.part == part)
+        return (low + high) // 2 if high - low + 1 > _TALL * widest and not self.spots.in_rows[part] else None
+
+
+def toys(built: Built) -> list[list[str]]:
+    """The parts of every toy that a pattern makes, by name: another begins with a head or body that is there already."""
+    made: list[list[str]] = [[]]
+    trunks: set[str] = set()
+    limbs = False
+    for section in built.pattern.parts:
+        part = Made(section.name, section.copies)
+        trunk = part.kind in ("head", "body")
+        key = " ".join(part.words) if trunk else ""
+        if trunk and limbs and (key in trunks or (part.kind == "body" and any("body" in k.split() for k in trunks))):
+            made.append([])
+            trunks, limbs = set(), False
+        made[-1].append(section.name)
+        trunks |= {key} if trunk else set()
+        limbs = limbs or (bool(part.kind) and not trunk)
+    return made

@@ -71,6 +71,10 @@ _PAIRS: Final[dict[str, Way]] = {
     "tooth": Way((0.2, -0.35, 0.95), (0.0, -1.0, 0.3), _ACROSS, None, on="head"),
     "belly": Way((0.35, 0.0, 0.9), None, flat=False),
     "door": Way((0.5, 0.15, 0.85), None, flat=False),
+    "claw": Way((0.25, 0.0, 1.0), (0.35, 0.0, 1.0), flat=None),
+    "branch": Way((0.7, 0.3, 0.3), (0.8, 0.6, 0.0), flat=False),
+    "face": Way((0.4, 0.2, 0.9), None, on="head"),
+    "handle": Way((0.95, 0.1, 0.0), (1.0, 0.3, 0.0), flat=False),
 }
 _SINGLE: Final[dict[str, Way]] = {
     "muzzle": Way((0.0, -0.22, 1.0), None, on="head"),
@@ -100,6 +104,10 @@ _SINGLE: Final[dict[str, Way]] = {
     "head": Way(_UP, _UP, flat=False),
     "arm": Way((0.92, 0.45, 0.12), (0.62, -0.8, 0.22), _ALONG, True),
     "ear": Way((0.72, 0.72, 0.0), (0.65, 0.8, 0.0), (0.8, -0.65, 0.0), None, on="head"),
+    "face": Way((0.0, 0.12, 1.0), None, on="head"),
+    "beard": Way((0.0, -0.5, 0.9), (0.0, -0.7, 0.7), _ACROSS, None, on="head"),
+    "handle": Way((0.95, 0.1, 0.0), (1.0, 0.3, 0.0), flat=False),
+    "claw": Way((0.0, 0.0, 1.0), (0.0, 0.0, 1.0), flat=None),
     "": Way((0.0, 0.0, 1.0), None),
 }
 # On a body that lies with its front ahead, these differ.

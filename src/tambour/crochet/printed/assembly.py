@@ -14,7 +14,7 @@ from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.assemble import Assembly
 from tambour.crochet.places.hear import Sentence
 from tambour.crochet.places.said import size
-from tambour.crochet.places.toy import Assembled
+from tambour.crochet.places.toy import Assembled, toys
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.tokens import Token
@@ -27,11 +27,13 @@ UNPLACED: Final = "where this goes is not understood"
 
 @dataclass(frozen=True)
 class Said:
-    """A sentence of finishing as it stands in the text: its tokens as read; ``part``: the part that it stands in."""
+    """A sentence of finishing as it stands in the text: its tokens as read; ``part``: the part that it stands in;
+    ``headed``: a heading stands between, of something that is not crocheted."""
 
     tokens: list[Token]
     part: str
     span: Span
+    headed: bool = False
 
 
 def shades(tokens: list[Token], palette: Palette, start: int) -> tuple[tuple[int, RGB], ...]:
@@ -58,11 +60,24 @@ def assembled(built: Built, said: list[Said], phrases: Phrases, palette: Palette
         span = one.span
         words = built.pattern.text.text[span.start : span.end]
         exact: Finish | None = phrases.finishing(words, span)
-        sentences.append(Sentence(words, span, one.part, shades(one.tokens, palette, span.start), exact))
-    return _assembly(built, sentences).assemble(usual)
+        part = "" if one.headed else one.part
+        sentences.append(Sentence(words, span, part, shades(one.tokens, palette, span.start), exact))
+    made = Assembled()
+    groups = toys(built)
+    own = {name: k for k, names in enumerate(groups) for name in names}
+    for k, names in enumerate(groups):
+        mine = [heard for one, heard in zip(said, sentences) if own.get(one.part, k) == k]
+        found = _assembly(built, mine, names).assemble(usual)
+        made.finish += found.finish
+        made.ups |= found.ups
+        for whole, more in ((made.guessed, found.guessed), (made.loose, found.loose), (made.apart, found.apart),
+                            (made.unstuffed, found.unstuffed)):  # fmt: skip
+            whole += more
+        made.lost += found.lost
+    return made
 
 
-def _assembly(built: Built, sentences: list[Sentence]) -> Assembly:
+def _assembly(built: Built, sentences: list[Sentence], names: list[str]) -> Assembly:
     from tambour.crochet.yarns import swatch_of
 
     stated = built.pattern.stated
@@ -74,7 +89,7 @@ def _assembly(built: Built, sentences: list[Sentence]) -> Assembly:
         else (found[0] if (found := _EYES.search(built.pattern.text.text)) else "")
     )
     eyes = size(listed.lower())
-    return Assembly(built, sentences, width, eyes)
+    return Assembly(built, sentences, width, eyes, names)
 
 
 def told(found: Assembled) -> str:
@@ -83,6 +98,9 @@ def told(found: Assembled) -> str:
 
 
 def with_places(pattern: Pattern, found: Assembled) -> Pattern:
-    """The pattern with its parts standing as the assembly asks."""
-    parts = tuple(replace(p, up=found.ups.get(p.name, p.up)) for p in pattern.parts)
+    """The pattern with its parts standing as the assembly asks, and those flat that nobody fills."""
+    parts = tuple(
+        replace(p, up=found.ups.get(p.name, p.up), stuffing=0.0 if p.name in found.unstuffed else p.stuffing)
+        for p in pattern.parts
+    )
     return replace(pattern, parts=parts)

@@ -66,7 +66,7 @@ class Printed(State):
         if self.lead and self.parts:
             self.parts[-1].lines += self.lead
         self.parts = [draft for draft in self.parts if draft.begun()]
-        if self.sentences and self.parts and not self.parts[0].name:
+        if (self.sentences or len(self.parts) > 1) and self.parts and not self.parts[0].name:
             taken = {draft.name.lower() for draft in self.parts}
             self.parts[0].name = "piece" if len(self.parts) == 1 or "body" in taken else "Body"  # sentences want a name
         sections = tuple(draft.section(source) for draft in self.parts)
@@ -116,6 +116,11 @@ class Printed(State):
         if found.guessed:
             hint = "say the rounds, and how many stitches apart, to have them elsewhere"
             source.doubt(f"{GUESSED}: {told(found)}", hint, Span(0, 0))
+        if found.apart:
+            hint = "say where they are sewn: sew the part to the body between rounds 5 and 6"
+            source.doubt(
+                f"no sentence places these, so they stand beside it: {', '.join(found.apart)}", hint, Span(0, 0)
+            )
         for record in found.finish:
             # What is guessed wrongly is told, and does not refuse the whole text.
             trial = Source(source.text, source.strict)

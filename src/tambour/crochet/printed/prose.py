@@ -66,7 +66,8 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         return
     first = tokens[0]
     names = [t for t in tokens if t.kind != "mark"]
-    if len(names) <= 3 and first.kind == "key" and first.value in MODES:
+    listed = first.value != "eyes" or p.mode in ("materials", "abbreviations")
+    if len(names) <= 3 and first.kind == "key" and first.value in MODES and listed:
         p.mode = MODES[first.value]
         p.below = BELOW.get(first.value, "")
         p.heading = None
@@ -86,8 +87,8 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         if p.title is None:
             p.title = (text[found.span.start : found.span.end], found.span)
             p.heading = found if found.strong else None
-        else:
-            p.heading = found
+        elif p.heading is None or p.heading.copies_span is None or found.copies_span is not None:
+            p.heading = found  # "Arms (make 2)." before "Glove: With A, ch 2." stays
         if found.copies > 1 and found.name == "":
             p.heading = None
         return
@@ -283,7 +284,8 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
     if not assembling(text, [draft.name for draft in p.parts]):
         return False
-    p.sentences.append(Said(tokens, p.parts[-1].name, Span(tokens[0].start, tokens[-1].end)))
+    span = Span(tokens[0].start, tokens[-1].end)
+    p.sentences.append(Said(tokens, p.parts[-1].name, span, p.heading is not None))
     return True
 
 
