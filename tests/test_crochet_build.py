@@ -211,6 +211,7 @@ def test_a_wrong_count_is_told_with_the_fault_that_follows():
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "text, place",
     [

@@ -143,6 +143,7 @@ def test_warnings_reach_the_report() -> None:
     assert any("not quite at rest" in str(w) for w in progress.warnings)
 
 
+@pytest.mark.slow
 def test_views_exist_for_their_suffixes() -> None:
     piece = made(BALL, solver="none")
     for name, view in CRAFT.views.items():
@@ -195,6 +196,7 @@ def test_yarn_is_measured_by_colour() -> None:
     assert 110 * 0.005 * 7 < sum(y["metres"] for y in told) < 110 * 0.005 * 9.5
 
 
+@pytest.mark.slow
 def test_a_side_is_seen_from_there() -> None:
     from tambour.crochet.page.portrait import SIDES, portrait
 

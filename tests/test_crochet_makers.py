@@ -123,6 +123,7 @@ def test_there_are_enough_mistakes() -> None:
     assert len(PLANTED) >= 100 and min(kinds.values()) >= 5, kinds
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["count", "missing", "swapped", "terms"])
 def test_every_planted_mistake_is_found(kind: str) -> None:
     missed = []

@@ -78,6 +78,7 @@ def test_the_booklet_says_everything() -> None:
     assert all(text.count(f"{label}\n") >= 1 for label in rounds)
 
 
+@pytest.mark.slow
 def test_the_file_holds_real_text_the_same_bytes_and_no_date(tmp_path: Path) -> None:
     drawings = booklet(designer="Anna Weaver", title="A small toy")
     for name in ("one.pdf", "two.pdf"):

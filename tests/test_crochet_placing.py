@@ -148,6 +148,7 @@ def nodes(piece: Plush, name: str) -> slice:
     return slice(p.start, p.end)
 
 
+@pytest.mark.slow
 def test_placed_parts_are_sewn_where_they_are_placed() -> None:
     piece = toy(SNOWMAN)
     assert piece.shape.settled
@@ -268,6 +269,7 @@ def test_parts_stand_on_parts_that_stand_on_parts() -> None:
         assert np.linalg.norm(x[pairs[:, 0]] - x[pairs[:, 1]], axis=1).max() < 1.0, name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("options", [{"solver": "none"}, {"solver": "steps", "steps": 60}, {"start": "one-by-one"}])
 def test_parts_are_placed_whatever_the_solver(options: dict[str, Any]) -> None:
     piece = make(Text(SNOWMAN), CrochetParams(**options), Progress())

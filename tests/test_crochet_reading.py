@@ -232,6 +232,7 @@ WORDS = st.sampled_from(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=300, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(st.lists(st.lists(WORDS, max_size=14).map(" ".join), max_size=6).map("\n".join))
 def test_whatever_is_written_is_read_or_told(text):
@@ -242,6 +243,7 @@ def test_whatever_is_written_is_read_or_told(text):
         assert all(0 <= p.span.start <= p.span.end <= len(text) + 30 for p in told.problems if p.span)
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(st.text(max_size=300))
 def test_any_text(text):
@@ -268,6 +270,7 @@ def work(text: str) -> int:
     return calls
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "line",
     [

@@ -40,6 +40,7 @@ def apart(a: np.ndarray, b: np.ndarray) -> float:
 STUFFINGS = ["pressure", "centroid", "skeleton", "none"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stuffing", STUFFINGS)
 @pytest.mark.parametrize("count", [0, 1, 10])
 def test_steps_from_rounds_are_the_formulas(stuffing: str, count: int) -> None:

@@ -50,6 +50,7 @@ def piece(name: str) -> Plush:
     return make(Text((EXAMPLES / f"{name}.acl").read_text(), name), CrochetParams(), Progress())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_an_example_is_at_rest_and_has_its_size(name: str) -> None:
     made = piece(name)
@@ -66,6 +67,7 @@ def test_unconnected_stitches_are_half_a_stitch_apart(name: str) -> None:
     assert pairs(np.ascontiguousarray(x), offsets, neighbours, 0.5, 0.5, 0.0, out, reach) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_the_surface_does_not_pass_through_itself(name: str, tmp_path: Path) -> None:
     pytest.importorskip("ipctk")

@@ -11,6 +11,7 @@ from tambour.embroidery.plan.facts import facts
 from tambour.embroidery.plan.make import make
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "params", "jumps"),
     [

@@ -59,6 +59,7 @@ def test_family_is_one_thread_inside(family):
     assert told["stitches"] > 20
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("family", COVERING)
 def test_family_covers(family):
     made = piece(family, locks=False)
@@ -177,6 +178,7 @@ def test_basting_and_knockdown_come_first():
     assert np.ptp(made.plan.xy[sewn][:, 0]) == pytest.approx(np.ptp(leaf()[0][:, 0]) + 10, abs=0.2) and len(box)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("guide", [True, False])
 def test_flow_follows_its_guide(guide):
     from tambour.embroidery.lines.field import direction, field

@@ -41,6 +41,7 @@ def polygon(draw):
     return [outer, *holes], area
 
 
+@pytest.mark.slow
 def test_rows_equal_shapely_on_ten_thousand_polygons_with_holes():
     draw = np.random.Generator(np.random.PCG64(5))
     done = worst = 0

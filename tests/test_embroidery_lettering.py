@@ -138,6 +138,7 @@ def test_every_letter_of_three_faces_is_sewn(face, size):
         sewn(letter, data, size)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_satin_of_any_shape_is_thread(seed):
     """Blots of discs and bars, with holes and necks: columns or what they leave, never a fault."""
@@ -159,6 +160,7 @@ def test_satin_of_any_shape_is_thread(seed):
         assert len(made.plan) > 10
 
 
+@pytest.mark.slow
 def test_traced_pictures_are_rows_not_ways(root):
     """Few short stitches, few long ways (turns from row to row left out), and none below the least."""
     source = files.read(root / "examples" / "embroidery" / "bear.jpg", ("Picture",))

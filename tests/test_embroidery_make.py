@@ -61,6 +61,7 @@ COMES_BACK = """<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="20m
 <path d="M10 9h4v2h-4z" fill="#fff"/></svg>"""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["pes", "jef", "sew", "vp3"])
 def test_a_colour_that_comes_back_is_the_same_thread(tmp_path, suffix):
     (tmp_path / "in.svg").write_text(COMES_BACK)

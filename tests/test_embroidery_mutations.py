@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 
 import numpy as np
+import pytest
 
 from tambour import files
 from tambour.core.errors import TambourError
@@ -74,6 +75,7 @@ def mutated(text, draw):
     return text
 
 
+@pytest.mark.slow
 def test_two_thousand_mutations(tmp_path):
     draw = np.random.Generator(np.random.PCG64(11))
     path = tmp_path / "m.svg"

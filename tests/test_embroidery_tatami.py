@@ -43,6 +43,7 @@ def filled(request):
     return request.param, tidy(made, 0.3), made
 
 
+@pytest.mark.slow
 def test_star_is_one_thread_inside_its_outline(filled, area):
     how, made, whole = filled
     step = np.hypot(*np.diff(made.xy, axis=0).T)

@@ -200,6 +200,7 @@ def damaged(raw: bytes, rng: np.random.Generator, how: int) -> bytes:
     return bytes(data)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ALL)
 def test_damage_gives_a_design_or_one_line(tmp_path, suffix):
     """200 mutations of each format: never a raw exception, and a file cut short never passes for whole."""

@@ -188,6 +188,7 @@ def test_what_is_no_mesh_is_told(tmp_path: Path, suffix: str) -> None:
             files.read(path, ["Mesh"])
 
 
+@pytest.mark.slow
 @given(st.data())
 def test_damaged_files_give_a_mesh_or_an_error(tmp_path_factory: pytest.TempPathFactory, data: st.DataObject) -> None:
     suffix = data.draw(st.sampled_from([".glb", ".obj", ".ply", ".stl"]))

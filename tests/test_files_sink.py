@@ -67,6 +67,7 @@ def holds(folder: Path) -> dict[str, bytes]:
     return {p.name: p.read_bytes() if p.is_file() else b"/" for p in folder.iterdir()}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("suffix", "kind"), sorted(files.WRITE))
 def test_a_full_disk_is_told_and_keeps_the_old_files(
     suffix: str, kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -265,6 +265,7 @@ def _square_font() -> Font:
     return Font(out.getvalue(), "square")
 
 
+@pytest.mark.slow
 def test_a_font_sets_inscription_and_seal_as_outlines() -> None:
     given = Ink(seed="1", span=800.0, density=0.0, inscription="山\n山", seal="山", paper=False)
     made = scroll.make(None, given.model_copy(update={"font": _square_font()}), Progress())

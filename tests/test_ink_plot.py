@@ -351,6 +351,7 @@ def test_layers_tell_the_axidraw_when_to_wait_and_how_to_hold_the_pen(tmp_path):
     assert all(layer.down <= 5000 for layer in page)
 
 
+@pytest.mark.slow
 def test_vpype_draws_the_scroll_by_itself(tmp_path):
     vpype = pytest.importorskip("vpype")
     root = Path(__file__).parents[1]

@@ -156,6 +156,7 @@ def test_every_kind_of_argument_and_result(built: Path) -> None:
     assert _tried(built, TRIED, TAMBOUR_KERNELS="native") == ""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("old", "new"),
     [("SCALE = 3.0", "SCALE = 2.0"), ("return SCALE * x", "return x * SCALE"), ("return scaled(x", "return -scaled(x")],

@@ -88,6 +88,7 @@ def case(rng):
     return Task(np.zeros((1, n), np.float32), start, limit, **mask)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(8))
 def test_no_solver_finds_less(seed):
     rng = np.random.default_rng(seed)

@@ -21,6 +21,7 @@ COMMANDS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("line", COMMANDS, ids=lambda line: Path(shlex.split(line)[1]).stem)
 def test_example(line: str, tmp_path: Path) -> None:
     words = [w.format(examples=EXAMPLES, out=tmp_path) for w in shlex.split(line)]

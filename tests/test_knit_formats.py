@@ -56,6 +56,7 @@ def same(a: Chart, b: Chart, masks: tuple[str, ...] = ("no_stitch", "relaxed", "
         assert (mine == other).all(), name
 
 
+@pytest.mark.slow
 @given(chart=charts())
 def test_a_project_is_lossless(chart: Chart, tmp_path_factory: pytest.TempPathFactory) -> None:
     path = tmp_path_factory.mktemp("p") / "chart.json"
@@ -67,6 +68,7 @@ def test_a_project_is_lossless(chart: Chart, tmp_path_factory: pytest.TempPathFa
     assert back.circular == chart.circular and back.gauge == chart.gauge
 
 
+@pytest.mark.slow
 @given(chart=charts())
 def test_pixels_and_tables_come_back(chart: Chart, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = tmp_path_factory.mktemp("p")

@@ -48,6 +48,7 @@ def random_case(rng, stitches):
     return Task(tone, start, int(rng.integers(1, 6)), **more), cells
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_a_row_is_the_best_of_all_rows(seed):
     rng = np.random.default_rng(seed)

@@ -35,6 +35,7 @@ SUFFIX = {
 EXPECTED = ("too few for a machine", "shaped chart", "knits flat", "leave stitches out", "the disk holds")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CHARTS)
 def test_every_view_of_odd_charts(name: str, tmp_path: Path) -> None:
     refused = []

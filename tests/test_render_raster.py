@@ -118,6 +118,7 @@ def test_what_is_hidden_from_the_lamp_is_darker() -> None:
     assert (raster.picture(one, width=60).rgba != raster.picture(two, width=60).rgba).any()
 
 
+@pytest.mark.slow
 def test_same_bytes_whatever_the_number_of_threads(monkeypatch: pytest.MonkeyPatch) -> None:
     mesh = sphere(12)
     made = []
@@ -127,6 +128,7 @@ def test_same_bytes_whatever_the_number_of_threads(monkeypatch: pytest.MonkeyPat
     assert made[0] == made[1] == made[2]
 
 
+@pytest.mark.slow
 def test_colours_are_the_meshes_own() -> None:
     points = sphere(12)
     for color in ((200, 40, 40), (40, 160, 60), (250, 250, 250), (12, 12, 14)):
