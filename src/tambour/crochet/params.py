@@ -25,7 +25,7 @@ class CrochetParams(Params):
 
     groups: ClassVar = {
         "Pattern": "terms strict check max_stitches",
-        "Yarn and gauge": "yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
+        "Yarn and gauge": "yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
         "Pictures and pages": "detail photo page title designer",
         "Shape": "stuffing contact solver steps tolerance start link_distance single_loop_force bending",
         "Stuffing": "pressure centroids nodes_per_centroid centroid_force centroid_cap weight_peak weight_width skeleton_force",
@@ -90,6 +90,9 @@ class CrochetParams(Params):
     """Yarn: lace, fingering, sport, dk, worsted, bulky, super-bulky or jumbo, or its number, 0 to 7."""
     hook: Length | None = Field(default=None, ge=0.4, le=30)
     """Hook, mm; yarn and hook give the gauge where none is measured."""
+
+    yarn_under: bool = False
+    """The yarn is laid under the hook: single crochets show an x instead of a V, in straighter columns, and are smaller."""
 
     page: Literal["a4", "letter"] = "a4"
     """Paper of the booklet (.pdf)."""
@@ -168,6 +171,11 @@ class CrochetParams(Params):
         if found is None:
             raise ValueError(f"a yarn is {', '.join(WEIGHTS)}, or a number from 0 to 7")
         return found
+
+    @property
+    def hold(self) -> str:
+        """How the yarn lies on the hook: over or under."""
+        return "under" if self.yarn_under else "over"
 
     def swatch(self) -> tuple[float, float]:
         """Width and height, mm, of a single crochet in the swatch of ``gauge``."""

@@ -44,7 +44,7 @@ class Plush:
         """The yarn of every stitch, in mm; led when it is first looked at."""
         from tambour.crochet.yarn.fabric import strands
 
-        return strands(self.built.graph, self.positions, detail=self.params.detail)
+        return strands(self.built.graph, self.positions, detail=self.params.detail, hold=self.params.hold)
 
     @property
     def upright(self) -> Array | None:

@@ -18,6 +18,10 @@ SQUARE: Final = 3.0 / math.pi
 """Height over width of a single crochet where only one of them is known: with it the flat circle lies flat, whose
 rounds grow by six stitches: 2π heights are six widths."""
 
+UNDER: Final = (0.95, 0.9)
+"""Width and height of a single crochet with the yarn laid under the hook, as shares of one with the yarn over: makers find
+it a little narrower and clearly lower. Taken as usual; a swatch says more."""
+
 CIRCLE: Final = 5
 """Rounds of the gauge circle; its last has 30 stitches."""
 

@@ -140,7 +140,7 @@ def meshes(
             seats.append((middle, axis, record.size))
     heads = [(record, at.points) for record, at in every if isinstance(record, Hair)]
     if heads:
-        thick = 2 * float(np.median(yarn.radius)) if len(yarn.radius) else 0.33 * width
+        thick = 0.33 * width
         balls = np.array([[*middle, size / 2] for middle, _, size in seats]).reshape(-1, 4)
         strands = hair(whole, heads, thick, balls)
         made.append(sweep(strands, sides=max(6, SIDES[detail])))

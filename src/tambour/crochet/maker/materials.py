@@ -19,11 +19,6 @@ SPARE: Final = 1.1
 TAIL: Final = 0.3
 """Metres of yarn left at the end of every piece that is sewn on."""
 
-DRAWN_TIGHT: Final = 0.606
-"""Yarn that hands take, as a share of the yarn that is drawn. The drawn yarn is led so that it nowhere touches itself,
-13.2 widths to a single crochet in the round (13.1 in a tube, 13.3 in a ball, 13.0 in a disc); hands press it together
-to 8 (:data:`tambour.crochet.yarns.IN_A_STITCH`)."""
-
 DENSITY: Final = ((0.0, 0.0), (0.4, 20.0), (1.0, 30.0), (2.5, 40.0))
 """Amount of stuffing → grams of polyester fibre in a litre. Assumed, between a bed pillow (500 to 650 g in some 28
 litres) and a hard toy; fibres differ by a third."""
@@ -31,10 +26,13 @@ litres) and a hard toy; fibres differ by a third."""
 
 def lengths(piece: Plush) -> dict[tuple[int, ...], float]:
     """Metres of yarn that each colour takes, in the order in which it is taken up."""
+    from tambour.crochet.yarn.lead import takes
+
+    graph = piece.built.graph
     made: dict[tuple[int, ...], float] = {}
-    for led, color in zip(piece.yarn.paths, piece.yarn.color.tolist()):
-        run = float(np.sqrt((np.diff(led, axis=0) ** 2).sum(1)).sum()) / 1000.0 * DRAWN_TIGHT
-        made[tuple(color)] = made.get(tuple(color), 0.0) + run
+    for color, run in zip(graph.color.tolist(), (takes(graph, piece.stitch, piece.params.hold) / 1000.0).tolist()):
+        if run > 0.0:
+            made[tuple(color)] = made.get(tuple(color), 0.0) + run
     return made
 
 

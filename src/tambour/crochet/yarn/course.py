@@ -8,7 +8,7 @@ import numpy as np
 
 from tambour.core.arrays import B1x1, F8x1, F8x2, I1x1, I4x1, I8x1
 from tambour.core.check import Array
-from tambour.core.graph import ROOT, TIP, StitchGraph
+from tambour.core.graph import JOIN, ROOT, TIP, StitchGraph
 from tambour.core.kernels import kernel
 from tambour.geometry.surface import vertex_normals
 
@@ -25,6 +25,7 @@ class Course:
     after, before : (N,) neighbours along the yarn, -1 at its ends (a ring's first stitch follows its last)
     foot : (N,) where on its anchor a stitch stands, in stitches along the anchor's row; pace : (N,) how far feet move
     from stitch to stitch, negative in turned rows
+    host : (N,) and slip : (N,) where a stitch shows: so many stitches along the yarn from that node (:func:`leaning`)
     """
 
     x: Array
@@ -35,10 +36,12 @@ class Course:
     before: Array
     foot: Array
     pace: Array
+    host: Array
+    slip: Array
 
 
-def course(graph: StitchGraph, x: Array) -> Course:
-    """The courses of a graph at positions (N, 3) mm."""
+def course(graph: StitchGraph, x: Array, lean: float = 0.0) -> Course:
+    """The courses of a graph at positions (N, 3) mm; lean : how far columns move to the right in a round, in widths."""
     n = len(graph)
     normal = vertex_normals(x, graph.faces)
     after, before = np.full(n, -1, np.int32), np.full(n, -1, np.int32)
@@ -49,7 +52,55 @@ def course(graph: StitchGraph, x: Array) -> Course:
     width = float(graph.rest[graph.edge_kind == 0].mean()) if (graph.edge_kind == 0).any() else 5.0
     _vectors(x, normal, after, before, graph.anchors, graph.anchor_offsets, graph.height, plain, width, along, up)
     _feet(graph.anchors, graph.anchor_offsets, along, graph.direction, plain, foot, pace)
-    return Course(np.ascontiguousarray(x), normal, along, up, after, before, foot, pace)
+    host, slip = leaning(graph, lean)
+    return Course(np.ascontiguousarray(x), normal, along, up, after, before, foot, pace, host, slip)
+
+
+def leaning(graph: StitchGraph, lean: float) -> tuple[Array, Array]:
+    """Where every stitch shows: ``slip`` (N,) stitches along the yarn from its node or, further on, from ``host`` (N,).
+
+    A stitch's head lies to the right of its post, so in rounds that are not turned every stitch stands a little to the
+    right of the one that it is worked into: columns lean, pictures in them too. The shape is as round as before, so the
+    stitches glide along their own spiral. Where a part holds a picture, its middle stays where its nodes are. Parts with
+    turns, joins or anything but a spiral from a ring keep their columns.
+    """
+    n = len(graph)
+    host, slip = np.arange(n, dtype=np.int32), np.zeros(n)
+    if lean == 0.0:
+        return host, slip
+    joined = np.zeros(n, np.bool_)
+    joined[graph.edges[graph.edge_kind == JOIN].ravel()] = True
+    single = np.diff(graph.anchor_offsets) > 0
+    for part in graph.parts:
+        first, last = part.start + 1, part.end
+        while last > first and graph.peculiarity[last - 1] == TIP:
+            last -= 1
+        own = slice(first, last)
+        if (
+            last - first < 12 or graph.peculiarity[part.start] != ROOT or joined[own].any() or not single[own].all()
+            or (graph.direction[own] != graph.direction[first]).any()
+            or (graph.previous[first + 1 : last] != np.arange(first, last - 1)).any()
+        ):  # fmt: skip
+            continue
+        number = np.arange(last - first)
+        _, begin, count = np.unique(graph.round[own], return_index=True, return_counts=True)
+        # Stitches in a turn, growing evenly; turns from the ring on; how far a stitch has moved back by then.
+        around = np.interp(number, begin + 0.5 * (count - 1), count)
+        turns = np.cumsum(1.0 / around)
+        drift = -lean * np.cumsum(1.0 / around**2)
+        seen = _pictured(graph, own)
+        where = np.interp(turns + drift - (drift[seen] if seen >= 0 else 0.0), turns, number)
+        host[own] = first + where.astype(np.int32)
+        slip[own] = where - where.astype(np.int32)
+    return host, slip
+
+
+def _pictured(graph: StitchGraph, own: slice) -> int:
+    """The stitch in the middle of those whose colour differs from their round's, counted from the first; or -1."""
+    color = graph.color[own].astype(np.int64) @ np.array([65536, 256, 1])
+    rounds = graph.round[own]
+    change = np.flatnonzero((color[1:] != color[:-1]) & (rounds[1:] == rounds[:-1]))
+    return int(np.median(change)) if len(change) > 2 else -1
 
 
 @kernel
@@ -166,7 +217,7 @@ def _feet(
                 if offsets[a + 1] == offsets[a] and (along[k] * along[a]).sum() < 0.0:
                     turn = -1.0  # back along the other side of a chain
                 foot[k] = turn * ((k - i + 0.5) / count - 0.5)
-                pace[k] = turn * max(1.0 / count, 0.5)
+                pace[k] = turn * max(1.0 / count, 0.8 if count == 2 else 0.66)
         i = last
 
 
@@ -215,6 +266,8 @@ def place(
     before: I4x1,
     foot: F8x1,
     pace: F8x1,
+    host: I4x1,
+    slip: F8x1,
     root: B1x1,
     free: B1x1,
     out: F8x2,
@@ -232,7 +285,7 @@ def place(
         u, v, w = at[p, 0], at[p, 1], at[p, 2]
         w *= thick if direction[i] >= 0 else -thick
         high = max(height[i], 0.5)
-        on_row(i, u, x, along, normal, up, after, before, top)
+        on_row(host[i], slip[i] + u, x, along, normal, up, after, before, top)
         if a == -1:
             for c in range(3):
                 out[p, c] = top[0, c] + (v - high) * top[2, c] + w * top[1, c]
@@ -251,7 +304,7 @@ def place(
                     low[1, c] = 0.5 * (normal[a, c] + top[1, c])
                     low[2, c] = 0.5 * (top[0, c] - x[a, c])
             else:
-                on_row(a, foot[i] + pace[i] * u, x, along, normal, up, after, before, low)
+                on_row(host[a], slip[a] + foot[i] + pace[i] * u, x, along, normal, up, after, before, low)
                 if free[a]:
                     for c in range(3):
                         low[2, c] = top[2, c]

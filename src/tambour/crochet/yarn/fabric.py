@@ -12,7 +12,7 @@ from tambour.core.strands import Strands
 from tambour.crochet.yarn.clearance import clear
 from tambour.crochet.yarn.course import course, place
 from tambour.crochet.yarn.lead import way
-from tambour.crochet.yarn.loops import BLOOM, RATIO
+from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
 from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
 from tambour.geometry.motion import length
@@ -21,7 +21,7 @@ from tambour.geometry.tube import sweep
 SMALL, LARGE = 2000, 5000
 """Stitches above which strands are pushed apart less thoroughly, and above which still less."""
 
-_DETAIL = {"low": (1, 1.0), "medium": (1, 0.1), "high": (2, 0.02)}
+_DETAIL = {"low": (1, 1.0), "medium": (2, 0.2), "high": (3, 0.03)}
 """Detail → pieces that a segment is split into, and how far points may stray, in radii."""
 
 
@@ -32,13 +32,14 @@ def strands(
     yarn_radius: float | None = None,
     detail: str = "medium",
     bloom: float = BLOOM,
+    hold: str = "over",
 ) -> Strands:
     """The yarn of a piece.
 
     positions : (N, 3) mm of the graph's nodes
-    yarn_radius : mm; None takes an eighth of the stitch's width (a yarn a quarter as thick as the stitch is wide)
+    yarn_radius : mm; None takes a tenth of the stitch's width
     detail : low, medium, high: points along the yarn
-    bloom : radius drawn, in yarn radii
+    bloom : radius drawn, in yarn radii; hold : how the yarn lies on the hook, over or under
 
     Returns a strand per run of one colour within which every stitch follows the one before, in the order of work, then
     the yarn of the seams. ``source`` is the first stitch of a strand (-1 for seams), ``point_data["stitch"]`` (P,)
@@ -46,12 +47,12 @@ def strands(
     """
     x = np.ascontiguousarray(positions, np.float64)
     radius = graph.stitch_width * RATIO / 2 if yarn_radius is None else yarn_radius
-    led = way(graph)
-    rows = course(graph, x)
+    led = way(graph, hold)
+    rows = course(graph, x, LEAN[hold])
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
     place(
         led.cell, led.below, led.at, graph.height, graph.direction, 2 * radius / RATIO, rows.x, rows.along, rows.normal,
-        rows.up, rows.after, rows.before, rows.foot, rows.pace, graph.peculiarity == ROOT,
+        rows.up, rows.after, rows.before, rows.foot, rows.pace, rows.host, rows.slip, graph.peculiarity == ROOT,
         np.diff(graph.anchor_offsets) == 0, coords,
     )  # fmt: skip
     coords, ends, stitch = _dense(coords, ends, led.cell, 3.6 * radius)
@@ -95,7 +96,7 @@ def _dense(coords: Array, ends: Array, stitch: Array, longest: float) -> tuple[A
     return (1 - part) * coords[of] + part * coords[after], begin[ends], stitch[of]
 
 
-SIDES = {"low": 4, "medium": 5, "high": 10}
+SIDES = {"low": 4, "medium": 6, "high": 10}
 """Detail → corners of the yarn's cross-section."""
 
 

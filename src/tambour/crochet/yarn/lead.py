@@ -9,32 +9,33 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import BACK, JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.language.stitches import POSTS
-from tambour.crochet.yarn.loops import BACK_ONLY, CHAIN, FRONT_ONLY, HEAD, SINGLE, count_points, lead
+from tambour.crochet.yarn.loops import BACK_ONLY, CHAIN, FRONT_ONLY, HEAD, LEAN, SINGLE, TOP, UNDER, count_points, lead, with_rows
+from tambour.geometry.motion import length
 
 # What a node is to the yarn.
 NONE, STITCH, CHAINED = 0, 1, 2
 
 # Ends and joins in (u, v, w); heights are those in a single crochet.
-_INWARD = np.array([(-0.12, 0.40, -0.45), (0.18, 0.30, -0.80), (0.45, 0.45, -0.95)])
-_OUTWARD = np.array([(0.45, 0.75, -0.95), (0.10, 0.65, -0.75), (-0.18, 0.60, -0.30)])
-_BEGIN = np.array([(-1.0, 0.5, -0.95), (-1.2, 0.6, -0.6)])
-_RING = np.array([(0.3, -0.4, -1.1), (0.1, -0.35, -0.6), (0.05, -0.2, -0.1)])
-_ROUND = np.array([(0.2, -0.06, 0.1), (0.7, -0.06, 0.1)])
+_INWARD = np.array([(0.70, 0.42, -0.48), (0.55, 0.32, -0.80), (0.35, 0.45, -0.95)])
+_OUTWARD = np.array([(1.20, 0.60, -0.95), (1.02, 0.52, -0.70), (0.86, 0.46, -0.34)])
+_BEGIN = np.array([(0.0, 0.5, -0.95), (-0.2, 0.55, -0.62)])
+_RING = np.array([(0.3, -0.1, -1.1), (0.1, 0.0, -0.6), (-0.2, 0.15, -0.15)])
+_ROUND = np.array([(-0.25, 0.22, 0.0), (0.05, 0.24, 0.02), (0.42, 0.22, 0.0)])
 _GATHER = np.array([(0.3, 0.5, 0.1), (0.75, 0.5, 0.1)])
 _CLOSE = np.array([(0.2, 0.85, 0.0), (0.2, 1.0, -0.5), (0.2, 0.9, -1.2)])
 # A slip stitch, from the top of the stitch that it is worked into.
 _SLIP = np.array(
     [
-        (0.19, -0.26, -0.28),
-        (0.06, -0.41, 0.0),
-        (0.12, -0.12, 0.38),
-        (0.25, 0.2, 0.42),
-        (0.4, 0.38, 0.1),
-        (0.3, 0.2, -0.3),
+        (-0.05, 0.05, -0.30),
+        (-0.08, -0.05, 0.0),
+        (-0.02, 0.10, 0.33),
+        (0.15, 0.35, 0.34),
+        (0.35, 0.48, 0.10),
+        (0.42, 0.35, -0.28),
     ]
 )
 # The hanging loop of a loop stitch, after the LOOPED-th point of the stitch.
-LOOPED = 13
+LOOPED = 8
 _HANGING = np.array(
     [
         (0.12, 0.1, 0.75),
@@ -92,9 +93,9 @@ def roles(graph: StitchGraph) -> Array:
     return role
 
 
-def way(graph: StitchGraph) -> Way:
-    """The way of the yarn through a graph."""
-    n = len(graph)
+def way(graph: StitchGraph, hold: str = "over") -> Way:
+    """The way of the yarn through a graph; hold : how it lies on the hook, over or under."""
+    n, single = len(graph), UNDER if hold == "under" else SINGLE
     role = roles(graph)
     count = np.zeros(n, np.int64)
     count_points(role, graph.anchor_offsets, graph.height, count)
@@ -112,7 +113,7 @@ def way(graph: StitchGraph) -> Way:
         graph.height,
         np.where(ring, 0, graph.loop.astype(np.int64)),
         ridge,
-        np.stack([SINGLE, FRONT_ONLY, BACK_ONLY]),
+        np.stack([single, with_rows(single, FRONT_ONLY), with_rows(single, BACK_ONLY)]),
         CHAIN,
         *_shapes(graph),
         cell,
@@ -139,7 +140,7 @@ def way(graph: StitchGraph) -> Way:
     changed = changed[(graph.color[changed] != graph.color[changed - 1]).any(1)]
     for i in changed.tolist():
         # The new colour is taken up with the top loop of the stitch before.
-        p, where = i - 1, int(start[i]) - (48 - HEAD)
+        p, where = i - 1, int(start[i]) - (TOP[1] - HEAD)
         rise = float(graph.height[p]) - 1
         pieces.put(where, _END, p, int(on[p]), _INWARD, rise)
         pieces.begin(where, i)
@@ -154,8 +155,25 @@ def way(graph: StitchGraph) -> Way:
         _ended(graph, pieces, i, int(on[i]), int(start[i + 1]), tips.get(i))
         if i in tips:
             # The last top loop is not left lying: its yarn is drawn on.
-            drop[int(start[i + 1]) - (48 - HEAD) + 3 : int(start[i + 1])] = True
+            drop[int(start[i + 1]) - (TOP[1] - HEAD) + 3 : int(start[i + 1])] = True
     return _joined(graph, cell, below, at, drop, pieces)
+
+
+def takes(graph: StitchGraph, stitch: tuple[float, float], hold: str = "over") -> Array:
+    """How much yarn every node (N,) takes, mm: its course in a flat cell of its own size, and a seam's two passes.
+
+    stitch : mm, width and height of a single crochet. It needs no shape; where stitches crowd, the yarn that is led in space is up to a tenth longer.
+    """
+    led, lean = way(graph, hold), LEAN[hold]
+    high = stitch[1] / stitch[0]
+    step = np.diff(led.at, axis=0, append=led.at[-1:])
+    # From one stitch to the next, or to another anchor's hole, the cell changes: what lies between is short.
+    same = (np.diff(led.cell, append=-1) == 0) & (np.diff(led.below, append=-9) == 0)
+    step[~same] = (0.12, 0.0, 0.0)
+    size = length(np.stack([step[:, 0] - lean * step[:, 1], high * step[:, 1], step[:, 2]], axis=1))
+    worked = np.bincount(led.cell, size, len(graph))
+    seams = graph.edges[graph.edge_kind == SEWN]
+    return np.asarray((worked + 1.5 * np.bincount(seams[:, 0], minlength=len(graph))) * stitch[0])
 
 
 def _shapes(graph: StitchGraph) -> tuple[Array, Array, Array]:

@@ -2,11 +2,11 @@
 
 Coordinates: u along the work from the stitch's own column (-1 is the stitch before), v up from the row it is worked
 into (0) to its own (1), w towards the worker; all in widths of a single crochet. The yarn of a single crochet comes
-from the stitch before, runs down behind the work, under both top strands of the stitch below, up in front as a loop
-(the V), back behind, up again, and through that loop and the head of the stitch before as the next top loop, which
-lies over to the next stitch and back. The numbers are what this course, drawn with thin yarn and the right crossings,
-came to when its yarn was thickened step by step to a quarter of the stitch in a lattice of equal stitches, with bending
-and tension at work: there no two centre lines are nearer than 0.98 diameters.
+from the head of the stitch before, runs down behind the work, under both top strands of the stitch below, up in front as
+a loop (the V: its right leg, and its left leg, which dips behind what is drawn through it), back behind, up again, and
+through that loop and the head of the stitch before as the next head, which turns around both and lies over to the next
+stitch and back. `bench/single_crochet.py` found the numbers: there no two centre lines of a lattice of equal stitches are
+nearer than 0.97 diameters, and a stitch takes 8 widths of yarn, as in the hand.
 """
 
 from __future__ import annotations
@@ -20,73 +20,88 @@ from tambour.core.arrays import B1x1, F8x1, F8x2, F8x3, I1x1, I4x1, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
-RATIO: Final = 0.25
-"""Yarn diameter, in stitch widths, for which the course was found."""
+RATIO: Final = 0.2
+"""Yarn diameter, in stitch widths, for which the course was found: drawn tight, where strands press on each other."""
 
-BLOOM: Final = 1.32
-"""Radius drawn, in radii of the yarn's core: wool is soft outside, and neighbours press into each other."""
+BLOOM: Final = 2.05
+"""Radius drawn, in radii of that: wool is soft outside, and neighbours press into each other."""
 
-THICK: Final = 2 * RATIO * BLOOM
-"""Thickness of the fabric, in stitch widths: two strands of yarn, as they lie on each other."""
+THICK: Final = 0.66
+"""Thickness of the fabric, in stitch widths, when it is measured with a tape: the fibres outside give way."""
 
-BAR: Final = (0, 7)
-LOOP: Final = (7, 27)
-TOP: Final = (27, 48)
-HEAD: Final = 29
-"""Stretches of SINGLE: down to the hole, the loop drawn up through it, up behind and the top loop from HEAD on."""
+BAR: Final = (0, 5)
+LOOP: Final = (5, 19)
+TOP: Final = (19, 46)
+HEAD: Final = 23
+"""Stretches of SINGLE: down to the hole, the loop drawn up through it, up behind and the head from HEAD on."""
+
+LEAN: Final = {"over": 0.271, "under": 0.08}
+"""How far to the right of its column's foot each stitch stands, in widths, by how the yarn lies on the hook."""
 
 SINGLE: Final[Array] = np.array(
     [
-        (-1.252, 0.777, -0.092), (-1.047, 0.568, -0.305), (-0.901, 0.470, -0.338), (-0.548, 0.402, -0.322),
-        (-0.228, 0.259, -0.399), (0.051, 0.028, -0.419), (0.157, -0.111, -0.377),
-        (0.191, -0.258, -0.280), (0.137, -0.368, -0.148), (0.056, -0.415, 0.005), (0.043, -0.391, 0.181),
-        (0.118, -0.303, 0.317), (0.133, -0.148, 0.404), (-0.004, 0.174, 0.480), (-0.123, 0.294, 0.419),
-        (-0.390, 0.433, 0.217), (-0.477, 0.516, 0.084), (-0.502, 0.770, -0.170), (-0.406, 0.882, -0.268),
-        (-0.235, 0.933, -0.286), (-0.066, 0.917, -0.229), (0.182, 0.821, 0.009), (0.288, 0.532, 0.184),
-        (0.269, 0.239, 0.392), (0.312, 0.067, 0.380), (0.370, -0.045, 0.256), (0.349, -0.005, -0.086),
-        (0.097, 0.194, -0.225), (-0.148, 0.428, -0.112), (-0.272, 0.662, 0.134), (-0.328, 0.815, 0.212),
-        (-0.284, 0.981, 0.256), (-0.139, 1.085, 0.263), (0.204, 1.146, 0.165), (0.377, 1.190, 0.171),
-        (0.512, 1.183, 0.287), (0.591, 1.107, 0.430), (0.695, 0.983, 0.504), (0.820, 0.868, 0.453),
-        (0.906, 0.827, 0.303), (0.921, 0.880, 0.133), (0.820, 1.122, -0.110), (0.670, 1.192, -0.173),
-        (0.497, 1.235, -0.141), (0.166, 1.317, -0.016), (-0.170, 1.276, 0.100), (-0.322, 1.183, 0.086),
-        (-0.371, 1.025, 0.024),
+        (-0.234, 0.535, -0.313), (-0.202, 0.436, -0.314), (-0.189, 0.328, -0.305), (-0.181, 0.218, -0.290),
+        (-0.175, 0.124, -0.239), (-0.166, 0.068, -0.147), (-0.157, 0.028, 0.063), (-0.144, 0.107, 0.264),
+        (-0.064, 0.351, 0.315), (0.071, 0.618, 0.260), (0.246, 0.813, 0.152), (0.435, 0.909, 0.005),
+        (0.635, 0.923, -0.090), (0.740, 0.821, -0.145), (0.681, 0.651, -0.061), (0.606, 0.494, 0.119),
+        (0.447, 0.292, 0.246), (0.292, 0.068, 0.226), (0.223, -0.005, 0.041), (0.275, 0.026, -0.151),
+        (0.376, 0.140, -0.232), (0.505, 0.276, -0.222), (0.641, 0.400, -0.171), (0.779, 0.515, -0.109),
+        (0.867, 0.632, -0.030), (0.833, 0.734, 0.057), (0.717, 0.799, 0.109), (0.605, 0.875, 0.146),
+        (0.532, 0.985, 0.165), (0.500, 1.104, 0.147), (0.583, 1.211, 0.162), (0.741, 1.251, 0.168),
+        (0.928, 1.249, 0.146), (1.105, 1.215, 0.158), (1.255, 1.201, 0.111), (1.358, 1.169, 0.039),
+        (1.335, 1.197, -0.052), (1.218, 1.225, -0.122), (1.073, 1.246, -0.132), (0.911, 1.261, -0.114),
+        (0.739, 1.228, -0.115), (0.594, 1.137, -0.156), (0.499, 1.009, -0.203), (0.491, 0.868, -0.225),
+        (0.561, 0.745, -0.243), (0.664, 0.640, -0.282),
     ]
 )  # fmt: skip
-"""A single crochet worked under both loops (48, 3): the yarn's end is the next stitch's beginning."""
+"""A single crochet worked under both loops (46, 3), yarn over: the yarn's end is the next stitch's beginning."""
+
+UNDER: Final[Array] = np.array(
+    [
+        (-0.323, 0.545, -0.321), (-0.280, 0.436, -0.315), (-0.249, 0.317, -0.310), (-0.222, 0.199, -0.289),
+        (-0.195, 0.100, -0.228), (-0.168, 0.036, -0.138), (-0.114, -0.001, 0.078), (-0.010, 0.121, 0.244),
+        (0.229, 0.332, 0.216), (0.451, 0.489, 0.120), (0.553, 0.653, -0.049), (0.595, 0.826, -0.152),
+        (0.481, 0.916, -0.081), (0.282, 0.863, 0.018), (0.096, 0.767, 0.177), (-0.001, 0.573, 0.316),
+        (0.043, 0.301, 0.410), (0.143, 0.048, 0.339), (0.109, -0.014, 0.083), (0.153, 0.028, -0.149),
+        (0.234, 0.174, -0.237), (0.373, 0.310, -0.242), (0.524, 0.410, -0.197), (0.663, 0.502, -0.124),
+        (0.743, 0.618, -0.039), (0.705, 0.727, 0.058), (0.580, 0.795, 0.115), (0.449, 0.866, 0.152),
+        (0.354, 0.978, 0.168), (0.301, 1.093, 0.143), (0.355, 1.182, 0.171), (0.494, 1.234, 0.200),
+        (0.676, 1.235, 0.196), (0.852, 1.229, 0.144), (1.000, 1.195, 0.066), (1.134, 1.196, 0.019),
+        (1.139, 1.232, -0.071), (1.023, 1.258, -0.131), (0.866, 1.272, -0.117), (0.696, 1.251, -0.120),
+        (0.538, 1.193, -0.146), (0.412, 1.101, -0.169), (0.337, 0.977, -0.208), (0.345, 0.847, -0.217),
+        (0.431, 0.734, -0.241), (0.555, 0.643, -0.288),
+    ]
+)  # fmt: skip
+"""The same with the yarn laid under the hook: the legs of its loop cross, an x."""
 
 
-def _changed(rows: dict[int, tuple[float, float, float]]) -> Array:
-    made = SINGLE.copy()
+def with_rows(course: Array, rows: dict[int, tuple[float, float, float]]) -> Array:
+    """A course with some of its rows replaced."""
+    made = course.copy()
     for k, row in rows.items():
         made[k] = row
     return made
 
 
-BACK_ONLY: Final[Array] = _changed(
-    {
-        7: (0.19, -0.16, -0.30), 8: (0.15, -0.16, -0.16), 9: (0.08, -0.06, -0.02), 10: (0.05, 0.10, 0.06),
-        11: (0.08, 0.25, 0.14), 12: (0.08, 0.36, 0.30), 13: (0.0, 0.42, 0.44), 14: (-0.13, 0.46, 0.42),
-        15: (-0.39, 0.55, 0.24), 16: (-0.47, 0.62, 0.09), 23: (0.28, 0.42, 0.36), 24: (0.31, 0.30, 0.22),
-        25: (0.36, 0.10, 0.08), 26: (0.35, -0.02, -0.14),
-    }
-)  # fmt: skip
-"""Under the back strand alone: the front one stays outside, a ridge."""
+BACK_ONLY: Final[dict[int, tuple[float, float, float]]] = {
+    5: (-0.17, 0.03, -0.14), 6: (-0.155, 0.16, 0.0), 7: (-0.14, 0.36, 0.12), 8: (-0.06, 0.50, 0.26),
+    15: (0.60, 0.58, 0.14), 16: (0.46, 0.48, 0.20), 17: (0.31, 0.34, 0.10), 18: (0.24, 0.14, -0.01), 19: (0.27, 0.02, -0.15),
+}  # fmt: skip
+"""Rows of a stitch worked under the back strand alone: the front one stays outside, a ridge."""
 
-FRONT_ONLY: Final[Array] = _changed(
-    {
-        4: (-0.23, 0.42, -0.40), 5: (0.02, 0.46, -0.36), 6: (0.13, 0.47, -0.24), 7: (0.17, 0.40, -0.06),
-        8: (0.14, 0.16, 0.03), 9: (0.07, -0.10, 0.05), 10: (0.05, -0.27, 0.18), 25: (0.37, -0.08, 0.18),
-        26: (0.36, 0.18, 0.04), 27: (0.22, 0.42, -0.14), 28: (-0.10, 0.52, -0.12),
-    }
-)  # fmt: skip
-"""Under the front strand alone: the back one stays inside, a ridge there."""
+FRONT_ONLY: Final[dict[int, tuple[float, float, float]]] = {
+    2: (-0.19, 0.46, -0.24), 3: (-0.18, 0.46, -0.08), 4: (-0.175, 0.26, 0.01), 5: (-0.166, 0.06, 0.06), 6: (-0.157, -0.03, 0.22),
+    7: (-0.144, 0.09, 0.34), 17: (0.29, 0.02, 0.27), 18: (0.23, -0.02, 0.10), 19: (0.26, 0.18, 0.02), 20: (0.36, 0.40, -0.05),
+    21: (0.49, 0.44, -0.20),
+}  # fmt: skip
+"""Rows of a stitch worked under the front strand alone: the back one stays inside, a ridge there."""
 
 CHAIN: Final[Array] = np.array(
-    [(-1.252, 0.777, -0.092), (-0.95, 0.62, -0.20), (-0.62, 0.55, -0.18), (-0.38, 0.56, -0.03)]
+    [(-0.234, 0.535, -0.313), (0.04, 0.52, -0.33), (0.34, 0.48, -0.31), (0.62, 0.47, -0.22)]
 )
-"""What comes before the top loop in a chain: the bump behind it."""
+"""What comes before the head in a chain: the bump behind it."""
 
-SHEAR: Final = -0.38
+SHEAR: Final = 0.5
 """A tall stitch's next loop comes through the arch of the last, which lies this far from a hole's place."""
 
 
@@ -101,10 +116,10 @@ def count_points(role: I1x1, offsets: I8x1, height: F8x1, out: I8x1) -> None:
     """Fill ``out`` (N,): control points of every node's stretch of yarn."""
     for i in range(len(role)):
         if role[i] == 2:
-            out[i] = 4 + 48 - HEAD
+            out[i] = 4 + 46 - HEAD
         elif role[i] == 1:
             loops = offsets[i + 1] - offsets[i] + _stories(height[i]) - 1
-            out[i] = 7 + 20 * loops + 21
+            out[i] = 5 + 14 * loops + 27
         else:
             out[i] = 0
 
@@ -139,7 +154,7 @@ def lead(
 ) -> None:
     """Fill cell, below (P,) and at (P, 3), from ``start[i]`` on, with the course of the yarn through every node.
 
-    table_of : (N,) which of ``tables`` (K, 48, 3) is the course by the loops worked under, 0 being both
+    table_of : (N,) which of ``tables`` (K, 46, 3) is the course by the loops worked under, 0 being both
     ridge : (N,) whether a stitch above leaves this one's front strand free; chain : (4, 3), before a chain's loop
     deep : (N,) how far below its row a stitch is worked (around a post, in the row below); relief : (N,) how far it stands
     out; bump : (N,) how far the loops of one that are all in one anchor bulge, negative to the other side
@@ -147,7 +162,7 @@ def lead(
     for i in range(len(role)):
         p = start[i]
         if role[i] == 2:
-            for k in range(4 + 48 - HEAD):
+            for k in range(4 + 46 - HEAD):
                 cell[p], below[p] = i, -1
                 at[p] = chain[k] if k < 4 else tables[0, HEAD + k - 4]
                 p += 1
@@ -160,7 +175,7 @@ def lead(
         table = tables[table_of[i]]
         begin = p
         bulging = last - first > 1 and anchors[first] == anchors[last - 1]
-        for k in range(7):
+        for k in range(5):
             cell[p], below[p] = i, anchors[first]
             at[p, 0], at[p, 1], at[p, 2] = table[k, 0], _stretched(table[k, 1], high - 1.0), table[k, 2]
             p += 1
@@ -169,13 +184,13 @@ def lead(
             use = table if story == 0 else tables[0]
             # The loops of a decrease lie side by side under one top loop.
             beside = 0.0 if last - first == 1 else (number + 0.5) / (last - first) - 0.5
-            for k in range(7, 27):
+            for k in range(5, 19):
                 u, v, w = use[k, 0], use[k, 1], use[k, 2]
                 if story > 0:
                     u += SHEAR * min(1.0, max(0.0, 0.6 - v))
                 if v > 0.3 and story < stories - 1:
                     # An arch that a loop comes through, not the top loop: narrower.
-                    u = -0.1 + 0.8 * (u + 0.1)
+                    u = 0.1 + 0.7 * (u - 0.1)
                 if bulging and story == 0:
                     # Loops of one anchor stand around a bulge, and gather at its head.
                     t = min(1.0, max(0.0, (_stretched(v, part - 1.0) + 0.2) / (high + 0.1)))
@@ -187,7 +202,7 @@ def lead(
                 cell[p], below[p] = i, anchors[min(first + number, last - 1)]
                 at[p, 0], at[p, 1], at[p, 2] = u, part * story + _stretched(v, part - 1.0), w
                 p += 1
-        for k in range(27, 48):
+        for k in range(19, 46):
             v = table[k, 1]
             if stories > 1 and k < HEAD:
                 v = part * (stories - 1) + _stretched(v, part - 1.0)
@@ -195,7 +210,7 @@ def lead(
                 v = _stretched(v, high - 1.0)
             cell[p], below[p] = i, anchors[last - 1]
             at[p, 0], at[p, 1], at[p, 2] = table[k, 0], v, table[k, 2]
-            if ridge[i] and 33 <= k <= 38:
+            if ridge[i] and 30 <= k <= 34:
                 at[p, 1] -= 0.06
                 at[p, 2] += 0.12
             p += 1

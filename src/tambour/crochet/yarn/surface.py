@@ -9,7 +9,7 @@ from tambour.core.graph import StitchGraph
 from tambour.core.mesh import Mesh
 from tambour.geometry.surface import closed, vertex_normals
 
-DEPTH = 0.42
+DEPTH = 0.36
 """How far inside the stitches' nodes the lining lies, in stitches."""
 
 
@@ -34,11 +34,7 @@ def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
     renamed = np.zeros(len(graph), np.int32)
     renamed[used] = np.arange(len(used))
     inward = positions - DEPTH * width * vertex_normals(positions, faces)
-    tone = np.zeros((len(graph), 3))
-    for number, own in enumerate(graph.parts):
-        # One colour for a part: its own, in the shade.
-        if own.end > own.start:
-            tone[graph.part == number] = 0.42 * graph.color[own.start : own.end].mean(0)
+    tone = 0.62 * graph.color
     return Mesh(
         inward[used],
         renamed[faces],

@@ -1,0 +1,199 @@
+"""The course of the yarn through a single crochet: found once, in a lattice of equal stitches; what it prints stands in
+`tambour/crochet/yarn/loops.py`.
+
+python bench/single_crochet.py [--under]
+
+A course is drawn by hand, thin and loose, with the crossings that a hook makes. Then the yarn is thickened step by step
+while it is drawn tight, may not come nearer to itself or to its neighbours than its own width, resists bending and is
+held, softly, to the drawing. The lattice may shear: that columns of stitches lean is found, not asked for. How tight is
+chosen so that a stitch takes the yarn that hands take (`LENGTH`).
+"""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+
+from tambour.core.arrays import F8x1, F8x2
+from tambour.core.kernels import kernel
+from tambour.crochet.yarn.loops import BAR, LOOP, RATIO, TOP
+
+LENGTH = 8.0
+"""Yarn in a stitch, in its widths, as makers unravelled and published it."""
+POINTS = 88
+
+# u to the next stitch, v up, w towards the worker, and how strongly the yarn is held there. Behind the work down to the hole;
+BEHIND = [(-0.26, 0.60, -0.24, 0.02), (-0.27, 0.30, -0.30, 0.02), (-0.20, 0.06, -0.28, 0.02), (-0.14, -0.10, -0.20, 0.02)]
+# under both top strands of the stitch below, up in front, over and behind the yarn that will be drawn through, and back;
+OVER = [
+    (-0.13, -0.14, 0.00, 0.02), (-0.15, -0.08, 0.19, 0.05), (-0.19, 0.12, 0.29, 0.10), (-0.17, 0.40, 0.31, 0.10),
+    (-0.10, 0.66, 0.27, 0.10), (0.02, 0.88, 0.14, 0.05), (0.26, 0.95, -0.02, 0.05), (0.48, 0.90, -0.22, 0.05),
+    (0.58, 0.74, -0.32, 0.05), (0.58, 0.60, -0.16, 0.08), (0.52, 0.50, 0.12, 0.10), (0.42, 0.32, 0.26, 0.10),
+    (0.24, 0.06, 0.24, 0.10), (0.13, -0.10, 0.10, 0.02), (0.13, -0.14, -0.10, 0.02),
+]  # fmt: skip
+# or, the yarn laid under the hook, the same loop twisted once: its legs cross;
+UNDER = [
+    (-0.13, -0.14, 0.00, 0.02), (-0.13, -0.08, 0.17, 0.05), (0.02, 0.08, 0.24, 0.08), (0.26, 0.28, 0.22, 0.10),
+    (0.48, 0.46, 0.14, 0.10), (0.58, 0.60, -0.12, 0.08), (0.58, 0.74, -0.32, 0.05), (0.48, 0.90, -0.22, 0.05),
+    (0.26, 0.95, -0.02, 0.05), (0.02, 0.88, 0.14, 0.05), (-0.09, 0.66, 0.28, 0.10), (-0.08, 0.46, 0.36, 0.10),
+    (0.02, 0.24, 0.42, 0.10), (0.12, 0.04, 0.34, 0.10), (0.13, -0.10, 0.10, 0.02), (0.13, -0.14, -0.10, 0.02),
+]  # fmt: skip
+# up behind, through that loop and the head of the stitch before, around both, over to the next stitch and back.
+HEAD = [
+    (0.18, -0.04, -0.26, 0.02), (0.34, 0.22, -0.31, 0.02), (0.56, 0.42, -0.32, 0.02), (0.80, 0.60, -0.20, 0.02),
+    (0.80, 0.70, 0.00, 0.02), (0.52, 0.72, 0.13, 0.05), (0.22, 0.76, 0.10, 0.03), (0.03, 0.94, 0.06, 0.03),
+    (0.03, 1.10, 0.13, 0.05), (0.20, 1.17, 0.20, 0.10), (0.50, 1.15, 0.22, 0.10), (0.88, 1.08, 0.20, 0.10),
+    (1.12, 0.99, 0.13, 0.05), (1.24, 0.95, -0.02, 0.05), (1.12, 1.04, -0.15, 0.03), (0.85, 1.14, -0.19, 0.03),
+    (0.40, 1.18, -0.18, 0.03), (0.12, 1.12, -0.16, 0.03), (0.03, 0.95, -0.15, 0.03), (0.20, 0.78, -0.13, 0.03),
+    (0.42, 0.71, -0.09, 0.03), (0.62, 0.69, -0.11, 0.02),
+]  # fmt: skip
+
+
+def evenly(course: np.ndarray, count: int) -> np.ndarray:
+    """A course (N, 4) of a stitch, the next one behind it, as a smooth line of ``count`` points at even distances."""
+    next_one = np.array([1.0, 0.0, 0.0, 0.0])
+    p = np.vstack([course[-1:] - next_one, course, course[:2] + next_one])
+    t = np.linspace(0, 1, 24, endpoint=False)[:, None]
+    fine = [
+        0.5 * (2 * b + (c - a) * t + (2 * a - 5 * b + 4 * c - d) * t * t + (3 * b - a - 3 * c + d) * t**3)
+        for a, b, c, d in zip(p, p[1:], p[2:], p[3:])
+    ]
+    line = np.vstack([*fine, course[:1] + next_one])
+    along = np.concatenate([[0.0], np.cumsum(np.sqrt((np.diff(line[:, :3], axis=0) ** 2).sum(1)))])
+    at = np.linspace(0.0, along[-1], count + 1)[:-1]
+    return np.stack([np.interp(at, along, line[:, c]) for c in range(4)], axis=1)
+
+
+@kernel
+def forces(x: F8x2, up: F8x1, width: float, tight: float, bend: float, pull: F8x2, sheared: F8x1) -> float:
+    """Fill the pull (N, 3) on a stitch of the lattice and on its shear (3,); the yarn's length."""
+    n, total, contact = len(x), 0.0, 4.0
+    pull[:] = 0.0
+    sheared[:] = 0.0
+    e = np.zeros(3)
+    for k in range(n):
+        m, o = (k + 1) % n, (k - 1) % n
+        for c in range(3):
+            ahead = x[m, c] + (1.0 if m == 0 and c == 0 else 0.0)
+            back = x[o, c] - (1.0 if k == 0 and c == 0 else 0.0)
+            e[c] = ahead - x[k, c]
+            turn = bend * (back + ahead - 2.0 * x[k, c])
+            pull[k, c] += 2.0 * turn
+            pull[m, c] -= turn
+            pull[o, c] -= turn
+        size = (e[0] ** 2 + e[1] ** 2 + e[2] ** 2) ** 0.5
+        total += size
+        for c in range(3):
+            f = tight * (size - 3.5 / n) / size * e[c]
+            pull[k, c] += f
+            pull[m, c] -= f
+    own = 1.45 * width * n / total  # points along one strand that are near by nature
+    for row in range(2):
+        for beside in range(-3 if row else 0, 4):
+            for k in range(n):
+                for m in range(n):
+                    if row == 0 and ((beside == 0 and m <= k) or abs(m + beside * n - k) < own):
+                        continue
+                    e[0] = x[m, 0] + beside + row * up[0] - x[k, 0]
+                    e[1] = x[m, 1] + row * up[1] - x[k, 1]
+                    e[2] = x[m, 2] + row * up[2] - x[k, 2]
+                    size = e[0] ** 2 + e[1] ** 2 + e[2] ** 2
+                    if size < width * width:
+                        size = size**0.5 + 1e-9
+                        for c in range(3):
+                            f = contact * (width - size) / size * e[c]
+                            pull[m, c] += f
+                            pull[k, c] -= f
+                            if row:
+                                sheared[c] += f
+    return total
+
+
+@kernel
+def relax(x: F8x2, drawn: F8x2, up: F8x1, free: float, width: float, tight: float, bend: float, steps: int) -> float:
+    """Let the stitch x (N, 3), and as far as it is free the lattice's way up (3,), follow their pulls; the yarn's length."""
+    pull, speed, sheared, length, lean = np.zeros_like(x), np.zeros_like(x), np.zeros(3), 0.0, 0.0
+    for _ in range(steps):
+        length = forces(x, up, width, tight, bend, pull, sheared)
+        for k in range(len(x)):
+            for c in range(3):
+                speed[k, c] = 0.9 * speed[k, c] + 0.03 * (pull[k, c] + drawn[k, 3] * (drawn[k, c] - x[k, c]))
+                speed[k, c] = max(-0.01, min(0.01, speed[k, c]))
+                x[k, c] += speed[k, c]
+        lean = 0.9 * lean + 0.003 * free * sheared[0]
+        up[0] += max(-0.005, min(0.005, lean))
+    return length
+
+
+@kernel
+def nearest(x: F8x2, up: F8x1, width: float) -> float:
+    """The smallest distance between points of the lattice that are not near by nature."""
+    n, least = len(x), 1e9
+    for row in range(2):
+        for beside in range(-3 if row else 0, 4):
+            for k in range(n):
+                for m in range(n):
+                    if row == 0 and ((beside == 0 and m <= k) or abs(m + beside * n - k) < 1.6 * width * n / 8.0):
+                        continue
+                    size = (x[m, 0] + beside + row * up[0] - x[k, 0]) ** 2
+                    size += (x[m, 1] + row * up[1] - x[k, 1]) ** 2 + (x[m, 2] + row * up[2] - x[k, 2]) ** 2
+                    least = min(least, size)
+    return least**0.5
+
+
+def found(course: np.ndarray, high: float, lean: float, tight: float) -> tuple[np.ndarray, np.ndarray, float]:
+    """The stitch (N, 3), the lattice's way up (3,) and the yarn's length, for rows ``high`` widths apart.
+
+    lean : how far to the right each row stands of the one below, widths; NaN where that is to be found
+    """
+    free = 1.0 if np.isnan(lean) else 0.0
+    drawn = evenly(course, POINTS)
+    drawn[:, 1] *= high / 0.92
+    x, up = drawn[:, :3].copy(), np.array([-0.25 if free else -lean, high, 0.0])
+    for width in np.linspace(0.05, RATIO, 20):
+        relax(x, drawn, up, free, float(width), tight, 0.02, 400)
+    return x, up, relax(x, drawn, up, free, RATIO, tight, 0.02, 9000)
+
+
+def table(x: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """The course in a cell whose columns stand upright and are one high, with as many points as loops.py takes."""
+    cell = np.stack([x[:, 0] - up[0] * x[:, 1] / up[1], x[:, 1] / up[1], x[:, 2]], axis=1)
+    # The hole is passed where the yarn comes through it to the front, and where it is behind again.
+    low = np.flatnonzero((cell[:, 1] < 0.12) & (abs(cell[:, 0]) < 0.45))
+    front, back = low[0] + np.argmin(abs(cell[low[0] : low[0] + 14, 2] + 0.12)), 0
+    for k in low[low > front + 10]:
+        if cell[k, 2] < -0.12:
+            back = int(k)
+            break
+    line = np.vstack([cell, cell[:1] + (1.0, 0.0, 0.0)])
+    rows = []
+    for (first, last), (a, b) in zip((BAR, LOOP, TOP), ((0, front), (front, back), (back, len(cell)))):
+        at = np.linspace(a, b, last - first + 1)[:-1]
+        rows += [[np.interp(t, np.arange(len(line)), line[:, c]) for c in range(3)] for t in at]
+    return np.array(rows)
+
+
+def main(arguments: list[str]) -> None:
+    """Find the course, print it and how it was found."""
+    under = "--under" in arguments
+    course = np.array([*BEHIND, *(UNDER if under else OVER), *HEAD])
+    # Columns of yarn under stand all but straight: makers' swatches say so, a lattice of equal stitches does not.
+    high, lean = (0.9, 0.08) if under else (1.0, float("nan"))
+    low, most = 0.03, 0.6
+    for _ in range(7):
+        tight = (low * most) ** 0.5
+        x, up, length = found(course, high, lean, tight)
+        print(f"tight {tight:.3f}: {length:.2f} widths", file=sys.stderr, flush=True)
+        if abs(length - LENGTH) < 0.03:
+            break
+        low, most = (tight, most) if length > LENGTH else (low, tight)
+    near = nearest(x, up, RATIO) / RATIO
+    print(f"# {length:.2f} widths of yarn, nothing nearer than {near:.3f} of the yarn's width, a lean of {-up[0]:.3f} widths a row")
+    for k, (u, v, w) in enumerate(table(x, up).tolist()):
+        print(f"({u:.3f}, {v:.3f}, {w:.3f}),", end="\n" if k % 4 == 3 else " ")
+    print()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
