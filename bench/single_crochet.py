@@ -24,7 +24,12 @@ LENGTH = 8.0
 POINTS = 88
 
 # u to the next stitch, v up, w towards the worker, and how strongly the yarn is held there. Behind the work down to the hole;
-BEHIND = [(-0.26, 0.60, -0.24, 0.02), (-0.27, 0.30, -0.30, 0.02), (-0.20, 0.06, -0.28, 0.02), (-0.14, -0.10, -0.20, 0.02)]
+BEHIND = [
+    (-0.26, 0.60, -0.24, 0.02),
+    (-0.27, 0.30, -0.30, 0.02),
+    (-0.20, 0.06, -0.28, 0.02),
+    (-0.14, -0.10, -0.20, 0.02),
+]
 # under both top strands of the stitch below, up in front, over and behind the yarn that will be drawn through, and back;
 OVER = [
     (-0.13, -0.14, 0.00, 0.02), (-0.15, -0.08, 0.19, 0.05), (-0.19, 0.12, 0.29, 0.10), (-0.17, 0.40, 0.31, 0.10),
@@ -166,7 +171,7 @@ def table(x: np.ndarray, up: np.ndarray) -> np.ndarray:
         if cell[k, 2] < -0.12:
             back = int(k)
             break
-    line = np.vstack([cell, cell[:1] + (1.0, 0.0, 0.0)])
+    line = np.vstack([cell, (*cell[:1], 1.0, 0.0, 0.0)])
     rows = []
     for (first, last), (a, b) in zip((BAR, LOOP, TOP), ((0, front), (front, back), (back, len(cell)))):
         at = np.linspace(a, b, last - first + 1)[:-1]
@@ -189,7 +194,9 @@ def main(arguments: list[str]) -> None:
             break
         low, most = (tight, most) if length > LENGTH else (low, tight)
     near = nearest(x, up, RATIO) / RATIO
-    print(f"# {length:.2f} widths of yarn, nothing nearer than {near:.3f} of the yarn's width, a lean of {-up[0]:.3f} widths a row")
+    print(
+        f"# {length:.2f} widths of yarn, nothing nearer than {near:.3f} of the yarn's width, a lean of {-up[0]:.3f} widths a row"
+    )
     for k, (u, v, w) in enumerate(table(x, up).tolist()):
         print(f"({u:.3f}, {v:.3f}, {w:.3f}),", end="\n" if k % 4 == 3 else " ")
     print()

@@ -77,7 +77,7 @@ def hair(ground: Ground, records: list[tuple[Hair, Array]], thick: float, eyes: 
         base, normal, forward = _lie(ground, places, forward)
         rows = ground.top(base, normal)
         # Drawn through a stitch, its fold lies on the yarn, and not in the hole between two legs.
-        high = np.where(rows > 0, np.clip(rows, 0.6 * ground.lift, ground.lift), ground.lift)
+        high = np.where(rows > 0, np.clip(rows, 0.9 * ground.lift, ground.lift), ground.lift)
         side = np.cross(forward, normal)
         for k in range(record.count):
             knots.append(_loop(base[k] + high[k] * normal[k], normal[k], forward[k], side[k], thick))

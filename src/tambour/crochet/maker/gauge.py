@@ -6,7 +6,18 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from tambour.crochet.yarns import CIRCLE, SQUARE, UNDER, WEIGHTS, Gauge, class_of, expected, hook_of, ravelled, swatch_of
+from tambour.crochet.yarns import (
+    CIRCLE,
+    SQUARE,
+    UNDER,
+    WEIGHTS,
+    Gauge,
+    class_of,
+    expected,
+    hook_of,
+    ravelled,
+    swatch_of,
+)
 
 if TYPE_CHECKING:
     from tambour.core.errors import Span
@@ -61,7 +72,10 @@ def gauge(params: CrochetParams, stated: Mapping[str, tuple[str, Span]]) -> Gaug
     elif size is None:
         size, source = (5.0, 5.0), "5 × 5 mm to a stitch, for want of a gauge; --gauge, --yarn and --hook say more"
         if params.yarn_under:
-            size, source = (5.0 * UNDER[0], 5.0 * UNDER[1]), "4.75 × 4.5 mm to a stitch with the yarn under the hook, for want of a gauge"
+            size, source = (
+                (5.0 * UNDER[0], 5.0 * UNDER[1]),
+                "4.75 × 4.5 mm to a stitch with the yarn under the hook, for want of a gauge",
+            )
     weight = weight or _nearest_width(size[0])
     return Gauge(size[0], size[1], source, weight, hook or WEIGHTS[weight].amigurumi, told)
 

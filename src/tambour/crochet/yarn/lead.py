@@ -9,7 +9,19 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import BACK, JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.language.stitches import POSTS
-from tambour.crochet.yarn.loops import BACK_ONLY, CHAIN, FRONT_ONLY, HEAD, LEAN, SINGLE, TOP, UNDER, count_points, lead, with_rows
+from tambour.crochet.yarn.loops import (
+    BACK_ONLY,
+    CHAIN,
+    FRONT_ONLY,
+    HEAD,
+    LEAN,
+    SINGLE,
+    TOP,
+    UNDER,
+    count_points,
+    lead,
+    with_rows,
+)
 from tambour.geometry.motion import length
 
 # What a node is to the yarn.

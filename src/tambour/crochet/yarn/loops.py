@@ -96,9 +96,7 @@ FRONT_ONLY: Final[dict[int, tuple[float, float, float]]] = {
 }  # fmt: skip
 """Rows of a stitch worked under the front strand alone: the back one stays inside, a ridge there."""
 
-CHAIN: Final[Array] = np.array(
-    [(-0.234, 0.535, -0.313), (0.04, 0.52, -0.33), (0.34, 0.48, -0.31), (0.62, 0.47, -0.22)]
-)
+CHAIN: Final[Array] = np.array([(-0.234, 0.535, -0.313), (0.04, 0.52, -0.33), (0.34, 0.48, -0.31), (0.62, 0.47, -0.22)])
 """What comes before the head in a chain: the bump behind it."""
 
 SHEAR: Final = 0.5
