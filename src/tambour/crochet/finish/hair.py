@@ -75,9 +75,8 @@ def hair(ground: Ground, records: list[tuple[Hair, Array]], thick: float, eyes: 
     for number, (record, points) in enumerate(records):
         places, forward = roots(ground, points, record.count, thick)
         base, normal, forward = _lie(ground, places, forward)
-        rows = ground.top(base, normal)
         # Drawn through a stitch, its fold lies on the yarn, and not in the hole between two legs.
-        high = np.where(rows > 0, np.clip(rows, 0.9 * ground.lift, ground.lift), ground.lift)
+        high = np.full(len(base), ground.lift + 0.1 * thick)
         side = np.cross(forward, normal)
         for k in range(record.count):
             knots.append(_loop(base[k] + high[k] * normal[k], normal[k], forward[k], side[k], thick))
