@@ -18,6 +18,7 @@ class Source:
     labels : mark → how often its part is made, and which part that is
     part, copies : which part is under way, and how often it is made
     last_number : the number of the last numbered round, None at the start of a piece of work
+    standing : so many chains at a round's beginning → whether they count as a stitch, where the text says it of all rounds
     """
 
     text: Text
@@ -32,6 +33,7 @@ class Source:
     last_number: int | None = None
     told_of_bl: bool = False
     finish: list[Any] = field(default_factory=list)
+    standing: dict[int, bool] = field(default_factory=dict)
 
     def error(self, message: str, hint: str, span: Span) -> None:
         """Something wrong at ``span``."""

@@ -150,6 +150,9 @@ BASIC: Final = frozenset(
 """Stitches that a pattern may not define anew."""
 
 
+_LOW: Final = Stitch("slst", (Move(THROUGH), Move(OVER, "sc", 0.4)))
+
+
 def into_one(inner: Sequence[tuple[Stitch, int]], where: Literal["", "sp", "ring"] = "") -> Stitch:
     """The stitch that is ``inner`` (each so many times) worked into one anchor, chain space or magic ring.
 
@@ -158,6 +161,8 @@ def into_one(inner: Sequence[tuple[Stitch, int]], where: Literal["", "sp", "ring
     """
     merged: list[tuple[Stitch, int]] = []
     for stitch, times in inner:
+        if stitch.name == "slst":
+            stitch = _LOW  # among others in one place it stands as a low stitch
         if not stitch.fits_in_one:
             raise ValueError(f"{stitch.name} does not fit in one place")
         if merged and merged[-1][0].name == stitch.name:
@@ -166,7 +171,7 @@ def into_one(inner: Sequence[tuple[Stitch, int]], where: Literal["", "sp", "ring
             merged.append((stitch, times))
     if not any(m.what == THROUGH for stitch, _ in merged for m in stitch.moves):
         raise ValueError("nothing is worked into it")
-    if not where and len(merged) == 1:
+    if not where and len(merged) == 1 and merged[0][0] is not _LOW:
         stitch, times = merged[0]
         prefix = "" if stitch.name == "sc" else stitch.name
         name = stitch.name if times == 1 else f"{prefix}inc{times if times > 2 else ''}"

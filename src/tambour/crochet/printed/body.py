@@ -10,42 +10,17 @@ from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import where
 from tambour.crochet.printed.colors import LETTERS, Palette
 from tambour.crochet.printed.counts import closing, count, counted_at, ends_with_number, makes
-from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
+from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.doings import BETWEEN, by_hand, doing, drawn_tight
 from tambour.crochet.printed.reader import Body, Reader
-from tambour.crochet.printed.references import refers
+from tambour.crochet.printed.references import even_rounds, refers
 from tambour.crochet.printed.repeats import bracket, led, repeated, star
-from tambour.crochet.printed.stitch import standing, stitch
+from tambour.crochet.printed.stitch import room, standing, stitch
 from tambour.crochet.printed.tokens import Token
 
-_BETWEEN = frozenset(",;:.-/+!&~|><·")
 _LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
 _PHRASE = frozenset(",;.()[]{}*=")
 _ENDS = frozenset((".", ";"))
-
-
-_DOING: Final = frozenset(
-    (
-        "pull",
-        "tighten",
-        "thread",
-        "draw",
-        "insert",
-        "trim",
-        "adjust",
-        "keep",
-        "remove",
-        "replace",
-        "place",
-        "move",
-        "slide",
-        "see",
-        "refer",
-        "shape",
-    )
-)
-_TIGHT: Final = frozenset(
-    ("tight", "tightly", "close", "closed", "remaining", "rem", "final", "last", "secure", "gather")
-)
 _ASIDE: Final = frozenset(
     (
         "taking",
@@ -60,42 +35,20 @@ _ASIDE: Final = frozenset(
         "keeping",
         "carrying",
         "moving",
+        "matching",
+        "stuffing",
+        "removing",
+        "dropping",
     )
 )
 _FACING: Final = frozenset(("right", "wrong", "rs", "ws", "facing"))
+_PARTED: Final = frozenset(("break", "drop", "carry"))
+_LAST: Final = frozenset(("end", "ending", "ends"))
+_COURSE: Final = frozenset(
+    ("spiral", "spirals", "continuous", "joined", "pattern", "sequence", "rounds", "rows", "turned")
+)
+_STRANDS: Final = frozenset(("strand", "strands", "length", "lengths", "double", "separate"))
 _HOOKS: Final = frozenset(("smaller", "larger", "size", "small", "large", "hook"))
-_DONE: Final = ("marker", "stuff", "eyes")
-_NOT: Final = ("join", "turn", "stuff", "color", "marker", "begin")
-
-
-def doing(c: Cursor) -> bool:
-    """Whether the sentence at the cursor is something that hands do and that makes no stitch: a marker, stuffing, a tail."""
-    first = c.look()
-    while first is not None and first.kind == "mark" and first.word in _BETWEEN:
-        c.at += 1
-        first = c.look()
-    if first is None:
-        return False
-    if c.key("marker") and _and_stitches(c):
-        return False
-    if c.key(*_DONE) or (c.key("not") and c.key(*_NOT, ahead=1)):
-        return True
-    if c.key("begin", "leave", "close") and c.key("stuff", ahead=1):
-        return True
-    after = c.look(1)
-    loop = first.word == "draw" and after is not None and after.word == "loop"  # "draw up a loop": a stitch
-    return first.kind == "word" and first.word in _DOING and not loop
-
-
-def _and_stitches(c: Cursor) -> bool:
-    """Whether stitches stand behind a comma of the sentence at the cursor: "place marker fork, 9 sc"."""
-    ahead = 1
-    while (token := c.look(ahead)) is not None and not c.mark(".", ";", ahead=ahead):
-        after = c.look(ahead + 1)
-        if token.word == "," and after is not None and after.kind in ("number", "stitch"):
-            return True
-        ahead += 1
-    return False
 
 
 class Walk(Reader):
@@ -106,13 +59,16 @@ class Walk(Reader):
         body, c = self.body, self.c
         while c.look() is not None:
             at, made = c.at, len(body.items)
-            if doing(c):
+            if doing(c) or by_hand(c.tokens[c.at : self.end_of_sentence()]):
                 c.at = self.end_of_sentence()
                 body.doings.append(c.tokens[at : c.at])
-                words = {t.word for t in c.tokens[at : c.at]}
-                if words & _TIGHT and words & {"pull", "draw", "close", "thread", "cinch"}:
+                if drawn_tight(body.doings[-1]):
                     body.ends = "close"
                 c.at += 1
+                continue
+            if any(map(makes, body.items)) and (even := even_rounds(c.tokens[at : self.end_of_sentence()])) is not None:
+                body.plain.append(even)
+                c.at = self.end_of_sentence() + 1
                 continue
             before = (body.stated, body.stated_span, body.rounds, body.sides)
             try:
@@ -181,7 +137,7 @@ class Walk(Reader):
         if token.kind == "key" and token.value == "with" and after is not None and after.word in _FACING:
             self.to_separator()  # "with right side facing"
             return True
-        if token.kind == "mark" and token.word in _BETWEEN:
+        if token.kind == "mark" and token.word in BETWEEN:
             if token.word in "-:" and ends_with_number(self, 1):
                 return False
             c.at += 1
@@ -199,6 +155,7 @@ class Walk(Reader):
 
     def clause(self, found: list[Item], token: Token) -> None:
         """One clause at the cursor."""
+        c = self.c
         if token.kind == "mark" and token.word in OPEN:
             bracket(self, found, token)
         elif token.kind == "mark" and token.word in ("*", "**"):
@@ -211,9 +168,28 @@ class Walk(Reader):
             stitch(self, found, None)
         elif token.kind == "key":
             self.key(found, token)
+        elif token.word in _PARTED:
+            self.to_separator("and")  # "Break B", "Drop MC": what comes next says the yarn that goes on
+        elif token.word == "pick" and self.palette.letter(c, c.at + 1) is not None:
+            c.tokens[c.at] = Token("key", "with", token.start, token.end, "with")  # "Pick up A"
+            self.color(found)
+        elif token.word in _LAST and found:
+            self.ends_with(found)
         else:
             message = f'"{token.word}" is not understood here'
             raise NotUnderstood(token, message, "a stitch, a number or a repeat is wanted here")
+
+    def ends_with(self, found: list[Item]) -> None:
+        """``rep from * around, end sc``: stitches that the repeat before them leaves room for."""
+        c = self.c
+        c.at += 1
+        c.skip_key("with", "in")
+        inner: list[Item] = []
+        while (token := c.look()) is not None and not c.mark(".", ";", "(", "[", "-", "=", "*", "**"):
+            if not self.between(token):
+                self.clause(inner, token)
+        room(self, found, inner)
+        found += inner
 
     def phrase(self, found: list[Item], token: Token) -> bool:
         """A sentence that the writer prints for marks, forks and loops."""
@@ -281,8 +257,14 @@ class Walk(Reader):
                 del c.tokens[c.at + 2], c.tokens[c.at]
             while c.key("with", "in", "and") and (c.kind("number", 1) or c.kind("stitch", 1)):
                 c.at += 1
-        elif word in ("in", "over") and c.key("bumps", "foundation"):
-            self.to_separator()  # "working in back bumps of foundation ch"
+        elif word in ("in", "over") and (
+            c.key("bumps", "foundation")
+            or (after := c.look()) is None
+            or after.word in _COURSE
+            or (c.key("round", "row") and c.whole(1) is None)
+            or c.mark(",", ":", ";", ".")
+        ):
+            self.to_separator()  # "working in back bumps of foundation ch", "in continuous rounds", "in stripe pattern"
         elif word in ("in", "over", "each", "next", *_LOOPS):
             if c.key("side"):
                 self.other_side(found)
@@ -306,6 +288,8 @@ class Walk(Reader):
                     found.append(Action(place.loops, place.span))
                     place.loops = ""
                 self.before = place
+        elif word == "with" and c.key("ring"):
+            pass  # "begin using magic ring method"
         elif word == "turn" and (c.key("side") or c.key("side", ahead=1)):
             self.other_side(found)
         elif word == "turn":
@@ -438,6 +422,10 @@ class Walk(Reader):
             elif asked and (token.word in _HOOKS or (token.kind == "key" and token.value in ("hook", "and"))):
                 hooked = hooked or token.word in _HOOKS
                 at += 1  # "with smaller hook and A"
+            elif asked and (
+                token.word in _STRANDS or (token.kind == "number" and after is not None and after.word in _STRANDS)
+            ):
+                at += 1  # "with 2 strands of A"
             elif hooked and after is not None and after.kind == "key" and after.value == "hook":
                 at += 1  # "with size F hook"
             elif token.word in ("color", "colour", "new") and at + 1 < len(c.tokens):

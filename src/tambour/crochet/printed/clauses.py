@@ -123,6 +123,9 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
             if token.value == "ch" and c.key("space", "loop", ahead=ahead):  # "ch-2 sp"
                 kind, spaces = kind if each else "space", True
                 c.at += ahead
+        elif token.word == "top" and inside and not placed and (ahead := _standing_chain(c)):
+            placed = True  # "in top of beginning ch-3": the chains stand for the stitch there
+            c.at += ahead - 1
         elif token.word == "marked" and (inside or each) and not placed:
             raise NotUnderstood(
                 token, "where the marker is, is not known here", "say how many stitches there are to it"
@@ -144,9 +147,24 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
         raise NotUnderstood(c.tokens[begin], "a stitch in a place out of order is not understood", "say it in order")
     if kind in ("", "same") and each and not counted:
         kind = "around"
-    if kind == "around" and counted:
+    if kind == "around" and counted and not (each and count == 1):  # "in each 1 sc around"
         kind = "next"
     return Where(kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other)
+
+
+def _standing_chain(c: Cursor) -> int:
+    """How many tokens "top of beginning ch-3" is; 0 where something else is said."""
+    ahead = 1
+    while c.key("begin", "same", "last", "first", ahead=ahead) or (
+        (word := c.look(ahead)) is not None and word.word in ("turning", "starting", "t", "initial", "st")
+    ):
+        ahead += 1
+    word = c.look(ahead)
+    if word is None or not (c.key("foundation", ahead=ahead) or (word.kind == "stitch" and word.value == "ch")):
+        return 0
+    ahead += 1
+    ahead += c.mark("-", ahead=ahead) and c.whole(ahead + 1) is not None
+    return ahead + (c.whole(ahead) is not None)
 
 
 def to_last(c: Cursor) -> int | None:

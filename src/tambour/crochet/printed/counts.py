@@ -16,7 +16,9 @@ Times = tuple[int | None, Span]
 
 
 _TAIL: Final = ("total", "around", "in", "stitch", "rest", "round", "row", "last", "to", "from", "each", "and", "next")
-_TAIL_WORDS: Final = frozenset(("end", "left", "made", "now", "remain", "rem", "complete", "completed"))
+_TAIL_WORDS: Final = frozenset(
+    ("end", "left", "made", "now", "remain", "rem", "complete", "completed", "after", "remaining", "worked")
+)
 _ENDS: Final = (".", "(", "[", ";", "*", "**")
 
 
@@ -40,8 +42,8 @@ def ends_with_number(r: Reader, ahead: int) -> bool:
                 c.key("total", "round", "row", "each", ahead=ahead + 1) or c.look(ahead + 1) is None
             ):
                 return False  # "6 sc in ring"
-        elif named and token.kind == "ordinal":
-            pass
+        elif named and (token.kind == "ordinal" or (token.kind == "number" and c.key("round", "row", ahead=ahead - 1))):
+            pass  # "12 sc at end of Rnd 35"
         elif (
             not ((named and c.mark(",", "&", "/", ahead=ahead)) or c.key("and", ahead=ahead))
             or (more := _and_more(r, ahead)) is None
@@ -78,7 +80,9 @@ def count(r: Reader, found: list[Item]) -> bool:
     """A count without brackets: ``= 18``, ``- 18 sts``, ``18 sts`` or, as a sentence of its own, ``18 sc``."""
     c = r.c
     sign = int(c.mark("-", "=", ":"))
-    if not (any(map(makes, found)) or r.body.left or r.body.refers) or not ends_with_number(r, sign):
+    if not (any(map(makes, found)) or any(map(slips, found)) or r.body.left or r.body.refers) or not ends_with_number(
+        r, sign
+    ):
         return False
     alone = c.mark(".", "|", ";", "-", ")", "]", ahead=-1) or c.key("join", "turn", "around", ahead=-1)
     if not sign and not c.key("stitch", "total", ahead=1) and not alone:
@@ -121,6 +125,11 @@ def makes(item: Item) -> bool:
             "goto",
         )
     return any(map(makes, item.items))
+
+
+def slips(item: Item) -> bool:
+    """Whether an item is of slip stitches."""
+    return item.name == "slst" if isinstance(item, Action) else any(map(slips, item.items))
 
 
 def _state(r: Reader, token: Token) -> None:
@@ -191,7 +200,8 @@ def multiplier(r: Reader) -> Times | Literal[False]:
     token = c.look()
     if token is None:
         return False
-    if (c.mark("x") or (c.mark("*") and not r.stars)) and c.whole(1) is not None:
+    starred = c.mark("*") and not r.stars and not (c.kind("stitch", 2) and c.look(1).glued)  # type: ignore[union-attr]
+    if (c.mark("x") or starred) and c.whole(1) is not None:
         c.at += 1
         number = c.take()
         c.skip_key("times")

@@ -68,7 +68,7 @@ class Cursor:
 class Refers:
     """Which rounds are worked once more.
 
-    numbers : theirs; empty for ``latest``, the last so many, for ``marks``, from ** to **, and for all of a part, up to
+    numbers : theirs; empty for ``latest``, the last so many, for ``marks``, from the asterisks of the one to those of the other, and for all of a part, up to
         its round ``through``
     part : the words that name it, "" for the part under way
     times : how often all of them are worked, None for once or as often as the line has rounds
@@ -79,7 +79,7 @@ class Refers:
     span: Span
     numbers: tuple[int, ...] = ()
     latest: int = 0
-    marks: bool = False
+    marks: tuple[str, str] | None = None
     through: int = 0
     part: str = ""
     times: int | None = None

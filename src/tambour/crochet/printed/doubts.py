@@ -136,7 +136,9 @@ def decided(
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
     def read(choices: frozenset[str] = frozenset()) -> Body:
-        body = Walk(list(tokens), source.stitches, palette, choices, phrase).read()
+        walk = Walk(list(tokens), source.stitches, palette, choices, phrase)
+        walk.standing = source.standing
+        body = walk.read()
         if body.sides and (base := _base(body, chain)) is not None:
             along(body, base, source.stitches)
         return body

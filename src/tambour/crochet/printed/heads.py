@@ -8,7 +8,8 @@ from tambour.core.errors import Span
 from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.tokens import Token
 
-_STARRED = frozenset(("**", "***"))
+STARS = ("**", "***", "****", "*****")
+_STARRED = frozenset(STARS)
 _BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))
 _SIDES = frozenset(("rs", "ws", "right", "wrong", "side"))
 _OTHER = frozenset(("alt", "alternate", "alternating", "every", "other"))

@@ -69,6 +69,7 @@ def plain_name(words: str) -> str:
 
 def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     """The heading that a line is, None when it cannot be one."""
+    tokens = _unseen(tokens)
     c = Cursor(tokens)
     name: list[Token] = []
     copies, at = 1, None
@@ -113,6 +114,24 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     if not clean:
         return None
     return Heading(clean, Span(row.tokens[0].start, end), copies, at, strong, bool(row.marked) or at is not None)
+
+
+def _unseen(tokens: list[Token]) -> list[Token]:
+    """``tokens`` without "(see diagram on page 3)"."""
+    begin = next((k for k, t in enumerate(tokens[:-1]) if t.word in ("(", "[") and tokens[k + 1].word == "see"), None)
+    if begin is None:
+        return tokens
+    end = next((k for k in range(begin, len(tokens)) if tokens[k].word in (")", "]")), len(tokens) - 1)
+    return [*tokens[:begin], *tokens[end + 1 :]]
+
+
+def copies_alone(tokens: list[Token]) -> tuple[int, Span] | None:
+    """The copies that a line of its own says: "(make 2)" below a heading."""
+    if not any(t.kind == "key" and t.value == "make" for t in tokens[:2]) or any(t.kind == "word" for t in tokens):
+        return None
+    c = Cursor(tokens)
+    found = _copies(c)
+    return found if found is not None and (c.look() is None or c.mark(".", ":")) else None
 
 
 def _copies(c: Cursor) -> tuple[int, Span] | None:

@@ -13,12 +13,13 @@ from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Sect
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.doubts import after, chainless, reached
 from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.tokens import Token
 
 _CLOSED = (
     8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
 )
-_SMALL = frozenset(("the", "a", "of", "for", "as", "given", "first", "1st", "one", "piece", "pattern", "instructions"))
 _STARTS = ("oval", "fsc", "goto", "attach")
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
 
@@ -29,7 +30,8 @@ class Draft:
 
     name, span, copies, copies_span : as the heading says; lines : what was read
     edge, peak : stitches on the edge (None: not known), and the most there were
-    last : the last round's number; marks : before which lines an asterisk pair stands ("from ** to **")
+    last : the last round's number; marks : asterisks that a reference may name ("from ** to ***"), each with
+        the line that it stands before
     chain : where in ``lines`` a foundation chain stands that is not worked into yet
     other : the count that the last round states, where it makes another
     sure : the number of stitches on its edge is known for certain; offset : its last round when numbers began at 1 again
@@ -45,7 +47,7 @@ class Draft:
     edge: int | None = None
     peak: int = 0
     last: int = 0
-    marks: list[int] = field(default_factory=list)
+    marks: list[tuple[str, int]] = field(default_factory=list)
     chain: int | None = None
     flat: bool = False
     parted: bool = False
@@ -100,8 +102,33 @@ class Draft:
         """Takes the foundation chain away that a ring stands for."""
         if self.chain is not None:
             del self.lines[self.chain]
-            self.marks = [mark - (mark > self.chain) for mark in self.marks]
+            self.marks = [(stars, at - (at > self.chain)) for stars, at in self.marks]
             self.chain = None
+
+    def counted(self, tokens: list[Token]) -> bool:
+        """Whether a sentence is only the count of the rounds that were worked again before it ("36 sc.")."""
+        words = [t for t in tokens if t.kind != "mark"]
+        last = self.lines[-1] if self.lines else None
+        number = words[0].value if words else None
+        if last is None or last.again is None or last.stated is not None or not isinstance(number, int):
+            return False
+        if (
+            words[0].kind != "number"
+            or not all(
+                t.kind == "stitch"
+                or (t.kind == "key" and t.value in ("stitch", "rest", "total", "last", "round", "row", "to"))
+                or t.word in ("end", "rem")
+                for t in words[1:]
+            )
+            or len(words) > 8
+        ):
+            return False
+        if any(t.kind == "key" and t.value in ("in", "next", "each", "around", "repeat") for t in words):
+            return False
+        self.lines[-1] = replace(last, stated=number, stated_span=words[0].span)
+        self.other = number if self.edge is not None and self.edge != number else None
+        self.edge = self.edge if self.edge is not None else number
+        return True
 
     def gap(self, source: Source, head: Head | None, count: int, span: Span, at: Span) -> None:
         """A round that was not understood, and takes its count."""
@@ -173,7 +200,12 @@ class Draft:
         """
         refers = body.refers
         assert refers is not None
-        origin = named(parts, refers.part, self) if refers.part else self
+        names = [draft.name for draft in parts]
+        meant = named(names, refers.part) if refers.part else None
+        origin = self if not refers.part or meant == -1 else None if meant is None else parts[meant]
+        if origin is not None and refers.marks and origin.between(refers.marks) is None:
+            marks = refers.marks
+            origin = next((draft for draft in reversed(parts) if draft.between(marks) is not None), origin)
         if origin is None:
             return False
         lines = origin.referred(refers)
@@ -198,9 +230,9 @@ class Draft:
                 self.lines, self.chain, self.flat = [*own, *origin.lines[:first]], None, origin.flat
         number = numbers[0] if numbers else self.last + 1
         first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
-        lines = self._lifted(lines)
+        moves, lines = self._lifted(lines)
         name = "" if origin is self else origin.name
-        lead = tuple(i for i in body.items if isinstance(i, Action) and i.name == "color")
+        lead = (*moves, *(i for i in body.items if isinstance(i, Action) and i.name == "color"))
         again = Again(lines, first_number, last_number, name, refers.span)
         at = head.span if head is not None and numbers else refers.span
         line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
@@ -221,20 +253,28 @@ class Draft:
         self.shrunk = self.edge is not None and before is not None and self.edge < before
         return True
 
-    def _lifted(self, lines: tuple[Line, ...]) -> tuple[Line, ...]:
-        """``lines`` as they go on from the last one: where that says no join and no turn, the chains that they begin with
-        would be worked as stitches."""
+    def _lifted(self, lines: tuple[Line, ...]) -> tuple[tuple[Action, ...], tuple[Line, ...]]:
+        """``lines`` as they go on from the last one, and what comes before them: where that says no join and no turn, the
+        chains that they begin with would be worked as stitches."""
+        first = next((i for i in lines[0].items if not isinstance(i, Action) or i.name != "color"), None)
+        moved = any(isinstance(i, Action) and i.name in ("join", "turn") for i in lines[0].items[:2])
+        if moved or not (isinstance(first, Action) and first.name == "ch" and first.times <= _LIFT):
+            return (), lines
         last = self.lines[-1] if self.lines else None
         while last is not None and last.again is not None:
             last = last.again.lines[-1]
-        ends = next((i for i in reversed(last.items) if _moves(i)), None) if last is not None else None
-        again = next((i for i in reversed(lines[-1].items) if _moves(i)), None)
-        first = next((i for i in lines[0].items if not isinstance(i, Action) or i.name != "color"), None)
-        closed = any(isinstance(i, Action) and i.name in ("join", "turn") for i in (ends, again, *lines[0].items[:2]))
-        if closed or not (isinstance(first, Action) and first.name == "ch" and first.times <= _LIFT):
-            return lines
         move = Action("turn" if self.flat else "join", first.span)
-        return (replace(lines[0], items=(move, *lines[0].items)), *lines[1:])
+        if not _closes(lines[-1]):
+            return (), (replace(lines[0], items=(move, *lines[0].items)), *lines[1:])
+        return (() if last is None or _closes(last) or not any(map(_works, last.items)) else (move,)), lines
+
+    def between(self, marks: tuple[str, str]) -> tuple[int, int] | None:
+        """The lines from the one mark to the other; None where these marks do not stand here."""
+        begin = next((k for k, (stars, _) in enumerate(self.marks) if stars == marks[0]), None)
+        if begin is None:
+            return None
+        end = next((at for stars, at in self.marks[begin + 1 :] if stars == marks[1]), None)
+        return None if end is None else (self.marks[begin][1], end)
 
     def referred(self, refers: Refers) -> tuple[Line, ...]:
         """The rounds that are named, none where one of them is not there."""
@@ -242,9 +282,8 @@ class Draft:
             first, last = refers.numbers[0], refers.numbers[-1]
             return written(self.lines, first, last) if last >= first else ()
         if refers.marks:
-            if len(self.marks) < 2:
-                return ()
-            return tuple(line for line in self.lines[self.marks[0] : self.marks[1]] if line.in_round)
+            found_at = self.between(refers.marks)
+            return tuple(line for line in self.lines[slice(*found_at)] if line.in_round) if found_at else ()
         rounds = [line for line in self.lines if line.in_round]
         if refers.latest:
             found: list[Line] = []
@@ -413,27 +452,6 @@ def _founds(source: Source, item: Item) -> bool:
     return item.name in ("mr", "ch", "gap", *_STARTS) or _ring(source, item)
 
 
-def named(parts: list[Draft], words: str, own: Draft) -> Draft | None:
-    """The part that words mean: ``head``, ``the first leg``; None where none is meant."""
-    want = [_one(w) for w in words.lower().split() if w not in _SMALL]
-    if not want:
-        return own
-    best: tuple[int, int, Draft] | None = None
-    for at, draft in enumerate(parts):
-        name = [_one(w) for w in draft.name.lower().replace("_", " ").split()]
-        common = len(set(want) & set(name))
-        if common and (common == len(set(want)) or common == len(set(name))):
-            rank = (common * 4 - abs(len(name) - common), at)
-            if best is None or rank > best[:2]:
-                best = (*rank, draft)
-    return best[2] if best is not None else None
-
-
-def _one(word: str) -> str:
-    """A word as its singular, roughly."""
-    return word[:-1] if word.endswith("s") and len(word) > 3 else word
-
-
 def _ring(source: Source, action: Action) -> bool:
     return action.name == "mr" or (action.name in source.stitches and source.stitches[action.name].where == "ring")
 
@@ -462,6 +480,12 @@ def _works(item: Item) -> bool:
 
 def _skips(item: Item) -> bool:
     return any(map(_skips, item.items)) if isinstance(item, Group) else item.name == "skip"
+
+
+def _closes(line: Line) -> bool:
+    """Whether a line ends with a join or a turn."""
+    ends = next((i for i in reversed(line.items) if _moves(i)), None)
+    return isinstance(ends, Action) and ends.name in ("join", "turn")
 
 
 def _moves(item: Item) -> bool:

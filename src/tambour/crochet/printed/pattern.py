@@ -10,15 +10,15 @@ from tambour.crochet.graph.build import Built
 from tambour.crochet.language.finishes import GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import MOST
-from tambour.crochet.language.tree import Action, Again, Line, Pattern
+from tambour.crochet.language.tree import Action, Again, Group, Line, Pattern
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.body import count_in
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doubts import decided
-from tambour.crochet.printed.heads import Head, heads
+from tambour.crochet.printed.heads import STARS, Head, heads
 from tambour.crochet.printed.mend import agreed, is_start, mended
 from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.prose import NOT_UNDERSTOOD, STARS, WRAPPED, finishing, instructs, stuffed, text_line
+from tambour.crochet.printed.prose import NOT_UNDERSTOOD, WRAPPED, finishing, instructs, stuffed, text_line
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.state import Height, State, plain_height
 from tambour.crochet.printed.tokens import Row, Token
@@ -29,7 +29,6 @@ _LINES = 100  # lines of other text to a round of one that is a pattern at all
 _HOPELESS = 12  # rounds that were not understood to one that was
 _MOST = 5000  # stitches of a round that is taken from its count
 _HINTED = 20  # errors that suggestions are looked for
-_LONG = 50  # characters of a line that was broken
 
 
 def read_printed(
@@ -159,7 +158,7 @@ class Printed(State):
             text_line(self, row, tokens)
             return end
         at += 1
-        while at < len(self.rows) and (more := self._goes_on(tokens, self.rows[at])) is not None:
+        while at < len(self.rows) and (more := self._goes_on(tokens, at)) is not None:
             tokens += more
             at += 1
         if not found[0][1].strong and not self._instructs(tokens[found[0][1].end :]):
@@ -179,13 +178,14 @@ class Printed(State):
             return False
         if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with"):
             return not heads(self.vocabulary.read(after.tokens))
-        if row.end - row.start < _LONG:
+        if row.end - row.start < self.long:
             return False
         first = self.source.text.text[after.tokens[0].start]
         return (first.islower() or first.isdigit()) and not heads(self.vocabulary.read(after.tokens))
 
-    def _goes_on(self, before: list[Token], row: Row) -> list[Token] | None:
-        """The tokens of a line that goes on with the round before it, None when it does not."""
+    def _goes_on(self, before: list[Token], at: int) -> list[Token] | None:
+        """The tokens of line ``at``, which goes on with the round before it; None when it does not."""
+        row = self.rows[at]
         if not row.tokens:
             return None
         tokens = self.vocabulary.read(row.tokens)
@@ -202,6 +202,8 @@ class Printed(State):
         if first.kind == "mark" and first.word in "([{*=":
             return tokens
         plain = self.source.text.text[first.start].islower() or first.kind == "number"
+        if plain and first.kind == "word" and last.word not in (".", "!", "?", ":") and self.narrow(self.rows[at - 1]):
+            return tokens
         if plain and last.word not in (".", ")", "]", "}") and first.kind in ("stitch", "key", "number"):
             return tokens
         return None
@@ -215,14 +217,14 @@ class Printed(State):
     def _round(self, head: Head, tokens: list[Token], whole: list[Token]) -> None:
         """A round that has a head."""
         span = Span(whole[0].start, whole[-1].end)
-        starred, ended = whole[0].word in STARS, any(t.word in STARS for t in tokens[-3:])
-        if ended:
-            tokens = [t for t in tokens if t.word not in STARS or t not in tokens[-3:]]
+        starred = whole[0].word if whole[0].word in STARS else ""
+        ended = [t for k, t in enumerate(tokens) if t.word in STARS and _ends_line(tokens, k)]
+        tokens = [t for t in tokens if t not in ended]
         head = self._part_of(head, tokens, span)
         draft = self.parts[-1]
         if starred or self.starred:
-            draft.marks.append(0 if self.starred and not draft.last else len(draft.lines))
-            self.starred = False
+            draft.marks.append((starred or self.starred, 0 if self.starred and not draft.last else len(draft.lines)))
+            self.starred = ""
         body = [*head.extra, Token("mark", ",", head.span.end, head.span.end), *tokens] if head.extra else tokens
         self.source.last_number = draft.last or None
         self._others(draft, head)
@@ -230,8 +232,7 @@ class Printed(State):
         self._worked(draft, head, body, span)
         if head.other and len(draft.lines) > before and head.numbers:
             draft.others = (head.numbers[-1], draft.lines[-1])
-        if ended:
-            draft.marks.append(len(draft.lines))
+        draft.marks += [(t.word, len(draft.lines)) for t in ended]
 
     def _part_of(self, head: Head, tokens: list[Token], span: Span) -> Head:
         """Begins the part that a head begins; its numbers go on where they only begin at 1 again."""
@@ -337,6 +338,9 @@ class Printed(State):
                 draft.sure = True
                 self.sound.add(span.start)
         self.understood += 1
+        for many, where in read.plain:
+            even = Body([Group((Action("sc", where),), None, where)], rounds=(many, where))
+            draft.add(self.source, None, even, where)
         for more in read.more:
             again = Body(refers=more)
             if not draft.again(self.source, None, again, more.span, self.parts, self.height()):
@@ -375,6 +379,13 @@ class Printed(State):
         self.tell(f"{wrong.message}: this round is {said}, {many}", hint, wrong.token.span)
         draft.gap(self.source, head, many, span, count.span if count is not None else head.span)
         draft.sure = count is not None
+
+
+def _ends_line(tokens: list[Token], k: int) -> bool:
+    """Whether asterisks at ``k`` stand between sentences, where a reference may name them."""
+    before, after = tokens[k - 1] if k else None, tokens[k + 1] if k + 1 < len(tokens) else None
+    named = before is not None and before.kind == "key" and before.value in ("from", "to", "as")
+    return not named and (after is None or before is None or before.word in (".", ")", "]"))
 
 
 def _starts(tokens: list[Token]) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Span
@@ -9,9 +10,22 @@ from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.hear import assembling
 from tambour.crochet.printed.assembly import Said
+from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
+from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
-from tambour.crochet.printed.notes import BELOW, MODES, Heading, definition, heading, own_stitch, plain_name, stated
+from tambour.crochet.printed.heads import STARS, heads
+from tambour.crochet.printed.notes import (
+    BELOW,
+    MODES,
+    Heading,
+    copies_alone,
+    definition,
+    heading,
+    own_stitch,
+    plain_name,
+    stated,
+)
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
@@ -19,8 +33,8 @@ from tambour.crochet.words.special import explained
 from tambour.crochet.yarns import hook_of
 
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
-STARS: Final = ("**", "***")
 WRAPPED: Final = 12  # lines of a paragraph
+_NEAR: Final = 4  # lines between what a piece begins with and its first round
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
 
@@ -66,12 +80,15 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         return
     first = tokens[0]
     names = [t for t in tokens if t.kind != "mark"]
-    listed = first.value != "eyes" or p.mode in ("materials", "abbreviations")
+    listed = first.value != "eyes" or (p.mode in ("materials", "abbreviations") and not _founds(p))
     if len(names) <= 3 and first.kind == "key" and first.value in MODES and listed:
         p.mode = MODES[first.value]
         p.below = BELOW.get(first.value, "")
         p.heading = None
         p.passed.append(whole)
+        return
+    if p.heading is not None and (more := copies_alone(tokens)) is not None:
+        p.heading = replace(p.heading, copies=more[0], copies_span=more[1], strong=True, marked=True)
         return
     found = _copied(p, row, line) or heading(text, row, tokens)
     lefts: list[list[Token]] = []
@@ -124,7 +141,7 @@ def _headed(text: str, row: Row, tokens: list[Token]) -> int:
         or tokens[0].value in (*MODES, "round", "row", "repeat")
     ):
         return 0
-    if not any(
+    if tokens[at + 1].word not in ("see", "fold") and not any(
         t.kind == "stitch" or (t.kind == "key" and t.value in ("ring", "make", "with", "begin", "as", "join"))
         for t in tokens[at + 1 :]
     ):
@@ -191,7 +208,10 @@ def _sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
     begin = 0
     ends = (".", "!", "?") if any(t.word == "*" for t in tokens) else (".", "!", "?", ";")
     depth = 0
+    held = _held(tokens)
     for at in range(len(tokens) + 1):
+        if at < len(tokens) and at in held:
+            continue
         if at < len(tokens):
             depth += (tokens[at].word in OPEN) - (tokens[at].word in ")]}>") if tokens[at].kind == "mark" else 0
         if at < len(tokens) and (tokens[at].word not in ends or depth > 0):
@@ -201,28 +221,60 @@ def _sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
             sentence = sentence[1:]
         while len(sentence) > 1 and sentence[-1].word in STARS and sentence[-2].word != "to":
             sentence = sentence[:-1]
+        if (
+            not sentence
+            and at > begin
+            and tokens[begin].word in STARS
+            and any(t.kind != "mark" for t in tokens[:begin])
+        ):
+            if p.parts:
+                p.parts[-1].marks.append((tokens[begin].word, len(p.parts[-1].lines)))
+            begin = at + 1
+            continue
         before = len(p.parts[-1].lines) if p.parts else 0
         count = len(p.parts)
         starred = [t.word in STARS for t in tokens[begin:at]]
+        mark = tokens[begin].word if at > begin else ""
+        last = tokens[at - 1].word if at > begin else ""
         begin = at + 1
         if starred and starred[0] and sentence:
-            p.starred = True
+            p.starred = mark
         if sentence and _sentence(p, sentence):
             any_read = True
             if p.starred and p.parts and len(p.parts[-1].lines) > (before if len(p.parts) == count else 0):
-                p.parts[-1].marks.append(before if len(p.parts) == count else 0)
-                p.starred = False
+                p.parts[-1].marks.append((p.starred, before if len(p.parts) == count else 0))
+                p.starred = ""
             if starred[-1] and p.parts and not (len(sentence) > 1 and sentence[-1].word in STARS):
-                p.parts[-1].marks.append(len(p.parts[-1].lines))
+                p.parts[-1].marks.append((last, len(p.parts[-1].lines)))
         elif sentence:
             lefts.append(sentence)
     return any_read
 
 
+def _held(tokens: list[Token]) -> set[int]:
+    """The points between an asterisk and the words that repeat from it, which end no sentence."""
+    held: set[int] = set()
+    begin = -1
+    for at, token in enumerate(tokens):
+        before = tokens[at - 1] if at else None
+        if token.word == "*" and not (before is not None and before.kind == "key" and before.value in ("from", "to")):
+            begin = at
+        elif begin >= 0 and token.kind == "key" and token.value == "repeat":
+            held |= {k for k in range(begin, at) if tokens[k].kind == "mark" and tokens[k].word in ".;"}
+            begin = -1
+    return held
+
+
 def _sentence(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds; whether it was understood."""
+    handed, p.handed = p.handed, True
     if finishing(p, tokens):
         return True
+    if p.mode not in ("materials", "abbreviations") and (
+        by_hand(tokens) or convention(p, tokens) or (handed and _once_more(tokens))
+    ):
+        return True
+    p.handed = False
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
     said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end", "up side"))
     draft = p.parts[-1] if p.parts else None
@@ -235,13 +287,17 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         else:
             setattr(draft, name, value)
         return True
+    if draft is not None and draft.counted(tokens):
+        return True
     stuffing = stuffed(tokens)
     if stuffing is not None and draft is not None:
         if stuffing >= 0:
             draft.stuffing = stuffing
         return True
     if p.mode in ("materials", "abbreviations", "notes", "assembly"):
-        return False
+        if not (_founding(p, tokens) and _founds(p)):
+            return False
+        p.mode = ""  # the list ends where a piece begins
     if any(t.kind == "key" and t.value == "not" for t in tokens[:2]):
         return True  # "do not fasten off", "do not stuff"
     try:
@@ -275,6 +331,54 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     draft.add(p.source, None, body, span)
     p.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
     return True
+
+
+def _once_more(tokens: list[Token]) -> bool:
+    """Whether a sentence has what hands just did done again: "Repeat for second ear"."""
+    first, after = tokens[0], tokens[1] if len(tokens) > 1 else None
+    if first.kind != "key" or first.value != "repeat" or after is None:
+        return False
+    again = after.kind == "key" and after.value in ("for", "in", "with", "as", "once", "twice", "other", "until")
+    return again and not any(
+        t.kind == "stitch"
+        or t.word in ("*", *STARS)
+        or (t.kind == "key" and t.value in ("round", "row", "times", "more"))
+        for t in tokens
+    )
+
+
+def _founding(p: State, tokens: list[Token]) -> bool:
+    """Whether a sentence begins a piece: "With A, ch 9", "Beginning at tip, with 2 strands of B, ch 2"."""
+    c = Cursor(tokens)
+    ring = any(t.kind == "key" and t.value == "ring" and t.word not in ("mc", "mr") for t in tokens)
+    first = tokens[0]
+    if (
+        not (first.kind == "key" and first.value in ("with", "begin", "over", "make", "ring", "leave", "form"))
+        and first.value != "ch"
+    ):
+        return False
+    ch = next(
+        (k for k, t in enumerate(tokens) if t.kind == "stitch" and t.value == "ch" and c.whole(k + 1) is not None), -1
+    )
+    if any(t.kind == "key" and t.value in ("not", "count", "round", "row") for t in tokens):
+        return False
+    return (ring and len(tokens) < 14) or (
+        ch >= 0 and not any(t.kind == "stitch" and t.value not in ("ch", "slst") for t in tokens)
+    )
+
+
+def _founds(p: State) -> bool:
+    """Whether rounds begin at 1 in one of the next lines."""
+    seen = 0
+    for row in p.rows[p.row_at : p.row_at + 12]:
+        if row.tokens:
+            found = heads(p.vocabulary.read(row.tokens))
+            if any(head.numbers[:1] == (1,) for _, head in found):
+                return True
+            seen += 1
+            if seen > _NEAR:
+                break
+    return False
 
 
 def finishing(p: State, tokens: list[Token]) -> bool:
@@ -326,7 +430,8 @@ def instructs(p: State, tokens: list[Token]) -> bool:
     repeats = any(t.kind == "key" and t.value in ("repeat", "same", "as") and t.word != "like" for t in tokens)
     if p.mode == "notes":
         return stitches and numbers
-    return stitches or numbers or repeats or any(p.palette.name(t.word) for t in tokens if t.kind == "word")
+    places = any(t.kind == "key" and t.value in ("next", "around", "skip", "front loops", "back loops") for t in tokens)
+    return stitches or numbers or repeats or places or any(p.palette.name(t.word) for t in tokens if t.kind == "word")
 
 
 def left_over(p: State, tokens: list[Token]) -> None:

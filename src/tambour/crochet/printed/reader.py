@@ -31,6 +31,7 @@ class Body:
     ends : "close" or "open" when it says how its end is left
     left : sentences that were not understood, and why the first was not; doings : those that make no stitch
     asked : wordings that can be read in two ways → their place
+    plain : "work 3 rnds even": so many plain rounds that follow it, each with its place
     pending : a magic ring still wants its stitches
     fit : 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit
     """
@@ -53,6 +54,7 @@ class Body:
     wrong: NotUnderstood | None = None
     doings: list[list[Token]] = field(default_factory=list)
     asked: dict[str, Span] = field(default_factory=dict)
+    plain: list[tuple[int, Span]] = field(default_factory=list)
     pending: bool = False
     fit: int = 2
 
@@ -77,6 +79,7 @@ class Reader(ABC):
         self.body = Body()
         self.ring: Token | None = None  # a magic ring that still wants its stitches
         self.before: Where | None = None  # "in next st", said before its stitches
+        self.standing: dict[int, bool] = {}  # chains that count as a stitch, or do not, in the whole text
         self.leaves = 0  # stitches at the end that the repeat just read leaves
         self.depth = self.stars = 0  # brackets, and asterisks, that are open
 

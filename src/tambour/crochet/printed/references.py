@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.printed.counts import multiplier
 from tambour.crochet.printed.cursor import Cursor, NotUnderstood, Refers
-from tambour.crochet.printed.heads import list_of_numbers, list_of_ordinals
+from tambour.crochet.printed.heads import STARS, list_of_numbers, list_of_ordinals
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
 
@@ -16,7 +17,7 @@ _FRACTIONS: Final = {"¼": 0.25, "½": 0.5, "¾": 0.75, "⅓": 1 / 3, "⅔": 2 /
 _GIVEN: Final = frozenset(
     ("given", "instructions", "directions", "instructed", "written", "described", "done", "previously")
 )
-_ENDS: Final = (".", ",", ";", "(", ")", "[", "]", "-", ":", "*", "**", "***", "=")
+_ENDS: Final = (".", ",", ";", "(", ")", "[", "]", "-", ":", "*", *STARS, "=")
 
 
 def refers(r: Reader) -> Refers | None:
@@ -28,16 +29,16 @@ def refers(r: Reader) -> Refers | None:
     while c.key("repeat", "as", "same", "for", "in", "from", "each") or (
         c.kind("word") and c.tokens[c.at].word in _GIVEN
     ):
-        if c.key("from") and c.mark("*", "**", "***", ahead=1):
+        if c.key("from") and c.mark("*", *STARS, ahead=1):
             break
         if c.key("each", "in", "from") and not (c.key("round", "row", ahead=1) or c.kind("word", 1)):
             break
         c.at += 1
     found: Refers | None = None
     numbers: list[int] = []
-    if c.key("from") and c.mark("**", "***", ahead=1) and c.key("to", ahead=2) and c.mark("**", "***", ahead=3):
+    if c.key("from") and c.mark(*STARS, ahead=1) and c.key("to", ahead=2) and c.mark(*STARS, ahead=3):
         c.at += 4
-        found = Refers(first.span, marks=True)
+        found = Refers(first.span, marks=(c.tokens[c.at - 3].word, c.tokens[c.at - 1].word))
     elif c.key("last") and (
         c.key("round", "row", ahead=1) or (c.whole(1) is not None and c.key("round", "row", ahead=2))
     ):
@@ -126,6 +127,22 @@ def _length(c: Cursor) -> tuple[float | None, bool]:
     return length, whole
 
 
-def sentence(tokens: list[Token]) -> bool:
-    """Whether a sentence between the rounds may be a reference."""
-    return bool(tokens) and any(t.kind == "key" and t.value in ("repeat", "as", "same") for t in tokens[:4])
+def even_rounds(tokens: list[Token]) -> tuple[int, Span] | None:
+    """How many rounds a sentence works plainly: "Work 3 rnds even in sc"; None for another sentence."""
+    if len(tokens) > 8 or not any(t.kind == "key" and t.value == "even" for t in tokens):
+        return None
+    if not all(
+        t.kind in ("number", "mark")
+        or t.word == "sc"
+        or (t.kind == "key" and t.value in ("round", "row", "even", "in", "for", "next"))
+        for t in tokens
+    ):
+        return None
+    number = next(
+        (t for t, u in pairwise(tokens) if t.kind == "number" and u.kind == "key" and u.value in ("round", "row")), None
+    )
+    return (
+        None
+        if number is None or not isinstance(number.value, int)
+        else (number.value, Span(tokens[0].start, tokens[-1].end))
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Final, Literal
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item
@@ -21,6 +21,8 @@ from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.stitch import placed, standing
 from tambour.crochet.printed.tokens import Token
 
+_REMARKED: Final = frozenset(("inc'd", "dec'd", "increased", "decreased", "made", "worked", "group", "groups"))
+
 
 def bracket(r: Reader, found: list[Item], token: Token) -> None:
     """At an opening bracket: a count, a remark, or items that are repeated or worked into one stitch."""
@@ -31,7 +33,15 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
     words = c.tokens[begin + 1 : end]
     if any(t.kind == "key" and t.value == "count" for t in words):
         # "(does not count as a stitch)", "(counts as the first dc)"
-        if not any(t.kind == "key" and t.value == "not" for t in words):
+        stands = not any(t.kind == "key" and t.value == "not" for t in words)
+        if (
+            any(t.word in ("here", "throughout") for t in words)
+            and found
+            and isinstance(found[-1], Action)
+            and found[-1].name == "ch"
+        ):
+            r.standing[found[-1].times] = stands
+        if stands:
             standing(found)
         c.at = end + 1
         return
@@ -58,6 +68,8 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
 
 def _instructs(words: list[Token]) -> bool:
     """Whether words in brackets are instructions, and not a remark that names stitches."""
+    if words and ((words[-1].kind == "key" and words[-1].value in ("round", "row")) or words[-1].word in _REMARKED):
+        return False  # "(Dec rnd)", "(1 sc inc'd)"
     stitches = sum(t.kind == "stitch" for t in words)
     return stitches * 3 >= sum(t.kind in ("word", "key", "stitch") for t in words) > 0
 
@@ -83,6 +95,9 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
         c.at += 1
     if not inner:
         raise NotUnderstood(token, "nothing stands after this asterisk", "say what is repeated")
+    if not later and c.mark(".") and any(t.kind == "key" and t.value == "around" for t in c.tokens[c.at :]):
+        found += inner  # a stray star: what goes around is said further on
+        return
     repeated(r, found, inner, token.span, star=True)
 
 
@@ -207,7 +222,10 @@ def times(r: Reader, star: bool) -> Times | Literal[False]:
             return checked(token.value, token)
     if token is not None and c.key("around"):
         c.at += 1
+        if c.key("to"):
+            r.leaves = to_last(c) or 0
         return None, token.span
+
     if said >= 0:
         place = where(c)
         return None, place.span if place is not None else c.tokens[said].span

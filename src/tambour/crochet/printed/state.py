@@ -14,7 +14,7 @@ from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
-from tambour.crochet.printed.tokens import rows
+from tambour.crochet.printed.tokens import Row, rows
 from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
@@ -45,12 +45,24 @@ def plain_height(stated: Mapping[str, tuple[str, Span]]) -> float:
     return 5.0
 
 
+_LONG: Final = 50  # characters of a line that was broken
+_COLUMN: Final = 75  # characters of a line in a narrow column, at most
+
+
+def _long(rows: list[Row]) -> float:
+    """The fewest characters of a line that was broken where the page ended: fewer in the narrow columns of a PDF."""
+    lengths = sorted(row.end - row.start for row in rows if len(row.tokens) > 4)
+    width = lengths[len(lengths) * 9 // 10] if lengths else 0
+    return 0.6 * width if 0 < width <= _COLUMN else _LONG
+
+
 class State:
     """What is known of a text so far: its lines, its words, its parts, and what waits for the part that comes next."""
 
     def __init__(self, source: Source, high: Height) -> None:
         self.source, self._high = source, high
         self.rows = rows(source.text.text)
+        self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
         self.palette = Palette([*self.vocabulary.stitches(), *_KNOWN])
@@ -69,8 +81,13 @@ class State:
         self.unread: list[Problem] = []  # what was not understood, and rounds that were taken from their counts
         self.left_out: list[Span] = []  # rounds without a count, or on no edge that is known
         self.sound: set[int] = set()  # where rounds begin whose words make their counts
-        self.starred = False  # two asterisks stand before what comes next
+        self.starred = ""  # asterisks that stand before what comes next
+        self.handed = False  # the sentence before this one was something that hands do
         self.sentences: list[Said] = []  # of finishing, read once the parts are known
+
+    def narrow(self, row: Row) -> bool:
+        """Whether a line is as long as the column that it may be broken at."""
+        return self.long < _LONG and row.end - row.start >= self.long
 
     def height(self) -> float:
         """The height of a round, mm, by what the pattern states so far."""

@@ -49,6 +49,15 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         more = where(c)
         if more is not None and more.kind != "loops":
             more.loops, place = place.loops, more
+    if (
+        place is not None
+        and place.kind == "same"
+        and name != "slst"
+        and found
+        and not any(map(makes, found))
+        and not _stands(found[-1])
+    ):
+        place.kind = "first"  # the stitch that the yarn was joined to
     if place is not None and place.kind in ("joined", "first") and found and _stands(found[-1]):
         place.kind = "same"  # the chains stand there already
     if place is not None and place.kind == "joined":
@@ -76,12 +85,12 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         return
     if name == "ch" and place is None and not any(map(makes, found)) and not r.depth and _may_stand(r, number):
         r.ask("stands", token.span)
-        if "stands" in r.choices:
+        if ("stands" in r.choices) != r.standing.get(number.value, False):  # type: ignore[union-attr]
             found.append(Action(_STANDING[number.value], token.span))  # type: ignore[union-attr]
             return
     made = _lower(r, found, name, before, after, token, place)
     if place is not None and place.final:
-        _room(r, found, made)
+        room(r, found, made)
     given = multiplier(r) if place is None or place.kind != "around" else False
     if given is not False:
         times, span = given
@@ -91,7 +100,11 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         made = [Action(place.loops, place.span), *made, Action("bl", place.span)]
     found += made
     # "sc in 2nd ch from hook and in each ch across": the same stitch goes on
-    while place is not None and (c.key("and") or c.mark(",")) and c.key("in", ahead=1):
+    while (
+        place is not None
+        and (c.key("and") or c.mark(","))
+        and (c.key("in", ahead=1) or (c.key("each", ahead=1) and c.key("and")))
+    ):
         begin = c.at
         c.at += 1
         place = where(c)
@@ -115,7 +128,7 @@ def _may_stand(r: Reader, number: Token | None) -> bool:
     return not (c.mark("(", "[") and any(t.kind == "key" and t.value in ("not", "count") for t in said))
 
 
-def _room(r: Reader, found: list[Item], made: list[Item]) -> None:
+def room(r: Reader, found: list[Item], made: list[Item]) -> None:
     """Leaves room before the stitches of a round's end ("1 sc in last st") in the repeat around that stands before them."""
     for k in range(len(found) - 1, -1, -1):
         item = found[k]
@@ -137,6 +150,12 @@ def _joins(r: Reader) -> bool:
     word = c.look(ahead)
     if word is None or not ahead:
         return False
+    behind = ahead
+    while c.look(behind) is not None and not c.mark(".", ",", ";", "(", "[", ahead=behind) and behind < ahead + 8:
+        if c.key("form", "join", ahead=behind):
+            r.to_separator()
+            return True
+        behind += 1
     if c.key("join", "begin", "form", ahead=ahead) or word.word in ("top", "close"):
         r.to_separator()
         return True

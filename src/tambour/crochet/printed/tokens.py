@@ -122,12 +122,13 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
 
 
 _PAIRED: Final = frozenset(("from", "to", "between"))  # "rep from ** to **": no weight
-_WEIGHTS: Final = frozenset(("**", "***", "__", "___"))
+_WEIGHTS: Final = frozenset(("**", "***", "****", "__", "___"))
+_GOES_ON: Final = frozenset(("around", "across", "to", "until", "end", "all", "twice", "once"))  # "Rep from | * around"
 _LEADING: Final = frozenset("#>•◦▪●○■□★☆♥❤·*-+|")
 
 
 def _bullet(tokens: list[Token], at: int) -> bool:
     """Whether the mark at ``at`` is a list's: room follows it, and no second of its kind closes a repeat."""
-    if at + 1 >= len(tokens) or tokens[at + 1].glued:
+    if at + 1 >= len(tokens) or tokens[at + 1].glued or tokens[at + 1].word in _GOES_ON:
         return False
     return tokens[at].word != "*" or not any(t.word == "*" for t in tokens[at + 1 :])

@@ -14,6 +14,7 @@ from tambour.crochet.words.table import TERMS, Heard
 _SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
 _JOINS: Final = frozenset("-.'/")
 _YARNS: Final = frozenset(("with", "to", "color", "colour", "yarn", "in", "join", "."))
+_ENDED: Final = frozenset(("=", ":", ",", ".", ";", ")", "and", "or"))  # no article stands before these
 _ARTICLES: Final = frozenset(("the", "a", "your"))
 _SIGNS: Final = frozenset("xX×*")
 _LATER: Final = frozenset(
@@ -127,9 +128,7 @@ class Vocabulary:
                 continue
             end, kind, value = found
             if kind == "filler":
-                if token.value == "A" and (
-                    tokens[at - 1].word in _YARNS or (end < n and tokens[end].word in ("=", ":"))
-                ):
+                if token.value == "A" and (tokens[at - 1].word in _YARNS or end >= n or tokens[end].word in _ENDED):
                     made.append(token)
                 at = end
                 continue
