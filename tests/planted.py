@@ -79,7 +79,7 @@ FAULTS = [
     Fault("files/svg/path.py", "sx = sy = max(sx, sy) if", "sx = sy = min(sx, sy) if", "promises files_svg_read"),
     Fault("files/chart.py", "bits = next(b for b in (1, 2, 4, 8) if colours <= 1 << b)",
           "bits = next(b for b in (1, 2, 4, 8) if colours < 1 << b)", "promises knit_formats"),
-    Fault("files/knitout.py", "row % 2 == 0 else [Stop", "row % 2 == 1 else [Stop", "knit_knitout"),
+    Fault("knit/machines/knitout.py", "way = first if row % 2 == 0 else other(first)\n    columns", "way = first\n    columns", "knit_knitout"),
     Fault("files/mesh.py", 'f"{k / 255:.4f}"', 'f"{k / 256:.4f}"', "files_mesh"),
     # -- crochet
     Fault("crochet/yarns.py", "IN_A_STITCH: Final = 8.0", "IN_A_STITCH: Final = 9.0", "crochet_size"),

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import re
+import subprocess
 import warnings
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -15,9 +18,11 @@ from tambour import files
 from tambour.core.chart import Chart
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
-from tambour.files.knitout import lines
-from tambour.knit.hands.working import floats
+from tambour.knit.hands.jacquard import back_cells
+from tambour.knit.hands.working import catches, floats
+from tambour.knit.machines.knitout import DIALECTS, lines, told
 
+THREE = Palette(np.array([[240, 230, 210], [30, 40, 90], [170, 40, 40]], np.uint8))
 WOOL = Palette(np.array([[240, 230, 210], [30, 40, 90]], np.uint8), ("natural", "indigo"))
 
 
@@ -35,6 +40,7 @@ class Machine:
     dropped: list[str] = field(default_factory=list)
     passes: int = 0
     _last: tuple[str, str] = ("", "")
+    apart: float = 0.0
 
     def run(self, text: list[str]) -> Machine:
         assert text[0] == ";!knitout-2"
@@ -59,16 +65,27 @@ class Machine:
         assert carrier in self.inside and self.hook is None
         self.inside.remove(carrier)
 
+    def rack(self, way: str) -> None:
+        self.apart = float(way)
+
+    def __getattr__(self, word: str):
+        assert word == "in", f"no operation {word}"
+        return self.inside.add
+
+    out = outhook
+
     def _carry(self, way: str, needle: str, carrier: str) -> None:
         assert carrier in self.inside
-        place = int(needle[1:])
+        place = int(needle[1:]) + (self.apart if needle[0] == "b" else 0)
         if self.hook == carrier and self.fresh:
             assert way == "-", "the hook is on the right"
+        elif carrier not in self.at and self.hook is None:
+            assert way == "+", "the yarns stand on the left"
         elif carrier in self.at:
             # A carrier stands beside its last needle, on the side it was going to.
-            behind = self.at[carrier] <= place - 0.4 if way == "+" else self.at[carrier] >= place + 0.4
+            behind = self.at[carrier] <= place - 0.1 if way == "+" else self.at[carrier] >= place + 0.1
             assert behind, f"carrier {carrier} at {self.at[carrier]} would have to kick back for {way}{needle}"
-        self.at[carrier] = place + (0.5 if way == "+" else -0.5)
+        self.at[carrier] = place + (0.1 if way == "+" else -0.1)
         if (way, carrier) != self._last:
             self.passes += 1
             self._last = (way, carrier)
@@ -123,6 +140,60 @@ def test_the_machine_knits_the_chart_again(chart: Chart) -> None:
 
 
 @given(chart=charts())
+def test_where_no_hook_is_yarns_come_from_the_left(chart: Chart) -> None:
+    text = lines(chart, "kniterate")
+    assert ";;Carriers: 1 2 3 4 5 6" in text and not any("hook" in line for line in text)
+    machine = Machine().run(text)
+    assert (np.unique(chart.cells)[fabric(machine, chart.circular) - 1] == chart.cells).all()
+
+
+@given(chart=charts())
+@settings(max_examples=60)
+def test_caught_floats_are_tucked_and_the_chart_is_the_same(chart: Chart) -> None:
+    marks = catches(chart, 2)
+    text = lines(chart, "", marks)
+    assert (np.unique(chart.cells)[fabric(Machine().run(text), chart.circular) - 1] == chart.cells).all()
+    more = sum(line.startswith("tuck") for line in text) - sum(line.startswith("tuck") for line in lines(chart))
+    assert 0 <= more <= marks.sum()
+
+
+@pytest.mark.parametrize("machine", sorted(DIALECTS))
+@pytest.mark.parametrize("backing", ["birdseye", "stripes"])
+@pytest.mark.parametrize("yarns", [2, 3, 5])
+def test_jacquard_shows_its_picture_in_front_and_its_back_behind(machine: str, backing, yarns: int) -> None:
+    wool = Palette((np.arange(3 * yarns).reshape(-1, 3) * 15).astype(np.uint8))
+    cells = np.random.default_rng(yarns).integers(0, yarns, (6, 11)).astype(np.uint8)
+    chart = Chart(cells, wool, technique="jacquard", backing=backing)
+    made = Machine().run(lines(chart, machine)).made
+    for bed, wanted in (("f", cells), ("b", back_cells(chart))):
+        knitted = np.array([[int(c) for c in made[f"{bed}{x}"]] for x in range(11)]).T
+        assert (knitted - 1 == wanted).all()
+
+
+BACKENDS = {"kniterate": "KNITERATE_BACKEND", "swgn2": "SWG_BACKEND", "swg091n2": "SWG_BACKEND"}
+
+
+@pytest.mark.parametrize("machine", sorted(BACKENDS))
+def test_the_public_backends_take_the_files(machine: str, tmp_path: Path) -> None:
+    """knitout-to-kcode.js and knitout-to-dat.js of textiles-lab, where the environment says where they lie."""
+    script = os.environ.get(BACKENDS[machine], "")
+    if not script:
+        pytest.skip(f"{BACKENDS[machine]} names no backend")
+    cells = np.random.default_rng(1).integers(0, 2, (9, 20)).astype(np.uint8)
+    cells[3, 2:18] = 0
+    three = Chart((cells + 2 * np.eye(9, 20, 5, np.uint8)) % 3, THREE, technique="jacquard")
+    charts_ = [Chart(cells, WOOL), Chart(cells, WOOL, circular=True), three, replace(three, backing="stripes")]
+    for chart in charts_:
+        marks = catches(chart, 4) if chart.technique == "stranded" else None
+        files.write(told(chart, machine, marks), tmp_path / "chart.k")
+        ran = subprocess.run(["node", script, "chart.k", "out"], cwd=tmp_path, capture_output=True, text=True)
+        said = ran.stdout + ran.stderr
+        assert ran.returncode == 0 and (tmp_path / "out").stat().st_size > 1000, said[-500:]
+        assert not re.search("ERROR|Assertion|WARNING", said), said[-500:]
+        (tmp_path / "out").unlink()
+
+
+@given(chart=charts())
 def test_floats_on_the_machine_are_the_charts(chart: Chart) -> None:
     if chart.circular or chart.shape[1] < 4:
         return
@@ -138,7 +209,7 @@ def test_floats_on_the_machine_are_the_charts(chart: Chart) -> None:
 @given(chart=charts())
 def test_own_files_are_read_back(chart: Chart, tmp_path_factory: pytest.TempPathFactory) -> None:
     path = tmp_path_factory.mktemp("k") / "chart.k"
-    files.write(chart, path)
+    files.write(told(chart), path)
     back = files.read(path, ("Chart",))
     assert back.circular == chart.circular
     assert (back.palette.rgb[back.cells] == chart.palette.rgb[chart.cells]).all()
@@ -153,7 +224,7 @@ def test_the_interpreter_runs_clean(tmp_path, circular: bool, late: int) -> None
     cells = np.random.default_rng(late).integers(0, 2, (6, 10)).astype(np.uint8)
     cells[:late] = 0
     chart = Chart(cells, WOOL, circular=circular)
-    files.write(chart, tmp_path / "chart.k")
+    files.write(told(chart), tmp_path / "chart.k")
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         _, _, graph = run_knitout(str(tmp_path / "chart.k"))

@@ -15,6 +15,7 @@ from tambour.knit.views import VIEWS
 from tambour.run import run
 
 WOOL = Palette(np.array([[240, 230, 210], [30, 40, 90]], np.uint8), ("natural", "indigo"))
+THREE = Palette(np.array([[240, 230, 210], [30, 40, 90], [170, 40, 40]], np.uint8))
 CHECK = (np.indices((24, 24)).sum(axis=0) % 2).astype(np.uint8)
 CHARTS = {
     "one stitch": Chart(np.zeros((1, 1), np.uint8), WOOL),
@@ -24,15 +25,18 @@ CHARTS = {
     "shaped": Chart(CHECK[:8, :8], WOOL, no_stitch=np.eye(8, dtype=np.bool_)),
     "empty rows": Chart(CHECK[:4, :6], WOOL, no_stitch=np.indices((4, 6))[0] % 2 == 0),
     "plain": Chart(CHECK, WOOL, gauge=Gauge(20, 20)),
+    "intarsia": Chart(np.arange(24)[None].repeat(9, 0).astype(np.uint8) // 8, THREE, technique="intarsia"),
+    "jacquard": Chart(np.arange(9)[None].repeat(9, 0).astype(np.uint8) % 3, THREE, technique="jacquard"),
 }
+TECHNIQUE = ("double bed", "knitout is not", "laid in by hand", "two yarns", "two colours", "needs two", "24")
 SUFFIX = {
-    "Chart": (".png", ".csv", ".k", ".img"),
+    "Chart": (".png", ".csv", ".img"),
     "dict": (".json",),
     "Drawing": (".pdf",),
     "Text": (".txt",),
     "Packed": (".pack",),
 }
-EXPECTED = ("too few for a machine", "shaped chart", "knits flat", "leave stitches out", "the disk holds")
+EXPECTED = ("too few for a machine", "shaped chart", "knits flat", "leave stitches out", "the disk holds", *TECHNIQUE)
 
 
 @pytest.mark.slow
@@ -50,7 +54,7 @@ def test_every_view_of_odd_charts(name: str, tmp_path: Path) -> None:
             else:
                 assert list(tmp_path.glob(f"x.{view}*{suffix}"))
     if name == "plain":
-        assert refused == []
+        assert refused == ["separated.png", "separated.csv", "separated.img"]
 
 
 def test_the_machine_card_wants_a_machine(tmp_path: Path) -> None:

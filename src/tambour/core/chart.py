@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -41,9 +41,14 @@ class Gauge:
         return 100.0 / self.rows
 
 
+Technique = Literal["stranded", "intarsia", "jacquard"]
+TECHNIQUES: tuple[Technique, ...] = ("stranded", "intarsia", "jacquard")
+Backing = Literal["birdseye", "stripes"]
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Chart:
-    """A knitting chart; at most two colours in a row.
+    """A knitting chart; stranded ones hold at most two colours in a row.
 
     cells : (R, C) uint8 → palette; row 0 is the cast-on row, column 0 the left edge as one sees the right side
     palette : Palette
@@ -51,6 +56,8 @@ class Chart:
         that no solver may change
     circular : knitted in the round (rows wrap)
     gauge : Gauge or None
+    technique : stranded (the idle yarn floats behind), intarsia (a bobbin for each area), jacquard (on two beds)
+    backing : of jacquard, what the back bed knits: birdseye (the colours by turns) or stripes (each colour a whole row)
     """
 
     cells: Array
@@ -60,15 +67,19 @@ class Chart:
     locked: Array | None = None
     circular: bool = False
     gauge: Gauge | None = None
+    technique: Technique = "stranded"
+    backing: Backing = "birdseye"
 
     def __post_init__(self) -> None:
+        if self.technique not in TECHNIQUES or self.backing not in ("birdseye", "stripes"):
+            raise LawError(f"Chart.technique: {self.technique!r} with a back of {self.backing!r} is not known")
         cells = array("Chart.cells", self.cells, np.uint8, (None, None))
         within("Chart.cells", cells, 0, len(self.palette))
         masks = {
             name: None if mask is None else array(f"Chart.{name}", mask, np.bool_, cells.shape)
             for name, mask in (("no_stitch", self.no_stitch), ("relaxed", self.relaxed), ("locked", self.locked))
         }
-        if len(self.palette) > 2 and cells.size:
+        if self.technique == "stranded" and len(self.palette) > 2 and cells.size:
             held = cells if masks["no_stitch"] is None else np.where(masks["no_stitch"], cells[:, :1], cells)
             for r, row in enumerate(held):
                 knitted = row if masks["no_stitch"] is None else cells[r][~masks["no_stitch"][r]]
@@ -98,6 +109,7 @@ class Chart:
             "rows": rows,
             "circular": self.circular,
             "gauge": None if self.gauge is None else [self.gauge.stitches, self.gauge.rows],
+            **({} if self.technique == "stranded" else {"technique": self.technique, "backing": self.backing}),
             "palette": [
                 {"rgb": hexed(rgb), "name": name, "code": code}
                 for rgb, name, code in zip(self.palette.rgb.tolist(), self.palette.names, self.palette.codes)
@@ -140,7 +152,15 @@ class Chart:
                     _fill(marks, name, told[name])
                     masks[name] = marks > 0
             gauge = None if told.get("gauge") is None else Gauge(*map(float, told["gauge"]))
-            return cls(cells, palette, circular=bool(told.get("circular", False)), gauge=gauge, **masks)
+            return cls(
+                cells,
+                palette,
+                circular=bool(told.get("circular", False)),
+                gauge=gauge,
+                technique=told.get("technique", "stranded"),
+                backing=told.get("backing", "birdseye"),
+                **masks,
+            )
         except KeyError as error:
             raise ValueError(f"{error.args[0]!r} is missing") from None
         except (TypeError, IndexError, AttributeError) as error:

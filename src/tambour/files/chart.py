@@ -6,12 +6,13 @@ import csv
 import io
 import json
 import warnings
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from tambour.core.chart import LONGEST, Chart, Gauge
+from tambour.core.chart import LONGEST, Chart
 from tambour.core.check import Array
 from tambour.core.errors import LawError, Problem, TambourError
 from tambour.core.palette import Palette
@@ -42,7 +43,11 @@ def write_png(value: Chart, sink: Sink) -> None:
         extra["transparency"], colours = colours, colours + 1
     image = Image.fromarray(np.ascontiguousarray(cells, np.uint8), "P")
     image.putpalette(rgb.tobytes())
-    told = {k: v for k, v in value.plain().items() if k in ("format", "circular", "gauge", "palette")}
+    told = {
+        k: v
+        for k, v in value.plain().items()
+        if k in ("format", "circular", "gauge", "technique", "backing", "palette")
+    }
     note = PngImagePlugin.PngInfo()
     note.add_text("tambour", json.dumps(told, ensure_ascii=True))
     bits = next(b for b in (1, 2, 4, 8) if colours <= 1 << b)
@@ -87,7 +92,7 @@ def read_png(path: Path) -> Chart:
         except ValueError as error:
             raise TambourError(f"its text chunk is damaged: {error}", where=str(path)) from None
         cells = np.where(absent, 0, np.array(image)[::-1])
-        return _chart(cells, head.palette, absent, path, circular=head.circular, gauge=head.gauge)
+        return _chart(cells, head.palette, absent, path, head)
     flat = rgba[..., :3].astype(np.int32) @ np.array([65536, 256, 1])
     if image.mode == "P":  # the file's own order of colours
         index = np.array(image)[::-1]
@@ -190,12 +195,10 @@ def _colour(text: str) -> list[int] | None:
     return None
 
 
-def _chart(
-    cells: Array, palette: Palette, absent: Array, path: Path, circular: bool = False, gauge: Gauge | None = None
-) -> Chart:
-    """A Chart, or a TambourError that names the rows with more than two colours."""
+def _chart(cells: Array, palette: Palette, absent: Array, path: Path, head: Chart | None = None) -> Chart:
+    """A Chart, or a TambourError that names the rows with more than two colours; ``head`` holds what its file told."""
     problems: list[Problem] = []
-    for r, row in enumerate(cells):
+    for r, row in enumerate(cells if head is None or head.technique == "stranded" else ()):
         count = len(np.unique(row[~absent[r]]))
         if count > 2 and len(problems) < 20:
             problems.append(
@@ -203,7 +206,10 @@ def _chart(
             )
     if problems:
         raise TambourError(problems)
+    hidden = absent if absent.any() else None
     try:
-        return Chart(cells, palette, no_stitch=absent if absent.any() else None, circular=circular, gauge=gauge)
+        if head is None:
+            return Chart(cells, palette, no_stitch=hidden)
+        return replace(head, cells=cells, palette=palette, no_stitch=hidden)
     except LawError as error:
         raise TambourError(f"this is not a chart: {error}", where=str(path)) from None

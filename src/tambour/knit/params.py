@@ -92,7 +92,7 @@ class KnitParams(Params):
 
     groups: ClassVar = {
         "Size": "stitches rows gauge crop rotate direction repeat border edge_stitches round edges edge_run shape",
-        "Look": "style tones ground use seen_from floats",
+        "Look": "technique back style tones ground use seen_from floats",
         "Tones": "brightness contrast detail sharpen tone light",
         "First version": "start threshold patches patch_from",
         "Floats": "max_float soft catch relax lock weights focus method keep tidy",
@@ -101,7 +101,7 @@ class KnitParams(Params):
         "Pages": "title page large_cells cells swatch",
         "Machine": "machine punch_card mirror_card",
     }
-    first: ClassVar = "stitches gauge max_float yarns colors title page"
+    first: ClassVar = "stitches gauge technique max_float yarns colors title page"
     rare: ClassVar = "edition walk_sample walk_stop walk_gain walk_steps tidy patch_from edge_run light"
     widgets: ClassVar = {"colors": "color", "crop": "box", "patch_from": "box"}
     when: ClassVar = {
@@ -115,7 +115,8 @@ class KnitParams(Params):
             name: {"method": ("random-walk", "hybrid")}
             for name in ("walk_sample", "walk_stop", "walk_gain", "walk_steps")
         },
-        **{name: {"yarns": (3, 4, 5, 6, 7, 8)} for name in ("switch", "max_switches")},
+        **{name: {"yarns": (None, 3, 4, 5, 6, 7, 8)} for name in ("switch", "max_switches")},
+        "back": {"technique": ("jacquard",)},
     }
 
     # --- from the picture to stitches
@@ -131,6 +132,11 @@ class KnitParams(Params):
     """Turn the picture counter-clockwise; auto finds the angle that lines its strokes up with the stitches."""
     direction: Literal["horizontal", "vertical"] = "horizontal"
     """Knitting direction: vertical knits the picture sideways (rows of knitting run down it)."""
+    technique: Literal["stranded", "intarsia", "jacquard"] = "stranded"
+    """Stranded: two yarns in a row, the idle one floats behind. Intarsia: any yarns in a row, each area from a bobbin of
+    its own. Jacquard: any yarns in a row on a double bed, which hides them in the back."""
+    back: Literal["birdseye", "stripes"] = "birdseye"
+    """Jacquard: what the back bed knits: the yarns by turns (birdseye), or a whole row of each (stripes)."""
     style: Literal["auto", "graphic", "texture", "tonal", "plain"] = "auto"
     """Graphic: areas with clean borders. Texture: four tones of knit textures. Tonal: tones by single stitches, for large
     pieces. Plain: no preparation. Auto chooses by picture and size, and says why."""
@@ -216,8 +222,9 @@ class KnitParams(Params):
     """Report on an existing chart, one pixel per stitch, and change nothing."""
 
     # --- yarns
-    yarns: int = Field(default=2, ge=2, le=8)
-    """Yarns in the whole piece; two in a row."""
+    yarns: int | None = Field(default=None, ge=2, le=8)
+    """Yarns in the whole piece. Without it as many as there are {--colors}, or 2; intarsia and jacquard take what the
+    picture has: the colours of flat art, 5 and 4 for a photograph."""
     colors: tuple[str, ...] = ()
     """A yarn's colour as #rrggbb; give one for each yarn. Without them black and white, or the picture's own."""
     card: Literal["none", "wool", "natural"] = "none"
@@ -260,6 +267,8 @@ class KnitParams(Params):
             "brother-card",
             "silver-reed-card",
             "kniterate",
+            "swgn2",
+            "swg091n2",
         ]
         | None
     ) = None
@@ -281,7 +290,11 @@ class KnitParams(Params):
             raise ValueError("{--repeat} closes upon itself: it does not go with {--edges} free")
         if self.round and self.edge_stitches:
             raise ValueError("{--round} has no edges for {--edge-stitches}")
-        if self.colors and len(self.colors) != self.yarns:
+        if self.technique != "stranded":
+            self._of_areas()
+        if len(self.colors) == 1:
+            raise ValueError("{--colors}: at least two yarns are wanted")
+        if self.colors and self.yarns and len(self.colors) != self.yarns:
             raise ValueError(f"{{--yarns}} {self.yarns} needs as many {{--colors}} (got {len(self.colors)})")
         if len({color.lower() for color in self.colors}) < len(self.colors):
             raise ValueError("{--colors}: two are the same")
@@ -291,3 +304,29 @@ class KnitParams(Params):
         if self.patches == "marked" and self.patch_from is None:
             raise ValueError("{--patches} marked needs {--patch-from}")
         return self
+
+    def _of_areas(self) -> None:
+        """What only stranded knitting has."""
+        name = self.technique
+        if self.round:
+            raise ValueError(f"{{--technique}} {name} is knitted flat: leave {{--round}} out")
+        given = ("start", "method", "soft", "tone", "relax", "border", "edge_stitches", "max_switches")
+        for field in given:
+            if getattr(self, field):
+                raise ValueError(f"{{--{field.replace('_', '-')}}} is for {{--technique}} stranded, not for {name}")
+        for field, usual in (("floats", "short"), ("edges", "anchored")):
+            if getattr(self, field) != usual:
+                raise ValueError(f"{{--{field}}} is for {{--technique}} stranded: {name} has no floats")
+        if self.style in ("texture", "plain") or (self.style == "tonal" and name == "intarsia"):
+            raise ValueError(f"{{--style}} {self.style} does not go with {{--technique}} {name}: graphic does")
+
+    @property
+    def count(self) -> int:
+        """Yarns in the piece, where nothing is left to the picture."""
+        return self.yarns or len(self.colors) or 2
+
+    @property
+    def end_needles(self) -> bool:
+        """The machine knits the outermost stitches of every row in its second feeder (Brother's KC I)."""
+        brother = self.machine is not None and self.machine.startswith(("kh", "brother"))
+        return brother and self.edges == "anchored" and self.technique == "stranded" and self.repeat is None

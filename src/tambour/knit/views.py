@@ -33,7 +33,7 @@ def anchored(piece: Piece) -> bool:
 
 def title(piece: Piece) -> str:
     """What the pattern is called."""
-    return piece.params.title or "Stranded chart"
+    return piece.params.title or f"{piece.chart.technique.capitalize()} chart"
 
 
 def look(piece: Piece, cell: float = 4.0) -> Look:
@@ -46,7 +46,7 @@ def look(piece: Piece, cell: float = 4.0) -> Look:
     return Look(
         cells=piece.params.cells,
         cell=(wide, wide / aspect),
-        limit=piece.params.catch or piece.limit,
+        limit=(piece.params.catch or piece.limit) if piece.chart.technique == "stranded" else None,
         anchored=anchored(piece),
         repeat=piece.repeat[0] if piece.repeat else None,
         dominant=dominant(piece),
@@ -57,7 +57,7 @@ def dominant(piece: Piece) -> int | None:
     """The yarn held below throughout; with more than two it changes from row to row."""
     from tambour.knit.hands.working import roles
 
-    return piece.dominant if len(roles(piece.chart)) == 2 else None
+    return piece.dominant if piece.chart.technique == "stranded" and len(roles(piece.chart)) == 2 else None
 
 
 def yarn(piece: Piece) -> list[Amount]:
@@ -149,7 +149,7 @@ def card(piece: Piece) -> Drawing:
 
     if piece.params.machine is None:
         raise TambourError("the card is for a machine: say which", hint="{--machine} kh930-ayab", where="{--machine}")
-    return printed(piece.chart, piece.params.machine, anchored(piece), title(piece))
+    return printed(piece.chart, piece.params.machine, anchored(piece), title(piece), piece.params.catch or piece.limit)
 
 
 def punchcard(piece: Piece) -> Drawing:
@@ -160,6 +160,30 @@ def punchcard(piece: Piece) -> Drawing:
     if piece.params.machine in ("brother-card", "silver-reed-card"):
         brand = "brother" if piece.params.machine == "brother-card" else "silver-reed"
     return punched(piece.chart, brand, piece.params.mirror_card)
+
+
+def knitout(piece: Piece) -> Text:
+    """Knitout; floats above the limit are tucked where hands would catch them."""
+    from tambour.knit.hands.working import catches
+    from tambour.knit.machines.knitout import DIALECTS, told
+
+    machine = piece.params.machine if piece.params.machine in DIALECTS else ""
+    marks = catches(piece.chart, piece.params.catch or piece.limit, anchored(piece))
+    return told(piece.chart, machine or "", marks if marks.any() else None)
+
+
+def hookups(piece: Piece) -> Text:
+    """Where long floats are lifted onto needles."""
+    from tambour.knit.machines.limits import hookups as listed
+
+    return listed(piece.chart, piece.params.catch or piece.limit, anchored(piece), f"{title(piece)}: hook-ups")
+
+
+def separated(piece: Piece) -> Chart:
+    """A line for each yarn of each row."""
+    from tambour.knit.machines.limits import separated as parted
+
+    return parted(piece.chart)
 
 
 def silverknit(piece: Piece) -> Text:
@@ -180,8 +204,8 @@ VIEWS: dict[str, View] = {
     "stitches": View(
         stitches,
         "Chart",
-        "one pixel per stitch, upright, unmirrored; knitout; a disk image",
-        (".png", ".csv", ".k", ".knitout", ".img", ".dat"),
+        "one pixel per stitch, upright, unmirrored; a disk image",
+        (".png", ".csv", ".img", ".dat"),
     ),
     "project": View(project, "dict", "everything, lossless: can be read back", (".json",)),
     "chart": View(chart, "Drawing", "the chart on one sheet, numbers and signs as knitters draw it", (".svg",)),
@@ -194,6 +218,9 @@ VIEWS: dict[str, View] = {
     "swatch": View(swatch, "Drawing", "two windows to knit first, and the card to measure them"),
     "card": View(card, "Drawing", "how to set up {--machine}"),
     "punchcard": View(punchcard, "Drawing", "a 24-stitch punch card at true size"),
+    "hookups": View(hookups, "Text", "where long floats are lifted onto a machine's needles, row by row"),
+    "separated": View(separated, "Chart", "jacquard, a line for each yarn of each row"),
+    "knitout": View(knitout, "Text", "knitout, in the dialect of {--machine}", (".k", ".knitout")),
     "silverknit": View(silverknit, "Text", "text for SilverKnit"),
     "dak": View(dak, "Text", "text for DesignaKnit and Kniterate"),
     "live": View(Lazy("tambour.knit.live:live"), "Packed", "the chart and its masks, for screens", (".pack",)),
@@ -202,12 +229,16 @@ VIEWS: dict[str, View] = {
 
 
 def facts(piece: Piece) -> dict[str, Any]:
-    """Yarn per colour, catches and ladders, for the report."""
+    """Yarn per colour, catches and ladders, or bobbins, for the report."""
+    from tambour.knit.hands.bobbins import bobbins, most
     from tambour.knit.hands.working import catches, ladders, longest_span, roles
     from tambour.knit.hands.written import color_name
 
     names, catch = roles(piece.chart), piece.params.catch or piece.limit
     marks = catches(piece.chart, catch, anchored(piece))
+    told = {}
+    if piece.chart.technique == "intarsia":
+        told = {"bobbins": len(bobbins(piece.chart)), "most_bobbins": most(piece.chart)[0]}
     return {
         "yarn": [
             {
@@ -221,6 +252,7 @@ def facts(piece: Piece) -> dict[str, Any]:
             }
             for a in yarn(piece)
         ],
+        **told,
         "catches": int(marks.sum()),
         "longest_span": longest_span(piece.chart, catch, marks, anchored(piece)),
         "ladders": len(ladders(piece.chart, catch, anchored(piece))),

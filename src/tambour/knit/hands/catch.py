@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tambour.core.arrays import B1x2, I8x1
+from tambour.core.arrays import B1x2, F4x2, I8x1
 from tambour.core.kernels import kernel
 
 CATCH, SAME, BESIDE, AGAIN, IDLE, UNEVEN = 4.0, 100.0, 4.0, 1.0, 3.0, 0.01
@@ -13,12 +13,13 @@ of its own yarn; of a stretch of n stitches, times n²."""
 
 
 @kernel
-def mark(row: I8x1, start: I8x1, length: I8x1, absent: B1x2, limit: int, marks: B1x2) -> None:
+def mark(row: I8x1, start: I8x1, length: I8x1, absent: B1x2, limit: int, dear: F4x2, marks: B1x2) -> None:
     """Set the catches of floats (N,), ordered by row, in ``marks`` (R, C) bool.
 
     A dynamic programme over each float's stitches: cost[p] is the least cost of all that lies before a catch at p,
     the last catch being at most ``limit`` + 1 stitches away; position 0 is the stitch before the float and n + 1 the
-    one after. ``absent`` (R, C) bool, or empty: cells without stitch, which are passed over.
+    one after. ``absent`` (R, C) bool, or empty: cells without stitch, which are passed over. ``dear`` (R, C), or empty:
+    what a catch costs more there.
     """
     width = marks.shape[1]
     columns = np.zeros(width + 1, np.int64)
@@ -36,7 +37,7 @@ def mark(row: I8x1, start: I8x1, length: I8x1, absent: B1x2, limit: int, marks: 
             own = 0.0
             if p <= n:
                 c = columns[p - 1]
-                own = CATCH
+                own = CATCH + (dear[r, c] if dear.size else 0.0)
                 if r > 0:
                     own += SAME * marks[r - 1, c]
                     if c > 0:

@@ -86,7 +86,9 @@ def floats(chart: Chart, anchored: bool = True, above: int = 0) -> Floats:
 
 
 def _blocks(chart: Chart, anchored: bool) -> Iterator[Floats]:
-    """The floats some rows at a time: those of a whole large chart would fill the memory."""
+    """The floats some rows at a time: those of a whole large chart would fill the memory. Intarsia and jacquard have none."""
+    if chart.technique != "stranded":
+        return
     rows, width = chart.shape
     if chart.no_stitch is None or not chart.no_stitch.any():
         step = max(1, _BLOCK // max(1, width))
@@ -145,11 +147,11 @@ def _floats(cells: Array, circular: bool, anchored: bool) -> Floats:
     return Floats(row.astype(np.int64), start.astype(np.int64), length.astype(np.int64), yarn, edge)
 
 
-def catches(chart: Chart, limit: int, anchored: bool = True) -> Array:
+def catches(chart: Chart, limit: int, anchored: bool = True, dear: Array | None = None) -> Array:
     """Where (R, C) bool to catch the floats above ``limit``, so that no more than ``limit`` stitches lie free.
 
     Few, even, never over a catch of the row below when that can be helped (a column of catches shows on the right
-    side), nor beside one; see :mod:`tambour.knit.hands.catch`.
+    side), nor beside one; see :mod:`tambour.knit.hands.catch`. ``dear`` (R, C) float32: what a catch costs more there.
     """
     marks = np.zeros(chart.shape, np.bool_)
     long = floats(chart, anchored, limit)
@@ -157,7 +159,8 @@ def catches(chart: Chart, limit: int, anchored: bool = True) -> Array:
         from tambour.knit.hands.catch import mark
 
         absent = np.zeros((0, 0), np.bool_) if chart.no_stitch is None else chart.no_stitch
-        mark(long.row, long.start, long.length, absent, limit, marks)
+        dear = np.zeros((0, 0), np.float32) if dear is None else dear
+        mark(long.row, long.start, long.length, absent, limit, dear, marks)
     return marks
 
 

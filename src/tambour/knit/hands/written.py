@@ -9,8 +9,9 @@ from tambour.color import plain_name
 from tambour.core.chart import Chart
 from tambour.core.errors import Text
 from tambour.core.rgb import hexed
+from tambour.knit.hands.bobbins import ENDS, bobbins, most
 from tambour.knit.hands.working import catches, crossed, floats, ladders, roles, runs, worked, wrong_side
-from tambour.knit.hands.yarn import Amount, gauge_of
+from tambour.knit.hands.yarn import SPARE, STITCH, Amount, gauge_of
 
 Run = tuple[int, int]
 _PERIOD = 16
@@ -141,10 +142,12 @@ def pattern(
             f"  {names[a.color]:<4} {label}: {a.metres:.0f} m ({a.yards:.0f} yd), {a.grams:.0f} g, {skeins}{held}"
         )
     out += ["", "Notes"]
-    if chart.circular:
-        out += ["  Knit every round. Rounds are read from right to left."]
-    else:
-        out += ["  Knit right-side (RS) rows, purl wrong-side (WS) rows; odd rows are RS."]
+    out += [f"  {line}" for line in how_to_read(chart)]
+    if chart.technique != "stranded":
+        out += ["", f"{word.capitalize()}s"]
+        for line in rows(chart, repeat):
+            out += _wrapped(line)
+        return Text("\n".join(out + _bobbin_lines(chart, weight)) + "\n", f"{title}.txt")
     longest = int(floats(chart, anchored).length.max(initial=0))
     out += [f"  The yarn not in use is stranded behind. Longest float: {longest} stitches."]
     if longest > catch:
@@ -161,6 +164,44 @@ def pattern(
         out += _wrapped(line)
     out += _float_lines(chart, catch, anchored)
     return Text("\n".join(out) + "\n", f"{title}.txt")
+
+
+def how_to_read(chart: Chart) -> list[str]:
+    """What to know before the first row, but for the floats of stranded knitting."""
+    if chart.technique == "jacquard":
+        return [
+            "For a double bed, with a colour changer or a carriage for each yarn: each row is knitted once in every yarn,",
+            f"on the front bed where the row names it; the back bed knits {BACKS[chart.backing]}.",
+        ]
+    if chart.circular:
+        return ["Knit every round. Rounds are read from right to left."]
+    said = ["Knit right-side (RS) rows, purl wrong-side (WS) rows; odd rows are RS."]
+    if chart.technique == "intarsia":
+        count, row = most(chart)
+        said += [
+            "Intarsia: a bobbin for each area. Where two areas meet, cross the yarns on the wrong side, so that no hole",
+            f"is left; nothing is carried behind. Bobbins: {len(bobbins(chart))}; at most {count} hang from a row (row {row + 1}).",
+        ]
+    return said
+
+
+BACKS = {"birdseye": "the yarns by turns (bird's eye)", "stripes": "a whole row of each yarn (stripes)"}
+
+
+def bobbin_list(chart: Chart, weight: str = "dk") -> list[str]:
+    """A line per bobbin: its yarn, where it begins, its rows, stitches and length."""
+    names, width = roles(chart), gauge_of(chart, weight).width / 1000
+    return [
+        f"{n}: {names[b.color]}, rows {b.first + 1}–{b.last + 1}, from stitch {chart.shape[1] - b.column}: "
+        f"{b.stitches} sts, {SPARE * STITCH * b.stitches * width + ENDS:.1f} m"
+        for n, b in enumerate(bobbins(chart), 1)
+    ]
+
+
+def _bobbin_lines(chart: Chart, weight: str) -> list[str]:
+    if chart.technique != "intarsia":
+        return []
+    return ["", "Bobbins", *(f"  {line}" for line in bobbin_list(chart, weight))]
 
 
 def color_name(chart: Chart, color: int) -> str:

@@ -5,7 +5,12 @@ from __future__ import annotations
 from math import ceil
 from typing import NamedTuple
 
+import numpy as np
+
 from tambour.core.chart import Chart, Gauge
+from tambour.core.check import Array
+from tambour.knit.hands.bobbins import ENDS, bobbins
+from tambour.knit.hands.jacquard import back_cells
 from tambour.knit.hands.working import carried, tally
 from tambour.weights import WEIGHTS
 
@@ -41,16 +46,26 @@ def amounts(
 ) -> list[Amount]:
     """The yarn that each colour takes: ``STITCH`` widths for a stitch, a width per stitch for what lies behind.
 
+    Intarsia adds the ends of its bobbins, jacquard what the back bed knits.
+
     weight : a key of :data:`tambour.weights.WEIGHTS`; gives the gauge where the chart has none, and metres per gram
     skein_metres : metres in a skein (default: by the weight), skein_grams : its mass
     """
     width = gauge_of(chart, weight).width / 1000
     per_gram = skein_metres / skein_grams if skein_metres else WEIGHTS[weight].metres / 100
     behind = carried(chart, anchored)
+    hidden: Array = np.zeros(len(chart.palette), np.int64)
+    bobbined: Array = np.zeros(len(chart.palette), np.int64)
+    if chart.technique == "jacquard":
+        hidden = np.bincount(back_cells(chart).ravel(), minlength=len(chart.palette))
+    elif chart.technique == "intarsia":
+        bobbined = np.bincount([b.color for b in bobbins(chart)], minlength=len(chart.palette))
     made = []
     for color, stitches in enumerate(tally(chart).tolist()):
         if stitches:
-            metres = float(STITCH * stitches + behind[color]) * width * SPARE
+            metres = float(STITCH * (stitches + hidden[color]) + behind[color]) * width * SPARE + ENDS * int(
+                bobbined[color]
+            )
             grams = metres / per_gram
             made.append(Amount(color, stitches, metres, metres / 0.9144, grams, max(1, ceil(grams / skein_grams))))
     return sorted(made, key=lambda a: (-a.stitches, a.color))

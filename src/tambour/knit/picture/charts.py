@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tambour.core.chart import Chart
+from tambour.core.chart import Chart, Technique
 from tambour.core.check import Array
 from tambour.core.errors import Problem, TambourError
 from tambour.core.palette import Palette
@@ -14,8 +14,8 @@ from tambour.knit.picture.resample import LUMA
 MOST = 24  # colours in a chart; a picture with more is no chart
 
 
-def chart_of(picture: Picture) -> Chart:
-    """The Chart of a picture of one pixel per stitch: its colours, dark to light, at most two in a row.
+def chart_of(picture: Picture, two: bool = True) -> Chart:
+    """The Chart of a picture of one pixel per stitch: its colours, dark to light, at most ``two`` in a row, or any.
 
     Transparent pixels are cells that are not knitted. Raises TambourError naming every row of more than two colours.
     """
@@ -34,8 +34,8 @@ def chart_of(picture: Picture) -> Chart:
     problems = []
     for r in range(rows):
         n = len(np.unique(packed[r][~hidden[r]]))
-        if n > 2:
-            problems.append(Problem(f"row {r + 1} (from the bottom) has {n} colours, at most two can be knitted"))
+        if n > 2 and two:
+            problems.append(Problem(f"row {r + 1} (from the bottom) has {n} colours, at most two can be stranded"))
     if problems:
         rest = len(problems) - 20
         raise TambourError(problems[:20] + ([Problem(f"and {rest} rows more")] if rest > 0 else []))
@@ -46,7 +46,8 @@ def chart_of(picture: Picture) -> Chart:
     place = np.zeros(len(colours), np.uint8)
     place[order] = np.arange(len(colours))
     cells = place[np.searchsorted(colours, np.where(hidden, colours[0], packed))]
-    return Chart(cells, Palette(rgb[order]), no_stitch=hidden if hidden.any() else None)
+    technique: Technique = "stranded" if two else "intarsia"
+    return Chart(cells, Palette(rgb[order]), no_stitch=hidden if hidden.any() else None, technique=technique)
 
 
 def two_per_row(chart: Chart) -> tuple[Array, Array]:

@@ -44,8 +44,6 @@ def prepared(rgb: Array, params: KnitParams, squash: float, flat: bool) -> Array
 
     rgb : (R, C, 3) uint8; squash : rows per stitch width, so that blurs are round in wool
     """
-    from scipy.ndimage import gaussian_filter
-
     from tambour.knit.picture.tone import guided
 
     t = stretched(lightness(rgb), (0.0, 100.0) if flat else ENDS)
@@ -54,12 +52,20 @@ def prepared(rgb: Array, params: KnitParams, squash: float, flat: bool) -> Array
     if flat:
         return np.ascontiguousarray(t, np.float32)
     t = guided(t, radius=2, flat=FLAT)
-    # Local contrast: what stands out from its surroundings stands out more, as an eye does in a face.
+    gained = local(t, GAIN * (1 + params.sharpen), squash)
+    return np.ascontiguousarray(stretched(gained, (2.0, 98.0)), np.float32)
+
+
+def local(t: Array, gain: float, squash: float) -> Array:
+    """(R, C) ``t`` with local contrast: what stands out from its surroundings stands out more, as an eye does in a face.
+
+    Faint detail gains most; at strong edges the gain tails off, or a bright seam would grow round every figure.
+    """
+    from scipy.ndimage import gaussian_filter
+
     near, far = (gaussian_filter(t, (s * squash, s)) for s in (FINE, COARSE))
-    # Faint detail gains most; at strong edges the gain tails off, or a bright seam would grow round every figure.
     apart = near - far
-    gained = np.float32(GAIN * (1 + params.sharpen)) * apart / (1 + np.abs(apart) / np.float32(STRONG))
-    return np.ascontiguousarray(stretched(t + gained, (2.0, 98.0)), np.float32)
+    return np.asarray(t + t.dtype.type(gain) * apart / (1 + np.abs(apart) / t.dtype.type(STRONG)))
 
 
 def mixed(t: Array, dark: float, light: float) -> Array:

@@ -130,8 +130,8 @@ def candidates(picture: Array, params: KnitParams) -> list[Shade]:
         return stash(params.stash)
     if params.card != "none":
         return [Shade(n, unhexed(c)) for n, c in CARDS[params.card]]
-    flat = few(picture, params.yarns)
-    return flat if len(flat) == params.yarns else own(picture)
+    flat = few(picture, params.count)
+    return flat if len(flat) == params.count else own(picture)
 
 
 SHARE, ENOUGH, NEAR = (
@@ -141,13 +141,17 @@ SHARE, ENOUGH, NEAR = (
 )  # of flat art: the least share of a colour, of all of them; what counts as one (Oklab)
 
 
+MOST = 8  # yarns in a piece
+
+
 def few(picture: Array, count: int) -> list[Shade]:
     """The ``count`` colours that flat art is made of, the commonest first; fewer, or none, where it is not.
 
-    A colour counts that is exactly the same in 1 % of the stitches and more, unless it is near one already taken: two
-    near reds are one yarn to a knitter.
+    A colour counts that is exactly the same in 1 % of the stitches and more, unless it is near one already taken (two
+    near reds are one yarn to a knitter), or but the soft edge between two others, a stitch wide wherever it stands.
     """
-    whole, number = np.unique(picture.reshape(-1, 3), axis=0, return_counts=True)
+    whole, place, number = np.unique(picture.reshape(-1, 3), axis=0, return_inverse=True, return_counts=True)
+    broad = solid(place.reshape(picture.shape[:2]), len(whole))
     order = np.argsort(-number, kind="stable")
     order = order[number[order] >= SHARE * number.sum()]
     if number[order].sum() < ENOUGH * number.sum():
@@ -155,9 +159,31 @@ def few(picture: Array, count: int) -> list[Shade]:
     taken: list[int] = []
     lab = color.oklab(whole)
     for k in order.tolist():
+        if not broad[k] and between(whole[k], whole[order]):
+            continue
         if len(taken) < count and all(np.linalg.norm(lab[k] - lab[j]) >= NEAR for j in taken):
             taken.append(k)
     return [Shade("", (int(r), int(g), int(b))) for r, g, b in whole[taken]]
+
+
+def solid(place: Array, count: int) -> Array:
+    """(count,) bool: which of the numbers in ``place`` (R, C) fill a square of two by two somewhere."""
+    a = place[:-1, :-1]
+    square = (a == place[1:, :-1]) & (a == place[:-1, 1:]) & (a == place[1:, 1:])
+    return np.bincount(a[square], minlength=count) > 0
+
+
+def between(colour: Array, others: Array) -> bool:
+    """Whether a colour (3,) uint8 is a mixture of two of the others (N, 3)."""
+    v, o = colour.astype(float), others.astype(float)
+    for i in range(len(o)):
+        way = o - o[i]
+        size = np.maximum((way**2).sum(1), 1e-9)
+        share = ((v - o[i]) * way).sum(1) / size
+        off = np.linalg.norm(o[i] + share[:, None] * way - v, axis=1)
+        if ((off < 12) & (share > 0.08) & (share < 0.92)).any():
+            return True
+    return False
 
 
 def own(picture: Array) -> list[Shade]:
@@ -247,19 +273,19 @@ def palette_of(picture: Array, params: KnitParams, progress: Progress) -> Palett
     that --min-contrast asks for; warns of pairs without it among colours that were named one by one.
     """
     shades = candidates(picture, params)
-    if len(shades) < params.yarns:
+    if len(shades) < params.count:
         raise TambourError(
-            f"{params.yarns} yarns are wanted, there are {len(shades)} to choose from",
+            f"{params.count} yarns are wanted, there are {len(shades)} to choose from",
             where="{--stash}" if params.stash is not None else "{--yarns}",
         )
-    if len(shades) > params.yarns:
+    if len(shades) > params.count:
         rgb = np.array([s.rgb for s in shades]) / 255
         small = sample(picture)
-        if params.yarns == 2:
+        if params.count == 2:
             # Two yarns show brightness alone: compare with the greys that the picture is between them.
             small = small @ LUMA.astype(float)[:, None] * np.ones(3)
             rgb = rgb @ LUMA.astype(float)[:, None] * np.ones(3)
-        costs = pair_costs(small, rgb, 0.0 if params.yarns == 2 else 0.1)
+        costs = pair_costs(small, rgb, 0.0 if params.count == 2 else 0.1)
         for a, first in enumerate(shades):
             for b, second in enumerate(shades):
                 if contrast(first.rgb, second.rgb) < params.min_contrast:
@@ -270,9 +296,9 @@ def palette_of(picture: Array, params: KnitParams, progress: Progress) -> Palett
                 f"no two of the {len(shades)} yarns have a contrast of {params.min_contrast:g}",
                 where="{--min-contrast}",
             )
-        shades = [shades[k] for k in choose(costs, params.yarns)]
+        shades = [shades[k] for k in choose(costs, params.count)]
     shades = sorted(shades, key=lambda s: (float(np.array(s.rgb) @ LUMA), s.name))
-    if params.yarns == 2 and contrast(shades[0].rgb, shades[1].rgb) < params.min_contrast:
+    if params.count == 2 and contrast(shades[0].rgb, shades[1].rgb) < params.min_contrast:
         progress.warn(
             f"the two yarns have a contrast of {contrast(shades[0].rgb, shades[1].rgb):.2f}, the picture will be faint",
             where="{--min-contrast}",

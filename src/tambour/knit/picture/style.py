@@ -62,11 +62,27 @@ def chosen(picture: Array, luma: Array, params: KnitParams) -> Style:
     rows, stitches = picture.shape[:2]
     if kind != "photograph":
         return Style("graphic", kind, asked or near, f"graphic: {kind}, its areas and lines are kept")
-    if (asked or 0.0) >= FAR:
+    if (asked or 0.0) >= FAR and params.technique != "intarsia":
         return Style("tonal", kind, asked or FAR, f"tonal: from {asked:g} m stitches mix into tones")
+    if params.technique == "intarsia":
+        return Style("graphic", kind, asked or near, "graphic: intarsia is knitted in areas")
     if min(rows, stitches) >= LARGE and params.floats == "short":
         return Style("tonal", kind, asked or FAR, f"tonal: a photograph, large enough ({stitches} x {rows}) for tones")
     return Style("graphic", kind, asked or near, f"graphic: a photograph of {stitches} stitches reads best as areas")
+
+
+def suggested(kind: Kind, shape: tuple[int, int], colours: int, params: KnitParams) -> str:
+    """Which technique suits the picture and its use, in one line. ``colours``: of flat art, how many it is made of."""
+    if params.round or params.use in ("mitten", "child"):
+        return "stranded: in the round and for small hands, two yarns in a row and short floats"
+    if kind != "photograph" and colours <= 2:
+        return "stranded: two colours; with floats caught every line stays as it is"
+    if kind == "photograph" and min(shape) >= LARGE:
+        return "stranded: large enough for tones; in colours, intarsia"
+    what = f"{colours} flat colours" if kind != "photograph" else "a photograph reads best in areas of its own colours"
+    if params.machine is not None:
+        return f"jacquard: {what}, on a double bed"
+    return f"intarsia: {what}, nothing carried behind"
 
 
 def of_plain(params: KnitParams) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -297,13 +298,7 @@ def float_sheet(chart: Chart, look: Look, title: str = "") -> Drawing:
     sheet = Page(max(2 * 14.0 + width * w, 110.0), 16 + rows * h + 40)
     sheet.text(f"{title}: floats" if title else "Floats", 14, 10.0, 5.5, bold=True)
     pale = np.round(255 - (255 - chart.palette.rgb.astype(np.float64)) * 0.45).astype(np.uint8)
-    light = Chart(
-        chart.cells,
-        Palette(pale, tuple(map(str, range(len(pale))))),
-        no_stitch=chart.no_stitch,
-        circular=chart.circular,
-        gauge=chart.gauge,
-    )
+    light = replace(chart, palette=Palette(pale, tuple(map(str, range(len(pale))))), relaxed=None, locked=None)
     grid(sheet, light, Window(0, rows, 0, width), 14, 16, look._replace(cells="colour", limit=None))
     found = floats(chart, look.anchored)
     y = 16 + rows * h + 10

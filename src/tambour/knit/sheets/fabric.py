@@ -13,9 +13,10 @@ from typing import NamedTuple
 import numpy as np
 
 from tambour.color import coded, linear
-from tambour.core.chart import Chart
+from tambour.core.chart import Chart, Gauge
 from tambour.core.check import Array
 from tambour.core.picture import Picture
+from tambour.knit.hands.jacquard import back_cells
 from tambour.knit.hands.working import floats
 from tambour.noise import stream
 
@@ -119,11 +120,22 @@ def front(chart: Chart, width: int | None = None) -> Picture:
 
 
 def back(chart: Chart, anchored: bool = True, width: int | None = None) -> Picture:
-    """The wrong side, turned over sideways: purl bumps, and every float at its length, slack in proportion."""
+    """The wrong side, turned over sideways: purl bumps, and every float at its length, slack in proportion; of jacquard,
+    what the back bed knits."""
+    if chart.technique == "jacquard":
+        return front(behind(chart), width)
     light = _cloth(chart, width, back=True)
     width = width or pixels(chart, aspect_of(chart))
     _lay_floats(light, chart, anchored, width)
     return _picture(light, chart, width)
+
+
+def behind(chart: Chart) -> Chart:
+    """The back of a jacquard chart as a chart of its own, turned over sideways."""
+    cells = np.ascontiguousarray(back_cells(chart)[:, ::-1])
+    rows = len(cells) // max(1, len(chart.cells))
+    gauge = chart.gauge and Gauge(chart.gauge.stitches, chart.gauge.rows * rows)
+    return Chart(cells, chart.palette, gauge=gauge, technique="jacquard")
 
 
 def _yarns(chart: Chart) -> Array:

@@ -13,7 +13,7 @@ from tambour.core.chart import Chart
 from tambour.core.drawing import Drawing
 from tambour.core.picture import Picture
 from tambour.knit.hands.working import roles
-from tambour.knit.hands.written import color_name, float_list, ladder_list
+from tambour.knit.hands.written import bobbin_list, color_name, float_list, how_to_read, ladder_list
 from tambour.knit.hands.yarn import Amount, gauge_of
 from tambour.knit.sheets.draw import RED, Look, Window, drawable, grid, key
 from tambour.knit.sheets.swatch import page as swatch_page
@@ -89,6 +89,18 @@ def _tiles(length: int, fits: int) -> tuple[int, int]:
     return (count, fives) if fives <= step else (count, even)
 
 
+KNITTING = {"stranded": "stranded knitting", "intarsia": "stocking stitch", "jacquard": "jacquard on both beds"}
+COUNTED = {
+    "stranded": "Floats and a tenth to spare are counted.",
+    "intarsia": "A tenth to spare and the bobbins' ends are counted.",
+    "jacquard": "The back bed and a tenth to spare are counted.",
+}
+TECHNIQUES = {
+    "intarsia": "Intarsia: a bobbin for each area, nothing carried behind",
+    "jacquard": "Jacquard on a double bed, nothing floats",
+}
+
+
 class Words(NamedTuple):
     """What the cover says: title, the float allowed, the longest there is, yarn weight, whether both yarns go to both sides, lines about the
     making (tools, machine, source)."""
@@ -123,7 +135,9 @@ def booklet(
     catch = look.limit or words.limit
     listed = float_list(chart, catch, look.anchored)
     ladder = ladder_list(chart, catch, look.anchored) if listed else []
-    texts = _columns(listed, ladder, catch, PAPERS[page]) if listed else []
+    texts = _columns(_floats_told(listed, ladder, catch), PAPERS[page]) if listed else []
+    if chart.technique == "intarsia":
+        texts = _columns([line for one in bobbin_list(chart, words.weight) for line in wrap(one, 66)], PAPERS[page])
     first = 3 if swatch else 2  # the page of the first tile
     total = first - 1 + len(plan.windows) + len(texts)
     pages = [_cover(chart, look, words, amounts, fabric, plan, PAPERS[page], first, total, bool(listed))]
@@ -133,7 +147,7 @@ def booklet(
     pages += [_tile(chart, look, words, plan, k, first, total) for k in range(len(plan.windows))]
     for k, columns in enumerate(texts):
         sheet = Page(*PAPERS[page])
-        _head(sheet, words.title, "floats to catch", first + len(plan.windows) + k, total)
+        _head(sheet, words.title, "floats to catch" if listed else "bobbins", first + len(plan.windows) + k, total)
         wide = (PAPERS[page][0] - 2 * MARGIN) / 2
         for c, lines in enumerate(columns):
             sheet.paragraph(lines, MARGIN + c * wide, MARGIN + HEAD + 4, 2.6)
@@ -258,11 +272,14 @@ def _cover(
         f"{a.skeins} skein{'s' if a.skeins > 1 else ''}"
         for a in amounts
     ]
-    sheet.paragraph([*lines, "Floats and a tenth to spare are counted."], left, below + 12.5, 2.9)
+    sheet.paragraph([*lines, COUNTED[chart.technique]], left, below + 12.5, 2.9)
     sheet.text("How to read it", right, y, 4.2, bold=True)
     sheet.paragraph(_reading(chart, look, words, plan, listed), right, y + 5.5, 2.9)
     page_number(sheet, 1, total)
     sheet.segments([(MARGIN, page[1] - MARGIN, page[0] - MARGIN, page[1] - MARGIN)], GREY, 0.15)
+    if chart.technique != "stranded":
+        sheet.text(TECHNIQUES[chart.technique], MARGIN, page[1] - MARGIN + 4, 2.8, color=INK)
+        return sheet
     catch = look.limit or words.limit
     caught = f", caught so that at most {catch} lie free" if words.longest > catch else ""
     sheet.text(f"Longest float {words.longest} stitches{caught}", MARGIN, page[1] - MARGIN + 4, 2.8, color=INK)
@@ -273,18 +290,45 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
     gauge = gauge_of(chart, words.weight)
     lines = [f"Gauge {gauge.stitches:g} stitches × {gauge.rows:g} rows in 10 cm"]
     lines.append(
-        "in stranded knitting." if chart.gauge else f"(usual for {words.weight}; none was given: swatch first)."
+        f"in {KNITTING[chart.technique]}."
+        if chart.gauge
+        else f"(usual for {words.weight}; none was given: swatch first)."
     )
     lines.append("")
-    if chart.circular:
-        lines += ["Begin at the bottom right. Every round is knit and", "read from right to left."]
+    if chart.technique == "jacquard":
+        lines += _said(how_to_read(chart))
     else:
+        lines += _flat_or_round(chart)
+    if chart.technique == "intarsia":
+        lines += ["", *_said(how_to_read(chart)[1:])]
+    elif chart.technique == "stranded":
+        lines += _stranding(chart, look, words)
+    if listed:
+        lines += ["Catch floats where a small wedge stands; the list is", "at the end."]
+    if len(plan.windows) > 1:
         lines += [
-            "Begin at the bottom right. Odd rows (numbers on the",
-            "right) are knit, right to left. Even rows (numbers on",
-            "the left) are purled on the wrong side, left to right.",
+            "Pages overlap by 2 stitches and 2 rows: cut along",
+            "the dashes and lay the page over its neighbour.",
         ]
-    lines.append("")
+    return [*lines, *words.about]
+
+
+def _said(lines: list[str]) -> list[str]:
+    return wrap(" ".join(lines), 52)
+
+
+def _flat_or_round(chart: Chart) -> list[str]:
+    if chart.circular:
+        return ["Begin at the bottom right. Every round is knit and", "read from right to left."]
+    return [
+        "Begin at the bottom right. Odd rows (numbers on the",
+        "right) are knit, right to left. Even rows (numbers on",
+        "the left) are purled on the wrong side, left to right.",
+    ]
+
+
+def _stranding(chart: Chart, look: Look, words: Words) -> list[str]:
+    lines = [""]
     if look.dominant is not None and look.dominant in roles(chart):
         name = roles(chart)[look.dominant]
         lines += [
@@ -299,18 +343,11 @@ def _reading(chart: Chart, look: Look, words: Words, plan: Layout, listed: bool)
     lines += ["Strand loosely; spread the stitches on the needle."]
     if not chart.circular and words.anchored:
         lines += ["Carry both yarns to both ends of every row."]
-    if listed:
-        lines += ["Catch floats where a small wedge stands; the list is", "at the end."]
-    if len(plan.windows) > 1:
-        lines += [
-            "Pages overlap by 2 stitches and 2 rows: cut along",
-            "the dashes and lay the page over its neighbour.",
-        ]
-    return [*lines, *words.about]
+    return lines
 
 
-def _columns(listed: list[str], ladder: list[str], catch: int, page: tuple[float, float]) -> list[list[list[str]]]:
-    """The float list on pages of two columns."""
+def _floats_told(listed: list[str], ladder: list[str], catch: int) -> list[str]:
+    """The lines of the float list."""
     lines = [
         f"Floats above {catch} stitches: yarn, the stitches that it lies behind,",
         "counted from the right (how many): catch at",
@@ -328,6 +365,11 @@ def _columns(listed: list[str], ladder: list[str], catch: int, page: tuple[float
             "",
         ]
         lines += ladder
+    return lines
+
+
+def _columns(lines: list[str], page: tuple[float, float]) -> list[list[list[str]]]:
+    """Lines on pages of two columns."""
     per = int((page[1] - 2 * MARGIN - HEAD - 8) / (2.6 * 1.45))
     columns = [lines[i : i + per] for i in range(0, len(lines), per)]
     return [columns[i : i + 2] for i in range(0, len(columns), 2)]

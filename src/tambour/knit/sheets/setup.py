@@ -11,13 +11,13 @@ from tambour.knit.machines.limits import MODELS, steps
 from tambour.render.page import GREY, Page
 
 
-def card(chart: Chart, name: str, anchored: bool, title: str) -> Drawing:
+def card(chart: Chart, name: str, anchored: bool, title: str, limit: int = 0) -> Drawing:
     """A card (A5) for the machine: the steps, the chart as it will look and as it hangs before you."""
     sheet = Page(148.0, 210.0)
     rows, width = chart.shape
     sheet.text(title, 10, 16, 6.0, bold=True)
     sheet.text(MODELS[name].title, 10, 23, 4.0, color=GREY)
-    y = sheet.paragraph(steps(chart, name, anchored), 10, 33, 2.9, leading=1.6)
+    y = sheet.paragraph(steps(chart, name, anchored, limit), 10, 33, 2.9, leading=1.6)
     aspect = chart.gauge.width / chart.gauge.height if chart.gauge else 1.0
     room = (60.0, 200.0 - y - 12)
     cell = min(room[0] / width, room[1] / rows * aspect)

@@ -68,7 +68,7 @@ def cut(chart: Chart, window: Window) -> Chart:
     """The part of a chart in a window, as a flat chart of its own."""
     pick = (slice(window.bottom, window.top), slice(window.left, window.right))
     absent = None if chart.no_stitch is None else chart.no_stitch[pick]
-    return Chart(chart.cells[pick], chart.palette, no_stitch=absent, gauge=chart.gauge)
+    return Chart(chart.cells[pick], chart.palette, no_stitch=absent, gauge=chart.gauge, technique=chart.technique)
 
 
 def page(chart: Chart, look: Look, title: str, weight: str, size: tuple[float, float]) -> Page:

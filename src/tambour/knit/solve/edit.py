@@ -12,7 +12,7 @@ from tambour.core.errors import Problem, TambourError
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.piece import Piece
-from tambour.knit.solve import exact, floats, percept
+from tambour.knit.solve import coloured, exact, floats, percept
 from tambour.knit.solve.assemble import State, assemble
 from tambour.knit.solve.stages import priced, seen_task, sight_of
 from tambour.knit.task import PLAIN, Task
@@ -27,6 +27,8 @@ def resolve(piece: Piece, edits: Iterable[tuple[int, int, int]]) -> Piece:
     rows that see them follow; ``none`` and ``check`` change nothing else. Raises TambourError for an edit outside the
     chart, of a colour that its row does not have, or that leaves no lawful row.
     """
+    if piece.chart.technique != "stranded":
+        return coloured.edited(piece, list(edits))
     state: State = piece.state
     task, params = state.task, piece.params
     rows, stitches = state.cells.shape
@@ -70,7 +72,7 @@ def resolve(piece: Piece, edits: Iterable[tuple[int, int, int]]) -> Piece:
         before,
         Progress(),
     )
-    kept = {k: piece.figures[k] for k in ("style", "why", "technique", "seen_from") if k in piece.figures}
+    kept = {k: piece.figures[k] for k in ("style", "why", "technique", "suggested", "seen_from") if k in piece.figures}
     return replace(again, textured=piece.textured, figures={**kept, **again.figures})
 
 

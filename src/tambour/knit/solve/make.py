@@ -13,13 +13,13 @@ from tambour.core.palette import Palette
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
-from tambour.knit.picture import tone
+from tambour.knit.picture import shades, tone
 from tambour.knit.picture.charts import chart_of, two_per_row
 from tambour.knit.picture.grounds import laid
 from tambour.knit.picture.layout import Layout, lay
 from tambour.knit.picture.prepare import mixed, prepared
 from tambour.knit.picture.regions import divided
-from tambour.knit.picture.style import Style, chosen, of_plain, settled
+from tambour.knit.picture.style import Style, chosen, of_plain, settled, suggested
 from tambour.knit.piece import Piece
 from tambour.knit.solve import floats
 from tambour.knit.solve.assemble import State, assemble
@@ -33,6 +33,18 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
     Raises TambourError for pictures, masks and limits that cannot be used together.
     """
     limit = floats.limit_of(params)
+    if isinstance(source, Chart) and source.technique != "stranded":
+        from tambour.knit.solve import coloured
+
+        return coloured.of_chart(source, params, progress)
+    if params.technique != "stranded":
+        from tambour.knit.solve import coloured
+
+        if isinstance(source, Chart) or params.check:
+            known = source if isinstance(source, Chart) else chart_of(source, two=False)
+            worked = replace(known, technique=params.technique, backing=params.back)
+            return coloured.of_chart(worked, params, progress)
+        return coloured.make(source, params, progress)
     if params.edge_stitches > limit and params.edges == "anchored":
         raise TambourError(
             f"{params.edge_stitches} edge stitches of one colour are longer than a float may be ({limit})",
@@ -46,7 +58,7 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
     if isinstance(source, Chart) or params.check:
         wanted = params.model_copy(update={"method": params.method or "exact", "style": "plain"})
         return of_chart(source, wanted, limit, progress)
-    if params.yarns > 2:
+    if params.count > 2:
         from tambour.knit.solve import yarns
 
         return yarns.make(source, params, limit, progress)
@@ -65,6 +77,7 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
         start, weights, textured, how = started(aim, layout, style, params, limit)
         if layout.frame.size:
             start[layout.frame] = layout.pattern[layout.frame]
+        layout = ended(layout, start, params, limit)
     if params.gauge is None and params.stitches is not None:
         progress.warn(
             "stitches are taken as square, though knitted ones are wider than tall",
@@ -72,12 +85,29 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
         )
     task = task_of(aim, start, limit, params, replace(layout, weights=weights))
     piece = finished(task, layout, palette, style.kind, how, params, progress)
-    told = {"style": style.name, "why": style.why, "technique": "stranded", "seen_from": style.metres}
+    colours = len(shades.few(layout.picture, shades.MOST)) if style.flat else 0
+    told = {
+        "style": style.name,
+        "why": style.why,
+        "technique": "stranded",
+        "suggested": suggested(style.kind, aim.shape, colours, params),
+        "seen_from": style.metres,
+    }
     return replace(
         piece,
         textured=layout.tiled(textured) if textured.size else None,
         figures={**told, **piece.figures},
     )
+
+
+def ended(layout: Layout, start: Array, params: KnitParams, limit: int) -> Layout:
+    """The layout with the outermost stitches fixed in the rarer yarn, where the machine knits them so; ``start`` too."""
+    if not params.end_needles or limit < 2 or start.shape[1] < 4 or layout.frame.size or layout.knit.size:
+        return layout
+    locked = layout.locked.copy() if layout.locked.size else np.zeros(start.shape, np.bool_)
+    start[:, [0, -1]] = int(start.mean() < 0.5)
+    locked[:, [0, -1]] = True
+    return replace(layout, locked=locked)
 
 
 def aimed(layout: Layout, luma: Array, palette: Palette, style: Style, params: KnitParams, limit: int) -> Array:
@@ -120,8 +150,6 @@ def two_yarns(picture: Array, params: KnitParams, progress: Progress) -> Palette
     """Dark and light yarn: black and white unless colours, a shade card or a stash are given."""
     if not params.colors and params.card == "none" and params.stash is None:
         return Palette(np.array([[0, 0, 0], [255, 255, 255]], np.uint8), ("black", "white"))
-    from tambour.knit.picture import shades
-
     return shades.palette_of(picture, params, progress)
 
 

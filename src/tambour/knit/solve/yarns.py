@@ -32,7 +32,7 @@ SWEEPS = 4
 
 
 def make(source: Picture, params: KnitParams, limit: int, progress: Progress) -> Piece:
-    """The Piece of a picture in ``params.yarns`` yarns.
+    """The Piece of a picture in as many yarns as ``params`` ask for.
 
     Raises TambourError for what needs two yarns only (locked stitches, frames, weights, patches), and for yarns that
     have too little contrast to share any row.
@@ -48,7 +48,7 @@ def make(source: Picture, params: KnitParams, limit: int, progress: Progress) ->
             raise TambourError(f"--{what} is for two yarns", where=f"--{what}")
     if params.focus != "none" or params.start == "patches":
         raise TambourError(
-            f"this is for two yarns ({params.yarns} were asked for)",
+            f"this is for two yarns ({params.count} were asked for)",
             where="{--focus}" if params.focus != "none" else "{--start} patches",
         )
     with progress.stage("tone"):
