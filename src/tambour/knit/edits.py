@@ -41,7 +41,7 @@ def _set(piece: Piece, edits: Sequence[Stitch], progress: Progress) -> Piece:
         elif (yarn := _yarn(piece, e)) is None:
             known = ", ".join(_codes(piece))
             problems.append(Problem("there is no such yarn", f"MC, CC, a number, or {known}", where=where))
-        elif yarn not in (pair := _held(piece, e.row - 1)):
+        elif yarn not in (pair := piece.state.pairs[e.row - 1].tolist()):
             told = " and ".join(_codes(piece)[k] for k in pair)
             problems.append(Problem("this row is not knitted with that yarn", f"it has {told}", where=where))
         else:
@@ -56,20 +56,12 @@ def _codes(piece: Piece) -> list[str]:
     return [hexed(rgb) for rgb in piece.chart.palette.rgb.tolist()]
 
 
-def _held(piece: Piece, row: int) -> list[int]:
-    """The palette entries that a row may hold."""
-    if piece.chart.technique != "stranded":
-        return list(range(len(piece.chart.palette)))
-    pair: list[int] = piece.state.pairs[row].tolist()
-    return pair
-
-
 def _yarn(piece: Piece, edit: Stitch) -> int | None:
     """The palette entry that an edit names. CC of a row is the yarn beside the main colour."""
     from tambour.knit.hands.working import roles
 
     word = edit.yarn.strip().lower()
-    pair = _held(piece, edit.row - 1)
+    pair = piece.state.pairs[edit.row - 1].tolist()
     if word in ("mc", "cc"):
         main = piece.background if piece.background in pair else pair[0]
         return int(main if word == "mc" else next(k for k in pair if k != main))

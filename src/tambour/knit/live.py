@@ -16,7 +16,7 @@ from tambour.knit.piece import Piece
 def live(piece: Piece) -> Packed:
     """The chart and its masks, row 0 the cast-on row, column 0 the left edge.
 
-    ``cells``, ``start`` (R, C) → ``palette`` (K, 3); ``tone`` (R, C) the brightness aimed at, 0…255; ``pairs`` (R, 2)
+    ``cells``, ``start`` (R, C) → ``palette`` (K, 3); ``tone`` (R, C) the brightness aimed at, 0…255; ``pairs`` (R, 2 or K)
     the yarns that a row may be knitted with; ``longest`` (R,) the longest float of each row; ``no_stitch``,
     ``relaxed``, ``locked`` (R, C) where the chart has them.
     """

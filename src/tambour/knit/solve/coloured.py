@@ -43,6 +43,11 @@ class Field:
     cells: Array
     locked: Array
 
+    @property
+    def pairs(self) -> Array:
+        """(R, K) uint8: the palette entries that each row may hold: all."""
+        return np.tile(np.arange(self.cost.shape[2], dtype=np.uint8), (len(self.cells), 1))
+
 
 def make(source: Picture, params: KnitParams, progress: Progress) -> Piece:
     """The Piece of a picture in areas: intarsia, or one picture on a double bed.
