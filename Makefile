@@ -28,10 +28,11 @@ kernels: $(VENV)/ready
 	$(BIN)/python -m kernels
 
 check: $(VENV)/ready
-	$(BIN)/ruff check src tests bench examples kernels
-	$(BIN)/ruff format --check src tests bench examples kernels
+	$(BIN)/ruff check src tests bench examples kernels front
+	$(BIN)/ruff format --check src tests bench examples kernels front
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIN)/python front/build.py check
 
 bench: $(VENV)/ready
 	for f in bench/*.py; do echo "== $$f"; $(BIN)/python $$f || exit 1; done

@@ -1,7 +1,9 @@
-"""Hook: what hatchling asks when it builds a wheel, or installs this folder to be worked on."""
+"""Hook: what hatchling asks when it builds a wheel, or installs this folder to be worked on: kernels, and the studio's page."""
 
 from __future__ import annotations
 
+import os
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -12,16 +14,27 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from kernels import build
 
+LIB = "src/tambour/studio/web/lib"
+"""What of the studio's page is built."""
+
+
+def _page() -> bool:
+    return os.environ.get("TAMBOUR_BUILD_STUDIO") == "1"
+
 
 class KernelsHook(BuildHookInterface):  # type: ignore[type-arg,misc]
-    """Builds the kernels and puts them into the wheel."""
+    """Builds the kernels and puts them into the wheel; the studio's page only when it is asked for, as that needs npm."""
 
     def dependencies(self) -> list[str]:
-        """Numba, when something is to be compiled."""
-        return build.needs()
+        """Numba, when something is to be compiled; what cuts fonts, when the page is built."""
+        return [*build.needs(), *(["fonttools>=4.50"] if _page() else [])]
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Build, and name the wheel for its platform."""
+        if _page():
+            subprocess.run([sys.executable, str(Path(self.root) / "front" / "build.py")], check=True)
+        if (Path(self.root) / LIB).is_dir():
+            build_data["artifacts"].append(f"/{LIB}/")
         if not build.here():
             return
         build.build()

@@ -1,0 +1,9 @@
+// What the page takes of CodeMirror; esbuild makes lib/editor.js of it.
+export { EditorState, StateEffect, StateField, Compartment, RangeSetBuilder } from "@codemirror/state";
+export {
+  Decoration, EditorView, drawSelection, highlightActiveLine, hoverTooltip, keymap, lineNumbers, placeholder,
+} from "@codemirror/view";
+export { defaultKeymap, history, historyKeymap, redo, undo } from "@codemirror/commands";
+export { StreamLanguage, HighlightStyle, syntaxHighlighting } from "@codemirror/language";
+export { lintGutter, setDiagnostics } from "@codemirror/lint";
+export { tags } from "@lezer/highlight";

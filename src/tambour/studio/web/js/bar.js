@@ -1,0 +1,61 @@
+// The bar: the same in every craft: where one is, whether it is kept, undo, follow, take away.
+import { html, nothing, show } from "./view.js";
+import { help, offer, palette, written } from "./keys.js";
+import { attempt } from "./notes.js";
+import { theme, turnTheme } from "./theme.js";
+import { online } from "./wire.js";
+import { begin } from "./drop.js";
+import { takeAway } from "./takeaway.js";
+import { pair } from "./pair.js";
+
+/** @typedef {import("./piece.js").Piece} Piece */
+
+export const CRAFTS = /** @type {const} */ ({ crochet: "Crochet", knit: "Knit", ink: "Ink", embroidery: "Embroidery" });
+/** What a craft begins with when one chooses it in the bar. */
+const NEW = {
+  crochet: { craft: "crochet", title: "New pattern", source: { name: "pattern.acl", text: "Rnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [12]\nRnd 3: (sc, inc) x 6. [18]\nRnds 4-6: sc around. [18]\nRnd 7: (sc, dec) x 6. [12]\nRnd 8: dec x 6. [6]\nFasten off.\n" } },
+  ink: { craft: "ink", seed: "plum", title: "Plum" },
+};
+const GLYPH = { auto: "◐", light: "☀", dark: "☾" };
+
+/** @param {HTMLElement} element @param {HTMLElement} over @param {Piece|null} piece @param {(craft: string) => void} [wants] a craft that needs a file first */
+export function bar(element, over, piece, wants = () => {}) {
+  const away = () => piece && takeAway(over, piece, { follow });
+  const follow = () => piece && pair(over, piece);
+  const fresh = (/** @type {string} */ craft) => (NEW[craft] ? attempt(() => begin(NEW[craft])) : wants(craft));
+  const commands = () => [
+    { name: "Find anything", key: "mod+k", do: () => palette(over) },
+    { name: "All keys", key: "?", do: () => help(over) },
+    { name: "Light, dark, or as the machine has it", do: turnTheme },
+    { name: "The shelf", do: () => (location.hash = "") },
+    ...Object.entries(CRAFTS).map(([craft, name]) => ({ name: `New: ${name}`, do: () => fresh(craft) })),
+    ...(piece ? [
+      { name: "Undo", key: "mod+z", do: () => piece.step("undo") },
+      { name: "Redo", key: "mod+shift+z", do: () => piece.step("redo") },
+      { name: "Redo", key: "mod+y", hidden: true, do: () => piece.step("redo") },
+      { name: "Take away", key: "mod+s", do: away },
+      { name: "Follow on a phone", do: follow },
+    ] : []),
+  ];
+  const stop = [offer(commands), show(element, view)];
+  return () => stop.forEach((s) => s());
+
+  function view() {
+    const here = piece?.piece.value, craft = piece?.craft.value?.name;
+    const saved = !piece ? "" : !online.value ? "kept here" : piece.saved.value ? "saved" : "saving";
+    return html`<a class="mark" href="#" aria-label="Tambour: the shelf"><i></i>tambour</a>
+      <nav aria-label="crafts">${Object.entries(CRAFTS).map(([name, label]) => html`<button aria-current=${name === craft ? "page" : nothing} @click=${() => name !== craft && fresh(name)} title="Begin with ${label.toLowerCase()}">${label}</button>`)}</nav>
+      ${here ? html`<div class="title"><input type="text" .value=${here.title} aria-label="title" maxlength="120"
+          @change=${(/** @type {any} */ e) => e.target.value.trim() && attempt(() => piece.rename(e.target.value.trim()))}>
+        <span class="saved ${saved === "saved" ? "" : "waiting"}" role="status">${saved}</span></div>` : ""}
+      <div class="right">
+        <button class="icon wide" @click=${turnTheme} aria-label="light or dark: ${theme.value}" title="Light or dark: ${theme.value}">${GLYPH[theme.value]}</button>
+        <button class="icon wide" @click=${() => palette(over)} aria-label="find anything" title="Find anything (${written("mod+k")})">⌕</button>
+        ${here ? html`
+          <button class="icon" ?disabled=${!here.undo} @click=${() => piece.step("undo")} aria-label="undo" title="Undo (${written("mod+z")})">↶</button>
+          <button class="icon wide" ?disabled=${!here.redo} @click=${() => piece.step("redo")} aria-label="redo" title="Redo">↷</button>
+          ${craft === "ink" ? "" : html`<button class="button wide" @click=${follow}>Follow</button>`}
+          <button class="button act" @click=${away}>Take away</button>` : ""}
+      </div>`;
+  }
+}

@@ -1,0 +1,54 @@
+// Facts of a toy: how large, how much yarn, its parts, its gauge, what was checked.
+import { fields, speller } from "../forms.js";
+import { list, told } from "../problems.js";
+import { counted, dyed, hex, html, number, ref } from "../view.js";
+
+/** @typedef {import("../piece.js").Piece} Piece */
+
+const LEAN = [["tilt", "leans", 0, 180], ["towards", "towards", 0, 360], ["across", "turned", -180, 180]];
+
+/** @param {Piece} piece @param {{part: {value: number}, go: (problem: any) => void, checked: any}} how */
+export function facts(piece, { part, go, checked }) {
+  const report = piece.report.value, pack = piece.live.value, craft = piece.craft.value;
+  const problems = told(checked?.problems ?? (piece.failed.value.length ? piece.failed.value : piece.problems.value));
+  const cm = (/** @type {number} */ mm) => (mm / 10).toFixed(1);
+  const yarns = report?.materials?.yarn ?? report?.yarn ?? [];
+  const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value } });
+  return html`
+    ${report?.size_mm ? html`<h2 class="head">Size</h2><p class="big">${report.size_mm.map(cm).join(" × ")} cm</p>
+      <p class="quiet">${[report.size?.measured, report.size_in?.map((/** @type {number} */ v) => v.toFixed(1)).join(" × ") + " in"].filter(Boolean).join(" · ")}</p>` : ""}
+    ${yarns.length ? html`<h2 class="head">Yarn</h2><ul class="facts">${yarns.map((/** @type {any} */ y) => html`<li><span><i class="swatch" ${ref(dyed(y.color))}></i> ${y.name || y.color}</span>
+      <span class="number">${y.metres.toFixed(1)} m${y.grams ? html` <span class="quiet">${Math.ceil(y.grams)} g</span>` : ""}</span></li>`)}</ul>` : ""}
+    ${pack ? html`<h2 class="head">Parts</h2><ul>${pack.facts.parts.map((/** @type {any} */ p, /** @type {number} */ k) => html`<li>
+      <button class="rowbutton" aria-pressed=${part.value === k} @click=${() => (part.value = part.value === k ? -1 : k)}>
+        <i class="swatch" ${ref(dyed(hue(pack, p)))}></i> ${p.name}<span class="number">${number(p.end - p.start)}</span></button>
+      ${part.value === k ? one(piece, report, p, k) : ""}</li>`)}</ul>` : ""}
+    ${craft ? html`<h2 class="head">Gauge</h2>${report?.size?.gauge?.stitch_mm ? html`<p class="quiet">stitch ${report.size.gauge.stitch_mm.map((/** @type {number} */ v) => v.toFixed(1)).join(" × ")} mm${report.size.gauge.from ? `, from ${speller(craft.form)(report.size.gauge.from)}` : ""}</p>` : ""}
+      <div class="gauge">${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.group === "Yarn and gauge" })}</div>` : ""}
+    <h2 class="head">Checks</h2>
+    ${problems.length ? list(problems, { go }) : report ? html`<p class="agree">✓ ${counted(report.rounds?.length ?? 0, "round")}: all counts agree</p>` : ""}
+    ${report?.assembly?.some((/** @type {any} */ a) => a.widest_mm > 6) ? html`<p class="quiet">Some parts stand off the body by up to ${Math.max(...report.assembly.map((/** @type {any} */ a) => a.widest_mm)).toFixed(0)} mm.</p>` : ""}
+    ${craft ? html`<h2 class="head">Words and pages</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.group !== "Yarn and gauge" && f.tier !== "rare" && name !== "check" })}
+      <details class="group"><summary>How it is worked out</summary>${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.tier === "rare" })}</details>` : ""}`;
+}
+
+/** @param {import("../pack.js").Pack} pack @param {any} p */
+function hue(pack, p) {
+  const c = pack.arrays.color[Math.min(p.end - 1, Math.floor((p.start + p.end) / 2))], all = pack.arrays.palette;
+  return hex([all[3 * c], all[3 * c + 1], all[3 * c + 2]]);
+}
+
+/** What is known of a part, and how it leans. @param {Piece} piece @param {any} report @param {any} p @param {number} k */
+function one(piece, report, p, k) {
+  const size = report?.parts?.[k]?.size_mm, name = p.name.replace(/ (\d+)$/, ".$1");
+  const sewn = report?.assembly?.find((/** @type {any} */ a) => a.part === name || a.part === p.name);
+  const lean = (/** @type {string} */ angle, /** @type {number} */ degrees) => {
+    const edits = piece.revision.value.edits.filter((/** @type {any} */ e) => !(e.edit === "pose" && e.part === sewn.part && e.angle === angle));
+    piece.change({ edits: [...edits, { edit: "pose", part: sewn.part, angle, degrees }], said: `${p.name} ${angle} ${degrees}°` });
+  };
+  const firm = p.stuffing >= 0.9 ? "firmly stuffed" : p.stuffing > 0 ? "lightly stuffed" : "not stuffed";
+  return html`<div class="inside"><p class="quiet">${size ? `${size.map((/** @type {number} */ v) => (v / 10).toFixed(1)).join(" × ")} cm · ` : ""}${firm}${sewn ? html`<br>sewn to ${sewn.on}${sewn.round ? `, at round ${sewn.round}` : ""}; in the view “Parts”, drag it to another place` : ""}</p>
+    ${sewn ? LEAN.map(([angle, label, low, high]) => html`<label class="lean"><span>${label}</span>
+      <input type="range" min=${low} max=${high} step="5" .value=${String(Math.round(sewn[angle] ?? 0))} @change=${(/** @type {any} */ e) => lean(/** @type {string} */ (angle), Number(e.target.value))}>
+      <span class="number">${Math.round(sewn[angle] ?? 0)}°</span></label>`) : ""}</div>`;
+}

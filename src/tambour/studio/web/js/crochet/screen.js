@@ -1,0 +1,194 @@
+// Crochet: the pattern's words, the toy in its yarn, and what they say of each other.
+import { frame, noGl, working } from "../frame.js";
+import { Stage } from "../gl/stage.js";
+import { offer } from "../keys.js";
+import { attempt, tell } from "../notes.js";
+import { unpack } from "../pack.js";
+import { list, told } from "../problems.js";
+import { night } from "../theme.js";
+import { Timeline, bare } from "../timeline.js";
+import { counted, dyed, effect, html, later, ref, show, signal, untracked } from "../view.js";
+import { ask } from "../wire.js";
+import { Hand } from "./drag.js";
+import { Editor } from "./editor.js";
+import { MODES, cord, looks } from "./looks.js";
+import { facts } from "./parts.js";
+
+/** @typedef {import("../piece.js").Piece} Piece */
+
+/** @param {HTMLElement} root @param {Piece} piece @param {{over: HTMLElement, extra: URLSearchParams}} how @returns {() => void} */
+export function screen(root, piece, { over }) {
+  const at = frame(root, { left: "Words", words: true, right: "Facts", view: "Toy" });
+  const mode = signal("yarn"), part = signal(-1), spot = signal(/** @type {[number, number]|null} */ (null)), chosen = signal(-1);
+  const checked = signal(/** @type {{problems: any[], steps: any[]}|null} */ (null));
+  const stage = new Stage(at.canvas);
+  const timeline = new Timeline(at.making, piece);
+  /** @type {(() => void)[]} */
+  const stop = [timeline.stop, effect(() => {
+    stage.night = night.value;
+    stage.touch();
+  })];
+  if (!stage.gl) stop.push(show(at.blank, () => noGl));
+  stage.resize();
+
+  // The words.
+  const host = document.createElement("div"), below = document.createElement("div");
+  host.className = "editor";
+  below.className = "below";
+  at.left.append(host, below);
+  const source = piece.revision.value.source;
+  const steps = () => checked.value?.steps ?? piece.steps.value?.steps ?? [];
+  const stepOf = (/** @type {number} */ point) => steps().find((s) => s.span && s.span[0] <= point && point < s.span[1]);
+  const editor = new Editor(host, {
+    text: source?.text ?? "",
+    own: /\.acl$/.test(source?.name ?? ""),
+    onchange: (text) => {
+      check(text);
+      commit(text);
+    },
+    onspot: (point) => {
+      const found = (piece.steps.value?.steps ?? []).find((s) => s.span && s.span[0] <= point && point < s.span[1]);
+      spot.value = found ? [found.first, found.end] : null;
+    },
+    tell: (point) => {
+      const s = stepOf(point);
+      return s ? `${s.part ? `${s.part}, ` : ""}${s.label}: makes ${counted(s.count, "stitch", "stitches")}` : null;
+    },
+  });
+  if (source && source.text === null) attempt(async () => editor.set((await ask(`/api/revisions/${piece.revision.value.id}/text`)).text));
+  /** @type {AbortController|undefined} */
+  let asking;
+  const check = later(async (/** @type {string} */ text) => {
+    asking?.abort();
+    asking = new AbortController();
+    try {
+      const found = await ask("/api/check/crochet", { body: { text, params: piece.params.value }, signal: asking.signal });
+      if (text === editor.text) checked.value = found;
+    } catch {
+      // a newer key took its place, or the server is away, which the bar says
+    }
+  }, 90);
+  const commit = later((/** @type {string} */ text) => piece.change({ source: { text, name: source?.name?.replace(/\.(pdf|docx|html?)$/i, ".txt") ?? "pattern.txt" }, merge: true }), 600);
+  stop.push(() => (check.stop(), commit.stop(), editor.view.destroy()));
+  stop.push(effect(() => {
+    const text = piece.revision.value?.source?.text;
+    if (typeof text === "string" && untracked(() => piece.saved.value)) editor.set(text);
+  }));
+  const problems = () => checked.value?.problems ?? (piece.failed.value.length ? piece.failed.value : piece.problems.value);
+  stop.push(effect(() => editor.problems(problems())));
+  stop.push(effect(() => {
+    if (piece.live.value) checked.value = null; // what was made knows as much, and more
+  }));
+  const go = (/** @type {any} */ p) => {
+    if (p.span) editor.reveal(p.span[0], true);
+    else if (p.line) editor.reveal(editor.view.state.doc.line(Math.min(p.line, editor.view.state.doc.lines)).from, true);
+  };
+  stop.push(show(below, () => {
+    const all = told(problems());
+    if (!all.length) return html`<p class="agree">${steps().length ? html`✓ ${counted(steps().length, "round")}, all counts agree` : ""}</p>`;
+    return html`<details class="doubts" open><summary>${counted(all.length, "thing")} to look at</summary>${list(all, { go })}</details>`;
+  }));
+
+  // The toy.
+  let shown = /** @type {any} */ (null);
+  stop.push(effect(() => {
+    const pack = piece.live.value;
+    if (!pack || pack === shown) return;
+    const first = !shown;
+    shown = pack;
+    hand.pack = pack;
+    stage.move(null);
+    stage.set(pack, first);
+    untracked(() => stage.scrub(piece.at.value));
+  }));
+  stop.push(effect(() => {
+    const pack = piece.live.value;
+    if (!pack || stage.pack !== pack) return;
+    stage.paint(looks(pack, mode.value, { part: part.value, spot: spot.value }).tint);
+  }));
+  stop.push(effect(() => {
+    const k = piece.at.value, pack = piece.live.value;
+    if (!pack || stage.pack !== pack) return;
+    stage.scrub(k);
+    const { step } = piece.stepAt(Math.min(k, pack.facts.units - 1));
+    if (k >= pack.facts.units) editor.mark(null);
+    else {
+      const next = /** @type {[number, number]} */ ([pack.arrays.span[2 * k], pack.arrays.span[2 * k + 1]]);
+      editor.mark(step?.span, next[1] > next[0] ? next : null);
+      if (step?.span && document.activeElement !== host && step !== last) editor.reveal(step.span[0]);
+      last = step;
+    }
+  }));
+  let last = /** @type {any} */ (null);
+  piece.onframe = ({ buffer, at: from }) => {
+    const state = unpack(buffer, from), x = /** @type {Float32Array} */ (state.arrays.positions), pack = piece.live.value;
+    if (!x?.length) return;
+    if (pack && x.length === pack.arrays.positions.length && !piece.unsent.value) {
+      if (stage.pack !== pack) {
+        stage.set(pack, false);
+        shown = pack;
+      }
+      const by = new Float32Array(x.length), rest = pack.arrays.positions;
+      for (let i = 0; i < x.length; i++) by[i] = x[i] - rest[i];
+      stage.move(by);
+    } else if (!pack || piece.going.value) {
+      stage.set(cord(x, state.facts.radius ?? 2), !shown);
+      shown ??= stage.pack;
+    }
+  };
+
+  const hand = new Hand(stage, piece, { part, mode, dropped: async (name, onto) => {
+    const answer = await attempt(() => ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto } }));
+    if (!answer) return stage.move(null);
+    piece.piece.value = answer.piece;
+    piece.revision.value = answer.revision;
+    piece.watch();
+    tell(html`Now the pattern says: <b>${answer.sentence}</b>`, { calm: true });
+  } });
+  hand.listen(at.canvas, (unit) => choose(unit, true));
+  const choose = (/** @type {number} */ unit, jump = false) => {
+    const pack = piece.live.value;
+    chosen.value = unit;
+    if (!pack || unit < 0) return void (spot.value = null);
+    spot.value = [unit, unit + 1];
+    const from = pack.arrays.span[2 * unit], to = pack.arrays.span[2 * unit + 1];
+    const { step } = piece.stepAt(unit);
+    editor.mark(step?.span, [from, to]);
+    if (jump) editor.reveal(from);
+  };
+  stop.push(show(at.top, () => {
+    const pack = piece.live.value, i = chosen.value;
+    const { step } = pack && i >= 0 ? piece.stepAt(i) : { step: null };
+    return html`${working(piece.going.value)}
+      ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert">${pack ? "This is how it was: " : ""}the words cannot be made yet; see ${counted(told(piece.failed.value).length, "place")} in them.</div>` : ""}
+      ${pack && step ? html`<div class="said" role="status"><b>${step.label}</b>, stitch ${i - step.first + 1} of ${step.end - step.first}
+        · ${pack.facts.kinds[pack.arrays.kind[i]]}${pack.arrays.tension[i] > 0.08 ? html` · stretched ${Math.round(100 * pack.arrays.tension[i])} %` : ""}<br><span class="quiet">${bare(step.words)}</span></div>` : ""}
+      ${hand.word.value ? html`<div class="said">${hand.word.value}</div>` : ""}`;
+  }));
+  stop.push(show(at.bottom, () => {
+    const pack = piece.live.value, legend = pack ? looks(pack, mode.value, { part: part.value }).legend : [];
+    return html`<div class="seg" role="group" aria-label="what colours say">${MODES.map(([name, label]) => html`<button aria-pressed=${mode.value === name} @click=${() => (mode.value = name)}>${label}</button>`)}</div>
+      ${legend.length ? html`<div class="said legend">${legend.map(([c, text]) => html`<span><i class="swatch" ${ref(dyed(c))}></i> ${text}</span>`)}</div>` : ""}`;
+  }));
+  stop.push(show(at.right, () => facts(piece, { part, go, checked: checked.value })));
+
+  stop.push(offer(() => [
+    { name: "See all of it", key: "f", do: () => stage.fit() },
+    ...MODES.map(([name, label], k) => ({ name: `Colours: ${label.toLowerCase()}`, key: String(k + 1), do: () => void (mode.value = name) })),
+    { name: "From the front", do: () => stage.fit() },
+    { name: "From behind", do: () => (stage.fit(), stage.camera.turn(Math.PI / 0.008, 0)) },
+    { name: "To the words", key: "e", do: () => editor.view.focus() },
+    ...(piece.live.value?.facts.parts ?? []).map((/** @type {any} */ p, /** @type {number} */ k) => ({ name: `Part: ${p.name}`, do: () => void ((part.value = k), (mode.value = "parts")) })),
+  ], (event) => {
+    if (event.target === at.canvas && event.altKey) return false;
+    return timeline.key(event);
+  }));
+  if (!editor.text.trim()) editor.view.focus();
+  void over;
+  return () => {
+    for (const end of stop) end();
+    piece.onframe = () => {};
+    stage.free();
+  };
+}
+

@@ -1,0 +1,64 @@
+// The regions of an embroidery as a list: colour, stitch, order; the chosen one shows how it is sewn, and is changed there.
+import { fields, speller } from "../forms.js";
+import { list, told } from "../problems.js";
+import { counted, dyed, html, live, number, ref } from "../view.js";
+
+/** @typedef {import("../piece.js").Piece} Piece */
+
+const FIELDS = ["angle", "row_spacing", "length", "underlay", "pull"];
+const NAMES = { tatami: "fill" };
+
+/** @param {Piece} piece @param {{value: number}} chosen @param {(region: number, field: string, value: any) => void} change */
+export function regions(piece, chosen, change) {
+  const pack = piece.live.value, form = piece.craft.value?.form;
+  if (!pack || !form) return html`<p class="quiet">The regions stand here once the thread lies.</p>`;
+  const all = pack.facts.regions;
+  if (!all.length) return html`<p class="quiet">A machine's file has stitches alone, no regions: it can be watched, measured and written in other formats.</p>${threads(piece)}`;
+  return html`<h2 class="head">In the order of sewing</h2><ol class="regions">${all.map((/** @type {any} */ r, /** @type {number} */ k) => html`<li>
+      <button class="rowbutton" aria-pressed=${chosen.value === k} @click=${() => (chosen.value = chosen.value === k ? -1 : k)}>
+        <i class="swatch" ${ref(dyed(r.color))}></i> ${r.id || `region ${k + 1}`}<span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.end - r.first)}</span></button>
+      ${chosen.value === k ? one(r, k, form, change) : ""}</li>`)}</ol>${threads(piece)}`;
+}
+
+/** @param {any} r @param {number} k @param {any} form @param {(region: number, field: string, value: any) => void} change */
+function one(r, k, form, change) {
+  const stitches = form.stitch.choices ?? [], spell = speller(form);
+  return html`<div class="inside form">
+    <div class="field"><label class="name" for="stitch-${k}">Stitch</label><select id="stitch-${k}" @change=${(/** @type {any} */ e) => change(k, "stitch", e.target.value)}>
+      ${r.params?.stitch ? "" : html`<option selected value="">${NAMES[r.stitch] ?? r.stitch}, by its shape</option>`}
+      ${stitches.map((/** @type {string} */ s) => html`<option value=${s} ?selected=${s === r.params?.stitch}>${NAMES[s] ?? s}</option>`)}</select></div>
+    ${FIELDS.filter((f) => form[f] && (f !== "angle" || (r.role !== "line" && r.params?.angle !== undefined))).map((f) => html`<div class="field"><label class="name" for="${f}-${k}">${form[f].label}${form[f].unit ? html` <span class="quiet">${form[f].unit}</span>` : ""}</label>
+      <input id="${f}-${k}" type="text" title=${spell(form[f].help)} .value=${live(shown(r.params?.[f] ?? form[f].default))} @change=${(/** @type {any} */ e) => e.target.value.trim() && change(k, f, e.target.value.trim())}></div>`)}</div>`;
+}
+
+const shown = (/** @type {any} */ v) => (v === null || v === undefined ? "" : typeof v === "number" ? String(Math.round(v * 100) / 100) : String(v));
+
+/** @param {Piece} piece */
+function threads(piece) {
+  const all = piece.report.value?.threads ?? [];
+  return all.length ? html`<h2 class="head">Threads</h2><ul class="facts">${all.map((/** @type {any} */ t) => html`<li><span><i class="swatch" ${ref(dyed(t.rgb))}></i> ${t.name || t.pes?.name || ""} <span class="quiet">${t.code || t.pes?.code || ""}</span></span>
+    <span class="number">${t.metres.toFixed(1)} m</span></li>`)}</ul>` : "";
+}
+
+/** Facts of an embroidery. @param {Piece} piece */
+export function facts(piece) {
+  const report = piece.report.value, craft = piece.craft.value, problems = told(piece.failed.value.length ? piece.failed.value : piece.problems.value);
+  const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value } });
+  const steps = piece.steps.value?.steps ?? [];
+  return html`${report ? html`<h2 class="head">Size</h2><p class="big">${report.width_mm.toFixed(0)} × ${report.height_mm.toFixed(0)} mm</p>
+      <p class="quiet">${(report.width_mm / 25.4).toFixed(2)} × ${(report.height_mm / 25.4).toFixed(2)} in${report.hoops?.length ? ` · fits ${report.hoops[0]} and larger hoops` : ""}</p>
+      <h2 class="head">At the machine</h2><ul class="facts"><li><span>Stitches</span><span class="number">${number(report.stitches)}</span></li>
+      <li><span>Time</span><span class="number">${minutes(report.machine_seconds)}</span></li><li><span>Thread</span><span class="number">${report.thread_m.toFixed(1)} m</span></li>
+      <li><span>Colour changes</span><span class="number">${report.color_changes}</span></li><li><span>Cuts</span><span class="number">${report.trims}</span></li>
+      <li><span>Longest stitch</span><span class="number">${report.longest_mm.toFixed(1)} mm</span></li></ul>
+      <h2 class="head">Stops</h2><ol class="facts">${steps.map((s) => html`<li><button class="link" @click=${() => (piece.at.value = s.first)}>${colored(s.stop || s.label)}</button><span class="number quiet">${number(s.count)}</span></li>`)}</ol>` : ""}
+    <h2 class="head">Checks</h2>${problems.length ? list(problems, { spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ nothing doubtful to sew</p>` : ""}
+    ${craft ? html`<h2 class="head">How it is sewn</h2>${fields(craft.form, piece.params.value, { set, problems })}` : ""}
+    ${report ? html`<p class="quiet">${counted(report.points, "needle point")}</p>` : ""}`;
+}
+
+/** @param {number} s */
+export const minutes = (s) => (s < 60 ? `${Math.round(s)} s` : `${Math.floor(s / 60)} min ${Math.round(s % 60)} s`);
+
+/** Colours in a text as what they look like. @param {string} text */
+const colored = (text) => text.split(/(#[0-9a-f]{6})/i).map((word) => (/^#/.test(word) ? html`<i class="swatch" ${ref(dyed(word))}></i> <span class="quiet">${word}</span>` : word));

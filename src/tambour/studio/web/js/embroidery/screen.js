@@ -1,0 +1,101 @@
+// Embroidery: the regions, the thread on its cloth, and what the machine will do.
+import { frame, noGl, working } from "../frame.js";
+import { Stage } from "../gl/stage.js";
+import { offer } from "../keys.js";
+import { night } from "../theme.js";
+import { Timeline } from "../timeline.js";
+import { dyed, effect, html, number, ref, show, signal, untracked } from "../view.js";
+import { MODES, looks } from "./density.js";
+import { Overlay } from "./overlay.js";
+import { facts, minutes, regions } from "./regions.js";
+
+/** @typedef {import("../piece.js").Piece} Piece */
+
+/** @param {HTMLElement} root @param {Piece} piece @returns {() => void} */
+export function screen(root, piece) {
+  const at = frame(root, { left: "Regions", right: "Facts", view: "Thread" });
+  const mode = signal("thread"), chosen = signal(-1);
+  const stage = new Stage(at.canvas, { flat: true });
+  const change = (/** @type {number} */ k, /** @type {string} */ field, /** @type {any} */ value) => {
+    const region = piece.live.value?.facts.regions[k].id || String(k + 1), name = field.replaceAll("_", "-");
+    const edits = piece.revision.value.edits.filter((/** @type {any} */ e) => !(e.edit === "region" && e.region === region && e.field === name));
+    piece.change({ edits: [...edits, { edit: "region", region, field: name, value: String(value) }], said: `${region}: ${field} ${value}` });
+  };
+  const overlay = new Overlay(at.view, stage, (k, degrees) => change(k, "angle", degrees));
+  at.view.insertBefore(overlay.host, at.blank);
+  stage.ondraw = () => overlay.draw();
+  const timeline = new Timeline(at.making, piece, { where: (k, told) => {
+    const pack = piece.live.value;
+    if (!pack || k >= pack.facts.units) return { ...told, more: pack ? `${number(pack.facts.units)} needle points, ${minutes(pack.arrays.seconds.at(-1) ?? 0)}` : told.more };
+    const { step, index } = piece.stepAt(k), all = piece.steps.value?.steps ?? [], next = all[index + 1];
+    return { label: minutes(pack.arrays.seconds[k]), more: `needle ${number(k)} of ${number(pack.facts.units)}`,
+      words: html`<b>${step?.label}</b> ${step?.words}${next ? html` · then ${next.stop}, in ${minutes(pack.arrays.seconds[next.first] - pack.arrays.seconds[k])}` : ""}` };
+  } });
+  /** @type {(() => void)[]} */
+  const stop = [timeline.stop];
+  if (!stage.gl) stop.push(show(at.blank, () => noGl));
+  stop.push(effect(() => {
+    stage.night = night.value;
+    const c = String(piece.params.value.ground ?? "#ece7dc"), rgb = /^#[0-9a-f]{6}$/i.test(c) ? [1, 3, 5].map((k) => parseInt(c.slice(k, k + 2), 16) / 255) : [0.93, 0.91, 0.86];
+    stage.ground = night.value ? rgb.map((v) => v * 0.8) : rgb;
+    stage.touch();
+  }));
+  stage.resize();
+  let first = true;
+  stop.push(effect(() => {
+    const pack = piece.live.value;
+    if (!pack) return;
+    stage.cloth = Math.max(0.4, pack.facts.radius * 3);
+    overlay.pack = pack;
+    const hoop = /^(\d+(?:\.\d+)?)\s*x\s*(\d+(?:\.\d+)?)$/.exec(String(untracked(() => piece.params.value.hoop) ?? ""));
+    overlay.hoop = hoop ? [Number(hoop[1]), Number(hoop[2])] : null;
+    stage.set(pack, first);
+    first = false;
+    untracked(() => stage.scrub(piece.at.value));
+  }));
+  stop.push(effect(() => {
+    const pack = piece.live.value;
+    if (!pack || stage.pack !== pack) return;
+    stage.paint(looks(pack, mode.value, chosen.value).tint);
+    stage.thick(mode.value === "lines" ? 0.3 : 1);
+    overlay.region = chosen.value;
+    overlay.cuts = mode.value === "lines";
+  }));
+  stop.push(effect(() => {
+    overlay.at = piece.at.value;
+    stage.scrub(piece.at.value);
+  }));
+  let down = { x: 0, y: 0 };
+  stage.camera.listen(at.canvas, (event) => {
+    down = { x: event.offsetX, y: event.offsetY };
+    return false;
+  });
+  at.canvas.addEventListener("pointerup", (event) => {
+    const pack = piece.live.value;
+    if (!pack || Math.hypot(event.offsetX - down.x, event.offsetY - down.y) > 4) return;
+    const unit = stage.pick(event.offsetX, event.offsetY);
+    chosen.value = unit < 0 ? -1 : pack.arrays.region[unit];
+  });
+  stop.push(show(at.left, () => regions(piece, chosen, change)));
+  stop.push(show(at.right, () => facts(piece)));
+  stop.push(show(at.top, () => html`${working(piece.going.value)}
+    ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert"><b>${piece.failed.value[0].message}</b><br>${piece.failed.value[0].hint ?? ""}</div>` : ""}`));
+  stop.push(show(at.bottom, () => {
+    const pack = piece.live.value, legend = pack ? looks(pack, mode.value, -1).legend : [];
+    return html`<div class="seg" role="group" aria-label="what colours say">${MODES.map(([name, label]) => html`<button aria-pressed=${mode.value === name} @click=${() => (mode.value = name)}>${label}</button>`)}</div>
+      ${legend.length ? html`<div class="said legend">${legend.map(([c, text]) => html`<span><i class="swatch" ${ref(dyed(c))}></i> ${text}</span>`)}</div>` : ""}`;
+  }));
+  stop.push(offer(() => [
+    { name: "See all of it", key: "f", do: () => stage.fit() },
+    { name: "From the side, in space", key: "t", do: () => {
+      stage.camera.pitch = stage.camera.pitch > 1.2 ? 0.7 : Math.PI / 2;
+      stage.touch();
+    } },
+    ...MODES.map(([name, label], k) => ({ name: `Look: ${label.toLowerCase()}`, key: String(k + 1), do: () => void (mode.value = name) })),
+    ...(piece.live.value?.facts.regions ?? []).map((/** @type {any} */ r, /** @type {number} */ k) => ({ name: `Region: ${r.id || k + 1}`, do: () => void (chosen.value = k) })),
+  ], (event) => timeline.key(event)));
+  return () => {
+    for (const end of stop) end();
+    stage.free();
+  };
+}

@@ -1,0 +1,43 @@
+// The frame of a craft's screen: words or list at the left, the piece, facts at the right, the making below; tabs on a phone.
+import { html, render } from "./view.js";
+
+/**
+ * @param {HTMLElement} root @param {{left?: string, words?: boolean, right: string, view: string}} names what the sides are called
+ * @returns {{root: HTMLElement, left: HTMLElement, right: HTMLElement, view: HTMLElement, canvas: HTMLCanvasElement, top: HTMLElement, bottom: HTMLElement, blank: HTMLElement, making: HTMLElement}}
+ */
+export function frame(root, { left, words = false, right, view }) {
+  let tab = "view";
+  const tabs = /** @type {[string, string][]} */ ([...(left ? [["left", left]] : []), ["view", view], ["right", right]]);
+  const turn = (/** @type {string} */ to) => {
+    tab = to;
+    draw();
+  };
+  const draw = () => render(html`<div class="work ${left ? "" : "two"}" data-tab=${tab}>
+    ${left ? html`<section class="side left ${words ? "words" : ""}" aria-label=${left}></section>` : ""}
+    <section class="middle" aria-label=${view}>
+      <div class="view"><canvas tabindex="0" role="img" aria-label=${view}></canvas><div class="blank"></div><div class="over top"></div><div class="over bottom"></div></div>
+      <div class="making" role="group" aria-label="the making"></div>
+    </section>
+    <aside class="side right" aria-label=${right}></aside>
+    <div class="tabs"><div class="seg">${tabs.map(([name, label]) => html`<button aria-pressed=${tab === name} @click=${() => turn(name)}>${label}</button>`)}</div></div>
+  </div>`, root);
+  draw();
+  const one = (/** @type {string} */ query) => /** @type {any} */ (root.querySelector(query));
+  return {
+    root, left: one(".left"), right: one(".right"), view: one(".view"), canvas: one("canvas"), top: one(".over.top"), bottom: one(".over.bottom"),
+    blank: one(".blank"), making: one(".making"),
+  };
+}
+
+const STAGES = {
+  read: "reading", parse: "reading the pattern", build: "counting stitches", settle: "finding its shape", fabric: "leading the yarn", tone: "looking at the picture",
+  solve: "keeping floats short", fill: "filling with thread", route: "finding the way", sequence: "putting in order", bind: "laying thread", paint: "painting", view: "making it ready",
+};
+
+/** How the making goes, in few words. @param {{stage: string, done: number, total: number}|null} going */
+export const working = (going) => going && html`<div class="said working" role="status"><span>${STAGES[going.stage] ?? going.stage ?? "beginning"} …</span>
+  ${going.total ? html`<progress max=${going.total} value=${going.done} aria-label="how far"></progress>` : ""}</div>`;
+
+/** Without WebGL2 the piece cannot be drawn here: say so, and what there is instead. */
+export const noGl = html`<p class="big">This browser draws no 3-D.</p><p>Tambour draws yarn and thread with WebGL2, which is switched off here or not to be had.
+  All else works: the words, the checks, and everything under Take away, pictures too.</p>`;

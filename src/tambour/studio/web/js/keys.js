@@ -1,0 +1,100 @@
+// Keys: one table of commands, from which come the shortcuts, the palette (⌘K) and the page of all keys (?).
+import { html, render } from "./view.js";
+
+/** @typedef {{name: string, key?: string, do: () => void, hidden?: boolean}} Command */
+
+/** @type {(() => Command[])[]} the newest stands last */
+const tables = [];
+/** @type {((event: KeyboardEvent) => boolean)[]} */
+const screens = [];
+
+/** Offer commands until the function given back is called. @param {() => Command[]} table @param {(event: KeyboardEvent) => boolean} [key] other keys of a screen */
+export function offer(table, key) {
+  tables.push(table);
+  if (key) screens.push(key);
+  return () => {
+    tables.splice(tables.indexOf(table), 1);
+    if (key) screens.splice(screens.indexOf(key), 1);
+  };
+}
+
+const all = () => tables.flatMap((t) => t());
+export const mac = /mac|iphone|ipad/i.test(navigator.platform);
+/** How a key is written: "mod+z" → ⌘Z or Ctrl Z. @param {string} key */
+export const written = (key) =>
+  key.replace("mod+", mac ? "⌘" : "Ctrl ").replace("shift+", mac ? "⇧" : "Shift ").replace(/(^|\s|⌘|⇧)([a-z])$/, (_, a, b) => a + b.toUpperCase());
+
+/** @param {KeyboardEvent} event */
+function pressed(event) {
+  const mod = event.metaKey || event.ctrlKey;
+  return `${mod ? "mod+" : ""}${mod && event.shiftKey ? "shift+" : ""}${event.key.length === 1 ? event.key.toLowerCase() : event.key}`;
+}
+
+/** Whether letters belong to what has the focus. @param {EventTarget|null} target */
+function typing(target) {
+  const at = /** @type {HTMLElement|null} */ (target);
+  if (!at?.matches) return false;
+  if (at.shadowRoot || at.isContentEditable) return true;
+  return at.matches("textarea, select, input:not([type=range]):not([type=checkbox]):not([type=button])");
+}
+
+addEventListener("keydown", (event) => {
+  if (event.defaultPrevented || document.querySelector("dialog[open]")) return;
+  const key = pressed(event), inText = typing(event.target);
+  const command = all().reverse().find((c) => c.key === key);
+  if (command && (!inText || (key.startsWith("mod+") && !/^mod\+(shift\+)?z$|^mod\+y$/.test(key)))) {
+    event.preventDefault();
+    command.do();
+    return;
+  }
+  if (inText || event.metaKey || event.ctrlKey || event.altKey) return;
+  const at = /** @type {HTMLElement} */ (event.target);
+  if (event.key === " " && at.matches?.("button, a, summary, input")) return;
+  if (/^(Arrow|Home|End)/.test(event.key) && at.matches?.("input, [role=tab], [role=listbox], select")) return;
+  if (screens.at(-1)?.(event)) event.preventDefault();
+});
+
+/** All that can be done, found by typing. @param {HTMLElement} over */
+export function palette(over) {
+  const box = document.createElement("dialog");
+  box.className = "palette";
+  box.setAttribute("aria-label", "find anything");
+  let wanted = "", at = 0;
+  const found = () => all().filter((c) => !c.hidden && wanted.toLowerCase().split(/\s+/).every((w) => c.name.toLowerCase().includes(w))).slice(0, 40);
+  const run = (/** @type {Command|undefined} */ c) => {
+    box.close();
+    c?.do();
+  };
+  const draw = () => render(html`<input type="text" role="combobox" aria-expanded="true" aria-controls="found" aria-activedescendant="found-${at}"
+      aria-label="what do you want to do?" placeholder="What do you want to do?" @input=${(/** @type {any} */ e) => ((wanted = e.target.value), (at = 0), draw())} @keydown=${key}>
+    <ul id="found" role="listbox" aria-label="found">${found().map((c, k) => html`<li role="option" id="found-${k}" aria-selected=${k === at} @click=${() => run(c)}>
+      <span>${c.name}</span>${c.key ? html`<kbd>${written(c.key)}</kbd>` : ""}</li>`)}</ul>`, box);
+  const key = (/** @type {KeyboardEvent} */ event) => {
+    const n = Math.max(1, found().length);
+    if (event.key === "ArrowDown") at = (at + 1) % n;
+    else if (event.key === "ArrowUp") at = (at + n - 1) % n;
+    else if (event.key === "Enter") return run(found()[at]);
+    else return;
+    event.preventDefault();
+    draw();
+    box.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest" });
+  };
+  draw();
+  box.addEventListener("close", () => box.remove());
+  over.append(box);
+  box.showModal();
+  box.querySelector("input")?.focus();
+}
+
+/** The page of all keys. @param {HTMLElement} over */
+export function help(over) {
+  const box = document.createElement("dialog");
+  box.setAttribute("aria-label", "keys");
+  const rows = [...all().filter((c) => c.key && !c.hidden).map((c) => [written(/** @type {string} */ (c.key)), c.name]), ["Space", "work it, and stop"],
+    ["← →", "a stitch back, a stitch on (also [ and ])"], ["Shift ← →", "a round, row or colour back and on"], ["Esc, then Tab", "out of the editor"]];
+  render(html`<h2>Keys</h2><div class="keys">${rows.map(([k, n]) => html`<kbd>${k}</kbd><span>${n}</span>`)}</div>
+    <p><br><button class="button" @click=${() => box.close()}>Close</button></p>`, box);
+  box.addEventListener("close", () => box.remove());
+  over.append(box);
+  box.showModal();
+}

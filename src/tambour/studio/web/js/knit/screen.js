@@ -1,0 +1,232 @@
+// Knit: the chart from a distance to single stitches, painted by hand and kept lawful.
+import { frame, noGl, working } from "../frame.js";
+import { Chart } from "../gl/chart.js";
+import { offer } from "../keys.js";
+import { night } from "../theme.js";
+import { Timeline } from "../timeline.js";
+import { counted, effect, hex, html, number, show, signal, untracked } from "../view.js";
+import { LAYERS, marks } from "./layers.js";
+import { TOOLS, area, between, cut, laid, mirrored, repeated } from "./paint.js";
+import { facts, yarns } from "./yarns.js";
+
+/** @typedef {import("../piece.js").Piece} Piece */
+/** @typedef {import("./paint.js").Put} Put */
+
+/** @param {HTMLElement} root @param {Piece} piece @returns {() => void} */
+export function screen(root, piece) {
+  const at = frame(root, { left: "Tools", right: "Facts", view: "Chart" });
+  const tool = signal("pencil"), layer = signal("chart"), yarn = signal(0), chosen = signal(/** @type {[number, number, number, number]|null} */ (null));
+  const motif = signal(/** @type {import("./paint.js").Motif|null} */ (null)), spot = signal(/** @type {[number, number]} */ ([-1, -1]));
+  const chart = new Chart(at.canvas);
+  /** @type {Set<number>} painted by hand */
+  const locked = new Set();
+  /** @type {Set<number>} rows that wait for the solver */
+  const rows = new Set();
+  const timeline = new Timeline(at.making, piece, { where: (k, told) => {
+    const pack = piece.live.value;
+    if (!pack || k >= pack.facts.units) return told;
+    const { step } = piece.stepAt(k), columns = pack.shapes.cells[1];
+    const way = step?.direction < 0 ? "reading right to left" : step?.direction > 0 ? "reading left to right" : "";
+    return { ...told, label: step?.label ?? `Row ${Math.floor(k / columns) + 1}`, more: `stitch ${number((k % columns) + 1)} of ${number(columns)}${way ? ` · ${way}` : ""}` };
+  } });
+  /** @type {(() => void)[]} */
+  const stop = [timeline.stop];
+  if (!chart.gl) stop.push(show(at.blank, () => noGl));
+  chart.resize();
+  const columns = () => chart.columns, cellOf = (/** @type {any} */ e) => /** @type {[number, number]} */ ([columns() - e.stitch, e.row - 1]);
+  const grid = () => ({ columns: chart.columns, rows: chart.rows, data: /** @type {Uint8Array} */ (chart.data) });
+  const inside = (/** @type {number[]} */ [x, y]) => x >= 0 && y >= 0 && x < chart.columns && y < chart.rows;
+  const mark = (/** @type {Set<number>} */ changed = new Set()) => {
+    const pack = piece.live.value;
+    if (pack && chart.data) chart.mark(marks(pack, chart.data, layer.value, { locked, changed, rows }));
+  };
+
+  let first = true, fading = /** @type {any} */ (0);
+  stop.push(effect(() => {
+    const pack = piece.live.value;
+    if (!pack || pack === chart.pack) return;
+    const before = chart.data, same = !first && pack.arrays.cells.length === before?.length && pack.shapes.cells[1] === chart.columns;
+    chart.set(pack, !same);
+    locked.clear();
+    rows.clear();
+    untracked(() => {
+      for (const e of piece.revision.value.edits) if (e.edit === "stitch") {
+        const [x, y] = cellOf(e);
+        if (inside([x, y])) locked.add(y * columns() + x);
+      }
+      // What the solver changed is shown for a moment, else one thinks it a fault.
+      const changed = new Set(/** @type {number[]} */ ([]));
+      if (same && before && chart.data) for (let i = 0; i < before.length; i++) if (before[i] !== chart.data[i]) changed.add(i);
+      mark(changed.size < chart.rows * chart.columns * 0.2 ? changed : new Set());
+      clearTimeout(fading);
+      fading = setTimeout(() => mark(), 900);
+    });
+    first = false;
+  }));
+  stop.push(() => clearTimeout(fading));
+  stop.push(effect(() => {
+    const l = layer.value;
+    Object.assign(chart.how, { night: night.value, grid: l === "chart" || l === "floats", back: l === "back", flip: l === "back", blur: l === "afar" ? Math.max(1.2, Math.log2(Math.max(2, chart.columns / 40))) : 0 });
+    untracked(() => mark());
+    chart.touch();
+  }));
+  stop.push(effect(() => {
+    const k = piece.at.value, pack = piece.live.value;
+    if (!pack) return;
+    const done = k >= pack.facts.units;
+    chart.how.worked = done ? 0 : Math.floor(k / chart.columns);
+    chart.how.marked = !done;
+    const { step } = untracked(() => piece.stepAt(k));
+    if (!done) chart.hover = [step?.direction > 0 ? k % chart.columns : chart.columns - 1 - (k % chart.columns), chart.how.worked];
+    else chart.hover = spot.value;
+    chart.touch();
+  }));
+  stop.push(effect(() => {
+    chart.select = chosen.value ?? [0, 0, 0, 0];
+    chart.touch();
+  }));
+
+  /** Paint: at once on the page, then as edits; the solver's answer takes its place. @param {Put[]} cells @param {string} said */
+  const put = (cells, said) => {
+    const pack = piece.live.value;
+    if (!pack || !cells.length) return;
+    const p = pack.arrays.palette, gone = new Set(cells.map(([x, y]) => `${y + 1},${columns() - x}`));
+    chart.put(cells);
+    for (const [x, y] of cells) (locked.add(y * columns() + x), rows.add(y));
+    mark();
+    const kept = (piece.unsent.value?.edits ?? piece.revision.value.edits).filter((/** @type {any} */ e) => e.edit !== "stitch" || !gone.has(`${e.row},${e.stitch}`));
+    piece.change({ edits: [...kept, ...cells.map(([x, y, v]) => ({ edit: "stitch", row: y + 1, stitch: columns() - x, yarn: hex(p.subarray(3 * v, 3 * v + 3)) }))], said });
+  };
+  /** Let go of stitches that were held. @param {number[][]} cells */
+  const release = (cells) => {
+    const gone = new Set(cells.map(([x, y]) => `${y + 1},${columns() - x}`)), edits = piece.revision.value.edits;
+    const left = edits.filter((/** @type {any} */ e) => e.edit !== "stitch" || !gone.has(`${e.row},${e.stitch}`));
+    if (left.length !== edits.length) piece.change({ edits: left, said: "unlocked" });
+  };
+  const boxed = (/** @type {[number, number]} */ a, /** @type {[number, number]} */ b) => /** @type {[number, number, number, number]} */ ([
+    Math.max(0, Math.min(a[0], b[0])), Math.max(0, Math.min(a[1], b[1])), Math.min(chart.columns, Math.max(a[0], b[0]) + 1), Math.min(chart.rows, Math.max(a[1], b[1]) + 1)]);
+  const within = ([x, y, X, Y] = chosen.value ?? [0, 0, 0, 0]) => Array.from({ length: (X - x) * (Y - y) }, (_, i) => [x + (i % (X - x)), y + Math.floor(i / (X - x))]);
+
+  // Gestures.
+  /** @type {{from: [number, number], last: [number, number], cells: Put[], x: number, y: number, slide: boolean}|null} */
+  let stroke = null;
+  /** @type {Map<number, {x: number, y: number}>} */
+  const down = new Map();
+  at.canvas.addEventListener("pointerdown", (event) => {
+    at.canvas.setPointerCapture(event.pointerId);
+    down.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
+    if (down.size > 1) return void (stroke = stroke ? { ...stroke, slide: true, cells: [] } : null);
+    const cell = chart.under(event.offsetX, event.offsetY), slide = tool.value === "hand" || event.button > 0 || event.shiftKey || !inside(cell);
+    stroke = { from: cell, last: cell, cells: [], x: event.offsetX, y: event.offsetY, slide };
+    if (slide) return undefined;
+    if (tool.value === "pencil") draw(cell);
+    else if (tool.value === "pick") yarn.value = grid().data[cell[1] * columns() + cell[0]];
+    else if (tool.value === "fill") put(area(grid(), cell).map(([x, y]) => [x, y, yarn.value]), "filled");
+    else if (tool.value === "select") chosen.value = boxed(cell, cell);
+    else if (tool.value === "free") release([cell]);
+    return undefined;
+  });
+  const draw = (/** @type {[number, number]} */ cell) => {
+    const s = /** @type {NonNullable<typeof stroke>} */ (stroke);
+    const fresh = between(s.last, cell).filter(inside).map(([x, y]) => /** @type {Put} */ ([x, y, yarn.value]));
+    s.cells.push(...fresh);
+    chart.put(fresh);
+  };
+  at.canvas.addEventListener("pointermove", (event) => {
+    const was = down.get(event.pointerId);
+    if (was && down.size === 2) {
+      const other = [...down].find(([id]) => id !== event.pointerId)?.[1] ?? was;
+      chart.slide((event.offsetX - was.x) / 2, (event.offsetY - was.y) / 2);
+      const a = Math.hypot(was.x - other.x, was.y - other.y), b = Math.hypot(event.offsetX - other.x, event.offsetY - other.y);
+      if (a > 0) chart.zoom(b / a, (event.offsetX + other.x) / 2, (event.offsetY + other.y) / 2);
+    }
+    if (was) down.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
+    const cell = chart.under(event.offsetX, event.offsetY);
+    if (inside(cell) !== inside(spot.value) || cell[0] !== spot.value[0] || cell[1] !== spot.value[1]) spot.value = inside(cell) ? cell : [-1, -1];
+    if (!stroke) return;
+    if (stroke.slide) {
+      if (down.size < 2) chart.slide(event.offsetX - stroke.x, event.offsetY - stroke.y);
+    } else if (tool.value === "pencil") draw(cell);
+    else if (tool.value === "select") chosen.value = boxed(stroke.from, cell);
+    else if (tool.value === "line") chosen.value = boxed(stroke.from, cell);
+    Object.assign(stroke, { last: cell, x: event.offsetX, y: event.offsetY });
+  });
+  const up = (/** @type {PointerEvent} */ event) => {
+    down.delete(event.pointerId);
+    if (!stroke) return;
+    const { cells, from, last, slide } = stroke;
+    stroke = null;
+    if (slide) return;
+    if (tool.value === "pencil") put(cells, counted(cells.length, "stitch", "stitches"));
+    if (tool.value === "line") {
+      chosen.value = null;
+      put(between(from, last).filter(inside).map(([x, y]) => [x, y, yarn.value]), "a line");
+    }
+  };
+  at.canvas.addEventListener("pointerup", up);
+  at.canvas.addEventListener("pointercancel", up);
+  at.canvas.addEventListener("pointerleave", () => (spot.value = [-1, -1]));
+  at.canvas.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    chart.zoom(Math.exp(-Math.max(-0.5, Math.min(0.5, event.deltaY * 0.0018))), event.offsetX, event.offsetY);
+  }, { passive: false });
+  at.canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+
+  const copy = () => chosen.value && (motif.value = cut(grid(), chosen.value));
+  const paste = (/** @type {boolean} */ all, drop = false) => {
+    const m = motif.value, to = chosen.value;
+    if (m && to) put(all ? repeated(grid(), m, [to[0], to[1]], drop) : laid(grid(), m, [to[0], to[1]]), all ? "repeated" : "pasted");
+  };
+  const flip = (/** @type {boolean} */ across) => chosen.value && put(laid(grid(), mirrored(cut(grid(), chosen.value), across), [chosen.value[0], chosen.value[1]]), "mirrored");
+  const chooseAll = () => (chosen.value = [0, 0, chart.columns, chart.rows]);
+
+  stop.push(show(at.left, () => html`<h2 class="head">Tools</h2><div class="tools" role="group" aria-label="tools">${TOOLS.map(([name, label, key, help]) => html`
+      <button class="button" aria-pressed=${tool.value === name} title="${help} (${key.toUpperCase()})" @click=${() => (tool.value = name)}>${label}</button>`)}</div>
+    <p class="quiet">${TOOLS.find(([n]) => n === tool.value)?.[3]}; shift or two fingers move the chart, the wheel comes nearer. What you paint is held: a dot; the rest gives way so that floats stay short.</p>
+    ${chosen.value && tool.value === "select" ? html`<h2 class="head">Chosen: ${chosen.value[2] - chosen.value[0]} × ${chosen.value[3] - chosen.value[1]}</h2><div class="tools">
+      <button class="button" @click=${copy}>Copy</button><button class="button" ?disabled=${!motif.value} @click=${() => paste(false)}>Paste here</button>
+      <button class="button" ?disabled=${!motif.value} @click=${() => paste(true)}>Repeat over all</button><button class="button" ?disabled=${!motif.value} @click=${() => paste(true, true)}>Half-drop over all</button>
+      <button class="button" @click=${() => flip(true)}>Mirror ↔</button><button class="button" @click=${() => flip(false)}>Mirror ↕</button>
+      <button class="button" @click=${() => put(within().map(([x, y]) => /** @type {Put} */ ([x, y, yarn.value])), "filled")}>Fill</button>
+      <button class="button" @click=${() => put(within().map(([x, y]) => /** @type {Put} */ ([x, y, grid().data[y * columns() + x]])), "locked")}>Lock</button>
+      <button class="button" @click=${() => release(within())}>Unlock</button><button class="button" @click=${() => (chosen.value = null)}>Done</button></div>` : ""}
+    ${yarns(piece, yarn)}
+    ${locked.size ? html`<p class="quiet">${counted(piece.revision.value?.edits.length ?? 0, "stitch", "stitches")} held by hand. <button class="link" @click=${() => piece.change({ edits: [], said: "all unlocked" })}>Let all go</button></p>` : ""}`));
+  stop.push(show(at.right, () => facts(piece)));
+  stop.push(show(at.top, () => {
+    const [x, y] = spot.value, pack = piece.live.value;
+    return html`${working(piece.going.value)}
+      ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert"><b>${piece.failed.value[0].message}</b><br>${piece.failed.value[0].hint ?? ""}</div>` : ""}
+      ${x >= 0 && pack && chart.data ? html`<div class="said">row <b>${y + 1}</b> · stitch <b>${chart.columns - x}</b> · ${pack.facts.names[chart.data[y * chart.columns + x]] ?? ""}</div>` : ""}`;
+  }));
+  stop.push(show(at.bottom, () => html`<div class="seg" role="group" aria-label="how it is seen">${LAYERS.map(([name, label]) => html`
+    <button aria-pressed=${layer.value === name} @click=${() => (layer.value = name)}>${label}</button>`)}</div>`));
+  const walk = (/** @type {number} */ dx, /** @type {number} */ dy) => {
+    const [x, y] = inside(spot.value) ? spot.value : [Math.floor(chart.center[0]), Math.floor(chart.center[1])];
+    spot.value = [Math.max(0, Math.min(chart.columns - 1, x + dx)), Math.max(0, Math.min(chart.rows - 1, y + dy))];
+  };
+  stop.push(offer(() => [
+    { name: "See all of it", key: "f", do: () => chart.fit() },
+    ...TOOLS.map(([name, label, key]) => ({ name: `Tool: ${label.toLowerCase()}`, key, do: () => void (tool.value = name) })),
+    ...LAYERS.map(([name, label], k) => ({ name: `Look: ${label.toLowerCase()}`, key: String(k + 1), do: () => void (layer.value = name) })),
+    { name: "The next yarn", key: "x", do: () => void (yarn.value = (yarn.value + 1) % Math.max(1, (piece.live.value?.arrays.palette.length ?? 3) / 3)) },
+    { name: "Nearer", key: "+", do: () => chart.zoom(1.25, at.canvas.clientWidth / 2, at.canvas.clientHeight / 2) },
+    { name: "Farther", key: "-", do: () => chart.zoom(0.8, at.canvas.clientWidth / 2, at.canvas.clientHeight / 2) },
+    { name: "Choose the whole chart", do: () => ((tool.value = "select"), chooseAll()) },
+    { name: "Copy what is chosen", do: () => void copy() },
+  ], (event) => {
+    if (event.target === at.canvas && piece.at.value >= timeline.units) {
+      const far = event.shiftKey ? 10 : 1;
+      if (event.key === "ArrowLeft") return walk(-far, 0), true;
+      if (event.key === "ArrowRight") return walk(far, 0), true;
+      if (event.key === "ArrowUp") return walk(0, far), true;
+      if (event.key === "ArrowDown") return walk(0, -far), true;
+      if (event.key === "Enter" && inside(spot.value)) return put([[spot.value[0], spot.value[1], yarn.value]], "a stitch"), true;
+    }
+    return timeline.key(event);
+  }));
+  return () => {
+    for (const end of stop) end();
+    chart.free();
+  };
+}

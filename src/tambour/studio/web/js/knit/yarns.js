@@ -1,0 +1,41 @@
+// Yarns of a chart and what it will take: metres, size, floats, how like the picture it stays.
+import { fields, speller } from "../forms.js";
+import { list, told } from "../problems.js";
+import { dyed, hex, html, live, number, ref } from "../view.js";
+
+/** @typedef {import("../piece.js").Piece} Piece */
+
+/** The yarns to knit and to paint with. @param {Piece} piece @param {{value: number}} yarn the one in hand */
+export function yarns(piece, yarn) {
+  const pack = piece.live.value;
+  if (!pack) return "";
+  const p = pack.arrays.palette, n = p.length / 3, used = piece.report.value?.yarn ?? [];
+  const recolor = (/** @type {number} */ k, /** @type {string} */ color) => {
+    const colors = Array.from({ length: n }, (_, i) => (i === k ? color : hex(p.subarray(3 * i, 3 * i + 3))));
+    piece.change({ params: { colors }, edits: (piece.revision.value.edits ?? []).map((/** @type {any} */ e) => (e.yarn === hex(p.subarray(3 * k, 3 * k + 3)) ? { ...e, yarn: color } : e)), said: "another colour" });
+  };
+  return html`<h2 class="head">Yarns</h2><ul>${Array.from({ length: n }, (_, k) => {
+    const color = hex(p.subarray(3 * k, 3 * k + 3)), name = pack.facts.names[k], told = used.find((/** @type {any} */ y) => y.name === name);
+    return html`<li class="yarnrow"><button class="rowbutton" aria-pressed=${yarn.value === k} @click=${() => (yarn.value = k)}><i class="swatch" ${ref(dyed(color))}></i> ${name || color}
+      <span class="number">${told ? `${told.metres.toFixed(1)} m` : ""}</span></button>
+      <input type="color" aria-label="colour of ${name || color}" .value=${live(color)} @change=${(/** @type {any} */ e) => recolor(k, e.target.value)}></li>`;
+  })}</ul>`;
+}
+
+/** Facts of a chart. @param {Piece} piece */
+export function facts(piece) {
+  const report = piece.report.value, pack = piece.live.value, craft = piece.craft.value;
+  const problems = told(piece.failed.value.length ? piece.failed.value : piece.problems.value);
+  const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value }, said: name });
+  const gauge = pack?.facts.gauge, cm = gauge && report ? [(report.width / gauge[0]) * 10, (report.rows / gauge[1]) * 10] : null;
+  const like = report?.likeness?.["4"] ?? report?.likeness?.["2"];
+  return html`${report ? html`<h2 class="head">Size</h2><p class="big">${number(report.width)} × ${number(report.rows)}</p>
+      <p class="quiet">stitches and rows${cm ? ` · ${cm[0].toFixed(0)} × ${cm[1].toFixed(0)} cm` : " · a gauge tells the centimetres"}</p>
+      <h2 class="head">Floats</h2><ul class="facts"><li><span>Longest</span><span class="number">${report.longest_float}${report.max_float ? html` <span class="quiet">of ${report.max_float}</span>` : ""}</span></li>
+      <li><span>Longer than they may be</span><span class="number">${number(report.violations ?? 0)}</span></li><li><span>To catch at the back</span><span class="number">${number(report.catches ?? 0)}</span></li>
+      <li><span>Stitches changed for it</span><span class="number">${number(report.flips ?? 0)}</span></li>
+      ${like === undefined ? "" : html`<li><span>Like the picture</span><span class="number">${Math.round(100 * like)} %</span></li>`}</ul>
+      <p class="quiet">${report.why ?? ""}</p>` : ""}
+    <h2 class="head">Checks</h2>${problems.length ? list(problems, { spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ nothing to catch your fingers in</p>` : ""}
+    ${craft ? html`<h2 class="head">How it is worked out</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name) => name !== "colors" })}` : ""}`;
+}

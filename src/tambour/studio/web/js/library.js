@@ -1,0 +1,115 @@
+// The shelf: four finished examples that move, one field that takes anything, and one's own pieces.
+import { html, ref, show, signal } from "./view.js";
+import { begin, fromFile, fromText, takes } from "./drop.js";
+import { attempt, tell } from "./notes.js";
+import { moving } from "./moving.js";
+import { ask } from "./wire.js";
+import { CRAFTS } from "./bar.js";
+
+const LINES = {
+  crochet: "from its pattern to the toy in yarn",
+  knit: "from a picture to a chart with short floats",
+  ink: "an endless scroll from a word",
+  embroidery: "from a drawing to thread on cloth",
+};
+/** Words to begin a scroll with. */
+const WORDS = ["first snow", "a walk by the lake", "seven cranes", "old pine"];
+/** The examples that stand on the shelf, as the server names them. */
+export const SHELF = { crochet: ["frog"], knit: ["rose", "cat", "pears"], ink: ["plum"], embroidery: ["botanical"] };
+
+/** @param {HTMLElement} element @param {{choose?: (take: (craft: string) => void) => void}} [how] */
+export function shelf(element, { choose } = {}) {
+  const crafts = signal(/** @type {any[]} */ ([])), pieces = signal(/** @type {any[]} */ ([])), next = signal(/** @type {string|null} */ (null));
+  const over = signal(false);
+  /** @type {HTMLInputElement|undefined} */
+  let file;
+  /** @type {HTMLTextAreaElement|undefined} */
+  let field;
+  /** @type {(() => void)[]} */
+  const movers = [];
+  let wanted = "";
+  choose?.((craft) => {
+    wanted = craft;
+    file?.click();
+  });
+  attempt(async () => (crafts.value = (await ask("/api/crafts")).crafts));
+  const more = () => attempt(async () => {
+    const told = await ask(`/api/pieces?limit=50${next.value ? `&after=${encodeURIComponent(next.value)}` : ""}`);
+    pieces.value = [...pieces.value, ...told.pieces];
+    next.value = told.next;
+  });
+  more();
+  const drop = (/** @type {Element|undefined} */ el) => {
+    if (el && !(/** @type {any} */ (el).takes)) {
+      /** @type {any} */ (el).takes = true;
+      takes(/** @type {HTMLElement} */ (el), (is) => (over.value = is));
+    }
+  };
+  const pasted = (/** @type {ClipboardEvent} */ event) => {
+    const found = event.clipboardData?.files[0];
+    if (!found) return;
+    event.preventDefault();
+    fromFile(found);
+  };
+  const sent = () => {
+    if (field?.value.trim()) fromText(field.value);
+    else file?.click();
+  };
+  const mover = (/** @type {string} */ craft, /** @type {string} */ example) => (/** @type {Element|undefined} */ el) => {
+    const canvas = /** @type {HTMLCanvasElement & {moves?: boolean}} */ (el);
+    if (!canvas || canvas.moves) return;
+    canvas.moves = true;
+    movers.push(moving(canvas, craft, example));
+  };
+  const example = (/** @type {any} */ craft) => SHELF[craft.name]?.find((n) => craft.examples.some((/** @type {any} */ e) => e.name === n)) ?? craft.examples[0]?.name;
+  const away = (/** @type {any} */ piece) => attempt(async () => {
+    await ask(`/api/pieces/${piece.id}`, { method: "DELETE" });
+    pieces.value = pieces.value.filter((p) => p !== piece);
+    tell(html`<b>${piece.title}</b> is in the bin.`, { calm: true, acts: [{ name: "Bring it back", do: () => attempt(async () => {
+      await ask(`/api/pieces/${piece.id}`, { method: "PATCH", body: { binned: false } });
+      pieces.value = [piece, ...pieces.value];
+    }) }] });
+  });
+  const view = () => html`<div class="shelf"><div class="in">
+    <h1>See it made.</h1>
+    <p class="lead">Yarn, stitches, thread and ink, stitch by stitch, before you begin.</p>
+    <div class="drop ${over.value ? "over-it" : ""}" ${ref(drop)}>
+      <textarea aria-label="a pattern, or a seed" placeholder="Paste a pattern, drop a picture or a drawing, or type a seed" ${ref((el) => (field = /** @type {any} */ (el)))}
+        @paste=${pasted} @keydown=${(/** @type {KeyboardEvent} */ e) => e.key === "Enter" && !e.shiftKey && (e.preventDefault(), sent())}></textarea>
+      <div class="buttons"><button class="button" @click=${() => ((wanted = ""), file?.click())}>Choose a file</button><button class="button act" @click=${sent}>See it</button></div>
+      <input type="file" hidden aria-label="a file" ${ref((el) => (file = /** @type {any} */ (el)))} @change=${(/** @type {any} */ e) => {
+        const found = e.target.files[0];
+        e.target.value = "";
+        if (found) fromFile(found, wanted || undefined);
+        wanted = "";
+      }}>
+    </div>
+    <div class="cards">${crafts.value.map((craft) => {
+      const name = example(craft);
+      const others = craft.examples.filter((/** @type {any} */ e) => e.name !== name).slice(0, 7);
+      return html`<div class="stand"><button class="cardx" ?disabled=${!name && craft.name !== "ink"} @click=${() => attempt(() => begin({ craft: craft.name, example: name }))}>
+        <span class="picture"><canvas aria-hidden="true" ${ref(mover(craft.name, name))}></canvas></span>
+        <span class="under"><b>${CRAFTS[craft.name]}</b><span>${LINES[craft.name] ?? craft.help}</span></span></button>
+        <p class="others">${craft.name === "ink" ? WORDS.map((w) => html`<button class="link" @click=${() => fromText(w)}>${w}</button> `)
+          : others.map((/** @type {any} */ e) => html`<button class="link" @click=${() => attempt(() => begin({ craft: craft.name, example: e.name }))}>${e.title}</button> `)}</p></div>`;
+    })}</div>
+    ${pieces.value.length ? html`<h2>Yours</h2><div class="cards mine">${pieces.value.map((p) => html`<div class="holder"><a class="cardx" href="#/piece/${p.id}">
+        <span class="picture">${p.thumb ? html`<img src=${p.thumb} alt="" loading="lazy">` : ""}</span>
+        <span class="under"><b>${p.title}</b><span>${CRAFTS[p.craft]} · ${ago(p.changed)}</span></span></a>
+        <button class="icon away" aria-label="put ${p.title} into the bin" title="Into the bin" @click=${() => away(p)}>×</button></div>`)}</div>
+      ${next.value ? html`<p><br><button class="button" @click=${more}>More of yours</button></p>` : ""}` : ""}
+  </div></div>`;
+  const stop = show(element, view);
+  return () => {
+    stop();
+    for (const end of movers) end();
+  };
+}
+
+/** @param {number} ms since 1970 */
+function ago(ms) {
+  const minutes = (Date.now() - ms) / 60000, form = new Intl.RelativeTimeFormat("en", { numeric: "auto" });
+  if (minutes < 60) return form.format(-Math.round(minutes), "minute");
+  if (minutes < 1440) return form.format(-Math.round(minutes / 60), "hour");
+  return form.format(-Math.round(minutes / 1440), "day");
+}

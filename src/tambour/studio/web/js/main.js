@@ -1,0 +1,74 @@
+// Which screen, which piece: the address after # says it.
+import { bar } from "./bar.js";
+import { shelf } from "./library.js";
+import { attempt, view as notes } from "./notes.js";
+import { Piece } from "./piece.js";
+import "./theme.js";
+import { html, render, show } from "./view.js";
+
+const SCREENS = {
+  crochet: () => import("./crochet/screen.js"),
+  knit: () => import("./knit/screen.js"),
+  ink: () => import("./ink/screen.js"),
+  embroidery: () => import("./embroidery/screen.js"),
+};
+
+const at = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
+const over = document.createElement("div");
+at("over").append(over);
+const noted = document.createElement("div");
+at("over").append(noted);
+show(noted, notes);
+
+/** @type {(() => void)[]} */
+let leave = [];
+let turn = 0;
+
+async function go() {
+  const mine = ++turn;
+  for (const end of leave.splice(0).reverse()) end();
+  over.replaceChildren();
+  const screen = document.createElement("div");
+  screen.className = "screen";
+  at("screen").replaceChildren(screen);
+  const [, id, extra] = /^#\/piece\/([\w-]+)(?:\?(.*))?$/.exec(location.hash) ?? [];
+  if (!id) {
+    document.title = "Tambour";
+    /** @type {(craft: string) => void} */
+    let choose = () => {};
+    leave.push(shelf(screen, { choose: (take) => (choose = take) }));
+    leave.push(bar(at("bar"), over, null, (craft) => choose(craft)));
+    return;
+  }
+  const piece = new Piece(id);
+  leave.push(() => piece.close());
+  leave.push(bar(at("bar"), over, piece, (craft) => chooseFile(craft)));
+  leave.push(piece.piece.subscribe((p) => p && (document.title = `${p.title} · Tambour`)));
+  const opened = await attempt(async () => {
+    await piece.open();
+    return true;
+  });
+  if (mine !== turn) return;
+  if (!opened) {
+    render(html`<div class="blank"><p class="big">This piece cannot be opened.</p><p><a class="button" role="button" href="#">To the shelf</a></p></div>`, screen);
+    return;
+  }
+  const { screen: craft } = await SCREENS[piece.craft.value.name]();
+  if (mine === turn) leave.push(craft(screen, piece, { over, extra: new URLSearchParams(extra ?? "") }));
+}
+
+/** A craft that begins with a file: ask for it. @param {string} craft */
+function chooseFile(craft) {
+  const input = document.createElement("input");
+  input.type = "file";
+  input.addEventListener("change", async () => {
+    const { fromFile } = await import("./drop.js");
+    if (input.files?.[0]) fromFile(input.files[0], craft);
+  });
+  input.click();
+}
+
+addEventListener("hashchange", () => {
+  if (!history.state?.same) go();
+});
+go();

@@ -1,0 +1,41 @@
+// Notes at the edge of the page: what went wrong without a place of its own, or a word that something is done.
+import { html, signal } from "./view.js";
+import { Trouble, online } from "./wire.js";
+
+/** @typedef {{id: number, text: unknown, calm: boolean, acts: {name: string, do: () => void}[]}} Note */
+
+const notes = signal(/** @type {Note[]} */ ([]));
+let last = 0;
+
+/** @param {unknown} text @param {{calm?: boolean, acts?: Note["acts"], stay?: boolean}} [how] */
+export function tell(text, { calm = false, acts = [], stay = !calm } = {}) {
+  const id = ++last;
+  notes.value = [...notes.value.slice(-2), { id, text, calm, acts }];
+  if (!stay) setTimeout(() => away(id), 6000);
+}
+
+/** @param {number} id */
+const away = (id) => (notes.value = notes.value.filter((n) => n.id !== id));
+
+/** Do something; what it runs into becomes a note. @param {() => Promise<any>} act @returns {Promise<any>} */
+export async function attempt(act) {
+  try {
+    return await act();
+  } catch (error) {
+    if (!(error instanceof Trouble)) throw error;
+    for (const p of error.problems) tell(html`<b>${p.message}</b>${p.hint ? html`<br>${p.hint}` : ""}`);
+    return undefined;
+  }
+}
+
+addEventListener("unhandledrejection", ({ reason }) => {
+  if (reason instanceof Trouble) for (const p of reason.problems) tell(html`<b>${p.message}</b> ${p.hint ?? ""}`);
+  else tell(html`<b>This page stumbled</b> ${reason?.message ?? reason}`, { acts: [{ name: "Load it again", do: () => location.reload() }] });
+});
+
+export const view = () => html`<div class="notes" role="status">
+  ${online.value ? "" : html`<div class="note"><p><b>Tambour is not answering.</b> Go on working: all is kept here and saved when it is back.</p></div>`}
+  ${notes.value.map((n) => html`<div class="note ${n.calm ? "calm" : ""}"><p>${n.text}</p>
+    ${n.acts.map((a) => html`<button class="button" @click=${() => (away(n.id), a.do())}>${a.name}</button>`)}
+    <button class="icon button plain" aria-label="close" @click=${() => away(n.id)}>×</button></div>`)}
+</div>`;

@@ -1,0 +1,219 @@
+// A piece as signals: its source, what it was told, its edits, how its making goes; every change is kept at once.
+import { batch, computed, signal } from "../lib/ui.js";
+import { unpack } from "./pack.js";
+import { Live, Trouble, ask, bytes, online } from "./wire.js";
+
+/** @typedef {import("./pack.js").Pack} Pack */
+/** @typedef {import("./wire.js").Problem} Problem */
+/** @typedef {{label: string, words: string, count: number, part: string, span: [number, number]|null, first: number, end: number, stop: string, direction: number}} Step */
+/** @typedef {{source?: any, params?: Record<string, any>, edits?: any[], files?: any, said?: string, merge?: boolean}} Change */
+
+export class Piece {
+  /** @param {string} id */
+  constructor(id) {
+    this.id = id;
+    this.piece = signal(/** @type {any} */ (null));
+    this.revision = signal(/** @type {any} */ (null));
+    this.craft = signal(/** @type {any} */ (null));
+    /** What is still to be sent, and what is on its way. */
+    this.unsent = signal(/** @type {Change|null} */ (null));
+    this.sending = signal(false);
+    this.live = signal(/** @type {Pack|null} */ (null));
+    this.steps = signal(/** @type {{unit: string, units: number, steps: Step[]}|null} */ (null));
+    this.report = signal(/** @type {any} */ (null));
+    this.problems = signal(/** @type {Problem[]} */ ([]));
+    this.failed = signal(/** @type {Problem[]} */ ([]));
+    this.going = signal(/** @type {{stage: string, done: number, total: number}|null} */ (null));
+    /** Units that are worked: the scrub. */
+    this.at = signal(0);
+    this.saved = computed(() => !this.unsent.value && !this.sending.value);
+    this.params = computed(() => ({ ...this.revision.value?.params, ...this.unsent.value?.params }));
+    /** @type {(told: any) => void} */
+    this.onframe = () => {};
+    this.wire = new Live();
+    this.wire.on("frame", (told) => told.revision === this.revision.value?.id && this.onframe(told));
+    this.wire.on("progress", (told) => this._mine(told) && (this.going.value = told));
+    this.wire.on("problems", (told) => this._mine(told) && (this.problems.value = told.problems));
+    this.wire.on("made", (told) => this._mine(told) && this._made(told.revision));
+    this.wire.on("failed", (told) => {
+      if (!this._mine(told)) return;
+      batch(() => {
+        this.failed.value = told.problems;
+        this.going.value = null;
+      });
+    });
+    this.wire.on("revision", (told) => {
+      const id = told.revision?.id ?? told.revision;
+      if (told.piece === this.id && id !== this.revision.value?.id && this.saved.value) this.reload();
+    });
+  }
+
+  /** @param {{revision: number}} told */
+  _mine(told) {
+    return told.revision === this.revision.value?.id;
+  }
+
+  async open() {
+    const tail = keep(this.id);
+    const { piece, revision } = await ask(`/api/pieces/${this.id}`);
+    this.craft.value = await craftOf(piece.craft);
+    this._take(piece, revision);
+    this.wire.hold({ type: "open", piece: this.id });
+    if (tail) this.change(tail); // what an earlier page could not send any more
+    else this.watch();
+  }
+
+  async reload() {
+    const { piece, revision } = await ask(`/api/pieces/${this.id}`);
+    this._take(piece, revision);
+    this.watch();
+  }
+
+  _take(/** @type {any} */ piece, /** @type {any} */ revision) {
+    batch(() => {
+      this.piece.value = piece;
+      this.revision.value = revision;
+    });
+  }
+
+  /** Make the head, and tell how it goes; a scroll is made tile by tile instead, where one looks. */
+  watch() {
+    if (this.craft.value?.name === "ink") return;
+    batch(() => {
+      this.failed.value = [];
+      this.going.value = { stage: "", done: 0, total: 0 };
+    });
+    this.wire.hold({ type: "watch", revision: this.revision.value.id, rate: 30 });
+  }
+
+  /** @param {number} id */
+  async _made(id) {
+    try {
+      const [pack, steps, report] = await Promise.all([
+        bytes(`/api/revisions/${id}/live.pack`), ask(`/api/revisions/${id}/steps.json`), ask(`/api/revisions/${id}/report`),
+      ]);
+      if (id !== this.revision.value?.id) return;
+      const first = !this.live.value, whole = this.at.value >= (this.live.value?.facts.units ?? 0);
+      batch(() => {
+        this.live.value = unpack(pack);
+        this.steps.value = steps;
+        this.report.value = report;
+        this.problems.value = report.problems ?? [];
+        this.going.value = null;
+        const units = this.live.value.facts.units;
+        if (first || whole || this.at.value > units) this.at.value = units;
+      });
+    } catch (error) {
+      this._trouble(error);
+    }
+  }
+
+  /** Change the piece: shown at once, kept in this browser until the server has it. @param {Change} what */
+  change(what) {
+    this.unsent.value = { ...this.unsent.value, ...what, ...(what.params ? { params: { ...this.unsent.value?.params, ...what.params } } : {}) };
+    keep(this.id, this.unsent.value);
+    return this._send();
+  }
+
+  async _send() {
+    if (this.sending.value || !this.unsent.value) return;
+    const { ...what } = this.unsent.value;
+    const base = this.revision.value;
+    if (what.params) what.params = clean({ ...base.params, ...what.params });
+    batch(() => {
+      this.sending.value = true;
+      this.unsent.value = null;
+    });
+    try {
+      const { piece, revision } = await ask(`/api/pieces/${this.id}/revisions`, { body: { base: base.id, ...what } });
+      this._take(piece, revision);
+      if (!this.unsent.value) keep(this.id, null);
+      this.watch();
+    } catch (error) {
+      const trouble = /** @type {Trouble} */ (error);
+      if (trouble.status === 409 && trouble.body?.revision) {
+        // Another page wrote in between: ours goes on top of it, theirs stays in the history.
+        this._take(trouble.body.piece, trouble.body.revision);
+        this.unsent.value = { ...what, ...this.unsent.value };
+      } else if (trouble.status === 0) {
+        this.unsent.value = { ...what, ...this.unsent.value };
+        setTimeout(() => this._send(), 2000);
+      } else {
+        keep(this.id, null);
+        this._trouble(error);
+      }
+    } finally {
+      this.sending.value = false;
+    }
+    if (this.unsent.value && online.value) await this._send();
+  }
+
+  /** @param {unknown} error */
+  _trouble(error) {
+    if (!(error instanceof Trouble)) throw error;
+    batch(() => {
+      this.failed.value = error.problems;
+      this.going.value = null;
+    });
+  }
+
+  /** @param {"undo"|"redo"} way */
+  async step(way) {
+    if (this.unsent.value || this.sending.value || !this.piece.value?.[way]) return;
+    try {
+      const { piece, revision } = await ask(`/api/pieces/${this.id}/${way}`, { body: {} });
+      this._take(piece, revision);
+      this.watch();
+    } catch (error) {
+      if (!(error instanceof Trouble) || error.status !== 409) this._trouble(error);
+    }
+  }
+
+  /** @param {string} title */
+  async rename(title) {
+    const { piece } = await ask(`/api/pieces/${this.id}`, { method: "PATCH", body: { title } });
+    this.piece.value = piece;
+  }
+
+  /** The step that unit ``at`` is in, and its place in the list. @param {number} at */
+  stepAt(at) {
+    const steps = this.steps.value?.steps ?? [];
+    let low = 0, high = steps.length - 1;
+    while (low < high) {
+      const mid = (low + high) >> 1;
+      if (steps[mid].end > at) high = mid;
+      else low = mid + 1;
+    }
+    return { index: low, step: steps[low] };
+  }
+
+  close() {
+    this.wire.close();
+  }
+}
+
+/** Params without those that were set back to nothing. @param {Record<string, any>} params */
+const clean = (params) => Object.fromEntries(Object.entries(params).filter(([, value]) => value !== null && value !== undefined));
+
+/** The unsent tail of a piece, kept over reloads. @param {string} id @param {Change|null} [what] undefined: read it @returns {Change|null} */
+function keep(id, what) {
+  const key = `tambour.unsent.${id}`;
+  try {
+    if (what) localStorage.setItem(key, JSON.stringify(what));
+    else if (what === null) localStorage.removeItem(key);
+    else return JSON.parse(localStorage.getItem(key) ?? "null");
+  } catch {
+    return null; // a browser that keeps nothing: the server does
+  }
+  return null;
+}
+
+/** @type {Map<string, Promise<any>>} */
+const crafts = new Map();
+
+/** What a craft can be told, shows and reads; asked once. @param {string} name @returns {Promise<any>} */
+export function craftOf(name) {
+  let found = crafts.get(name);
+  if (!found) crafts.set(name, (found = ask(`/api/crafts/${name}`)));
+  return found;
+}

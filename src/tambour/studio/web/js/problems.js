@@ -1,0 +1,26 @@
+// Problems and doubts as people read them: where, what, what to do; each takes one to its place.
+import { html } from "./view.js";
+
+/** @typedef {import("./wire.js").Problem} Problem */
+
+/** Equal ones told once. @param {Problem[]} problems */
+export function told(problems) {
+  const seen = new Set();
+  return problems.filter((p) => {
+    const key = `${p.message}|${p.span}|${p.line}`;
+    return !seen.has(key) && seen.add(key);
+  });
+}
+
+/**
+ * @param {Problem[]} problems @param {{go?: (problem: Problem) => void, spell?: (text: string) => string}} [how]
+ * go: called when one is chosen; spell: names of options in the page's words
+ */
+export function list(problems, { go, spell = (text) => text } = {}) {
+  return told(problems).map((p) => {
+    const inner = html`<b>${spell(p.message)}</b>${p.hint ? html`${spell(p.hint)} ` : ""}${p.line ? html`<span class="where">line ${p.line}</span>` : ""}`;
+    const kind = `told ${p.warning ? "" : "wrong"}`;
+    const can = go && (p.span || p.line || p.fields?.length);
+    return can ? html`<button class=${kind} @click=${() => go(p)}>${inner}</button>` : html`<div class=${kind}>${inner}</div>`;
+  });
+}

@@ -1,0 +1,88 @@
+// Take away: what one most wants first, then every format with what it is and how large.
+import { attempt, tell } from "./notes.js";
+import { counted, html, render, size } from "./view.js";
+import { ask, bytes } from "./wire.js";
+
+/** @typedef {import("./piece.js").Piece} Piece */
+
+/** What is offered first: [view, suffix, title, line]. */
+const FIRST = {
+  crochet: [["page", ".pdf", "Print it", "the pattern as a booklet, PDF"], ["yarn", ".png", "Picture", "the toy in its yarn"], ["yarn", ".glb", "3-D", "for any viewer, GLB"]],
+  knit: [["pattern", ".pdf", "Print it", "the chart over pages, PDF"], ["fabric", ".jpg", "Picture", "as it will be knitted"], ["stitches", ".png", "Chart", "a pixel for each stitch"]],
+  ink: [["picture", ".png", "Picture", "painted, in pixels"], ["scroll", ".svg", "Vectors", "a group for each hill, SVG"], ["plot", ".hpgl", "Plotter", "lines for a pen, HPGL"]],
+  embroidery: [["machine", ".dst", "Machine", "DST, read by nearly all"], ["machine", ".pes", "Brother", "PES with its colours"], ["worksheet", ".pdf", "Worksheet", "threads and stops, PDF"]],
+};
+
+/** @param {HTMLElement} over where dialogs stand @param {Piece} piece @param {{follow: () => void}} more */
+export async function takeAway(over, piece, { follow }) {
+  const id = piece.revision.value?.id, craft = piece.craft.value;
+  if (!id || !craft) return;
+  const found = await attempt(() => ask(`/api/revisions/${id}/files`));
+  if (!found) return;
+  const { files } = /** @type {{files: {view: string, suffix: string, help: string, name: string, size: number|null}[]}} */ (found);
+  const busy = new Set();
+  const box = document.createElement("dialog");
+  box.setAttribute("aria-labelledby", "away-title");
+  const draw = () => render(view(), box);
+  const get = async (/** @type {any} */ file) => {
+    if (busy.has(file)) return;
+    busy.add(file);
+    draw();
+    await attempt(async () => {
+      const raw = await bytes(`/api/revisions/${id}/files/${file.view}${file.suffix}`);
+      file.size = raw.byteLength;
+      save(new Blob([raw]), raw.byteLength > 3 && isZip(raw) && file.suffix !== ".zip" && !ZIPPED.has(file.suffix) ? file.name.replace(/\.\w+$/, ".zip") : file.name);
+    });
+    busy.delete(file);
+    draw();
+  };
+  const alone = () => attempt(() => shopPage(piece));
+  const view = () => {
+    const first = (FIRST[craft.name] ?? []).map(([v, s, title, line]) => ({ file: files.find((f) => f.view === v && f.suffix === s), title, line })).filter((f) => f.file);
+    const views = [...new Set(files.map((f) => f.view))];
+    return html`<h2 id="away-title">Take away</h2>
+      <p class="quiet">The very files that the command line writes. ${counted(files.length, "format")}.</p>
+      <div class="first">${first.map(({ file, title, line }, k) => html`<button class="button ${k ? "" : "act"}" ?disabled=${busy.has(file)} @click=${() => get(file)}>
+          <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}</span></button>`)}
+        <button class="button" @click=${() => (box.close(), follow())}><b>Follow</b><span>on a phone, stitch by stitch</span></button>
+        ${piece.live.value?.arrays.points && craft.name !== "ink" ? html`<button class="button" @click=${alone}><b>For your shop</b><span>one page that shows it, HTML</span></button>` : ""}
+      </div>
+      ${views.map((v) => html`<h3 class="head">${v}</h3><p class="quiet">${files.find((f) => f.view === v)?.help.replace(/\{--([a-z-]+)\}/g, "“$1”")}</p>
+        <div class="ways">${files.filter((f) => f.view === v).map((f) => html`<button class="way ${busy.has(f) ? "busy" : ""}" @click=${() => get(f)}>
+          <span class="what">${f.suffix.slice(1).toUpperCase()}</span><span class="name">${busy.has(f) ? "making it …" : f.name}</span>
+          <span class="quiet">${f.size === null ? "" : size(f.size)}</span></button>`)}</div>`)}
+      <p><button class="button" autofocus @click=${() => box.close()}>Close</button></p>`;
+  };
+  draw();
+  box.addEventListener("close", () => box.remove());
+  over.append(box);
+  box.showModal();
+}
+
+const ZIPPED = new Set([".usdz", ".docx", ".3mf"]);
+const isZip = (/** @type {ArrayBuffer} */ raw) => new DataView(raw).getUint32(0, false) === 0x504b0304;
+
+/** @param {Blob} blob @param {string} name */
+export function save(blob, name) {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  tell(html`<b>${name}</b> is in your downloads.`, { calm: true });
+}
+
+/** One page with the drawing code and the piece in it: works from any place, with no server. @param {Piece} piece */
+async function shopPage(piece) {
+  const id = piece.revision.value.id, title = piece.piece.value.title;
+  const [code, pack] = await Promise.all([fetch(new URL("../lib/alone.js", import.meta.url)).then((a) => a.text()), bytes(`/api/revisions/${id}/live.pack`)]);
+  const steps = JSON.stringify((piece.steps.value?.steps ?? []).map(({ label, words, first, end }) => ({ label, words, first, end })));
+  const raw = new Uint8Array(pack);
+  let text = "";
+  for (let k = 0; k < raw.length; k += 32768) text += String.fromCharCode(...raw.subarray(k, k + 32768));
+  const safe = (/** @type {string} */ s) => s.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+  const page = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>${safe(title)}</title>
+<body data-title="${safe(title)}"><script type="application/json" id="steps">${steps.replaceAll("<", "\\u003c")}</script>
+<script type="text/plain" id="pack">${btoa(text)}</script><script>${code.replaceAll("</script", "<\\/script")}</script></body></html>\n`;
+  save(new Blob([page], { type: "text/html" }), `${title.replace(/[^\p{L}\p{N} _-]/gu, "").trim() || "piece"}.html`);
+}
