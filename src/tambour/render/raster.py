@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from math import radians
 
 import numpy as np
@@ -29,6 +30,8 @@ MATERIALS: dict[str, tuple[float, ...]] = {
     "glass": (0.0, 0.0, 1.3, 420.0, 0.0, 0.0),
     "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0),
 }
+
+_BRIGHTEST = 16.0  # what is lighter differs by less than a code
 
 PLAIN = (226, 221, 212)
 """Colour of a mesh that has none."""
@@ -61,8 +64,7 @@ def picture(
     A face's group chooses its surface from MATERIALS ("yarn" and "thread" take ``uv`` as turns of their twist along
     and turns around). Deterministic; raises nothing for any mesh that is one: an empty one gives the background.
     """
-    points = mesh.vertices[np.unique(mesh.faces)] if len(mesh.faces) else np.zeros((1, 3))
-    points = points if frame is None else frame
+    points = _shown(mesh) if frame is None else frame
     camera = look(points, width=width, height=height, azimuth=azimuth, elevation=elevation, lens=lens)
     height = camera.height
     threads = WORKERS
@@ -105,8 +107,30 @@ def picture(
     edges = np.linspace(0, height, 4 * threads + 1).astype(int).tolist()
     with ThreadPoolExecutor(threads) as pool:
         list(pool.map(lambda k: shade(out, edges[k], edges[k + 1], samples, *arguments), range(4 * threads)))
-    rgb = np.round(coded(film(out[..., :3])) * 255).astype(np.uint8)
-    return Picture(np.dstack([rgb, np.full((height, width), 255, np.uint8)]))
+    return Picture(_developed(out))
+
+
+def _shown(mesh: Mesh) -> Array:
+    """The vertices (P, 3) that faces name; the origin where there is none."""
+    named = np.zeros(len(mesh.vertices), np.bool_)
+    named[mesh.faces] = True
+    return mesh.vertices[named] if named.any() else np.zeros((1, 3))
+
+
+def _developed(light: Array) -> Array:
+    """Pixels (H, W, 4) uint8, all covered, of linear light (H, W, 4) float32."""
+    code = _codes()
+    out = np.full(light.shape, 255, np.uint8)
+    step = np.sqrt(np.minimum(light[..., :3], _BRIGHTEST)) * np.float32((len(code) - 1) / _BRIGHTEST**0.5)
+    out[..., :3] = code[np.round(step).astype(np.int32)]
+    return out
+
+
+@cache
+def _codes() -> Array:
+    """The code values of light in even steps of its root, each far less than a code apart."""
+    light = np.linspace(0.0, _BRIGHTEST**0.5, 1 << 16) ** 2
+    return np.asarray(np.round(coded(film(light)) * 255).astype(np.uint8))
 
 
 def _backdrop(height: int, color: tuple[int, int, int] | None) -> Array:

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from tambour.core.arrays import F8x1, F8x2
+from tambour.core.arrays import F8x1, F8x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.strands import Strands
@@ -54,10 +54,10 @@ class Ground:
         reach = 1.3 * self.stitch if reach is None else reach
         middle = points.mean(0)
         far = float(np.sqrt(((points - middle) ** 2).sum(1).max())) + reach + 0.5 * self.stitch
-        balls = np.concatenate([self.balls, *self.laid])
-        balls = balls[((balls[:, :3] - middle) ** 2).sum(1) < far * far]
         out = np.full(len(points), -np.inf)
-        _over(np.ascontiguousarray(points), np.ascontiguousarray(normals), balls, reach, -0.6 * self.stitch, out)
+        for balls in (self.balls, *self.laid):
+            near = balls[_within(balls, middle, far)]
+            _over(np.ascontiguousarray(points), np.ascontiguousarray(normals), near, reach, -0.6 * self.stitch, out)
         return np.where(np.isfinite(out), out, self.lift)
 
     def lay(self, points: Array, radius: float | Array) -> None:
@@ -133,6 +133,19 @@ def unit(v: Array) -> Array:
     """Rows (P, 3) as unit vectors; zero stays zero."""
     length = np.sqrt((v**2).sum(-1, keepdims=True))
     return np.asarray(np.divide(v, length, out=np.zeros_like(v), where=length > 1e-12))
+
+
+@kernel
+def _within(balls: F8x2, middle: F8x1, far: float) -> I8x1:
+    """Numbers of the balls (B, 4) whose middles are less than ``far`` from ``middle`` (3,)."""
+    found = np.empty(len(balls), np.int64)
+    count = 0
+    for b in range(len(balls)):
+        dx, dy, dz = balls[b, 0] - middle[0], balls[b, 1] - middle[1], balls[b, 2] - middle[2]
+        if dx * dx + dy * dy + dz * dz < far * far:
+            found[count] = b
+            count += 1
+    return found[:count].copy()
 
 
 @kernel
