@@ -151,3 +151,33 @@ def test_normals_point_outward() -> None:
     inner = np.abs(mesh.vertices[:, 1]) < 19.9
     normals = vertex_normals(mesh.vertices, mesh.faces)[inner]
     np.testing.assert_allclose((normals * mesh.vertices[inner]).sum(1) / 20, 1, atol=0.01)
+
+
+def test_light_is_the_same_whether_things_come_at_once_or_one_after_the_other() -> None:
+    one, two = sphere(12), sphere(9)
+    points = np.vstack([one.vertices, two.vertices + [30.0, 5.0, 0.0]])
+    faces = np.vstack([one.faces, two.faces + len(one.vertices)])
+    at_once = light.shine(points, faces, *light.studio(0.4, 7, 3), size=90, threads=1, closed=True)
+    made = light.unbroken(points, *light.studio(0.4, 7, 3), size=90)
+    for some in (one.faces, two.faces + len(one.vertices)):
+        light.stand(made, points, some, threads=2, closed=True)
+    np.testing.assert_array_equal(made.depth, at_once.depth)
+    sky, lamp = (light.unbroken(points, *(v[own] for v in light.studio(0.4, 7, 3)), size=90)
+                 for own in (slice(0, 7), slice(7, 10)))  # fmt: skip
+    for part in (sky, lamp):
+        light.stand(part, points, faces, threads=1, closed=True)
+    np.testing.assert_array_equal(light.together(sky, lamp).depth, at_once.depth)
+    mesh = Mesh(points, faces)
+    pictures = [raster.picture(mesh, width=80, azimuth=0.4, ground=False, lit=lit).rgba for lit in (at_once, made)]
+    np.testing.assert_array_equal(*pictures)
+
+
+def test_pixels_are_those_of_the_film_to_the_nearest_code() -> None:
+    shade = np.random.default_rng(1).gamma(0.7, 0.5, (64, 64, 4)).astype(np.float32)
+    shade[0, :4] = [[0.0] * 4, [1e-6] * 4, [15.9] * 4, [400.0] * 4]
+    exact = raster.coded(raster.film(shade[..., :3].astype(float))) * 255
+    made = raster._developed(shade)
+    assert np.abs(made[..., :3] - exact).max() < 0.6 + 255 * 0.2 / 16
+    dim = shade[..., :3] < 4
+    assert np.abs(made[..., :3] - exact)[dim].max() < 0.52
+    assert (made[..., 3] == 255).all()

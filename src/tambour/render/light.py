@@ -97,27 +97,44 @@ def shine(
     vertices : (V, 3) mm; faces : (F, 3); directions, weight : (L, 3); key : (L,); size : texels along a map's side
     closed : the mesh has no rim, so that the faces turned away from a light cast the same shadow as all of them
     """
-    count = len(directions)
-    axes = np.array([np.stack(basis(d)) for d in directions])
-    depth = np.full((count, size, size), -np.inf, np.float32)
-    origin, texel = np.zeros((count, 2)), np.zeros(count)
-    nothing = np.zeros((0, 0), np.int32)
+    made = unbroken(vertices, directions, weight, key, size=size)
+    stand(made, vertices, faces, threads=threads, closed=closed)
+    return made
 
-    def draw(k: int) -> None:
-        x, y, z = turn(vertices if len(vertices) else np.zeros((1, 3)), np.vstack([axes[k], directions[k]]))
+
+def unbroken(points: Array, directions: Array, weight: Array, key: Array, *, size: int) -> Lights:
+    """Lights in which nothing stands yet; their maps have room for what lies within ``points`` (P, 3)."""
+    axes = np.array([np.stack(basis(d)) for d in directions])
+    origin, texel = np.zeros((len(directions), 2)), np.zeros(len(directions))
+    for k, axis in enumerate(axes):
+        x, y, _ = turn(points if len(points) else np.zeros((1, 3)), np.vstack([axis, directions[k]]))
         low, high = np.array([x.min(), y.min()]), np.array([x.max(), y.max()])
         texel[k] = max(float((high - low).max()), 1e-9) / (size - 4)
         origin[k] = low - 2 * texel[k]
-        x -= origin[k, 0]
-        x /= texel[k]
-        y -= origin[k, 1]
-        y /= texel[k]
+    depth = np.full((len(directions), size, size), -np.inf, np.float32)
+    return Lights(directions, np.ascontiguousarray(weight), key, axes, origin, texel, depth)
+
+
+def stand(lights: Lights, vertices: Array, faces: Array, *, threads: int, closed: bool) -> None:
+    """Put a mesh into the lights, beside what stands there already: their maps are drawn on."""
+
+    def draw(k: int) -> None:
+        x, y, z = turn(vertices, np.vstack([lights.axes[k], lights.direction[k]]))
+        x -= lights.origin[k, 0]
+        x /= lights.texel[k]
+        y -= lights.origin[k, 1]
+        y /= lights.texel[k]
         # Rows of a map run up: faces turned to the light have positive area there.
-        cover(x, y, z, faces, depth[k], nothing, -1 if closed else 0)
+        cover(x, y, z, faces, lights.depth[k], np.zeros((0, 0), np.int32), -1 if closed else 0)
 
     with ThreadPoolExecutor(threads) as pool:
-        list(pool.map(draw, range(count)))
-    return Lights(directions, np.ascontiguousarray(weight), key, axes, origin, texel, depth)
+        list(pool.map(draw, range(len(lights.direction))))
+
+
+def together(*lights: Lights) -> Lights:
+    """All of the lights, whose maps are of one size."""
+    fields = ("direction", "weight", "key", "axes", "origin", "texel", "depth")
+    return Lights(*(np.concatenate([getattr(each, name) for each in lights]) for name in fields))
 
 
 @kernel

@@ -16,7 +16,7 @@ from tambour.core.threads import WORKERS
 from tambour.geometry.surface import closed, vertex_normals
 from tambour.render.camera import THREE_QUARTER, look
 from tambour.render.cover import cover, turn
-from tambour.render.light import floor_light, shine, studio
+from tambour.render.light import Lights, floor_light, shine, studio
 from tambour.render.shade import shade
 
 # Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove (see shade).
@@ -31,6 +31,7 @@ MATERIALS: dict[str, tuple[float, ...]] = {
     "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0),
 }
 
+_FINEST = 480  # texels along the side of a shadow map
 _BRIGHTEST = 16.0  # what is lighter differs by less than a code
 
 PLAIN = (226, 221, 212)
@@ -50,6 +51,7 @@ def picture(
     background: tuple[int, int, int] | None = None,
     lights: int = 50,
     frame: Array | None = None,
+    lit: Lights | None = None,
 ) -> Picture:
     """A shaded picture of a mesh that fills it, on a plain ground.
 
@@ -60,6 +62,7 @@ def picture(
     background : sRGB; None is a warm grey that lightens upwards
     lights : parallel lights that sky and lamp are made of, at least 5
     frame : (P, 3) points that fill the picture and stand on the floor, instead of the mesh's: for several in one view
+    lit : lights that the mesh stands in already: for several views in one light
 
     A face's group chooses its surface from MATERIALS ("yarn" and "thread" take ``uv`` as turns of their twist along
     and turns around). Deterministic; raises nothing for any mesh that is one: an empty one gives the background.
@@ -79,16 +82,13 @@ def picture(
     # Rows run down: faces that look here have negative area.
     cover(x, y, z, mesh.faces, near, face, -1 if whole else 0)
 
-    lamp = max(1, lights // 5)
-    made = shine(
-        mesh.vertices,
-        mesh.faces,
-        *studio(azimuth, lights - lamp, lamp),
-        size=480,
-        threads=threads,
-        closed=whole,
-    )
-    patch, plot = floor_light(made, points.min(0), points.max(0)) if ground else (np.ones((1, 1, 3)), np.zeros(3))
+    if lit is None:
+        # A map as fine as the picture, as far as that is seen.
+        size = min(_FINEST, max(_FINEST // 3, round(1.25 * min(width, height))))
+        lamps = max(1, lights // 5)
+        all_of_them = studio(azimuth, lights - lamps, lamps)
+        lit = shine(mesh.vertices, mesh.faces, *all_of_them, size=size, threads=threads, closed=whole)
+    patch, plot = floor_light(lit, points.min(0), points.max(0)) if ground else (np.ones((1, 1, 3)), np.zeros(3))
 
     names = [name if name in MATERIALS else "" for name in mesh.group_names]
     table = np.array([MATERIALS[name] for name in names] or [MATERIALS[""]])
@@ -98,7 +98,7 @@ def picture(
     arguments = (
         near, face, x, y, z, mesh.vertices, vertex_normals(mesh.vertices, mesh.faces), mesh.faces, mesh.smooth,
         palette[color], np.zeros((0, 2)) if mesh.uv is None else mesh.uv, group, table, camera.eye, camera.axes,
-        camera.scale, made.direction, made.weight, made.key, made.axes, made.origin, made.texel, made.depth,
+        camera.scale, lit.direction, lit.weight, lit.key, lit.axes, lit.origin, lit.texel, lit.depth,
         _backdrop(height, background), float(points[:, 1].min()) if ground else np.nan,
         patch, plot,
     )  # fmt: skip

@@ -11,6 +11,7 @@ from tambour.color import linear
 from tambour.core.check import Array
 from tambour.core.rgb import RGB
 from tambour.crochet.maker.size import Size
+from tambour.crochet.page.album import Album
 from tambour.crochet.page.flow import Frame
 from tambour.crochet.page.hers import hers
 from tambour.crochet.page.instructions import Words, words
@@ -28,14 +29,14 @@ MARGIN, TOP, FOOT, GUTTER = 18.0, 24.0, 20.0, 9.0
 class Book:
     """What all pages of a booklet share, and the pages so far.
 
-    piece, said : the plush and its words; own : the page's own words; hers : the designer's own
-    sentences, None where they are ours; spoken : says where parts go; code : of the terms; accent : a colour for
-    headings, the main yarn's, dark enough to read
+    piece, said : the plush and its words; album : what its small pictures share; own : the page's own words
+    hers : the designer's own sentences, None where they are ours; spoken : says where parts go; code : of the terms
+    accent : a colour for headings, the main yarn's, dark enough to read
     """
 
     def __init__(self, piece: Plush) -> None:
         params = piece.params
-        self.piece = piece
+        self.piece, self.album = piece, Album(piece)
         self.said: Words = words(piece.built, params.terms)
         self.code = self.said.terms.code
         self.hers = hers(piece.built.pattern, self.code)

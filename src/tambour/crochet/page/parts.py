@@ -34,7 +34,7 @@ def rounds(book: Book) -> list[Chunk]:
     for block in said.blocks:
         heads = heading(book, block.title, width)
         if len(said.blocks) > 1 and block.part >= 0 and parts[block.part].end - parts[block.part].start > 2:
-            picture = of_parts(piece, [block.part], round(width * _DOTS), round(_THUMB * _DOTS))
+            picture = of_parts(book.album, [block.part], round(width * _DOTS), round(_THUMB * _DOTS))
             heads.append(_photo(picture, width, _THUMB))
         chunks += together(heads, _rows(book, block, width), block.title)
     return chunks
@@ -172,7 +172,7 @@ def sides(book: Book, sheet: Page) -> None:
     for k, side in enumerate(("front", "right", "back")):
         x = MARGIN + k * (width + gap)
         sheet.image(
-            from_side(book.piece, side, round(width * _DOTS), round(high * _DOTS)), x, y, width, high, photo=True
+            from_side(book.album, side, round(width * _DOTS), round(high * _DOTS)), x, y, width, high, photo=True
         )
         sheet.text(book.own[side], x, y + high + SMALL + 1.6, SMALL, color=SOFT)
 
@@ -188,7 +188,7 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     sentences = _sentences(book, found)
     chunks = []
     for k, (step, said) in enumerate(zip(found, sentences)):
-        picture = of_step(piece, step, frame, round(width * _DOTS), round(high * _DOTS))
+        picture = of_step(book.album, step, frame, round(width * _DOTS), round(high * _DOTS))
         names = _names(book, step)
         head = f"{book.own['step'].format(n=k + 1)}: {names}"
 

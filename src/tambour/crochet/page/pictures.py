@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from math import radians
 from typing import TYPE_CHECKING, Final
 
@@ -12,17 +12,12 @@ import numpy as np
 from tambour.color import coded, linear
 from tambour.core.check import Array
 from tambour.core.graph import SEWN
-from tambour.core.mesh import Mesh
-from tambour.core.paths import Paths
 from tambour.core.picture import Picture
-from tambour.crochet.finish.features import joined, meshes
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, Spot
 from tambour.crochet.maker.size import skin
+from tambour.crochet.page.album import LAMP, SKY, Album
 from tambour.crochet.page.type import BACKDROP
-from tambour.crochet.yarn.fabric import mesh
-from tambour.crochet.yarn.loops import RATIO
-from tambour.crochet.yarn.spline import thin
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
@@ -30,11 +25,8 @@ if TYPE_CHECKING:
 _VIEW: Final = (radians(24.0), radians(14.0))
 _ABOVE: Final = radians(52.0)
 _NEAR: Final = (radians(10.0), radians(6.0))
-_SMALL_LIGHTS: Final = 20
 AIR: Final = 1.1
 """The cover shows so much more than the piece."""
-_QUIET: Final = (232, 228, 222)
-"""What is there already is shown nearly in this colour."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,47 +101,6 @@ def _on(record: Finish, names: dict[str, int]) -> int:
     return names.get(_spots(record)[0].part, -1)
 
 
-def partial(
-    piece: Plush, parts: Sequence[int], face: Sequence[Finish] = (), fresh: Sequence[int] | None = None
-) -> Mesh:
-    """Some parts of the piece with some of its face; parts that are not ``fresh`` are pale (None: all are in colour)."""
-    graph = piece.built.graph
-    wanted = np.zeros(len(graph.parts), bool)
-    wanted[list(parts)] = True
-    quiet = wanted.copy()
-    quiet[list(parts if fresh is None else fresh)] = False
-    yarn = piece.yarn
-    ends, stitch = yarn.paths.offsets, yarn.point_data["stitch"]
-    owner = graph.part[stitch[ends[:-1]]]
-    # Seams only where both of their parts are.
-    there = np.minimum.reduceat(wanted[graph.part[stitch]], ends[:-1]) if len(stitch) else np.zeros(0, bool)
-    keep = np.flatnonzero(there)
-    # Small pictures need fewer points along the yarn.
-    coords = yarn.paths.coords
-    near = np.zeros(len(coords), np.bool_)
-    thin(coords, ends, 0.3 * RATIO * graph.stitch_width, near)
-    lines = [np.arange(ends[k], ends[k + 1])[near[ends[k] : ends[k + 1]]] for k in keep.tolist()]
-    points = np.concatenate(lines) if lines else np.zeros(0, int)
-    color = yarn.color[keep].astype(float)
-    pale = quiet[owner[keep]]
-    color[pale] = 0.3 * color[pale] + 0.7 * np.array(_QUIET)
-    made = replace(
-        yarn,
-        paths=Paths(coords[points], np.concatenate([[0], np.cumsum([len(line) for line in lines])]).astype(np.int64)),
-        radius=yarn.radius[points],
-        color=np.round(color).astype(np.uint8),
-        source=yarn.source[keep] if yarn.source is not None and len(yarn.source) else yarn.source,
-        point_data={"stitch": stitch[points]},
-    )
-    inside = graph.faces[wanted[graph.part[graph.faces[:, 0]]]]
-    tone = graph.color.astype(float)
-    tone[quiet[graph.part]] = 0.3 * tone[quiet[graph.part]] + 0.7 * np.array(_QUIET)
-    shown = replace(graph, faces=inside, color=np.round(tone).astype(np.uint8))
-    built = replace(piece.built, pattern=replace(piece.built.pattern, finish=tuple(face)))
-    extra, made = meshes(built, piece.positions, made, detail="medium", upright=piece.upright) if face else ([], made)
-    return joined([mesh(shown, piece.positions, detail="low", made=made), *extra])
-
-
 def lies(piece: Plush) -> bool:
     """Whether the piece is so flat that one looks down on it."""
     wide, high, deep = np.ptp(piece.positions, axis=0).tolist()
@@ -182,23 +133,22 @@ def whole(piece: Plush, width: int, height: int) -> Picture:
     return Picture(np.round(rgba).astype(np.uint8))
 
 
-def of_parts(piece: Plush, parts: Sequence[int], width: int, height: int) -> Picture:
+def of_parts(album: Album, parts: Sequence[int], width: int, height: int) -> Picture:
     """Some parts by themselves."""
     from tambour.render.raster import picture
 
     return picture(
-        partial(piece, parts), width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], ground=False,
-        background=BACKDROP, lights=_SMALL_LIGHTS,
+        album.partial(parts), width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], ground=False,
+        background=BACKDROP, lights=SKY + LAMP,
     )  # fmt: skip
 
 
-def from_side(piece: Plush, side: str, width: int, height: int) -> Picture:
+def from_side(album: Album, side: str, width: int, height: int) -> Picture:
     """The finished piece from a side of :data:`tambour.crochet.page.portrait.SIDES`, as small pictures have it."""
     from tambour.crochet.page.portrait import SIDES
     from tambour.render.raster import picture
 
-    every = [k for k, part in enumerate(piece.built.graph.parts) if part.end > part.start]
-    face = tuple(f for f in piece.built.pattern.finish if not isinstance(f, Placed))
+    piece = album.piece
     azimuth, elevation = SIDES[side]
     # One scale for all sides: what fills each picture is the drum that the piece could turn in.
     points = skin(piece, np.arange(len(piece.positions)))
@@ -210,15 +160,16 @@ def from_side(piece: Plush, side: str, width: int, height: int) -> Picture:
         for y in (points[:, 1].min(), points[:, 1].max())
     ]
     return picture(
-        partial(piece, every, face), width=width, height=height, azimuth=azimuth, elevation=elevation, ground=False,
-        background=BACKDROP, lights=_SMALL_LIGHTS, frame=np.concatenate(drum),
+        album.partial(album.all, album.face), width=width, height=height, azimuth=azimuth, elevation=elevation,
+        ground=False, background=BACKDROP, frame=np.concatenate(drum), lit=album.light(album.all, album.face, azimuth),
     )  # fmt: skip
 
 
-def of_step(piece: Plush, step: Step, frame: Array, width: int, height: int) -> Picture:
+def of_step(album: Album, step: Step, frame: Array, width: int, height: int) -> Picture:
     """The piece after a step, what is new in full colour; ``frame`` (P, 3) is what fills every step's picture."""
     from tambour.render.raster import picture
 
+    piece = album.piece
     known = Spots(piece.built)
     fresh = step.fresh or step.parts
     view = _VIEW
@@ -230,6 +181,7 @@ def of_step(piece: Plush, step: Step, frame: Array, width: int, height: int) -> 
         near = np.isin(part, [k for k in step.parts if x[part == k, 1].min(initial=np.inf) >= low])
         frame, view = skin(piece, np.flatnonzero(near)), _NEAR
     return picture(
-        partial(piece, step.parts, step.finishes, fresh), width=width, height=height, azimuth=view[0],
-        elevation=view[1], ground=False, background=BACKDROP, lights=_SMALL_LIGHTS, frame=frame,
+        album.partial(step.parts, step.finishes, fresh), width=width, height=height, azimuth=view[0],
+        elevation=view[1], ground=False, background=BACKDROP, frame=frame,
+        lit=album.light(step.parts, step.finishes, view[0]),
     )  # fmt: skip
