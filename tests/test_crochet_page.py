@@ -15,6 +15,7 @@ from tambour.core.errors import Text
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.crochet.maker.materials import DENSITY, materials
+from tambour.crochet.page.album import Album
 from tambour.crochet.page.booklet import pages
 from tambour.crochet.page.flow import Atom, Chunk, Frame, flow, together
 from tambour.crochet.page.instructions import words
@@ -206,3 +207,16 @@ def test_pictures_hold_the_toy() -> None:
     edge, middle = cover[[0, -1]].reshape(-1, 4)[:, :3].astype(int), cover[len(cover) // 2, cover.shape[1] // 2]
     assert (abs(edge - np.array((241, 240, 238))) <= 4).all()
     assert abs(middle[:3].astype(int) - 240).max() > 60
+
+
+def test_a_light_that_parts_came_into_one_by_one_is_that_in_which_they_came_together() -> None:
+    piece = toy()
+    kept = Album(piece)
+    orders = [([1], ()), ([1, 2], ()), ([1, 2], kept.face), (kept.all, kept.face), ([1], kept.face), (kept.all, ())]
+    seen = set()
+    for parts, face in orders:
+        lights, anew = kept.light(parts, face, 0.4), Album(piece).light(parts, face, 0.4)
+        np.testing.assert_array_equal(lights.depth, anew.depth)
+        np.testing.assert_array_equal(lights.direction, anew.direction)
+        seen.add(lights.depth.tobytes())
+    assert len(seen) == len(orders)

@@ -155,7 +155,7 @@ def test_normals_point_outward() -> None:
 
 def test_light_is_the_same_whether_things_come_at_once_or_one_after_the_other() -> None:
     one, two = sphere(12), sphere(9)
-    points = np.vstack([one.vertices, two.vertices + [30.0, 5.0, 0.0]])
+    points = np.vstack([one.vertices, two.vertices + np.array([30.0, 5.0, 0.0])])
     faces = np.vstack([one.faces, two.faces + len(one.vertices)])
     at_once = light.shine(points, faces, *light.studio(0.4, 7, 3), size=90, threads=1, closed=True)
     made = light.unbroken(points, *light.studio(0.4, 7, 3), size=90)
