@@ -35,7 +35,7 @@ FAULTS = [
     # -- found alive by hand, once
     Fault("embroidery/columns/satin.py", "half, turn)\n", "half, -turn)\n", P),
     Fault("embroidery/columns/satin.py", "np.minimum(half, 1 / np", "np.minimum(half, 2 / np", P),
-    Fault("embroidery/plan/sequence.py", "keep = different | same", "keep = different", P),
+    Fault("embroidery/plan/order.py", "keep[pairs] = [", "keep[:] = [False] * len(keep); keep[pairs] = [", P),
     Fault("embroidery/plan/facts.py", "SLACK = 0.05", "SLACK = 0.5", P),
     Fault("files/svg/path.py", "1 if large != sweep else -1", "-1 if large != sweep else 1", "files_svg_read -k arcs"),
     Fault("files/svg/path.py", "elif not sweep and sweep_angle > 0:", "elif not sweep and sweep_angle > 9:",

@@ -39,7 +39,7 @@ from tambour.embroidery.columns.satin import from_stroke
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import LOCK, Region
 from tambour.embroidery.plan.facts import outside
-from tambour.embroidery.plan.sequence import order
+from tambour.embroidery.plan.order import order
 from tambour.files import exp
 from tambour.files.records import Records
 from tambour.files.svg import css

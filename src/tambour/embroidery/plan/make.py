@@ -18,7 +18,8 @@ from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.plan.design import piece_of
 from tambour.embroidery.plan.facts import outside
 from tambour.embroidery.plan.layers import elevation, layers
-from tambour.embroidery.plan.sequence import Layout, order
+from tambour.embroidery.plan.order import order
+from tambour.embroidery.plan.sequence import Layout
 from tambour.embroidery.plan.sewable import doubts
 from tambour.embroidery.regions.catalogue import with_catalogue
 from tambour.embroidery.regions.lettering import lettered

@@ -1,9 +1,8 @@
-"""Sequence: in which order regions are sewn, what lies between them, and how thread is tied and cut → ThreadPlan."""
+"""Sequence: what lies between the threads of regions, how thread is tied and cut, and changed → ThreadPlan."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,106 +10,10 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
 from tambour.embroidery.params import EmbroideryParams
-from tambour.embroidery.piece import LOCK, TRAVEL, Region
+from tambour.embroidery.piece import LOCK, TRAVEL
 from tambour.embroidery.stitches import Stitches, tidy
 
 TIE = 0.7  # mm, a stitch of a lock
-
-
-def order(regions: Sequence[Region], how: str) -> list[int]:
-    """The order of work: ``file`` keeps painter's order; ``auto`` changes it where nothing on top would come below.
-
-    A region waits for all earlier ones that it overlaps. Of those that may come, the same colour goes on (the one
-    that begins nearest to where the last one lay); a new colour is the one that then can go on longest.
-    """
-    n = len(regions)
-    if how == "file" or n < 2:
-        return list(range(n))
-    import shapely
-
-    boxes = np.array([[*r.paths.coords.min(0), *r.paths.coords.max(0)] for r in regions])
-    grown = boxes + np.array([-1, -1, 1, 1]) * np.array([[r.width / 2 + max(r.params.pull, 0) + 0.2] for r in regions])
-    tree = shapely.STRtree(shapely.box(*grown.T))
-    later, earlier = tree.query(shapely.box(*grown.T), predicate="intersects")
-    after = later > earlier
-    later, earlier = later[after], earlier[after]
-    different = np.array([regions[a].color != regions[b].color for a, b in zip(later, earlier)], bool)
-    if different.any():
-        shapes: list[object] = [None] * n
-        pairs = np.flatnonzero(different)
-        for k in np.unique(np.r_[later[pairs], earlier[pairs]]):
-            shapes[k] = _shape(regions[k])
-        touch = different.copy()
-        touch[pairs] = [shapely.intersects(shapes[later[k]], shapes[earlier[k]]) for k in pairs]
-        different = touch
-    # Within one colour the file's order of what overlaps is kept too: it shows in the stitches' relief.
-    same = np.array([regions[a].color == regions[b].color for a, b in zip(later, earlier)], bool)
-    keep = different | same
-    waits = [set() for _ in range(n)]  # type: list[set[int]]
-    for a, b in zip(later[keep].tolist(), earlier[keep].tolist()):
-        waits[a].add(b)
-    colors = [r.color for r in regions]
-    middle = (boxes[:, :2] + boxes[:, 2:]) / 2
-    done: list[int] = []
-    left = set(range(n))
-    ready = {i for i in left if not waits[i]}
-    unlocks: list[list[int]] = [[] for _ in range(n)]
-    for a, w in enumerate(waits):
-        for b in w:
-            unlocks[b].append(a)
-    color = None
-    here = np.zeros(2)
-    while left:
-        same_color = [i for i in ready if colors[i] == color]
-        if not same_color:
-            color = max(
-                {colors[i] for i in ready}, key=lambda c: (_reach(c, ready, waits, unlocks, colors), -_first(c, colors))
-            )
-            same_color = [i for i in ready if colors[i] == color]
-        pick = min(same_color, key=lambda i: (float(np.hypot(*(middle[i] - here))), i))
-        done.append(pick)
-        here = middle[pick]
-        left.discard(pick)
-        ready.discard(pick)
-        for a in unlocks[pick]:
-            waits[a].discard(pick)
-            if not waits[a] and a in left:
-                ready.add(a)
-    return done
-
-
-def _first(color: tuple[int, int, int], colors: list[tuple[int, int, int]]) -> int:
-    return colors.index(color)
-
-
-def _reach(
-    color: tuple[int, int, int],
-    ready: set[int],
-    waits: list[set[int]],
-    unlocks: list[list[int]],
-    colors: list[tuple[int, int, int]],
-) -> int:
-    """How many regions of ``color`` could be sewn in one go from here."""
-    stack = [i for i in ready if colors[i] == color]
-    seen = set(stack)
-    while stack:
-        i = stack.pop()
-        for a in unlocks[i]:
-            if colors[a] == color and a not in seen and waits[a] <= seen:
-                seen.add(a)
-                stack.append(a)
-    return len(seen)
-
-
-def _shape(region: Region) -> object:
-    import shapely
-
-    from tambour.embroidery.regions.read import to_shapely
-
-    if region.role == "area":
-        return shapely.union_all(to_shapely(region.paths)).buffer(max(region.params.pull, 0) + 0.1)
-    lines = [shapely.LineString(p) for p in region.paths if len(p) > 1]
-    return shapely.union_all(lines).buffer(region.width / 2 + 0.2)
 
 
 @dataclass(slots=True)

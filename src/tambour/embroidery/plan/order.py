@@ -1,0 +1,155 @@
+"""Order: in which order regions are sewn: what lies below first, and as few changes of thread as that allows."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Sequence
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.embroidery.piece import Region
+
+WORK = 2_000_000  # regions looked at before the search for the fewest changes goes on along its best lines only
+LINES = 32  # so many of them at most, and as many as as much work again allows
+
+
+def order(regions: Sequence[Region], how: str) -> list[int]:
+    """The order of work: ``file`` keeps painter's order; ``auto`` changes it where nothing on top would come below.
+
+    A region waits for all earlier ones that it overlaps. Changes of thread are as few as that allows (exactly so up to
+    ``WORK``); within a thread the nearest that may come is next.
+    """
+    n = len(regions)
+    if how == "file" or n < 2:
+        return list(range(n))
+    boxes = np.array([[*r.paths.coords.min(0), *r.paths.coords.max(0)] for r in regions])
+    waits = _waits(regions, boxes)
+    known: dict[tuple[int, int, int], int] = {}
+    colors = [known.setdefault(r.color, len(known)) for r in regions]
+    middle = (boxes[:, :2] + boxes[:, 2:]) / 2
+    waiting = np.array([len(w) for w in waits])
+    frees: list[list[int]] = [[] for _ in range(n)]
+    for a, w in enumerate(waits):
+        for b in w:
+            frees[b].append(a)
+    done: list[int] = []
+    here = np.zeros(2)
+    for block in blocks(colors, waits):
+        left = np.array(block)
+        while len(left):
+            ready = left[waiting[left] == 0]
+            pick = int(ready[np.hypot(*(middle[ready] - here).T).argmin()])
+            done.append(pick)
+            waiting[frees[pick]] -= 1
+            left = left[left != pick]
+            here = middle[pick]
+    return done
+
+
+def blocks(colors: Sequence[int], waits: Sequence[set[int]]) -> list[list[int]]:
+    """The fewest blocks of one colour each in which all can be sewn: lists of indices, rising within a block.
+
+    colors : a number for each; waits : for each, those that must come before it, all of lower index. Once a colour is
+    in the needle, all of it that may come is sewn: what is left to do only shrinks. So a state is what is done, a step
+    is a colour, and A* finds the fewest steps; the bound is, summed over colours, how often the colour must come again
+    along one chain of what waits. Past ``WORK`` a beam goes on from the best states found, and is no longer proven.
+    """
+    n = len(colors)
+    of = [[i for i in range(n) if colors[i] == c] for c in range(max(colors) + 1)]
+    masks = [sum(1 << b for b in w) for w in waits]
+    again = _again(colors, waits, len(of))
+    whole = (1 << n) - 1
+
+    def sewn(done: int, color: int) -> int:
+        for i in of[color]:
+            if not done >> i & 1 and not masks[i] & ~done:
+                done |= 1 << i
+        return done
+
+    def least(done: int) -> int:
+        left = np.unpackbits(
+            np.frombuffer((whole & ~done).to_bytes((n + 7) // 8, "little"), np.uint8), bitorder="little"
+        )
+        return int(again[left[:n].astype(bool)].max(axis=0, initial=0).sum())
+
+    def steps(done: int) -> list[tuple[int, int]]:
+        made = [(color, sewn(done, color)) for color in range(len(of))]
+        return [(color, after) for color, after in made if after != done]
+
+    came: dict[int, tuple[int, int]] = {0: (-1, 0)}  # state → the colour that led to it, and from where
+    cost = {0: 0}
+    heap = [(least(0), 0, 0, 0)]
+    tick, worked = 0, 0
+    while heap and worked < WORK:
+        _, _, _, done = heapq.heappop(heap)
+        if done == whole:
+            break
+        for color, after in steps(done):
+            worked += n
+            if cost[done] + 1 < cost.get(after, n + 1):
+                cost[after], came[after] = cost[done] + 1, (color, done)
+                tick += 1
+                heapq.heappush(heap, (cost[after] + least(after), -cost[after], tick, after))
+    if whole not in came:
+        lines = max(1, min(LINES, WORK // (n * len(of) * max(1, least(0)))))
+        front = [state for *_, state in heapq.nsmallest(lines, heap)]
+        while whole not in came:
+            ahead = {after: (color, done) for done in front for color, after in steps(done)}
+            for after, step in ahead.items():
+                came.setdefault(after, step)
+            front = sorted(ahead, key=lambda state: (least(state), -state.bit_count(), state))[:lines]
+    made: list[list[int]] = []
+    done = whole
+    while done:
+        _, before = came[done]
+        made.append([i for i in range(n) if (done & ~before) >> i & 1])
+        done = before
+    return made[::-1]
+
+
+def _again(colors: Sequence[int], waits: Sequence[set[int]], count: int) -> Array:
+    """(n, count): for each region, how many blocks of each colour a chain of what waits from it on can force."""
+    n = len(colors)
+    made = np.zeros((n, count), np.int16)
+    for i in range(n):
+        made[i, colors[i]] = 1
+    for i in range(n - 1, -1, -1):  # all that wait for i come after it
+        for b in waits[i]:
+            longer = made[i].copy()
+            longer[colors[b]] += colors[i] != colors[b]
+            np.maximum(made[b], longer, out=made[b])
+    return made
+
+
+def _waits(regions: Sequence[Region], boxes: Array) -> list[set[int]]:
+    """For each region, the earlier ones that it lies on."""
+    import shapely
+
+    n = len(regions)
+    reach = np.array([[r.width / 2 + max(r.params.pull, 0) + 0.2] for r in regions])
+    grown = boxes + np.array([-1, -1, 1, 1]) * reach
+    tree = shapely.STRtree(shapely.box(*grown.T))
+    later, earlier = tree.query(shapely.box(*grown.T), predicate="intersects")
+    after = later > earlier
+    later, earlier = later[after], earlier[after]
+    # Within one colour the file's order of what overlaps is kept too: it shows in the stitches' relief.
+    keep = np.array([regions[a].color == regions[b].color for a, b in zip(later, earlier)], bool)
+    pairs = np.flatnonzero(~keep)
+    shapes = {k: _shape(regions[k]) for k in np.unique(np.r_[later[pairs], earlier[pairs]]).tolist()}
+    keep[pairs] = [shapely.intersects(shapes[later[k]], shapes[earlier[k]]) for k in pairs]
+    waits: list[set[int]] = [set() for _ in range(n)]
+    for a, b in zip(later[keep].tolist(), earlier[keep].tolist()):
+        waits[a].add(b)
+    return waits
+
+
+def _shape(region: Region) -> object:
+    import shapely
+
+    from tambour.embroidery.regions.read import to_shapely
+
+    if region.role == "area":
+        return shapely.union_all(to_shapely(region.paths)).buffer(max(region.params.pull, 0) + 0.1)
+    lines = [shapely.LineString(p) for p in region.paths if len(p) > 1]
+    return shapely.union_all(lines).buffer(region.width / 2 + 0.2)
