@@ -294,6 +294,24 @@ def examples(folder: str) -> None:
     click.echo(f"wrote {len(made)} files into {folder}")
 
 
+@tambour.command("studio")
+@click.option("--port", type=click.IntRange(0, 65535), help="The port to serve at; 0 for any free one. [default: 8421]")
+@click.option("--no-open", is_flag=True, help="Open no browser: print the address with its token, in one line.")
+@click.option("--library", type=click.Path(dir_okay=False), help="The file that your pieces are kept in.")
+@click.option("--host", default="127.0.0.1", show_default=True, help="The address to serve at.")
+@click.option("--allow-host", "names", multiple=True, help="A name that the server may be called by from outside.")
+def studio(port: int | None, no_open: bool, library: str | None, host: str, names: tuple[str, ...]) -> None:
+    """Open the four crafts in the browser, served by this machine to itself."""
+    from importlib.util import find_spec
+    from pathlib import Path
+
+    if not all(find_spec(name) for name in ("starlette", "uvicorn", "websockets", "segno")):
+        raise TambourError("the studio's libraries are not there", hint="pip install 'tambour[studio]'")
+    from tambour.studio.serve import serve
+
+    serve(host, port, None if library is None else Path(library), names, not no_open, click.echo)
+
+
 def _opened() -> None:
     """See that the three standard streams are open, so that no file that is written takes the place of one."""
     for number in range(3):

@@ -151,7 +151,7 @@ class Params(BaseModel):
             choices += listed if isinstance(listed, list) else []
             plain = {bool: "switch", int: "number", float: "number"}.get(kind, "text")
             widget = "file" if name in cls.files() else "choice" if choices else plain
-            default = f.get_default(call_default_factory=True)
+            default = None if f.is_required() else f.get_default(call_default_factory=True)
             told: dict[str, Any] = {
                 "label": name.rstrip("_").replace("_", " ").capitalize(),
                 "help": cls.help(name),

@@ -91,7 +91,12 @@ def _mesh(name: str, mesh: Mesh, birth: Array) -> dict[str, Array]:
 
 def steps(piece: Plush) -> dict[str, Any]:
     """The rounds and rows in the order of work."""
-    return told("crochet", "stitch", len(piece.built.graph), rounds(piece.built))
+    return steps_of(piece.built)
+
+
+def steps_of(built: Built) -> dict[str, Any]:
+    """The rounds and rows of a pattern that was worked, in the order of work."""
+    return told("crochet", "stitch", len(built.graph), rounds(built))
 
 
 def rounds(built: Built) -> list[Step]:

@@ -5,19 +5,40 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from tambour.core.errors import TambourError, Text
+from tambour.core.errors import Problem, TambourError, Text
 from tambour.core.progress import Progress
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 
 if TYPE_CHECKING:
     from tambour.crochet.finish.joining import Joining
+    from tambour.crochet.finish.shape import Look
     from tambour.crochet.graph.build import Built
     from tambour.crochet.yarns import Gauge
 
 
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
+    if params.photo:
+        from tambour.render.photo import tracer
+
+        tracer()  # what is missing is told before the work, not after it
+    built, joining, known = _built(source, params, progress)
+    return _shaped(built, joining, params, known, progress)
+
+
+def worked(source: Text, params: CrochetParams) -> tuple[Built, list[Problem]]:
+    """A pattern's text worked, stitch by stitch, with all that is doubtful, the tech edit's doubts among it; nothing
+    is shaped. TambourError with all that is wrong."""
+    from tambour.crochet.graph.check import tech_edit
+
+    progress = Progress()
+    built, _, _ = _built(source, params.model_copy(update={"check": False}), progress)
+    return built, [*progress.warnings, *(replace(p, warning=True) for p in tech_edit(built))]
+
+
+def _built(source: Text, params: CrochetParams, progress: Progress) -> tuple[Built, Joining | None, Gauge]:
+    """A pattern's text worked, what is sewn on how, and the gauge."""
     from tambour.crochet.finish.joining import crowded, prepare, prepare_what_stands
     from tambour.crochet.finish.pose import pose
     from tambour.crochet.finish.twist import twisted
@@ -25,10 +46,6 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     from tambour.crochet.maker.gauge import gauge
     from tambour.crochet.printed.choose import read
 
-    if params.photo:
-        from tambour.render.photo import tracer
-
-        tracer()  # what is missing is told before the work, not after it
     with progress.stage("parse"):
         pattern = read(
             source,
@@ -56,7 +73,7 @@ def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
         progress.warn(warning)
     for warning in [*(crowded(joining) if joining is not None else []), *twisted(built)]:
         progress.warn(warning)
-    return _shaped(built, joining, params, known, progress)
+    return built, joining, known
 
 
 def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known: Gauge, progress: Progress) -> Plush:
@@ -66,7 +83,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     from tambour.crochet.finish.features import doubts
     from tambour.crochet.finish.joining import with_seams
     from tambour.crochet.finish.placing import standing
-    from tambour.crochet.finish.shape import Task, simulate
+    from tambour.crochet.finish.shape import Task, seen, simulate
     from tambour.crochet.settle.body import centroid_counts
 
     stitch = (known.width, known.height)
@@ -85,7 +102,12 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
         shell = replace(built.graph, faces=built.graph.faces[built.shell])
         counts = centroid_counts(shell, params, [part.centroids for part in built.parts])
         snug = stuffing == "pressure" and params.solver == "settle"
-        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts, snug, joining), progress.step)
+
+        def tell(look: Look) -> None:
+            progress.step(look.done, look.total)
+            progress.look(lambda: seen(look, stitch[0]))
+
+        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts, snug, joining), tell)
         if shape.joined is not None:
             pairs = np.concatenate(shape.joined.seams) if shape.joined.seams else np.zeros((0, 2), int)
             built = replace(built, graph=with_seams(built.graph, pairs, stitch[0]))

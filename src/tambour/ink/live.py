@@ -14,6 +14,7 @@ from tambour.ink.plan.draw import roots
 if TYPE_CHECKING:
     from tambour.core.check import Array
     from tambour.core.drawing import Drawing
+    from tambour.ink.params import Ink
     from tambour.ink.plan.scroll import Scroll
     from tambour.ink.plotter.job import Plot
 
@@ -61,6 +62,30 @@ def drawn(drawing: Drawing) -> Packed:
         "wholes": wholes,
     }
     return Packed(arrays, facts)
+
+
+def tile(params: Ink, k: int) -> Packed:
+    """Tile ``k`` of the scroll of ``params``: all that lies in [512 k, 512 k + 512), or reaches into it.
+
+    What a window has besides (an inscription, a seal) is left out.
+    """
+    from tambour.core.drawing import Drawing, Styles
+    from tambour.core.paths import Paths
+    from tambour.ink.paint import layers
+    from tambour.ink.plan.draw import join
+    from tambour.ink.plan.scroll import batches, rules
+    from tambour.ink.plan.wholes import HEIGHT, TILE, window
+
+    begin = float(k * TILE)
+    here = params.model_copy(update={"from_": begin, "span": float(TILE)})
+    planned = tuple(p for p in window(rules(here), begin, begin + TILE) if p.id not in params.left_out)
+    white = (255, 255, 255) if not params.paper and params.time != "night" else None
+    origin, size = np.array([begin, 0.0]), np.array([float(TILE), HEIGHT])
+    if not planned:
+        ground = (*(white or layers.LIGHTS[params.time].paper), 255)
+        return drawn(Drawing(Paths.of([]), np.zeros(0, np.int32), Styles.of(), size, origin=origin, background=ground))
+    marks = join(list(batches(here, planned)))
+    return drawn(layers.drawing(marks, origin, size, params.tall / HEIGHT, params.season, params.time, white))
 
 
 def _wholes(drawing: Drawing) -> tuple[list[str], Array]:

@@ -11,6 +11,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.digest import digest
 from tambour.core.graph import StitchGraph
+from tambour.core.packed import Packed
 from tambour.crochet.graph.layout import on_axis, rounds
 from tambour.crochet.settle.arrange import arrange, clusters, cut, parts
 from tambour.crochet.settle.body import Body, State, build, displacement, joined_up, volumes
@@ -125,8 +126,15 @@ def _carried(task: Task, x: Array, moved: Array, c: Array) -> Array:
     return c
 
 
-def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: None) -> Shape:
-    """The shape of ``task``'s graph by its solver: settle, steps or none. ``tell(done, total)`` hears of progress."""
+def seen(look: Look, width: float) -> Packed:
+    """A glance as a screen takes it: ``positions`` (M, 3) mm, of stitches ``width`` mm wide."""
+    return Packed(
+        {"positions": (look.x * width).astype(np.float32)}, {"done": int(look.done), "total": int(look.total)}
+    )
+
+
+def simulate(task: Task, tell: Callable[[Look], None] = lambda look: None) -> Shape:
+    """The shape of ``task``'s graph by its solver: settle, steps or none. ``tell`` is shown every move."""
     work = shaping(task)
     while True:
         try:
@@ -134,7 +142,7 @@ def simulate(task: Task, tell: Callable[[int, int], None] = lambda done, total: 
         except StopIteration as end:
             shape: Shape = end.value
             return shape
-        tell(look.done, look.total)
+        tell(look)
 
 
 def shaping(task: Task) -> Shaping:

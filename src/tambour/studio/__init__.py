@@ -1,0 +1,1 @@
+"""The studio: the four crafts in the browser, served by this machine to itself."""

@@ -1,0 +1,84 @@
+"""Routes: the one table of what can be asked for. Nothing is routed elsewhere, and the OpenAPI document is made of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from tambour.studio import checks, follow, limits, pieces, tiles, views
+
+
+@dataclass(frozen=True, slots=True)
+class Route:
+    """A way in.
+
+    gives : what is answered, in words, or the media type of a file
+    takes : the model of the body, where there is one; query : name → help
+    body : the most bytes of a body
+    """
+
+    method: str
+    path: str
+    do: Callable[..., Any]
+    gives: str = "application/json"
+    takes: type[pieces.Body] | None = None
+    query: tuple[tuple[str, str], ...] = ()
+    body: int = limits.BODY
+
+    @property
+    def help(self) -> str:
+        """What it does: its function's first sentence."""
+        return (self.do.__doc__ or "").strip().split("\n\n")[0].replace("\n", " ")
+
+
+PARAMETERS = {
+    "craft": "[a-z]{1,20}",
+    "id": "[a-z2-7]{26}",
+    "r": "[1-9][0-9]{0,14}",
+    "file": "[a-z]{1,30}[.][a-z0-9]{1,12}",
+    "key": "[A-Za-z0-9_-]{1,7000}",
+    "k": "-?[0-9]{1,10}",
+}
+"""A part of a path → what it may be; other paths are not there."""
+
+_PACK, _FILE = "application/octet-stream", "application/octet-stream"
+
+ROUTES: tuple[Route, ...] = (
+    Route("GET", "/api/crafts", pieces.crafts),
+    Route("GET", "/api/crafts/{craft}", pieces.one_craft),
+    Route(
+        "GET", "/api/pieces", pieces.listed,
+        query=(("after", "where the page before ended"), ("limit", "at most 50"), ("binned", "1: those in the bin")),
+    ),
+    Route("POST", "/api/pieces", pieces.new, takes=pieces.NewPiece),
+    Route("GET", "/api/pieces/{id}", pieces.one),
+    Route("PATCH", "/api/pieces/{id}", pieces.alter, takes=pieces.Alter),
+    Route("DELETE", "/api/pieces/{id}", pieces.binned),
+    Route("GET", "/api/pieces/{id}/history", pieces.history),
+    Route("POST", "/api/pieces/{id}/revisions", pieces.revise, takes=pieces.NewRevision),
+    Route("POST", "/api/pieces/{id}/undo", pieces.undo),
+    Route("POST", "/api/pieces/{id}/redo", pieces.redo),
+    Route("POST", "/api/pieces/{id}/head", pieces.head, takes=pieces.Go),
+    Route("POST", "/api/pieces/{id}/send", pieces.send, takes=pieces.Send),
+    Route("GET", "/api/pieces/{id}/place", follow.place),
+    Route("PUT", "/api/pieces/{id}/place", follow.put_place, takes=follow.PlaceIn),
+    Route("POST", "/api/files", pieces.upload, query=(("name", "the file's name, with its suffix"),), body=limits.UPLOAD),
+    Route("GET", "/api/revisions/{r}", views.revision),
+    Route("GET", "/api/revisions/{r}/report", views.report),
+    Route("GET", "/api/revisions/{r}/text", views.text),
+    Route("GET", "/api/revisions/{r}/live.pack", views.live, _PACK),
+    Route("GET", "/api/revisions/{r}/steps.json", views.steps),
+    Route("GET", "/api/revisions/{r}/thumb.webp", views.thumb, "image/webp"),
+    Route("GET", "/api/revisions/{r}/files", views.takeaway),
+    Route("GET", "/api/revisions/{r}/files/{file}", views.download, _FILE),
+    Route("POST", "/api/check/{craft}", checks.check, takes=checks.CheckIn),
+    Route("POST", "/api/ink/scroll", tiles.scroll, takes=tiles.ScrollIn),
+    Route("GET", "/api/ink/tiles/{key}/{k}.pack", tiles.tile, _PACK),
+    Route("POST", "/api/pair", follow.pair, takes=follow.PairIn),
+)  # fmt: skip
+
+
+def longest_body(path: str) -> int:
+    """The most bytes of a body that is sent to a path."""
+    return max([route.body for route in ROUTES if route.path == path], default=limits.BODY)

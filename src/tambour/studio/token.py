@@ -1,0 +1,62 @@
+"""Token: who may come in. One token for this start, a cookie for who showed it, a code of one use for a phone."""
+
+from __future__ import annotations
+
+import hmac
+import secrets
+import time
+from collections.abc import Callable
+from http.cookies import CookieError, SimpleCookie
+
+from tambour.studio import limits
+
+
+class Tokens:
+    """What opens this server; all of it ends with the process.
+
+    token : in the address that the browser is opened with
+    """
+
+    def __init__(self, port: int, clock: Callable[[], float] = time.monotonic) -> None:
+        self.token = secrets.token_urlsafe(32)
+        self.cookie = f"tambour-{port}"
+        self._clock = clock
+        self._sessions: set[str] = set()
+        self._codes: dict[str, tuple[float, str]] = {}
+
+    def is_token(self, given: str) -> bool:
+        """Whether this is the token; in constant time."""
+        return hmac.compare_digest(given.encode("utf-8", "replace"), self.token.encode())
+
+    def session(self) -> str:
+        """The header that makes a browser one of ours."""
+        name = secrets.token_urlsafe(32)
+        self._sessions.add(name)
+        return f"{self.cookie}={name}; Path=/; HttpOnly; SameSite=Strict"
+
+    def known(self, cookies: str) -> str:
+        """The session that a header of cookies holds, "" for none."""
+        try:
+            held = SimpleCookie(cookies).get(self.cookie)
+        except CookieError:
+            return ""
+        given = "" if held is None else held.value
+        found = [
+            name for name in self._sessions if hmac.compare_digest(name.encode(), given.encode("utf-8", "replace"))
+        ]
+        return found[0] if found else ""
+
+    def code(self, place: str) -> str:
+        """A code that lets one phone in, to ``place``, and then no more."""
+        now = self._clock()
+        self._codes = {c: it for c, it in self._codes.items() if it[0] > now}
+        while len(self._codes) >= limits.PAIRS:
+            del self._codes[next(iter(self._codes))]
+        made = secrets.token_urlsafe(24)
+        self._codes[made] = (now + limits.PAIR_SECONDS, place)
+        return made
+
+    def redeem(self, code: str) -> str | None:
+        """Where a code leads to, once; None when it is none, or too old."""
+        until, place = self._codes.pop(code, (0.0, ""))
+        return place if until > self._clock() else None

@@ -1,0 +1,127 @@
+"""Views: routes that show a revision and give it away: packs, steps, reports, pictures, every file of every format."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from urllib.parse import quote
+
+from tambour import files
+from tambour.run import craft
+from tambour.studio.context import Answer, Studio, until_left
+from tambour.studio.guard import SANDBOX
+from tambour.studio.library import Revision
+from tambour.studio.making import Output, file_name, key_of
+from tambour.studio.pieces import plain_revision
+
+if TYPE_CHECKING:
+    from starlette.requests import Request
+    from starlette.responses import Response
+
+FOREVER = "private, max-age=31536000, immutable"
+_KINDS = {".webp": "image/webp", ".json": "application/json"}
+
+
+async def _found(studio: Studio, request: Request) -> tuple[str, Revision]:
+    revision = await studio.library.do(studio.library.revision, int(request.path_params["r"]))
+    piece = await studio.library.do(studio.library.piece, revision.piece)
+    return piece.craft, revision
+
+
+def sent(request: Request, output: Output, kind: str, *, as_file: bool = False) -> Response:
+    """An output as an answer that never changes; ``as_file``: to be kept on the disk, never shown."""
+    from starlette.responses import FileResponse, Response
+
+    headers = {"cache-control": FOREVER, "etag": f'"{output.path.parent.name}-{output.path.name}-{output.size}"'}
+    if as_file:
+        headers["content-security-policy"] = SANDBOX
+        plain = "".join(c if c.isascii() and (c.isalnum() or c in "-_. ") else "_" for c in output.name)
+        headers["content-disposition"] = f"attachment; filename=\"{plain}\"; filename*=UTF-8''{quote(output.name, '')}"
+    if request.headers.get("if-none-match") == headers["etag"]:
+        return Response(status_code=304, headers=headers)
+    return FileResponse(output.path, media_type=kind, headers=headers)
+
+
+async def revision(studio: Studio, request: Request) -> dict[str, Any]:
+    """A revision: what a piece was made of then."""
+    _, found = await _found(studio, request)
+    return await plain_revision(studio, found)
+
+
+async def live(studio: Studio, request: Request) -> Response:
+    """The piece as a screen draws it, a pack."""
+    name, found = await _found(studio, request)
+    made = await until_left(request, studio.making.view(name, found.content, "live", ".pack"))
+    return sent(request, made, "application/octet-stream")
+
+
+async def steps(studio: Studio, request: Request) -> Response:
+    """The steps of its making."""
+    name, found = await _found(studio, request)
+    made = await until_left(request, studio.making.view(name, found.content, "steps", ".json"))
+    return sent(request, made, "application/json")
+
+
+async def report(studio: Studio, request: Request) -> dict[str, Any]:
+    """What the command line's report says."""
+    name, found = await _found(studio, request)
+    spec = await studio.making.spec(name, found.content)
+    told = await until_left(request, studio.pool.run({"do": "report"}, spec))
+    return dict(told["report"])
+
+
+async def text(studio: Studio, request: Request) -> dict[str, Any]:
+    """The text that the source is read as, of a PDF or a document too."""
+    name, found = await _found(studio, request)
+    if name != "crochet":
+        raise Answer.of(404, "this piece has no text")
+    spec = await studio.making.spec(name, found.content)
+    told = await until_left(request, studio.pool.run({"do": "read"}, spec))
+    return {"text": told["text"], "name": told["name"]}
+
+
+async def thumb(studio: Studio, request: Request) -> Response:
+    """A small picture; kept with the piece when it is of its head."""
+    from starlette.responses import Response
+
+    name, found = await _found(studio, request)
+    headers = {"cache-control": FOREVER}
+    kept = await studio.library.do(studio.library.picture, found.id)
+    if kept is not None:
+        return Response(kept, media_type="image/webp", headers=headers)
+
+    async def make(to: Path) -> dict[str, Any]:
+        spec = await studio.making.spec(name, found.content)
+        return await studio.pool.run({"do": "thumb", "to": str(to.with_suffix(".webp"))}, spec)
+
+    made = await until_left(request, studio.making.get(f"{key_of(name, found.content)}/thumb", make))
+    raw = made.path.read_bytes()
+    piece = await studio.library.do(studio.library.piece, found.piece)
+    if piece.head == found.id:
+        await studio.library.do(studio.library.show, found.id, raw)
+    return Response(raw, media_type="image/webp", headers=headers)
+
+
+async def takeaway(studio: Studio, request: Request) -> dict[str, Any]:
+    """Every file that can be made of it; with its size where it was made already."""
+    name, found = await _found(studio, request)
+    key, listed = key_of(name, found.content), []
+    for view, it in craft(name).views.items():
+        for suffix in sorted(s for s, kind in files.WRITE if kind == it.value):
+            made = studio.making.known(f"{key}/{view}{suffix}")
+            called = file_name(name, found.content, view, suffix)
+            size = None if made is None else made.size
+            listed.append({"view": view, "suffix": suffix, "help": it.help, "name": called, "size": size})
+    return {"files": listed}
+
+
+async def download(studio: Studio, request: Request) -> Response:
+    """A file: the command line's bytes; several files as one archive."""
+    name, found = await _found(studio, request)
+    view, dot, rest = request.path_params["file"].partition(".")
+    suffix = dot + rest
+    views = craft(name).views
+    if view not in views or not files.can_write(suffix, views[view].value):
+        raise Answer.of(404, "there is no such file of this piece")
+    made = await until_left(request, studio.making.view(name, found.content, view, suffix))
+    return sent(request, made, _KINDS.get(suffix, "application/octet-stream"), as_file=True)

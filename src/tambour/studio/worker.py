@@ -1,0 +1,254 @@
+"""Worker: a process of its own that makes pieces: jobs come in, events and files go out. It keeps its last piece.
+
+It opens what users gave, so that nothing they give is opened in the server. Words come over its input, a length and
+JSON each; it answers over its output: a letter, a length, and JSON ("J") or a pack ("F", a state to look at).
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import queue
+import struct
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from tambour.core.errors import TambourError
+from tambour.core.progress import Progress, Stopped
+from tambour.studio import limits
+from tambour.studio.problems import plains, said
+
+HEAD = struct.Struct("<cI")
+
+
+class Worker:
+    """One job at a time, in the order that they come."""
+
+    def __init__(self, words: BinaryIO, answers: BinaryIO) -> None:
+        self.words, self.answers = words, answers
+        self.jobs: queue.Queue[dict[str, Any] | None] = queue.Queue()
+        self.stopped: set[int] = set()
+        self.job: dict[str, Any] = {}
+        self.desk = Desk()
+        self.shown = self.framed = 0.0
+
+    def listen(self) -> None:
+        """Read words until there are no more: jobs, and which of them to stop."""
+        while len(head := self.words.read(4)) == 4:
+            (size,) = struct.unpack("<I", head)
+            told = json.loads(self.words.read(size))
+            if told["do"] == "stop":
+                self.stopped.add(told["job"])
+            else:
+                self.jobs.put(told)
+        self.jobs.put(None)
+
+    def run(self) -> None:
+        """Do jobs until there are no more words."""
+        threading.Thread(target=self.listen, daemon=True).start()
+        while (job := self.jobs.get()) is not None:
+            self.job = job
+            self.say(self._done(job))
+            if job.get("last"):
+                return
+
+    def _done(self, job: dict[str, Any]) -> dict[str, Any]:
+        from tambour.run import craft
+
+        what = craft(job["craft"]) if "craft" in job else None
+        try:
+            return {"is": "done", **self.desk.do(job, Progress(self.show, self.look))}
+        except TambourError as error:
+            return {"is": "failed", "status": 422, "problems": plains(error, what)}
+        except Stopped:
+            return {"is": "stopped"}
+        except MemoryError:
+            self.desk = Desk()
+            told = said("this needs more memory than a piece may take", "make it smaller")
+            return {"is": "failed", "status": 503, "problems": [told]}
+        except Exception:  # noqa: BLE001 - a fault of ours: told, and the worker goes on
+            import traceback
+
+            traceback.print_exc()
+            told = said("this is a fault of tambour's: it stands in the studio's log")
+            return {"is": "failed", "status": 500, "problems": [told]}
+
+    def say(self, told: dict[str, Any]) -> None:
+        """Send an event of the job."""
+        self._send(b"J", json.dumps({"job": self.job["job"], **told}, allow_nan=False).encode())
+
+    def _send(self, kind: bytes, body: bytes) -> None:
+        self.answers.write(HEAD.pack(kind, len(body)) + body)
+        self.answers.flush()
+
+    def show(self, stage: str, done: int, total: int) -> None:
+        """Tell how far the job is, thirty times a second at the most. Raises Stopped when it is to end."""
+        if self.job["job"] in self.stopped:
+            raise Stopped
+        now = time.monotonic()
+        if now - self.shown > 1 / 30 or not done:
+            self.shown = now
+            self.say({"is": "progress", "stage": stage, "done": int(done), "total": int(total)})
+
+    def look(self, value: Any) -> None:
+        """Send a state of the piece, where the job asks for them."""
+        from tambour.core.packed import Packed
+
+        now = time.monotonic()
+        rate = self.job.get("rate", 0)
+        if rate and isinstance(value, Packed) and now - self.framed >= 1 / rate:
+            from tambour.files.packed import packed
+
+            self.framed = now
+            self._send(b"F", packed(value))
+
+
+class Desk:
+    """What a worker can do; it holds the piece that it made last."""
+
+    def __init__(self) -> None:
+        self.key = ""
+        self.made: Any = None
+
+    def do(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """One job: what it gives, as plain values; files are left where the job says."""
+        works: dict[str, Callable[[dict[str, Any], Progress], dict[str, Any]]] = {
+            "warm": self.warm, "make": self.make, "out": self.out, "report": self.report, "thumb": self.thumb,
+            "check": self.check, "tile": self.tile, "read": self.read,
+        }  # fmt: skip
+        return works[job["do"]](job, progress)
+
+    def warm(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """Load what making needs, by making small things."""
+        from tambour.core.errors import Text
+        from tambour.run import craft, make
+
+        small: dict[str, tuple[Any, dict[str, Any]]] = {
+            "crochet": (Text("R1: MR(6) (6)\nR2: 6 inc (12)\nR3: 12 sc (12)\nR4: 6 dec (6)\nFO\n"), {}),
+            "ink": (None, {"span": 64.0}),
+            "embroidery": (None, {"text": "o", "text_size": 10.0}),
+        }
+        for name in job["crafts"]:
+            source, values = small[name] if name in small else (_chart(), {})
+            what = craft(name)
+            piece = make(what, source, what.params.of(values)).piece
+            what.views["live"].make(piece)
+            what.views["steps"].make(piece)
+        return {}
+
+    def make(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """Make the piece, or take the one at hand."""
+        from tambour.run import craft, make
+
+        what = craft(job["craft"])
+        if self.key != job["key"]:
+            self.key, self.made = "", None
+            os.chdir(job["folder"])
+            params = what.params.of({**job["params"], **job["files"]})
+            self.made = make(what, job["source"], params, job["edits"], progress)
+            self.key = job["key"]
+        seconds = sum(self.made.progress.seconds.values())
+        return {"seconds": round(seconds, 3), "problems": plains(self.made.progress.warnings, what)}
+
+    def out(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """Write a view as the command line would; with companions as one archive. Gives its name and its file."""
+        from tambour.run import write
+
+        told = self.make(job, progress)
+        to = Path(job["to"])
+        to.mkdir(parents=True)
+        write(self.made, [to / job["name"]], progress=progress)
+        found = sorted(p for p in to.rglob("*") if p.is_file())
+        if len(found) == 1:
+            return {**told, "name": job["name"], "file": str(found[0])}
+        packed = to.with_suffix(".zip")
+        _archive(packed, to, found)
+        return {**told, "name": f"{job['name']}.zip", "file": str(packed)}
+
+    def report(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """What the command line's report says, and the problems as a page is told them."""
+        from tambour.files.text import dumps
+        from tambour.run import write
+
+        told = self.make(job, progress)
+        report = json.loads(dumps(write(self.made, (), progress=progress)))
+        return {"report": {**report, "problems": told["problems"]}}
+
+    def thumb(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """A small picture of the piece."""
+        from tambour.studio.thumbs import thumb
+
+        self.make(job, progress)
+        Path(job["to"]).write_bytes(thumb(self.made.craft.name, self.made.piece))
+        return {"file": job["to"]}
+
+    def check(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """What is wrong with a text or parameters, without making anything of them."""
+        from tambour.studio.examine import examined
+
+        return examined(job)
+
+    def read(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """The text that a file is read as."""
+        from tambour import files
+
+        os.chdir(job["folder"])
+        text = files.read(job["source"], ("Text",))
+        return {"text": text.text, "name": text.name}
+
+    def tile(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """A tile of a scroll, as a pack."""
+        from tambour.files.packed import packed
+        from tambour.ink.live import tile
+        from tambour.run import craft
+
+        params = craft("ink").params.of(job["params"])
+        Path(job["to"]).write_bytes(packed(tile(params, job["k"])))
+        return {"file": job["to"]}
+
+
+def _chart() -> Any:
+    """A small chart to knit."""
+    import numpy as np
+
+    from tambour.core.chart import Chart
+    from tambour.core.palette import Palette
+
+    return Chart(
+        (np.indices((12, 12)).sum(0) // 3 % 2).astype(np.uint8), Palette(np.array([[0] * 3, [255] * 3], np.uint8))
+    )
+
+
+def _archive(to: Path, folder: Path, found: list[Path]) -> None:
+    """Files in one archive, without dates: equal files make equal archives."""
+    import zipfile
+
+    with zipfile.ZipFile(to, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in found:
+            entry = zipfile.ZipInfo(str(path.relative_to(folder)))
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, path.read_bytes())
+
+
+def main() -> None:
+    """Work until the server that started this one closes its end."""
+    words, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
+    os.dup2(2, 1)
+    try:
+        import resource
+
+        most = limits.MEMORY
+        resource.setrlimit(resource.RLIMIT_DATA, (most, most))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    except (ImportError, ValueError, OSError) as error:  # elsewhere the server's watch alone holds it
+        sys.stderr.write(f"no limit of memory here: {error}\n")
+    Worker(words, answers).run()
+
+
+if __name__ == "__main__":
+    main()
