@@ -67,7 +67,7 @@ def picture(
     A face's group chooses its surface from MATERIALS ("yarn" and "thread" take ``uv`` as turns of their twist along
     and turns around). Deterministic; raises nothing for any mesh that is one: an empty one gives the background.
     """
-    points = _shown(mesh) if frame is None else frame
+    points = shown(mesh) if frame is None else frame
     camera = look(points, width=width, height=height, azimuth=azimuth, elevation=elevation, lens=lens)
     height = camera.height
     threads = WORKERS
@@ -110,7 +110,7 @@ def picture(
     return Picture(_developed(out))
 
 
-def _shown(mesh: Mesh) -> Array:
+def shown(mesh: Mesh) -> Array:
     """The vertices (P, 3) that faces name; the origin where there is none."""
     named = np.zeros(len(mesh.vertices), np.bool_)
     named[mesh.faces] = True

@@ -25,9 +25,9 @@ from tambour.render.light import Lights, stand, studio, together, unbroken
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
 
-SKY: Final = 16
-LAMP: Final = 4
-"""Lights that sky and lamp of a small picture are made of."""
+FEW: Final = (16, 4)
+MANY: Final = (32, 8)
+"""Lights that sky and lamp are made of: of small pictures, and of the cover's."""
 _FINE: Final = 480
 """Texels along the side of a shadow map."""
 _QUIET: Final = (232, 228, 222)
@@ -46,7 +46,7 @@ class Album:
         self.face = tuple(f for f in piece.built.pattern.finish if not isinstance(f, Placed))
         self._yarn = _thinned(piece.yarn, 0.3 * RATIO * piece.built.graph.stitch_width)
         self._dressed: dict[tuple[Finish, ...], tuple[list[Mesh], Strands]] = {}
-        self._lit: dict[float | None, tuple[set[int], tuple[Finish, ...], Lights]] = {}
+        self._lit: dict[tuple[float | None, tuple[int, int]], tuple[set[int], tuple[Finish, ...], Lights]] = {}
 
     def partial(
         self,
@@ -85,29 +85,33 @@ class Album:
         shown = replace(graph, faces=inside, color=_pale(graph.color, quiet[graph.part]))
         return joined([mesh(shown, self.piece.positions, detail="low", made=made), *extra])
 
-    def light(self, parts: Sequence[int], face: Sequence[Finish], azimuth: float) -> Lights:
-        """The lights of a picture from ``azimuth`` (radians) in which these parts stand.
+    def light(
+        self, parts: Sequence[int], face: Sequence[Finish], azimuth: float, many: tuple[int, int] = FEW
+    ) -> Lights:
+        """The lights of a picture from ``azimuth`` (radians) in which these parts stand; ``many``: of sky and lamp.
 
-        Sky and lamp are kept: a picture with more of the same adds what is new to their maps.
+        Both are kept: a picture with more of the same adds what is new to their maps.
         """
-        return together(
-            self._standing(parts, tuple(face), None, 0.0), self._standing(parts, tuple(face), azimuth, azimuth)
-        )
+        sky, lamp = (self._standing(parts, tuple(face), turned, many) for turned in (None, azimuth))
+        return together(sky, lamp)
 
-    def _standing(self, parts: Sequence[int], face: tuple[Finish, ...], key: float | None, azimuth: float) -> Lights:
-        """The sky (``key`` None), which is the same for all, or the lamp of an azimuth."""
-        before, worn, lights = self._lit.get(key, (set(), (), None))
+    def _standing(
+        self, parts: Sequence[int], face: tuple[Finish, ...], azimuth: float | None, many: tuple[int, int]
+    ) -> Lights:
+        """The lamp of an azimuth, or (None) the sky, which is the same for all."""
+        before, worn, lights = self._lit.get((azimuth, many), (set(), (), None))
         # Yarn gives way to eyes: with other ones it lies elsewhere.
         if lights is None or not before <= set(parts) or not set(worn) <= set(face) or _eyes(worn) != _eyes(face):
             points = [skin(self.piece, np.arange(len(self.piece.positions)))]
             points += [each.vertices for each in self._with(self.face)[0]]
-            every = studio(azimuth, SKY, LAMP)
-            own = every[2] if key is not None else ~every[2]
-            before, lights = set(), unbroken(np.concatenate(points), *(v[own] for v in every), size=_FINE)
+            direction, weight, key = studio(azimuth or 0.0, *many)
+            own = ~key if azimuth is None else key
+            before = set()
+            lights = unbroken(np.concatenate(points), direction[own], weight[own], key[own], size=_FINE)
         if before != set(parts) or worn != face:
             new = self.partial(parts, face, beside=sorted(before))
             stand(lights, new.vertices, new.faces, threads=WORKERS, closed=closed(new.faces))
-        self._lit[key] = set(parts), face, lights
+        self._lit[azimuth, many] = set(parts), face, lights
         return lights
 
     def _with(self, face: tuple[Finish, ...]) -> tuple[list[Mesh], Strands]:

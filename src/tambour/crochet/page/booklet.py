@@ -64,7 +64,7 @@ def _cover(book: Book) -> None:
     sheet = Page(wide, high, PAPER, INK)
     book.pages.append(sheet)
     tall = high - 93.0
-    sheet.image(whole(book.piece, round(wide * 8.2), round(tall * 8.2)), 0.0, 0.0, wide, tall, photo=True)
+    sheet.image(whole(book.album, round(wide * 8.2), round(tall * 8.2)), 0.0, 0.0, wide, tall, photo=True)
     room = wide - 2 * MARGIN
     size = COVER
     while len(wrap(book.title, size, room, True)) > (1 if size > 8.0 else 2) and size > 5.5:

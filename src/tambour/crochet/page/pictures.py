@@ -16,7 +16,7 @@ from tambour.core.picture import Picture
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, Spot
 from tambour.crochet.maker.size import skin
-from tambour.crochet.page.album import LAMP, SKY, Album
+from tambour.crochet.page.album import FEW, MANY, Album
 from tambour.crochet.page.type import BACKDROP
 
 if TYPE_CHECKING:
@@ -107,30 +107,32 @@ def lies(piece: Plush) -> bool:
     return bool(high < 0.3 * min(wide, deep))
 
 
-def whole(piece: Plush, width: int, height: int) -> Picture:
+def whole(album: Album, width: int, height: int) -> Picture:
     """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
     from tambour.crochet.looks import yarn
-    from tambour.render.raster import film, picture
+    from tambour.render.raster import film, picture, shown
 
-    made = yarn(piece)
-    points = made.vertices[np.unique(made.faces)]
+    made = yarn(album.piece)
+    points = shown(made)
     middle = 0.5 * (points.min(0) + points.max(0))
     # Some air around it, but the floor stays where it stands.
     room = middle + AIR * (points - middle)
     room[:, 1] = np.maximum(room[:, 1], points[:, 1].min())
-    elevation = _ABOVE if lies(piece) else _VIEW[1]
-    shown = picture(
-        made, width=width, height=height, azimuth=_VIEW[0], elevation=elevation, background=BACKDROP, frame=room
-    )
-    paper = np.round(coded(film(linear(np.array(BACKDROP) / 255.0))) * 255)
-    y = np.linspace(0.0, 1.0, height)
-    x = np.linspace(0.0, 1.0, width)
-    down = np.clip(np.minimum((1.0 - y) / 0.16, y / 0.05 + 0.2), 0.0, 1.0)
-    side = np.clip(np.minimum((1.0 - x) / 0.16, x / 0.16), 0.0, 1.0)
+    elevation = _ABOVE if lies(album.piece) else _VIEW[1]
+    seen = picture(
+        made, width=width, height=height, azimuth=_VIEW[0], elevation=elevation, background=BACKDROP, frame=room,
+        lit=album.light(album.all, album.face, _VIEW[0], MANY),
+    )  # fmt: skip
+    paper = np.round(coded(film(linear(np.array(BACKDROP) / 255.0))) * 255).astype(np.float32)
+    y = np.linspace(0.0, 1.0, height, dtype=np.float32)
+    x = np.linspace(0.0, 1.0, width, dtype=np.float32)
+    down = np.clip(np.minimum((1 - y) / 0.16, y / 0.05 + 0.2), 0, 1)
+    side = np.clip(np.minimum((1 - x) / 0.16, x / 0.16), 0, 1)
     keep = (down * down * (3 - 2 * down))[:, None] * (side * side * (3 - 2 * side))[None]
-    rgba = shown.rgba.astype(float)
-    rgba[..., :3] = keep[..., None] * rgba[..., :3] + (1 - keep[..., None]) * paper
-    return Picture(np.round(rgba).astype(np.uint8))
+    rgba = seen.rgba.copy()
+    for c in range(3):
+        rgba[..., c] = np.round(paper[c] + keep * (rgba[..., c] - paper[c]))
+    return Picture(rgba)
 
 
 def of_parts(album: Album, parts: Sequence[int], width: int, height: int) -> Picture:
@@ -139,7 +141,7 @@ def of_parts(album: Album, parts: Sequence[int], width: int, height: int) -> Pic
 
     return picture(
         album.partial(parts), width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], ground=False,
-        background=BACKDROP, lights=SKY + LAMP,
+        background=BACKDROP, lights=sum(FEW),
     )  # fmt: skip
 
 
