@@ -7,10 +7,13 @@ from dataclasses import replace
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import JOIN, THROUGH, YARN, StitchGraph
+from tambour.core.graph import BLO, FLO, JOIN, ROOT, THROUGH, TIP, YARN, StitchGraph
 
 STRETCH = 0.02
 """How much longer and wider than in a gauge swatch a stitch is that medium stuffing presses: 1 % light, 5 % firm."""
+
+LEAST, MOST = 0.8, 1.06
+"""Shares of their width between which stitches of a shoulder are pushed together, or drawn apart."""
 
 
 def stretch(amount: float) -> float:
@@ -42,5 +45,54 @@ def snug(graph: StitchGraph, x: Array, width: float) -> StitchGraph:
             group = graph.round[a[mine]]
             mean = np.bincount(group, size[mine]) / np.maximum(np.bincount(group), 1)
             m = np.clip(mean[group], 1.0, 1.5)
+            if YARN in kinds:
+                rest[mine] *= rounded(graph)[group]
             rest[mine] *= np.maximum(want[mine] - m * (m - 1.0) / want[mine], 0.5)
     return replace(graph, rest=rest)
+
+
+def rounded(graph: StitchGraph) -> Array:
+    """For every round (R,), the share of its stitches' width that stuffing leaves where it rounds a shoulder.
+
+    Six stitches more in each round make a cone that is all but flat, and then a wall stands up: a drum. But stuffing is no
+    liquid: it fills no corner, and pushes a flat end out. So the rounds from a part's middle, or to its tip, to a quarter
+    of the way about a ball as wide as what follows get the widths of that ball, as far as their stitches allow it. A round
+    worked in one loop is an edge that its maker wanted: there nothing is rounded.
+    """
+    count = int(graph.round.max(initial=-1)) + 1
+    share = np.ones(count)
+    plain = (graph.peculiarity != ROOT) & (graph.peculiarity != TIP) & (graph.round >= 0)
+    size = np.bincount(graph.round[plain], minlength=count).astype(float)
+    edge = np.bincount(graph.round[plain & np.isin(graph.peculiarity, (BLO, FLO))], minlength=count) > 0.5 * size
+    through = graph.edge_kind == THROUGH
+    high = np.bincount(graph.round[graph.edges[through, 0]], graph.rest[through] / graph.stitch_width, count)
+    high /= np.maximum(np.bincount(graph.round[graph.edges[through, 0]], minlength=count), 1)
+    for part in graph.parts:
+        own = np.arange(part.start, part.end)
+        worked = own[plain[own]]
+        if part.stuffing <= 0.0 or not len(worked) or (graph.direction[worked] < 0).any():
+            continue
+        rounds = np.unique(graph.round[worked])
+        # A part that branches, or begins again, is no row of rounds.
+        roots = int((graph.peculiarity[own] == ROOT).sum())
+        follows = graph.round[worked[1:]] - graph.round[worked[:-1]]
+        if roots != 1 or graph.peculiarity[part.start] != ROOT or (np.diff(rounds) != 1).any() or (follows < 0).any():
+            continue
+        for line in (rounds, rounds[::-1]) if (graph.peculiarity[own] == TIP).any() else (rounds,):
+            share[line] *= _cap(size[line], high[line], edge[line])
+    return share
+
+
+def _cap(size: Array, high: Array, edge: Array) -> Array:
+    """The shares (R,) of rounds, the first of them about a middle: their stitches and heights (in widths), which are edges."""
+    share = np.ones(len(size))
+    falls = np.flatnonzero(np.diff(size) < 0)
+    most = size[falls[0] if len(falls) else -1]
+    way = np.cumsum(high)
+    quarter = int(np.searchsorted(way, 0.25 * most))
+    if quarter < 2 or quarter > len(size) or (len(falls) and way[falls[0]] < 0.2 * most) or edge[: quarter + 1].any():
+        return share
+    wanted = most * np.sin(2.0 * np.pi * way[:quarter] / most) / size[:quarter]
+    if (abs(wanted - 1.0) < 0.25).all():
+        share[:quarter] = np.clip(wanted, LEAST, MOST)
+    return share

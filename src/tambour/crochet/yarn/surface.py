@@ -9,7 +9,7 @@ from tambour.core.graph import StitchGraph
 from tambour.core.mesh import Mesh
 from tambour.geometry.surface import closed, vertex_normals
 
-DEPTH = 0.36
+DEPTH = 0.2
 """How far inside the stitches' nodes the lining lies, in stitches."""
 
 
@@ -34,7 +34,7 @@ def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
     renamed = np.zeros(len(graph), np.int32)
     renamed[used] = np.arange(len(used))
     inward = positions - DEPTH * width * vertex_normals(positions, faces)
-    tone = 0.62 * graph.color
+    tone = 0.8 * graph.color
     return Mesh(
         inward[used],
         renamed[faces],
