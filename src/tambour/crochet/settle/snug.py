@@ -65,8 +65,9 @@ def rounded(graph: StitchGraph) -> Array:
     size = np.bincount(graph.round[plain], minlength=count).astype(float)
     edge = np.bincount(graph.round[plain & np.isin(graph.peculiarity, (BLO, FLO))], minlength=count) > 0.5 * size
     through = graph.edge_kind == THROUGH
-    high = np.bincount(graph.round[graph.edges[through, 0]], graph.rest[through] / graph.stitch_width, count)
-    high /= np.maximum(np.bincount(graph.round[graph.edges[through, 0]], minlength=count), 1)
+    into = graph.round[graph.edges[through, 0]]
+    total = np.bincount(into, graph.rest[through] / graph.stitch_width, count)
+    high = total / np.maximum(np.bincount(into, minlength=count), 1)
     for part in graph.parts:
         own = np.arange(part.start, part.end)
         worked = own[plain[own]]

@@ -12,7 +12,7 @@ from tambour.core.graph import JOIN, ROOT, TIP, StitchGraph
 from tambour.core.kernels import kernel
 from tambour.geometry.surface import vertex_normals
 
-RING = 0.55
+RING = 0.43
 """Stitches in a magic ring begin on a circle this share of their distance from its middle."""
 
 
@@ -250,6 +250,10 @@ def on_row(
         out[2, c] = (1.0 - u) * up[j, c] + u * up[k, c]
 
 
+STANDS = -(2**30)
+"""In place of what a point's cell stands on: it belongs to the node itself, wherever its stitch shows."""
+
+
 @kernel
 def place(
     cell: I4x1,
@@ -275,7 +279,7 @@ def place(
     """Fill ``out`` (P, 3) with the places of points in stitches' cells.
 
     cell : (P,) the stitch; below : (P,) the node its cell stands on, or -1 for a cell of its own; -2 - t for points
-    between the stitch (v = 0) and node t (v = 1)
+    between the stitch (v = 0) and node t (v = 1); STANDS for a cell of its own about the node
     at : (P, 3) u, v, w; v counts stitch heights from the foot; thick : mm of one unit of w
     root : (N,) whether a node is the middle of a ring; free : (N,) whether it is a chain, that knows no way up
     """
@@ -285,7 +289,11 @@ def place(
         u, v, w = at[p, 0], at[p, 1], at[p, 2]
         w *= thick if direction[i] >= 0 else -thick
         high = max(height[i], 0.5)
-        on_row(host[i], slip[i] + u, x, along, normal, up, after, before, top)
+        if a == STANDS:
+            on_row(i, u, x, along, normal, up, after, before, top)
+            a = -1
+        else:
+            on_row(host[i], slip[i] + u, x, along, normal, up, after, before, top)
         if a == -1:
             for c in range(3):
                 out[p, c] = top[0, c] + (v - high) * top[2, c] + w * top[1, c]

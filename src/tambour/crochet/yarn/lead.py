@@ -9,6 +9,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import BACK, JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.language.stitches import POSTS
+from tambour.crochet.yarn.course import STANDS
 from tambour.crochet.yarn.loops import (
     BACK_ONLY,
     CHAIN,
@@ -263,7 +264,7 @@ def _joined(graph: StitchGraph, cell: Array, below: Array, at: Array, drop: Arra
             pieces.breaks.append((total, -1 - later))
             seam = len(pieces.breaks)
         for node, rows in ((earlier, _SEAM), (later, _SEAM[::-1])):
-            pieces.put(total, _START + seam, node, -1, rows, float(graph.height[node]))
+            pieces.put(total, _START + seam, node, STANDS, rows, float(graph.height[node]))
     rows = np.array(pieces.rows).reshape(-1, 7)
     order = np.lexsort((np.arange(len(rows)), rows[:, 1], rows[:, 0]))
     rows = rows[order]

@@ -5,11 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import StitchGraph
+from tambour.core.graph import SEWN, StitchGraph
 from tambour.core.mesh import Mesh
 from tambour.geometry.surface import closed, vertex_normals
 
-DEPTH = 0.2
+SHADE = 0.8
+"""How bright the lining is, as a share of the yarn above it: what light comes through the gaps."""
+DEPTH = 0.05
 """How far inside the stitches' nodes the lining lies, in stitches."""
 
 
@@ -25,20 +27,22 @@ def mesh(graph: StitchGraph, positions: Array) -> Mesh:
 
 
 def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
-    """A dark surface a little inside the closed parts, so that gaps between stitches do not show the other side.
+    """What one sees between stitches instead of the other side: a surface a little inside of parts that are filled.
 
-    width : of a stitch, mm. Parts with an opening get none: one looks into them.
+    width : of a stitch, mm. It lies under parts that are closed, and on both sides of those that stuffing fills and whose
+    opening is sewn to another part; one looks into any other opening.
     """
-    faces = _shut(graph)
-    used = lined(graph)
+    shut, sewn = _filled(graph)
+    faces = np.concatenate([shut, sewn])
+    used = np.unique(faces)
     renamed = np.zeros(len(graph), np.int32)
     renamed[used] = np.arange(len(used))
     inward = positions - DEPTH * width * vertex_normals(positions, faces)
-    tone = 0.8 * graph.color
+    faces = np.concatenate([faces, sewn[:, ::-1]])
     return Mesh(
         inward[used],
         renamed[faces],
-        color=tone[used].astype(np.uint8),
+        color=(SHADE * graph.color[used]).astype(np.uint8),
         face_group=np.zeros(len(faces), np.int32),
         group_names=("lining",),
     )
@@ -46,15 +50,28 @@ def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
 
 def lined(graph: StitchGraph) -> Array:
     """The stitch (V,) that every vertex of the lining lies under."""
-    return np.unique(_shut(graph))
+    return np.unique(np.concatenate(_filled(graph)))
 
 
-def _shut(graph: StitchGraph) -> Array:
-    """The faces of closed parts."""
+def _filled(graph: StitchGraph) -> tuple[Array, Array]:
+    """The faces of closed parts, and of filled parts whose opening is sewn to another part."""
     part = graph.part[graph.faces[:, 0]]
-    shut = [number for number in range(len(graph.parts)) if _whole(graph, part == number)]
-    return np.asarray(graph.faces[np.isin(part, shut)])
+    sewn = np.zeros(len(graph), np.bool_)
+    sewn[graph.edges[graph.edge_kind == SEWN].ravel()] = True
+    shut, filled = [], []
+    for number, own in enumerate(graph.parts):
+        faces = graph.faces[part == number]
+        if not len(faces):
+            continue
+        if closed(faces):
+            shut.append(number)
+        elif own.stuffing > 0.0 and sewn[_rim(faces)].mean() > 0.5:
+            filled.append(number)
+    return np.asarray(graph.faces[np.isin(part, shut)]), np.asarray(graph.faces[np.isin(part, filled)])
 
 
-def _whole(graph: StitchGraph, own: Array) -> bool:
-    return bool(own.any()) and closed(graph.faces[own])
+def _rim(faces: Array) -> Array:
+    """The nodes on edges that only one face has."""
+    edges = np.sort(np.concatenate([faces[:, :2], faces[:, 1:], faces[:, ::2]]), axis=1)
+    every, count = np.unique(edges, axis=0, return_counts=True)
+    return np.unique(every[count == 1])
