@@ -120,7 +120,7 @@ def test_pull_widens_a_fill():
 
 def test_satin_of_an_area_goes_from_side_to_side():
     bar = [np.array([[0, 0], [30, 0], [30, 4], [0, 4]], float)]
-    made = make(drawing(bar), EmbroideryParams(stitch="satin"), Progress())
+    made = make(drawing(bar), EmbroideryParams(stitch="satin", pull=0.0), Progress())
     xy, end = steps(made)
     satin = xy[made.kind[end] == SATIN]
     size = np.hypot(satin[:, 2] - satin[:, 0], satin[:, 3] - satin[:, 1])
@@ -142,7 +142,9 @@ def test_a_broad_line_is_satin_a_thin_one_running():
     line = np.array([[0, 0], [10, 0], [10, 10], [0, 10]], float)
     for width, kind in ((2.0, SATIN), (0.5, 2)):
         made = make(
-            drawing([line], None, (9, 9, 9, 255), width), EmbroideryParams(underlay="none", locks=False), Progress()
+            drawing([line], None, (9, 9, 9, 255), width),
+            EmbroideryParams(underlay="none", locks=False, pull=0.0),
+            Progress(),
         )
         assert set(np.unique(made.kind[made.plan.command == STITCH])) <= {kind, 4} | ({kind})
         if kind == SATIN:

@@ -36,7 +36,7 @@ def test_fill_attributes(tmp_path):
     assert (p.angle, p.row_spacing, p.length, p.stagger, p.underlay) == (60, 0.5, 2, 3, "none")
     xy, end = steps(made)
     d = (xy[:, 2:] - xy[:, :2])[made.kind[end] == FILL]
-    long = np.hypot(*d.T) > 1
+    long = np.hypot(*d.T) > 1.5  # a step from row to row: 0.5 mm / sin 30°, and the pull at both ends
     angle = np.degrees(np.arctan2(-d[long, 1], d[long, 0])) % 180
     assert np.allclose(angle, 60, atol=0.01)
     assert np.hypot(*d.T).max() <= 2 + 1e-9 and (made.kind == UNDERLAY).sum() == 0
@@ -49,6 +49,7 @@ def test_satin_column_with_rungs(tmp_path):
         '<path id="s" style="fill:none;stroke:#000" inkstitch:satin_column="true" inkstitch:zigzag_spacing_mm="0.5" '
         'inkstitch:center_walk_underlay="true" d="M10 10 H50 M10 14 H60 M12 8 L12 16 M40 8 L50 16"/>',
         split=12.0,
+        pull=0.0,
     )
     assert made.regions[0].role == "rails" and made.regions[0].params.row_spacing == 0.5
     xy = made.plan.xy[(made.kind == SATIN) & (made.plan.command == STITCH)]
@@ -140,7 +141,7 @@ def test_hoop_and_width(tmp_path):
     with pytest.raises(TambourError, match="would fit"):
         piece(tmp_path, body, hoop="50x50")
     made = piece(tmp_path, body, width=45.0, hoop="50x50")
-    assert facts(made)["width_mm"] == pytest.approx(45, abs=0.2)
+    assert facts(made)["width_mm"] == pytest.approx(45 + 2 * made.params.pull, abs=0.2)  # before the cloth draws in
     assert "50x50" in facts(made)["hoops"] and facts(piece(tmp_path, body))["hoops"][0] == "100x100"
     assert np.allclose((made.plan.xy.min(0) + made.plan.xy.max(0)) / 2, 0, atol=0.3)
 

@@ -35,7 +35,7 @@ def report(tmp_path, svg, *options):
 
 
 def test_two_fills_have_one_jump_and_lie_inside(tmp_path):
-    facts, plan = report(tmp_path, SQUARES, "--underlay", "none")
+    facts, plan = report(tmp_path, SQUARES, "--underlay", "none", "--pull", "0", "--push", "0")
     assert facts["jumps"] == 1 and facts["trims"] == 2 and facts["outside"] == 0
     assert facts["density"]["rows_cv"] < 0.015
     assert facts["longest_mm"] <= 3 + 1e-9

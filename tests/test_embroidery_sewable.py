@@ -47,7 +47,9 @@ def test_many_layers_are_told_with_their_place(tmp_path):
 
 
 def test_a_design_of_a_few_millimetres_is_told(tmp_path):
-    assert any("the design is 5.0 x" in s for s in piece(tmp_path, SQUARE.format("red"), width=5.0)[1])
+    assert any(
+        "the design is 5.0 x" in s for s in piece(tmp_path, SQUARE.format("red"), width=5.0, pull=0.0, push=0.0)[1]
+    )
 
 
 def test_colours_of_a_drawing_are_reduced_to_the_nearest(tmp_path):

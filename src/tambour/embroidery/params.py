@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 import re
+from contextlib import suppress
 from typing import Annotated, Any, ClassVar, Literal, get_args
 
-from pydantic import BeforeValidator, Field, field_validator
+from pydantic import BeforeValidator, Field, field_validator, model_validator
 
 from tambour.core.params import Degrees, Length, Params, Unit, file, length
+from tambour.embroidery.fabric import FABRICS, MOST, Fabric, calibrated
 
 Stitch = Literal[
     "tatami",
@@ -47,12 +49,13 @@ class EmbroideryParams(Params):
     groups: ClassVar = {
         "Stitches": "stitch angle row_spacing row_spacing_end length min_length stagger jitter seed motif motif_size repeats",
         "Satin and lines": "satin_from split jagged",
-        "Thread": "thread pull underlay travel locks trim catalogue",
-        "Design": "width hoop order colors text font text_size applique knockdown baste",
+        "Fabric": "fabric pull pull_percent push measured underlay knockdown",
+        "Thread": "thread travel locks trim catalogue",
+        "Design": "width hoop order colors text font text_size applique baste",
         "Cloth": "cloth ground frames ends theta place place_at place_offset place_rotate place_scale place_group",
         "Machine": "pes jef_trims check",
     }
-    first: ClassVar = "stitch angle row_spacing width hoop text colors cloth"
+    first: ClassVar = "fabric stitch angle row_spacing width hoop text colors cloth"
     rare: ClassVar = "edition min_length stagger jitter seed jagged theta ends place_group jef_trims"
     widgets: ClassVar = {"ground": "color"}
     when: ClassVar = {
@@ -95,8 +98,20 @@ class EmbroideryParams(Params):
     underlay: str = "auto"
     """What lies below: auto, none, or words joined by + (center, edge, zigzag, tatami)."""
 
-    pull: Length = Field(default=0.0, ge=-2, le=5)
-    """Fills and satins grow by this much on each side, against the cloth's drawing in."""
+    fabric: Fabric = "cotton"
+    """The cloth it is sewn on: sets {--pull}, {--push}, and what else it wants, where they are not given."""
+
+    pull: Length = Field(default=0.2, ge=-MOST, le=MOST)
+    """Rows and satin stitches are longer by this much at each end, against the cloth's drawing in."""
+
+    pull_percent: float = Field(default=0.0, ge=0, le=30)
+    """Satin is wider by this share of its width too (both sides together; with {--pull} at most 1 mm on each side)."""
+
+    push: Length = Field(default=0.1, ge=0, le=MOST)
+    """Ends of columns and outer rows of fills stay back by this much, against the cloth's being pushed out there."""
+
+    measured: str | None = Field(default=None, max_length=400)
+    """Widths of the test card's columns as they were sewn, such as 2=1.7,6=5.4: {--pull} and its per cent from them."""
 
     split: Length = Field(default=7.0, ge=1, le=12)
     """Satin stitches longer than this are split."""
@@ -200,6 +215,19 @@ class EmbroideryParams(Params):
     jef_trims: bool = False
     """Write trims into JEF files (as three jumps, which some machines cut at and others sew)."""
 
+    @model_validator(mode="before")
+    @classmethod
+    def _of_fabric(cls, values: Any) -> Any:
+        """What the fabric sets, and what a measured card sets, where it is not given itself."""
+        if not isinstance(values, dict):
+            return values
+        fabric, card = values.get("fabric"), values.get("measured")
+        known = FABRICS.get(fabric, {}) if isinstance(fabric, str) else {}
+        if isinstance(card, str):
+            with suppress(ValueError):  # told of the field itself
+                known = {**known, **calibrated(card)}
+        return {**known, **values}
+
     @field_validator("underlay")
     @classmethod
     def _underlay(cls, value: str) -> str:
@@ -208,6 +236,13 @@ class EmbroideryParams(Params):
         if strange or not words or (len(words) > 1 and {"auto", "none"} & set(words)):
             raise ValueError(f"{value!r} is not one of auto, none, or center, edge, zigzag, tatami joined by +")
         return "+".join(words)
+
+    @field_validator("measured")
+    @classmethod
+    def _measured(cls, value: str | None) -> str | None:
+        if value is not None:
+            calibrated(value)
+        return value
 
     @field_validator("place_offset")
     @classmethod

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import Any
 
 import numpy as np
 
 from tambour.core.check import Array
 from tambour.embroidery.columns.medial import Limb, limbs
-from tambour.embroidery.columns.satin import Column, there_and_back
+from tambour.embroidery.columns.satin import Column, drawn_back, there_and_back
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.stitches import Stitches
 
@@ -21,12 +22,14 @@ def branched(area: Any, params: EmbroideryParams, name: str, start: Any = None) 
     """
     found, left = limbs(area, 2 * params.split)
     todo = set(range(len(found)))
+    met = Counter(f for limb in found for f in (limb.start, limb.end, *(fork for fork, _ in limb.through)))
     parts: list[Stitches] = []
 
     def sew(k: int, turned: bool) -> None:
         todo.discard(k)
         limb = found[k]
-        column = limb.column.reversed() if turned else limb.column
+        column = drawn_back(limb.column, *(params.push * (met[f] == 1) for f in (limb.start, limb.end)))
+        column = column.reversed() if turned else column
         there, back = there_and_back(column, params, f"{name} {k}")
         passed = limb.through[::-1] if turned else limb.through
         for fork, place in passed:

@@ -12,6 +12,7 @@ import numpy as np
 from tambour.core.arrays import F8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
+from tambour.embroidery.fabric import MOST
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import RUNNING, SATIN, TRAVEL, UNDERLAY
 from tambour.embroidery.stitches import Stitches, chain, line_stitches
@@ -177,12 +178,21 @@ def _wrapped(angle: float) -> float:
 
 @kernel
 def zigzag(
-    left: F8x2, right: F8x2, spacing: float, crowded: float, drawn: float, pull: float, jagged: float, key: np.uint64
+    left: F8x2,
+    right: F8x2,
+    spacing: float,
+    crowded: float,
+    drawn: float,
+    pull: float,
+    share: float,
+    jagged: float,
+    key: np.uint64,
 ) -> F8x2:
     """Needle points from side to side: (n, 2), the longer of both sides going on by ``spacing`` from pair to pair.
 
     Points that come closer than ``crowded`` to the one before on their side are drawn in by a share of the width,
-    every other one. ``pull`` widens, ``jagged`` draws ends back at random (mm).
+    every other one. ``pull`` mm and a ``share`` of the width, together at most ``MOST``, widen on each side; ``jagged``
+    draws ends back at random (mm).
     """
     n = len(left)
     total = 0.0
@@ -222,7 +232,7 @@ def zigzag(
         side = m % 2
         x, y, ox, oy = (lx, ly, rx, ry) if side == 0 else (rx, ry, lx, ly)
         wide = math.hypot(ox - x, oy - y)
-        back = -pull
+        back = -min(MOST, pull + share * wide)
         near = have[side] and math.hypot(x - last[side, 0], y - last[side, 1]) < crowded
         if near and not was_drawn[side]:
             back += drawn * wide
@@ -238,6 +248,19 @@ def zigzag(
         out[m, 0], out[m, 1] = x, y
         m += 1
     return out
+
+
+def drawn_back(column: Column, start: float, end: float) -> Column:
+    """The column without so many mm of its start and end, against its being pushed out there; half of it stays."""
+    middle = column.middle
+    way = np.r_[0, np.cumsum(np.hypot(*np.diff(middle, axis=0).T))]
+    most = way[-1] / 4
+    low, high = min(start, most), way[-1] - min(end, most)
+    if high - low >= way[-1]:
+        return column
+    at = np.r_[low, way[(way > low) & (way < high)], high]
+    left, right = (np.c_[np.interp(at, way, s[:, 0]), np.interp(at, way, s[:, 1])] for s in (column.left, column.right))
+    return Column(left, right)
 
 
 def split(points: Array, most: float) -> Array:
@@ -260,7 +283,9 @@ def side_to_side(column: Column, params: EmbroideryParams, name: str, spacing: f
     """The satin stitches of a column, from its start to its end; a run per stitch."""
     pair = params.row_spacing if spacing is None else spacing
     number = np.uint64(key(params.seed, name, "jagged"))
-    xy = zigzag(column.left, column.right, pair, CROWDED, DRAWN, params.pull, params.jagged, number)
+    xy = zigzag(
+        column.left, column.right, pair, CROWDED, DRAWN, params.pull, params.pull_percent / 200, params.jagged, number
+    )
     made = Stitches.of(xy, SATIN, per_stitch=True)
     size = np.hypot(*np.diff(xy, axis=0).T)
     if not len(size) or size.max() <= params.split:
@@ -304,7 +329,7 @@ def zigzag_walk(column: Column, params: EmbroideryParams) -> Stitches:
         np.ascontiguousarray(column.left + share * across),
         np.ascontiguousarray(column.right - share * across),
     )
-    return Stitches.of(split(zigzag(left, right, 2.0, 0.0, 0.0, 0.0, 0.0, np.uint64(0)), params.split), UNDERLAY)
+    return Stitches.of(split(zigzag(left, right, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, np.uint64(0)), params.split), UNDERLAY)
 
 
 def column_stitches(column: Column, params: EmbroideryParams, name: str, start: Any = None) -> Stitches:

@@ -33,7 +33,7 @@ def applique(region: Region) -> list[list[Stitches]]:
     tack = []
     for r in outlines:
         for column in from_stroke(r, TACK):
-            xy = zigzag(column.left, column.right, 2.0, 0.0, 0.0, 0.0, 0.0, np.uint64(0))
+            xy = zigzag(column.left, column.right, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, np.uint64(0))
             tack.append(Stitches.of(xy, RUNNING))
     width = region.width if region.width > 0 else COVER
     cover = [column_stitches(c, p, region.id) for r in outlines for c in from_stroke(r, width)]

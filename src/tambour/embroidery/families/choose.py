@@ -10,10 +10,10 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.paths import Paths
 from tambour.embroidery.columns.branch import branched
-from tambour.embroidery.columns.satin import column_stitches, from_rails, from_stroke
+from tambour.embroidery.columns.satin import column_stitches, drawn_back, from_rails, from_stroke
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines import curves, grids
-from tambour.embroidery.lines.fill import Rings, polygon_of, rings
+from tambour.embroidery.lines.fill import Rings, from_rows, polygon_of, rings
 from tambour.embroidery.lines.flow import flow
 from tambour.embroidery.lines.net import weave
 from tambour.embroidery.lines.run import bean, from_nearest, motif, running
@@ -35,7 +35,8 @@ def region_stitches(region: Region, start: Place, end: Place) -> list[Stitches]:
     if region.role == "area":
         return area_stitches(region, start, end)
     if region.role == "rails":
-        return [column_stitches(from_rails(list(region.paths)), region.params, region.id, region.start or start)]
+        column = drawn_back(from_rails(list(region.paths)), region.params.push, region.params.push)
+        return [column_stitches(column, region.params, region.id, region.start or start)]
     return line_family(region, region.start or start)
 
 
@@ -49,10 +50,11 @@ def line_family(region: Region, start: Place) -> list[Stitches]:
         k = _nearest([Paths.of([line[[0, -1]]]) for line in lines], here)
         line = from_nearest(lines.pop(k), here)
         if region.stitch == "satin":
-            threads = [
-                column_stitches(c, p, region.id, here if i == 0 else None)
-                for i, c in enumerate(from_stroke(line, region.width))
-            ]
+            columns = from_stroke(line, region.width)
+            if columns and (line[0] != line[-1]).any():
+                columns[0] = drawn_back(columns[0], p.push, 0.0)
+                columns[-1] = drawn_back(columns[-1], 0.0, p.push)
+            threads = [column_stitches(c, p, region.id, here if i == 0 else None) for i, c in enumerate(columns)]
         elif region.stitch == "bean":
             threads = [bean(line, p)]
         elif region.stitch == "motif":
@@ -68,7 +70,7 @@ def line_family(region: Region, start: Place) -> list[Stitches]:
 
 def area_stitches(region: Region, start: Place, end: Place) -> list[Stitches]:
     """Every polygon of an area, nearest first."""
-    polygons = _split(grown(region.paths, region.params.pull))
+    polygons = _split(compensated(region))
     made = []
     here = region.start or start
     while polygons:
@@ -77,6 +79,47 @@ def area_stitches(region: Region, start: Place, end: Place) -> list[Stitches]:
         if len(made[-1]):
             here = (float(made[-1].xy[-1, 0]), float(made[-1].xy[-1, 1]))
     return made
+
+
+def compensated(region: Region) -> Paths:
+    """An area as it must be sewn to come out as drawn: rows longer by the pull on each side, the outermost rows in by
+    the push. Satin does so stitch by stitch; lines that bend follow all directions, and grow on all sides."""
+    p = region.params
+    if region.stitch == "satin":
+        return region.paths
+    if region.stitch not in ("tatami", "gradient"):
+        return grown(region.paths, p.pull) if region.stitch in COVERED else region.paths
+    import shapely
+    from shapely.affinity import translate
+
+    from tambour.embroidery.regions.read import of_shapely, to_shapely
+
+    along = from_rows(np.array([[1.0, 0.0], [0.0, 1.0]]), region.turn)
+    made = []
+    for area in to_shapely(region.paths):
+        if p.push > 0:
+            kept = shapely.intersection_all([area, *(translate(area, *(s * p.push * along[1])) for s in (-1, 1))])
+            area = area if kept.area < 0.5 * area.area else kept
+        made.append(swept(area, p.pull * along[0]))
+    found = of_shapely(shapely.union_all(made))
+    return region.paths if found is None else found
+
+
+def swept(area: Any, by: Array) -> Any:
+    """A shapely area moved from ``-by`` to ``by``: all that it passes."""
+    import shapely
+    from shapely.affinity import translate
+
+    if not by.any():
+        return area
+    parts = [translate(area, *-by), translate(area, *by)]
+    for polygon in getattr(area, "geoms", [area]):
+        for ring in (polygon.exterior, *polygon.interiors):
+            line = shapely.get_coordinates(ring)
+            corners = np.stack([line[:-1] - by, line[1:] - by, line[1:] + by, line[:-1] + by], axis=1)
+            flat = np.abs((line[1:] - line[:-1]) @ np.array([-by[1], by[0]])) > 1e-12
+            parts += list(shapely.polygons(corners[flat]))
+    return shapely.union_all(parts)
 
 
 def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -> Stitches:
@@ -91,8 +134,7 @@ def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -
     elif parts:
         start = (float(parts[-1].xy[-1, 0]), float(parts[-1].xy[-1, 1]))
     if region.stitch == "satin":
-        # The area is grown by the pull already.
-        satin, left = branched(polygon_of(area), p.model_copy(update={"pull": 0.0}), region.id, start)
+        satin, left = branched(polygon_of(area), p, region.id, start)
         rest = _rest(left, region, parts, satin)
         return linked([*rest, *satin], area, p.length)
     parts.append(fill(region, polygon, area, start))

@@ -14,6 +14,7 @@ from tambour.core.errors import Problem, TambourError
 from tambour.core.params import Params
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
+from tambour.embroidery.fabric import FABRICS
 from tambour.embroidery.params import EmbroideryParams, hoop_size
 from tambour.embroidery.piece import AUTO, Region
 from tambour.embroidery.regions.inkstitch import flags as inkstitch_flags
@@ -40,8 +41,9 @@ def place(drawing: Drawing, params: EmbroideryParams) -> tuple[float, Array]:
     return scale, -(low + high) / 2 * scale
 
 
-def extent(found: Sequence[Region]) -> tuple[Array, Array]:
-    """The lowest and the highest place (2,), mm, that thread of these regions reaches: strokes have their width."""
+def extent(found: Sequence[Region], sewn: bool = False) -> tuple[Array, Array]:
+    """The lowest and the highest place (2,), mm, of these regions: strokes have their width; ``sewn`` : and all thread
+    is longer by its pull, as it is while the cloth has not yet drawn in."""
     import shapely
 
     boxes = []
@@ -49,12 +51,12 @@ def extent(found: Sequence[Region]) -> tuple[Array, Array]:
         low, high = r.paths.coords.min(0), r.paths.coords.max(0)
         if r.role == "line" and r.stitch == "satin":
             lines = [shapely.LineString(line) for line in r.paths]
-            half = r.width / 2 + max(0.0, r.params.pull)
+            half = r.width / 2 + sewn * max(0.0, r.params.pull)
             wide = shapely.buffer(lines, half, cap_style="flat", join_style="mitre", mitre_limit=1.5)
             box = np.array(shapely.total_bounds(wide))
             low, high = np.fmin(low, box[:2]), np.fmax(high, box[2:])
         elif r.role == "area":
-            low, high = low - max(0.0, r.params.pull), high + max(0.0, r.params.pull)
+            low, high = low - sewn * max(0.0, r.params.pull), high + sewn * max(0.0, r.params.pull)
         boxes.append((low, high))
     return np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)
 
@@ -108,7 +110,7 @@ def regions(drawing: Drawing, params: EmbroideryParams, progress: Progress) -> t
             break
         scale, shift = scale * grow, (shift - middle) * grow
         found, tiny = _found(drawing, params, scale, shift)
-    _fits(np.subtract(*extent(found)[::-1]), params)
+    _fits(np.subtract(*extent(found, sewn=True)[::-1]), params)
     if tiny:
         progress.warn(f"{tiny} shape(s) have no area and were left out")
     return tuple(found)
@@ -203,7 +205,8 @@ def _own(
         files = set(EmbroideryParams.files()) & set(given)
         if files:
             raise TambourError(f"{min(files)} cannot stand on a region", where=name)
-        base = {k: v for k, v in params.model_dump().items() if k not in EmbroideryParams.files()}
+        new = {*EmbroideryParams.files(), *FABRICS.get(given.get("fabric", ""), ())}
+        base = {k: v for k, v in params.model_dump().items() if k not in new}
         made = type(params).of({**base, **given}, spell=f"{name}: data-tambour-{{}}")
         return made.model_copy(update={k: getattr(params, k) for k in Params.files()}), data, name
     except TambourError as error:
