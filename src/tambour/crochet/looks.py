@@ -24,7 +24,7 @@ def yarn(piece: Plush) -> Mesh:
     not_empty(piece)
     detail = piece.params.detail
     face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail, upright=piece.upright)
-    worked = mesh(piece.built.graph, piece.positions, detail=detail, made=led)
+    worked = mesh(piece.built.graph, piece.positions, detail=detail, made=led, material=piece.params.material)
     return joined([worked, *face]) if face else worked
 
 

@@ -26,7 +26,7 @@ class CrochetParams(Params):
     groups: ClassVar = {
         "Pattern": "terms strict check max_stitches",
         "Yarn and gauge": "yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
-        "Pictures and pages": "detail photo page title designer",
+        "Pictures and pages": "detail material photo page title designer",
         "Shape": "stuffing contact solver steps tolerance start link_distance single_loop_force bending",
         "Stuffing": "pressure centroids nodes_per_centroid centroid_force centroid_cap weight_peak weight_width skeleton_force",
         "Contact": "contact_distance contact_near contact_stiffness",
@@ -93,6 +93,9 @@ class CrochetParams(Params):
 
     yarn_under: bool = False
     """The yarn is laid under the hook: single crochets show an x instead of a V, in straighter columns, and are smaller."""
+
+    material: Literal["wool", "cotton", "acrylic", "chenille", "mohair"] = "wool"
+    """What the yarn is of, as pictures and 3-D files show it: plies, sheen, thickness and the fibres about it."""
 
     page: Literal["a4", "letter"] = "a4"
     """Paper of the booklet (.pdf)."""

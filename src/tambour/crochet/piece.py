@@ -43,8 +43,12 @@ class Plush:
     def yarn(self) -> Strands:
         """The yarn of every stitch, in mm; led when it is first looked at."""
         from tambour.crochet.yarn.fabric import strands
+        from tambour.crochet.yarn.fibres import KINDS
+        from tambour.crochet.yarn.loops import BLOOM
 
-        return strands(self.built.graph, self.positions, detail=self.params.detail, hold=self.params.hold)
+        bloom = BLOOM * KINDS[self.params.material].full
+        detail, hold = self.params.detail, self.params.hold
+        return strands(self.built.graph, self.positions, detail=detail, bloom=bloom, hold=hold)
 
     @property
     def upright(self) -> Array | None:

@@ -25,7 +25,7 @@ _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "
 _CODES = {np.dtype(kind): code for code, kind in _TYPES.items()}
 _VERTEX, _INDEX = 34962, 34963
 # Groups whose uv are turns of a twist (see geometry.tube), not places on a texture.
-_TURNS = {"yarn", "plied", "thread"}
+_TURNS = {"yarn", "cotton", "acrylic", "mohair", "plied", "thread"}
 _SHORT = 65535  # vertices that 16-bit indices reach, 65535 itself being spoken for
 _ROUGH = {"thread": 0.55, "glass": 0.12, "": 0.8}
 

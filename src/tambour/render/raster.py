@@ -22,7 +22,11 @@ from tambour.render.shade import shade
 # Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove (see shade).
 MATERIALS: dict[str, tuple[float, ...]] = {
     "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0),
-    "yarn": (1.0, 0.25, 0.0, 1.0, 3.0, 0.34),
+    "yarn": (1.0, 0.3, 0.0, 1.0, 3.0, 0.24),
+    "cotton": (0.35, 0.15, 0.1, 14.0, 4.0, 0.24),
+    "acrylic": (0.8, 0.25, 0.06, 20.0, 4.0, 0.2),
+    "chenille": (1.7, 0.5, 0.0, 1.0, 0.0, 0.0),
+    "mohair": (1.4, 0.4, 0.0, 1.0, 2.0, 0.12),
     "plied": (1.0, 0.25, 0.0, 1.0, 0.0, 0.0),
     "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2),
     "cloth": (0.5, 0.15, 0.0, 1.0, 0.0, 0.0),

@@ -11,6 +11,7 @@ from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.crochet.yarn.clearance import clear
 from tambour.crochet.yarn.course import course, place
+from tambour.crochet.yarn.fibres import KINDS, halo
 from tambour.crochet.yarn.lead import way
 from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
 from tambour.crochet.yarn.spline import smooth, thin
@@ -100,18 +101,27 @@ SIDES = {"low": 4, "medium": 6, "high": 10}
 """Detail → corners of the yarn's cross-section."""
 
 
-def mesh(graph: StitchGraph, positions: Array, *, detail: str = "medium", made: Strands | None = None) -> Mesh:
-    """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, swept to tubes over a dark lining."""
-    made = strands(graph, positions, detail=detail) if made is None else made
-    yarn = sweep(made, sides=SIDES[detail])
+def mesh(
+    graph: StitchGraph,
+    positions: Array,
+    *,
+    detail: str = "medium",
+    made: Strands | None = None,
+    material: str = "wool",
+) -> Mesh:
+    """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, as tubes with their halo over a lining."""
+    kind = KINDS[material]
+    made = strands(graph, positions, detail=detail, bloom=BLOOM * kind.full) if made is None else made
+    yarn = sweep(made, sides=SIDES[detail], material=kind.surface)
     inner = lining(graph, positions, graph.stitch_width)
-    v = len(yarn.vertices)
-    assert yarn.color is not None and inner.color is not None and yarn.uv is not None
+    around = halo(made, kind)
+    every = (yarn, inner, around)
+    first = np.cumsum([0, *(len(m.vertices) for m in every)])
     return Mesh(
-        np.vstack([yarn.vertices, inner.vertices]),
-        np.vstack([yarn.faces, inner.faces + v]),
-        color=np.vstack([yarn.color, inner.color]),
-        uv=np.vstack([yarn.uv, np.zeros((len(inner.vertices), 2))]),
-        face_group=np.repeat(np.array([0, 1], np.int32), [len(yarn.faces), len(inner.faces)]),
-        group_names=("yarn", "lining"),
+        np.vstack([m.vertices for m in every]),
+        np.vstack([m.faces + v for m, v in zip(every, first)]),
+        color=np.vstack([np.asarray(m.color) for m in every]),
+        uv=np.vstack([np.zeros((len(m.vertices), 2)) if m.uv is None else m.uv for m in every]),
+        face_group=np.repeat(np.arange(3, dtype=np.int32), [len(m.faces) for m in every]),
+        group_names=(kind.surface, "lining", "cloth"),
     )

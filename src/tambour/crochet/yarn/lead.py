@@ -60,7 +60,7 @@ _HANGING = np.array(
         (0.0, 0.0, 0.7),
     ]
 )
-_SEAM = np.array([(0.0, 0.0, -0.55), (0.0, 0.0, 0.62)])
+_SEAM = np.array([(0.0, 0.0, -0.45), (0.0, 0.0, 0.36)])
 
 # What comes first where several things happen at one place of the yarn.
 _AFTER, _END, _BREAK, _START = range(4)
@@ -133,6 +133,12 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         below,
         at,
     )
+    # A seam draws the heads of a part's last round down to what they are sewn to.
+    sewn = np.zeros(n, np.bool_)
+    sewn[graph.edges[graph.edge_kind == SEWN].ravel()] = True
+    sewn[graph.anchors] = False
+    low = sewn[cell] & (at[:, 1] > graph.height[cell] - 0.4)
+    at[low, 1] -= 0.6 * (at[low, 1] - graph.height[cell[low]] + 0.4)
     follows = np.zeros(n, np.bool_)  # the yarn comes straight from the node before
     worked = np.flatnonzero(role != NONE)
     later = worked[worked > 0]

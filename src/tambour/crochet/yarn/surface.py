@@ -34,14 +34,17 @@ def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
     """
     shut, sewn = _filled(graph)
     faces = np.concatenate([shut, sewn])
-    used = np.unique(faces)
-    renamed = np.zeros(len(graph), np.int32)
-    renamed[used] = np.arange(len(used))
-    inward = positions - DEPTH * width * vertex_normals(positions, faces)
-    faces = np.concatenate([faces, sewn[:, ::-1]])
+    normals = vertex_normals(positions, faces)
+    outer, inner = np.unique(faces), np.unique(sewn)
+    renamed, behind = np.zeros(len(graph), np.int32), np.zeros(len(graph), np.int32)
+    renamed[outer] = np.arange(len(outer))
+    behind[inner] = len(outer) + np.arange(len(inner))
+    used = np.concatenate([outer, inner])
+    deep = np.repeat([DEPTH, 2.0 * DEPTH], [len(outer), len(inner)])[:, None]
+    faces = np.concatenate([renamed[faces], behind[sewn[:, ::-1]]])
     return Mesh(
-        inward[used],
-        renamed[faces],
+        positions[used] - deep * width * normals[used],
+        faces,
         color=(SHADE * graph.color[used]).astype(np.uint8),
         face_group=np.zeros(len(faces), np.int32),
         group_names=("lining",),
@@ -50,7 +53,8 @@ def lining(graph: StitchGraph, positions: Array, width: float) -> Mesh:
 
 def lined(graph: StitchGraph) -> Array:
     """The stitch (V,) that every vertex of the lining lies under."""
-    return np.unique(np.concatenate(_filled(graph)))
+    shut, sewn = _filled(graph)
+    return np.concatenate([np.unique(np.concatenate([shut, sewn])), np.unique(sewn)])
 
 
 def _filled(graph: StitchGraph) -> tuple[Array, Array]:
