@@ -78,8 +78,8 @@ def test_same_yarn_every_time(striped: tuple[StitchGraph, np.ndarray]) -> None:
 def test_mesh_is_closed_yarn_over_a_closed_lining(striped: tuple[StitchGraph, np.ndarray]) -> None:
     graph, x = striped
     made = fabric.mesh(graph, x)
-    assert made.group_names == ("yarn", "lining")
-    for group in (0, 1):
+    assert made.group_names == ("yarn", "lining", "cloth")  # the last: single fibres
+    for group in (0, 1, 2):
         assert closed(made.faces[made.face_group == group])
     assert closed(surface.mesh(graph, x).faces)
     open_graph, open_x = piece(": MR(6)\n: 6 inc\n")
