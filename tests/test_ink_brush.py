@@ -49,15 +49,6 @@ def test_ease_is_the_cosine_weight() -> None:
     assert np.abs([noise.ease(v) for v in t] - (1 - np.cos(np.pi * t)) / 2).max() < 2e-6
 
 
-def test_drift_is_smooth_and_does_not_repeat() -> None:
-    line = np.uint64(noise.key("line"))
-    a = np.array([noise.drift(line, 0.25 * i) for i in range(8000)])
-    assert a.min() >= 0 and a.max() < 0.9375 and np.abs(np.diff(a)).max() < 0.75
-    far = np.array([noise.drift(line, 4096 + 0.25 * i) for i in range(8000)])
-    assert np.abs(a - far).mean() > 0.1
-    assert noise.drift(line, -3.5) == noise.drift(line, -3.5)
-
-
 @given(st.lists(st.floats(0, 1), min_size=2, max_size=40))
 @settings(deadline=None)
 def test_closed_noise_meets_itself(values: list[float]) -> None:

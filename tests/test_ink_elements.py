@@ -26,6 +26,7 @@ from tambour.ink.elements import (
     specimens,
     trees,
     water,
+    willows,
 )
 from tambour.ink.ground.kinds import SPECIMENS
 from tambour.ink.ground.marks import Marks
@@ -111,6 +112,7 @@ def _draw_any(rng: np.random.Generator, k: int) -> tuple[Marks, float, float, fl
         ("range", ranges.distant, (h, w, unit), w + 10, h + 10, 30),
         ("pine", pines.pine, (h, 6.0), 2 * h + 60, 2 * h + 60, 2 * h + 60),
         ("cedar", pines.cedar, (h, 5.0), 2 * h + 60, 2 * h + 60, h + 60),
+        ("willow", willows.willow, (h, 4.0), 1.3 * h + 30, 1.3 * h + 30, 0.1 * h + 30),
         ("plum", pines.plum, (h, 6.0, unit), 4 * h + 60, 4 * h + 60, 2 * h + 60),
         ("bush", bushes.bush, (h, 9 * unit, 0.5, forms, loops), 160, h + 60, 60),
         ("reed", bushes.reed, (h, 2 * unit), 2 * h + 20, 2 * h + 20, h + 20),

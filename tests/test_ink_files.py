@@ -35,7 +35,7 @@ def _groups(path: Path) -> dict[str, str]:
     return {
         m[1]: m[0]
         for m in re.finditer(
-            r'(?ms)^<g id="([a-z]+-[a-p]{12})">.*?(?=^<g id="[a-z]+-[a-p]{12}">|\Z)',
+            r'(?ms)^<g id="([a-z]+-[a-p]{12})"[^>]*>.*?(?=^<g id="[a-z]+-[a-p]{12}"[^>]*>|\Z)',
             path.read_text().split("<pattern")[0].replace("</svg>\n", ""),
         )
     }
@@ -206,6 +206,26 @@ def test_words_are_never_broken() -> None:
     assert seal.wrapped("far hills, still water") == ["far hills,", "still water"]
 
 
+@pytest.mark.parametrize("begin", ["1e9", "-123456789012.75"])
+def test_a_far_svg_holds_no_number_that_single_precision_blurs(tmp_path: Path, begin: str) -> None:
+    out = tmp_path / "far.svg"
+    assert _tambour("--seed", "w", "--from", begin, "--span", "700", "-o", str(out)) == 0
+    text = re.sub(r'(?s)base64,[^"]*|<title>.*?</title>|<svg[^>]*viewBox', "", out.read_text())
+    text = re.sub(r' (?:id|data-[a-z]+|fill|stroke)="[^"]*"', "", text)
+    told = np.array([float(t) for t in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", text)])
+    assert len(told) > 10_000 and (abs(told.astype(np.float32) - told) < 1e-3).all()
+    # Put together again they are the scroll's own places.
+    (away,) = re.findall(r'<g transform="([^"]*)">', out.read_text())
+    there = -sum(float(x) for x in re.findall(r"translate\((\S+) ", away))
+    assert there == float(begin)
+    drawing = scroll.whole(scroll.make(None, Ink.of({"seed": "w", "from_": float(begin), "span": 700}), Progress()))
+    first = re.search(r'<g id="([^"]*)" transform="([^"]*)">\n(?:<g[^>]*>\n)*<path d="m(-?[\d.]+)', out.read_text())
+    assert first is not None
+    zero = sum(float(x) for x in re.findall(r"translate\((\S+) ", first[2]))
+    assert first[1] == drawing.groups.ids[drawing.group[0]]
+    assert zero + float(first[3]) == pytest.approx(drawing.paths.coords[0, 0], abs=0.06)
+
+
 def test_what_no_face_of_ours_has_is_left_to_an_svgs_viewer() -> None:
     made = scroll.make(None, Ink(seed="1", span=800.0, inscription="山水", seal="山水"), Progress())
     assert "".join(label.text for label in scroll.whole(made).labels) == "山水山水"
@@ -276,7 +296,7 @@ def test_a_font_sets_inscription_and_seal_as_outlines() -> None:
     # The first letter's square runs 0.8 em up from its baseline, in the middle of its advance; its hole is open.
     em = seal.LETTER
     (_, across, down), *_ = seal.letters("山\n山", given.font or _square_font())[0]
-    x0, y0 = seal.blank(made.planned, made.origin, made.size, 3 * em, 1.25 * em + 1.4 * seal.SIDE)
+    x0, y0 = seal.blank(scroll.rooms(made), made.origin, made.size, 3 * em, 1.25 * em + 1.4 * seal.SIDE)
     left, base = x0 + across - 0.5 * em, y0 + down
     at = {
         q: one[int(10 * (base - y * em)), int(10 * (left + x * em))]

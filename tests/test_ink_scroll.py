@@ -15,10 +15,10 @@ from tambour.core.progress import Progress
 from tambour.ink.brush.stroke import lattice
 from tambour.ink.elements import hills
 from tambour.ink.ground.codes import BOAT, HILL
+from tambour.ink.ground.joined import roots
 from tambour.ink.ground.marks import Marks
 from tambour.ink.params import Ink
 from tambour.ink.plan import scroll
-from tambour.ink.plan.draw import roots
 from tambour.ink.plan.scenes import HIGH, border, distance, scene
 from tambour.ink.plan.whole import Planned, Rules
 from tambour.ink.plan.wholes import TILE, tile

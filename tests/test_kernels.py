@@ -175,6 +175,6 @@ def test_what_is_stale_never_runs(built: Path, tmp_path: Path, old: str, new: st
 
 
 def test_kernels_as_plain_functions() -> None:
-    code = "from tambour.noise import drift, uniform; print(type(drift).__name__, uniform(3, 5))"
+    code = "from tambour.noise import close, uniform; print(type(close).__name__, uniform(3, 5))"
     plain, compiled = (_python(code, TAMBOUR_KERNELS=way).stdout.split() for way in ("python", "numba"))
     assert plain == ["function", compiled[1]] and compiled[0] == "Kernel"

@@ -99,18 +99,3 @@ def close(values: F8x1) -> None:
         low, high = min(low, values[i]), max(high, values[i])
     for i in range(k):
         values[i] = (values[i] - low) / (high - low) if high > low else 0.5
-
-
-@kernel
-def drift(stream: np.uint64, x: float) -> float:
-    """Value noise along an endless line: as :func:`value`, its lattice hashed from ``stream``, so it never repeats."""
-    total = 0.0
-    weight = 0.5
-    for octave in range(4):
-        f = math.floor(x)
-        place = np.uint64(np.int64(f)) * np.uint64(4) + np.uint64(octave)
-        a, b = uniform(stream, place), uniform(stream, place + np.uint64(4))
-        total += weight * (a + ease(x - f) * (b - a))
-        weight *= 0.5
-        x *= 2.0
-    return total

@@ -57,13 +57,17 @@ class Styles:
 @dataclass(frozen=True, eq=False, slots=True)
 class Groups:
     """G groups: ``ids`` (unique), ``names`` (for people), ``parent`` (G,) int32 (-1: top; a parent stands before its
-    children), ``layer`` (G,) bool (written as a layer where the format has them), ``data`` attributes per group."""
+    children), ``layer`` (G,) bool (written as a layer where the format has them), ``data`` attributes per group.
+
+    zero : (G,) float64, or empty: the x that text files count a top group's shapes from, so that numbers stay short
+    """
 
     ids: tuple[str, ...] = ()
     names: tuple[str, ...] = ()
     parent: Array = field(default_factory=lambda: np.zeros(0, np.int32))
     layer: Array = field(default_factory=lambda: np.zeros(0, np.bool_))
     data: tuple[Mapping[str, str], ...] = ()
+    zero: Array = field(default_factory=lambda: np.zeros(0))
 
     def __post_init__(self) -> None:
         n = len(self.ids)
@@ -73,7 +77,8 @@ class Groups:
         if len(set(self.ids)) != n or len(self.names) != n or len(self.data) not in (0, n):
             raise LawError("Groups: ids must be unique, and names and data as many as ids")
         layer = np.zeros(n, np.bool_) if len(self.layer) == 0 else self.layer
-        put(self, parent=parent, layer=array("Groups.layer", layer, np.bool_, (n,)))
+        zero = array("Groups.zero", self.zero, np.float64, (n if len(self.zero) else 0,))
+        put(self, parent=parent, layer=array("Groups.layer", layer, np.bool_, (n,)), zero=zero)
 
     def __len__(self) -> int:
         return len(self.ids)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from tambour.craft import Craft, Lazy
 from tambour.ink.edits import LEAVE
-from tambour.ink.params import Ink, check, stem
-from tambour.ink.views import VIEWS
+from tambour.ink.params import Ink, stem
+from tambour.ink.views import VIEWS, check
 
 CRAFT = Craft(
     name="ink",

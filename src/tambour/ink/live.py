@@ -9,7 +9,7 @@ import numpy as np
 
 from tambour.core.packed import Packed, box, quantised
 from tambour.core.steps import Step, told
-from tambour.ink.plan.draw import roots
+from tambour.ink.ground.joined import roots
 
 if TYPE_CHECKING:
     from tambour.core.check import Array

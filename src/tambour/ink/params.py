@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
 from decimal import Decimal
 from typing import Any, ClassVar, Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from tambour.core.errors import Problem, TambourError, did_you_mean
+from tambour.core.errors import did_you_mean
 from tambour.core.params import Duration, Length, Params, edited, file
 from tambour.ink.ground.kinds import SPECIMENS
 
@@ -28,7 +27,7 @@ class Ink(Params):
     groups: ClassVar = {
         "Window": "seed from_ span reading specimen",
         "Landscape": "density height season time mist figures buildings boats birds waterfalls",
-        "Sheet": "paper inscription seal font tall pixels",
+        "Sheet": "paper mirrored inscription seal font tall pixels",
         "Painting": "painting steps",
         "Plotter": "plotter page margin crop model nib pens swell heights refill speed budget sheets frame",
     }
@@ -103,6 +102,9 @@ class Ink(Params):
 
     paper: bool = True
     """The warm fibrous paper; without it the sheet is plain white."""
+
+    mirrored: bool = False
+    """The original's kind of paper: one small sheet of grain, mirrored left and right, above and below."""
 
     inscription: str = Field(default="", max_length=200)
     """A text written down the upper right of the window."""
@@ -182,7 +184,7 @@ class Ink(Params):
     @field_validator("page")
     @classmethod
     def _paged(cls, value: str) -> str:
-        from tambour.ink.plotter.sheet import page
+        from tambour.ink.ground.pages import page
 
         page(value)
         return value
@@ -190,7 +192,7 @@ class Ink(Params):
     @field_validator("heights")
     @classmethod
     def _lowered(cls, value: str) -> str:
-        from tambour.ink.plotter.sheet import heights
+        from tambour.ink.ground.pages import heights
 
         heights(value)
         return value
@@ -198,7 +200,7 @@ class Ink(Params):
     @field_validator("sheets")
     @classmethod
     def _numbered(cls, value: str) -> str:
-        from tambour.ink.plotter.sheet import sheets
+        from tambour.ink.ground.pages import sheets
 
         if value:
             sheets(value)
@@ -206,9 +208,9 @@ class Ink(Params):
 
     @model_validator(mode="after")
     def _plottable(self) -> Ink:
-        from tambour.ink.plotter.sheet import inner
+        from tambour.ink.ground.pages import page
 
-        if min(inner(self)) < 5:
+        if min(page(self.page)) - 2 * self.margin < 5:
             raise ValueError(f"a margin of {self.margin:g} mm leaves nothing of the page {self.page}")
         if self.sheets and not self.plotter:
             raise ValueError("sheets are the plotter's: add {--plotter}")
@@ -222,26 +224,6 @@ class Ink(Params):
         if len(value) > 4:
             raise ValueError("a seal holds at most four characters")
         return value
-
-
-def check(params: Ink, views: Sequence[str]) -> None:
-    """Refuse, before any work, windows that the views asked for cannot show."""
-    if params.plotter or params.specimen:
-        return
-    if (params.inscription or params.seal) and params.font is None:
-        from tambour.ink.paint import seal
-
-        seal.check(params.inscription, params.seal, None, views)
-    span, problems = params.span, []
-    high = params.pixels * 700.0 / span
-    if "picture" in views and high < LOWEST:
-        near = f"a picture {params.pixels} pixels wide of {span:,.10g} units would be {high:.1f} pixels high"
-        problems.append(Problem(near, "a shorter {--span}, more {--pixels}, or .svg", where="{--span}"))
-    if span > HELD and {"sheet", "painting"} & set(views):
-        long = f"a PDF or a painting holds its whole window at once: {span:,.10g} units are more than {HELD:,.0f}"
-        problems.append(Problem(long, "a shorter {--span}, or .svg", where="{--span}"))
-    if problems:
-        raise TambourError(problems)
 
 
 def exactly(number: float) -> str:

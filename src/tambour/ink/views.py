@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from tambour.core.errors import TambourError
+from tambour.core.errors import Problem, TambourError
 from tambour.core.progress import Progress
 from tambour.craft import Lazy, View
-from tambour.ink.params import Ink
+from tambour.ink.params import HELD, LOWEST, Ink
 
 if TYPE_CHECKING:
     from tambour.ink.plan.scroll import Scroll
@@ -73,6 +74,26 @@ def plot(piece: Scroll | Plot) -> Any:
     if not hasattr(piece, "scroll"):
         raise TambourError("this file is for a pen plotter", hint="add {--plotter}", where=".hpgl")
     return whole(piece)
+
+
+def check(params: Ink, views: Sequence[str]) -> None:
+    """Refuse, before any work, windows that the views asked for cannot show."""
+    if params.plotter or params.specimen:
+        return
+    if (params.inscription or params.seal) and params.font is None:
+        from tambour.ink.paint import seal
+
+        seal.check(params.inscription, params.seal, None, views)
+    span, problems = params.span, []
+    high = params.pixels * 700.0 / span
+    if "picture" in views and high < LOWEST:
+        near = f"a picture {params.pixels} pixels wide of {span:,.10g} units would be {high:.1f} pixels high"
+        problems.append(Problem(near, "a shorter {--span}, more {--pixels}, or .svg", where="{--span}"))
+    if span > HELD and {"sheet", "painting"} & set(views):
+        long = f"a PDF or a painting holds its whole window at once: {span:,.10g} units are more than {HELD:,.0f}"
+        problems.append(Problem(long, "a shorter {--span}, or .svg", where="{--span}"))
+    if problems:
+        raise TambourError(problems)
 
 
 VIEWS: dict[str, View] = {

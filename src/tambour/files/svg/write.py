@@ -26,6 +26,8 @@ _HEAD = (
 _PLAIN = re.compile(r"[\w.:-]*").fullmatch
 _BLOCK = 1 << 17
 """Points written by one call: as much memory as the writer takes."""
+FAR = 1 << 16
+"""Viewers count in single precision, 24 bits: a place is told in whole multiples of this, and the rest of it."""
 
 
 def write_drawing(value: Drawing | Iterable[Drawing], sink: Sink) -> None:
@@ -59,7 +61,7 @@ def number(x: float, decimals: int = 3) -> str:
 
 def head(drawing: Drawing) -> str:
     """The root's opening tag, title and ground."""
-    x, y = map(number, drawing.origin.tolist())
+    x, y = map(number, _corner(drawing).tolist())
     w, h = map(number, drawing.size.tolist())
     mm = [number(s * drawing.unit) for s in drawing.size.tolist()]
     facts = "".join(f" data-{k}={quoteattr(v)}" for k, v in drawing.about.items() if k != "title")
@@ -69,6 +71,19 @@ def head(drawing: Drawing) -> str:
     if drawing.background is not None:
         text += f'<rect x="{x}" y="{y}" width="{w}" height="{h}"{paint("fill", drawing.background)}/>\n'
     return text
+
+
+def _corner(drawing: Drawing) -> Array:
+    """The corner of the sheet as the file has it: the drawing's own, or (0, 0) where that is far off."""
+    return np.zeros(2) if abs(drawing.origin).max() >= FAR else drawing.origin
+
+
+def _moved(x: float, y: float = 0.0) -> str:
+    """The transform that moves by (x, y), exact in single precision: far places in two steps."""
+    steps = [(FAR * float(int(x / FAR)), FAR * float(int(y / FAR)))]
+    steps.append((x - steps[0][0], y - steps[0][1]))
+    said = " ".join(f"translate({number(a)} {number(b)})" for a, b in steps if a or b)
+    return f' transform="{said}"' if said else ""
 
 
 def paint(name: str, rgba: Iterable[int]) -> str:
@@ -97,23 +112,25 @@ def _style(drawing: Drawing) -> list[str]:
 
 def body(drawing: Drawing, seen: set[str]) -> Iterator[bytes]:
     """Everything between the root's tags; ``seen`` holds the group ids already used (a second run goes without)."""
+    x, y = (_corner(drawing) - drawing.origin).tolist()
     for placed in drawing.images:
         if not placed.glaze:
-            yield _image(placed).encode()
+            yield _image(placed, x, y).encode()
+    if x or y:
+        yield f"<g{_moved(x, y)}>\n".encode()
     yield from _shapes(drawing, seen)
+    if x or y:
+        yield b"</g>\n"
     for label in drawing.labels:
-        at = f'x="{number(label.x)}" y="{number(label.y)}"'
+        a, b = number(label.x + x), number(label.y + y)
         look = f'font-family="Inter, sans-serif" font-size="{number(label.size)}" text-anchor="{label.anchor}"'
         bold = ' font-weight="bold"' if label.bold else ""
-        turn = (
-            f' transform="rotate({number(-math.degrees(label.angle))} {number(label.x)} {number(label.y)})"'
-            if label.angle
-            else ""
-        )
-        yield f"<text {at} {look}{bold}{turn}{paint('fill', label.color)}>{escape(label.text)}</text>\n".encode()
+        turn = f' transform="rotate({number(-math.degrees(label.angle))} {a} {b})"' if label.angle else ""
+        said = escape(label.text)
+        yield f'<text x="{a}" y="{b}" {look}{bold}{turn}{paint("fill", label.color)}>{said}</text>\n'.encode()
     for placed in drawing.images:
         if placed.glaze:
-            yield _image(placed).encode()
+            yield _image(placed, x, y).encode()
 
 
 @lru_cache(maxsize=4)
@@ -134,9 +151,14 @@ def _shapes(drawing: Drawing, seen: set[str]) -> Iterator[bytes]:
     if m == 0:
         return
     heads, head = _heads(drawing, seen)
+    coords = paths.coords
     looks, look = _joined([text.encode() for text in _style(drawing)])
     parts = np.arange(m + 1) if paths.parts is None else paths.parts
     ends = paths.offsets[parts]
+    if len(drawing.groups.zero):
+        zero = drawing.groups.zero[_top(drawing.groups)][drawing.group]
+        coords = coords.copy()
+        coords[:, 0] -= np.repeat(zero, np.diff(ends))
     decimals, terse = (3, False) if drawing.terse is None else (drawing.terse, True)
     widest = int(np.diff(look).max())
     begin = 0
@@ -149,7 +171,7 @@ def _shapes(drawing: Drawing, seen: set[str]) -> Iterator[bytes]:
         )
         out = out if len(out) >= room else np.empty(room, np.uint8)
         size = spell.shapes(
-            out, paths.coords, paths.offsets, parts, begin, end,
+            out, coords, paths.offsets, parts, begin, end,
             drawing.style, looks, look, heads, head, decimals, terse, spell.brief(decimals),
         )  # fmt: skip
         yield out[:size].tobytes()
@@ -186,23 +208,33 @@ def _heads(drawing: Drawing, seen: set[str]) -> tuple[Array, Array]:
     return _joined(texts)[0], np.concatenate([[0], np.cumsum(sizes)])
 
 
+def _top(groups: Groups) -> Array:
+    """(G,) the top group that each lies in."""
+    top = np.where(groups.parent < 0, np.arange(len(groups)), groups.parent)
+    while (groups.parent[top] >= 0).any():
+        top = np.where(groups.parent[top] >= 0, groups.parent[top], top)
+    return top
+
+
 def _joined(texts: list[bytes]) -> tuple[Array, Array]:
     """Texts in one array of bytes, and where each begins."""
     ends = np.concatenate([[0], np.cumsum([len(text) for text in texts])]).astype(np.int64)
     return np.frombuffer(bytearray().join(texts), np.uint8), ends
 
 
-def _image(placed: Placed) -> str:
-    """An image, or a rectangle filled with copies of it."""
+def _image(placed: Placed, x: float, y: float) -> str:
+    """An image moved by (x, y), or a rectangle filled with copies of it, which lie from the drawing's own (0, 0) on."""
     raw, data = _png(placed.picture)
-    box = f'x="{number(placed.x)}" y="{number(placed.y)}"'
+    box = f'x="{number(placed.x + x)}" y="{number(placed.y + y)}"'
     box += f' width="{number(placed.width)}" height="{number(placed.height)}"'
     if placed.repeat is None:
         return f'<image {box} preserveAspectRatio="none" href="data:image/png;base64,{data}"/>\n'
-    size = f'width="{number(placed.repeat[0])}" height="{number(placed.repeat[1])}"'
-    name = f"p{zlib.crc32(raw):08x}"
+    wide, high = placed.repeat
+    size = f'width="{number(wide)}" height="{number(high)}"'
+    first = f' x="{number(math.fmod(x, wide))}" y="{number(math.fmod(y, high))}"' if x or y else ""
+    name = f"p{zlib.crc32(raw + first.encode()):08x}"
     return (
-        f'<pattern id="{name}" patternUnits="userSpaceOnUse" {size}>'
+        f'<pattern id="{name}" patternUnits="userSpaceOnUse"{first} {size}>'
         f'<image {size} preserveAspectRatio="none" href="data:image/png;base64,{data}"/></pattern>\n'
         f'<rect {box} fill="url(#{name})"/>\n'
     )
@@ -219,4 +251,6 @@ def _tag(groups: Groups, g: int, seen: set[str]) -> str:
         text += f" inkscape:label={quoteattr(groups.names[g])}"
     if groups.data:
         text += "".join(f" data-{k}={quoteattr(v)}" for k, v in groups.data[g].items())
+    if len(groups.zero) and groups.parent[g] < 0:
+        text += _moved(float(groups.zero[g]))
     return f"<g{text}>\n"

@@ -163,6 +163,37 @@ def stroke(
 
 
 @kernel
+def drying(
+    rng: Array, pts: Array, marks: Array, n: Array, grey: float, alpha: float, breadth: float, noise: float
+) -> None:
+    """The points since the last mark are a stroke of a brush that runs dry: ink pools where it is set down, the stroke
+    thins out half way, and two to four hairs of the brush go on (flying white)."""
+    k = n[MARKS]
+    first = int(marks[k - 1, END]) if k > 0 else 0
+    many = n[POINTS] - first
+    if many < 8 or n[FULL]:
+        stroke(rng, marks, n, grey, alpha, breadth, noise, WEDGE, 0.0)
+        return
+    way = pts[first : n[POINTS]].copy()
+    wet = int((0.5 + 0.25 * rnd(rng)) * many)
+    n[POINTS] = first + wet
+    stroke(rng, marks, n, grey, alpha, breadth, noise, WEDGE, 0.0)
+    angle = math.atan2(way[1, 1] - way[0, 1], way[1, 0] - way[0, 0])
+    blob(rng, pts, marks, n, way[1, 0], way[1, 1], 1.8 * breadth, 1.3 * breadth, angle, grey, alpha, 0.5, LENS)
+    hairs = 2 + pick(rng, 3)
+    for h in range(hairs):
+        side_ = 1.5 * breadth * ((h + 0.5) / hairs - 0.5)
+        begin, end = int((0.3 + 0.4 * rnd(rng)) * wet), many - int(0.3 * rnd(rng) * many)
+        for i in range(begin, end):
+            a, b = max(0, i - 1), min(many - 1, i + 1)
+            dx, dy = way[b, 0] - way[a, 0], way[b, 1] - way[a, 1]
+            d = math.sqrt(dx * dx + dy * dy)
+            f = side_ / d if d > 0.0 else 0.0
+            at(pts, n, way[i, 0] - f * dy, way[i, 1] + f * dx)
+        stroke(rng, marks, n, grey, alpha * between(rng, 0.45, 0.85), breadth * 0.24, 0.9, FADE, 0.0)
+
+
+@kernel
 def blob(
     rng: Array,
     pts: Array,

@@ -15,11 +15,12 @@ from tambour.ink.elements.cun import SHOULDERS, slope, wrinkles
 from tambour.ink.elements.houses import hut
 from tambour.ink.elements.pines import cedar, pine, plum
 from tambour.ink.elements.rocks import rock
+from tambour.ink.elements.willows import willow
 from tambour.ink.ground.codes import BANK
 from tambour.noise import value
 
 LAYERS, COLUMNS = 5, 50
-STONES, CEDARS, PINES, PLUMS, BUSHES, NOTHING = range(6)
+STONES, CEDARS, PINES, PLUMS, BUSHES, WILLOWS, NOTHING = range(7)
 """The group that a bank carries."""
 
 
@@ -174,7 +175,7 @@ def group(
     """What stands on a flat top that spans (left, high) and ``width`` × ``depth``: dossier 1.8, flatDec."""
     middle = high + 0.5 * depth
     kind = pick(rng, 6)
-    kind = STONES if kind == 5 or (kind == BUSHES and hutted > 0.0) else kind
+    kind = STONES if kind == BUSHES and hutted > 0.0 else kind
     if rnd(rng) >= planted:
         kind = NOTHING
     for _ in range(pick(rng, 6)):
@@ -213,6 +214,26 @@ def group(
         for _ in range(max(1, pick(rng, 7) - 3)):
             a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
             plum(table, rng, pts, marks, elems, n, a, b, between(rng, 60.0, 120.0), 6.0, bloom)
+    elif kind == WILLOWS:
+        for _ in range(1 + pick(rng, 3)):
+            a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
+            willow(table, rng, pts, marks, elems, n, a, b, between(rng, 120.0, 190.0), 6.0)
+            for _ in range(pick(rng, 3)):
+                c = max(left, min(left + width, a + 40.0 * bell(rng)))
+                rock(
+                    table,
+                    rng,
+                    pts,
+                    marks,
+                    elems,
+                    n,
+                    c,
+                    b + 12.0,
+                    between(rng, 20.0, 40.0),
+                    between(rng, 25.0, 50.0),
+                    40,
+                    5.0,
+                )
     elif kind == BUSHES:
         first, last = 0.5 * rnd(rng), between(rng, 0.5, 1.0)
         a, tone = left + width * first, math.floor(4096.0 * rnd(rng)) + 0.5

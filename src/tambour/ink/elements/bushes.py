@@ -120,8 +120,9 @@ def bush(
         shatter(table, pts, marks, n, rung, 50.0, GRAIN, tone, 80.0, 205.0, 0.8, 0.0)
     n[HUE] = LEAF
     axis, ring = np.empty((2, 2)), np.empty((TOUCH, 2))
-    for i in range(3, LEVELS):
-        length, breadth = between(rng, 20.0, 70.0), between(rng, 11.0, 23.0)
+    for i in range(1, LEVELS):
+        # Down to the ground: rows of bare stems would look like legs.
+        length, breadth = between(rng, 20.0, 70.0) * (0.6 if i < 3 else 1.0), between(rng, 11.0, 23.0)
         angle = -rnd(rng) * PI / 6.0
         cx = x + 20.0 * math.sqrt(i / LEVELS) + between(rng, -0.3, 0.3) * width * (LEVELS - i)
         cy = y - 0.07 * height - i * height / LEVELS + between(rng, -0.25, 0.25) * width

@@ -8,7 +8,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import LENS, SINE, WEDGE, at, bell, between, blob, body, rnd, stroke
+from tambour.ink.brush.stroke import LENS, SINE, WEDGE, at, bell, between, blob, body, drying, rnd, stroke
 from tambour.ink.ground.codes import numbers
 from tambour.noise import ease, value
 
@@ -19,6 +19,8 @@ HEMP, AXE, RAIN = numbers(3)
 """Families of wrinkles: long lines as of parted hemp; short broad cuts as of a small axe; dabs as of rain on a wall."""
 OWN = 0.5
 """How much a stroke trembles by itself, as a part of the slope's relief: lines of a bundle touch and part again."""
+DRY = 0.22
+"""How many of the long wrinkles are drawn with a brush that runs dry."""
 
 
 @kernel
@@ -119,17 +121,11 @@ def wrinkles(
             if wet == 0:
                 stroke(rng, marks, n, grey, 0.1, shade, 0.5, SINE, 1.0)
             else:
-                stroke(
-                    rng,
-                    marks,
-                    n,
-                    grey,
-                    alpha * between(rng, 0.1, 1.0),
-                    breadth * between(rng, 0.7, 1.2),
-                    0.5,
-                    SINE,
-                    1.0,
-                )
+                dark, broad = alpha * between(rng, 0.1, 1.0), breadth * between(rng, 0.7, 1.2)
+                if last - first > 9 and rnd(rng) < DRY:
+                    drying(rng, pts, marks, n, grey, dark, 1.25 * broad, 0.5)
+                else:
+                    stroke(rng, marks, n, grey, dark, broad, 0.5, SINE, 1.0)
 
 
 @kernel

@@ -12,10 +12,11 @@ from tambour.ink.brush.stroke import OPEN, SINE, at, bell, between, body, lattic
 from tambour.ink.elements.cun import slope
 from tambour.ink.elements.frames import run
 from tambour.ink.elements.hills import DOME, ridge
-from tambour.ink.elements.houses import house, pavilion
+from tambour.ink.elements.houses import COURT, WING, cottage, homestead, house, pavilion
 from tambour.ink.elements.people import BUN, STRAW, WALKS, figure
 from tambour.ink.elements.rocks import rock
 from tambour.ink.elements.trees import fir, juniper
+from tambour.ink.elements.willows import willow
 from tambour.ink.ground.codes import BRIDGE, HAMLET
 from tambour.noise import value
 
@@ -59,6 +60,15 @@ def hamlet(
                 continue
             if kind == 5:
                 pavilion(table, rng, pts, marks, elems, n, a, b, 13.0, 0.7 * wide, 1)
+            elif kind == 6:
+                cottage(
+                    table, rng, pts, marks, elems, n, a, b, between(rng, 8.0, 11.0), 0.7 * wide, turn, 3.0, 1 + pick(rng, 3)
+                )  # fmt: skip
+            elif kind == 2 or kind == 4:
+                homestead(
+                    table, rng, pts, marks, elems, n, a, b, between(rng, 9.0, 11.0), wide, turn, 3.0, 1 + pick(rng, 3),
+                    WING if kind == 2 else COURT,
+                )  # fmt: skip
             else:
                 house(
                     table, rng, pts, marks, elems, n, a, b, between(rng, 8.0, 11.0), wide, turn, 3.0, storeys,
@@ -91,6 +101,9 @@ def hamlet(
                 0.7 if rnd(rng) < 0.4 else 0.0,
                 WALKS,
             )
+    for _ in range(pick(rng, 3) if planted > 0.0 else 0):
+        a = x + side(rng) * width * between(rng, 0.3, 0.46)
+        willow(table, rng, pts, marks, elems, n, a, y - 1.0, between(rng, 52.0, 84.0), 3.2)
     for _ in range(2 + pick(rng, 3)):
         f = side(rng)
         a, b = x + f * width * between(rng, 0.36, 0.5), y - 2.0 + 6.0 * rnd(rng)

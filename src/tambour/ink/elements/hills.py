@@ -254,7 +254,7 @@ def settle(
         pagoda(
             table, rng, pts, marks, elems, n, a, b, 10.0 * scale, scale * between(rng, 40.0, 60.0), 5 + 2 * pick(rng, 2)
         )
-    if rnd(rng) < 0.02 * housed:
+    if rnd(rng) < 0.005 * housed:
         i, s = 2 * pick(rng, LAYERS // 2), pick(rng, 2)
         j = 1 + s * (COLUMNS - 3)
         a, b = grid[i, j, 0] + x, grid[i, j, 1] + y

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import OPEN, between, part, rnd, side
+from tambour.ink.brush.stroke import OPEN, between, part, pick, rnd, side
 from tambour.ink.elements.frames import LATTICE, PLAIN, box, rail, roof, run, sign, spire, thatch
 from tambour.ink.elements.people import BUN, SITS, STANDS, figure
-from tambour.ink.ground.codes import HOUSE, HUT, PAGODA, PAVILION, PYLON
+from tambour.ink.ground.codes import HOUSE, HUT, PAGODA, PAVILION, PYLON, numbers
+
+WING, COURT = numbers(2)
+"""Plans of a homestead."""
 
 
 @kernel
@@ -94,6 +97,47 @@ def house(
         sign(rng, pts, marks, n, sx, sy - 0.5 * height, 0.55 * height, 0.3 * width, lean)
     if railed:
         rail(table, rng, pts, marks, n, x, y + 2.0, 0.3 * height, 1.1 * width, turn, depth + 2.0, 5, 0.4, 0.5)
+    n[OPEN] = before
+
+
+@kernel
+def cottage(
+    table: F8x1, rng: U8x1, pts: F8x2, marks: F8x2, elems: F8x2, n: I8x1,
+    x: float, y: float, height: float, width: float, turn: float, depth: float, style: int,
+) -> None:  # fmt: skip
+    """A house of one room under thatch."""
+    before = part(elems, n, HOUSE, x, y)
+    box(rng, pts, marks, n, x, y, height, width, turn, depth, 0.8, False, style)
+    thatch(table, rng, pts, marks, n, x, y - 0.9 * height, 0.95 * height, 1.3 * width, 70)
+    n[OPEN] = before
+
+
+@kernel
+def homestead(
+    table: F8x1, rng: U8x1, pts: F8x2, marks: F8x2, elems: F8x2, n: I8x1,
+    x: float, y: float, height: float, width: float, turn: float, depth: float, style: int, plan: int,
+) -> None:  # fmt: skip
+    """Several roofs that belong together: a hall with a wing before it, or a hall in a walled court with its gate."""
+    if plan == WING:
+        house(table, rng, pts, marks, elems, n, x, y - 3.0, height, width, turn, depth, 1, style, False)
+        right = 1.0 if turn < 0.5 else -1.0
+        a, wide = x + 0.42 * right * width, 0.55 * width
+        house(
+            table, rng, pts, marks, elems, n, a, y + 2.0, 0.85 * height, wide, 1.0 - turn, depth, 1, pick(rng, 3) + 1, False
+        )  # fmt: skip
+        return
+    house(table, rng, pts, marks, elems, n, x, y - 7.0, height, 0.85 * width, turn, depth, 1, style, False)
+    before = part(elems, n, HOUSE, x, y)
+    # The wall goes round in front, under a narrow roof of tiles, and opens at the gate.
+    low, wide, gate = 0.45 * height, 1.35 * width, 0.22 * width
+    for s in range(2):
+        f = 1.0 - 2.0 * s
+        long = 0.5 * (wide - gate)
+        middle = x + f * 0.5 * (gate + long)
+        box(rng, pts, marks, n, middle, y, low, long, 0.5, 0.4 * depth, 0.5, False, PLAIN)
+        run(rng, pts, marks, n, middle - 0.53 * long, y - low, middle + 0.53 * long, y - low, 1.3, 0.5)
+    box(rng, pts, marks, n, x, y, 0.75 * height, gate, 0.5, 0.3 * depth, 0.6, False, PLAIN)
+    roof(rng, pts, marks, n, x, y - 0.75 * height, 0.35 * height, gate, 0.5, 0.3 * depth, 0.6, 2.5)
     n[OPEN] = before
 
 

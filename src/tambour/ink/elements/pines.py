@@ -9,7 +9,23 @@ import numpy as np
 from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import EVEN, HUE, LENS, OPEN, PI, at, bell, between, blob, body, part, pick, rnd, stroke
+from tambour.ink.brush.stroke import (
+    EVEN,
+    HUE,
+    LENS,
+    OPEN,
+    PI,
+    at,
+    bell,
+    between,
+    blob,
+    body,
+    part,
+    pick,
+    rnd,
+    side,
+    stroke,
+)
 from tambour.ink.elements.limbs import NODES, SIDES, branch, scales, twig
 from tambour.ink.ground.codes import CEDAR, PINE, PLUM
 from tambour.ink.ground.marks import BLOSSOM, INK
@@ -114,15 +130,23 @@ def pine(
     height: float,
     width: float,
 ) -> None:
-    """A big bent pine: ringed bark, drooping branches in its middle and at its tip, tufts of needles (tree04)."""
+    """A big pine: ringed bark, branches in its middle and at its tip, tufts of needles (tree04).
+
+    Half of them are bent, as the seed's, their boughs drooping; of the others some lean far out to one side, some stand
+    straight and hold level boughs, one above the other.
+    """
     before = part(elems, n, PINE, x, y)
+    form = rnd(rng)
+    leaning, level = form < 0.25, form > 0.75
+    tilt = between(rng, 0.14, 0.24) * side(rng) if leaning else 0.0
+    droop, often = (0.03, 0.17) if level else (0.2, 0.1)
     limbs = np.empty((LIMBS, SIDES, 2))
     above, joint, lean = np.full(LIMBS, -1, np.int64), np.zeros(LIMBS, np.int64), np.zeros(LIMBS)
-    branch(table, rng, limbs[0], x, y, height, width, -0.5 * PI, 0.2 * PI)
+    branch(table, rng, limbs[0], x, y, height, width, (tilt - 0.5) * PI, (0.05 if level else 0.2) * PI)
     count = 1
     for i in range(SIDES):
-        if (0.3 * SIDES <= i <= 0.7 * SIDES and rnd(rng) < 0.1) or i == NODES - 1:
-            lean[min(count, LIMBS - 1)] = 0.2 * PI - 1.4 * PI * (1.0 if i > NODES else 0.0)
+        if (0.3 * SIDES <= i <= 0.7 * SIDES and rnd(rng) < often) or i == NODES - 1:
+            lean[min(count, LIMBS - 1)] = (droop - (1.0 + 2.0 * droop) * (1.0 if i > NODES else 0.0)) * PI
             length = height * between(rng, 0.3, 0.6)
             count = grow(
                 table, rng, limbs, above, joint, count, 0, i, length, 0.5 * width, lean[min(count, LIMBS - 1)], 0.2 * PI

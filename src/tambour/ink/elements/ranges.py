@@ -7,9 +7,10 @@ import math
 from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import OPEN, lattice, part, rnd, wash
+from tambour.ink.brush.stroke import HUE, OPEN, lattice, part, rnd, wash
 from tambour.ink.brush.stroke import at as to
 from tambour.ink.ground.codes import RANGE
+from tambour.ink.ground.marks import FAR, INK
 from tambour.noise import ease, value
 
 STEP = 10.0
@@ -60,6 +61,7 @@ def distant(
     dossier 1.8), c two octaves of blended lattice; and towards the foot paler, here more and there less, as the mist lies.
     """
     before = part(elems, n, RANGE, x, y)
+    n[HUE] = FAR
     own, seed = lattice(rng), 0.0
     phase = math.floor(4096.0 * rnd(rng))
     count = max(2, int(length / STEP))
@@ -94,6 +96,7 @@ def distant(
             wash(marks, n, math.floor(grey), 1.0, 1.0)
             p, q = c, d
         a, lean, left, under = b, slant, right, below
+    n[HUE] = INK
     n[OPEN] = before
 
 

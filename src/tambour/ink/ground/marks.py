@@ -16,9 +16,9 @@ KINDS = ("body", "veil", "wash", "stroke", "blob", "ring", "line")
 (mist, snow). ``wash``: a flat tone without a line. ``stroke``: a brush line. ``blob``: one touch of the brush (a leaf,
 a needle, a drop, a knot). ``ring``: the outline of a blob, drawn as a brush line (bark). ``line``: a thin open line."""
 
-INK, LEAF, BLOSSOM, SEAL, LIGHT = numbers(5)
-TINTS = ("ink", "leaf", "blossom", "seal", "light")
-"""Which colour a mark's grey is mixed with: the ink, what the season colours, the seal's vermilion, moon and lamps."""
+INK, LEAF, BLOSSOM, SEAL, LIGHT, FAR = numbers(6)
+TINTS = ("ink", "leaf", "blossom", "seal", "light", "far")
+"""Which colour a mark's grey is mixed with: the ink, what the season colours, the seal's vermilion, moon and lamps, far hills."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -42,6 +42,8 @@ SEASONS: dict[str, tuple[RGB, ...]] = {
     "autumn": ((0, 0, 0), (104, 48, 6), (120, 30, 10), (96, 70, 10), (30, 14, 0)),
     "winter": ((0, 0, 0), (10, 16, 26)),
 }
+FARS: dict[str, RGB] = {"summer": (0, 0, 0), "spring": (20, 62, 56), "autumn": (98, 58, 26), "winter": (26, 42, 74)}
+"""What far ranges are washed with: spring's green comes through blue air, autumn's is ochre, snow lies in cold light."""
 BLOSSOMS: RGB = (190, 60, 90)
 VERMILION: RGB = (178, 34, 24)
 
@@ -65,13 +67,20 @@ def drawing(
     light = LIGHTS[time]
     sheet = paper or light.paper
     style, styles = stylesheet(marks, season, light, sheet)
+    elements = marks.elements
+    groups = Groups(
+        elements.id,
+        ("",) * len(elements),
+        elements.parent,
+        zero=np.where(elements.parent < 0, np.floor(elements.at[:, 0]), 0.0),
+    )
     return Drawing(
         paths=Paths(marks.coords, marks.offsets),
         style=style,
         styles=styles,
         size=size,
         group=marks.element,
-        groups=Groups(marks.elements.id, ("",) * len(marks.elements), marks.elements.parent),
+        groups=groups,
         origin=origin,
         unit=unit,
         background=(*sheet, 255),
@@ -95,9 +104,10 @@ def hues(marks: Marks, season: str) -> Array:
 
 
 def inks(season: str, light: Light) -> Array:
-    """(T, 3) float64 the colour of grey 0 of every ink; at night leaves are the ink's own."""
+    """(T, 3) float64 the colour of grey 0 of every ink; at night leaves and far hills are the ink's own."""
     leaves = [light.ink if sum(light.ink) > 300 else leaf for leaf in SEASONS[season]]
-    return np.array([light.ink, light.ink, BLOSSOMS, VERMILION, light.glow, *leaves], np.float64)
+    far = light.ink if sum(light.ink) > 300 else FARS[season]
+    return np.array([light.ink, light.ink, BLOSSOMS, VERMILION, light.glow, far, *leaves], np.float64)
 
 
 def stylesheet(marks: Marks, season: str, light: Light, paper: RGB) -> tuple[Array, Styles]:

@@ -13,12 +13,10 @@ from tambour.core.drawing import Label
 from tambour.core.errors import Problem, TambourError
 from tambour.core.font import Font
 from tambour.geometry.glyphs import glyph
-from tambour.ink.ground import codes
+from tambour.ink.ground.joined import join
 from tambour.ink.ground.kinds import NAMES
 from tambour.ink.ground.marks import BODY, INK, SEAL, WASH, Elements, Marks
 from tambour.ink.paint.layers import Light
-from tambour.ink.plan.draw import join
-from tambour.ink.plan.whole import Planned
 from tambour.render.type import font_bytes
 
 LETTER = 22.0
@@ -46,15 +44,14 @@ def face(text: str, font: Font | None) -> Font | None:
     return brush_face() if not missing(text, brush_face()) else None
 
 
-def blank(planned: Sequence[Planned], origin: Array, size: Array, wide: float, high: float) -> tuple[float, float]:
-    """The left upper corner of the place, ``wide`` by ``high`` units, that covers least of what is planned.
+def blank(rooms: Array, origin: Array, size: Array, wide: float, high: float) -> tuple[float, float]:
+    """The left upper corner of the place, ``wide`` by ``high`` units, that covers least of what stands there.
 
-    Of equals the one nearest to the upper right, where a scroll is begun.
+    rooms (K, 4): left, top, right and lower edge of each thing ; of equals the one nearest to the upper right, where a scroll is begun.
     """
     columns, rows = (max(1, int(s // CELL)) for s in size.tolist())
     full = np.zeros((rows + 1, columns + 1))
-    for p in planned:
-        left, top, right, low = _room(p)
+    for left, top, right, low in rooms.tolist():
         j, k = (int(np.clip((v - origin[0]) // CELL, 0, columns)) for v in (left, right + CELL))
         i, m = (int(np.clip((v - origin[1]) // CELL, 0, rows)) for v in (top, low + CELL))
         full[1 + i : 1 + m, 1 + j : 1 + k] += 1.0
@@ -68,19 +65,6 @@ def blank(planned: Sequence[Planned], origin: Array, size: Array, wide: float, h
     cost[0], cost[:, -1] = np.inf if len(cost) > 2 else cost[0], np.inf if cost.shape[1] > 2 else cost[:, -1]
     row, column = np.unravel_index(int(cost.argmin()), cost.shape)
     return float(origin[0] + (column + 1) * CELL), float(origin[1] + (row + 1) * CELL)
-
-
-def _room(p: Planned) -> tuple[float, float, float, float]:
-    """Left, top, right and lower edge of about what a whole covers; nothing for what the eye does not rest on."""
-    if p.kind == codes.HILL:
-        return p.x - 0.45 * p.how[1], p.y - p.how[0] - 20.0, p.x + 0.45 * p.how[1], p.y + 20.0
-    if p.kind == codes.BANK:
-        return p.x - 0.5 * p.how[1], p.y - 320.0, p.x + 0.5 * p.how[1], p.y + 40.0
-    if p.kind == codes.RANGE:
-        return p.x, p.y - 0.8 * p.how[0], p.x + p.how[1], p.y + 30.0
-    if p.kind in (codes.HAMLET, codes.BRIDGE, codes.BOAT, codes.SUN, codes.MOON, codes.BIRDS):
-        return p.x - 0.6 * p.right, p.y - 110.0, p.x + 0.6 * p.right, p.y + 40.0
-    return p.x, p.y, p.x - 2 * CELL, p.y - 2 * CELL
 
 
 def wrapped(text: str) -> list[str]:
@@ -140,7 +124,7 @@ def written(
     inscription: str,
     seal: str,
     light: Light,
-    planned: Sequence[Planned],
+    rooms: Array,
     origin: Array,
     size: Array,
     font: Font | None = None,
@@ -153,7 +137,7 @@ def written(
     parts, labels = [marks], list[Label]()
     mine = face(inscription, font)
     placed, letter, wide, high = letters(inscription, mine) if inscription else ([], LETTER, 0.0, 0.0)
-    left, top = blank(planned, origin, size, max(wide, SIDE), high + (1.4 * SIDE if seal else 0.0))
+    left, top = blank(rooms, origin, size, max(wide, SIDE), high + (1.4 * SIDE if seal else 0.0))
     texts = [Label(c, left + x, top + y, letter, "middle", 0.0, (r, g, b, 255)) for c, x, y in placed]
     if mine is None:
         labels += texts

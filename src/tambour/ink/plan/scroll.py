@@ -18,11 +18,12 @@ from tambour.core.progress import Progress
 from tambour.core.reveal import Reveal
 from tambour.core.threads import WORKERS
 from tambour.ink.elements import specimens
+from tambour.ink.ground.joined import join
 from tambour.ink.ground.kinds import NAMES
 from tambour.ink.ground.marks import Marks
 from tambour.ink.paint import seal
 from tambour.ink.params import Ink, exactly
-from tambour.ink.plan.draw import Manner, draw, join
+from tambour.ink.plan.draw import Manner, draw
 from tambour.ink.plan.whole import Planned, Rules
 from tambour.ink.plan.wholes import HEIGHT, tile, window
 
@@ -174,13 +175,18 @@ def sheet(scroll: Scroll, marks: Marks, last: bool = True) -> Drawing:
     seals = scroll.names if last else ()
     if last and (p.inscription or p.seal):
         marks, seals = seal.written(
-            marks, p.inscription, p.seal, paint.LIGHTS[p.time], scroll.planned, scroll.origin, scroll.size, p.font
+            marks, p.inscription, p.seal, paint.LIGHTS[p.time], rooms(scroll), scroll.origin, scroll.size, p.font
         )
-    glaze = paper.glazes(scroll.origin, scroll.size, p.pixels) if last and p.paper else ()
+    glaze = paper.glazes(scroll.origin, scroll.size, p.pixels, p.mirrored) if last and p.paper else ()
     white = (255, 255, 255) if not p.paper and p.time != "night" else None
     return paint.drawing(
         marks, scroll.origin, scroll.size, p.tall / HEIGHT, p.season, p.time, white, seals, glaze, about(p)
     )
+
+
+def rooms(scroll: Scroll) -> Array:
+    """(K, 4) what the wholes of the window cover, about: left, top, right, lower edge."""
+    return np.array([p.room for p in scroll.planned if p.room]).reshape(-1, 4)
 
 
 def whole(scroll: Scroll) -> Drawing:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from tambour.ink.ground import kinds
+from tambour.ink.ground import codes, kinds
 from tambour.noise import key
 
 _LETTERS = str.maketrans("0123456789", "ghijklmnop")
@@ -48,6 +48,20 @@ class Planned:
     left: float
     right: float
     ink: float | None = None
+
+    @property
+    def room(self) -> tuple[float, float, float, float] | None:
+        """Left, top, right and lower edge of about what it covers; None for what the eye does not rest on."""
+        x, y, how = self.x, self.y, self.how
+        if self.kind == codes.HILL:
+            return x - 0.45 * how[1], y - how[0] - 20.0, x + 0.45 * how[1], y + 20.0
+        if self.kind == codes.BANK:
+            return x - 0.5 * how[1], y - 320.0, x + 0.5 * how[1], y + 40.0
+        if self.kind == codes.RANGE:
+            return x, y - 0.8 * how[0], x + how[1], y + 30.0
+        if self.kind in (codes.HAMLET, codes.BRIDGE, codes.BOAT, codes.SUN, codes.MOON, codes.BIRDS):
+            return x - 0.6 * self.right, y - 110.0, x + 0.6 * self.right, y + 40.0
+        return None
 
     @property
     def order(self) -> tuple[float, str]:

@@ -8,9 +8,9 @@ from itertools import pairwise
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.ink.ground.pages import heights
 from tambour.ink.params import Ink
 from tambour.ink.plotter.lines import ragged
-from tambour.ink.plotter.sheet import heights
 
 FASTEST = 220.0
 """An AxiDraw's greatest speed, mm/s, of which its layers tell per cent."""

@@ -1,0 +1,207 @@
+"""Measure what the scroll is made of, and beside it the original: skylines, densities, scenes, blacks and blanks.
+
+``python bench/ink_scroll.py``; with the original's figures beside it: ``python bench/ink_scroll.py FOLDER``, where FOLDER
+holds the index.html of {Shan, Shui}* (GitHub, LingDong-/shan-shui-inf; node draws it, and chromium makes the pictures).
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from tambour.core.progress import Progress
+from tambour.ink.ground.codes import HILL
+from tambour.ink.ground.marks import BODY
+from tambour.ink.params import Ink
+from tambour.ink.plan import scroll
+
+SEEDS = ("11", "12", "13", "31")
+LONG = 25_600.0
+"""Units of each seed's scroll."""
+SCREEN = 2627.0
+"""Units that a screen of 3000 × 800 pixels shows."""
+CALLS = {
+    "hill": "mountain", "range": "distMount", "bank": "flatMount", "rock": "rock", "juniper": "tree01",
+    "sapling": "tree02", "fir": "tree03", "pine": "tree04", "cedar": "tree05", "plum": "tree06", "bush": "tree07",
+    "reed": "tree08", "hut": "arch01", "house": "arch02", "pagoda": "arch03", "pavilion": "arch04",
+    "pylon": "transmissionTower01", "boat": "boat01", "figure": "man", "waterfall": "", "willow": "", "hamlet": "",
+    "bridge": "",
+}  # fmt: skip
+"""Our kinds, and the function of the original that draws each."""
+
+
+class Count:
+    """What was found in scrolls that are ``units`` long together."""
+
+    def __init__(self) -> None:
+        self.units = 0.0
+        self.kinds: dict[str, float] = {}
+        self.hills: list[np.ndarray] = []  # per scroll (H, 4): x, y of the foot, height, mean ink
+        self.skylines: list[np.ndarray] = []
+
+
+def skyline(outline: np.ndarray) -> np.ndarray | None:
+    """64 heights of a hill's outline over its breadth, 0 … 1 both ways."""
+    outline = outline[np.argsort(outline[:, 0], kind="stable")]
+    wide, high = np.ptp(outline[:, 0]), np.ptp(outline[:, 1])
+    if len(outline) < 8 or wide <= 0 or high <= 0:
+        return None
+    x = (outline[:, 0] - outline[0, 0]) / wide
+    return np.interp(np.linspace(0, 1, 64), x, (outline[:, 1].max() - outline[:, 1]) / high)
+
+
+def ours() -> Count:
+    found = Count()
+    for seed in SEEDS:
+        piece = scroll.make(None, Ink(seed=seed, span=LONG), Progress())
+        found.units += LONG
+        for kind, n in piece.elements.items():
+            found.kinds[kind] = found.kinds.get(kind, 0) + n
+        rows = []
+        for marks in piece.batches():
+            ink = (1 - marks.fill[:, 0] / 255) * (marks.fill[:, 1] / 255)
+            drawn = (marks.fill[:, 1] > 0) & (marks.fill[:, 0] < 250)
+            top = marks.elements.parent.copy()
+            for e in range(len(top)):
+                top[e] = top[top[e]] if top[e] >= 0 else e
+            of = top[marks.element]
+            for e in np.flatnonzero(marks.elements.kind == HILL).tolist():
+                bodies = np.flatnonzero((marks.element == e) & (marks.kind == BODY))
+                outline = marks.spine[marks.spines[bodies[0]] : marks.spines[bodies[0] + 1]][:-1]
+                line = skyline(outline)
+                if line is not None:
+                    found.skylines.append(line)
+                mine = drawn & (of == e)
+                rows.append((*marks.elements.at[e], np.ptp(outline[:, 1]), ink[mine].mean()))
+        found.hills.append(np.array(rows))
+    return found
+
+
+def original(folder: Path) -> Count:
+    found = Count()
+    for seed in SEEDS:
+        job = {"seed": seed, "windows": [{"from": 0, "span": LONG, "px": 100}]}
+        call = ["node", str(Path(__file__).with_name("original.js")), str(folder), json.dumps(job)]
+        told = json.loads(subprocess.run(call, check=True, capture_output=True, text=True).stdout.splitlines()[-1])
+        found.units += LONG
+        for kind, name in CALLS.items():
+            found.kinds[kind] = found.kinds.get(kind, 0) + told["calls"].get(name, 0)
+        rows = []
+        for hill in told["hills"]:
+            outline = np.array(hill["outline"]).reshape(-1, 2)
+            if len(outline) < 20:
+                continue
+            outline = outline[:-1]
+            line = skyline(outline)
+            if line is not None:
+                found.skylines.append(line)
+            rows.append((hill["x"], hill["y"], np.ptp(outline[:, 1]), hill["ink"]))
+        found.hills.append(np.array(rows))
+    return found
+
+
+def alike(lines: list[np.ndarray]) -> tuple[int, float, float]:
+    """How many skylines are another's twin (within 1e-4), and how unlike the nearest one is: median and least, RMS."""
+    a = np.array(lines)
+    square = (a * a).sum(1)
+    away = np.sqrt(np.maximum(0, square[:, None] + square - 2 * a @ a.T) / a.shape[1])
+    np.fill_diagonal(away, np.inf)
+    near = away.min(1)
+    return int((near < 1e-4).sum()), float(np.median(near)), float(near.min())
+
+
+def scenes(found: Count) -> tuple[float, float, float, float]:
+    """Medians over screens: tallest hill over the median one, share of screens nearly empty, correlations of a hill's
+    nearness with its ink, and with its height."""
+    ratio, empty, screens, near, ink, tall = [], 0, 0, [], [], []
+    for hills in found.hills:
+        near += list(hills[:, 1])
+        ink += list(hills[:, 3])
+        tall += list(hills[:, 2])
+        for left in np.arange(0.0, LONG - SCREEN, SCREEN):
+            here = hills[(hills[:, 0] >= left) & (hills[:, 0] < left + SCREEN)]
+            screens += 1
+            empty += len(here) < 4
+            if len(here) >= 4:
+                ratio.append(here[:, 2].max() / np.median(here[:, 2]))
+    return (
+        float(np.median(ratio)),
+        empty / screens,
+        float(np.corrcoef(near, ink)[0, 1]),
+        float(np.corrcoef(near, tall)[0, 1]),
+    )
+
+
+def tones(folder: Path | None) -> tuple[float, float, float]:
+    """Of eight windows of 2,627 units at 1,500 pixels, without paper: shares below 30 of 255 and above 250; the darkest
+    thousandth."""
+    from tambour.render import flat
+
+    pictures = []
+    with tempfile.TemporaryDirectory() as room:
+        for seed in SEEDS:
+            for start in (0.0, 2.0 * SCREEN):
+                if folder is None:
+                    told = Ink(seed=seed, from_=start, span=SCREEN, paper=False)
+                    drawn = flat.picture(scroll.whole(scroll.make(None, told, Progress())), width=1500).rgba
+                    pictures.append(drawn[..., :3].mean(2))
+                    continue
+                high, svg, png = round(1500 * 700 / SCREEN), f"{room}/a.svg", f"{room}/a.png"
+                job = {"seed": seed, "windows": [{"from": start, "span": SCREEN, "px": 1500, "out": svg}]}
+                script = str(Path(__file__).with_name("original.js"))
+                subprocess.run(["node", script, str(folder), json.dumps(job)], check=True, stdout=subprocess.DEVNULL)
+                subprocess.run(
+                    [
+                        "chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+                        f"--user-data-dir={room}/user", f"--window-size=1500,{high}", f"--screenshot={png}",
+                        f"file://{svg}",
+                    ],
+                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                )  # fmt: skip
+                pictures.append(np.asarray(Image.open(png).convert("L"), float))
+    all_ = np.concatenate([p.ravel() for p in pictures])
+    return float((all_ < 30).mean()), float((all_ > 250).mean()), float(np.quantile(all_, 0.001))
+
+
+def main() -> None:
+    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else None
+    if folder is not None and not shutil.which("node"):
+        sys.exit("the original is drawn by node, which is not here")
+    counts = [ours(), *([original(folder)] if folder else [])]
+    print(
+        f"{len(SEEDS)} seeds × {LONG:,.0f} units; ours"
+        + (", the original, and how many times as many" if folder else "")
+    )
+    for kind in CALLS:
+        each = [count.kinds.get(kind, 0) * 1000 / count.units for count in counts]
+        times = f"{each[0] / each[1]:8.2f}" if len(each) > 1 and each[1] else ""
+        print(f"{kind:>12} per 1,000 units" + "".join(f"{e:9.2f}" for e in each) + times)
+    twins = [(len(c.skylines), *alike(c.skylines)) for c in counts]
+    for k, what in enumerate(
+        ("skylines", "twins among them", "unlike the nearest, median", "unlike the nearest, least")
+    ):
+        print(f"{what:>28}" + "".join(f"{t[k]:10.4g}" for t in twins))
+    told = [scenes(c) for c in counts]
+    names = (
+        "tallest / median hill of a screen",
+        "screens nearly empty",
+        "nearness and ink, r",
+        "nearness and height, r",
+    )
+    for k, what in enumerate(names):
+        print(f"{what:>34}" + "".join(f"{t[k]:9.3f}" for t in told))
+    if folder is None or shutil.which("chromium"):
+        seen = [tones(None), *([tones(folder)] if folder else [])]
+        for k, what in enumerate(("below 30 of 255", "above 250 (blank)", "darkest thousandth")):
+            print(f"{what:>34}" + "".join(f"{t[k]:9.4f}" for t in seen))
+
+
+if __name__ == "__main__":
+    main()
