@@ -71,8 +71,8 @@ def tile(params: Ink, k: int) -> Packed:
     """
     from tambour.core.drawing import Drawing, Styles
     from tambour.core.paths import Paths
+    from tambour.ink.ground.joined import join
     from tambour.ink.paint import layers
-    from tambour.ink.plan.draw import join
     from tambour.ink.plan.scroll import batches, rules
     from tambour.ink.plan.wholes import HEIGHT, TILE, window
 
