@@ -27,6 +27,8 @@ LONG = 25_600.0
 """Units of each seed's scroll."""
 SCREEN = 2627.0
 """Units that a screen of 3000 × 800 pixels shows."""
+GLANCE, LOW = 1500.0, 120.0
+"""Units that one looks at at once; it is nearly empty where no hill's foot in it carries more than so many."""
 CALLS = {
     "hill": "mountain", "range": "distMount", "bank": "flatMount", "rock": "rock", "juniper": "tree01",
     "sapling": "tree02", "fir": "tree03", "pine": "tree04", "cedar": "tree05", "plum": "tree06", "bush": "tree07",
@@ -118,22 +120,23 @@ def alike(lines: list[np.ndarray]) -> tuple[int, float, float]:
 
 
 def scenes(found: Count) -> tuple[float, float, float, float]:
-    """Medians over screens: tallest hill over the median one, share of screens nearly empty, correlations of a hill's
+    """Tallest hill over the median one (the median of screens), share of glances nearly empty, correlations of a hill's
     nearness with its ink, and with its height."""
-    ratio, empty, screens, near, ink, tall = [], 0, 0, [], [], []
+    ratio, empty, near, ink, tall = [], [], [], [], []
     for hills in found.hills:
         near += list(hills[:, 1])
         ink += list(hills[:, 3])
         tall += list(hills[:, 2])
         for left in np.arange(0.0, LONG - SCREEN, SCREEN):
             here = hills[(hills[:, 0] >= left) & (hills[:, 0] < left + SCREEN)]
-            screens += 1
-            empty += len(here) < 4
             if len(here) >= 4:
                 ratio.append(here[:, 2].max() / np.median(here[:, 2]))
+        for left in np.arange(0.0, LONG - GLANCE, GLANCE):
+            here = hills[(hills[:, 0] >= left) & (hills[:, 0] < left + GLANCE)]
+            empty.append(not (here[:, 2] > LOW).any())
     return (
         float(np.median(ratio)),
-        empty / screens,
+        float(np.mean(empty)),
         float(np.corrcoef(near, ink)[0, 1]),
         float(np.corrcoef(near, tall)[0, 1]),
     )
@@ -191,7 +194,7 @@ def main() -> None:
     told = [scenes(c) for c in counts]
     names = (
         "tallest / median hill of a screen",
-        "screens nearly empty",
+        "1,500 units nearly empty, share",
         "nearness and ink, r",
         "nearness and height, r",
     )

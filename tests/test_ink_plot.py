@@ -323,7 +323,7 @@ def test_the_budget_is_kept_and_what_matters_stays():
 def test_layers_are_numbered_and_other_software_agrees(tmp_path):
     vpype = pytest.importorskip("vpype")
     out = tmp_path / "a.svg"
-    report = run("ink", None, Ink(plotter=True, seed="7", span=700, pens=2, frame=True), [out])
+    report = run("ink", None, Ink(plotter=True, seed="31", from_=700, span=700, pens=2, frame=True), [out])
     labels = re.findall(r'inkscape:groupmode="layer" inkscape:label="([^"]*)"', out.read_text())
     assert [name[:2] for name in labels] == ["1 ", "!2", "% "]
     document = vpype.read_multilayer_svg(str(out), 0.01)

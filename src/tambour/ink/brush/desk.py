@@ -103,13 +103,13 @@ class Desk:
 def dip(marks: F8x2, ink: float) -> None:
     """Thicken or thin the ink of noted marks: 0 far and pale, 1/2 as noted, 1 near and black. What is paper stays paper."""
     thin = 1.0 - 0.66 * max(0.0, 1.0 - 2.0 * ink)
-    black = min(1.0, 1.35 * max(0.0, 2.0 * ink - 1.0))
+    black = min(1.0, 1.6 * max(0.0, 2.0 * ink - 1.0))
     for m in marks:
         for c in (brush.FILL, brush.EDGE):
             if m[c] < 250.0:
                 # Pale tones darken least: a wash stays lighter than the line in it.
                 m[c] *= 1.0 - 0.95 * black * (1.0 - (m[c] / 255.0) ** 2)
-                m[c + 1] = min(1.0, m[c + 1] * thin * (1.0 + 0.75 * black))
+                m[c + 1] = min(1.0, m[c + 1] * thin * (1.0 + 1.1 * black))
 
 
 def _tone(notes: Array, column: int) -> Array:
