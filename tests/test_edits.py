@@ -147,3 +147,17 @@ def test_what_is_no_list_of_edits_is_told(text: str, tmp_path: Path) -> None:
     code, said = call(f"ink --edits {tmp_path}/e.json")
     assert code == 2 and "this is no list of edits" in said, said
     assert call(f"ink --edits {tmp_path}/none.json")[0] == 2
+
+
+def test_a_yarn_takes_another_colour_and_the_chart_stays() -> None:
+    from tambour.core.picture import Picture
+
+    rgba = np.full((20, 24, 4), 255, np.uint8)
+    rgba[6:14, 8:16, :3] = 0
+    plain = make("knit", Picture(rgba)).piece.chart
+    piece = make("knit", Picture(rgba), edits=["yarn:MC=poppy", "yarn:CC=#102030"]).piece
+    assert (piece.chart.cells == plain.cells).all()
+    assert piece.chart.palette.rgb.tolist() == [[0x10, 0x20, 0x30], [0xC6, 0x28, 0x28]]
+    with pytest.raises(TambourError, match="no such yarn") as told:
+        make("knit", Picture(rgba), edits=["yarn:CC9=popy"])
+    assert len(told.value.problems) == 2

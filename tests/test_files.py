@@ -174,3 +174,15 @@ def test_texts_are_read_whatever_their_ends_and_marks(tmp_path: Path) -> None:
 def test_every_table_entry_exists() -> None:
     for name in [*files.WRITE.values(), *(n for kinds in files.READ.values() for n in kinds.values())]:
         assert callable(files._load(name)), name
+
+
+def test_a_phones_pictures_are_read_upright(root: Path, tmp_path: Path) -> None:
+    from PIL import Image
+
+    pytest.importorskip("pi_heif")
+    photo = files.read(root / "tests" / "data" / "phone.heic", ("Picture",))  # made lying, 64 x 48, with tag 6
+    assert photo.rgba.shape == (64, 48, 4)
+    top, bottom = photo.rgba[12, 20, :3].astype(int), photo.rgba[52, 20, :3].astype(int)
+    assert top[0] > top[2] + 80 and bottom[2] > bottom[0] + 80
+    Image.fromarray(photo.rgba[..., :3]).save(tmp_path / "a.avif")
+    assert np.abs(files.read(tmp_path / "a.avif", ("Picture",)).rgba.astype(int) - photo.rgba).mean() < 8

@@ -13,7 +13,7 @@ from tambour.core.progress import Progress
 from tambour.knit import CRAFT
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import shades
-from tambour.knit.solve import percept, yarns
+from tambour.knit.solve import blocks, percept, yarns
 from tambour.knit.solve.make import make
 from tambour.knit.task import Task
 
@@ -112,7 +112,7 @@ def test_the_pairs_of_rows_are_the_best_for_their_costs():
             return sum(costs[y, k] for y, k in enumerate(path)) + price * sum(a != b for a, b in pairwise(path))
 
         paths = [p for p in product(range(3), repeat=5) if most is None or sum(a != b for a, b in pairwise(p)) <= most]
-        found = yarns.over_rows(costs, price, most)
+        found = blocks.over_rows(costs, price, most)
         assert cost(found.tolist()) == pytest.approx(min(map(cost, paths)))
 
 
@@ -157,3 +157,18 @@ def test_cards_colours_and_contrast():
 def test_what_two_yarns_alone_can_do_is_said():
     with pytest.raises(TambourError, match="--border is for two yarns"):
         made(yarns=3, border=2)
+
+
+def test_flat_art_keeps_its_pairs_over_blocks_of_rows():
+    """A red barn under a pale sky, on grass: two changes of pair, at the barn's top and foot, and areas as they are."""
+    rgb = np.zeros((60, 48, 3), np.uint8)
+    rgb[:40], rgb[40:] = (235, 235, 240), (40, 90, 40)
+    rgb[12:40, 14:34] = (170, 30, 30)
+    source = Picture(np.dstack([rgb, np.full((60, 48), 255, np.uint8)]))
+    piece = make(source, KnitParams(yarns=3, max_float="5"), Progress())
+    assert piece.figures["style"] == "graphic" and piece.figures["switches"] <= 2
+    assert longest(piece.chart.cells) <= 5 and all(len(row) <= 2 for row in rows_of(piece))
+    shown = piece.chart.palette.rgb[piece.start[::-1]]
+    assert (shown == rgb).all()  # before lice, every stitch has its own colour
+    lice = piece.chart.cells != piece.start
+    assert 0 < lice.mean() < 0.2

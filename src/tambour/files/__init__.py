@@ -26,6 +26,7 @@ _MACHINE_READ = (
 )
 
 _PICTURES = (".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".bmp", ".gif", ".ppm", ".pgm")
+_PHONE = (".heic", ".heif", ".avif")
 _PIXELS = (".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".bmp")
 
 _USD = (".usd", ".usda", ".usdc", ".usdz")
@@ -43,7 +44,7 @@ READ: dict[str, dict[str, str]] = {
     ".ttc": {"Font": "font:read_font"},
     ".svg": {"Drawing": "svg.read:read_drawing"},
     ".svgz": {"Drawing": "svg.read:read_drawing"},
-    **{suffix: {"Picture": "picture:read_picture"} for suffix in _PICTURES},
+    **{suffix: {"Picture": "picture:read_picture"} for suffix in (*_PICTURES, *_PHONE)},
     ".png": {"Picture": "picture:read_picture", "Chart": "chart:read_png"},
     ".csv": {"Chart": "chart:read_csv", "Text": "text:read_text"},
     ".json": {"Chart": "chart:read_json"},

@@ -37,9 +37,13 @@ def _quiet() -> Iterator[None]:
 def read_picture(path: Path) -> Picture:
     """A Picture of the file's first frame, turned as its orientation tag says, converted to sRGB.
 
-    Raises TambourError when the file is broken, no picture, or above 200 million pixels.
+    Raises TambourError when the file is broken, no picture, or above 200 million pixels, and for a phone's .heic where
+    no library reads it.
     """
     from PIL import Image, ImageCms, ImageOps
+
+    if path.suffix.lower() in (".heic", ".heif"):
+        _register_heif(path)
 
     Image.MAX_IMAGE_PIXELS = None  # the limit is ours, below
     try:
@@ -71,6 +75,19 @@ def read_picture(path: Path) -> Picture:
     if rgba.size == 0:
         raise TambourError("the picture has no pixels", where=str(path))
     return Picture(rgba, 25.4 / float(dpi) if 1 < float(dpi or 0) < 10_000 else None)
+
+
+def _register_heif(path: Path) -> None:
+    """Let Pillow open HEIF pictures, by pi-heif (libheif without its encoders)."""
+    try:
+        from pi_heif import register_heif_opener
+    except ImportError:
+        raise TambourError(
+            "a phone's HEIF picture is read by pi-heif, which is not installed",
+            hint='pip install "tambour[phone]", or save the picture as .jpg',
+            where=str(path),
+        ) from None
+    register_heif_opener()
 
 
 def _eight_bits(image: Any) -> Any:

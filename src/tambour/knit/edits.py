@@ -1,4 +1,5 @@
-"""What can be changed by hand in a chart: a stitch takes another yarn, and the rows that see it are solved again."""
+"""What can be changed by hand in a chart: a stitch takes another yarn, and the rows that see it are solved again; a yarn
+takes another colour."""
 
 from __future__ import annotations
 
@@ -26,6 +27,46 @@ class Stitch(Params):
     """The stitch, from 1 at the right, as charts are numbered."""
     yarn: str = Field(max_length=40)
     """MC, CC, the yarn's number from 1 (the chart's order), or its colour as #rrggbb."""
+
+
+class Recolour(Params):
+    """A yarn takes another colour; the chart stays as it is."""
+
+    yarn: str = Field(max_length=40)
+    """MC, CC, CC1 …, the yarn's number from 1 (the chart's order), or its colour as #rrggbb."""
+    colour: str = Field(max_length=40)
+    """#rrggbb, or the name of a shade on a card (wool, natural)."""
+
+
+def _recoloured(piece: Piece, edits: Sequence[Recolour], progress: Progress) -> Piece:
+    from dataclasses import replace
+
+    import numpy as np
+
+    from tambour.core.palette import Palette
+    from tambour.core.rgb import hexed
+    from tambour.knit.hands.working import roles
+    from tambour.knit.picture.shades import named
+
+    rgb, names = piece.chart.palette.rgb.copy(), list(piece.chart.palette.names)
+    called = {role.lower(): k for k, role in roles(piece.chart).items()}
+    called |= {str(k + 1): k for k in range(len(rgb))} | {code: k for k, code in enumerate(_codes(piece))}
+    problems = []
+    for e in edits:
+        where = f"{{--edit}} yarn:{e.yarn}={e.colour}"
+        found, k = named(e.colour), called.get(e.yarn.strip().lower())
+        if k is None:
+            problems.append(Problem("there is no such yarn", ", ".join(called), where=where))
+        if found is None:
+            problems.append(Problem("there is no such colour", "#rrggbb, or a shade of a card", where=where))
+        if k is not None and found is not None:
+            rgb[k], names[k] = found.rgb, found.name
+            if any(hexed(rgb[j].tolist()) == hexed(found.rgb) for j in range(len(rgb)) if j != k):
+                problems.append(Problem("another yarn has this colour", "give each its own", where=where))
+    if problems:
+        raise TambourError(problems)
+    palette = Palette(np.ascontiguousarray(rgb), tuple(names), piece.chart.palette.codes)
+    return replace(piece, chart=replace(piece.chart, palette=palette))
 
 
 def _set(piece: Piece, edits: Sequence[Stitch], progress: Progress) -> Piece:
@@ -75,3 +116,4 @@ def _yarn(piece: Piece, edit: Stitch) -> int | None:
 STITCH = Change(
     "a stitch takes another yarn, and what sees it is solved again", Stitch, "{row},{stitch}={yarn}", after=_set
 )
+YARN = Change("a yarn takes another colour", Recolour, "{yarn}={colour}", after=_recoloured)

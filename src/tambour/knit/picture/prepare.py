@@ -17,6 +17,9 @@ CHROMA = 0.3  # how much the strongest hue contrast adds to lightness
 FINE, COARSE = 0.5, 2.4  # stitches: the two blurs whose difference is the local contrast (Winnemöller 2011)
 EXPOSED = 0.4  # the least share of either yarn that tonal charts aim at
 GAIN, STRONG = 4.0, 0.1  # of local contrast; where its gain is halved
+EVEN = 0.6  # how far tones are evened out: 1 gives every part of the picture the same mean and spread
+PARTS = (8, 0.05)  # stitches about each, and the variance of tones, that a part keeps to
+QUIET = 0.06  # the spread below which a part stays as quiet as it is
 FLAT = 0.02**2  # variance that edge-keeping smoothing takes for noise
 
 
@@ -40,7 +43,8 @@ def stretched(t: Array, ends: tuple[float, float] = ENDS) -> Array:
 
 
 def prepared(rgb: Array, params: KnitParams, squash: float, flat: bool) -> Array:
-    """(R, C) float32 in 0…1, 0 dark: levels, then, unless it is ``flat`` art, smoothing, local contrast and levels again.
+    """(R, C) float32 in 0…1, 0 dark: levels, then, unless it is ``flat`` art, tones evened
+    out, smoothing, local contrast and levels again.
 
     rgb : (R, C, 3) uint8; squash : rows per stitch width, so that blurs are round in wool
     """
@@ -51,9 +55,22 @@ def prepared(rgb: Array, params: KnitParams, squash: float, flat: bool) -> Array
         t = np.clip((t - np.float32(0.5)) * np.float32(params.contrast) + np.float32(0.5 + params.brightness), 0, 1)
     if flat:
         return np.ascontiguousarray(t, np.float32)
-    t = guided(t, radius=2, flat=FLAT)
+    t = guided(evened(t, squash), radius=2, flat=FLAT)
     gained = local(t, GAIN * (1 + params.sharpen), squash)
     return np.ascontiguousarray(stretched(gained, (2.0, 98.0)), np.float32)
+
+
+def evened(t: Array, squash: float) -> Array:
+    """(R, C) ``t`` drawn towards the same mean and spread in all its parts (a guided filter parts them at strong edges), so that a face in the shade and a flower in
+    the sun keep their features when the whole is cut into two or three tones."""
+    from scipy.ndimage import gaussian_filter
+
+    from tambour.knit.picture.tone import guided
+
+    mean = guided(t, *PARTS)
+    spread = np.sqrt(gaussian_filter((t - mean) ** 2, (PARTS[0] * squash, PARTS[0])))
+    part = np.clip((0.5 + mean) / 2 + (t - mean) / (4 * (spread + QUIET)), 0, 1)
+    return np.asarray(t + EVEN * (part - t), np.float32)
 
 
 def local(t: Array, gain: float, squash: float) -> Array:

@@ -122,6 +122,17 @@ def stash(text: Text) -> list[Shade]:
     return found
 
 
+def named(text: str) -> Shade | None:
+    """The colour that ``text`` says: #rrggbb, or the name of a shade of a card; None for neither."""
+    if re.fullmatch(r"#[0-9a-fA-F]{6}", text.strip()):
+        return Shade("", unhexed(text.strip()))
+    for card in CARDS.values():
+        for name, code in card:
+            if name == text.strip().lower():
+                return Shade(name, unhexed(code))
+    return None
+
+
 def candidates(picture: Array, params: KnitParams) -> list[Shade]:
     """The yarns to choose from: those named, the shade card, the stash, or else colours of the picture's own."""
     if params.colors:

@@ -8,6 +8,8 @@ changes, and sweeps over the rows with their pairs fixed end it. Errors are take
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from tambour import color
@@ -19,9 +21,10 @@ from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import shades, tone
 from tambour.knit.picture.layout import lay
-from tambour.knit.picture.style import FAR, Style, recognised, settled
+from tambour.knit.picture.style import chosen as chosen_style
+from tambour.knit.picture.style import settled
 from tambour.knit.piece import Piece
-from tambour.knit.solve import exact, floats, percept, stages
+from tambour.knit.solve import blocks, exact, floats, percept, stages
 from tambour.knit.solve.assemble import State, assemble
 from tambour.knit.solve.lanes import FORBIDDEN
 from tambour.knit.solve.pairs import colour_batches, pair_rows
@@ -54,34 +57,46 @@ def make(source: Picture, params: KnitParams, limit: int, progress: Progress) ->
     with progress.stage("tone"):
         layout = lay(source, params, progress)
         luma = tone.brightness(layout.picture, "code")
-        style = Style("plain", recognised(layout.picture, luma), FAR, "plain: colours mix from row to row")
+        style = chosen_style(layout.picture, luma, params)
         params = settled(params, style)
-        palette = shades.palette_of(layout.picture, params, progress)
+        kind = style.kind
+        areas = style.name in ("graphic", "texture")
+        if areas:
+            palette, cost = blocks.yarns_of(layout, style, params)
+        else:
+            palette = shades.palette_of(layout.picture, params, progress)
         space = space_of(palette, params)
         aim = target(layout.picture, space, params, limit)
-        kind = style.kind
-    with progress.stage("start_assignment"):
-        blank = np.zeros(aim.shape[:2], np.uint8)
-        seen = min(limit, percept.LARGEST)
-        task = stages.task_of(blank.astype(np.float32), blank, seen, params, layout)
         possible = pairs_of(palette, params)
-        eye = stages.sight_of(limit, params)
-        chosen, bits = choose(task, aim, space, possible, eye, params, progress)
-        pairs = possible[chosen]
-        projected = project(aim, space, pairs)
-        how = params.start or ("threshold" if kind == "line drawing" else "floyd-steinberg")
-        start = tone.assign(projected, how, params.threshold)
+    with progress.stage("start_assignment"):
+        if areas:
+            chosen, start, weights = blocks.started(cost, possible, layout, limit, params)
+            layout = replace(layout, weights=weights)
+            pairs = possible[chosen]
+            projected, how = project(aim, space, pairs), "blocks"
+        else:
+            blank = np.zeros(aim.shape[:2], np.uint8)
+            seen = min(limit, percept.LARGEST)
+            task = stages.task_of(blank.astype(np.float32), blank, seen, params, layout)
+            eye = stages.sight_of(limit, params)
+            chosen, bits = choose(task, aim, space, possible, eye, params, progress)
+            pairs = possible[chosen]
+            projected = project(aim, space, pairs)
+            how = params.start or ("threshold" if kind == "line drawing" else "floyd-steinberg")
+            start = tone.assign(projected, how, params.threshold)
     whole = stages.task_of(projected, start, limit, params, layout)
     before = floats.measure(whole, start)
     stages.advise(before, params, progress)
     with progress.stage("solve"):
-        if params.method == "perceptual":
+        if params.method == "perceptual" and not areas:
             cells = sweep(task, aim, space, pairs, bits, eye, SWEEPS)
         else:
             cells = stages.solved(whole, params, progress)
     switches = int((chosen[1:] != chosen[:-1]).sum())
     piece = assemble(State(whole, cells, layout, pairs), palette, kind, how, params, before, progress)
-    figures = {**piece.figures, "yarns": len(palette), "switches": switches, **colour_error(piece, aim, space)}
+    told = {"style": style.name, "why": style.why, "technique": "stranded", "seen_from": style.metres}
+    more = {"yarns": len(palette), "switches": switches, **colour_error(piece, aim, space)}
+    figures = {**told, **piece.figures, **more}
     return Piece(
         piece.chart,
         params,
@@ -166,44 +181,13 @@ def choose(
         return chosen, bits
     costs = np.zeros((rows, len(possible)), np.float64)
     table_of(task, aim, space, possible, eye, error, costs)
-    better = over_rows(costs, price, params.max_switches)
+    better = blocks.over_rows(costs, price, params.max_switches)
     again, more, rest = first_pass(task, aim, space, possible, eye, price, better)
     changes = int((chosen[1:] != chosen[:-1]).sum())
     fits = params.max_switches is None or changes <= params.max_switches
     old = energy(error, eye) + price * changes
     new = energy(rest, eye) + price * int((again[1:] != again[:-1]).sum())
     return (chosen, bits) if fits and old <= new else (again, more)
-
-
-def over_rows(costs: Array, price: float, most: int | None) -> Array:
-    """(R,) pair of each row of least total cost (R, N), with ``price`` a change and at most ``most`` changes."""
-    rows, pairs = costs.shape
-    # Without a limit the number of changes need not be told apart.
-    free = most is None or most >= rows - 1
-    kept = 1 if most is None or free else most + 1
-    best = np.full((kept, pairs), np.inf)
-    best[0] = costs[0]
-    back = np.zeros((rows, kept, pairs, 2), np.int32)
-    for y in range(1, rows):
-        after = best.copy()
-        back[y, :, :, 0] = np.arange(pairs)
-        back[y, :, :, 1] = np.arange(kept)[:, None]
-        for used in range(kept):
-            source = used if free else used - 1
-            if source < 0:
-                continue
-            k = int(best[source].argmin())
-            value = best[source, k] + price
-            less = value < after[used]
-            after[used][less] = value
-            back[y, used, less] = (k, source)
-        best = after + costs[y]
-    used, k = divmod(int(best.argmin()), pairs)
-    path = np.zeros(rows, np.int64)
-    for y in range(rows - 1, -1, -1):
-        path[y] = k
-        k, used = (int(v) for v in back[y, used, k])
-    return path
 
 
 def energy(error: Array, eye: percept.Eye) -> float:
