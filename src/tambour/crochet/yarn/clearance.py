@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from tambour.core.arrays import F4x2, F8x1, F8x2, I4x1, I4x2, I8x1
+from tambour.core.arrays import B1x1, F4x2, F8x1, F8x2, I4x1, I4x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 
 ALONG = 1.6
 """Stretches of one strand nearer to each other along it than so many diameters are not two that touch: yarn that turns
 back on itself as tightly as it can is half a circle, π/2 diameters, away."""
+FIRST = 3
+"""Pushes at the first look, which is at all of the yarn."""
+ENOUGH = 0.975
+"""What is as near as this to the aim has its room."""
+AROUND = 8
+"""Points of the yarn to either side of what is too near that move with it."""
 
 
 @kernel
@@ -200,17 +206,19 @@ def push(coords: F8x2, pairs: I4x2, apart: float, rounds: int, move: F8x2, weigh
                     coords[i, c] += move[i, c] / max(1.0, weight[i])
 
 
-def _pairs(coords: Array, ends: Array, reach: float, along: float) -> Array:
+def _pairs(coords: Array, ends: Array, reach: float, along: float, only: Array | None = None) -> Array:
+    """Pairs (Q, 2) of segments nearer than ``reach``, of all or ``only`` (P,) of those that are marked."""
     n = len(coords)
     strand, arc, middle, half = np.full(n, -1, np.int32), np.zeros(n), np.zeros((n, 3)), np.zeros(n)
     _segments(coords, ends, strand, arc, middle, half)
-    own = strand >= 0
-    count = int(own.sum())
+    if only is not None:
+        strand[~only] = -1
+    own = np.flatnonzero(strand >= 0)
+    count = len(own)
     if not count:
         return np.zeros((0, 2), np.int32)
-    cell = 1.0001 * (reach + 2 * float(half.max()))
-    low = np.array([middle[own, c].min() for c in range(3)])
-    high = np.array([middle[own, c].max() for c in range(3)])
+    cell = 1.0001 * (reach + 2 * float(half[own].max()))
+    low, high = middle[own].min(0), middle[own].max(0)
     # A few strands far apart must not ask for a grid of any size.
     while np.prod(np.floor((high - low) / cell) + 1) > 4e6:
         cell *= 1.5
@@ -218,12 +226,12 @@ def _pairs(coords: Array, ends: Array, reach: float, along: float) -> Array:
     head = np.zeros(int(shape.prod()) + 1, np.int64)
     order, owner, near = np.zeros(count, np.int32), np.zeros(count, np.int32), np.zeros((count, 8), np.float32)
     _bins(coords, strand, arc, middle, half, low, cell, shape, head, order, near, owner)
-    pairs = np.zeros((max(64, 4 * n), 2), np.int32)
-    count = int(close_pairs(coords, shape, head, order, near, owner, reach, along, pairs))
-    if count > len(pairs):
-        pairs = np.zeros((count, 2), np.int32)
+    pairs = np.zeros((max(64, 4 * count), 2), np.int32)
+    found = int(close_pairs(coords, shape, head, order, near, owner, reach, along, pairs))
+    if found > len(pairs):
+        pairs = np.zeros((found, 2), np.int32)
         close_pairs(coords, shape, head, order, near, owner, reach, along, pairs)
-    return pairs[:count]
+    return pairs[:found]
 
 
 def distances(coords: Array, ends: Array, diameter: float, reach: float) -> tuple[Array, Array]:
@@ -240,10 +248,37 @@ def clear(coords: Array, ends: Array, diameter: float, *, looks: int = 3, rounds
     """Move the points (P, 3) of strands so that their centre lines come to be a diameter apart, as far as they can.
 
     looks : how often near pairs are searched anew; rounds : pushes in between; apart : the aim, in diameters
+
+    Yarn that already has its room is looked at once: the later looks are only at what was too near, and around it.
     """
     move, weight = np.zeros_like(coords), np.zeros(len(coords))
-    for _ in range(looks):
-        pairs = _pairs(coords, ends, 1.1 * diameter, ALONG * diameter)
+    only = None
+    for look in range(looks):
+        pairs = _pairs(coords, ends, 1.1 * diameter, ALONG * diameter, only)
         if not len(pairs):
             return
-        push(coords, pairs, apart * diameter, rounds, move, weight)
+        push(coords, pairs, apart * diameter, FIRST if look == 0 and looks > 1 else rounds, move, weight)
+        near = np.zeros(len(coords), np.bool_)
+        crowded(coords, pairs, ENOUGH * apart * diameter, AROUND, near)
+        if not near.any():
+            return
+        only = near
+
+
+@kernel
+def crowded(coords: F8x2, pairs: I4x2, apart: float, around: int, near: B1x1) -> None:
+    """Mark in ``near`` (P,) the points of pairs that are nearer than ``apart``, what they touch, and ``around`` of either."""
+    found = np.zeros(2)
+    n = len(coords)
+    for k in range(len(pairs)):
+        i, j = pairs[k, 0], pairs[k, 1]
+        if nearest(coords, i, j, found) < apart * apart:
+            for m in range(max(0, i - around), min(n, i + around + 2)):
+                near[m] = True
+            for m in range(max(0, j - around), min(n, j + around + 2)):
+                near[m] = True
+    # What those touch: a pair is pushed as a whole, or not at all.
+    for k in range(len(pairs)):
+        i, j = pairs[k, 0], pairs[k, 1]
+        if near[i] != near[j]:
+            near[i] = near[i + 1] = near[j] = near[j + 1] = True

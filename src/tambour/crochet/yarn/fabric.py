@@ -19,8 +19,8 @@ from tambour.crochet.yarn.surface import lining
 from tambour.geometry.motion import length
 from tambour.geometry.tube import sweep
 
-SMALL, LARGE = 2000, 5000
-"""Stitches above which strands are pushed apart less thoroughly, and above which still less."""
+LOOKS = 12
+"""How often strands that are too near to each other are looked for."""
 
 _DETAIL = {"low": (1, 1.0), "medium": (2, 0.2), "high": (3, 0.03)}
 """Detail → pieces that a segment is split into, and how far points may stray, in radii."""
@@ -56,12 +56,8 @@ def strands(
         rows.up, rows.after, rows.before, rows.foot, rows.pace, rows.host, rows.slip, graph.peculiarity == ROOT,
         np.diff(graph.anchor_offsets) == 0, coords,
     )  # fmt: skip
-    coords, ends, stitch = _dense(coords, ends, led.cell, 3.6 * radius)
-    if len(graph) <= LARGE:
-        clear(coords, ends, 2 * radius, looks=6 if len(graph) <= SMALL else 3)
-    else:
-        # Once, and no nearer to a diameter than is seen: the rest of the gain would take many seconds.
-        clear(coords, ends, 2 * radius, looks=1, rounds=8, apart=0.97)
+    coords, ends, stitch = _dense(coords, ends, led.cell, 2.4 * radius)
+    clear(coords, ends, 2 * radius, looks=LOOKS)
     pieces, stray = _DETAIL[detail]
     if pieces > 1:
         lengths = np.where(np.diff(ends) > 0, (np.diff(ends) - 1) * pieces + 1, 0)
