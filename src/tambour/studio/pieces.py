@@ -26,13 +26,15 @@ Digest = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
 Plain = dict[str, Any]
 NAMES = {"crochet": "pattern.txt", "knit": "chart.json", "ink": "", "embroidery": "drawing.svg"}
 """Craft → what a source that was typed is called."""
-EXAMPLES = {
-    "crochet": {"Frog": "frog.acl", "Bear": "bear.txt", "Mushroom": "mushroom.acl", "Octopus": "octopus.acl"},
-    "knit": {"Rose": "rose.png", "Cat": "cat.png", "Band": "band.csv"},
-    "ink": {"Plum": "plum", "Autumn": "autumn"},
-    "embroidery": {"Botanical": "botanical.svg", "Heart": "heart.svg", "Boat": "boat.svg"},
-}
-"""Craft → what the shelf shows: a title → a file of the examples, or for ink a seed."""
+EXAMPLES: dict[str, tuple[tuple[str, str, Plain], ...]] = {
+    "crochet": (
+        ("Frog", "frog.acl", {}), ("Bear", "bear.txt", {}), ("Mushroom", "mushroom.acl", {}), ("Octopus", "octopus.acl", {}),
+    ),
+    "knit": (("Rose", "rose.png", {"stitches": 90}), ("Cat", "cat.png", {"stitches": 90}), ("Band", "band.csv", {})),
+    "ink": (("Plum", "plum", {"span": 1024.0}), ("Autumn", "autumn", {"span": 1024.0, "season": "autumn"})),
+    "embroidery": (("Botanical", "botanical.svg", {}), ("Heart", "heart.svg", {}), ("Boat", "boat.svg", {})),
+}  # fmt: skip
+"""Craft → what the shelf shows: a title, a file of the examples or for ink a seed, parameters."""
 
 
 class Body(BaseModel):
@@ -238,7 +240,7 @@ def _craft(what: Craft) -> Plain:
         "help": CRAFTS[what.name][1],
         "source": "none" if not what.reads else "optional" if what.optional_source else "wanted",
         "reads": sorted(s for s, kinds in files.READ.items() if set(kinds) & set(what.reads)),
-        "examples": [{"name": n, "title": title} for title, n in EXAMPLES[what.name].items()],
+        "examples": [{"name": n, "title": title} for title, n, _ in EXAMPLES[what.name]],
         "views": [
             {"name": v, "help": it.help, "suffixes": suffixes[v], "usual": list(it.suffixes)}
             for v, it in what.views.items()
@@ -277,14 +279,7 @@ async def new(studio: Studio, request: Request, body: NewPiece) -> tuple[int, Pl
     if body.seed is not None:
         called, params = called or "ink", {**params, "seed": body.seed}
     if body.example is not None:
-        found = [(c, t) for c, held in EXAMPLES.items() for t, n in held.items() if n == body.example]
-        if not found:
-            raise Answer.of(422, "there is no such example", where="example")
-        called, title = found[0][0], title or found[0][1]
-        if called == "ink":
-            params = {"seed": body.example, **params}
-        else:
-            raw, name = (folder() / called / body.example).read_bytes(), body.example
+        called, title, name, raw, params = _example(body.example, title, params)
     if given is not None:
         guess = "pattern.txt" if given.text is not None and not given.name else given.name or ""
         likely = crafts_of(clean_name(guess))
@@ -303,6 +298,23 @@ async def new(studio: Studio, request: Request, body: NewPiece) -> tuple[int, Pl
     content = checked(what, content)
     title = _titled(title or (Path(name).stem if name else str(params.get("seed", ""))) or what.name)
     return 201, await both(studio, await studio.library.do(studio.library.add, what.name, title, content, raw))
+
+
+def _example(wanted: str, title: str | None, params: Plain) -> tuple[str, str, str, bytes | None, Plain]:
+    """Craft, title, source's name and bytes, and parameters of a piece that begins as an example."""
+    for craft_name, listed in EXAMPLES.items():
+        for known, called, usual in listed:
+            if called == wanted:
+                name, raw, own = example(craft_name, called, usual)
+                return craft_name, title or known, name, raw, {**own, **params}
+    raise Answer.of(422, "there is no such example", where="example")
+
+
+def example(craft_name: str, called: str, usual: Plain) -> tuple[str, bytes | None, Plain]:
+    """An example's source (name and bytes; none for a seed) and parameters."""
+    if craft_name == "ink":
+        return "", None, {"seed": called, **usual}
+    return called, (folder() / craft_name / called).read_bytes(), dict(usual)
 
 
 def _titled(title: str) -> str:
@@ -405,7 +417,9 @@ async def send(studio: Studio, request: Request, body: Send) -> tuple[int, Plain
     if body.view not in here.views:
         raise Answer.of(422, "there is no such view", f"there is {', '.join(here.views)}", where="view")
     kind = here.views[body.view].value
-    can = [s for s, k in files.WRITE if k == kind and set(files.READ.get(s, {})) & set(there.reads)]
+    # Data in JSON is read as a chart alone, and is one only where knitting wrote it.
+    can = [s for s, k in files.WRITE if k == kind != "dict" and set(files.READ.get(s, {})) & set(there.reads)]
+    can.sort(key=lambda s: s not in (".svg", ".png", ".dst", ".txt"))
     if not can or (body.suffix is not None and body.suffix not in can):
         hint = f"by {' '.join(can)}" if can else "take another view"
         raise Answer.of(422, f"{there.name} cannot begin with this view", hint, where="view")

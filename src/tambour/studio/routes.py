@@ -34,6 +34,7 @@ class Route:
 
 PARAMETERS = {
     "craft": "[a-z]{1,20}",
+    "example": "[a-z0-9]{1,40}([.][a-z]{1,5})?",
     "id": "[a-z2-7]{26}",
     "r": "[1-9][0-9]{0,14}",
     "file": "[a-z]{1,30}[.][a-z0-9]{1,12}",
@@ -47,6 +48,8 @@ _PACK, _FILE = "application/octet-stream", "application/octet-stream"
 ROUTES: tuple[Route, ...] = (
     Route("GET", "/api/crafts", pieces.crafts),
     Route("GET", "/api/crafts/{craft}", pieces.one_craft),
+    Route("GET", "/api/examples/{craft}/{example}/live.pack", views.example_live, _PACK),
+    Route("GET", "/api/examples/{craft}/{example}/steps.json", views.example_steps),
     Route(
         "GET", "/api/pieces", pieces.listed,
         query=(("after", "where the page before ended"), ("limit", "at most 50"), ("binned", "1: those in the bin")),

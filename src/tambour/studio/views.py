@@ -6,13 +6,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-from tambour import files
+from tambour import __version__, files
 from tambour.run import craft
 from tambour.studio.context import Answer, Studio, until_left
 from tambour.studio.guard import SANDBOX
-from tambour.studio.library import Revision
+from tambour.studio.library import Content, Revision
 from tambour.studio.making import Output, file_name, key_of
-from tambour.studio.pieces import plain_revision
+from tambour.studio.pieces import EXAMPLES, example, plain_revision
 
 if TYPE_CHECKING:
     from starlette.requests import Request
@@ -53,6 +53,31 @@ async def live(studio: Studio, request: Request) -> Response:
     name, found = await _found(studio, request)
     made = await until_left(request, studio.making.view(name, found.content, "live", ".pack"))
     return sent(request, made, "application/octet-stream")
+
+
+async def _example(studio: Studio, request: Request) -> tuple[str, Content]:
+    """An example as the content of a piece that nobody made."""
+    name, called = request.path_params["craft"], request.path_params["example"]
+    for _, known, usual in EXAMPLES.get(name, ()):
+        if known == called:
+            source, raw, params = example(name, called, usual)
+            digest = None if raw is None else await studio.library.do(studio.library.keep, raw)
+            return name, Content(source or None, digest, params, {}, (), 1, __version__)
+    raise Answer.of(404, "there is no such example")
+
+
+async def example_live(studio: Studio, request: Request) -> Response:
+    """An example as a screen draws it, a pack."""
+    name, content = await _example(studio, request)
+    made = await until_left(request, studio.making.view(name, content, "live", ".pack"))
+    return sent(request, made, "application/octet-stream")
+
+
+async def example_steps(studio: Studio, request: Request) -> Response:
+    """The steps of an example's making."""
+    name, content = await _example(studio, request)
+    made = await until_left(request, studio.making.view(name, content, "steps", ".json"))
+    return sent(request, made, "application/json")
 
 
 async def steps(studio: Studio, request: Request) -> Response:
