@@ -217,7 +217,8 @@ def test_heavy_job_does_not_delay_other_page(ours: TestClient) -> None:
         while socket.receive_json()["type"] != "progress":
             pass
         _, small = piece(ours, BALL + "# other page\n")
-        assert ours.get(f"/api/revisions/{small}/steps.json").status_code == 200
+        answer = ours.get(f"/api/revisions/{small}/steps.json")
+        assert answer.status_code == 200, answer.text
         socket.send_json({"type": "cancel"})
         heard: list[str] = []
         while not heard or heard[-1] != "failed":

@@ -10,7 +10,7 @@ import struct
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -64,6 +64,7 @@ class Hand:
         self.used = time.monotonic()
         self.job = 0
         self.why = ""
+        self.dead = False
         self._tell: Tell = lambda told: None
         self._frame: Frame = lambda raw: None
         self._end: asyncio.Future[dict[str, Any]] | None = None
@@ -82,8 +83,8 @@ class Hand:
 
     @property
     def alive(self) -> bool:
-        """Whether the process runs."""
-        return self.process.returncode is None
+        """Whether the process can be given work: one that was killed may still be there for a moment."""
+        return not self.dead and self.process.returncode is None
 
     async def _listen(self) -> None:
         assert self.process.stdout is not None
@@ -102,6 +103,7 @@ class Hand:
                 elif self._end is not None and not self._end.done():
                     self._end.set_result(told)
         except (asyncio.IncompleteReadError, ConnectionError):
+            self.dead = True
             await self.process.wait()
             if self._end is not None and not self._end.done():
                 problem = said(self.why or "the worker ended in the midst of this", "try again, or make it smaller")
@@ -119,38 +121,37 @@ class Hand:
 
     def kill(self) -> None:
         """End the process now."""
+        self.dead = True
         with suppress(ProcessLookupError):
             self.process.kill()
 
     async def do(self, job: dict[str, Any], seconds: float, tell: Tell, frame: Frame) -> dict[str, Any]:
-        """Do a job and give its end. A job that is cancelled or takes too long is stopped, at the latest by death."""
+        """Do a job and give its end; one that takes too long, or that nobody waits for any more, is to be stopped."""
         assert self.process.stdin is not None
         self.job += 1
         self._tell, self._frame = tell, frame
         self._end = asyncio.get_running_loop().create_future()
         await self._say({**job, "job": self.job})
+        if self.dead and self._tasks[0].done():  # nobody is left who would tell its end
+            raise Failed.of(503, self.why or "the worker ended in the midst of this", "try again")
         try:
             async with asyncio.timeout(seconds):
                 return await asyncio.shield(self._end)
         except TimeoutError:
-            await self._stop()
-            raise Failed.of(
-                503, f"this took more than {_time(seconds)} and was stopped", "make it smaller, or simpler"
-            ) from None
-        except asyncio.CancelledError:
-            await asyncio.shield(self._stop())
-            raise
+            hint = "make it smaller, or simpler"
+            raise Failed.of(503, f"this took more than {_time(seconds)} and was stopped", hint) from None
         finally:
             self._tell, self._frame = (lambda told: None), (lambda raw: None)
 
-    async def _stop(self) -> None:
-        """Ask the job to end, and kill it when it does not."""
-        with suppress(ConnectionError):
-            await self._say({"do": "stop", "job": self.job})
-        assert self._end is not None
+    async def stop(self) -> None:
+        """See that no job goes on: ask it to end, and kill it when it does not."""
+        end = self._end
+        if end is None or end.done() or self.dead:
+            return
+        await self._say({"do": "stop", "job": self.job})
         try:
             async with asyncio.timeout(limits.STOP_SECONDS):
-                await asyncio.shield(self._end)
+                await asyncio.shield(end)
         except TimeoutError:
             self.kill()
 
@@ -204,9 +205,13 @@ class Pool:
             self.made += 1
             hand = Hand(self.folder / str(self.made), self.log, self.threads)
             self.hands.append(hand)
-            task = asyncio.create_task(self._begin(hand))
-            self._tasks.add(task)
-            task.add_done_callback(self._tasks.discard)
+            self._later(self._begin(hand))
+
+    def _later(self, work: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
+        task = asyncio.create_task(work)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+        return task
 
     async def _begin(self, hand: Hand) -> None:
         try:
@@ -232,7 +237,8 @@ class Pool:
                 job = {**job, **await self._lay(hand, spec)}
             told = await hand.do(job, seconds, tell, frame)
         finally:
-            await self._back(hand)
+            # By itself: whoever is cancelled, twice perhaps, must not keep a worker.
+            self._later(self._back(hand))
         if told["is"] == "stopped":
             raise Failed.of(503, "this was stopped")
         if told["is"] == "failed":
@@ -278,7 +284,8 @@ class Pool:
         }  # fmt: skip
 
     async def _back(self, hand: Hand) -> None:
-        """A worker is free again; or dead, and another is started in its place."""
+        """A worker is free again once its job is over; or dead, and another is started in its place."""
+        await hand.stop()
         if not hand.alive:
             self.hands = [h for h in self.hands if h is not hand]
             await hand.close()

@@ -101,6 +101,7 @@ def _bound(host: str, port: int | None) -> socket.socket:
             made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             made.bind((host, number))
+            made.listen(128)  # before anyone is told
         except OSError as error:
             made.close()
             last = error
