@@ -14,7 +14,7 @@ from tambour.crochet.finish.joining import crowded, prepare
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.finish.twist import twisted
 from tambour.crochet.graph.build import build
-from tambour.crochet.graph.spots import Spots, numbers
+from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed, Spot
 from tambour.crochet.language.parse import parse
 from tambour.crochet.maker.facts import facts
@@ -43,10 +43,10 @@ def toy(text: str) -> Plush:
 
 
 def test_rounds_bear_the_numbers_that_are_written() -> None:
-    assert numbers(build(parse(Text(BALL)))) == list(range(1, 13))
-    assert numbers(build(parse(Text(": MR(6)\n: 6 inc\n2: 12 sc\n")))) == [1, 2, 3, 4]
-    assert numbers(build(parse(Text("R5: MR(6)\nR6-R8: 6 sc\n")))) == [5, 6, 7, 8]
-    assert numbers(build(parse(Text("ch 7\nturn\nR1: 6 sc\nturn\nR2: 6 sc\n")))) == [0, 1, 2]
+    assert Spots(build(parse(Text(BALL)))).numbers == list(range(1, 13))
+    assert Spots(build(parse(Text(": MR(6)\n: 6 inc\n2: 12 sc\n")))).numbers == [1, 2, 3, 4]
+    assert Spots(build(parse(Text("R5: MR(6)\nR6-R8: 6 sc\n")))).numbers == [5, 6, 7, 8]
+    assert Spots(build(parse(Text("ch 7\nturn\nR1: 6 sc\nturn\nR2: 6 sc\n")))).numbers == [0, 1, 2]
 
 
 def test_a_whole_stitch_is_its_node_and_shares_are_between() -> None:

@@ -28,6 +28,62 @@ def yarn(piece: Plush) -> Mesh:
     return joined([worked, *face]) if face else worked
 
 
+def toy(piece: Plush) -> Mesh:
+    """The piece in yarn as pictures show it: only the parts that are :func:`in_sight`."""
+    import numpy as np
+
+    from tambour.core.paths import Paths
+    from tambour.crochet.finish.features import joined, meshes
+    from tambour.crochet.yarn.fabric import mesh
+
+    parts = in_sight(piece)
+    if parts is None:
+        return yarn(piece)
+    graph, led = piece.built.graph, piece.yarn
+    wanted = np.isin(np.arange(len(graph.parts)), parts)
+    ends, stitch = led.paths.offsets, led.point_data["stitch"]
+    keep = np.flatnonzero(np.minimum.reduceat(wanted[graph.part[stitch]], ends[:-1]))
+    points = np.concatenate([np.arange(ends[k], ends[k + 1]) for k in keep])
+    made = replace(
+        led,
+        paths=Paths(led.paths.coords[points], np.concatenate([[0], np.cumsum(np.diff(ends)[keep])])),
+        radius=led.radius[points],
+        color=led.color[keep],
+        source=led.source[keep] if led.source is not None and len(led.source) else led.source,
+        point_data={name: values[points] for name, values in led.point_data.items()},
+    )
+    detail = piece.params.detail
+    face, made = meshes(piece.built, piece.positions, made, detail=detail, upright=piece.upright)
+    fabric = replace(graph, faces=graph.faces[wanted[graph.part[graph.faces[:, 0]]]])
+    worked = mesh(fabric, piece.positions, detail=detail, made=made)
+    return joined([worked, *face]) if face else worked
+
+
+def in_sight(piece: Plush) -> list[int] | None:
+    """The parts that pictures of a printed pattern's toy show; None for all of them.
+
+    Clothes and unnamed parts that nothing places would only stand beside it.
+    """
+    import re
+
+    from tambour.crochet.language.finishes import Placed
+    from tambour.crochet.places.names import Made
+    from tambour.crochet.settle.arrange import clusters
+
+    graph, pattern = piece.built.graph, piece.built.pattern
+    if not pattern.terms or not any(isinstance(f, Placed) for f in pattern.finish):
+        return None
+    label = clusters(graph)
+    filled = [k for k, part in enumerate(graph.parts) if part.end > part.start]
+    at = {k: int(label[graph.parts[k].start]) for k in filled}
+    name = {k: pattern.parts[piece.built.parts[k].section].name for k in filled}
+    main = at[max(filled, key=lambda k: graph.parts[k].end - graph.parts[k].start)]
+    aside = {k for k in filled if Made(name[k], 1).worn or re.fullmatch(r"(?:part|piece)(?:_\w+)?|", name[k])}
+    toys = {main, *(at[k] for k in filled if k not in aside and list(at.values()).count(at[k]) > 1)}
+    kept = [k for k in filled if k not in aside or at[k] in toys]
+    return kept if len(kept) < len(filled) else None
+
+
 def checked(piece: Plush) -> Mesh:
     """The piece in pale yarn, what the tech edit doubts in red."""
     import numpy as np

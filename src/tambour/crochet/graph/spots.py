@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -33,7 +32,7 @@ class Spots:
 
     def __init__(self, built: Built) -> None:
         self.built = built
-        self.numbers = numbers(built)
+        self.numbers = [r.number for r in built.rounds]
         self._at: dict[tuple[int, int], list[int]] = {}
         for k, (round_, number) in enumerate(zip(built.rounds, self.numbers)):
             self._at.setdefault((round_.part, number), []).append(k)
@@ -248,39 +247,3 @@ def rim(built: Built, part: int) -> Array:
     # Where a spiral ends the edge steps down by a stitch that is worked into already: no needle goes there.
     free = loop[~np.isin(loop, graph.anchors)]
     return np.asarray(free if len(free) > 2 else loop, int)
-
-
-def numbers(built: Built) -> list[int]:
-    """The number that every round bears: the one that is written, else one more than the round before in its part.
-
-    A foundation chain that bears none is 0, or one less than the first round.
-    """
-    graph, made = built.graph, []
-    part, last, worked = -1, 0, [0]
-    for k, r in enumerate(built.rounds):
-        if r.part != part:
-            part, last = r.part, 0
-            lines = sorted(built.pattern.parts[built.parts[part].section].lines, key=lambda line: line.span.start)
-            starts = [line.span.start for line in lines]
-            worked = [0] * len(lines)
-        # The stitch in the middle of a round tells best which line it is: counts that are wrong shift its ends.
-        at = bisect_right(starts, int(graph.span[(r.first + r.last) // 2, 0])) - 1
-        line = lines[at] if at >= 0 else None
-        bare = graph.anchor_offsets[r.last + 1] == graph.anchor_offsets[r.first]
-        if bare and r.below < 0 and (line is None or line.number is None or _shared(built, k, line.span.end)):
-            last = (line.number - 1) if line is not None and line.number is not None else 0
-        elif line is None or line.number is None:
-            last += 1
-        else:
-            last = min(line.number + worked[at], line.number + line.times - 1)
-            worked[at] += 1
-        made.append(last)
-    return made
-
-
-def _shared(built: Built, k: int, end: int) -> bool:
-    """Whether the round after ``k`` is worked in the same line, which ends at ``end``."""
-    after = built.rounds[k + 1] if k + 1 < len(built.rounds) else None
-    if after is None or after.part != built.rounds[k].part:
-        return False
-    return int(built.graph.span[(after.first + after.last) // 2, 0]) < end

@@ -109,10 +109,10 @@ def lies(piece: Plush) -> bool:
 
 def whole(album: Album, width: int, height: int) -> Picture:
     """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
-    from tambour.crochet.looks import yarn
+    from tambour.crochet.looks import in_sight, toy
     from tambour.render.raster import film, picture, shown
 
-    made = yarn(album.piece)
+    made = toy(album.piece)
     points = shown(made)
     middle = 0.5 * (points.min(0) + points.max(0))
     # Some air around it, but the floor stays where it stands.
@@ -121,7 +121,7 @@ def whole(album: Album, width: int, height: int) -> Picture:
     elevation = _ABOVE if lies(album.piece) else _VIEW[1]
     seen = picture(
         made, width=width, height=height, azimuth=_VIEW[0], elevation=elevation, background=BACKDROP, frame=room,
-        lit=album.light(album.all, album.face, _VIEW[0], MANY),
+        lit=album.light(in_sight(album.piece) or album.all, album.face, _VIEW[0], MANY),
     )  # fmt: skip
     paper = np.round(coded(film(linear(np.array(BACKDROP) / 255.0))) * 255).astype(np.float32)
     y = np.linspace(0.0, 1.0, height, dtype=np.float32)

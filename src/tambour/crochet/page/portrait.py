@@ -23,9 +23,9 @@ SIDES: Final[dict[str, tuple[float, float]]] = {
 
 def portrait(piece: Plush, side: str, *, width: int = 1200, height: int | None = None, ground: bool = True) -> Picture:
     """The piece in yarn, with its face, seen from a side of SIDES."""
-    from tambour.crochet.looks import yarn
+    from tambour.crochet.looks import toy
 
-    return seen(yarn(piece), side, width=width, height=height, ground=ground)
+    return seen(toy(piece), side, width=width, height=height, ground=ground)
 
 
 front, back, left, right, top = (partial(portrait, side=side) for side in SIDES)

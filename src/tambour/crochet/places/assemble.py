@@ -151,7 +151,7 @@ class Assembly(Toy):
         taken, main = self._taken(), self.main
         order = len(self.heard.puts) + len(self.heard.features) + len(self.heard.exact)
         for part in self.parts:
-            free = [(part, k) for k in range(1, part.copies + 1) if (part, k) not in taken]
+            free = [(part, k) for k in range(1, part.copies + 1) if part.worn or (part, k) not in taken]
             free = [c for c in free if self.spots.parts[c[0].copy(c[1])] not in self.sewn]
             if not free or part == main:
                 continue
@@ -189,6 +189,8 @@ class Assembly(Toy):
             return "side"
         if head is not None and head != main:
             return "end"
+        if main.kind == "hat":
+            return "start"
         if main.kind == "head" and "body" not in main.kinds and legs:
             return "start"
         if (
@@ -228,7 +230,11 @@ class Assembly(Toy):
                     )
                 else:
                     p = replace(p, copies=[c for c in p.copies if c != (main, 1)], host=p.host or (main, 1))
-            free = [c for c in p.copies if c not in seen and self.spots.parts[c[0].copy(c[1])] not in self.sewn]
+            free = [c for c in p.copies if c not in seen and not c[0].worn and self.spots.parts[c[0].copy(c[1])] not in self.sewn]
+            if free and self._another(p, puts):
+                seen.update(free)
+                self.made.apart.append(free[0][0].name)
+                free = []
             if not free:
                 continue
             seen.update(free)
@@ -267,6 +273,15 @@ class Assembly(Toy):
             if depth(p.copies[0][0].copy(p.copies[0][1])) >= 99:
                 p.host = (main, 1)
         return sorted(puts, key=lambda p: depth(p.copies[0][0].copy(p.copies[0][1])))
+
+    @staticmethod
+    def _another(p: Put, puts: list[Put]) -> bool:
+        """Whether ears are of another version of the toy: there is a pair at that place already."""
+        made = p.copies[0][0]
+        return p.kind == "ear" and "inner" not in made.words and p.where.rounds is None and any(
+            q.kind == "ear" and "inner" not in q.copies[0][0].words and q.host == p.host
+            and len(q.copies) == len(p.copies) == 2 and q.where.words == p.where.words for q in puts
+        )  # fmt: skip
 
     def _goes_on_head(self, p: Put) -> bool:
         from tambour.crochet.places.usual import usual

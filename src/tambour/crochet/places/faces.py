@@ -66,7 +66,9 @@ class Facer(Putter):
         """What a face is on: what is named, else a muzzle for noses and mouths, else the head."""
         work = self.work
         if f.host is not None:
-            return work.host((f.host[0], max(1, f.host[1])), f.region if f.host[0] == work.main else "")
+            two = {"head", "body"} <= set(work.main.kinds)
+            region = (f.region if two else "head") if f.host[0] == work.main else ""
+            return work.host((f.host[0], max(1, f.host[1])), "" if what in ("navel", "claws") and not two else region)
         muzzle = work.of_kind("muzzle")
         placed = {r.part for _, r in work.out if isinstance(r, Placed)}
         if (

@@ -40,11 +40,13 @@ _ADJACENT: Final = re.compile(
 )
 """What may stand between a verb and what is put."""
 _PASSIVE: Final = re.compile(r"(?:\b(?:is|are|be|being|get|gets|should be)\s+|[:–—-]\s*|^|\beach\s+)$")
+_FIRST_DONE: Final = re.compile(r"\b(?:stuff|fold|flatten|gather|pin|weight|close|shape|bend)\w*\s+(?:the\s+|each\s+|both\s+)*$")
+"""What is done with a part before it is sewn: "stuff the snout and sew to the head"."""
 _CLOSING: Final = re.compile(r"\b(?:closed|shut|tog|together|in half|seams?|opening|flat)\b")
 """A sentence that closes a part, and puts it nowhere."""
 _IT: Final = re.compile(
     r"(?:sew|stitch|attach|pin|place|position|glue|whipstitch|put|fasten|tack|secure|join|seam)\w*\s+(?:it\b|them\b|these\b|"
-    r"this\b|piece\b|both\b|to\b|onto\b|on\b|in place|in position|between\b|at\b|over\b|around\b|securely\b|firmly\b|\d|one\b|"
+    r"this\b|piece\b|both\b|to\b|onto\b|on\b|in place|in position|between\b|at\b|over\b|around\b|securely\b|firmly\b|\d+ (?:on|to|at|in|onto|each)\b|one\b|"
     r"evenly\b|down\b|across\b|centered\b|under\b|below\b|above\b|along\b|each\b|using\b|as\b)"
 )
 """A sentence that says what is done with the part that it stands in."""
@@ -245,6 +247,8 @@ class Heard:
             not objects and found and found[0].end <= verb.start() and _PASSIVE.search(low[found[0].end : verb.start()])
         ):
             objects = [m for m in found if m.end <= verb.start()]
+        if not objects and found and found[0].end <= verb.start() and _FIRST_DONE.search(low[: found[0].start]):
+            objects = [m for m in found if m.end <= verb.start()]
         if not objects and sentence.part and _IT.match(low, verb.start()):
             known = next((p for p in self.parts if p.name == sentence.part), None)
             if known is not None:
@@ -281,7 +285,10 @@ class Heard:
 
     def _on(self, found: list[Mention], low: str) -> Copy | None:
         """The part that a face is on: one that is named after "on", "of", "to", and made once."""
-        single = [m for m in found if len(m.copies) == 1 or m.word in ("foot", "paw", "leg", "arm", "hand")]
+        single = [
+            m for m in found
+            if (len(m.copies) == 1 or m.word in ("foot", "paw", "leg", "arm", "hand")) and not _NEAR.search(low[: m.start])
+        ]  # fmt: skip
         return single[-1].copies[0] if single else None
 
     @staticmethod

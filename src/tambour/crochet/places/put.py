@@ -76,7 +76,9 @@ class Putter(Beside):
             pair = usual(kind, 2, lying=lies, long=self._long(put.copies[0]), words=wanted)
             right = "right" in made.words or "right" in put.where.words or (made.copies == 2 and put.copies[0][1] == 2)
             ways = [pair[1] if right else pair[0]]
-        region = put.region or (ways[0].on if put.host[0] == work.main else "")
+        # Only of what is head and body in one a sentence says which of the two it means.
+        two = {"head", "body"} <= set(work.main.kinds) or put.region == "head"
+        region = (put.region if two else "") or (ways[0].on if put.host[0] == work.main else "")
         host = work.host(put.host, region)
         made_of = [
             (c, self._spotted(put, host, self._told(way, put.where, len(put.copies)), k))

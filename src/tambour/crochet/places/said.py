@@ -69,6 +69,11 @@ _WHERE: Final[dict[str, str]] = {
     "standing": r"\bstand(?:s|ing)?\b(?! up)",
 }
 _COMPILED: Final = {name: re.compile(pattern) for name, pattern in _WHERE.items()}
+_DOING: Final = re.compile(
+    r",?\s(?:cinching|stuffing|using|working|making|being|adding|curving|pulling|tucking|gathering|noting|taking|stretching)\b"
+    r"(?:(?! (?:between|over|apart|rounds?|rnds?)\b)[^,;])*"
+)
+"""What hands do meanwhile, which says no place."""
 _SHOWN: Final = re.compile(
     r"\b(?:as (?:shown|pictured|seen|desired|you like|in (?:the )?(?:photo|picture|image))|photo\w*|pictures?|images?|in place|"
     r"where you like|wherever|desired)\b"
@@ -108,6 +113,7 @@ class Where:
 def where(text: str) -> Where:
     """What ``text`` (in small letters) says of a place."""
     rounds = None
+    text = _DOING.sub("", text)
     text = re.sub(r"\b(?:approx(?:imately)?\.?|about|around(?= \d)|roughly)\s+", "", text)
     both = [m for m in (_ROUNDS.search(text), _ORDINAL.search(text)) if m is not None]
     found = min(both, key=lambda m: m.start(), default=None)

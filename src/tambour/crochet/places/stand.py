@@ -81,10 +81,10 @@ class Host:
     def levels(self) -> list[tuple[int, Array]]:
         """Its rounds: the number of each, and where its stitches are (n, 3)."""
         spots = self.stand.spots
-        made = []
+        made, last = [], spots.round_at(self.part, self.high)
         for number in range(self.low, self.high + 1):
             k = spots.round_at(self.part, number)
-            if k is not None and len(nodes := spots.stitches(k)):
+            if k is not None and (last is None or k <= last) and len(nodes := spots.stitches(k)):
                 made.append((number, self.stand.x[nodes]))
         return made
 

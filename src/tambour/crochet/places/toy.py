@@ -13,7 +13,7 @@ from tambour.crochet.places.hear import Copy
 from tambour.crochet.places.names import Made
 from tambour.crochet.places.stand import Host, Stand, neck, numbers_of
 
-_TALL: Final = 0.45
+_TALL: Final = 0.6
 """A part with so many rounds to a stitch of its widest is longer than wide."""
 
 
@@ -89,18 +89,19 @@ class Toy:
 
 
 def toys(built: Built) -> list[list[str]]:
-    """The parts of every toy that a pattern makes, by name: another begins with a head or body that is there already."""
-    made: list[list[str]] = [[]]
-    trunks: set[str] = set()
-    limbs = False
-    for section in built.pattern.parts:
-        part = Made(section.name, section.copies)
-        trunk = part.kind in ("head", "body")
-        key = " ".join(part.words) if trunk else ""
-        if trunk and limbs and (key in trunks or (part.kind == "body" and any("body" in k.split() for k in trunks))):
-            made.append([])
-            trunks, limbs = set(), False
-        made[-1].append(section.name)
-        trunks |= {key} if trunk else set()
-        limbs = limbs or (bool(part.kind) and not trunk)
-    return made
+    """The parts of every toy that a pattern makes, by name.
+
+    Another begins where a part has a name that is there already (they are numbered on then), or at another body behind
+    limbs; and only if it has a head or body of its own.
+    """
+    parts = [Made(section.name, section.copies) for section in built.pattern.parts]
+    trunk = [part.kind in ("head", "body") for part in parts]
+    starts, begin = [0], 0
+    for k, part in enumerate(parts):
+        before = parts[begin:k]
+        again = any(part.words == other.words for other in before) and bool(part.kind) and not part.worn
+        body = part.kind == "body" and any(other.kind == "body" for other in before) and not trunk[k - 1]
+        if (again or body) and any(trunk[begin:k]) and any(trunk[k:]):
+            starts.append(k)
+            begin = k
+    return [[part.name for part in parts[a:b]] for a, b in zip(starts, [*starts[1:], len(parts)])]
