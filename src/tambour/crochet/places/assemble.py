@@ -230,7 +230,11 @@ class Assembly(Toy):
                     )
                 else:
                     p = replace(p, copies=[c for c in p.copies if c != (main, 1)], host=p.host or (main, 1))
-            free = [c for c in p.copies if c not in seen and not c[0].worn and self.spots.parts[c[0].copy(c[1])] not in self.sewn]
+            free = [
+                c
+                for c in p.copies
+                if c not in seen and not c[0].worn and self.spots.parts[c[0].copy(c[1])] not in self.sewn
+            ]
             if free and self._another(p, puts):
                 seen.update(free)
                 self.made.apart.append(free[0][0].name)

@@ -40,7 +40,9 @@ _ADJACENT: Final = re.compile(
 )
 """What may stand between a verb and what is put."""
 _PASSIVE: Final = re.compile(r"(?:\b(?:is|are|be|being|get|gets|should be)\s+|[:–—-]\s*|^|\beach\s+)$")
-_FIRST_DONE: Final = re.compile(r"\b(?:stuff|fold|flatten|gather|pin|weight|close|shape|bend)\w*\s+(?:the\s+|each\s+|both\s+)*$")
+_FIRST_DONE: Final = re.compile(
+    r"\b(?:stuff|fold|flatten|gather|pin|weight|close|shape|bend)\w*\s+(?:the\s+|each\s+|both\s+)*$"
+)
 """What is done with a part before it is sewn: "stuff the snout and sew to the head"."""
 _CLOSING: Final = re.compile(r"\b(?:closed|shut|tog|together|in half|seams?|opening|flat)\b")
 """A sentence that closes a part, and puts it nowhere."""
