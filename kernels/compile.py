@@ -1,8 +1,9 @@
 """Compile: every kernel that Python calls becomes an object file, by Numba, for any processor of the kind.
 
 ``python kernels/compile.py objects SHARE OF`` compiles the part ``SHARE`` of ``OF`` parts into the cache, and needs Numba;
-``python kernels/compile.py keys`` tells where each kernel lies there, and its fingerprint. How native functions are called (see ``runtime.c``) is Numba's own affair, not promised by it: so Numba is pinned, and a test
-calls a kernel of each kind of argument and result. Should it change, ``numba.cfunc`` with ``carray`` is the public way.
+``python kernels/compile.py keys`` tells where each kernel lies there, and its fingerprint. How native functions are called
+(see ``runtime.c``) is Numba's own affair, not promised by it: so Numba is pinned, and a test calls a kernel of each kind of
+argument and result. Should it change, ``numba.cfunc`` with ``carray`` is the public way.
 """
 
 from __future__ import annotations
@@ -69,6 +70,9 @@ def compiled(kernel: Any) -> tuple[bytes, dict[str, Any]]:
             function.visibility = "hidden"
         elif not function.is_declaration:
             function.linkage = "internal"
+    for number, variable in enumerate(code.global_variables):
+        if not variable.is_declaration:  # Numba names some by where they lay in its memory
+            variable.linkage, variable.name = "internal", f"data_{number}"
     machine = llvm.Target.from_triple(llvm.get_process_triple()).create_target_machine(
         cpu=PROCESSOR, opt=3, reloc="pic", codemodel="default"
     )

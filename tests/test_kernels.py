@@ -129,7 +129,10 @@ def _python(code: str, *words: Path | str, **more: str) -> subprocess.CompletedP
 @pytest.fixture(scope="module")
 def built(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with kernels of every kind of argument and result, and these built."""
-    folder = tmp_path_factory.mktemp("kinds")
+    return _built(root, tmp_path_factory.mktemp("kinds"))
+
+
+def _built(root: Path, folder: Path) -> Path:
     (folder / "kinds.py").write_text(KINDS)
     (folder / "tambour" / "kernels").mkdir(parents=True)
     made = _python(BUILD, root, folder, XDG_CACHE_HOME=str(folder), PYTHONHASHSEED="0")
@@ -154,6 +157,16 @@ kernels._native = lambda: native
 
 def test_every_kind_of_argument_and_result(built: Path) -> None:
     assert _tried(built, TRIED, TAMBOUR_KERNELS="native") == ""
+
+
+@pytest.mark.slow
+def test_two_builds_give_the_same_bytes(built: Path, root: Path, tmp_path: Path) -> None:
+    again = _built(root, tmp_path)
+    objects = [sorted((folder / "tambour" / "kernels").glob("*.o")) for folder in (built, again)]
+    assert [o.name for o in objects[0]] == [o.name for o in objects[1]] and len(objects[0]) == 5
+    for one, other in zip(*objects):
+        assert one.read_bytes() == other.read_bytes(), one.name
+    assert (built / "_native.abi3.so").read_bytes() == (again / "_native.abi3.so").read_bytes()
 
 
 @pytest.mark.slow
