@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import os
 import subprocess
 import sys
@@ -13,8 +14,9 @@ import pytest
 KINDS = """
 from __future__ import annotations
 import numpy as np
-from tambour.core.arrays import B1x1, F4x2, F8x1, F8x2, F8x3, I1x1, I4x2, I8x1, I8x2, U1x1, U8x1
+from tambour.core.arrays import B1x1, F4x1, F4x2, F8x1, F8x2, F8x3, I1x1, I4x2, I8x1, I8x2, U1x1, U8x1
 from tambour.core.kernels import kernel
+from tambour.knit.solve.lanes import butterfly
 
 SCALE = 3.0
 
@@ -49,6 +51,10 @@ def one(n: int) -> I8x2:
 @kernel
 def nothing(a: F8x1) -> None:
     a[:] = np.sqrt(a)
+
+@kernel
+def step(V: F4x1, W: F4x1, P: U1x1, U: F4x1, Z: F4x1, i: int, j: int, o: int, x: int, p: int, s: np.float32, t: np.float32) -> None:
+    butterfly(V, W, P, U, Z, i, j, o, x, p, s, t)
 """
 
 TRIED = """
@@ -81,6 +87,13 @@ for n in (0, 3, 400):
     both(kinds.results, n)
     both(kinds.one, n)
 both(kinds.nothing, np.arange(4.0))
+# What is written out for the processor by hand, against its plain twin.
+kinds.butterfly.run = kinds.butterfly.function
+rng = np.random.default_rng(1)
+for _ in range(50):
+    V, W, U, Z = (rng.choice([*rng.normal(size=6), 1.0, 1e30], n).astype(np.float32) for n in (32, 48, 16, 16))
+    P = rng.integers(0, 256, 9).astype(np.uint8)
+    both(kinds.step, V, W, P, U, Z, 8, 24, 16, 8, int(rng.integers(0, 8)), *rng.choice([0.0, 0.5, -0.25], 2).astype(np.float32))
 kept = [kinds.one(500) for _ in range(200)]
 assert all((k == 500).all() for k in kept)
 for bad in (np.arange(4), np.ones((2, 2)), np.arange(8.0)[::2], np.arange(4.0, dtype=">f8"), [1.0], None):
@@ -99,7 +112,7 @@ for words in ((frozen,), (), (frozen, 1)):
         continue
     raise AssertionError(words)
 from tambour.core.kernels import RAN
-assert set(RAN.values()) == {"native"} and len(RAN) == 5, RAN
+assert set(RAN.values()) == {"native"} and len(RAN) == 6, RAN
 """
 
 BUILD = """
@@ -114,7 +127,7 @@ from kernels.glue import Entry
 from tambour.core import kernels
 kernels.OPTIONS |= compile.BARE
 entries = []
-for made in (kinds.arrays, kinds.numbers, kinds.results, kinds.one, kinds.nothing):
+for made in (kinds.arrays, kinds.numbers, kinds.results, kinds.one, kinds.nothing, kinds.step):
     code, told = compile.compiled(made)
     entries.append((compile.keep(made, code, told), Entry(digest=kernels.fingerprint(made), **told)))
 build._link(entries, folder / "_native.abi3.so")
@@ -163,7 +176,7 @@ def test_every_kind_of_argument_and_result(built: Path) -> None:
 def test_two_builds_give_the_same_bytes(built: Path, root: Path, tmp_path: Path) -> None:
     again = _built(root, tmp_path)
     objects = [sorted((folder / "tambour" / "kernels").glob("*.o")) for folder in (built, again)]
-    assert [o.name for o in objects[0]] == [o.name for o in objects[1]] and len(objects[0]) == 5
+    assert [o.name for o in objects[0]] == [o.name for o in objects[1]] and len(objects[0]) == 6
     for one, other in zip(*objects):
         assert one.read_bytes() == other.read_bytes(), one.name
     assert (built / "_native.abi3.so").read_bytes() == (again / "_native.abi3.so").read_bytes()
@@ -191,3 +204,42 @@ def test_kernels_as_plain_functions() -> None:
     code = "from tambour.noise import close, uniform; print(type(close).__name__, uniform(3, 5))"
     plain, compiled = (_python(code, TAMBOUR_KERNELS=way).stdout.split() for way in ("python", "numba"))
     assert plain == ["function", compiled[1]] and compiled[0] == "Kernel"
+
+
+COMMANDS = {
+    "crochet examples/crochet/heart.acl --check": {"scipy", "shapely", "skia", "pystitch"},
+    "crochet examples/crochet/y.acl -o {out}/y.glb": {"scipy", "shapely", "skia", "pystitch"},
+    "crochet examples/crochet/bear.txt --check": {"scipy", "shapely", "skia", "pystitch", "lark"},
+    "knit examples/knit/rose.png --stitches 30 -o {out}/k.png": {
+        "scipy.optimize",
+        "shapely",
+        "skia",
+        "pystitch",
+        "lark",
+    },
+    "ink --seed 7 --span 200 -o {out}/i.svg": {"scipy", "shapely", "skia", "pystitch", "lark"},
+    "embroidery examples/embroidery/heart.svg -o {out}/e.dst": {"scipy.optimize", "skia", "lark"},
+}
+"""Small commands, and what they have no use for."""
+
+
+@pytest.mark.parametrize("words", COMMANDS, ids=lambda words: words.partition(" -")[0].replace("examples/", ""))
+def test_commands_load_neither_the_compiler_nor_what_they_have_no_use_for(
+    words: str, root: Path, tmp_path: Path
+) -> None:
+    if importlib.util.find_spec("tambour.core._native") is None:
+        pytest.skip("kernels are not built here")
+    code = """
+    import sys
+    from tambour.cli import main
+    main(sys.argv[1:])
+    from tambour.core.kernels import RAN
+    print("ways", *sorted(set(RAN.values())))
+    print("loaded", *sys.modules)
+    """
+    given = words.replace("examples/", f"{root}/examples/").format(out=tmp_path).split()
+    made = _python(code, *given, TAMBOUR_KERNELS="")
+    assert made.returncode == 0, made.stderr
+    said = {line.split()[0]: set(line.split()[1:]) for line in made.stdout.splitlines()[-2:]}
+    assert said["ways"] == {"native"}, "kernels are stale: run `make kernels`"
+    assert not said["loaded"] & {"numba", "llvmlite", "rich", *COMMANDS[words]}

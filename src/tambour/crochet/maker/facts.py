@@ -77,7 +77,7 @@ def facts(piece: Plush) -> dict[str, Any]:
 
 
 def _yarn(piece: Plush) -> dict[str, Any]:
-    """What it takes of yarn and all else; a tech edit does without, as the yarn would have to be led for it."""
+    """What it takes of yarn and all else; a tech edit tells of the pattern alone."""
     from tambour.crochet.maker.materials import lengths, materials
 
     metres = lengths(piece)
