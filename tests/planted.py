@@ -77,8 +77,6 @@ FAULTS = [
     Fault("files/svg/css.py", "key=lambda r: r.weight", "key=lambda r: (0, 0, 0)", "files_svg_read"),
     Fault("files/svg/read.py", "unique = f\"{name}-{n}\"", "unique = f\"{name}{n}\"", "files_svg_read"),
     Fault("files/svg/path.py", "sx = sy = max(sx, sy) if", "sx = sy = min(sx, sy) if", "promises files_svg_read"),
-    Fault("files/chart.py", "bits = next(b for b in (1, 2, 4, 8) if colours <= 1 << b)",
-          "bits = next(b for b in (1, 2, 4, 8) if colours < 1 << b)", "promises knit_formats"),
     Fault("knit/machines/knitout.py", "way = first if row % 2 == 0 else other(first)\n    columns", "way = first\n    columns", "knit_knitout"),
     Fault("files/mesh.py", 'f"{k / 255:.4f}"', 'f"{k / 256:.4f}"', "files_mesh"),
     # -- crochet

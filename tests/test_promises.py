@@ -353,7 +353,7 @@ def test_plain_names_of_plain_colours():
 
 
 def made_of(text):
-    return [r.count for r in build(read_printed(Text("Rnd 1: 6 sc in magic ring (6)\n" + text))).rounds]
+    return [r.count for r in build(read_printed(Text("Rnd 1: 6 sc in magic ring (6)\n" + text), strict=True)).rounds]
 
 
 def test_repeats_of_printed_rounds():

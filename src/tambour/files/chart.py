@@ -50,9 +50,8 @@ def write_png(value: Chart, sink: Sink) -> None:
     }
     note = PngImagePlugin.PngInfo()
     note.add_text("tambour", json.dumps(told, ensure_ascii=True))
-    bits = next(b for b in (1, 2, 4, 8) if colours <= 1 << b)
     made = io.BytesIO()
-    image.save(made, "PNG", bits=bits, pnginfo=note, optimize=False, **extra)
+    image.save(made, "PNG", pnginfo=note, optimize=False, **extra)
     sink.put(made.getvalue())
 
 
