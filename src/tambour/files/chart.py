@@ -40,7 +40,7 @@ def write_png(value: Chart, sink: Sink) -> None:
             raise TambourError("256 colours and cells without stitch do not fit an indexed PNG", hint="ask for .json")
         cells = np.where(value.no_stitch[::-1], colours, cells)
         rgb = np.concatenate([rgb, np.full((1, 3), 255, np.uint8)])
-        extra["transparency"], colours = colours, colours + 1
+        extra["transparency"] = colours
     image = Image.fromarray(np.ascontiguousarray(cells, np.uint8), "P")
     image.putpalette(rgb.tobytes())
     told = {
