@@ -115,3 +115,15 @@ def test_what_is_swept_holds_every_step_of_the_way():
     found = swept(ring, by)
     steps_of = shapely.union_all([translate(ring, *(by * t)) for t in np.linspace(-1, 1, 400)])
     assert found.symmetric_difference(steps_of).area < 0.02
+
+
+def test_the_card_fits_a_small_hoop_and_is_sewn_as_drawn():
+    params = EmbroideryParams(test_card=True, fabric="towel", knockdown=False, hoop="100x100")
+    assert (params.pull, params.push) == (0.0, 0.0)
+    made = make(None, params, Progress())
+    xy, end = steps(made)
+    by_name = {r.id: k for k, r in enumerate(made.regions)}
+    for width in (1.0, 2.0, 4.0, 6.0):
+        mine = xy[(made.region[end] == by_name[f"column {width:g}"]) & (made.kind[end] == SATIN)]
+        assert np.median(np.hypot(*(mine[:, 2:] - mine[:, :2]).T)) == pytest.approx(width, abs=0.1)
+    assert len(made.plan.threads) == 2

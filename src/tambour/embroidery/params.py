@@ -49,7 +49,7 @@ class EmbroideryParams(Params):
     groups: ClassVar = {
         "Stitches": "stitch angle row_spacing row_spacing_end length min_length stagger jitter seed motif motif_size repeats",
         "Satin and lines": "satin_from split jagged",
-        "Fabric": "fabric pull pull_percent push measured underlay knockdown",
+        "Fabric": "fabric pull pull_percent push test_card measured underlay knockdown",
         "Thread": "thread travel locks trim catalogue",
         "Design": "width hoop order colors text font text_size applique baste",
         "Cloth": "cloth ground frames ends theta place place_at place_offset place_rotate place_scale place_group",
@@ -109,6 +109,9 @@ class EmbroideryParams(Params):
 
     push: Length = Field(default=0.1, ge=0, le=MOST)
     """Ends of columns and outer rows of fills stay back by this much, against the cloth's being pushed out there."""
+
+    test_card: bool = False
+    """Without a drawing: a card to sew on one's cloth and measure, with no pull and no push unless they are given."""
 
     measured: str | None = Field(default=None, max_length=400)
     """Widths of the test card's columns as they were sewn, such as 2=1.7,6=5.4: {--pull} and its per cent from them."""
@@ -223,6 +226,8 @@ class EmbroideryParams(Params):
             return values
         fabric, card = values.get("fabric"), values.get("measured")
         known = FABRICS.get(fabric, {}) if isinstance(fabric, str) else {}
+        if values.get("test_card"):
+            known = {**known, "pull": 0.0, "push": 0.0}
         if isinstance(card, str):
             with suppress(ValueError):  # told of the field itself
                 known = {**known, **calibrated(card)}

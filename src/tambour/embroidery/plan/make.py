@@ -21,6 +21,7 @@ from tambour.embroidery.plan.layers import elevation, layers
 from tambour.embroidery.plan.order import order
 from tambour.embroidery.plan.sequence import Layout
 from tambour.embroidery.plan.sewable import doubts
+from tambour.embroidery.regions.card import card
 from tambour.embroidery.regions.catalogue import with_catalogue
 from tambour.embroidery.regions.lettering import lettered
 from tambour.embroidery.regions.palette import reduced
@@ -43,6 +44,8 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
             params = params.model_copy(update={"width": None})
         if params.text is not None:
             drawing = lettered(drawing, params.text, params.text_size, params.font, progress)
+        if drawing is None and params.test_card:
+            drawing = card()
         if drawing is None:
             raise TambourError("there is nothing to embroider", hint="give a drawing, or {--text}")
         if drawing.about.get("ignored"):
