@@ -229,3 +229,100 @@ def test_what_cannot_be_placed_is_left_out_and_told(tmp_path: Path) -> None:
     assert told and "toy.txt:5" in told[0]
     with pytest.raises(TambourError, match="no round"):
         run("crochet", tmp_path / "toy.txt", craft("crochet").params(strict=True), out=[tmp_path / "b.json"])
+
+
+def hosts(pattern):
+    """Part → the part that it is sewn to."""
+    return {r.part: r.spot.part for r in pattern.finish if isinstance(r, Placed)}
+
+
+@pytest.mark.parametrize(
+    "sentence, parts, meant",
+    [
+        ("Stuff the snout and sew to the head.", {"SNOUT": CUP}, {"SNOUT": "HEAD"}),
+        ("Sew on the snout, stuffing lightly as you go.", {"SNOUT": CUP}, {"SNOUT": "HEAD"}),
+        ("Sew the last round of the tail to the back of the body.", {"TAIL": TUBE}, {"TAIL": "BODY"}),
+        ("Using a long tail of yarn, sew the head to the body.", {"TAIL": TUBE}, {"HEAD": "BODY"}),
+        ("Seam the nose to the head as shown in the photo.", {"NOSE": CUP}, {"NOSE": "HEAD"}),
+        ("Applique the spot to the belly, level with the arms.", {"SPOT": CUP}, {"SPOT": "BODY"}),
+        ("Sew the horns on the head, and the tail under the shell.", {"HORN (make 2)": TUBE}, {"HORN.1": "HEAD", "HORN.2": "HEAD"}),
+    ],
+)  # fmt: skip
+def test_who_is_sewn_to_whom(sentence, parts, meant):
+    found = hosts(toy(sentence, **parts))
+    assert {part: found.get(part) for part in meant} == meant
+
+
+def test_as_many_of_one_as_of_the_other_go_one_on_each():
+    pattern = toy(
+        "Sew the legs to the bottom of the body. Sew the feet to the legs.",
+        **{"LEG (make 2)": TUBE, "FOOT (make 2)": CUP},
+    )
+    assert {k: v for k, v in hosts(pattern).items() if k.startswith("FOOT")} == {"FOOT.1": "LEG.1", "FOOT.2": "LEG.2"}
+
+
+def test_arms_and_legs_of_one_heading_go_to_their_own_places():
+    said = "Sew the arms to the sides of the body. Sew the legs to the bottom of the body."
+    pattern = toy(said, **{"ARMS AND LEGS (make 4)": TUBE})
+    high = [where_is(pattern, placed(pattern, f"ARMS AND LEGS.{k}"))[1] for k in (1, 2, 3, 4)]
+    assert min(high[:2]) > max(high[2:])
+
+
+def test_clothes_and_what_has_no_name_stand_beside_the_toy_and_it_is_told():
+    pattern = toy("Sew the head to the body.", DRESS=CUP, GIZMO=CUP)
+    assert "DRESS" not in hosts(pattern) and "GIZMO" not in hosts(pattern)
+    told = [w.message for w in pattern.warnings if "stand beside it" in w.message]
+    assert len(told) == 1 and "DRESS" in told[0] and "GIZMO" in told[0]
+
+
+def test_the_second_toy_of_a_text_keeps_its_own_parts():
+    one = f"BODY\n{CLOSED}\nHEAD\n{BALL}Fasten off.\n\nARM (make 2)\n{TUBE}\nSew the head and arms to the body.\n\n"
+    pattern = read_printed(Text(f"Two friends\n\n{one}{one}", "two.txt"))
+    names = [part.name for part in pattern.parts]
+    assert len(names) == 6
+    assert hosts(pattern) == {names[1]: names[0], f"{names[2]}.1": names[0], f"{names[2]}.2": names[0],
+                              names[4]: names[3], f"{names[5]}.1": names[3], f"{names[5]}.2": names[3]}  # fmt: skip
+
+
+def test_what_is_flat_by_its_name_is_not_filled_unless_it_is_said():
+    pattern = toy("Sew the ears to the head. Sew the arms to the body.", **{"EAR (make 2)": CUP, "ARM (make 2)": CUP})
+    filled = {part.name: part.stuffing for part in pattern.parts}
+    assert filled["EAR"] == 0.0 and filled["ARM"] is None
+    pattern = toy("Sew the ears to the head.", **{"EAR (make 2)": f"{CUP}Stuff lightly.\n"})
+    assert {part.name: part.stuffing for part in pattern.parts}["EAR"] != 0.0
+
+
+def test_a_beak_begun_on_an_open_ring_is_sewn_by_its_beginning():
+    from tambour.crochet.finish.sewing import end_of
+
+    beak = "Ch 8, join with a slip st to form a ring, leaving a long end for sewing.\nRnd 1: sc around (8)\nRnd 2: sc around (8)\nRnd 3: dec x 4 (4)\nFasten off and close.\n"
+    pattern = toy("Sew the beak to the head.", BEAK=beak)
+    built = build(pattern)
+    spots = Spots(built)
+    end = end_of(built, spots, placed(pattern, "BEAK"))
+    part = built.graph.parts[spots.parts["BEAK"]]
+    assert end.ring and len(end.nodes) == 8 and end.nodes.max() < part.start + 12
+
+
+def test_a_belly_in_rows_lies_on_the_body_sewn_all_round():
+    from tambour.crochet.finish.sewing import end_of
+
+    rows = "Ch 7.\nRow 1: sc in 2nd ch from hook and in each ch across (6)\n"
+    rows += "".join(f"Row {k}: ch 1, turn, sc across (6)\n" for k in range(2, 6)) + "Fasten off.\n"
+    pattern = toy("Sew the belly to the front of the body.", BELLY=rows)
+    built = build(pattern)
+    end = end_of(built, Spots(built), placed(pattern, "BELLY"))
+    assert end.ring and end.laid and len(end.nodes) > 14
+
+
+def test_pictures_show_the_toy_without_the_clothes_beside_it():
+    from tambour.core.progress import Progress
+    from tambour.crochet.looks import in_sight
+    from tambour.crochet.params import CrochetParams
+    from tambour.crochet.plush import make
+
+    pattern = toy("Sew the head to the body.", DRESS=CUP, SHELF=CUP)
+    piece = make(pattern.text, CrochetParams(detail="low"), Progress())
+    shown = in_sight(piece)
+    assert shown is not None
+    assert [piece.built.graph.parts[k].name for k in shown] == ["BODY", "HEAD", "SHELF"]

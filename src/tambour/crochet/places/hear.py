@@ -47,7 +47,7 @@ _FIRST_DONE: Final = re.compile(
 _CLOSING: Final = re.compile(r"\b(?:closed|shut|tog|together|in half|seams?|opening|flat)\b")
 """A sentence that closes a part, and puts it nowhere."""
 _IT: Final = re.compile(
-    r"(?:sew|stitch|attach|pin|place|position|glue|whipstitch|put|fasten|tack|secure|join|seam)\w*\s+(?:it\b|them\b|these\b|"
+    r"(?:sew|stitch|attach|pin|place|position|glue|whipstitch|put|fasten|tack|secure|join|seam)\s+(?:it\b|them\b|these\b|"
     r"this\b|piece\b|both\b|to\b|onto\b|on\b|in place|in position|between\b|at\b|over\b|around\b|securely\b|firmly\b|\d+ (?:on|to|at|in|onto|each)\b|one\b|"
     r"evenly\b|down\b|across\b|centered\b|under\b|below\b|above\b|along\b|each\b|using\b|as\b)"
 )
@@ -175,7 +175,10 @@ class Heard:
     def _clause(self, low: str, sentence: Sentence, order: int, color: RGB | None) -> bool:
         found = mentions(low, self.parts)
         at = where(low)
-        named_eyes = any("eye" in m.copies[0][0].kinds for m in found)
+        glass = re.search(r"\b(?:safety|plastic|toy|bead|button|googly)s? eyes?\b|\bbeads? for eyes\b", low)
+        if glass:  # these are no eyelids that were crocheted
+            found = [m for m in found if not (glass.start() <= m.start < glass.end())]
+        named_eyes = any("eye" in m.copies[0][0].kinds for m in found) and not (glass and _put_eyes(low, glass.start()))
         features = face.motifs(low) if _DRAWN.search(low) else []
         if features:  # a nose that is embroidered is no muzzle
             drawn = ("nose", "mouth", "eye", "cheek", "beak")
@@ -184,11 +187,7 @@ class Heard:
         felt = re.search(r"\bfelt\b", low)
         eyes = _EYES.search(low)
         eyed = bool(
-            eyes
-            and _EYED.search(low)
-            and "embroider" not in low
-            and not named_eyes
-            and self._put_first(low, eyes.start())
+            eyes and _EYED.search(low) and "embroider" not in low and not named_eyes and _put_eyes(low, eyes.start())
         )
         if eyed or (
             features
@@ -210,16 +209,6 @@ class Heard:
             return True
         return self._put(low, found, at, sentence, order)
 
-    @staticmethod
-    def _put_first(low: str, eyes: int) -> bool:
-        """Whether eyes are what is put, not where something is put."""
-        verb = VERB.search(low)
-        between = low[verb.end() : eyes] if verb and verb.end() <= eyes else ""
-        return not re.search(
-            r"\b(?:below|under|beneath|above|between|beside|from|to|of|as|with|around|center|centre)(?:\s+the|\s+each|\s+both)*\s*$",
-            between,
-        )
-
     def _put(self, low: str, found: list[Mention], at: Where, sentence: Sentence, order: int) -> bool:
         verb = VERB.search(low)
         if not verb or not re.search(
@@ -238,7 +227,11 @@ class Heard:
             low = low[: more[0].start]
             at, found = where(low), [m for m in found if m.end <= more[0].start]
         objects = [m for m in found if m.start >= verb.end() and (not to or m.start < to.start())]
-        hosts = [m for m in found if to and m.start >= to.end() and not _NEAR.search(low[: m.start])]
+        hosts = [
+            m
+            for m in found
+            if to and m.start >= to.end() and not m.copies[0][0].worn and not _NEAR.search(low[: m.start])
+        ]
         if to is not None and at.rounds is not None:
             # "the last round of the tail to the body": rounds of what is sewn say nothing of where.
             there = where(low[to.start() :])
@@ -299,6 +292,16 @@ class Heard:
         if re.search(r"\b(?:head|face|forehead)\b", low):
             return "head"
         return "body" if re.search(r"\b(?:body|torso|belly|chest|waist|hips?)\b", low) else ""
+
+
+def _put_eyes(low: str, eyes: int) -> bool:
+    """Whether eyes are what is put, not where something is put."""
+    verb = VERB.search(low)
+    between = low[verb.end() : eyes] if verb and verb.end() <= eyes else ""
+    return not re.search(
+        r"\b(?:below|under|beneath|above|between|beside|from|to|of|as|with|around|over|atop|near|behind|center|centre)(?:\s+the|\s+each|\s+both)*\s*$",
+        between,
+    )
 
 
 def _each(mention: Mention, copies: list[Copy]) -> Copy:

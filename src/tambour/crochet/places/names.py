@@ -34,7 +34,7 @@ _KINDS: Final[dict[str, str]] = {
     "leaf": "leaf petal sepal blatt hoja feuille blad calyx frond",
     "bow": "bow flower rose heart star button ribbon schleife blume lazo flor",
     "spike": "spike spine scale plate dorsal",
-    "belly": "belly tummy chest bib bauch barriga ventre buik",
+    "belly": "belly stomach tummy chest bib bauch barriga ventre buik",
     "spot": "spot dot patch stripe",
     "collar": "collar ruff bowtie",
     "shell": "shell backpack carapace hump",

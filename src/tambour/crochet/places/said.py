@@ -56,7 +56,7 @@ _WHERE: Final[dict[str, str]] = {
     "middle": r"\b(?:middle|cent(?:er|re)(?:ed|d)?|midline|halfway)\b",
     "neck": r"\b(?:neck|chin)\b",
     "forehead": r"\bforehead\b",
-    "tip": r"\b(?:tip|ends?|narrow end|pointed end)\b",
+    "tip": r"\b(?:tip|narrow end|pointed end|far end)\b",
     "outwards": r"\b(?:outwards?|out to the sides?|sticking out|to the sides)\b",
     "inwards": r"\binwards?\b",
     "upwards": r"\b(?:upwards?|standing up|stand(?:s|ing)? up|pointing up|upright|point(?:s)? up)\b",
