@@ -16,7 +16,10 @@ from PIL import Image
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parent / "examples"
 
-KNIT = "knit {x}/knit/dogs.png --gauge 28x36 --max-float 5 --colors #24405e --colors #f3ead8 -o {out}.fabric.png"
+KNIT = (
+    "knit {x}/knit/yoke.png --gauge 24x30 --repeat 12 --arrange mirror --shape yoke --round --max-float 6"
+    " --colors #28425f --colors #f3ead8 -o {out}.worn.png"
+)
 PICTURES = [
     ("readme-bear.jpg", "crochet {x}/crochet/bear.txt -o {out}.png", 900),
     ("readme-frog.jpg", "crochet {x}/crochet/frog.acl -o {out}.png", 900),

@@ -28,7 +28,16 @@ CHARTS = {
     "intarsia": Chart(np.arange(24)[None].repeat(9, 0).astype(np.uint8) // 8, THREE, technique="intarsia"),
     "jacquard": Chart(np.arange(9)[None].repeat(9, 0).astype(np.uint8) % 3, THREE, technique="jacquard"),
 }
-TECHNIQUE = ("double bed", "knitout is not", "laid in by hand", "two yarns", "two colours", "needs two", "24")
+TECHNIQUE = (
+    "double bed",
+    "knitted round",
+    "knitout is not",
+    "laid in by hand",
+    "two yarns",
+    "two colours",
+    "needs two",
+    "24",
+)
 SUFFIX = {
     "Chart": (".png", ".csv", ".img"),
     "dict": (".json",),
@@ -54,7 +63,7 @@ def test_every_view_of_odd_charts(name: str, tmp_path: Path) -> None:
             else:
                 assert list(tmp_path.glob(f"x.{view}*{suffix}"))
     if name == "plain":
-        assert refused == ["separated.png", "separated.csv", "separated.img"]
+        assert refused == ["worn.png", "separated.png", "separated.csv", "separated.img"]
 
 
 def test_the_machine_card_wants_a_machine(tmp_path: Path) -> None:

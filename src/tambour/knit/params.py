@@ -60,9 +60,11 @@ def _box(value: Any) -> Any:
 
 def _repeat(value: Any) -> Any:
     text = str(value).replace(" ", "")
+    if text == "auto":
+        return text
     found = re.fullmatch(r"(\d{1,5})(?:\+(\d{1,5}))?", text)
     if not found or not 2 <= int(found[1]) <= 20000 or int(found[2] or 0) >= int(found[1]):
-        raise ValueError("wanted a number of stitches such as 24, or 24+1 for a multiple of 24 plus 1")
+        raise ValueError("wanted a number of stitches such as 24, 24+1 for a multiple of 24 plus 1, or auto")
     return text
 
 
@@ -91,7 +93,7 @@ class KnitParams(Params):
     """Parameters of the knit craft."""
 
     groups: ClassVar = {
-        "Size": "stitches rows gauge crop rotate direction repeat border edge_stitches round edges edge_run shape",
+        "Size": "stitches rows gauge crop rotate direction repeat arrange border edge_stitches round edges edge_run shape",
         "Look": "technique back style tones ground use seen_from floats",
         "Tones": "brightness contrast detail sharpen tone light",
         "First version": "start threshold patches patch_from",
@@ -182,13 +184,20 @@ class KnitParams(Params):
     """Longest first or last run with free edges; without it, any length."""
     round: bool = False
     """Knitted in the round: rows close upon themselves."""
-    repeat: Repeat | None = Field(default=None, json_schema_extra={"metavar": "N[+K]"})
-    """The motif is N stitches wide and repeats; the chart is a multiple of N, plus K. 24 fits a punch card."""
+    repeat: Repeat | None = Field(default=None, json_schema_extra={"metavar": "N[+K]|auto"})
+    """The motif is N stitches wide and repeats; the chart is a multiple of N, plus K. 24 fits a punch card. Auto finds the
+    repeat of a picture taken stitch for stitch."""
+    arrange: Literal["plain", "mirror", "half-drop", "turn"] = "plain"
+    """Set the motif beside itself: mirrored, dropped by half its rows, or turned by half a turn. Two make the repeat."""
     border: int = Field(default=0, ge=0, le=200)
     """A frame of so many stitches in a check of both yarns."""
     edge_stitches: int = Field(default=0, ge=0, le=50)
     """Stitches at either end of each row knitted in the dark yarn."""
-    shape: Any = file("Picture", "Mask: dark cells are not knitted (a mitten, a yoke).")
+    shape: Any = file(
+        "Picture",
+        "Where there are stitches: yoke, hat (decreases in every repeat) or mitten, or a mask whose dark cells are not knitted.",
+        ("yoke", "hat", "mitten"),
+    )
     relax: Any = file("Picture", "Mask: light cells are free of the limit; their long floats are listed for catching.")
     lock: Any = file("Picture", "Mask: light cells keep their start assignment.")
     weights: Any = file("Picture", "Grey picture: the lighter, the more a flip costs there.")
@@ -301,6 +310,12 @@ class KnitParams(Params):
         for color in self.colors:
             if not re.fullmatch(r"#[0-9a-fA-F]{6}", color):
                 raise ValueError(f"{{--colors}}: wanted #rrggbb (got {color!r})")
+        if self.arrange != "plain" and (self.border or self.edge_stitches or self.relax or self.lock or self.weights):
+            raise ValueError(
+                "{--arrange} does not go with {--border}, {--edge-stitches} and masks other than {--shape}"
+            )
+        if isinstance(self.shape, str) and self.shape in self.words("shape") and (self.border or self.edge_stitches):
+            raise ValueError(f"{{--shape}} {self.shape} does not go with {{--border}} and {{--edge-stitches}}")
         if self.patches == "marked" and self.patch_from is None:
             raise ValueError("{--patches} marked needs {--patch-from}")
         return self

@@ -128,6 +128,23 @@ def back(piece: Piece) -> Picture:
     return behind(piece.chart, anchored(piece))
 
 
+def worn(piece: Piece) -> Picture:
+    """A yoke or a hat from above. Raises TambourError for a piece that is neither."""
+    from tambour.core.errors import TambourError
+    from tambour.knit.hands.sizes import GARMENTS
+    from tambour.knit.sheets.worn import from_above
+
+    shape = piece.params.shape
+    kind = shape if shape in ("yoke", "hat") else "hat" if piece.chart.circular else ""
+    if not kind:
+        raise TambourError("only what is knitted round can be worn so", hint="{--shape} yoke or hat", where="{--shape}")
+    if piece.repeat is None:
+        round_ = piece.chart.shape[1] * (100 / piece.chart.gauge.stitches if piece.chart.gauge else 4.5)
+    else:
+        round_ = 10 * GARMENTS[kind][2][1]
+    return from_above(piece.chart, round_, piece.params.yarn_weight, kind == "yoke")
+
+
 def distance(piece: Piece) -> Drawing:
     """Source, target and cloth, as seen from afar."""
     from tambour.knit.sheets.distance import distance as seen
@@ -213,6 +230,7 @@ VIEWS: dict[str, View] = {
     "written": View(written, "Text", "written rows", (".txt", ".md")),
     "fabric": View(fabric, "Picture", "the knitted right side", (".jpg", ".jpeg", ".webp")),
     "back": View(back, "Picture", "the wrong side with its floats"),
+    "worn": View(worn, "Picture", "a yoke or a hat from above, the rounds laid about the neck"),
     "distance": View(distance, "Drawing", "source and knitting side by side, as seen from afar"),
     "floats": View(floats, "Drawing", "the floats marked on the chart"),
     "swatch": View(swatch, "Drawing", "two windows to knit first, and the card to measure them"),
@@ -231,12 +249,18 @@ VIEWS: dict[str, View] = {
 def facts(piece: Piece) -> dict[str, Any]:
     """Yarn per colour, catches and ladders, or bobbins, for the report."""
     from tambour.knit.hands.bobbins import bobbins, most
+    from tambour.knit.hands.sizes import table
     from tambour.knit.hands.working import catches, ladders, longest_span, roles
     from tambour.knit.hands.written import color_name
 
     names, catch = roles(piece.chart), piece.params.catch or piece.limit
     marks = catches(piece.chart, catch, anchored(piece))
-    told = {}
+    told: dict[str, Any] = {}
+    if piece.repeat and piece.chart.gauge:
+        told["sizes"] = {
+            garment: {size: stitches for size, _, stitches, _ in rows}
+            for garment, rows in table(piece.chart.gauge, piece.repeat).items()
+        }
     if piece.chart.technique == "intarsia":
         told = {"bobbins": len(bobbins(piece.chart)), "most_bobbins": most(piece.chart)[0]}
     return {

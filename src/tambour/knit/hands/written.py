@@ -10,6 +10,7 @@ from tambour.core.chart import Chart
 from tambour.core.errors import Text
 from tambour.core.rgb import hexed
 from tambour.knit.hands.bobbins import ENDS, bobbins, most
+from tambour.knit.hands.sizes import lines as size_lines
 from tambour.knit.hands.working import catches, crossed, floats, ladders, roles, runs, worked, wrong_side
 from tambour.knit.hands.yarn import SPARE, STITCH, Amount, gauge_of
 
@@ -133,6 +134,8 @@ def pattern(
         f"Size: {n_stitches * gauge.width / 10:.1f} x {n_rows * gauge.height / 10:.1f} cm"
         f" ({n_stitches * gauge.width / 25.4:.1f} x {n_rows * gauge.height / 25.4:.1f} in)."
     )
+    if repeat and chart.gauge:
+        out += ["", f"Sizes (a repeat of {repeat} stitches)", *(f"  {line}" for line in size_lines(gauge, (repeat, 0)))]
     out += ["", "Yarn"]
     for a in amounts:
         label = color_name(chart, a.color)

@@ -11,7 +11,7 @@ from tambour.core.errors import TambourError
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
-from tambour.knit.picture import resample
+from tambour.knit.picture import resample, shapes
 from tambour.knit.task import NONE, PLAIN
 
 HEAVY = 9.0  # the dearest flips cost 1 + HEAVY
@@ -59,15 +59,30 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
     edge, border = params.edge_stitches, params.border
     sides = 2 * (edge + border)
     repeat, copies = None, 1
+    twice = 1 if params.arrange == "plain" else 2
+    if params.repeat == "auto":
+        n = shapes.period(whole)
+        if n == width and params.arrange == "plain":
+            progress.warn("the picture has no repeat of its own: it is taken as one", where="{--repeat} auto")
+        whole, width = whole[:, :n], n
+        params = params.model_copy(update={"repeat": str(n)})
     if params.repeat:
-        n, _, k = params.repeat.partition("+")
-        repeat = (int(n), int(k or 0))
+        n_, _, k = params.repeat.partition("+")
+        repeat = (twice * int(n_), int(k or 0))
         copies = multiple(params.stitches, repeat)
         rows, stitches = (
             (height, width)
-            if width == repeat[0] and params.rows is None
-            else resample.size(params.model_copy(update={"stitches": repeat[0]}), width, height)
+            if width == int(n_) and params.rows is None
+            else resample.size(params.model_copy(update={"stitches": int(n_)}), width, height)
         )
+    elif twice == 2 and params.stitches is not None:
+        if params.stitches % 2:
+            raise TambourError(
+                f"{params.stitches} stitches are no two motifs",
+                hint=f"{params.stitches + 1} are",
+                where="{--stitches}",
+            )
+        rows, stitches = resample.size(params.model_copy(update={"stitches": params.stitches // 2}), width, height)
     elif sides and params.stitches is not None:
         if params.stitches <= sides:
             raise TambourError(
@@ -79,6 +94,12 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
     else:
         rows, stitches = resample.size(params, width, height)
     picture = resample.resample(whole, rows, stitches)[::-1]
+    if twice == 2:
+        picture, stitches = shapes.arranged(picture, params.arrange), 2 * stitches
+    worn = None
+    if isinstance(params.shape, str):
+        worn = shapes.TEMPLATES[params.shape](rows, stitches)
+        picture = shapes.drawn_in(picture, worn)
     inner = (border, border, edge + border, edge + border)
     full = (rows + 2 * border, stitches + sides)
     frame, pattern = framed(full, edge, border)
@@ -88,6 +109,8 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
         picture = blank
 
     def mask(name: str, elsewhere: float) -> Array | None:
+        if name == "shape" and worn is not None:
+            return worn.astype(np.float32)
         found = resample.mask(getattr(params, name), name, params, source.rgba.shape[:2], (rows, stitches), full)
         if found is None or found.shape == full:
             return found

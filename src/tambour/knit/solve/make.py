@@ -23,7 +23,7 @@ from tambour.knit.picture.style import Style, chosen, of_plain, settled, suggest
 from tambour.knit.piece import Piece
 from tambour.knit.solve import floats
 from tambour.knit.solve.assemble import State, assemble
-from tambour.knit.solve.stages import advise, solved, squash_of, task_of
+from tambour.knit.solve.stages import advise, mirrored, solved, squash_of, task_of
 from tambour.knit.task import NONE, PLAIN, Task
 
 
@@ -161,6 +161,8 @@ def finished(
     advise(before, params, progress)
     with progress.stage("solve"):
         cells = solved(task, params, progress)
+        if params.arrange == "mirror" and params.method == "exact" and not cells.shape[1] % 2:
+            cells = mirrored(task, cells)
     pairs = np.tile(np.array([0, 1], np.uint8), (len(cells), 1))
     return assemble(State(task, cells, layout, pairs), palette, kind, how, params, before, progress)
 

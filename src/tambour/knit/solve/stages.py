@@ -101,3 +101,23 @@ def sight_of(limit: int, params: KnitParams) -> percept.Eye:
     if params.seen_from is None:
         return percept.eye(limit, squash_of(params))
     return sight.eye(limit, resample.gauge_of(params), length(params.seen_from) / 1000)
+
+
+def mirrored(task: Task, cells: Array) -> Array:
+    """``cells`` (R, C) with each row's right half the mirror of its left, or its left that of its right, whichever
+    changes less of the start; a row whose both mirrors break the law stays as it was solved."""
+    stitches = cells.shape[1]
+    half = stitches // 2
+    left, right = cells[:, :half], cells[:, stitches - half :]
+    out = cells.copy()
+    least = np.full(len(cells), np.inf)
+    weights = task.weights if task.weights.size else np.ones(cells.shape, np.float32)
+    for made in (np.concatenate([left, left[:, ::-1]], 1), np.concatenate([right[:, ::-1], right], 1)):
+        made = np.ascontiguousarray(made)
+        price = (weights * (made != task.start)).sum(1)
+        lawful = np.array(
+            [not floats.measure(task.rows(r, r + 1), made[r : r + 1]).violations for r in range(len(made))]
+        )
+        better = lawful & (price < least)
+        out[better], least[better] = made[better], price[better]
+    return out
