@@ -246,3 +246,25 @@ def test_commands_load_neither_the_compiler_nor_what_they_have_no_use_for(
     said = {line.split()[0]: set(line.split()[1:]) for line in made.stdout.splitlines()[-2:]}
     assert said["ways"] == {"native"}, "kernels are stale: run `make kernels`"
     assert not said["loaded"] & {"numba", "llvmlite", "rich", *COMMANDS[words]}
+
+
+def test_one_thread_at_a_time_looks_for_what_was_built() -> None:
+    # Python's search for a module fails when another thread is half way through loading it.
+    code = """
+        import importlib.util, threading, time
+        from tambour.core import kernels
+        inside, most = [], []
+        found = importlib.util.find_spec
+        def slow(name):
+            inside.append(name)
+            most.append(len(inside))
+            time.sleep(0.05)
+            inside.pop()
+            return found(name)
+        importlib.util.find_spec = slow
+        threads = [threading.Thread(target=kernels._native) for _ in range(6)]
+        [t.start() for t in threads]
+        [t.join() for t in threads]
+        print(max(most), len(most))
+    """
+    assert _python(textwrap.dedent(code)).stdout.split() == ["1", "1"]

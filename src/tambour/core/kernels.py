@@ -15,6 +15,7 @@ import re
 from collections.abc import Callable, Iterator
 from functools import cache, update_wrapper
 from pathlib import Path
+from threading import Lock
 from types import CodeType, ModuleType
 from typing import Annotated, Any, TypeVar, cast, get_args, get_origin, get_type_hints
 
@@ -25,6 +26,7 @@ Kind = tuple[str, int]  # an argument's element type and its number of axes, 0 f
 
 WAY = os.environ.get("TAMBOUR_KERNELS", "")
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "cache": True}
+LOADING = Lock()
 RAN: dict[str, str] = {}  # kernels that Python has called, and the way each ran
 
 if WAY == "python":
@@ -95,9 +97,15 @@ class Kernel:
         return self._twin
 
 
-@cache
 def _native() -> ModuleType | None:
     """The kernels that were built with this package; None where there are none."""
+    # First calls come from many threads, and a module that one of them is loading has no spec for the others.
+    with LOADING:
+        return _loaded()
+
+
+@cache
+def _loaded() -> ModuleType | None:
     name = "tambour.core._native"
     return importlib.import_module(name) if importlib.util.find_spec(name) else None
 

@@ -217,7 +217,7 @@ def group(
     elif kind == WILLOWS:
         for _ in range(1 + pick(rng, 3)):
             a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
-            willow(table, rng, pts, marks, elems, n, a, b, between(rng, 120.0, 190.0), 6.0)
+            willow(table, rng, pts, marks, elems, n, a, b, between(rng, 120.0, 190.0), 3.0)
             for _ in range(pick(rng, 3)):
                 c = max(left, min(left + width, a + 40.0 * bell(rng)))
                 rock(

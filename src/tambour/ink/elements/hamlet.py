@@ -103,7 +103,7 @@ def hamlet(
             )
     for _ in range(pick(rng, 3) if planted > 0.0 else 0):
         a = x + side(rng) * width * between(rng, 0.3, 0.46)
-        willow(table, rng, pts, marks, elems, n, a, y - 1.0, between(rng, 52.0, 84.0), 3.2)
+        willow(table, rng, pts, marks, elems, n, a, y - 1.0, between(rng, 52.0, 84.0), 1.5)
     for _ in range(2 + pick(rng, 3)):
         f = side(rng)
         a, b = x + f * width * between(rng, 0.36, 0.5), y - 2.0 + 6.0 * rnd(rng)

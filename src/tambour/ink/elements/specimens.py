@@ -70,7 +70,7 @@ def table() -> dict[str, Specimen]:
         "pine": Specimen(pines.pine, (300.0, 6.0), 320, 330),
         "cedar": Specimen(pines.cedar, (260.0, 5.0), 130, 330),
         "plum": Specimen(pines.plum, (110.0, 6.0, 0.0), 240, 330),
-        "willow": Specimen(willows.willow, (90.0, 3.4), 160, 330),
+        "willow": Specimen(willows.willow, (150.0, 2.6), 220, 330),
         "hut": Specimen(houses.hut, (75.0, 180.0, 0.7, 4.0, 1), 220, 110),
         "house": Specimen(houses.house, (12.0, 70.0, 0.7, 4.0, 2, 2, True), 110, 110),
         "pagoda": Specimen(houses.pagoda, (10.0, 50.0, 7), 90, 160),

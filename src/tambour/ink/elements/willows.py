@@ -61,7 +61,7 @@ def willow(
             bough[i, 0] = sx + reach * p
             bough[i, 1] = sy - rise * math.sin(0.6 * PI * p) + 0.02 * height * bell(rng)
             at(pts, n, bough[i, 0], bough[i, 1])
-        stroke(rng, marks, n, 95.0, 0.65, 0.3 * width, 0.7, FADE, 0.3)
+        stroke(rng, marks, n, 95.0, 0.65, 0.4 * width, 0.7, FADE, 0.3)
         n[HUE] = LEAF
         out = 1.0 if reach > 0.0 else -1.0
         for i in range(3, STEPS):

@@ -64,7 +64,7 @@ def tones(marks: Marks) -> tuple[Array, Array]:
     return np.minimum(fill, 1.0), np.minimum(edge, 1.0)
 
 
-def of(marks: Marks, kinds: list[int]) -> Array:
+def belongs(marks: Marks, kinds: list[int]) -> Array:
     """(K,) bool: whether each mark belongs to an element of one of the kinds."""
     found: Array = np.isin(marks.elements.kind, kinds)[marks.element] if len(marks) else np.zeros(0, np.bool_)
     return found
@@ -92,8 +92,8 @@ def hiding(marks: Marks, nib: float) -> tuple[Array, Array, Array]:
     number, wheel = wheels(marks)
     # What is hardly broader than the pen's lines hides none: they would be left in crumbs.
     touch = (marks.kind == BLOB) & (marks.fill[:, 1] >= WET) & (marks.breadth > 4.0 * nib) & ~wheel
-    tree = of(marks, LEAFY) & (marks.kind == BLOB) & (marks.fill[:, 1] >= DAMP)
-    bush = of(marks, [BUSH]) & (marks.kind == WASH)
+    tree = belongs(marks, LEAFY) & (marks.kind == BLOB) & (marks.fill[:, 1] >= DAMP)
+    bush = belongs(marks, [BUSH]) & (marks.kind == WASH)
     chosen = np.flatnonzero(opaque | veil | touch | tree | bush)
     coords, offsets = ragged(marks.coords, marks.offsets, chosen)
     needles = np.flatnonzero(wheel)
@@ -186,7 +186,7 @@ class Hand:
             axis=0.5 * around,
             line=area * fill / nib,
             shown=(marks.tint != SEAL) & (np.diff(marks.offsets) > 1),
-            built=of(marks, MADE),
+            built=belongs(marks, MADE),
         )
 
     def made(
@@ -212,13 +212,13 @@ class Hand:
             (marks.kind == WASH)
             & (self.fill > 0.1)
             & (self.area < 1.5 * self.nib * self.around)
-            & ~of(marks, [BUSH, RANGE])
+            & ~belongs(marks, [BUSH, RANGE])
         )
         around |= thin
         line = (marks.kind == LINE) & (self.edge > 0) & (marks.stroke[:, 1] > 0)
         second = np.zeros(len(marks), np.bool_)
         second[1:] = (marks.element[1:] == marks.element[:-1]) & line[:-1]
-        line &= ~(second & of(marks, [JUNIPER]))
+        line &= ~(second & belongs(marks, [JUNIPER]))
         chosen = np.flatnonzero((around | line) & self.shown)
         coords, ends = ragged(marks.coords, marks.offsets, chosen)
         first, last = coords[ends[:-1]], coords[ends[1:] - 1]
@@ -236,10 +236,10 @@ class Hand:
         firm = self.built | (tone > 0.6) | (self.chance * 0.5 * self.nib < width)
         rim = np.zeros(len(marks), np.bool_)
         rim[1:] = (marks.kind[:-1] == BODY) & (marks.element[1:] == marks.element[:-1])
-        rim &= of(marks, [HILL]) & (marks.breadth > 2.0)
+        rim &= belongs(marks, [HILL]) & (marks.breadth > 2.0)
         firm |= rim
         # Short cuts on a slope are drawn in bunches, or not.
-        cut = of(marks, [HILL]) & (self.around < 60.0) & ~rim
+        cut = belongs(marks, [HILL]) & (self.around < 60.0) & ~rim
         firm &= ~cut | (self.bunch * 0.8 * self.nib < width)
         chosen = np.flatnonzero(stroke & firm & self.shown)
         tone = np.where(rim, 0.0, WEIGHT * tone)
@@ -262,10 +262,10 @@ class Hand:
         """Single touches of the brush: leaves that one counts, moss, straw; and wheels of needles, each as one line."""
         marks = self.marks
         number, wheel = wheels(marks)
-        chance = np.where(of(marks, [HILL]), self.bunch, self.chance)
+        chance = np.where(belongs(marks, [HILL]), self.bunch, self.chance)
         # A needle of a wheel is drawn there and back: half as many lay down their ink.
         often = np.where(wheel, 0.9, 1.3) * self.line
-        touch = (marks.kind == BLOB) & (self.fill > 0) & ~of(marks, LEAFY)
+        touch = (marks.kind == BLOB) & (self.fill > 0) & ~belongs(marks, LEAFY)
         chosen = np.flatnonzero(touch & self.shown & (self.built | (chance * self.axis < often)))
         turns = np.where(wheel[chosen], 2, self.turns(chosen))
         groups = bounds(number[chosen])
@@ -276,7 +276,7 @@ class Hand:
 
     def saplings(self) -> list[Lines]:
         """Far trees: the slim an upright stroke, the others a cone of a line that goes from side to side."""
-        leaf = np.flatnonzero((self.marks.kind == BLOB) & of(self.marks, [SAPLING]) & self.shown)
+        leaf = np.flatnonzero((self.marks.kind == BLOB) & belongs(self.marks, [SAPLING]) & self.shown)
         axes, wide = self.axes(leaf), 0.9 * self.marks.breadth[leaf]
         long = np.hypot(*(axes[:, 1] - axes[:, 0]).T)
         slim = wide < 1.8 * self.nib
@@ -292,7 +292,7 @@ class Hand:
 
     def firs(self) -> Lines:
         """Firs and junipers, each as one line that goes from side to side, from the foot to the tip."""
-        leaf = (self.marks.kind == BLOB) & of(self.marks, [JUNIPER, FIR]) & self.shown
+        leaf = (self.marks.kind == BLOB) & belongs(self.marks, [JUNIPER, FIR]) & self.shown
         chosen = np.flatnonzero(leaf & (self.chance * self.axis < 1.2 * self.line))
         y = self.marks.spine[self.marks.spines[:-1][chosen], 1]
         chosen = chosen[np.lexsort((-y, self.marks.element[chosen]))]
@@ -308,7 +308,7 @@ class Hand:
 
     def bushes(self) -> Lines:
         """Bushes as one scribble each, through the darker of their facets."""
-        facet = (self.marks.kind == WASH) & of(self.marks, [BUSH]) & self.shown
+        facet = (self.marks.kind == WASH) & belongs(self.marks, [BUSH]) & self.shown
         chosen = np.flatnonzero(facet & (self.chance < 0.6 * self.fill))
         corners = self.marks.coords[self.marks.offsets[:-1][chosen][:, None] + np.arange(3)]
         groups = bounds(self.marks.element[chosen])
@@ -335,7 +335,7 @@ class Hand:
     def flats(self) -> Lines:
         """Flat tones and large dark touches, hatched."""
         marks = self.marks
-        flat = ((marks.kind == WASH) | (marks.kind == BODY)) & ~of(marks, [RANGE, BUSH])
+        flat = ((marks.kind == WASH) | (marks.kind == BODY)) & ~belongs(marks, [RANGE, BUSH])
         flat &= self.area >= 1.5 * self.nib * self.around
         chosen = np.flatnonzero(flat & self.shown & (self.fill > 0.02))
         coords, ends = ragged(marks.coords, marks.offsets, chosen)
