@@ -6,6 +6,7 @@ holds the index.html of {Shan, Shui}* (GitHub, LingDong-/shan-shui-inf; node dra
 
 from __future__ import annotations
 
+import hashlib
 import json
 import shutil
 import subprocess
@@ -21,6 +22,7 @@ from tambour.ink.ground.codes import HILL
 from tambour.ink.ground.marks import BODY
 from tambour.ink.params import Ink
 from tambour.ink.plan import scroll
+from tambour.ink.plotter import job
 
 SEEDS = ("11", "12", "13", "31")
 LONG = 25_600.0
@@ -173,6 +175,25 @@ def tones(folder: Path | None) -> tuple[float, float, float]:
     return float((all_ < 30).mean()), float((all_ > 250).mean()), float(np.quantile(all_, 0.001))
 
 
+def plotted() -> None:
+    """How long a plotter takes for twenty windows drawn by hash, one pen of 0.3 mm, every fifth on A3, else on A4."""
+    minutes = []
+    for k in range(20):
+        h = hashlib.sha256(f"tambour plotter blind {k}".encode()).digest()
+        told = Ink(
+            seed=str(int.from_bytes(h[:3], "little") % 9000 + 100),
+            from_=float(int.from_bytes(h[3:5], "little") % 4000),
+            span=(800.0, 1000.0, 1300.0)[h[5] % 3],
+            plotter=True,
+            page="a3" if k % 5 == 4 else "a4",
+        )
+        minutes.append(job.facts(job.make(None, told, Progress()))["minutes"])
+    a4 = [m for k, m in enumerate(minutes) if k % 5 != 4]
+    print(
+        f"plotter, minutes: {min(minutes):.1f} to {max(minutes):.1f}, median {np.median(minutes):.1f}; A4 at most {max(a4):.1f}"
+    )
+
+
 def main() -> None:
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else None
     if folder is not None and not shutil.which("node"):
@@ -186,6 +207,7 @@ def main() -> None:
         each = [count.kinds.get(kind, 0) * 1000 / count.units for count in counts]
         times = f"{each[0] / each[1]:8.2f}" if len(each) > 1 and each[1] else ""
         print(f"{kind:>12} per 1,000 units" + "".join(f"{e:9.2f}" for e in each) + times)
+    plotted()
     twins = [(len(c.skylines), *alike(c.skylines)) for c in counts]
     for k, what in enumerate(
         ("skylines", "twins among them", "unlike the nearest, median", "unlike the nearest, least")
