@@ -10,7 +10,7 @@ from tambour.core.graph import StitchGraph
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.layout import rounds
 from tambour.crochet.language.parse import parse
-from tambour.crochet.yarn import clearance, fabric, surface
+from tambour.crochet.yarn import clearance, course, fabric, fibres, loops, surface
 from tambour.geometry.surface import closed
 
 STRIPES = """
@@ -135,3 +135,54 @@ def test_strands_that_cross_are_pushed_apart() -> None:
     coords = np.vstack([one, two])
     clearance.clear(coords, np.array([0, 30, 60]), 1.0)
     assert clearance.distances(coords, np.array([0, 30, 60]), 1.0, 0.97)[1].size == 0
+
+
+def spiral(rounds: int) -> tuple[StitchGraph, np.ndarray]:
+    return piece(": MR(6)\n: 6 inc\n: [sc, inc] x 6\n: [2 sc, inc] x 6\n" + ": 24 sc\n" * rounds)
+
+
+def legs(table: np.ndarray, level: float) -> tuple[float, float]:
+    """Where (u) the leg that goes up in front and the one that comes down pass a height of the cell."""
+    first, last = loops.LOOP
+    u, v, w = table[first : last + 1].T
+    at = np.flatnonzero((np.diff(np.sign(v - level)) != 0) & (w[:-1] > -0.15))
+    assert len(at) == 2 and v[at[0] + 1] > v[at[0]] and v[at[1] + 1] < v[at[1]]
+    up, down = (u[k] + (level - v[k]) / (v[k + 1] - v[k]) * (u[k + 1] - u[k]) for k in at)
+    return float(up), float(down)
+
+
+def test_a_single_crochet_shows_a_v_and_yarn_under_an_x() -> None:
+    gaps = [down - up for up, down in (legs(loops.SINGLE, level) for level in (0.15, 0.4, 0.6))]
+    assert 0.3 < gaps[0] < gaps[1] < gaps[2]  # the leg that goes up lies to the right; they spread
+    crossed = [down - up for up, down in (legs(loops.UNDER, level) for level in (0.1, 0.6))]
+    assert crossed[0] > 0.1 and crossed[1] < -0.3
+
+
+def test_columns_lean_to_the_right_in_spirals_only() -> None:
+    graph, _ = spiral(8)
+    host, slip = course.leaning(graph, 0.25)
+    moved = host + slip - np.arange(len(graph))
+    plain = np.arange(len(graph) - 7 * 24, len(graph))
+    step = moved[plain[24:]] - moved[plain[:-24]]
+    assert step == pytest.approx(-0.25, abs=0.05)
+    turned, _ = piece(": 11 ch, turn\n: 10 sc, turn, ch\n: 10 sc, turn, ch\n")
+    host, slip = course.leaning(turned, 0.25)
+    assert (host == np.arange(len(turned))).all() and not slip.any()
+
+
+def test_a_picture_stays_where_its_nodes_are() -> None:
+    rounds_ = ": MR(6)\n: 6 inc\n: [sc, inc] x 6\n: [2 sc, inc] x 6\n" + ": 24 sc\n" * 4
+    graph, _ = piece(rounds_ + ": 10 sc, color(#ffffff), 4 sc, color(#000000), 10 sc\n" * 3 + ": 24 sc\n" * 3)
+    host, slip = course.leaning(graph, 0.25)
+    white = np.flatnonzero((graph.color == 255).all(1))
+    assert abs((host + slip)[white] - white).max() < 1.0
+
+
+@pytest.mark.parametrize("name", list(fibres.KINDS))
+def test_fibres_are_closed_needles_on_the_yarn(name: str, striped: tuple[StitchGraph, np.ndarray]) -> None:
+    made = fabric.strands(*striped)
+    hair = fibres.halo(made, fibres.KINDS[name])
+    assert closed(hair.faces) and len(hair.faces) > 0
+    foot = hair.vertices.reshape(-1, 4, 3)[:, :3].mean(1)
+    near = np.array([np.sqrt(((made.paths.coords - f) ** 2).sum(1).min()) for f in foot[:50]])
+    assert near.max() < 2.5 * made.radius[0]

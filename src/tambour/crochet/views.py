@@ -34,6 +34,13 @@ VIEWS: dict[str, View] = {
         "the fabric as a surface, closed where the piece is",
         stage="fabric",
     ),
+    "making": View(
+        Lazy("tambour.crochet.making:making"),
+        "Pictures",
+        "the piece growing stitch by stitch in its yarn: a film (.mp4 needs the extra film), or its pictures",
+        (".mp4", ".gif", ".png"),
+        "film",
+    ),
     "diagram": View(Lazy("tambour.crochet.page.diagram:view"), "Drawing", "a chart in the usual symbols", (".svg",)),
     "page": View(
         Lazy("tambour.crochet.page.booklet:pages"), "Drawing", "the pattern as a booklet to sell", (".pdf",), "page"

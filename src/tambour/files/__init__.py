@@ -93,6 +93,8 @@ WRITE: dict[tuple[str, str], str] = {
     **{(suffix, "Scene"): "usd:write_scene" for suffix in _USD[:3]},
     **{(suffix, "Scene"): "scene:write_picture" for suffix in _PIXELS},
     (".gif", "Pictures"): "animation:write_gif",
+    (".mp4", "Pictures"): "film:write_mp4",
+    (".png", "Pictures"): "animation:write_frames",
     (".gif", "Reveal"): "animation:write_reveal_gif",
     (".png", "Reveal"): "animation:write_reveal_frames",
     (".svg", "Reveal"): "animation:write_reveal_svg",

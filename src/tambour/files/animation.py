@@ -31,6 +31,14 @@ def write_gif(value: Iterable[Picture], sink: Sink, pause: int = _PAUSE) -> None
     sink.put(out.getvalue())
 
 
+def write_frames(value: Iterable[Picture], sink: Sink) -> None:
+    """Pictures as numbered files: name-0001.png, name-0002.png and so on."""
+    from tambour.files.picture import write_picture
+
+    for k, picture in enumerate(value, 1):
+        write_picture(picture, sink.beside(f"{sink.path.stem}-{k:04d}"))
+
+
 def write_reveal_gif(value: Reveal, sink: Sink) -> None:
     """A drawing being drawn, as a GIF 1200 pixels wide."""
     from tambour.render.flat import frames
