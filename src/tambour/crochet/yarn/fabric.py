@@ -22,7 +22,7 @@ from tambour.geometry.tube import sweep
 LOOKS = 12
 """How often strands that are too near to each other are looked for."""
 
-_DETAIL = {"low": (1, 1.0), "medium": (2, 0.2), "high": (3, 0.03)}
+_DETAIL = {"low": (1, 1.0), "medium": (2, 0.3), "high": (3, 0.03)}
 """Detail → pieces that a segment is split into, and how far points may stray, in radii."""
 
 
