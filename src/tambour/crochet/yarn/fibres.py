@@ -32,7 +32,7 @@ class Fibre:
 
 
 KINDS: Final[dict[str, Fibre]] = {
-    "wool": Fibre("yarn", 1.0, 0.25, 0.75, 0.035),
+    "wool": Fibre("yarn", 1.0, 0.2, 0.75, 0.035),
     "cotton": Fibre("cotton", 0.94, 0.08, 0.5, 0.025),
     "acrylic": Fibre("acrylic", 1.0, 0.2, 0.6, 0.03),
     "chenille": Fibre("chenille", 1.22, 4.0, 0.3, 0.10),
