@@ -78,7 +78,7 @@ def test_same_yarn_every_time(striped: tuple[StitchGraph, np.ndarray]) -> None:
 def test_mesh_is_closed_yarn_over_a_closed_lining(striped: tuple[StitchGraph, np.ndarray]) -> None:
     graph, x = striped
     made = fabric.mesh(graph, x)
-    assert made.group_names == ("yarn", "lining", "cloth")  # the last: single fibres
+    assert made.group_names == ("yarn", "lining", "fibres")
     for group in (0, 1, 2):
         assert closed(made.faces[made.face_group == group])
     assert closed(surface.mesh(graph, x).faces)

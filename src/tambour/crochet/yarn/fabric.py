@@ -119,5 +119,5 @@ def mesh(
         color=np.vstack([np.asarray(m.color) for m in every]),
         uv=np.vstack([np.zeros((len(m.vertices), 2)) if m.uv is None else m.uv for m in every]),
         face_group=np.repeat(np.arange(3, dtype=np.int32), [len(m.faces) for m in every]),
-        group_names=(kind.surface, "lining", "cloth"),
+        group_names=(kind.surface, "lining", "fibres"),
     )

@@ -68,7 +68,7 @@ def halo(yarn: Strands, kind: Fibre) -> Mesh:
         color=np.repeat((color + 0.12 * (255.0 - color)).astype(np.uint8), 4, axis=0),
         uv=np.zeros((len(vertices), 2)),
         face_group=np.zeros(len(faces), np.int32),
-        group_names=("cloth",),
+        group_names=("fibres",),
     )
 
 
