@@ -351,3 +351,23 @@ def test_the_oldest_in_the_bin_go_with_their_bytes(tmp_path: Path, monkeypatch: 
         do(library.blob, revision.content.source)
     assert do(library.blob, other.content.source) == b"kept" and do(library.piece, kept.id).title == "kept"
     library.close()
+
+
+def test_a_library_goes_into_one_archive(tmp_path: Path) -> None:
+    import json
+    import zipfile
+
+    from tambour.studio.export import export
+
+    library = Library(tmp_path / "l.db")
+    made, first = library.call(library.add, "ink", "x", PLAIN, b"one")
+    library.call(library.revise, made.id, first.id, PLAIN, b"two", "", False)
+    library.call(library.alter, library.call(library.add, "ink", "gone", PLAIN, b"three")[0].id, None, True)
+    library.close()
+    assert export(tmp_path / "l.db", tmp_path / "all.zip") == 2
+    with zipfile.ZipFile(tmp_path / "all.zip") as archive:
+        told = json.loads(archive.read(f"pieces/{made.id}.json"))
+        held = [archive.read(f"files/{r['content']['source']}") for r in told["revisions"]]
+        assert held == [b"two", b"one"] and len(archive.namelist()) == 5
+    with pytest.raises(TambourError, match="no library"):
+        export(tmp_path / "none.db", tmp_path / "none.zip")

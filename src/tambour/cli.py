@@ -300,15 +300,30 @@ def examples(folder: str) -> None:
 @click.option("--library", type=click.Path(dir_okay=False), help="The file that your pieces are kept in.")
 @click.option("--host", default="127.0.0.1", show_default=True, help="The address to serve at.")
 @click.option("--allow-host", "names", multiple=True, help="A name that the server may be called by from outside.")
-def studio(port: int | None, no_open: bool, library: str | None, host: str, names: tuple[str, ...]) -> None:
+@click.option(
+    "--export",
+    "archive",
+    type=click.Path(dir_okay=False),
+    metavar="FILE",
+    help="Write all pieces into a .zip; serve nothing.",
+)
+def studio(
+    port: int | None, no_open: bool, library: str | None, host: str, names: tuple[str, ...], archive: str | None
+) -> None:
     """Open the four crafts in the browser, served by this machine to itself."""
     from importlib.util import find_spec
     from pathlib import Path
 
     if not all(find_spec(name) for name in ("starlette", "uvicorn", "websockets", "segno")):
         raise TambourError("the studio's libraries are not there", hint="pip install 'tambour[studio]'")
-    from tambour.studio.serve import serve
+    from tambour.studio.serve import home, serve
 
+    if archive is not None:
+        from tambour.studio.export import export
+
+        count = export(Path(library) if library else home() / "library.db", Path(archive))
+        click.echo(f"wrote {count} pieces into {archive}")
+        return
     serve(host, port, None if library is None else Path(library), names, not no_open, click.echo)
 
 

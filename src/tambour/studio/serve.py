@@ -65,7 +65,7 @@ def serve(
     shown = names[0] if names else f"[{host}]" if ":" in host else host
     base = f"http://{shown if ':' in shown.rpartition(']')[2] else f'{shown}:{port}'}"
     tokens = Tokens(port)
-    place = library or home() / "library.db"
+    place = (library or home() / "library.db").absolute()
     with tempfile.TemporaryFile() as nowhere:
         log = _log(place) or nowhere
         app = application(place, tokens, hosts, base, log)

@@ -164,7 +164,7 @@ class Desk:
         write(self.made, [to / job["name"]], progress=progress)
         found = sorted(p for p in to.rglob("*") if p.is_file())
         if len(found) == 1:
-            return {**told, "name": job["name"], "file": str(found[0])}
+            return {**told, "name": found[0].name, "file": str(found[0])}
         packed = to.with_suffix(".zip")
         _archive(packed, to, found)
         return {**told, "name": f"{job['name']}.zip", "file": str(packed)}
