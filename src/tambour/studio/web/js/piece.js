@@ -1,7 +1,7 @@
 // A piece as signals: its source, what it was told, its edits, how its making goes; every change is kept at once.
 import { batch, computed, signal } from "../lib/ui.js";
 import { unpack } from "./pack.js";
-import { Live, Trouble, ask, bytes, online } from "./wire.js";
+import { Live, Trouble, ask, bytes, online, patiently } from "./wire.js";
 
 /** @typedef {import("./pack.js").Pack} Pack */
 /** @typedef {import("./wire.js").Problem} Problem */
@@ -89,9 +89,9 @@ export class Piece {
   /** @param {number} id */
   async _made(id) {
     try {
-      const [pack, steps, report] = await Promise.all([
+      const [pack, steps, report] = await patiently(() => Promise.all([
         bytes(`/api/revisions/${id}/live.pack`), ask(`/api/revisions/${id}/steps.json`), ask(`/api/revisions/${id}/report`),
-      ]);
+      ]));
       if (id !== this.revision.value?.id) return;
       const first = !this.live.value, whole = this.at.value >= (this.live.value?.facts.units ?? 0);
       batch(() => {

@@ -40,7 +40,7 @@ export async function takeAway(over, piece, { follow }) {
   const view = () => {
     const first = (FIRST[craft.name] ?? []).map(([v, s, title, line]) => ({ file: files.find((f) => f.view === v && f.suffix === s), title, line })).filter((f) => f.file);
     const views = [...new Set(files.map((f) => f.view))];
-    return html`<h2 id="away-title">Take away</h2>
+    return html`<button class="icon shut" autofocus aria-label="close" @click=${() => box.close()}>×</button><h2 id="away-title">Take away</h2>
       <p class="quiet">The very files that the command line writes. ${counted(files.length, "format")}.</p>
       <div class="first">${first.map(({ file, title, line }, k) => html`<button class="button ${k ? "" : "act"}" ?disabled=${busy.has(file)} @click=${() => get(file)}>
           <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}</span></button>`)}
@@ -51,7 +51,7 @@ export async function takeAway(over, piece, { follow }) {
         <div class="ways">${files.filter((f) => f.view === v).map((f) => html`<button class="way ${busy.has(f) ? "busy" : ""}" @click=${() => get(f)}>
           <span class="what">${f.suffix.slice(1).toUpperCase()}</span><span class="name">${busy.has(f) ? "making it …" : f.name}</span>
           <span class="quiet">${f.size === null ? "" : size(f.size)}</span></button>`)}</div>`)}
-      <p><button class="button" autofocus @click=${() => box.close()}>Close</button></p>`;
+`;
   };
   draw();
   box.addEventListener("close", () => box.remove());

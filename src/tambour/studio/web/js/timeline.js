@@ -23,6 +23,7 @@ export class Timeline {
   /** @param {number} at @returns {Told} */
   told(at) {
     const piece = this.piece, unit = piece.live.value?.facts.unit ?? "step";
+    if (!this.units) return { label: "", more: "", words: "" };
     if (at >= this.units) return { label: "Finished", more: counted(this.units, unit, unit === "stitch" ? "stitches" : undefined), words: "" };
     const { index, step } = piece.stepAt(at);
     if (!step) return { label: number(at), more: `of ${number(this.units)}`, words: "" };

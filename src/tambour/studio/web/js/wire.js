@@ -52,6 +52,18 @@ export async function ask(path, { method, body, signal: stop } = {}) {
   return answer.status === 204 ? null : answer.json();
 }
 
+/** Again when a worker was stopped in the midst, as it is when another page leaves. @template T @param {() => Promise<T>} call @param {number} [times] @returns {Promise<T>} */
+export async function patiently(call, times = 4) {
+  for (;;) {
+    try {
+      return await call();
+    } catch (error) {
+      if (!(error instanceof Trouble) || ![429, 503].includes(error.status) || !--times) throw error;
+      await new Promise((done) => setTimeout(done, 700));
+    }
+  }
+}
+
 /** Ask for bytes. @param {string} path @param {AbortSignal} [stop] */
 export async function bytes(path, stop) {
   return (await reach(path, { signal: stop })).arrayBuffer();

@@ -132,8 +132,9 @@ export function screen(root, piece, { over }) {
       for (let i = 0; i < x.length; i++) by[i] = x[i] - rest[i];
       stage.move(by);
     } else if (!pack || piece.going.value) {
-      stage.set(cord(x, state.facts.radius ?? 2), !shown);
-      shown ??= stage.pack;
+      const by = cord(x, state.facts.radius ?? 2), begun = !stage.pack;
+      stage.set(by, begun);
+      if (!begun && !pack) stage.camera.fit(by.facts.box, false); // it grows: all of it stays in view
     }
   };
 

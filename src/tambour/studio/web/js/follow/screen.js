@@ -1,0 +1,159 @@
+// Follow: on a phone beside the yarn: the picture worked up to here, this round in large words, one button.
+import { Chart } from "../gl/chart.js";
+import { Stage } from "../gl/stage.js";
+import { unpack } from "../pack.js";
+import { night } from "../theme.js";
+import { bare } from "../timeline.js";
+import { dyed, effect, html, number, ref, render, show, signal } from "../view.js";
+import { Trouble, ask, bytes, patiently } from "../wire.js";
+import { Place } from "./place.js";
+import { awake } from "./wake.js";
+
+const root = /** @type {HTMLElement} */ (document.getElementById("follow"));
+const id = /^\/follow\/([\w-]+)/.exec(location.pathname)?.[1] ?? "";
+const NAMES = { crochet: "Round done", knit: "Row done", ink: "Next", embroidery: "Done, next" };
+const MANY = 120; // stitches as tokens; more are shown as runs
+
+begin().catch((error) => {
+  if (!(error instanceof Trouble)) throw error;
+  render(html`<div class="words"><h1>${error.problems[0].message}</h1><p>${error.problems[0].hint ?? ""}</p></div>`, root);
+});
+
+async function begin() {
+  const { piece } = await ask(`/api/pieces/${id}`), head = piece.head;
+  const [pack, { steps }] = await patiently(() => Promise.all([bytes(`/api/revisions/${head}/live.pack`).then((b) => unpack(b)), ask(`/api/revisions/${head}/steps.json`)]));
+  const place = new Place(id), typing = signal(false), sleeps = signal(false);
+  await place.open();
+  document.title = `${piece.title} · Tambour`;
+  render(html`<header class="headline"></header><div class="picture"><canvas role="img" aria-label="the work so far"></canvas><div class="over"></div></div>
+    <section class="words" aria-live="polite"></section><p class="then"></p><div class="hands"></div>`, root);
+  const one = (/** @type {string} */ q) => /** @type {any} */ (root.querySelector(q));
+
+  const at = () => {
+    const k = Math.max(0, Math.min(steps.length - 1, place.now.value.step)), step = steps[k];
+    return { k, step, unit: Math.max(step.first, Math.min(step.end, place.now.value.unit)), done: place.now.value.step >= steps.length };
+  };
+  const on = () => {
+    const { k, done } = at();
+    if (!done) place.go(k + 1, steps[k + 1]?.first ?? steps[k].end);
+  };
+  const back = () => {
+    if (place.undo()) return;
+    const { k, done } = at();
+    if (done || k > 0) place.go(done ? k : k - 1, steps[done ? k : k - 1].first);
+  };
+
+  // The picture, worked up to here.
+  const view = /** @type {HTMLCanvasElement} */ (one("canvas")), flat = pack.facts.craft === "embroidery";
+  if (pack.arrays.cells) {
+    const chart = new Chart(view);
+    chart.resize();
+    chart.set(pack);
+    effect(() => {
+      const { step, unit } = at(), row = Math.floor(step.first / chart.columns), col = unit - step.first;
+      Object.assign(chart.how, { night: night.value, worked: row, marked: true });
+      chart.scale = Math.max(10, view.clientWidth / (chart.columns + 2) / chart.aspect);
+      const x = step.direction > 0 ? col : chart.columns - 1 - col, fits = chart.columns * chart.scale * chart.aspect <= view.clientWidth;
+      chart.center = [fits ? chart.columns / 2 : x, row + view.clientHeight / chart.scale / 5];
+      chart.hover = [x, row];
+      chart.touch();
+    });
+  } else if (pack.arrays.ends) {
+    const stage = new Stage(view, { flat });
+    if (flat) Object.assign(stage, { cloth: Math.max(0.4, pack.facts.radius * 3), ground: [0.93, 0.91, 0.86] });
+    stage.camera.listen(view);
+    stage.resize();
+    stage.set(pack);
+    effect(() => {
+      stage.night = night.value;
+      const { step, unit, done } = at(), count = done ? pack.facts.units : unit;
+      stage.scrub(count);
+      if (!flat) near(stage, step, done);
+    });
+  }
+
+  /** Keep the part that is worked in view, seen a little from above. @param {Stage} stage @param {any} step @param {boolean} done */
+  function near(stage, step, done) {
+    const part = (pack.facts.parts ?? []).find((/** @type {any} */ p) => p.start <= step.first && step.first < p.end);
+    if (done || !part) return stage.fit(false);
+    const x = pack.arrays.positions, low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    for (let i = part.start; i < Math.max(step.end, part.start + 30) && i < part.end; i++)
+      for (let k = 0; k < 3; k++) {
+        low[k] = Math.min(low[k], x[3 * i + k]);
+        high[k] = Math.max(high[k], x[3 * i + k]);
+      }
+    stage.camera.pitch = Math.max(stage.camera.pitch, 0.5);
+    stage.camera.fit(/** @type {any} */ ([low.map((v) => v - 6), high.map((v) => v + 6)]), false);
+    return stage.touch();
+  }
+
+  show(one(".headline"), () => {
+    const { k, step, done } = at(), alike = step.part ? steps.filter((/** @type {any} */ s) => s.part === step.part) : steps;
+    const jump = (/** @type {any} */ event) => {
+      const n = Math.round(Number(event.target.value));
+      typing.value = false;
+      if (n >= 1 && n <= alike.length) place.go(steps.indexOf(alike[n - 1]), alike[n - 1].first);
+    };
+    return html`<b>${piece.title}</b><span class="part">${step.part}</span><span class="count">${typing.value
+      ? html`<input type="text" inputmode="numeric" aria-label="go to number" ${ref((el) => el && queueMicrotask(() => /** @type {any} */ (el).focus()))} @change=${jump} @blur=${() => (typing.value = false)}>`
+      : html`<button class="button" @click=${() => (typing.value = true)} aria-label="go to another">${done ? "finished" : `${step.label} / ${alike.length}`}</button>`}</span><span class="unseen">step ${k + 1} of ${steps.length}</span>`;
+  });
+  show(one(".words"), () => {
+    const { step, unit, done } = at();
+    if (done) return html`<div class="row">Finished</div><h1>${piece.title} is made.</h1>`;
+    return html`<div class="row">${step.label}</div>${step.stop ? html`<p class="stop">${step.stop}</p>` : ""}
+      <h1>${bare(step.words)}${step.count && !/[[(]\s*\d+\s*[\])]\s*$/.test(step.words) ? html` <span class="quiet">${number(step.count)}</span>` : ""}</h1>
+      <div class="tokens">${tokens(step).map((t) => html`<button class=${t.end <= unit ? "done" : t.first <= unit ? "now" : ""} @click=${() => place.go(at().k, t.first)}>
+        ${t.color ? html`<i class="swatch" ${ref(dyed(t.color))}></i> ` : ""}${t.text}</button>`)}</div>`;
+  });
+  show(one(".then"), () => {
+    const { k, done } = at(), next = steps[k + 1];
+    return done || !next ? "" : html`then ${next.label}: ${bare(next.words)}`;
+  });
+  show(one(".hands"), () => html`<button class="back" @click=${back}>back</button><button class="on" @click=${on} ?disabled=${at().done}>${NAMES[piece.craft] ?? "Done"}</button>`);
+  show(one(".over"), () => html`<details class="menu"><summary class="icon button" aria-label="more">⋯</summary><div>
+      <button class="button" @click=${() => place.go(0, 0)}>Begin again</button>
+      <p class="quiet">${place.unsent.value ? "Wi-Fi is away: your place is kept in this page. Do not load it again until it is back." : "Your place is kept on the computer too."}
+        ${sleeps.value ? " This phone's screen may go dark: it does not let a page keep it awake." : ""}</p></div></details>`);
+
+  /** @param {any} step @returns {{first: number, end: number, text: string, color?: ArrayLike<number>}[]} */
+  function tokens(step) {
+    const a = pack.arrays, found = [];
+    const same = (/** @type {number} */ i, /** @type {number} */ j) => (a.cells ? cell(step, i) === cell(step, j) : a.kind && a.kind[i] === a.kind[j]);
+    const runs = Boolean(a.cells) || step.end - step.first > MANY;
+    if (!a.cells && !a.kind) return [];
+    if (pack.facts.craft === "embroidery") return [];
+    for (let i = step.first; i < step.end; ) {
+      let j = i + 1;
+      while (runs && j < step.end && same(i, j)) j++;
+      if (a.cells) {
+        const v = cell(step, i);
+        found.push({ first: i, end: j, text: String(j - i), color: a.palette.subarray(3 * v, 3 * v + 3) });
+      } else found.push({ first: i, end: j, text: (j - i > 1 ? `${j - i} ` : "") + name(i) });
+      i = j;
+    }
+    return found;
+  }
+  /** @param {any} step @param {number} i the yarn of the i-th stitch in the order of work */
+  function cell(step, i) {
+    const c = pack.shapes.cells[1], row = Math.floor(step.first / c), k = i - step.first;
+    return pack.arrays.cells[row * c + (step.direction > 0 ? k : c - 1 - k)];
+  }
+  /** A stitch's name; the second and later into one stitch are increases. @param {number} i */
+  function name(i) {
+    const { kind, parent } = pack.arrays, plain = pack.facts.kinds[kind[i]];
+    return i > 0 && parent && parent[i] >= 0 && parent[i] === parent[i - 1] && pack.facts.kinds[kind[parent[i]]] !== "ring" ? `${plain} ↑` : plain;
+  }
+
+  addEventListener("keydown", (event) => {
+    if (/** @type {HTMLElement} */ (event.target).matches("input, button, summary") && [" ", "Enter"].includes(event.key)) return;
+    if ([" ", "Enter", "PageDown", "ArrowRight"].includes(event.key)) on();
+    else if (["Backspace", "PageUp", "ArrowLeft"].includes(event.key)) back();
+    else return;
+    event.preventDefault();
+    navigator.vibrate?.(12);
+  });
+  one(".hands").addEventListener("click", () => navigator.vibrate?.(12));
+  addEventListener("beforeunload", (event) => place.unsent.value && event.preventDefault());
+  sleeps.value = !(await awake());
+}
