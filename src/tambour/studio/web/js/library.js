@@ -15,7 +15,7 @@ const LINES = {
 /** Words to begin a scroll with. */
 const WORDS = ["first snow", "a walk by the lake", "seven cranes", "old pine"];
 /** The examples that stand on the shelf, as the server names them. */
-export const SHELF = { crochet: ["frog"], knit: ["rose", "cat", "pears"], ink: ["plum"], embroidery: ["botanical"] };
+export const SHELF = { crochet: ["frog.acl"], knit: ["rose.png"], ink: ["plum"], embroidery: ["botanical.svg"] };
 
 /** @param {HTMLElement} element @param {{choose?: (take: (craft: string) => void) => void}} [how] */
 export function shelf(element, { choose } = {}) {

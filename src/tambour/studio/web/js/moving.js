@@ -4,7 +4,7 @@ import { Stage } from "./gl/stage.js";
 import { Painter } from "./ink/tiles.js";
 import { unpack } from "./pack.js";
 import { night } from "./theme.js";
-import { bytes } from "./wire.js";
+import { ask, bytes } from "./wire.js";
 
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -14,9 +14,9 @@ export function moving(canvas, craft, example) {
   /** @type {(() => void)[]} */
   const ends = [() => stop.abort()];
   const begin = async () => {
-    const pack = unpack(await bytes(`/api/examples/${craft}/${encodeURIComponent(example)}/live.pack`, stop.signal));
-    if (stop.signal.aborted) return;
-    const { step, free } = craft === "knit" ? chart(canvas, pack) : craft === "ink" ? scroll(canvas, pack) : strands(canvas, pack, craft === "embroidery");
+    const pack = async () => unpack(await bytes(`/api/examples/${craft}/${encodeURIComponent(example)}/live.pack`, stop.signal));
+    const { step, free } = craft === "ink" ? await scroll(canvas, example, stop.signal) : craft === "knit" ? chart(canvas, await pack()) : strands(canvas, await pack(), craft === "embroidery");
+    if (stop.signal.aborted) return free();
     ends.push(free);
     const from = performance.now();
     let cost = 0, due = 0;
@@ -29,7 +29,7 @@ export function moving(canvas, craft, example) {
       }
       if (!still.matches) requestAnimationFrame(go);
     };
-    go(from);
+    return go(from);
   };
   begin().catch(() => {}); // the card says in words what it is; the field above works without it
   return () => ends.forEach((end) => end());
@@ -81,24 +81,30 @@ function chart(canvas, pack) {
   };
 }
 
-/** @param {HTMLCanvasElement} canvas @param {import("./pack.js").Pack} pack */
-function scroll(canvas, pack) {
-  const painter = new Painter(), [w, h] = pack.facts.size, paint = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-  /** @type {ImageBitmap|null} */
-  let tile = null;
-  const ratio = Math.min(2, devicePixelRatio || 1), high = Math.max(1, Math.round(canvas.clientHeight * ratio));
+/** @param {HTMLCanvasElement} canvas @param {string} seed @param {AbortSignal} stop */
+async function scroll(canvas, seed, stop) {
+  const told = await ask("/api/ink/scroll", { body: { params: { seed } }, signal: stop });
+  const painter = new Painter(), paint = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  const ratio = Math.min(2, devicePixelRatio || 1), high = Math.max(1, Math.round(canvas.clientHeight * ratio)), scale = high / told.height;
   canvas.width = Math.max(1, Math.round(canvas.clientWidth * ratio));
   canvas.height = high;
-  painter.paint(pack, high / h).then((made) => (tile = made));
+  /** @type {(ImageBitmap|null)[]} */
+  const tiles = [null, null, null];
+  (async () => {
+    for (let k = 0; k < tiles.length; k++) tiles[k] = await painter.paint(unpack(await bytes(`/api/ink/tiles/${told.key}/${k}.pack`, stop)), scale);
+  })().catch(() => {}); // bare paper where a tile does not come
+  const wide = told.tile * scale, room = Math.max(0, tiles.length * wide - canvas.width), [r, g, b] = told.background;
   return {
     step: (/** @type {number} */ t) => {
-      if (!tile) return undefined;
-      const [r, g, b] = pack.facts.background, wide = (w * high) / h, room = Math.max(0, wide - canvas.width);
       paint.fillStyle = `rgb(${r} ${g} ${b})`;
-      paint.fillRect(0, 0, canvas.width, canvas.height);
-      paint.drawImage(tile, -room * (0.5 - 0.5 * Math.cos(t / 9)), 0, wide, high);
+      paint.fillRect(0, 0, canvas.width, high);
+      const x = room * (0.5 - 0.5 * Math.cos(t / 11));
+      tiles.forEach((tile, k) => tile && paint.drawImage(tile, Math.round(k * wide - x), 0, Math.ceil(wide) + 1, high));
       return undefined;
     },
-    free: () => (tile?.close(), painter.free()),
+    free: () => {
+      for (const tile of tiles) tile?.close();
+      painter.free();
+    },
   };
 }

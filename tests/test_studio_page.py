@@ -1,0 +1,264 @@
+"""The page in a browser: per craft from opening to a file with the command line's bytes, the scrub, reloads, keys, no error.
+
+Pieces are small (software GL is slow) and pictures are waited for by frames drawn, never by time.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tambour import run
+
+ROOT = Path(__file__).parents[1]
+LIB = ROOT / "src" / "tambour" / "studio" / "web" / "lib"
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
+MUST = os.environ.get("TAMBOUR_STUDIO_MUST") == "1"
+FLAGS = (
+    "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
+    "--disable-component-update --disable-sync --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader "
+    "--ignore-gpu-blocklist"
+).split()
+BALL = "Rnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [12]\nRnd 3: sc around. [12]\nRnd 4: dec x 6. [6]\nFasten off.\n"
+HEART = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="30mm" viewBox="0 0 30 30">'
+    '<path id="square" d="M5 5h16v16h-16z" fill="#b03030"/><script>alert(1)</script>'
+    '<image href="http://127.0.0.1:9/never.png" width="1" height="1"/></svg>'
+)
+
+pytestmark = pytest.mark.slow
+if not (LIB / "made.json").exists() or CHROMIUM is None:
+    if MUST:
+        raise RuntimeError("the page's tests need chromium, and the page built: python front/build.py")
+    pytest.skip("needs chromium, and the page built: python front/build.py", allow_module_level=True)
+playwright = pytest.importorskip("playwright.sync_api")
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The address, with its token, of a studio of its own."""
+    library = tmp_path_factory.mktemp("studio") / "library.db"
+    words = [sys.executable, "-m", "tambour", "studio", "--no-open", "--port", "0", "--library", str(library)]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as started:
+        assert started.stdout is not None
+        try:
+            yield started.stdout.readline().strip()
+        finally:
+            started.terminate()
+            started.wait(20)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with playwright.sync_playwright() as it:
+        opened = it.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        yield opened
+        opened.close()
+
+
+@pytest.fixture
+def page(server: str, browser: Any) -> Iterator[Any]:
+    """The shelf; at the end nothing may have been said to the console, and no other place asked."""
+    context = browser.new_context(viewport={"width": 1100, "height": 700}, accept_downloads=True, reduced_motion="reduce")
+    context.set_default_timeout(120_000)
+    opened = context.new_page()
+    said: list[str] = []
+    asked: list[str] = []
+    opened.on("console", lambda m: said.append(m.text) if m.type in ("error", "warning") and "GPU stall" not in m.text else None)
+    opened.on("pageerror", lambda e: said.append(str(e)))
+    opened.on("dialog", lambda d: (said.append("a dialog"), d.dismiss()))
+    opened.on("request", lambda r: asked.append(r.url))
+    opened.goto(server)
+    opened.wait_for_selector(".cardx")
+    yield opened
+    context.close()
+    assert not said
+    own = server.split("/?")[0]
+    assert all(url.startswith((own, own.replace("http", "ws"), "blob:", "data:")) for url in asked)
+
+
+def new(page: Any, body: dict[str, Any]) -> str:
+    """A piece, opened; its id."""
+    made = page.evaluate(
+        "async body => (await (await fetch('/api/pieces', {method: 'POST', body: JSON.stringify(body),"
+        " headers: {'Content-Type': 'application/json'}})).json())",
+        body,
+    )
+    page.evaluate("id => location.hash = `#/piece/${id}`", made["piece"]["id"])
+    return str(made["piece"]["id"])
+
+
+def kept(page: Any, name: str, raw: str) -> dict[str, str]:
+    """A file given to the studio, as a source."""
+    told = page.evaluate(
+        "async ([name, raw]) => (await (await fetch(`/api/files?name=${name}`, {method: 'POST', body: new Blob([raw])})).json())",
+        [name, raw],
+    )
+    return {"sha256": told["sha256"], "name": name}
+
+
+def made(page: Any) -> None:
+    """Wait for the piece to be made."""
+    page.wait_for_function("document.querySelector('.track input') && !document.querySelector('.track input').disabled")
+
+
+def scrub(page: Any, share: float) -> None:
+    page.evaluate(
+        "v => {const r = document.querySelector('.track input'); r.value = Math.round(r.max * v); r.dispatchEvent(new Event('input'))}",
+        share,
+    )
+
+
+def picture(page: Any) -> bytes:
+    """The canvas when two frames have gone by without a change of it."""
+    page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done))))")
+    return bytes(page.locator(".view canvas, .scroll canvas").first.screenshot())
+
+
+def taken(page: Any, tmp_path: Path, name: str) -> Path:
+    """The file of that name from Take away."""
+    page.keyboard.press("Control+s")
+    page.wait_for_selector("dialog[open] .way")
+    with page.expect_download() as waiting:
+        page.locator("dialog[open] .way", has_text=name).first.click()
+    to = tmp_path / "taken" / name
+    to.parent.mkdir(exist_ok=True)
+    waiting.value.save_as(to)
+    page.keyboard.press("Escape")
+    return to
+
+
+def test_crochet(page, tmp_path):
+    new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    made(page)
+    whole = picture(page)
+    scrub(page, 0.5)
+    assert picture(page) != whole
+    assert "Rnd" in page.inner_text(".making .where")
+    got = taken(page, tmp_path, "ball.acl")
+    (tmp_path / "ball.txt").write_text(BALL)
+    run.run("crochet", tmp_path / "ball.txt", out=[tmp_path / "ball.acl"])
+    assert got.read_bytes() == (tmp_path / "ball.acl").read_bytes()
+
+
+def test_crochet_by_keys_alone_and_a_reload_loses_nothing(page):
+    """To the words, a mistake, its mark; then a reload before all is saved."""
+    new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    made(page)
+    page.keyboard.press("e")
+    page.keyboard.press("Control+End")
+    page.keyboard.type("Rnd 9: 40 dec. [7]")
+    page.wait_for_selector(".below .told")
+    page.wait_for_function("document.querySelector('.saved').textContent === 'saved'")
+    page.keyboard.press("Control+Home")
+    page.keyboard.type("Dear ball\n")
+    page.wait_for_function("Object.keys(localStorage).some(k => k.startsWith('tambour.unsent'))")
+    page.reload()
+    page.wait_for_function("document.querySelector('.editor')?.shadowRoot?.textContent.includes('Dear ball')")
+
+
+def test_embroidery_svg_with_script_never_runs(page, tmp_path):
+    source = kept(page, "square.svg", HEART)
+    new(page, {"craft": "embroidery", "source": source, "title": "square"})
+    made(page)
+    page.wait_for_selector(".regions")
+    whole = picture(page)
+    scrub(page, 0.5)
+    assert picture(page) != whole
+    got = taken(page, tmp_path, "square.dst")
+    (tmp_path / "square.svg").write_text(HEART)
+    run.run("embroidery", tmp_path / "square.svg", out=[tmp_path / "square.dst"])
+    assert got.read_bytes() == (tmp_path / "square.dst").read_bytes()
+
+
+def test_knit_painted_by_keys(page, tmp_path):
+    rows = "\n".join(",".join("01"[(x // 2 + y) % 2] for x in range(12)) for y in range(10)) + "\n"
+    source = kept(page, "chart.csv", rows)
+    new(page, {"craft": "knit", "source": source, "title": "chart"})
+    made(page)
+    page.focus(".view canvas")
+    for key in ("ArrowRight", "ArrowUp", "x", "Enter"):
+        page.keyboard.press(key)
+    page.wait_for_selector("text=held by hand")
+    page.wait_for_function("document.querySelector('.saved').textContent === 'saved'")
+    whole = picture(page)
+    scrub(page, 0.5)
+    assert picture(page) != whole
+    edits = page.evaluate(
+        "async () => (await (await fetch(`/api/pieces/${location.hash.split('/').pop()}`)).json()).revision.edits"
+    )
+    assert len(edits) == 1
+    made(page)
+    got = taken(page, tmp_path, "chart.txt")
+    (tmp_path / "chart.csv").write_text(rows)
+    run.run("knit", tmp_path / "chart.csv", out=[tmp_path / "chart.txt"], edits=edits)
+    assert got.read_bytes() == (tmp_path / "chart.txt").read_bytes()
+
+
+def test_ink(page, tmp_path):
+    new(page, {"craft": "ink", "seed": "plum", "title": "plum", "params": {"span": 300}})
+    page.wait_for_selector(".seal")
+    page.focus(".scroll canvas")
+    blank = picture(page)
+    page.wait_for_function("performance.getEntriesByType('resource').some(r => r.name.includes('/api/ink/tiles/') && r.responseEnd)")
+    page.wait_for_timeout(0)
+    before = page.url
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function("before => location.href !== before", arg=before)
+    assert "?x=" in page.url
+    page.wait_for_function(
+        "() => {const c = document.querySelector('.scroll canvas'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+        " let dark = 0; for (let i = 0; i < d.length; i += 4) dark += d[i] < 120; return dark > 200}"
+    )
+    assert picture(page) != blank
+    got = taken(page, tmp_path, "plum.json")
+    run.run("ink", params=run.craft("ink").params.of({"seed": "plum", "span": 300}), out=[tmp_path / "plum.json"])
+    assert got.read_bytes() == (tmp_path / "plum.json").read_bytes()
+
+
+def test_the_shelf_begins_a_piece_of_what_is_typed(page):
+    page.fill(".drop textarea", BALL)
+    page.keyboard.press("Enter")
+    made(page)
+    assert page.input_value(".title input")
+    page.click(".mark")
+    page.wait_for_selector(".mine .cardx")
+
+
+def test_follow(page, server):
+    piece = new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    made(page)
+    page.goto(f"{server.split('/?')[0]}/follow/{piece}")
+    page.wait_for_selector(".hands .on")
+    assert page.inner_text(".words .row") == "Rnd 1"
+    page.keyboard.press("Space")
+    page.wait_for_function("document.querySelector('.words .row').textContent === 'Rnd 2'")
+    page.click(".hands .back")
+    page.wait_for_function("document.querySelector('.words .row').textContent === 'Rnd 1'")
+    page.keyboard.press("PageDown")
+    page.wait_for_function(
+        "async () => (await (await fetch(`/api/pieces/${location.pathname.split('/')[2]}/place`)).json()).step === 1"
+    )
+    page.reload()
+    page.wait_for_function("document.querySelector('.words .row')?.textContent === 'Rnd 2'")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_serious(page, scheme):
+    page.emulate_media(color_scheme=scheme, reduced_motion="reduce")
+    axe = (ROOT / "build" / "axe.js").read_text()
+    for body in (None, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"}):
+        if body:
+            new(page, body)
+            made(page)
+        page.evaluate(axe)  # by the debugger's way in: the policy would refuse a script tag
+        found = page.evaluate("async () => (await axe.run(document, {resultTypes: ['violations']})).violations")
+        serious = [(v["id"], [n["html"][:120] for n in v["nodes"]][:3]) for v in found if v["impact"] in ("serious", "critical")]
+        assert not serious
