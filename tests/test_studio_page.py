@@ -64,10 +64,10 @@ def browser() -> Iterator[Any]:
 
 
 @pytest.fixture
-def page(server: str, browser: Any) -> Iterator[Any]:
+def page(server: str, browser: Any, request: pytest.FixtureRequest) -> Iterator[Any]:
     """The shelf; at the end nothing may have been said to the console, and no other place asked."""
     context = browser.new_context(
-        viewport={"width": 1100, "height": 700}, accept_downloads=True, reduced_motion="reduce"
+        viewport={"width": 900, "height": 480}, accept_downloads=True, reduced_motion="reduce"
     )
     context.set_default_timeout(120_000)
     opened = context.new_page()
@@ -80,6 +80,8 @@ def page(server: str, browser: Any) -> Iterator[Any]:
     opened.on("pageerror", lambda e: said.append(str(e)))
     opened.on("dialog", lambda d: (said.append("a dialog"), d.dismiss()))
     opened.on("request", lambda r: asked.append(r.url))
+    if "shelf" not in request.node.name:  # its examples are large for software GL
+        context.route("**/api/examples/**", lambda route: route.fulfill(body=b""))
     opened.goto(server)
     opened.wait_for_selector(".cardx")
     yield opened
@@ -111,8 +113,13 @@ def kept(page: Any, name: str, raw: str) -> dict[str, str]:
 
 def until(page: Any, holds: str) -> None:
     """Wait, frame by frame, until a condition holds; by the debugger's way in, as the policy lets no text become code."""
-    page.evaluate(f"""() => new Promise(done => {{
-        const look = async () => (await ({holds})) ? done() : setTimeout(look, 30);
+    page.evaluate(f"""() => new Promise((done, failed) => {{
+        const ends = Date.now() + 120000;
+        const look = async () => {{
+            if (await ({holds})) done();
+            else if (Date.now() > ends) failed(new Error("two minutes went by"));
+            else setTimeout(look, 30);
+        }};
         look();
     }})""")
 

@@ -277,7 +277,7 @@ export class Stage {
       this.cost = (performance.now() - began) * (stride > 1 ? stride * 0.8 : 1);
     }
     this._probe--;
-    const looks = this.fine ? (this.cost > 60 ? Math.min(this.looks, 3) : this.looks) : 1;
+    const looks = !this.fine || this.cost > 120 ? 1 : this.cost > 50 ? Math.min(this.looks, 3) : this.looks;
     this._still = moving ? 0 : n + 1;
     if (moving || this._still < looks) this._ask();
     else for (const call of this.after.splice(0)) call();
