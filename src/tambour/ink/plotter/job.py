@@ -28,6 +28,8 @@ TOLERANCE = 0.02
 """How far a simplified line may leave the exact one, mm."""
 SPECK = 0.05
 """A piece shorter than this, mm, is not worth a lift: it is left out."""
+CRUMB = 0.8
+"""What hidden lines leave shorter than so many nibs is a dot, and left out too."""
 BLUE = (120, 170, 230, 255)
 
 
@@ -71,7 +73,9 @@ def unhidden(painted: scroll.Scroll, nib: float, heights: int = 0) -> Lines:
     marks = painted.marks()
     drawn = lines(marks, nib, heights)
     coords, offsets, source = visible(drawn.coords, drawn.offsets, drawn.order, *hiding(marks, nib))
-    return Lines(coords, offsets, drawn.order[source], drawn.tone[source], drawn.worth[source], drawn.press[source])
+    seen = Lines(coords, offsets, drawn.order[source], drawn.tone[source], drawn.worth[source], drawn.press[source])
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))]) if len(coords) else np.zeros(1)
+    return seen.some(np.flatnonzero(along[offsets[1:] - 1] - along[offsets[:-1]] >= CRUMB * nib))
 
 
 def routed(seen: Lines, sheet: Sheet, params: Ink) -> Page:
