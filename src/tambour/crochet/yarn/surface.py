@@ -69,7 +69,7 @@ def _filled(graph: StitchGraph) -> tuple[Array, Array]:
             continue
         if closed(faces):
             shut.append(number)
-        elif own.stuffing > 0.0 and sewn[_rim(faces)].mean() > 0.5:
+        elif own.stuffing > 0.0 and 2 * int(sewn[_rim(faces)].sum()) > len(_rim(faces)):
             filled.append(number)
     return np.asarray(graph.faces[np.isin(part, shut)]), np.asarray(graph.faces[np.isin(part, filled)])
 
