@@ -371,3 +371,37 @@ def test_a_library_goes_into_one_archive(tmp_path: Path) -> None:
         assert held == [b"two", b"one"] and len(archive.namelist()) == 5
     with pytest.raises(TambourError, match="no library"):
         export(tmp_path / "none.db", tmp_path / "none.zip")
+
+
+def test_what_was_made_goes_when_it_is_too_much_and_is_made_again(
+    ours: TestClient, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told = ours.post("/api/ink/scroll", json={"params": {"seed": "cache"}}).json()
+    paths = [f"/api/ink/tiles/{told['key']}/{k}.pack" for k in range(4)]
+    first = ours.get(paths[0]).content
+    monkeypatch.setattr(limits, "CACHE", 1000)
+    sizes = [len(ours.get(path).content) for path in paths]
+    assert min(sizes) > 1000 and ours.get(paths[0]).content == first
+
+
+def test_another_library_is_no_cached_one(tmp_path: Path) -> None:
+    marks = []
+    for text in (BALL, BALL + "# other\n"):
+        folder = tmp_path / str(len(text))
+        folder.mkdir()
+        with studio(folder) as (client, tokens):
+            _, revision = piece(inside(client, tokens), text)
+            assert revision == 1
+            answer = client.get("/api/revisions/1/text")
+            told = client.get("/api/revisions/1/thumb.webp", headers={"if-none-match": marks[0]} if marks else {})
+            assert (
+                answer.json()["text"] == text
+                and told.status_code == 200
+                and "no-cache" in told.headers["cache-control"]
+            )
+            assert (
+                client.get("/api/revisions/1/thumb.webp", headers={"if-none-match": told.headers["etag"]}).status_code
+                == 304
+            )
+            marks.append(told.headers["etag"])
+    assert marks[0] != marks[1]

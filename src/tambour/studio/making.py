@@ -21,12 +21,13 @@ from tambour.studio.pool import Pool, Spec
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """A file that was made: where it lies, what it is called, how large it is, and what else its making told."""
+    """A file that was made: where it lies (in a folder of its own), what it is called, how large it is, and its tag,
+    which is another for every other key."""
 
     path: Path
     name: str
     size: int
-    told: dict[str, Any]
+    tag: str
 
 
 class _Shared:
@@ -75,13 +76,14 @@ class Making:
         try:
             self.count += 1
             to = self.folder / str(self.count)
+            to.mkdir()
             told = await make(to)
-            path = Path(told.pop("file", to))
-            made = Output(path, told.get("name", path.name), path.stat().st_size, told)
+            path = Path(told["file"])
+            made = Output(path, told.get("name", path.name), path.stat().st_size, tag(key))
             self.kept[key] = made
             while sum(o.size for o in self.kept.values()) > limits.CACHE and len(self.kept) > 1:
                 _, old = self.kept.popitem(last=False)
-                await asyncio.to_thread(_gone, old.path)
+                await asyncio.to_thread(shutil.rmtree, old.path.parent, True)
             return made
         finally:
             self.shared.pop(key, None)
@@ -112,10 +114,9 @@ class Making:
         return await self.get(f"{key_of(name, content)}/{view}{suffix}", make)
 
 
-def _gone(path: Path) -> None:
-    with suppress(OSError):
-        path.unlink()
-    shutil.rmtree(path.parent, ignore_errors=True)
+def tag(key: str) -> str:
+    """What an answer that comes of ``key`` is marked by; a browser that has it need not be sent it again."""
+    return f'"{sha256(key.encode()).hexdigest()[:32]}"'
 
 
 def key_of(name: str, content: Content) -> str:

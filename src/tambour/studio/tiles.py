@@ -15,7 +15,7 @@ from tambour.run import craft
 from tambour.studio.context import Answer, Studio, until_left
 from tambour.studio.pieces import Body, Plain
 from tambour.studio.problems import plains
-from tambour.studio.views import sent
+from tambour.studio.views import FOREVER, sent
 
 if TYPE_CHECKING:
     from starlette.requests import Request
@@ -80,8 +80,8 @@ async def tile(studio: Studio, request: Request) -> Response:
     params = _params(given)
 
     async def make(to: Path) -> dict[str, Any]:
-        job = {"do": "tile", "lane": "ink", "params": params.plain(), "k": k, "to": str(to.with_suffix(".pack"))}
+        job = {"do": "tile", "lane": "ink", "params": params.plain(), "k": k, "to": str(to)}
         return await studio.pool.run(job)
 
     made = await until_left(request, studio.making.get(f"tile/{key}/{k}", make))
-    return sent(request, made, "application/octet-stream")
+    return sent(request, made, "application/octet-stream", cache=FOREVER)

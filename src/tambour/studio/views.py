@@ -11,7 +11,7 @@ from tambour.run import craft
 from tambour.studio.context import Answer, Studio, until_left
 from tambour.studio.guard import SANDBOX
 from tambour.studio.library import Content, Revision
-from tambour.studio.making import Output, file_name, key_of
+from tambour.studio.making import Output, file_name, key_of, tag
 from tambour.studio.pieces import EXAMPLES, example, plain_revision
 
 if TYPE_CHECKING:
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from starlette.responses import Response
 
 FOREVER = "private, max-age=31536000, immutable"
+ASKED = "private, no-cache"
+"""A browser may keep it and asks whether it still holds: another library has other revisions of the same numbers."""
 _KINDS = {".webp": "image/webp", ".json": "application/json"}
 
 
@@ -28,18 +30,38 @@ async def _found(studio: Studio, request: Request) -> tuple[str, Revision]:
     return piece.craft, revision
 
 
-def sent(request: Request, output: Output, kind: str, *, as_file: bool = False) -> Response:
-    """An output as an answer that never changes; ``as_file``: to be kept on the disk, never shown."""
+def sent(request: Request, output: Output, kind: str, *, as_file: bool = False, cache: str = ASKED) -> Response:
+    """An output as an answer; ``as_file``: to be kept on the disk, never shown."""
     from starlette.responses import FileResponse, Response
 
-    headers = {"cache-control": FOREVER, "etag": f'"{output.path.parent.name}-{output.path.name}-{output.size}"'}
+    headers = {"cache-control": cache, "etag": output.tag}
+    if request.headers.get("if-none-match") == output.tag:
+        return Response(status_code=304, headers=headers)
     if as_file:
         headers["content-security-policy"] = SANDBOX
         plain = "".join(c if c.isascii() and (c.isalnum() or c in "-_. ") else "_" for c in output.name)
         headers["content-disposition"] = f"attachment; filename=\"{plain}\"; filename*=UTF-8''{quote(output.name, '')}"
-    if request.headers.get("if-none-match") == headers["etag"]:
-        return Response(status_code=304, headers=headers)
     return FileResponse(output.path, media_type=kind, headers=headers)
+
+
+async def shown(
+    studio: Studio,
+    request: Request,
+    name: str,
+    content: Content,
+    view: str,
+    suffix: str,
+    kind: str,
+    as_file: bool = False,
+) -> Response:
+    """A view of a piece as an answer; nothing is made for who has it."""
+    from starlette.responses import Response
+
+    mark = tag(f"{key_of(name, content)}/{view}{suffix}")
+    if request.headers.get("if-none-match") == mark:
+        return Response(status_code=304, headers={"cache-control": ASKED, "etag": mark})
+    made = await until_left(request, studio.making.view(name, content, view, suffix))
+    return sent(request, made, kind, as_file=as_file)
 
 
 async def revision(studio: Studio, request: Request) -> dict[str, Any]:
@@ -51,8 +73,7 @@ async def revision(studio: Studio, request: Request) -> dict[str, Any]:
 async def live(studio: Studio, request: Request) -> Response:
     """The piece as a screen draws it, a pack."""
     name, found = await _found(studio, request)
-    made = await until_left(request, studio.making.view(name, found.content, "live", ".pack"))
-    return sent(request, made, "application/octet-stream")
+    return await shown(studio, request, name, found.content, "live", ".pack", "application/octet-stream")
 
 
 async def _example(studio: Studio, request: Request) -> tuple[str, Content]:
@@ -69,22 +90,19 @@ async def _example(studio: Studio, request: Request) -> tuple[str, Content]:
 async def example_live(studio: Studio, request: Request) -> Response:
     """An example as a screen draws it, a pack."""
     name, content = await _example(studio, request)
-    made = await until_left(request, studio.making.view(name, content, "live", ".pack"))
-    return sent(request, made, "application/octet-stream")
+    return await shown(studio, request, name, content, "live", ".pack", "application/octet-stream")
 
 
 async def example_steps(studio: Studio, request: Request) -> Response:
     """The steps of an example's making."""
     name, content = await _example(studio, request)
-    made = await until_left(request, studio.making.view(name, content, "steps", ".json"))
-    return sent(request, made, "application/json")
+    return await shown(studio, request, name, content, "steps", ".json", "application/json")
 
 
 async def steps(studio: Studio, request: Request) -> Response:
     """The steps of its making."""
     name, found = await _found(studio, request)
-    made = await until_left(request, studio.making.view(name, found.content, "steps", ".json"))
-    return sent(request, made, "application/json")
+    return await shown(studio, request, name, found.content, "steps", ".json", "application/json")
 
 
 async def report(studio: Studio, request: Request) -> dict[str, Any]:
@@ -110,14 +128,16 @@ async def thumb(studio: Studio, request: Request) -> Response:
     from starlette.responses import Response
 
     name, found = await _found(studio, request)
-    headers = {"cache-control": FOREVER}
+    headers = {"cache-control": ASKED, "etag": tag(f"{key_of(name, found.content)}/thumb")}
+    if request.headers.get("if-none-match") == headers["etag"]:
+        return Response(status_code=304, headers=headers)
     kept = await studio.library.do(studio.library.picture, found.id)
     if kept is not None:
         return Response(kept, media_type="image/webp", headers=headers)
 
     async def make(to: Path) -> dict[str, Any]:
         spec = await studio.making.spec(name, found.content)
-        return await studio.pool.run({"do": "thumb", "to": str(to.with_suffix(".webp"))}, spec)
+        return await studio.pool.run({"do": "thumb", "to": str(to)}, spec)
 
     made = await until_left(request, studio.making.get(f"{key_of(name, found.content)}/thumb", make))
     raw = made.path.read_bytes()
@@ -148,5 +168,5 @@ async def download(studio: Studio, request: Request) -> Response:
     views = craft(name).views
     if view not in views or not files.can_write(suffix, views[view].value):
         raise Answer.of(404, "there is no such file of this piece")
-    made = await until_left(request, studio.making.view(name, found.content, view, suffix))
-    return sent(request, made, _KINDS.get(suffix, "application/octet-stream"), as_file=True)
+    kind = _KINDS.get(suffix, "application/octet-stream")
+    return await shown(studio, request, name, found.content, view, suffix, kind, as_file=True)

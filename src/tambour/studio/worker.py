@@ -159,13 +159,13 @@ class Desk:
         from tambour.run import write
 
         told = self.make(job, progress)
-        to = Path(job["to"])
-        to.mkdir(parents=True)
+        to = Path(job["to"]) / "files"
+        to.mkdir()
         write(self.made, [to / job["name"]], progress=progress)
         found = sorted(p for p in to.rglob("*") if p.is_file())
         if len(found) == 1:
             return {**told, "name": found[0].name, "file": str(found[0])}
-        packed = to.with_suffix(".zip")
+        packed = to.with_name("all.zip")
         _archive(packed, to, found)
         return {**told, "name": f"{job['name']}.zip", "file": str(packed)}
 
@@ -183,8 +183,9 @@ class Desk:
         from tambour.studio.thumbs import thumb
 
         self.make(job, progress)
-        Path(job["to"]).write_bytes(thumb(self.made.craft.name, self.made.piece))
-        return {"file": job["to"]}
+        file = Path(job["to"]) / "thumb.webp"
+        file.write_bytes(thumb(self.made.craft.name, self.made.piece))
+        return {"file": str(file)}
 
     def check(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """What is wrong with a text or parameters, without making anything of them."""
@@ -207,8 +208,9 @@ class Desk:
         from tambour.run import craft
 
         params = craft("ink").params.of(job["params"])
-        Path(job["to"]).write_bytes(packed(tile(params, job["k"])))
-        return {"file": job["to"]}
+        file = Path(job["to"]) / "tile.pack"
+        file.write_bytes(packed(tile(params, job["k"])))
+        return {"file": str(file)}
 
 
 def _chart() -> Any:
