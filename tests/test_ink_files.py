@@ -18,7 +18,7 @@ from tambour.core.font import Font
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.ink import CRAFT
-from tambour.ink.paint import seal
+from tambour.ink.paint import paper, seal
 from tambour.ink.params import Ink, stem
 from tambour.ink.plan import scroll
 from tambour.render import flat
@@ -314,3 +314,23 @@ def test_characters_that_a_font_lacks_are_named() -> None:
     CRAFT.check(given, ["scroll"])  # an SVG's viewer finds them
     with pytest.raises(TambourError, match="square has no f a r 水"):
         scroll.make(None, given.model_copy(update={"font": _square_font()}), Progress())
+
+
+def test_the_mirrored_sheet_is_its_own_mirror_and_the_others_are_not() -> None:
+    where, size = np.array([0.0, 0.0]), np.array([3000.0, 700.0])
+    (sheet,) = paper.glazes(where, size, 1500, mirror=True)
+    grain = sheet.picture.rgba[..., 3]
+    assert (grain == grain[:, ::-1]).all() and (grain == grain[::-1]).all() and grain.std() > 2
+    assert sheet.glaze and sheet.repeat == (grain.shape[1], grain.shape[0])
+    for plain in paper.glazes(where, size, 1500):
+        assert not (plain.picture.rgba == plain.picture.rgba[:, ::-1]).all()
+
+
+def test_far_ranges_wear_the_season() -> None:
+    def far(season: str) -> list[int]:
+        made = scroll.make(None, Ink.of({"specimen": "range", "season": season, "paper": False}), Progress())
+        pixels = flat.picture(scroll.whole(made), width=300).rgba[..., :3].reshape(-1, 3).astype(int)
+        red, _, blue = pixels[pixels.sum(1) < 740].mean(0)
+        return [int(np.sign(round(red - blue)))]
+
+    assert [far(s) for s in ("summer", "autumn", "winter")] == [[0], [1], [-1]]
