@@ -88,6 +88,25 @@ def knit_styles() -> None:
     rows(made, 300).save(HERE / "pictures" / "knit-styles.jpg", quality=85, optimize=True)
 
 
+def knit_techniques() -> None:
+    """A portrait in intarsia; hills at evening in four yarns, two in a row; a jacquard's two sides."""
+    from skimage import data
+
+    with tempfile.TemporaryDirectory() as folder:
+        portrait = Path(folder) / "portrait.png"
+        Image.fromarray(data.astronaut()[:420, 60:400]).save(portrait)
+        fells = EXAMPLES / "knit" / "fells.jpg"
+        fixed = "--stitches 80 --gauge 24x32"
+        lines = [
+            f"knit {portrait} {fixed} --technique intarsia -o {{out}}.fabric.png",
+            f"knit {fells} {fixed} --yarns 4 -o {{out}}.fabric.png",
+            f"knit {fells} {fixed} --technique jacquard -o {{out}}.fabric.png",
+            f"knit {fells} {fixed} --technique jacquard -o {{out}}.back.png",
+        ]
+        made = [picture(line) for line in lines]
+    rows([made[:2], made[2:]], 450).save(HERE / "pictures" / "knit-techniques.jpg", quality=85, optimize=True)
+
+
 def rows(made: list[list[Image.Image]], width: int, gap: int = 10) -> Image.Image:
     """Rows of pictures, each ``width`` wide."""
     fitted = [
@@ -140,7 +159,12 @@ if __name__ == "__main__":
     for entry in PICTURES:
         if not wanted or entry[0] in wanted:
             make(*entry)
-    for name, draw in (("knit-examples.jpg", knit_examples), ("knit-styles.jpg", knit_styles)):
+    knitted = {
+        "knit-examples.jpg": knit_examples,
+        "knit-styles.jpg": knit_styles,
+        "knit-techniques.jpg": knit_techniques,
+    }
+    for name, draw in knitted.items():
         if not wanted or name in wanted:
             draw()
     for name, commands in STRIPS:
