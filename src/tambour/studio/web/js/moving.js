@@ -4,7 +4,7 @@ import { Stage } from "./gl/stage.js";
 import { Painter } from "./ink/tiles.js";
 import { unpack } from "./pack.js";
 import { night } from "./theme.js";
-import { ask, bytes } from "./wire.js";
+import { ask, bytes, patiently } from "./wire.js";
 
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -14,7 +14,7 @@ export function moving(canvas, craft, example) {
   /** @type {(() => void)[]} */
   const ends = [() => stop.abort()];
   const begin = async () => {
-    const pack = async () => unpack(await bytes(`/api/examples/${craft}/${encodeURIComponent(example)}/live.pack`, stop.signal));
+    const pack = async () => unpack(await patiently(() => bytes(`/api/examples/${craft}/${encodeURIComponent(example)}/live.pack`, stop.signal)));
     const { step, free } = craft === "ink" ? await scroll(canvas, example, stop.signal) : craft === "knit" ? chart(canvas, await pack()) : strands(canvas, await pack(), craft === "embroidery");
     if (stop.signal.aborted) return free();
     ends.push(free);
