@@ -9,7 +9,7 @@ import skia
 from PIL import Image
 
 from tambour import files
-from tambour.core.errors import TambourError
+from tambour.core.errors import TambourError, Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.printed.choose import read
 
@@ -127,3 +127,21 @@ def test_a_scan_is_refused_in_one_line(tmp_path):
     (tmp_path / "not.docx").write_text("no archive")
     with pytest.raises(TambourError, match="damaged, or of another kind"):
         files.read(tmp_path / "not.docx", ("Text",))
+
+
+def test_a_text_with_its_picture_becomes_a_page_and_pages_of_pdf(tmp_path):
+    lines = [
+        "✓ Rnd 1: 6 sc in MR (6)",
+        "  It is <small>. " + "Very much so, and on it goes. " * 8,
+        "      ? a doubt",
+        "",
+        *["  row"] * 60,
+    ]
+    text = Text("\n".join(lines), "ball.txt", ((30, photo()),))
+    files.write(text, tmp_path / "ball.html")
+    files.write(text, tmp_path / "ball.pdf")
+    page = (tmp_path / "ball.html").read_text()
+    assert "&lt;small&gt;" in page and page.count("data:image/") == 1
+    back = files.read(tmp_path / "ball.pdf", ("Text",)).text
+    plain = [one.replace("✓", " ").replace("?", " ").split() for one in (back, text.text)]
+    assert plain[0] == plain[1]

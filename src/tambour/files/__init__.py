@@ -80,6 +80,7 @@ WRITE: dict[tuple[str, str], str] = {
     (".img", "Chart"): "brother:write_disk",
     (".svg", "Drawing"): "svg.write:write_drawing",
     (".pdf", "Drawing"): "pdf:write_drawing",
+    (".pdf", "Text"): "typeset:write_text",
     (".hpgl", "Drawing"): "hpgl:write_drawing",
     (".plt", "Drawing"): "hpgl:write_drawing",
     **{(suffix, "Drawing"): "picture:write_drawing" for suffix in _PIXELS},

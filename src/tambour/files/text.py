@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from base64 import b64encode
 from html import escape
 from itertools import groupby
 from pathlib import Path
@@ -46,15 +47,16 @@ def write_text(value: Text, sink: Sink) -> None:
 
 
 def write_html(value: Text, sink: Sink) -> None:
-    """A page of its own for a text in Markdown: headings, lists and paragraphs; every character of it is text."""
+    """A page of its own for a text in Markdown: headings, lists and paragraphs; every character of it is text. Its pictures stand below their paragraphs."""
     title = escape(next((line.lstrip("# ") for line in value.text.split("\n") if line.strip()), sink.path.stem))
     out = [
         '<!doctype html>\n<html><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">',
         f"<title>{title}</title>",
         "<style>body{max-width:45em;margin:2em auto;padding:0 1em;font:1em/1.5 sans-serif}</style></head><body>",
     ]
-    for block in re.split(r"\n\s*\n", value.text):
-        for kind, group in groupby(filter(str.strip, block.split("\n")), _kind):
+    photos = sorted(value.photos, key=lambda photo: photo[0])
+    for block in re.finditer(r"(?:[^\n]*\S[^\n]*(?:\n|$))+", value.text):
+        for kind, group in groupby(filter(str.strip, block[0].split("\n")), _kind):
             lines = [escape(line.lstrip("#- ") if kind else line) for line in group]
             if kind == "li":
                 out.append("<ul>" + "".join(f"<li>{line}</li>" for line in lines) + "</ul>")
@@ -62,7 +64,15 @@ def write_html(value: Text, sink: Sink) -> None:
                 out += [f"<{kind}>{line}</{kind}>" for line in lines]
             else:
                 out.append("<p>" + "<br>\n".join(lines) + "</p>")
+        while photos and photos[0][0] < block.end():
+            out.append(f'<p><img style="max-width:100%" src="{_shown(photos.pop(0)[1])}" alt=""></p>')
     sink.put("\n".join([*out, "</body></html>\n"]).encode())
+
+
+def _shown(photo: bytes) -> str:
+    """A picture as an address that holds it."""
+    kind = "png" if photo.startswith(b"\x89PNG") else "gif" if photo.startswith(b"GIF") else "jpeg"
+    return f"data:image/{kind};base64,{b64encode(photo).decode()}"
 
 
 def _kind(line: str) -> str:

@@ -26,7 +26,7 @@ def view(piece: Plush) -> Text:
 
 
 def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
-    """Every line of the source as it stands, a sign before it in the margin, and under it what is to be said of it.
+    """Every line of the source as it stands, with her pictures, a sign before it in the margin, and under it what is to be said of it.
 
     size_mm : width, height, depth of the piece, against which a stated size is held
     """
@@ -40,12 +40,18 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
             under.setdefault(at, []).append((sign, problem))
     wrong = {at for at, said in under.items() if any(sign == DOUBT for sign, _ in said)}
     stated = {text.place(w.line.stated_span.start)[0] for w in built.worked if w.line.stated_span is not None}
-    lines = []
+    lines: list[str] = []
+    photos = sorted(text.photos, key=lambda photo: photo[0])
+    kept: list[tuple[int, bytes]] = []
+    at = 0  # characters of the source so far
     for number, line in enumerate(text.text.rstrip("\n").split("\n"), 1):
         sign = DOUBT if number in wrong else TICK if number in stated else ""
         lines.append(f"{sign:<{_WIDE}}{line}".rstrip())
+        at += len(line) + 1
+        while photos and photos[0][0] < at:
+            kept.append((sum(len(one) + 1 for one in lines) - 1, photos.pop(0)[1]))
         for mark, problem in under.get(number, []):
             lines.append(f"{'':<{_WIDE}}    {mark} {problem.message}" + (f" ({problem.hint})" if problem.hint else ""))
     counts = sum(w.line.stated is not None for w in built.worked)
     lines += ["", f"{len(built.rounds)} rounds worked, {counts} stated counts checked, {len(found)} doubts"]
-    return Text("\n".join(lines) + "\n", text.name)
+    return Text("\n".join(lines) + "\n", text.name, tuple(kept))
