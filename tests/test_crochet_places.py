@@ -10,6 +10,7 @@ from tambour.crochet.finish.joining import prepare
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
+from tambour.crochet.page.instructions import instructions
 from tambour.crochet.places.names import Made, mentions
 from tambour.crochet.places.said import clauses, where
 from tambour.crochet.printed.pattern import read_printed
@@ -288,6 +289,7 @@ def test_what_is_flat_by_its_name_is_not_filled_unless_it_is_said():
     pattern = toy("Sew the ears to the head. Sew the arms to the body.", **{"EAR (make 2)": CUP, "ARM (make 2)": CUP})
     filled = {part.name: part.stuffing for part in pattern.parts}
     assert filled["EAR"] == 0.0 and filled["ARM"] is None
+    assert "stuff" not in instructions(build(pattern)).text.lower()  # a guess is not printed as her word
     pattern = toy("Sew the ears to the head.", **{"EAR (make 2)": f"{CUP}Stuff lightly.\n"})
     assert {part.name: part.stuffing for part in pattern.parts}["EAR"] != 0.0
 

@@ -140,6 +140,7 @@ class Section:
     copies : ``(make N)``
     centroids, stuffing, initializer, up, tip_from_fo : the parameters that are understood (None: not given)
     other : every other parameter, as text
+    guessed : its stuffing is our guess by its name, which is never printed as the pattern's word
     """
 
     name: str
@@ -153,6 +154,7 @@ class Section:
     up: str | None = None
     tip_from_fo: bool = True
     other: Mapping[str, str] = field(default_factory=dict)
+    guessed: bool = False
 
 
 @dataclass(frozen=True, slots=True)

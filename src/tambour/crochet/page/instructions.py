@@ -350,7 +350,7 @@ class _Writer:
         return name
 
     def _stuffing(self, section: Section) -> list[str]:
-        if section.stuffing is None:
+        if section.stuffing is None or section.guessed:
             return []
         amount = next((w for w, factor in STUFFING.items() if factor == section.stuffing), None)
         if amount is not None:

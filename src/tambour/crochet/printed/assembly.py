@@ -100,7 +100,12 @@ def told(found: Assembled) -> str:
 def with_places(pattern: Pattern, found: Assembled) -> Pattern:
     """The pattern with its parts standing as the assembly asks, and those flat that nobody fills."""
     parts = tuple(
-        replace(p, up=found.ups.get(p.name, p.up), stuffing=0.0 if p.name in found.unstuffed else p.stuffing)
+        replace(
+            p,
+            up=found.ups.get(p.name, p.up),
+            stuffing=0.0 if p.name in found.unstuffed else p.stuffing,
+            guessed=p.name in found.unstuffed,
+        )
         for p in pattern.parts
     )
     return replace(pattern, parts=parts)
