@@ -37,7 +37,7 @@ class Book:
     def __init__(self, piece: Plush) -> None:
         params = piece.params
         self.piece, self.album = piece, Album(piece)
-        self.said: Words = words(piece.built, params.terms)
+        self.said: Words = words(piece.built, params.terms, exact=False)
         self.code = self.said.terms.code
         self.hers = hers(piece.built.pattern, self.code)
         self.spoken = Spoken(piece.built, self.said.terms)

@@ -8,6 +8,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Pattern
+from tambour.crochet.page.instructions import by_people
 from tambour.crochet.words.table import TERMS
 
 _HEAD: Final = re.compile(r"^[\s#*_=|]*(.*?)[\s*_=:|]*$")
@@ -73,8 +74,8 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     terms = TERMS.get(pattern.terms)
     if terms is None or pattern.terms != code:
         return None
-    if f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" in text:
-        return None  # printed by tambour
+    if not by_people(pattern):
+        return None
     made = Hers()
     spoken = [s.lower() for name in _LISTED for s in (terms.word(name), name)]
     listed = {*_MORE, *spoken}

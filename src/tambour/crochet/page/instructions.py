@@ -112,17 +112,18 @@ class Words:
 
 def view(piece: Plush) -> Text:
     """The pattern of a piece as a printed text, in the words that its params ask for."""
-    return instructions(piece.built, piece.params.terms)
+    return instructions(piece.built, piece.params.terms, exact=not by_people(piece.built.pattern))
 
 
-def instructions(piece: Built | Pattern, terms: str | None = None) -> Text:
+def instructions(piece: Built | Pattern, terms: str | None = None, *, exact: bool = True) -> Text:
     """The pattern as a printed text, Markdown that is good to read as it is.
 
     terms : code of the words (:data:`TERMS`); None for those that the pattern is written in, else US terms
 
-    Reading it again gives the same graph and the same finishing.
+    exact : places by their numbers, and all that was guessed, so that reading it again gives the same graph and the same
+        finishing; else as a person says them, without the guesses
     """
-    made = words(piece, terms)
+    made = words(piece, terms, exact=exact)
     word = made.terms.word
     lines = [f"# {made.title}", ""] if made.title else []
     if made.materials or made.colors:
@@ -148,13 +149,21 @@ def instructions(piece: Built | Pattern, terms: str | None = None) -> Text:
     return Text("\n".join(lines).rstrip("\n") + "\n", name)
 
 
-def words(piece: Built | Pattern, terms: str | None = None) -> Words:
+def by_people(pattern: Pattern) -> bool:
+    """Whether a pattern's text was written by people, and neither in tambour's language nor printed by it."""
+    terms = TERMS.get(pattern.terms)
+    return (
+        terms is not None and f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" not in pattern.text.text
+    )
+
+
+def words(piece: Built | Pattern, terms: str | None = None, *, exact: bool = True) -> Words:
     """The words of a pattern in the parts that a page sets apart; see :func:`instructions`."""
     built = build(piece) if isinstance(piece, Pattern) else piece
     code = terms or built.pattern.terms or "us"
     if code not in TERMS:
         raise TambourError(f'there are no terms "{code}"', hint=f"one of {', '.join(TERMS)}", where="{--terms}")
-    return _Writer(built, TERMS[code]).words()
+    return _Writer(built, TERMS[code], exact).words()
 
 
 def _sews(line: Written) -> bool:
@@ -183,7 +192,8 @@ def _takes_color(written: list[Written]) -> bool:
 class _Writer:
     """Writes one pattern in one language."""
 
-    def __init__(self, built: Built, terms: Terms) -> None:
+    def __init__(self, built: Built, terms: Terms, exact: bool) -> None:
+        self.exact = exact
         self.built, self.terms, self.pattern = built, terms, built.pattern
         self.sections = list(sections(built))
         copies = {s.name: s.copies for s in self.pattern.parts if s.name}
@@ -234,7 +244,12 @@ class _Writer:
                 seams[:0] = [row.words for row in self._alone(written.pop(), True)]
             index = self.built.parts[part].section
             parts.append(self._section(section, part, index, written, self.begins[index]))
-        finish = [self._sentence(self.phrases.finish(record)) for record in self.pattern.finish]
+        if not self.exact:
+            from tambour.crochet.page.placed import Spoken
+
+            finish = Spoken(self.built, self.terms)(self.pattern.finish)
+        else:
+            finish = [self._sentence(self.phrases.finish(record)) for record in self.pattern.finish]
         special = self._special()
         materials = [f"{self.terms.word(key)}: {said}" for key in _STATED if (said := self._stated(key))]
         colors = [
@@ -350,7 +365,7 @@ class _Writer:
         return name
 
     def _stuffing(self, section: Section) -> list[str]:
-        if section.stuffing is None or section.guessed:
+        if section.stuffing is None or (section.guessed and not self.exact):
             return []
         amount = next((w for w, factor in STUFFING.items() if factor == section.stuffing), None)
         if amount is not None:
