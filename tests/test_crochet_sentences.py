@@ -145,3 +145,72 @@ def test_a_part_begins_below_notes_and_lists(above: str) -> None:
 def test_nothing_that_names_a_place_is_lost() -> None:
     """A sentence of a round with a word that is not known is told, also where it holds neither a number nor a stitch."""
     assert made(f"{BALL}Rnd 3: Zigzag around next st. 1 sc in each of next 11 sc.\n")[1]
+
+
+MORE_ROUNDS = [
+    ("Slip st in next 2 sc, sc in each st across - 2 slip sts, 10 sc", [12]),
+    ("(Sc, ch 2, sc) in next sc, sc in next 2 sc, *(sc, ch 2, sc) in next sc, sc in next 2 sc; rep from * 3 times; join with slip st in first sc - 16 sc and 4 ch-2 sps", [24]),
+    ("Sc in next 6 sc, 2 dc in next sc, sc in next 5 sc - 11 sc and 2 dc", [13]),
+    ("Ch 1, sc in each st around, inc 4 sts evenly spaced - 16 sc", [16]),
+    ("Sc in each sc around, dec 3 sc evenly spaced around. 9 sc", [9]),
+    ("1 sc in each sc around, inc 6 sc evenly around. 18 sc", [18]),
+    ("Working through both thicknesses, sc in each st across. Fasten off", None),
+    ("Flatten piece and work through both thicknesses, sc evenly across to seam", None),
+    ("Flatten opening; working through both thicknesses, sc in each st across to close lower edge - 6 sc", None),
+    ("3-dc bobble in next st, sc in each of next 11 sts", [12]),
+    ("Sc in next st, 3-hdc popcorn in next sc, sc in next 10 sc - 12 sts", [12]),
+    ("5-dc cluster in next st, sc in each of next 11 sts", [12]),
+    ("Sc in each of first 6 sc and next 6 sc", [12]),
+    ("Sc in first sc and next 5 sc, dc in next sc and last 5 sc", [12]),
+    ("Ch 3 (counts as dc). Working in front loops only, 1 dc in first sc. 2 dc in each sc around. Join. 24 dc", [24]),
+    ("Sc in next st, sc in next st, change to E and work tr in same st, change to D and sc in each of next 10 sts. 13 sts", [13]),
+    ("With CB, sc in each st around", [12]),
+    ("With 2 strands of A, sc in each st around", [12]),
+    ("Sc in each ch and sc around", [12]),
+    ("Sc in each of next 6 sc.\n1 sc in each sc around.\nJoin with sl st to first sc. 12 sc", [12]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("said", "edges"), MORE_ROUNDS)
+def test_a_round_as_printed_by_others(said: str, edges: list[int] | None) -> None:
+    found, unread = made(f"{BALL}Rnd 3: {said}.\n")
+    assert unread == []
+    assert edges is None or found[2:] == edges
+
+
+OPENED = [
+    "Antennae (make 2) With B, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n",
+    "EARS (make 2 alike) See diagram on page 4. With B, ch 2. 1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n",
+    "Rnd 3: Sc in each sc around. Fasten off. EARS (make 2) With B, ch 2. 1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n",
+    "Comb (top of head): With B, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n",
+    "FOOT AND LEG (make 2) Beginning at foot, with G, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n",
+]
+
+
+@pytest.mark.parametrize("said", OPENED)
+def test_a_part_begins_in_the_middle_of_a_line(said: str) -> None:
+    pattern = read(Text(f"{BALL}\n{said}2nd rnd: 2 sc in each sc. 12 sc.\n", "toy.txt"))
+    assert pattern.unread == ()
+    assert [p.copies for p in pattern.parts] == [1, 1 if "Comb" in said else 2]
+    assert [w.edge for w in build(pattern).worked if w.line.in_round][-2:] == [6, 12]
+
+
+def test_both_sides_of_a_chain_hold_what_the_count_says() -> None:
+    first = "Sc in 2nd ch from hook and next 5 ch; working along opposite side of foundation ch, sc in next 6 ch; join"
+    other = "Sc in 2nd ch from hook and in each ch across to last ch, 2 sc in last ch; working across opposite side of foundation ch, sc in next sc and in each sc across"
+    assert made(f"Toy\n\nEAR\nWith C, ch 7.\nRnd 1: {first} - 12 sc.\n") == ([12], [])
+    assert made(f"Toy\n\nFOOT\nWith C, ch 11.\nRnd 1: {other} - 20 sc.\n") == ([20], [])
+    joined = "Beginning at bottom, with A, ch 20; join with slip st in first ch to form a ring.\n"
+    assert made(f"Toy\n\nLEG\n{joined}Rnd 1: Sc in 2nd ch from hook and in each ch around - 20 sc.\n") == ([20], [])
+
+
+def test_an_alarm_stands_on_sure_ground() -> None:
+    """Rows that end early leave an edge that no count is held against; a count far off is no alarm, but told."""
+    rows = "Toy\n\nFLAP\nWith A, ch 21.\nRow 1: Sc in 2nd ch from hook and in each ch across. Turn. 20 sc.\nRow 2: Ch 1. Sc in next 8 sc. Turn. Leave rem sts unworked.\n"
+    pattern = read(Text(f"{rows}Row 3: Ch 1. Sc2tog, sc in each sc across. Turn. 7 sc.\n", "toy.txt"))
+    assert not [w for w in build(pattern).warnings if "the pattern says" in w.message]
+    far = read(Text(f"{BALL}Rnd 3: Sc in each sc around. (40)\n", "toy.txt"))
+    assert not [w for w in build(far).warnings if "the pattern says" in w.message]
+    assert far.unread and far.text.place(far.unread[0].span.start)[0] == 6
+    near = read(Text(f"{BALL}Rnd 3: Sc in each sc around. (13)\n", "toy.txt"))
+    assert [w for w in build(near).warnings if "the pattern says" in w.message]

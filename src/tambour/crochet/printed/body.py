@@ -5,17 +5,16 @@ from __future__ import annotations
 from typing import Final
 
 from tambour.core.errors import Span
-from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import where
-from tambour.crochet.printed.colors import LETTERS, Palette
+from tambour.crochet.printed.colors import LETTERS
 from tambour.crochet.printed.counts import closing, count, counted_at, ends_with_number, makes
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import BETWEEN, by_hand, doing, drawn_tight
 from tambour.crochet.printed.reader import Body, Reader
 from tambour.crochet.printed.references import even_rounds, refers
 from tambour.crochet.printed.repeats import bracket, led, repeated, star
-from tambour.crochet.printed.stitch import room, standing, stitch
+from tambour.crochet.printed.stitch import bump, room, spread, standing, stitch
 from tambour.crochet.printed.tokens import Token
 
 _LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
@@ -47,6 +46,11 @@ _LAST: Final = frozenset(("end", "ending", "ends"))
 _COURSE: Final = frozenset(
     ("spiral", "spirals", "continuous", "joined", "pattern", "sequence", "rounds", "rows", "turned")
 )
+_FLAT: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "press"))
+_PIECES: Final = frozenset(
+    ("pieces", "halves", "both pieces", "front", "inner", "outer", "sleeve", "cuff", "motifs", "first", "second")
+)
+_ENDED_SO: Final = frozenset(("seam", "attach", "finish", "secure", "complete", "cover", "shape"))
 _STRANDS: Final = frozenset(("strand", "strands", "length", "lengths", "double", "separate"))
 _HOOKS: Final = frozenset(("smaller", "larger", "size", "small", "large", "hook"))
 
@@ -73,6 +77,8 @@ class Walk(Reader):
             before = (body.stated, body.stated_span, body.rounds, body.sides)
             try:
                 self.items(body.items, _ENDS)
+                if self.before is not None:
+                    raise NotUnderstood(c.tokens[c.at - 1], "what goes in this place is not said", "say which stitches")
             except NotUnderstood as wrong:
                 body.wrong = body.wrong or wrong
                 del body.items[made:]
@@ -165,9 +171,13 @@ class Walk(Reader):
         elif token.kind == "number" and isinstance(token.value, int):
             self.number(found, token)
         elif token.kind == "stitch":
-            stitch(self, found, None)
+            if not spread(self, found):
+                stitch(self, found, None)
         elif token.kind == "key":
             self.key(found, token)
+        elif token.word in _FLAT:
+            while c.look() is not None and not c.mark(",", ".", ";") and not c.key("thicknesses"):
+                c.at += 1  # "flatten piece and work through both thicknesses"
         elif token.word in _PARTED:
             self.to_separator("and")  # "Break B", "Drop MC": what comes next says the yarn that goes on
         elif token.word == "pick" and self.palette.letter(c, c.at + 1) is not None:
@@ -211,6 +221,16 @@ class Walk(Reader):
     def number(self, found: list[Item], token: Token) -> None:
         """A number: of stitches, of repeats, or of rounds."""
         c = self.c
+        if (
+            c.mark("-", ahead=1)
+            and c.kind("stitch", 2)
+            and c.kind("stitch", 3)
+            and (named := bump(c.look(3), token.value))
+        ):
+            c.at += 3  # "3-hdc popcorn"
+            c.tokens[c.at] = Token("stitch", named, token.start, c.tokens[c.at].end, named)
+            stitch(self, found, None)
+            return
         ahead = 1
         while c.mark("x", "*", ahead=ahead) or c.key("times", ahead=ahead):
             ahead += 1
@@ -251,7 +271,11 @@ class Walk(Reader):
         """A clause that begins with a word of the pattern's own trade."""
         c, word = self.c, token.value
         c.at += 1
-        if word == "ring":
+        if word == "around" and c.key("side"):
+            self.other_side(found)
+        elif word == "in" and c.key("thicknesses"):
+            self.folding(found, c.take())
+        elif word == "ring":
             self.ring = token
             if c.mark("(") and c.whole(1) is not None and c.mark(")", ahead=2):
                 del c.tokens[c.at + 2], c.tokens[c.at]
@@ -290,7 +314,7 @@ class Walk(Reader):
                 self.before = place
         elif word == "with" and c.key("ring"):
             pass  # "begin using magic ring method"
-        elif word == "turn" and (c.key("side") or c.key("side", ahead=1)):
+        elif word == "turn" and self.side_ahead():
             self.other_side(found)
         elif word == "turn":
             found.append(Action("turn", token.span))
@@ -315,7 +339,7 @@ class Walk(Reader):
             c.skip_key("around")
             found.append(Group((Action("sc", token.span),), None, token.span))
         elif word == "thicknesses":
-            raise NotUnderstood(token, "both layers are not known here", "say how many stitches close the opening")
+            self.folding(found, token)
         elif (
             word in ("repeat", "as", "same")
             or (word == "from" and c.mark("**", "***"))
@@ -326,6 +350,8 @@ class Walk(Reader):
         elif word == "for" and c.whole() is not None:
             self.body.rounds = (c.whole() or 0, c.take().span)
             c.at += 1
+        elif word == "to" and (c.key("close", "join", "form") or (c.look() is not None and c.look().word in _ENDED_SO)):  # type: ignore[union-attr]
+            self.to_separator()  # "to close lower edge", "to seam"
         elif word == "count" or (word == "not" and c.key("count")):
             if word == "count":
                 standing(found)
@@ -341,6 +367,23 @@ class Walk(Reader):
             raise NotUnderstood(
                 token, f'"{token.word}" is not understood here', "a stitch, a number or a repeat is wanted"
             )
+
+    def folding(self, found: list[Item], token: Token) -> None:
+        """Stitches go through both layers of the edge, which lies flat: they close it."""
+        if any(t.word in _PIECES for t in self.c.tokens):
+            raise NotUnderstood(token, "two pieces are not joined here", "say how many stitches the round has")
+        found.append(Action("fold", token.span))
+        while self.c.look() is not None and not self.c.mark(",", ".", ";") and not self.c.kind("stitch"):
+            self.c.at += 1
+
+    def side_ahead(self) -> bool:
+        """Whether the clause at the cursor speaks of the other side: "turn to work along opposite side of chain"."""
+        ahead = 0
+        while self.c.look(ahead) is not None and not self.c.mark(",", ".", ";", "(", "[", ahead=ahead):
+            if self.c.key("side", ahead=ahead):
+                return True
+            ahead += 1
+        return False
 
     def again(self, found: list[Item], token: Token) -> None:
         """``repeat Rnd 4``, ``as Rnds 2-3 of Head``, or a repeat of all that was said."""
@@ -449,26 +492,3 @@ class Walk(Reader):
         if c.key("in", "to") and c.key("last", ahead=1):  # "change to B in last st of Row 8"
             self.to_separator()
         return True
-
-
-def count_in(tokens: list[Token], stitches: dict[str, Stitch], palette: Palette) -> Token | None:
-    """The count that a round states, wherever it stands in words that are not understood; None where none is stated."""
-    found: Token | None = None
-    walk = Walk(tokens, stitches, palette)
-    for at, token in enumerate(tokens):
-        before = tokens[at - 1] if at else None
-        if token.kind != "number" or not isinstance(token.value, int) or before is None or not token.value:
-            continue
-        walk.c.at = at
-        if before.word in ("-", "=", ".", ";") or (before.kind == "key" and before.value in ("join", "turn", "around")):
-            if ends_with_number(walk, 0) and (
-                before.word in "-=" or walk.c.kind("stitch", 1) or walk.c.key("stitch", ahead=1)
-            ):
-                found = token
-        elif before.word in OPEN:
-            walk.c.at = at - 1
-            try:
-                found = token if counted_at(walk, closing(walk)) else found
-            except NotUnderstood:
-                continue
-    return found

@@ -78,6 +78,8 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
                 final = final or token.value == "last"
             elif token.value == "same" and not placed:
                 kind = "same"
+            elif token.value == "and" and placed and each and c.kind("stitch", 1) and c.key("around", ahead=2):
+                c.at += 1  # "in each ch and sc around"
             elif token.value == "stitch" and (inside or each or kind) and not placed:
                 placed = True
             elif token.value == "space" and (inside or each or kind) and not placed:

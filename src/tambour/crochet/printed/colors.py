@@ -9,7 +9,7 @@ from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.shades import listed, said, shade
 
 # Letters without a meaning of their own get these, one after the other.
-LETTERS: Final = ("mc", "cc", "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k")
+LETTERS: Final = ("mc", "cc", "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "ca", "cb", "cd", "ce", "c1", "c2")
 _SHADES: Final[tuple[RGB, ...]] = (
     (176, 134, 92),
     (245, 235, 210),

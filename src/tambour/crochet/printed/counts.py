@@ -37,6 +37,9 @@ def ends_with_number(r: Reader, ahead: int) -> bool:
         return False
     ahead += named
     while (token := c.look(ahead)) is not None:
+        if c.key("and", ahead=ahead) and (more := _and_more(r, ahead)) is not None:
+            ahead = more
+            continue
         if (token.kind == "key" and token.value in _TAIL) or token.word in _TAIL_WORDS:
             if token.value == "in" and not (
                 c.key("total", "round", "row", "each", ahead=ahead + 1) or c.look(ahead + 1) is None
@@ -90,14 +93,8 @@ def count(r: Reader, found: list[Item]) -> bool:
     c.at += sign
     if c.mark("*", "**", ahead=1) and c.kind("stitch", 2):
         return False
-    _state(r, c.take())
-    if c.kind("stitch") and c.look().value in ("slst", "ch"):  # type: ignore[union-attr]
-        ahead = 1  # "2 slip sts, 49 sc"
-        while c.mark(",", "&", ahead=ahead) or c.key("and", ahead=ahead):
-            ahead += 1
-        if c.whole(ahead) is not None and c.kind("stitch", ahead + 1) and c.look(ahead + 1).value != "ch":  # type: ignore[union-attr]
-            c.at += ahead
-            _state(r, c.take())
+    begin = c.take()
+    r.body.stated, r.body.stated_span = _listed(r, begin.value), begin.span
     while (
         c.look() is not None
         and not c.mark(".", "(", "[", ";", "*", "**")
@@ -125,6 +122,23 @@ def makes(item: Item) -> bool:
             "goto",
         )
     return any(map(makes, item.items))
+
+
+def _listed(r: Reader, first: int) -> int:
+    """All the stitches of a count that lists kinds, its first number being taken: "2 sl sts, 49 sc", "12 sc and 4 ch-2 sps"."""
+    c = r.c
+    total = 0 if c.kind("stitch") and c.look().value == "ch" else first  # type: ignore[union-attr]
+    ahead = c.kind("stitch") + (c.kind("stitch") and c.key("stitch", ahead=1))
+    while ahead and (c.mark(",", "&", "/", ahead=ahead) or c.key("and", ahead=ahead)):
+        ahead += 1
+        if c.key("and", ahead=ahead):
+            ahead += 1
+        many, kind = c.whole(ahead), c.look(ahead + 1)
+        if many is None or kind is None or kind.kind != "stitch":
+            break
+        total += many if kind.value not in ("ch", "skip", "picot") else 0
+        ahead += 2 + c.key("stitch", ahead=ahead + 2)
+    return total or first
 
 
 def slips(item: Item) -> bool:

@@ -135,9 +135,12 @@ def decided(
         said = phrases.item(words)
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
+    usual = frozenset(("places",)) if source.each else frozenset()
+
     def read(choices: frozenset[str] = frozenset()) -> Body:
+        choices = choices ^ usual
         walk = Walk(list(tokens), source.stitches, palette, choices, phrase)
-        walk.standing = source.standing
+        walk.standing, walk.edge = source.standing, edge
         body = walk.read()
         if body.sides and (base := _base(body, chain)) is not None:
             along(body, base, source.stitches)
@@ -169,6 +172,8 @@ def decided(
         if body.asked and begun < 2:
             body = _second(read, body, begun, fit) or body
     body.fit = fit(body) if body.refers is None else 2
+    if body is not first and "places" in body.asked and body.stated is not None and body.fit:
+        source.each = not source.each
     for what, span in first.asked.items():
         first_way, second_way = READINGS[what]
         if body is not first and what in body.asked and what not in ("pair", "stands", "passed"):
@@ -211,8 +216,13 @@ def along(body: Body, base: int, stitches: dict[str, Stitch]) -> None:
                 made.append(item)
         return made
 
-    one, other = body.items[: body.turned], body.items[body.turned :]
-    one, other = bounded(one, base), bounded(other, base - 1)
+    one, whole = bounded(body.items[: body.turned], base), body.items[body.turned :]
+    other = bounded(whole, base - 1)
+    # The chain at the turn is worked into again on the other side where the count says so.
+    both_sides = bounded(whole, base)
+    counted = [after_all([*one, *side], stitches) == body.stated for side in (other, both_sides)]
+    if body.stated is not None and counted == [False, True]:
+        other = both_sides
     if sum(map(takes, one)) + sum(map(takes, other)) == 2 * base and one and other:
         # The chain at the turn is worked into on both its sides: as into one place.
         last, first = one[-1], other[0]
@@ -232,6 +242,12 @@ def along(body: Body, base: int, stitches: dict[str, Stitch]) -> None:
     body.items, body.turned = [*one, *other], len(one)
 
 
+def after_all(items: list[Item], stitches: dict[str, Stitch]) -> int | None:
+    """Stitches that ``items`` make, however many they are worked into."""
+    done = worked(items, 0, stitches)
+    return None if done is None else done[0]
+
+
 def reached(items: list[Item], edge: int | None, stitches: dict[str, Stitch], times: int) -> int | None:
     """Stitches on the edge after ``times`` rounds of ``items``, None when it is not known."""
     for _ in range(min(times, _MOST)):
@@ -244,7 +260,8 @@ def reached(items: list[Item], edge: int | None, stitches: dict[str, Stitch], ti
 def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch], times: int) -> int:
     """How well a body fits: 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit."""
     done = reached(body.items, edge, stitches, times)
-    if body.stated is not None and done is not None and done != body.stated:
+    wrong = body.stated is not None and done is not None and done != body.stated
+    if wrong and (times > 1 or chainless(body.items, edge, stitches) != body.stated):
         return 0
     taken = worked(body.items, edge or 0, stitches)
     if done is None or taken is None or edge is None or taken[1] in (0, edge):

@@ -81,7 +81,8 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
         end = next((k for k in range(c.at, min(c.at + 12, len(tokens))) if tokens[k].word in (")", "]", "}")), None)
         if end is not None and end + 1 < len(tokens) and tokens[end + 1].word in (":", "-", ".", "="):
             extra = tuple(tokens[c.at + 1 : end])
-            extra = () if any(t.word in _SIDES for t in extra) else extra
+            named = any(t.kind == "key" and t.value in ("round", "row") for t in extra)  # "(joining row)"
+            extra = () if named or any(t.word in _SIDES for t in extra) else extra
             c.at = end + 1
     parted = False
     while c.look() is not None and c.look().kind == "mark" and c.look().word in _AFTER:  # type: ignore[union-attr]

@@ -11,6 +11,7 @@ from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Se
 
 _ROUNDS = 60  # times that a part is worked to find the next fault
 _TRIES = 6  # times that the whole is
+_OFF = 1.8  # times the stated count that a mistake of the text is, at most
 
 
 def is_start(item: Item, stitches: dict[str, Stitch]) -> bool:
@@ -59,7 +60,9 @@ def agreed(pattern: Pattern, built: Built, sound: set[int], unread: list[Span]) 
         wrong = [
             p
             for span, p in alarms.items()
-            if _sound(pattern, span, sound) or any(_shaken(s, span, set(alarms), unread) for s in pattern.parts)
+            if _sound(pattern, span, sound)
+            or any(_shaken(s, span, set(alarms), unread) for s in pattern.parts)
+            or _unsure(built, span, set(alarms))
         ]
         firsts = {next(k for k, s in enumerate(pattern.parts) if _within(p.span, s)): p for p in reversed(wrong)}
         if not firsts:
@@ -116,6 +119,31 @@ def _shaken(section: Section, span: Span, alarms: set[Span | None], unread: list
             break
     end = section.lines[at].span.end
     return any(begin <= one.start < end for one in unread)
+
+
+def _unsure(built: Built, span: Span, alarms: set[Span | None]) -> bool:
+    """Whether the edge below a round is none that a count is held against: rows that end early or go back by slip stitches,
+    or a count so far off that words were taken for others."""
+    at = next((k for k, w in enumerate(built.worked) if w.line.stated_span == span and w.line.stated), None)
+    if at is None:
+        return False
+    one = built.worked[at]
+    stated = one.line.stated or 1
+    if not any(stated <= _OFF * n and n <= _OFF * stated for n in (one.made, one.edge)):
+        return True
+    for k in range(at, -1, -1):
+        w = built.worked[k]
+        if w.part != one.part or (k < at and w.line.stated is not None and w.line.stated_span not in alarms):
+            return False
+        names = _names(w.line.items)
+        short = w.left > 0 or "slst" in names
+        if w.line.in_round and not w.ring and short and (k < at or "turn" in names):
+            return True
+    return False
+
+
+def _names(items: tuple[Item, ...]) -> set[str]:
+    return {n for i in items for n in (_names(i.items) if isinstance(i, Group) else {i.name})}
 
 
 def _section(pattern: Pattern, section: Section) -> tuple[Section, list[Problem]]:

@@ -134,6 +134,13 @@ def copies_alone(tokens: list[Token]) -> tuple[int, Span] | None:
     return found if found is not None and (c.look() is None or c.mark(".", ":")) else None
 
 
+def copies_in(tokens: list[Token]) -> tuple[int, Span] | None:
+    """The copies that a bracket says: "(make 2 alike)"."""
+    if not any(t.kind == "key" and t.value == "make" for t in tokens[:2]):
+        return None
+    return _copies(Cursor(tokens))
+
+
 def _copies(c: Cursor) -> tuple[int, Span] | None:
     """``(make 2)``, ``x2``, ``- make two``, ``(2x)``, ``(2)`` at the cursor."""
     begin = c.at

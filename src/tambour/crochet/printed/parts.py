@@ -13,6 +13,18 @@ from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Sect
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.doubts import after, chainless, reached
 from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.items import (
+    STARTS,
+    begins_ring,
+    closes,
+    founds,
+    goes,
+    one_more,
+    skips,
+    slips_only,
+    span_of,
+    works,
+)
 from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.tokens import Token
@@ -20,7 +32,6 @@ from tambour.crochet.printed.tokens import Token
 _CLOSED = (
     8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
 )
-_STARTS = ("oval", "fsc", "goto", "attach")
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
 
 
@@ -36,7 +47,8 @@ class Draft:
     other : the count that the last round states, where it makes another
     sure : the number of stitches on its edge is known for certain; offset : its last round when numbers began at 1 again
     others : "11th and alt rows": that row, and its number
-    flat : worked in rows; parted : lists of rounds came out of order; shrunk : its last round decreased
+    spread : where lines begin that fit the round below them only;
+    flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
 
     name: str
@@ -50,6 +62,8 @@ class Draft:
     marks: list[tuple[str, int]] = field(default_factory=list)
     chain: int | None = None
     flat: bool = False
+    looped: bool = False
+    spread: set[int] = field(default_factory=set)
     parted: bool = False
     shrunk: bool = False
     stuffing: float | None = None
@@ -77,13 +91,13 @@ class Draft:
         if offs:
             self.off = offs[0].span
             items = [i for i in items if i not in offs]
-        ring = next((k for k, i in enumerate(items) if isinstance(i, Action) and _ring(source, i)), None)
+        ring = next((k for k, i in enumerate(items) if isinstance(i, Action) and begins_ring(source, i)), None)
         if ring is not None and body.lift > 1 and body.stated is not None:
             # "ch 3, 11 dc in ring. (12)": the chains count as a stitch.
             ringed = items[ring]
             assert isinstance(ringed, Action)
             if after([ringed], None, source.stitches) == body.stated - 1:
-                items[ring] = _one_more(source, ringed)
+                items[ring] = one_more(source, ringed)
         if body.ringed:
             self.drop_chain()
         if not items:
@@ -94,7 +108,7 @@ class Draft:
 
     def started(self, source: Source) -> bool:
         """Whether the part has what its rounds are worked on."""
-        return any(_founds(source, item) for line in self.lines for item in line.items) or any(
+        return any(founds(source, item) for line in self.lines for item in line.items) or any(
             line.again is not None for line in self.lines
         )
 
@@ -142,7 +156,7 @@ class Draft:
     ) -> None:
         """A line of finished items, under the numbers of its head."""
         numbers = head.numbers if head is not None else ()
-        worked = any(_works(i) for i in items)
+        worked = any(works(i) for i in items)
         said = body.rounds or ((head.many, head.span) if head is not None and head.many > 1 else None)
         alone = said is not None and len(numbers) < 2 and worked
         times = said[0] if alone and said is not None else max(1, len(numbers))
@@ -161,6 +175,7 @@ class Draft:
             self.parted = True
             made = [replace(line, number=n) for n in numbers]
         self.lines += made
+        self.spread |= {span.start} if body.spread else set()
         if worked:
             self.last = max(numbers) + (times - 1) * alone if numbers else self.last + times
         before = self.edge
@@ -179,7 +194,7 @@ class Draft:
             self.other = body.stated if edge != body.stated else None
         if worked:
             fewer = self.edge is not None and before is not None and self.edge < before
-            self.shrunk = fewer and not any(_skips(i) for i in items)
+            self.shrunk = fewer and not any(skips(i) for i in items)
         self.peak = max(self.peak, self.edge or 0)
 
     def _numbered(self, source: Source, head: Head, steady: bool) -> None:
@@ -209,11 +224,13 @@ class Draft:
         if origin is None:
             return False
         lines = origin.referred(refers)
-        if not lines:
+        if not lines or any(line.span.start in origin.spread for line in lines):
             return False
         numbers = head.numbers if head is not None else ()
         once = sum(line.times for line in lines)
         total = len(numbers) or (head.many if head is not None and head.many > 1 else once * (refers.times or 1))
+        if total > once and total % once and origin is not self and not refers.times:
+            total = once
         if refers.length is not None:
             done = self.last if refers.whole else 0
             total = max(once, round(refers.length / height) - done)
@@ -264,9 +281,9 @@ class Draft:
         while last is not None and last.again is not None:
             last = last.again.lines[-1]
         move = Action("turn" if self.flat else "join", first.span)
-        if not _closes(lines[-1]):
+        if not closes(lines[-1]):
             return (), (replace(lines[0], items=(move, *lines[0].items)), *lines[1:])
-        return (() if last is None or _closes(last) or not any(map(_works, last.items)) else (move,)), lines
+        return (() if last is None or closes(last) or not any(map(works, last.items)) else (move,)), lines
 
     def between(self, marks: tuple[str, str]) -> tuple[int, int] | None:
         """The lines from the one mark to the other; None where these marks do not stand here."""
@@ -308,7 +325,7 @@ class Draft:
     def _founded(self, source: Source, head: Head | None, body: Body, items: list[Item], span: Span) -> list[Item]:
         """``items`` without the chain or ring that the part begins with, which is put before them."""
         fresh = body.fresh
-        if (self.begun() and self.chain is None) or any(isinstance(i, Action) and i.name in _STARTS for i in items):
+        if (self.begun() and self.chain is None) or any(isinstance(i, Action) and i.name in STARTS for i in items):
             return items
         chain: Action | None = None
         if self.chain is not None:
@@ -316,11 +333,12 @@ class Draft:
         lead = [i for i in items if isinstance(i, Action) and i.name in ("color", "flo", "blo")]
         if chain is None:
             own = next((k for k, i in enumerate(items) if isinstance(i, Action) and i.name == "ch"), None)
-            if own is None or any(_works(i) for i in items[:own]):
+            if own is None or any(works(i) for i in items[:own]):
                 return self._ringed(source, items)
             chain = items[own]  # type: ignore[assignment]
             assert isinstance(chain, Action)
             rest = [i for i in items[own + 1 :] if not (isinstance(i, Action) and i.name == "join")]
+            self.looped = len(rest) < len(items) - own - 1 and not any(map(works, rest))
             self.lines.append(Line((*items[:own], chain), span, False))
             self.chain, self.edge = len(self.lines) - 1, chain.times
             turned = rest[:1] if rest and isinstance(rest[0], Action) and rest[0].name == "turn" else []
@@ -328,8 +346,9 @@ class Draft:
             if turned and len(rest) == 1:
                 return []
         elif all(isinstance(i, Action) and i.name in ("join", "color") for i in items):
+            self.looped = True
             return [i for i in items if isinstance(i, Action) and i.name == "color"]
-        if not any(_works(i) for i in items):
+        if not any(works(i) for i in items):
             return [i for i in items if i not in lead or not self.chain] if items else []
         return self._chained(source, head, body, items, fresh, chain, span)
 
@@ -338,7 +357,7 @@ class Draft:
         for k, item in enumerate(items):
             if isinstance(item, Action) and item.name in source.stitches and source.stitches[item.name].makes:
                 kind = source.stitches[item.name]
-                if kind.where == "ring" or item.times < 2 or kind.takes != 1 or any(_works(i) for i in items[k + 1 :]):
+                if kind.where == "ring" or item.times < 2 or kind.takes != 1 or any(works(i) for i in items[k + 1 :]):
                     return items
                 ring: Item = Action("mr", item.span, numbers=(item.times, 0))
                 if item.name != "sc":
@@ -360,11 +379,15 @@ class Draft:
             i for k, i in enumerate(items) if not (k < fresh and isinstance(i, Action) and i.name in ("ch", "turn"))
         ]
         items = [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "turn")]
-        first = next(i for i in items if _works(i))
+        first = next(i for i in items if works(i))
         hook = body.hook or 2
         inner = first.items[0] if isinstance(first, Group) else first
         kind = source.stitches.get(inner.name) if isinstance(inner, Action) else None
         row = head is not None and head.row
+        if self.looped:
+            body.hook = (
+                0  # "ch 70, join to form a ring. Round 1: Sc in 2nd ch from hook …": all of them are worked into
+            )
         if body.hook and chain.times - hook + 1 <= 1 and kind is not None and not row and isinstance(first, Action):
             many = kind.makes * first.times
             if many >= 3:
@@ -397,10 +420,10 @@ class Draft:
         )
         lead = items[at] if items else None
         turns = any(isinstance(i, Action) and i.name == "turn" for i in items[at : at + 3])
-        last = next((i for line in reversed(self.lines) for i in reversed(line.items) if _moves(i)), None)
+        last = next((i for line in reversed(self.lines) for i in reversed(line.items) if goes(i)), None)
         lifted = isinstance(last, Action) and last.name in ("join", "turn")
-        worked = any(_works(line_item) for line in self.lines for line_item in line.items)
-        if self.flat and worked and not turns and not lifted and (head is None or head.row) and any(map(_works, items)):
+        worked = any(works(line_item) for line in self.lines for line_item in line.items)
+        if self.flat and worked and not turns and not lifted and (head is None or head.row) and any(map(works, items)):
             return [*items[:at], Action("turn", span_of(items[at])), *items[at:]]
         if (
             isinstance(lead, Action)
@@ -422,7 +445,9 @@ class Draft:
         lines = self._sorted()
         most = MOST_AT_TIP if self.shrunk else _CLOSED
         small = self.edge is not None and 2 <= self.edge <= most and self.edge < self.peak
-        closing = self.ends == "close" or (self.off is not None and self.ends != "open" and small)
+        last = next((line.items for line in reversed(lines) if line.in_round and line.again is None), ())
+        slipped = any(isinstance(i, Group) or i.times > 2 for i in last) and all(map(slips_only, last))
+        closing = self.ends == "close" or (self.off is not None and self.ends != "open" and small and not slipped)
         if closing and not self.flat and lines:
             end = self.off or lines[-1].span
             if self.edge is not None and self.edge > MOST_AT_TIP:
@@ -444,50 +469,3 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
-
-
-def _founds(source: Source, item: Item) -> bool:
-    if isinstance(item, Group):
-        return any(_founds(source, i) for i in item.items)
-    return item.name in ("mr", "ch", "gap", *_STARTS) or _ring(source, item)
-
-
-def _ring(source: Source, action: Action) -> bool:
-    return action.name == "mr" or (action.name in source.stitches and source.stitches[action.name].where == "ring")
-
-
-def _one_more(source: Source, ring: Action) -> Action:
-    """A ring with one stitch more, of its last kind."""
-    if ring.name == "mr":
-        return replace(ring, numbers=(ring.numbers[0] + 1, 0))
-    inner = [(source.stitches[name], n) for name, n in source.stitches[ring.name].inner]
-    made = into_one([*inner[:-1], (inner[-1][0], inner[-1][1] + 1)], "ring")
-    source.stitches.setdefault(made.name, made)
-    return replace(ring, name=made.name)
-
-
-def span_of(item: Item) -> Span:
-    """The place of an item."""
-    return item.span
-
-
-def _works(item: Item) -> bool:
-    """Whether an item works stitches (chains aside)."""
-    if isinstance(item, Group):
-        return any(map(_works, item.items))
-    return item.name not in ("ch", "color", "turn", "join", "flo", "blo", "bl", "fo", "mark", "goto", "sew", "attach")
-
-
-def _skips(item: Item) -> bool:
-    return any(map(_skips, item.items)) if isinstance(item, Group) else item.name == "skip"
-
-
-def _closes(line: Line) -> bool:
-    """Whether a line ends with a join or a turn."""
-    ends = next((i for i in reversed(line.items) if _moves(i)), None)
-    return isinstance(ends, Action) and ends.name in ("join", "turn")
-
-
-def _moves(item: Item) -> bool:
-    """Whether an item is more than a choice of colour or loops, or a chain."""
-    return not isinstance(item, Action) or item.name not in ("color", "flo", "blo", "bl", "ch", "mark")

@@ -12,11 +12,12 @@ from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import MOST
 from tambour.crochet.language.tree import Action, Again, Group, Line, Pattern
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
-from tambour.crochet.printed.body import count_in
+from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import STARS, Head, heads
 from tambour.crochet.printed.mend import agreed, is_start, mended
+from tambour.crochet.printed.opening import founding, opening
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.prose import NOT_UNDERSTOOD, WRAPPED, finishing, instructs, stuffed, text_line
 from tambour.crochet.printed.reader import Body
@@ -28,6 +29,7 @@ NOTHING: Final = "this holds no crochet instructions"
 _LINES = 100  # lines of other text to a round of one that is a pattern at all
 _HOPELESS = 12  # rounds that were not understood to one that was
 _MOST = 5000  # stitches of a round that is taken from its count
+_SHORT = 12  # words of a line that only ends the round above it
 _HINTED = 20  # errors that suggestions are looked for
 
 
@@ -164,13 +166,34 @@ class Printed(State):
         if not found[0][1].strong and not self._instructs(tokens[found[0][1].end :]):
             text_line(self, row, tokens)
             return at
+        ended = 0
         for k, (begin, head) in enumerate(found):
-            if k == 0 and begin > 0:
-                raw = [t for t in row.tokens if t.end <= tokens[begin - 1].end]
-                text_line(self, Row(raw, row.start, raw[-1].end, row.marked), tokens[:begin])
+            if ended < begin:
+                self._between(row, tokens[ended:begin])
             end = found[k + 1][0] if k + 1 < len(found) else len(tokens)
+            if k + 1 < len(found) and found[k + 1][1].numbers[:1] == (1,):
+                end = self._opens(tokens, head.end, end)
+            ended = end
             self._round(head, tokens[head.end : end], tokens[begin:end])
         return at
+
+    def _between(self, row: Row, tokens: list[Token]) -> None:
+        """Words of a line before a round, or between two."""
+        raw = [t for t in row.tokens if tokens[0].start <= t.start and t.end <= tokens[-1].end] or tokens
+        text_line(self, Row(raw, raw[0].start, raw[-1].end, row.marked), tokens)
+
+    def _opens(self, tokens: list[Token], begin: int, end: int) -> int:
+        """Where in the body of a round the sentences begin that open the next part; its end where none do."""
+        at = begin
+        while at < end:
+            if opening(self.source.text.text, tokens[at : self._stop(tokens, at, end)]) is not None:
+                return at
+            at = self._stop(tokens, at, end) + 1
+        return end
+
+    def _stop(self, tokens: list[Token], at: int, end: int) -> int:
+        """Where the sentence at ``at`` stops."""
+        return next((k for k in range(at, end) if tokens[k].word in (".", "!")), end)
 
     def _wrapped(self, row: Row, after: Row) -> bool:
         """Whether a sentence of a long line goes on in the next."""
@@ -201,6 +224,12 @@ class Printed(State):
             return tokens
         if first.kind == "mark" and first.word in "([{*=":
             return tokens
+        below = self.rows[at - 1].tokens and not row.marked and not founding(tokens)
+        worked = (first.kind == "stitch" and first.value not in ("slst", "ch")) or (
+            first.kind == "number" and len(tokens) > 1 and tokens[1].kind == "stitch"
+        )
+        if below and (worked or (first.kind == "key" and first.value in ("turn", "join") and len(tokens) < _SHORT)):
+            return tokens  # the sentences of a round on lines of their own
         plain = self.source.text.text[first.start].islower() or first.kind == "number"
         if plain and first.kind == "word" and last.word not in (".", "!", "?", ":") and self.narrow(self.rows[at - 1]):
             return tokens

@@ -14,7 +14,7 @@ from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
-from tambour.crochet.printed.heads import STARS, heads
+from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.notes import (
     BELOW,
     MODES,
@@ -26,6 +26,7 @@ from tambour.crochet.printed.notes import (
     plain_name,
     stated,
 )
+from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
@@ -34,7 +35,6 @@ from tambour.crochet.yarns import hook_of
 
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
 WRAPPED: Final = 12  # lines of a paragraph
-_NEAR: Final = 4  # lines between what a piece begins with and its first round
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
 
@@ -80,7 +80,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         return
     first = tokens[0]
     names = [t for t in tokens if t.kind != "mark"]
-    listed = first.value != "eyes" or (p.mode in ("materials", "abbreviations") and not _founds(p))
+    listed = first.value != "eyes" or (p.mode in ("materials", "abbreviations") and not founds(p))
     if len(names) <= 3 and first.kind == "key" and first.value in MODES and listed:
         p.mode = MODES[first.value]
         p.below = BELOW.get(first.value, "")
@@ -239,6 +239,9 @@ def _sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
         begin = at + 1
         if starred and starred[0] and sentence:
             p.starred = mark
+        if sentence and (opened := opening(p.source.text.text, sentence)) is not None:
+            p.heading, sentence, p.mode, any_read = opened[0], sentence[opened[1] :], "", True
+            p.title = p.title or (opened[0].name, opened[0].span)
         if sentence and _sentence(p, sentence):
             any_read = True
             if p.starred and p.parts and len(p.parts[-1].lines) > (before if len(p.parts) == count else 0):
@@ -295,7 +298,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
             draft.stuffing = stuffing
         return True
     if p.mode in ("materials", "abbreviations", "notes", "assembly"):
-        if not (_founding(p, tokens) and _founds(p)):
+        if not (founding(tokens) and founds(p)):
             return False
         p.mode = ""  # the list ends where a piece begins
     if any(t.kind == "key" and t.value == "not" for t in tokens[:2]):
@@ -345,40 +348,6 @@ def _once_more(tokens: list[Token]) -> bool:
         or (t.kind == "key" and t.value in ("round", "row", "times", "more"))
         for t in tokens
     )
-
-
-def _founding(p: State, tokens: list[Token]) -> bool:
-    """Whether a sentence begins a piece: "With A, ch 9", "Beginning at tip, with 2 strands of B, ch 2"."""
-    c = Cursor(tokens)
-    ring = any(t.kind == "key" and t.value == "ring" and t.word not in ("mc", "mr") for t in tokens)
-    first = tokens[0]
-    if (
-        not (first.kind == "key" and first.value in ("with", "begin", "over", "make", "ring", "leave", "form"))
-        and first.value != "ch"
-    ):
-        return False
-    ch = next(
-        (k for k, t in enumerate(tokens) if t.kind == "stitch" and t.value == "ch" and c.whole(k + 1) is not None), -1
-    )
-    if any(t.kind == "key" and t.value in ("not", "count", "round", "row") for t in tokens):
-        return False
-    return (ring and len(tokens) < 14) or (
-        ch >= 0 and not any(t.kind == "stitch" and t.value not in ("ch", "slst") for t in tokens)
-    )
-
-
-def _founds(p: State) -> bool:
-    """Whether rounds begin at 1 in one of the next lines."""
-    seen = 0
-    for row in p.rows[p.row_at : p.row_at + 12]:
-        if row.tokens:
-            found = heads(p.vocabulary.read(row.tokens))
-            if any(head.numbers[:1] == (1,) for _, head in found):
-                return True
-            seen += 1
-            if seen > _NEAR:
-                break
-    return False
 
 
 def finishing(p: State, tokens: list[Token]) -> bool:

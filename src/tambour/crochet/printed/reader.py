@@ -32,6 +32,7 @@ class Body:
     left : sentences that were not understood, and why the first was not; doings : those that make no stitch
     asked : wordings that can be read in two ways → their place
     plain : "work 3 rnds even": so many plain rounds that follow it, each with its place
+    spread : increases or decreases are spread over the stitches of the round below, and over no others
     pending : a magic ring still wants its stitches
     fit : 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit
     """
@@ -56,6 +57,7 @@ class Body:
     asked: dict[str, Span] = field(default_factory=dict)
     plain: list[tuple[int, Span]] = field(default_factory=list)
     pending: bool = False
+    spread: bool = False
     fit: int = 2
 
 
@@ -79,6 +81,7 @@ class Reader(ABC):
         self.body = Body()
         self.ring: Token | None = None  # a magic ring that still wants its stitches
         self.before: Where | None = None  # "in next st", said before its stitches
+        self.edge: int | None = None  # stitches of the round below
         self.standing: dict[int, bool] = {}  # chains that count as a stitch, or do not, in the whole text
         self.leaves = 0  # stitches at the end that the repeat just read leaves
         self.depth = self.stars = 0  # brackets, and asterisks, that are open
@@ -109,4 +112,6 @@ class Reader(ABC):
         while c.look() is not None and not c.mark(*_STOPS) and not c.key(*keys):
             if c.key("form") and not keys:
                 break
+            if c.mark("-") and c.whole(1) is not None and (c.kind("stitch", 2) or c.key("stitch", ahead=2)):
+                break  # "join in first sc - 12 sc and 4 ch-2 sps"
             c.at += 1

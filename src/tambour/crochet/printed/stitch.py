@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Final, Literal
 
 from tambour.core.errors import Span
-from tambour.crochet.language.stitches import STANDING, Stitch, into_one
+from tambour.crochet.language.stitches import BUMPS, STANDING, Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import Where, where
 from tambour.crochet.printed.counts import makes, multiplier
@@ -49,6 +49,14 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         more = where(c)
         if more is not None and more.kind != "loops":
             more.loops, place = place.loops, more
+    if (
+        place is not None
+        and place.kind in ("joined", "first")
+        and not any(map(makes, [i for i in found if not _stands(i)]))
+    ):
+        behind = next((k for k, item in enumerate(found) if _stands(item)), None)
+        if behind is not None:  # "Ch 3. Working in back loops only, 1 dc in first sc"
+            found.append(found.pop(behind))
     if (
         place is not None
         and place.kind == "same"
@@ -103,7 +111,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     while (
         place is not None
         and (c.key("and") or c.mark(","))
-        and (c.key("in", ahead=1) or (c.key("each", ahead=1) and c.key("and")))
+        and (c.key("in", ahead=1) or (c.key("each", "next", "last", ahead=1) and c.key("and")))
     ):
         begin = c.at
         c.at += 1
@@ -112,6 +120,12 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
             c.at = begin
             break
         found += _lower(r, found, name, before, after, token, place)
+
+
+def bump(token: Token | None, loops: int) -> str:
+    """The name of a bobble, popcorn, puff or cluster of so many loops; "" where the token is none."""
+    kind = next((kind for kind in BUMPS if token is not None and token.value == kind), "")
+    return "" if not kind or not 2 <= loops <= 12 else kind if loops == BUMPS[kind][0] else f"{kind}{loops}"
 
 
 def _stands(item: Item) -> bool:
@@ -282,6 +296,12 @@ def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: 
     if len(parts) != len(flat):
         raise NotUnderstood(token, "this does not go into one stitch", "stitches only, without repeats")
     if place.kind == "same" and found:
+        held: list[Item] = []  # a change of yarn within the place
+        while found and isinstance(found[-1], Action) and found[-1].name in ("color", "flo", "blo", "bl"):
+            held.insert(0, found.pop())
+        if held and found:
+            return [*placed(r, found, inner, place, span), *held]
+        found += held
         last = found[-1]
         if isinstance(last, Action) and last.name in r.stitches and r.stitches[last.name].fits_in_one:
             kind = r.stitches[last.name]
@@ -304,6 +324,32 @@ def _flat(item: Item) -> list[Item]:
     if isinstance(item, Group) and item.times is not None and item.times <= _MOST:
         return [one for i in item.items for one in _flat(i)] * item.times
     return [item]
+
+
+def spread(r: Reader, found: list[Item]) -> bool:
+    """``1 sc in each sc around, inc 4 sts evenly spaced``: increases or decreases spread over the stitches that go around."""
+    c = r.c
+    token, number, last = c.look(), c.whole(1), found[-1] if found else None
+    group = last.items[0] if isinstance(last, Group) and last.times is None and len(last.items) == 1 else None
+    if token is None or token.value not in ("inc", "dec") or not number or not r.edge or not isinstance(group, Action):
+        return False
+    kind = "" if group.name == "sc" else group.name
+    fewest = 1 if token.value == "inc" else 2
+    if group.times != 1 or f"{kind}{token.value}" not in r.stitches or number * fewest > r.edge:
+        return False
+    made: list[Item] = []
+    for k in range(number):
+        size = (k + 1) * r.edge // number - k * r.edge // number
+        made += [Action(group.name, last.span, size - fewest)] if size > fewest else []  # type: ignore[union-attr]
+        made.append(Action(f"{kind}{token.value}", token.span))
+    found[-1:] = made
+    r.body.spread = True
+    c.at += 2
+    while (token := c.look()) is not None and (
+        token.kind == "stitch" or c.key("stitch", "around") or token.word in ("spaced", "apart")
+    ):
+        c.at += 1
+    return True
 
 
 def standing(found: list[Item]) -> None:

@@ -1,0 +1,70 @@
+"""Printed patterns, items: what one of a round does: founds a piece, works stitches, closes a round."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.source import Source
+from tambour.crochet.language.stitches import into_one
+from tambour.crochet.language.tree import Action, Group, Item, Line
+
+STARTS: Final = ("oval", "fsc", "goto", "attach")
+
+
+def founds(source: Source, item: Item) -> bool:
+    """Whether a piece of work begins with an item."""
+    if isinstance(item, Group):
+        return any(founds(source, i) for i in item.items)
+    return item.name in ("mr", "ch", "gap", *STARTS) or begins_ring(source, item)
+
+
+def begins_ring(source: Source, action: Action) -> bool:
+    """Whether an action is a magic ring."""
+    return action.name == "mr" or (action.name in source.stitches and source.stitches[action.name].where == "ring")
+
+
+def one_more(source: Source, ring: Action) -> Action:
+    """A ring with one stitch more, of its last kind."""
+    if ring.name == "mr":
+        return replace(ring, numbers=(ring.numbers[0] + 1, 0))
+    inner = [(source.stitches[name], n) for name, n in source.stitches[ring.name].inner]
+    made = into_one([*inner[:-1], (inner[-1][0], inner[-1][1] + 1)], "ring")
+    source.stitches.setdefault(made.name, made)
+    return replace(ring, name=made.name)
+
+
+def span_of(item: Item) -> Span:
+    """The place of an item."""
+    return item.span
+
+
+def works(item: Item) -> bool:
+    """Whether an item works stitches (chains aside)."""
+    if isinstance(item, Group):
+        return any(map(works, item.items))
+    return item.name not in ("ch", "color", "turn", "join", "flo", "blo", "bl", "fo", "mark", "goto", "sew", "attach")
+
+
+def skips(item: Item) -> bool:
+    """Whether an item leaves stitches out."""
+    return any(map(skips, item.items)) if isinstance(item, Group) else item.name == "skip"
+
+
+def slips_only(item: Item) -> bool:
+    """Whether an item works slip stitches, or nothing."""
+    if isinstance(item, Group):
+        return all(map(slips_only, item.items))
+    return not works(item) or item.name in ("slst", "skip")
+
+
+def closes(line: Line) -> bool:
+    """Whether a line ends with a join or a turn."""
+    ends = next((i for i in reversed(line.items) if goes(i)), None)
+    return isinstance(ends, Action) and ends.name in ("join", "turn")
+
+
+def goes(item: Item) -> bool:
+    """Whether an item is more than a choice of colour or loops, or a chain."""
+    return not isinstance(item, Action) or item.name not in ("color", "flo", "blo", "bl", "ch", "mark")

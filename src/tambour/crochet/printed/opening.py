@@ -1,0 +1,90 @@
+"""Printed patterns, openings: where a piece of work begins, with its name before it or with a chain or a ring alone."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.heads import heads
+from tambour.crochet.printed.notes import Heading, copies_in, plain_name
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Token
+
+_NEAR: Final = 4  # lines between what a piece begins with and its first round
+_LONGEST: Final = 14  # words of a sentence that begins a piece
+_WORDS: Final = 6  # of a part's name
+
+
+def founding(tokens: list[Token]) -> bool:
+    """Whether a sentence begins a piece: "With A, ch 9", "Beginning at tip, with 2 strands of B, ch 2"."""
+    if not tokens:
+        return False
+    c = Cursor(tokens)
+    first = tokens[0]
+    if first.value != "ch" and not (
+        first.kind == "key" and first.value in ("with", "begin", "over", "make", "ring", "leave", "form")
+    ):
+        return False
+    if any(t.kind == "key" and t.value in ("not", "count", "round", "row") for t in tokens):
+        return False
+    if any(t.kind == "key" and t.value == "ring" and t.word not in ("mc", "mr") for t in tokens):
+        return len(tokens) <= _LONGEST
+    chained = any(t.kind == "stitch" and t.value == "ch" and c.whole(k + 1) is not None for k, t in enumerate(tokens))
+    return chained and not any(t.kind == "stitch" and t.value not in ("ch", "slst") for t in tokens)
+
+
+def founds(p: State) -> bool:
+    """Whether rounds begin at 1 in one of the next lines."""
+    seen = 0
+    for row in p.rows[p.row_at : p.row_at + 12]:
+        if row.tokens:
+            found = heads(p.vocabulary.read(row.tokens))
+            if any(head.numbers[:1] == (1,) for _, head in found):
+                return True
+            seen += 1
+            if seen > _NEAR:
+                break
+    return False
+
+
+def opening(text: str, tokens: list[Token]) -> tuple[Heading, int] | None:
+    """The name of a part that a sentence begins with, and where what founds it stands: "Antennae (make 2) With B, ch 6"."""
+    at = 0
+    while at < len(tokens) and at <= _WORDS and _names(tokens[at]):
+        at += 1
+    if (
+        not at
+        or at == len(tokens)
+        or tokens[0].kind not in ("word", "ordinal", "key")
+        or (not tokens[0].capital and tokens[0].kind != "ordinal")
+    ):
+        return None
+    name = plain_name(text[tokens[0].start : tokens[at - 1].end])
+    copies, place = 1, None
+    if tokens[at].word in ("(", "["):
+        end = next((k for k in range(at, len(tokens)) if tokens[k].word in (")", "]")), len(tokens) - 1)
+        found = copies_in(tokens[at : end + 1])
+        if found is not None:
+            copies, place = found
+        at = end + 1
+    while at < len(tokens) and tokens[at].word in (":", ".", "-", ","):
+        at += 1
+    rest = tokens[at:]
+    if (
+        not name
+        or (rest and rest[0].value in ("ring", "form", "leave"))
+        or not (founding(rest) or (place is not None and rest and rest[0].word == "see"))
+    ):
+        return None
+    return Heading(name, Span(tokens[0].start, tokens[at - 1].end), copies, place, True, True), at
+
+
+def _names(token: Token) -> bool:
+    """Whether a token may stand in the name of a part."""
+    if token.kind == "key":
+        return (
+            token.value in ("and", "eyes", "side", "other", "last", "face", "assembly", "make", "in")
+            and token.value != "make"
+        )
+    return token.kind in ("word", "ordinal", "number") or token.word in ("/", "&", "-", "#", "'")
