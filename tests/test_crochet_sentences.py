@@ -214,3 +214,21 @@ def test_an_alarm_stands_on_sure_ground() -> None:
     assert far.unread and far.text.place(far.unread[0].span.start)[0] == 6
     near = read(Text(f"{BALL}Rnd 3: Sc in each sc around. (13)\n", "toy.txt"))
     assert [w for w in build(near).warnings if "the pattern says" in w.message]
+
+
+def test_a_count_after_a_colon_or_alone_is_no_stitches() -> None:
+    assert made(f"{BALL}Rnd 3: (2 sc in next sc, sc in next 2 sc) around: 16 sc.\n") == ([6, 12, 16], [])
+    assert made(f"{BALL}Rnd 3: Sc2tog around.\n6 sc.\n") == ([6, 12, 6], [])
+    assert made(f"{BALL}Rnd 3: Sc in next 11 sc, 2 sc in next sc (increase made).\n") == ([6, 12, 13], [])
+
+
+def test_a_count_of_what_was_not_read_is_not_worked() -> None:
+    edges, unread = made(f"{BALL}Cont as established, inc 6 sc on every following alt rnd. 24 sc.\n")
+    assert (edges, bool(unread)) == ([6, 12], True)
+
+
+def test_a_round_read_in_part_takes_the_count_below_it() -> None:
+    """Where a sentence of a round is not understood and no count bears the others out, it is told and nothing is made up."""
+    edges, unread = made(f"{BALL}Rnd 3: Sc in each sc around. Zigzag 5 dc in next gap.\n")
+    assert edges == [6, 12, 12]
+    assert unread

@@ -9,6 +9,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import into_one
 from tambour.crochet.language.tree import Action, Group, Item, Line
+from tambour.crochet.printed.tokens import Token
 
 STARTS: Final = ("oval", "fsc", "goto", "attach")
 
@@ -68,3 +69,18 @@ def closes(line: Line) -> bool:
 def goes(item: Item) -> bool:
     """Whether an item is more than a choice of colour or loops, or a chain."""
     return not isinstance(item, Action) or item.name not in ("color", "flo", "blo", "bl", "ch", "mark")
+
+
+_AFTER: Final = ("stitch", "rest", "total", "last", "round", "row", "to")
+
+
+def bare_count(tokens: list[Token]) -> Token | None:
+    """The number of a sentence that is only a count: ``36 sc``, ``18 sts at end of last rnd``; None for another sentence."""
+    words = [t for t in tokens if t.kind != "mark"]
+    first = words[0] if words else None
+    if first is None or len(words) > 8 or first.kind != "number" or not isinstance(first.value, int):
+        return None
+    rest = words[1:]
+    named = bool(rest) and (rest[0].kind == "stitch" or (rest[0].kind == "key" and rest[0].value == "stitch"))
+    plain = all(t.kind == "stitch" or (t.kind == "key" and t.value in _AFTER) or t.word in ("end", "rem") for t in rest)
+    return first if named and plain else None

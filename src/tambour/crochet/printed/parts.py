@@ -15,6 +15,7 @@ from tambour.crochet.printed.doubts import after, chainless, reached
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import (
     STARTS,
+    bare_count,
     begins_ring,
     closes,
     founds,
@@ -120,28 +121,15 @@ class Draft:
             self.chain = None
 
     def counted(self, tokens: list[Token]) -> bool:
-        """Whether a sentence is only the count of the rounds that were worked again before it ("36 sc.")."""
-        words = [t for t in tokens if t.kind != "mark"]
+        """Takes a sentence that is only a count ("36 sc.") for that of the round before it; whether it is one."""
         last = self.lines[-1] if self.lines else None
-        number = words[0].value if words else None
-        if last is None or last.again is None or last.stated is not None or not isinstance(number, int):
-            return False
-        if (
-            words[0].kind != "number"
-            or not all(
-                t.kind == "stitch"
-                or (t.kind == "key" and t.value in ("stitch", "rest", "total", "last", "round", "row", "to"))
-                or t.word in ("end", "rem")
-                for t in words[1:]
-            )
-            or len(words) > 8
-        ):
-            return False
-        if any(t.kind == "key" and t.value in ("in", "next", "each", "around", "repeat") for t in words):
-            return False
-        self.lines[-1] = replace(last, stated=number, stated_span=words[0].span)
-        self.other = number if self.edge is not None and self.edge != number else None
-        self.edge = self.edge if self.edge is not None else number
+        number = bare_count(tokens)
+        if number is None or last is None or not last.in_round or (last.again is None and last.number is None):
+            return False  # where rounds bear no numbers, this may be one
+        if last.stated is None:
+            self.lines[-1] = replace(last, stated=number.value, stated_span=number.span)
+            self.other = number.value if self.edge is not None and self.edge != number.value else None
+            self.edge = self.edge if self.edge is not None else number.value
         return True
 
     def gap(self, source: Source, head: Head | None, count: int, span: Span, at: Span) -> None:
@@ -218,7 +206,7 @@ class Draft:
         names = [draft.name for draft in parts]
         meant = named(names, refers.part) if refers.part else None
         origin = self if not refers.part or meant == -1 else None if meant is None else parts[meant]
-        if origin is not None and refers.marks and origin.between(refers.marks) is None:
+        if refers.marks and (origin is None or origin.between(refers.marks) is None):
             marks = refers.marks
             origin = next((draft for draft in reversed(parts) if draft.between(marks) is not None), origin)
         if origin is None:

@@ -14,6 +14,7 @@ from tambour.crochet.language.tree import Action, Again, Group, Line, Pattern
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import STARS, Head, heads
 from tambour.crochet.printed.mend import agreed, is_start, mended
@@ -350,7 +351,9 @@ class Printed(State):
                 )
                 self._gap(draft, head, tokens, span, lacking)
                 return
-        elif not read.fit and (instructive or not draft.sure):
+        elif (not read.fit and (instructive or not draft.sure)) or (
+            read.stated is None and any(works(left, k) for left in instructive for k in range(len(left)))
+        ):
             self._gap(
                 draft, head, tokens, span, read.wrong or NotUnderstood(first, "these words do not make the count")
             )

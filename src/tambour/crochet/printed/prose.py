@@ -15,6 +15,7 @@ from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import STARS
+from tambour.crochet.printed.items import bare_count
 from tambour.crochet.printed.notes import (
     BELOW,
     MODES,
@@ -242,7 +243,11 @@ def _sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
         if sentence and (opened := opening(p.source.text.text, sentence)) is not None:
             p.heading, sentence, p.mode, any_read = opened[0], sentence[opened[1] :], "", True
             p.title = p.title or (opened[0].name, opened[0].span)
-        if sentence and _sentence(p, sentence):
+        if sentence and not lefts and p.parts and p.parts[-1].counted(sentence):
+            any_read = True
+        elif sentence and lefts and p.parts and p.parts[-1].last and bare_count(sentence) is not None:
+            lefts.append(sentence)  # the count of what was not read
+        elif sentence and _sentence(p, sentence):
             any_read = True
             if p.starred and p.parts and len(p.parts[-1].lines) > (before if len(p.parts) == count else 0):
                 p.parts[-1].marks.append((p.starred, before if len(p.parts) == count else 0))
@@ -289,8 +294,6 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
             p.early[name] = value  # of the part that the heading begins
         else:
             setattr(draft, name, value)
-        return True
-    if draft is not None and draft.counted(tokens):
         return True
     stuffing = stuffed(tokens)
     if stuffing is not None and draft is not None:

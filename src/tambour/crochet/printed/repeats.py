@@ -31,6 +31,9 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
     if bracketed_count(r, found, end):
         return
     words = c.tokens[begin + 1 : end]
+    if words and words[-1].word in _REMARKED and not any(t.kind == "mark" for t in words):
+        c.at = end + 1  # "(increase made)"
+        return
     if any(t.kind == "key" and t.value == "count" for t in words):
         # "(does not count as a stitch)", "(counts as the first dc)"
         stands = not any(t.kind == "key" and t.value == "not" for t in words)
