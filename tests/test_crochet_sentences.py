@@ -7,6 +7,7 @@ import pytest
 from tambour.core.errors import Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.printed.choose import read
+from tambour.crochet.printed.shades import shade
 
 BALL = "Toy\n\nHEAD\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each sc around. (12)\n"
 
@@ -232,3 +233,18 @@ def test_a_round_read_in_part_takes_the_count_below_it() -> None:
     edges, unread = made(f"{BALL}Rnd 3: Sc in each sc around. Zigzag 5 dc in next gap.\n")
     assert edges == [6, 12, 12]
     assert unread
+
+
+VERSIONS = [
+    "Version 1: Purple as Color 1, Yellow as Color 2. Version 2: White as Color 1, Black as Color 2.",
+    "Purple as Color 1, Yellow as Color 2.",
+    "Purple as Color 1 and Yellow as Color 2.",
+]
+
+
+@pytest.mark.parametrize("said", VERSIONS)
+def test_numbered_colors_are_those_of_the_first_version(said: str) -> None:
+    rounds = "With Color 1, ch 2.\n1st rnd: 6 sc in 2nd ch from hook.\n2nd rnd: With Color 2, 2 sc in each sc around.\n"
+    pattern = read(Text(f"Toy\n\nINSTRUCTIONS\n{said}\n\nBODY\n{rounds}", "toy.txt"))
+    colors = [i.numbers for s in pattern.parts for n in s.lines for i in n.items if getattr(i, "name", "") == "color"]
+    assert colors == [shade("purple"), shade("yellow")]

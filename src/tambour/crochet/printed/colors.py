@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Final
 
 from tambour.core.rgb import RGB, unhexed
@@ -83,3 +84,17 @@ class Palette:
             self.told.append(word)
         index = LETTERS.index(word) if word in LETTERS else int(word)
         return self.given.get(word) or _SHADES[index % len(_SHADES)], length
+
+
+_NUMBERED: Final = re.compile(r"(?:^|[,:]|\band)\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
+
+
+def numbered(palette: Palette, line: str) -> bool:
+    """Takes "Purple as Color 1, Blue as Color 2", of several versions of a toy the first; whether a line says such."""
+    found = _NUMBERED.findall(line)
+    for name, number in found:
+        hue = palette.given.get(name.lower()) if len(name) <= 2 else shade(name)
+        palette.named.setdefault(number, name)
+        if hue is not None:
+            palette.given.setdefault(number, hue)
+    return bool(found)

@@ -10,6 +10,7 @@ from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.hear import assembling
 from tambour.crochet.printed.assembly import Said
+from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
@@ -69,6 +70,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         return
     line = text[row.tokens[0].start : row.tokens[-1].end]
     shade = _named_color(p, tokens)
+    if numbered(p.palette, line) and not any(t.kind == "stitch" and t.value == "ch" for t in tokens):
+        p.passed.append(whole)
+        return
     if p.mode == "materials":
         p.palette.listed(line)
     said = stated(text, row, tokens) or _below(p, row, tokens)
