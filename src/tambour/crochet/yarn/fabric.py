@@ -105,19 +105,21 @@ def mesh(
     made: Strands | None = None,
     material: str = "wool",
 ) -> Mesh:
-    """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, as tubes with their halo over a lining."""
+    """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, as tubes over a lining.
+
+    A halo of fibres stands about them but in low detail, which is for pictures too small to show it.
+    """
     kind = KINDS[material]
     made = strands(graph, positions, detail=detail, bloom=BLOOM * kind.full) if made is None else made
     yarn = sweep(made, sides=SIDES[detail], material=kind.surface)
     inner = lining(graph, positions, graph.stitch_width)
-    around = halo(made, kind)
-    every = (yarn, inner, around)
+    every = (yarn, inner) if detail == "low" else (yarn, inner, halo(made, kind))
     first = np.cumsum([0, *(len(m.vertices) for m in every)])
     return Mesh(
         np.vstack([m.vertices for m in every]),
         np.vstack([m.faces + v for m, v in zip(every, first)]),
         color=np.vstack([np.asarray(m.color) for m in every]),
         uv=np.vstack([np.zeros((len(m.vertices), 2)) if m.uv is None else m.uv for m in every]),
-        face_group=np.repeat(np.arange(3, dtype=np.int32), [len(m.faces) for m in every]),
-        group_names=(kind.surface, "lining", "fibres"),
+        face_group=np.repeat(np.arange(len(every), dtype=np.int32), [len(m.faces) for m in every]),
+        group_names=(kind.surface, "lining", "fibres")[: len(every)],
     )
