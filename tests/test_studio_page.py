@@ -273,7 +273,7 @@ def test_follow(page, server):
     page.keyboard.press("PageDown")
     until(
         page,
-        "fetch(`/api/pieces/${location.pathname.split('/')[2]}/place`).then(a => a.json()).then(told => told.step === 1)",
+        "fetch(`/api/pieces/${location.pathname.split('/')[2]}/place`).then(a => a.json()).then(told => told.place?.step === 1)",
     )
     page.reload()
     until(page, "document.querySelector('.words .row')?.textContent === 'Rnd 2'")

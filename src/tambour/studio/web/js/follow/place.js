@@ -16,7 +16,7 @@ export class Place {
   }
 
   async open() {
-    this._take(await ask(`/api/pieces/${this.piece}/place`));
+    this._take((await ask(`/api/pieces/${this.piece}/place`)).place ?? {});
     this.wire.hold({ type: "open", piece: this.piece });
   }
 
@@ -47,7 +47,7 @@ export class Place {
   async _send() {
     const sent = this.now.value;
     try {
-      const stands = await ask(`/api/pieces/${this.piece}/place`, { method: "PUT", body: sent });
+      const { place: stands } = await ask(`/api/pieces/${this.piece}/place`, { method: "PUT", body: sent });
       if (this.now.value === sent) {
         this.unsent.value = false;
         if (stands?.at > sent.at) this._take(stands);
