@@ -19,8 +19,8 @@ SQUARE: Final = 3.0 / math.pi
 rounds grow by six stitches: 2π heights are six widths."""
 
 UNDER: Final = (0.95, 0.9)
-"""Width and height of a single crochet with the yarn laid under the hook, as shares of one with the yarn over: makers find
-it a little narrower and clearly lower. Taken as usual; a swatch says more."""
+"""Width and height of a single crochet with the yarn laid under the hook, as shares of one with the yarn over: it is
+smaller and tighter; by how much is assumed, a swatch of one's own says it."""
 
 CIRCLE: Final = 5
 """Rounds of the gauge circle; its last has 30 stitches."""

@@ -1,4 +1,4 @@
-"""Films: pictures in a row as MPEG-4, by PyAV where the extra ``film`` is installed."""
+"""Films: pictures in a row as MPEG-4, by PyAV where it is installed: its wheel carries encoders under the GPL, so nothing here asks for it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def _av() -> Any:
     try:
         import av
     except ImportError:
-        raise TambourError("a film needs PyAV", hint="pip install tambour[film], or write a .gif") from None
+        raise TambourError("a film needs PyAV", hint="pip install av, or write a .gif") from None
     return av
 
 
