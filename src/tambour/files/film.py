@@ -27,7 +27,8 @@ def _av() -> Any:
 def write_mp4(value: Iterable[Picture], sink: Sink) -> None:
     """An .mp4 (H.264, which browsers and telephones play) at 15 pictures a second; the last one rests for two seconds.
 
-    Pictures are one size; an odd side loses its last row or column, which the format has no room for.
+    The encoder's choices differ a little from run to run, alone of all that is written here: the same pictures, not the
+    same bytes. Pictures are one size; an odd side loses its last row or column, which the format has no room for.
     """
     av = _av()
     out = io.BytesIO()
