@@ -127,3 +127,20 @@ def test_the_card_fits_a_small_hoop_and_is_sewn_as_drawn():
         mine = xy[(made.region[end] == by_name[f"column {width:g}"]) & (made.kind[end] == SATIN)]
         assert np.median(np.hypot(*(mine[:, 2:] - mine[:, :2]).T)) == pytest.approx(width, abs=0.1)
     assert len(made.plan.threads) == 2
+
+
+def test_a_fill_goes_on_below_what_is_sewn_over_its_edge():
+    import shapely
+
+    from tambour.embroidery.plan.overlap import UNDER
+    from tambour.embroidery.regions.read import to_shapely
+
+    shapes = [BAR, BAR + [30.1, 0], BAR + [31.5, 40]]  # the second meets the first, the third none
+    paths = Paths(np.concatenate(shapes), np.array([0, 5, 10, 15]), np.arange(4))
+    colors = Styles.of(*(((c, 20, 30, 255), None, 0.0) for c in (10, 90, 170)))
+    drawing = Drawing(paths, np.arange(3), colors, np.array([62.0, 60.0]))
+    made = make(drawing, EmbroideryParams(stitch="tatami", angle=0.0), Progress())
+    first, second, third = (shapely.union_all(to_shapely(r.paths)) for r in made.regions)
+    assert first.intersection(second).area == pytest.approx(20 * (UNDER + 0.2), rel=0.1)
+    assert second.area == pytest.approx(600, rel=1e-6) and third.area == pytest.approx(600, rel=1e-6)
+    assert first.difference(second).area == pytest.approx(600, rel=1e-3)

@@ -74,7 +74,7 @@ def strokes(name: str, wide: float) -> list[Stroke]:
     """The strokes of a motif ``wide`` stitches wide, about (0, 0): to the right, up; of a pair those of the right one."""
     w = wide
     if name == "nose":
-        rows = max(4, round(1.8 * w))
+        rows = max(6, round(2.8 * w))  # yarn beside yarn, on a nose that bulges too
         made: Stroke = []
         for k in range(rows + 1):
             t = k / rows

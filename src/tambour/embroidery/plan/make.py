@@ -19,6 +19,7 @@ from tambour.embroidery.plan.design import piece_of
 from tambour.embroidery.plan.facts import outside
 from tambour.embroidery.plan.layers import elevation, layers
 from tambour.embroidery.plan.order import order
+from tambour.embroidery.plan.overlap import overlapped
 from tambour.embroidery.plan.sequence import Layout
 from tambour.embroidery.plan.sewable import doubts
 from tambour.embroidery.regions.card import card
@@ -53,7 +54,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         found = regions(drawing, params, progress)
         if params.colors is not None and not isinstance(source, Picture):
             found = reduced(found, params.colors)
-        found = decided(found)
+        found = overlapped(decided(found))
     how = params.order
     if len(found) > MOST and how == "auto":
         progress.warn(

@@ -1,0 +1,61 @@
+"""Overlap: fills go on a little below what is sewn over their edge, so that no cloth shows when it draws in."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from tambour.embroidery.piece import Region
+
+UNDER = 0.5
+"""mm that a fill goes on below its neighbour (what Wilcom lets neighbours overlap by)."""
+NEAR = 0.3
+"""mm: what lies no farther apart was meant to meet."""
+MOST = 1500
+"""Regions above which it is not sought; a picture of so many has no edges that a hand would mend."""
+
+
+def overlapped(found: Sequence[Region]) -> tuple[Region, ...]:
+    """Regions whose fills reach ``UNDER`` mm below the later regions of another colour that meet them."""
+    fills = [k for k, r in enumerate(found) if r.role == "area" and r.stitch != "satin" and not r.params.applique]
+    if not fills or not 1 < len(found) <= MOST:
+        return tuple(found)
+    import shapely
+
+    from tambour.embroidery.regions.read import of_shapely, to_shapely
+
+    shapes = [_shape(r) for r in found]
+    tree = shapely.STRtree(shapes)
+    made = list(found)
+    for k in fills:
+        near = [
+            j for j in tree.query(shapes[k], "dwithin", NEAR).tolist() if j > k and found[j].color != found[k].color
+        ]
+        if not near:
+            continue
+        below = shapely.union_all([shapes[j] for j in near])
+        paths = of_shapely(
+            shapely.union_all(
+                [*to_shapely(found[k].paths), *_polygons(shapes[k].buffer(UNDER + NEAR, quad_segs=8) & below)]
+            )
+        )
+        if paths is not None:
+            made[k] = replace(found[k], paths=paths)
+    return tuple(made)
+
+
+def _polygons(shape: Any) -> list[Any]:
+    parts = getattr(shape, "geoms", [shape])
+    return [p for p in parts if p.geom_type == "Polygon" and p.area > 1e-6]
+
+
+def _shape(region: Region) -> Any:
+    import shapely
+
+    from tambour.embroidery.regions.read import to_shapely
+
+    if region.role == "area":
+        return shapely.union_all(to_shapely(region.paths))
+    lines = [shapely.LineString(p) for p in region.paths if len(p) > 1]
+    return shapely.union_all(lines).buffer(region.width / 2, cap_style="flat")
