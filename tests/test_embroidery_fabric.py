@@ -135,7 +135,9 @@ def test_a_fill_goes_on_below_what_is_sewn_over_its_edge():
     from tambour.embroidery.plan.overlap import UNDER
     from tambour.embroidery.regions.read import to_shapely
 
-    shapes = [BAR, [*BAR, 30.1, 0], [*BAR, 31.5, 40]]  # the second meets the first, the third none
+    shapes = [
+        BAR + np.array(at) for at in ((0, 0), (30.1, 0), (31.5, 40))
+    ]  # the second meets the first, the third none
     paths = Paths(np.concatenate(shapes), np.array([0, 5, 10, 15]), np.arange(4))
     colors = Styles.of(*(((c, 20, 30, 255), None, 0.0) for c in (10, 90, 170)))
     drawing = Drawing(paths, np.arange(3), colors, np.array([62.0, 60.0]))
