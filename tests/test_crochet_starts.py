@@ -152,7 +152,9 @@ def test_groups_have_one_name():
         (("sc", 1), ("ch", 2), ("sc", 1)),
     )
     assert into_one([(dc, 3)], "sp").name == "sp{3 dc}"
-    for wrong in ([(ch, 2)], [(STITCHES["dec"], 1)], [(STITCHES["slst"], 1)], []):
+    low = into_one([(STITCHES["slst"], 1), (sc, 1)])  # a slip stitch stands as a low one among others in a place
+    assert (low.makes, low.takes) == (2, 1)
+    for wrong in ([(ch, 2)], [(STITCHES["dec"], 1)], []):
         with pytest.raises(ValueError):
             into_one(wrong)
 

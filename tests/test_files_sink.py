@@ -20,6 +20,7 @@ import pytest
 from tambour import files
 from tambour.core.chart import Chart
 from tambour.core.errors import TambourError, Text
+from tambour.core.packed import Packed
 from tambour.core.palette import Palette
 from tambour.core.picture import Picture
 from tambour.core.reveal import Reveal
@@ -49,6 +50,7 @@ def value(kind: str) -> Any:
         "Pictures": iter([GREY, GREY]),
         "Reveal": Reveal(HOUSE, 1.0, 3),
         "Mesh": painted(),
+        "Packed": Packed({"points": np.arange(600.0).reshape(-1, 3), "on": np.ones(9, np.bool_)}, {"unit": "stitch"}),
     }[kind]
 
 
@@ -75,6 +77,8 @@ def test_a_full_disk_is_told_and_keeps_the_old_files(
     monkeypatch.setattr("tambour.render.raster.picture", lambda *_, **__: GREY)  # what a mesh looks like is slow
     if suffix.startswith(".usd"):
         pytest.importorskip("pxr")
+    if suffix == ".mp4":
+        pytest.importorskip("av")
     path = tmp_path / f"a{suffix}"
     files.write(value(kind), path, kind)
     made = holds(tmp_path)
