@@ -12,6 +12,7 @@ FLOORS = [
     "noise",
     "color",
     "geometry",
+    "weights",
     "render",
     "craft",
     "crochet",
@@ -21,6 +22,7 @@ FLOORS = [
     "files",
     "run",
     "examples",
+    "studio",
     "cli",
 ]
 

@@ -98,6 +98,10 @@ def test_a_region_is_stitched_another_way() -> None:
     first, second = made.regions
     assert (first.params.angle, first.stitch) == (plain.regions[0].params.angle, plain.regions[0].stitch)
     assert (second.params.angle, second.stitch) == (45, "contour")
+    # Reports and the studio call a shape without an id by its number.
+    named = f"region:{plain.regions[1].id}.stitch=contour"
+    again = make("embroidery", squares(), craft("embroidery").params(), [named, named]).piece
+    assert [r.stitch for r in again.regions] == [plain.regions[0].stitch, "contour"]
     for wrong in ("region:3.angle=45", "region:1.angel=45", "region:1.angle=x", "region:1.font=a.ttf"):
         with pytest.raises(TambourError, match="--edit region"):
             make("embroidery", squares(), craft("embroidery").params(), [wrong])

@@ -70,6 +70,8 @@ def test_the_list_of_rooms_is_true(root: Path) -> None:
     rooms = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(rooms)
     assert rooms.text() == (root / "docs" / "rooms.md").read_text(), "run python docs/rooms.py"
+    there = {p.stem for p in (root / "src" / "tambour").iterdir() if p.suffix == ".py" or (p / "__init__.py").exists()}
+    assert set(rooms.FLOORS) == there - {"__init__", "__main__"}, "a floor is missing in docs/rooms.py"
 
 
 def test_rooms_are_small(root: Path) -> None:

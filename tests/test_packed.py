@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays_of
 
-from tambour.core.errors import LawError, TambourError
+from tambour.core.errors import LawError, TambourError, Text
 from tambour.core.packed import FIRST, KINDS, LAST, SEAM, Packed, quantised
 from tambour.files.packed import packed, unpacked
 from tambour.run import craft, make
@@ -167,3 +167,10 @@ def test_the_scroll_on_the_screen_is_the_drawing(pieces: dict[str, Any]) -> None
     assert np.array_equal(live.arrays["offsets"], drawing.paths.offsets)
     assert np.array_equal(live.arrays["fill"][live.arrays["style"]], drawing.styles.fill[drawing.style])
     assert len(set(live.facts["wholes"])) == len(live.facts["wholes"]) > 1
+
+
+def test_a_page_can_tell_decreases_and_increases() -> None:
+    text = Text(": MR(6)\n: 6 inc\n: [sc, dec] x 4\n")
+    live = craft("crochet").views["live"].make(make("crochet", text, craft("crochet").params(solver="none")).piece)
+    over = live.arrays["over"][live.arrays["round"] == live.arrays["round"].max()]
+    assert over.tolist() == [1, 2] * 4

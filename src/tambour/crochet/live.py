@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,7 +23,7 @@ def live(piece: Plush) -> Packed:
     """The piece in its yarn, point by point in the order of work, with what is known of every stitch.
 
     The yarn as :func:`tambour.core.packed.of_strands` packs it, a unit being a stitch. Per stitch besides: ``positions``
-    (N, 3) mm, ``kind``, ``round``, ``part``, ``parent``, ``span`` (N, 2) characters of the source, ``doubt``, and
+    (N, 3) mm, ``kind``, ``round``, ``part``, ``parent``, ``over`` (how many stitches it is worked into), ``span`` (N, 2) characters of the source, ``doubt``, and
     ``tension``: how far its threads are stretched. The meshes inside and on it, as :func:`_mesh` tells them.
     """
     from tambour.crochet.finish.features import joined, meshes
@@ -34,12 +35,15 @@ def live(piece: Plush) -> Packed:
     face, yarn = meshes(piece.built, x, piece.yarn, detail=piece.params.detail, upright=piece.upright)
     arrays, facts = of_strands(yarn, yarn.point_data["stitch"], len(graph), graph.color)
     problems = [*tech_edit(piece.built), *size_edit(piece.built, tuple(np.ptp(x, axis=0)))]
+    anchors, cuts = graph.anchors.tolist(), graph.anchor_offsets.tolist()
+    over = np.array([len({*anchors[a:b]}) for a, b in pairwise(cuts)]).clip(0, 255)
     arrays |= {
         "positions": x.astype(np.float32),
         "kind": graph.kind,
         "round": graph.round,
         "part": graph.part,
         "parent": graph.parent,
+        "over": over.astype(np.uint8),
         "span": graph.span.astype(np.uint32),
         "doubt": doubtful(piece.built, problems),
         "tension": tension(graph, x).astype(np.float32),

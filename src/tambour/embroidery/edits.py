@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -70,6 +71,9 @@ def _told(drawing: Drawing, region: str, key: str, value: str, where: str) -> Dr
 
     groups = drawing.groups
     data = tuple(groups.data) or tuple({} for _ in groups.ids)
+    named = re.fullmatch(r"shape (\d+)(?: \(\d+\))?", region)
+    if named and region not in groups.ids:
+        region = named[1]  # as reports call shapes without an id
     if f"shape {region}" in groups.ids:
         region = f"shape {region}"  # a shape that has a group of its own by an edit before
     if region in groups.ids:

@@ -90,6 +90,14 @@ export function screen(root, piece, { over }) {
   }));
 
   // The toy.
+  const hand = new Hand(stage, piece, { part, mode, dropped: async (name, onto) => {
+    const answer = await attempt(() => ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto } }));
+    if (!answer) return stage.move(null);
+    piece.piece.value = answer.piece;
+    piece.revision.value = answer.revision;
+    piece.watch();
+    tell(html`Now the pattern says: <b>${answer.sentence}</b>`, { calm: true });
+  } });
   let shown = /** @type {any} */ (null);
   stop.push(effect(() => {
     const pack = piece.live.value;
@@ -138,14 +146,6 @@ export function screen(root, piece, { over }) {
     }
   };
 
-  const hand = new Hand(stage, piece, { part, mode, dropped: async (name, onto) => {
-    const answer = await attempt(() => ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto } }));
-    if (!answer) return stage.move(null);
-    piece.piece.value = answer.piece;
-    piece.revision.value = answer.revision;
-    piece.watch();
-    tell(html`Now the pattern says: <b>${answer.sentence}</b>`, { calm: true });
-  } });
   hand.listen(at.canvas, (unit) => choose(unit, true));
   const choose = (/** @type {number} */ unit, jump = false) => {
     const pack = piece.live.value;

@@ -31,6 +31,11 @@ export class Place {
     this._set({ step, unit, at: Date.now() });
   }
 
+  /** A step back that no way forward led to: nothing to undo. @param {number} step @param {number} unit */
+  back(step, unit) {
+    this._set({ step, unit, at: Date.now() });
+  }
+
   undo() {
     const last = this.before.pop();
     if (last) this._set({ ...last, at: Date.now() });

@@ -40,7 +40,7 @@ async function begin() {
   const back = () => {
     if (place.undo()) return;
     const { k, done } = at();
-    if (done || k > 0) place.go(done ? k : k - 1, steps[done ? k : k - 1].first);
+    if (done || k > 0) place.back(done ? k : k - 1, steps[done ? k : k - 1].first);
   };
 
   // The picture, worked up to here.
@@ -139,9 +139,10 @@ async function begin() {
     const c = pack.shapes.cells[1], row = Math.floor(step.first / c), k = i - step.first;
     return pack.arrays.cells[row * c + (step.direction > 0 ? k : c - 1 - k)];
   }
-  /** A stitch's name; the second and later into one stitch are increases. @param {number} i */
+  /** A stitch's name; the second and later into one stitch are increases, one over several a decrease. @param {number} i */
   function name(i) {
-    const { kind, parent } = pack.arrays, plain = pack.facts.kinds[kind[i]];
+    const { kind, parent, over } = pack.arrays, plain = pack.facts.kinds[kind[i]];
+    if (over?.[i] > 1) return plain === "sc" && over[i] === 2 ? "dec" : `${plain}${over[i]}tog`;
     return i > 0 && parent && parent[i] >= 0 && parent[i] === parent[i - 1] && pack.facts.kinds[kind[parent[i]]] !== "ring" ? `${plain} ↑` : plain;
   }
 
