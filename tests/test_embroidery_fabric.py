@@ -146,3 +146,8 @@ def test_a_fill_goes_on_below_what_is_sewn_over_its_edge():
     assert first.intersection(second).area == pytest.approx(20 * (UNDER + 0.2), rel=0.1)
     assert second.area == pytest.approx(600, rel=1e-6) and third.area == pytest.approx(600, rel=1e-6)
     assert first.difference(second).area == pytest.approx(600, rel=1e-3)
+
+
+def test_an_arm_as_high_as_the_rows_stay_back_is_a_line_and_no_fault():
+    square = [(0, 0), (20, 0), (20, 8), (32, 8), (32, 8.5), (20, 8.5), (20, 20), (0, 20), (0, 0)]
+    assert len(sewn(np.array(square, float), FILL, stitch="tatami", angle=0.0, push=0.25))

@@ -98,7 +98,9 @@ def compensated(region: Region) -> Paths:
     made = []
     for area in to_shapely(region.paths):
         if p.push > 0:
-            kept = shapely.intersection_all([area, *(translate(area, *(s * p.push * along[1])) for s in (-1, 1))])
+            moved = [translate(area, *(s * p.push * along[1])) for s in (-1, 1)]
+            # What only touches itself when moved leaves a line or a point: nothing to sew.
+            kept = shapely.MultiPolygon([a for a in _flat(shapely.intersection_all([area, *moved])) if a.area > 0])
             area = area if kept.area < 0.5 * area.area else kept
         made.append(swept(area, p.pull * along[0]))
     found = of_shapely(shapely.union_all(made))
@@ -113,13 +115,18 @@ def swept(area: Any, by: Array) -> Any:
     if not by.any():
         return area
     parts = [translate(area, *-by), translate(area, *by)]
-    for polygon in getattr(area, "geoms", [area]):
+    for polygon in _flat(area):
         for ring in (polygon.exterior, *polygon.interiors):
             line = shapely.get_coordinates(ring)
             corners = np.stack([line[:-1] - by, line[1:] - by, line[1:] + by, line[:-1] + by], axis=1)
             flat = np.abs((line[1:] - line[:-1]) @ np.array([-by[1], by[0]])) > 1e-12
             parts += list(shapely.polygons(corners[flat]))
     return shapely.union_all(parts)
+
+
+def _flat(shape: Any) -> list[Any]:
+    """The polygons of a shapely shape."""
+    return [part for part in getattr(shape, "geoms", [shape]) if part.geom_type == "Polygon"]
 
 
 def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -> Stitches:
