@@ -151,3 +151,12 @@ def test_a_fill_goes_on_below_what_is_sewn_over_its_edge():
 def test_an_arm_as_high_as_the_rows_stay_back_is_a_line_and_no_fault():
     square = [(0, 0), (20, 0), (20, 8), (32, 8), (32, 8.5), (20, 8.5), (20, 20), (0, 20), (0, 0)]
     assert len(sewn(np.array(square, float), FILL, stitch="tatami", angle=0.0, push=0.25))
+
+
+def test_a_thread_of_nothing_may_come_first():
+    from tambour.embroidery.plan.sequence import Layout
+    from tambour.embroidery.stitches import join
+
+    layout = Layout(EmbroideryParams())
+    layout.stitches(join([]), 0)
+    assert layout.here is None

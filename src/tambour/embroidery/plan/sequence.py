@@ -69,7 +69,7 @@ class Layout:
         """One unbroken thread: stitched on to where the needle is when that is near, else jumped to, and tied."""
         made = tidy(made, self.params.min_length)
         n = len(made)
-        if n < 2 and self.here is not None:
+        if n == 0 or (n < 2 and self.here is not None):
             return
         for name, value in made.facts.items():
             self.facts[name] = self.facts.get(name, 0.0) + value
