@@ -151,8 +151,13 @@ def test_materials() -> None:
     assert told == facts(piece)["features"]
     assert told["eyes"] == [{"color": "#181616", "size_mm": 9.0, "count": 2}]
     assert told["felt"][0] | {"count": 1} == {
-        "color": "#ffffff", "shape": "square", "width_mm": 10.0, "height_mm": 10.0, "count": 1, "cm2": 1.0,
-    }  # fmt: skip
+        "color": "#ffffff",
+        "shape": "square",
+        "width_mm": 10.0,
+        "height_mm": 10.0,
+        "count": 1,
+        "cm2": 1.0,
+    }
     assert told["embroidery"][0]["color"] == "#aa0000" and 17.0 < told["embroidery"][0]["cm"] < 22.0
     assert told["hair"][0]["strands"] == 5 and told["hair"][0]["metres"] == pytest.approx(5 * 0.03)
     assert doubts(piece.built, piece.positions) == []

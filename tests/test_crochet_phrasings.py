@@ -111,20 +111,36 @@ def test_a_round_that_shrinks(said):
 # References: nodes that are worked, and printed again as such.
 REFERRED = [
     ("4th rnd: Ch 1. 1 sc in each sc around. Join.\n5th and 6th rnds: As 4th rnd.", [18, 18, 18], "R5-R6: as R4"),
-    ("4th to 6th rnds: Ch 1. 1 sc in each sc around. Join.\n7th to 9th rnds: As 4th to 6th rnds.", [18] * 6, "R7-R9: as R4-R6"),
+    (
+        "4th to 6th rnds: Ch 1. 1 sc in each sc around. Join.\n7th to 9th rnds: As 4th to 6th rnds.",
+        [18] * 6,
+        "R7-R9: as R4-R6",
+    ),
     ("4th rnd: Ch 1. 1 sc in each sc around. Join.\nRep last rnd 3 times more.", [18] * 4, "R5-R7: as R4"),
     ("4th rnd: Ch 1. 1 sc in each sc around. Join. Rep last rnd twice more.", [18] * 3, "R5-R6: as R4"),
     ("4th rnd: Ch 1. 1 sc in each sc around. Join.\nRep last rnd once more. Fasten off.", [18] * 2, "R5: as R4"),
     ("4th rnd: Ch 1. 1 sc in each sc around. Join.\nRepeat Rnd 4 three times.", [18] * 4, "R5-R7: as R4"),
-    ("4th rnd: Ch 1. 1 sc in each sc around. Join.\n5th rnd: Ch 1. Sc2tog. 1 sc in each sc to end of rnd. Join. 17 sc.\n"
-     "6th to 9th rnds: Rep last 2 rnds twice more.", [18, 17, 17, 16, 16, 15], "R9: ch, dec"),
-    ("4th rnd: Ch 1. 1 sc in each sc around. Join.\n5th rnd: Ch 1. Sc2tog. 1 sc in each sc to end of rnd. Join. 17 sc.\n"
-     "Rep Rnds 4 and 5 twice.", [18, 17, 17, 16, 16, 15], "R9: ch, dec"),
+    (
+        "4th rnd: Ch 1. 1 sc in each sc around. Join.\n5th rnd: Ch 1. Sc2tog. 1 sc in each sc to end of rnd. Join. 17 sc.\n"
+        "6th to 9th rnds: Rep last 2 rnds twice more.",
+        [18, 17, 17, 16, 16, 15],
+        "R9: ch, dec",
+    ),
+    (
+        "4th rnd: Ch 1. 1 sc in each sc around. Join.\n5th rnd: Ch 1. Sc2tog. 1 sc in each sc to end of rnd. Join. 17 sc.\n"
+        "Rep Rnds 4 and 5 twice.",
+        [18, 17, 17, 16, 16, 15],
+        "R9: ch, dec",
+    ),
     ("4th rnd: Ch 1. 1 sc in each sc around. Join.\nRounds 5-7: Repeat Round 4.", [18] * 4, "R5-R7: as R4"),
     ("4th rnd: Ch 1. 1 sc in each sc around. Join.\n5th rnd: With B, as 4th rnd.", [18] * 2, "as R4"),
     ("4th rnd: Ch 1. 1 sc in each sc around. Join.\n5th rnd: Work same as 4th rnd—18 sc.", [18] * 2, "R5: as R4"),
-    ("4th rnd: Ch 1. 1 sc in each sc around. Join.\nRep last rnd until work from beg measures 4 cm.", [18] * 5, "R5-R8: as R4"),
-]  # fmt: skip
+    (
+        "4th rnd: Ch 1. 1 sc in each sc around. Join.\nRep last rnd until work from beg measures 4 cm.",
+        [18] * 5,
+        "R5-R8: as R4",
+    ),
+]
 
 
 @pytest.mark.parametrize("said, made, node", REFERRED)
@@ -289,11 +305,17 @@ def test_a_mistake_is_told(below, said):
 
 # Yarns as a list of materials names them, and what the letters then mean.
 LISTED = [
-    ("Main Color (MC) Soft Teal (01234) 2 balls\nContrast A Denim Blue (01101) 1 ball", {"mc": "soft teal", "a": "denim blue"}),
-    ("1 skein each 0512 Pumpkin A, 0672 Spring Green B, and 12 Black C", {"a": "pumpkin", "b": "spring green", "c": "black"}),
+    (
+        "Main Color (MC) Soft Teal (01234) 2 balls\nContrast A Denim Blue (01101) 1 ball",
+        {"mc": "soft teal", "a": "denim blue"},
+    ),
+    (
+        "1 skein each 0512 Pumpkin A, 0672 Spring Green B, and 12 Black C",
+        {"a": "pumpkin", "b": "spring green", "c": "black"},
+    ),
     ("Main Color (MC) (01612 Country Yellow) 2 balls", {"mc": "country yellow"}),
     ("Contrast B Ivory (00110) 1 ball or 20 yds/18 m", {"b": "ivory"}),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize("line, meant", LISTED)
@@ -312,7 +334,14 @@ def test_a_list_colours_the_rounds_and_an_unknown_yarn_is_told():
     assert told == ["the yarns A (Stormy Tuesday) are given colours of our choice"]
 
 
-@pytest.mark.parametrize("gauge", ['GAUGE\n26 sts = 4" [10 cm]; 22 rounds = 4" [10 cm]\n', 'Gauge\n\n26 sts = 4"; 22 rnds = 4"\n', 'GAUGE:\n26 sc and 22 rows = 4 ins [10 cm].\n'])  # fmt: skip
+@pytest.mark.parametrize(
+    "gauge",
+    [
+        'GAUGE\n26 sts = 4" [10 cm]; 22 rounds = 4" [10 cm]\n',
+        'Gauge\n\n26 sts = 4"; 22 rnds = 4"\n',
+        "GAUGE:\n26 sc and 22 rows = 4 ins [10 cm].\n",
+    ],
+)
 def test_what_stands_below_its_heading_is_stated(gauge):
     above = f'MATERIALS\nSize U.S. F/5 (3.75 mm) crochet hook or size needed\n\nMEASUREMENTS\nApprox 9" [23 cm] tall\n\n{gauge}'
     stated = read(Text(f"Toy\n\n{above}\nINSTRUCTIONS\n{TWO.removeprefix('Toy')}", "toy.txt")).stated

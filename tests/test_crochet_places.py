@@ -50,7 +50,14 @@ def placed(pattern, name):
     return next(r for r in pattern.finish if isinstance(r, Placed) and r.part.startswith(name))
 
 
-PARTS = [Made("BELLY AND BODY", 1), Made("Fluke", 2), Made("FIN", 2), Made("Left Ear", 1), Made("Right Ear", 1), Made("Inner ear", 2)]  # fmt: skip
+PARTS = [
+    Made("BELLY AND BODY", 1),
+    Made("Fluke", 2),
+    Made("FIN", 2),
+    Made("Left Ear", 1),
+    Made("Right Ear", 1),
+    Made("Inner ear", 2),
+]
 
 
 @pytest.mark.parametrize(
@@ -90,8 +97,10 @@ def test_lengths_apart_and_clauses():
     assert where("3 cm apart").apart_mm == pytest.approx(30.0)
     text = "sew head to body at neck and join arms at shoulders; pin the legs in place"
     assert [text[a:b].strip() for a, b in clauses(text)] == [
-        "sew head to body at neck and", "join arms at shoulders;", "pin the legs in place",
-    ]  # fmt: skip
+        "sew head to body at neck and",
+        "join arms at shoulders;",
+        "pin the legs in place",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -115,8 +124,10 @@ def test_two_places_in_one_sentence():
         "Sew the head to the body. Attach arms at shoulders and legs to the bottom of the body.",
         **{"ARM_(make_2)": TUBE, "LEG_(make_2)": TUBE},
     )
-    arms, legs = ([where_is(pattern, r) for r in pattern.finish if isinstance(r, Placed) and r.part.startswith(n)]
-                  for n in ("ARM", "LEG"))  # fmt: skip
+    arms, legs = (
+        [where_is(pattern, r) for r in pattern.finish if isinstance(r, Placed) and r.part.startswith(n)]
+        for n in ("ARM", "LEG")
+    )
     assert min(a[1] for a in arms) > 0.2 and max(a[1] for a in legs) < -0.5
     assert {round(float(np.sign(a[0]))) for a in arms} == {-1, 1} == {round(float(np.sign(a[0]))) for a in legs}
 
@@ -145,9 +156,16 @@ def test_what_nobody_places_goes_where_it_usually_is_and_is_told():
     )
     on = {r.part: r.spot.part for r in pattern.finish if isinstance(r, Placed)}
     assert on == {
-        "HEAD": "BODY", "EARS.1": "HEAD", "EARS.2": "HEAD", "ARMS.1": "BODY", "ARMS.2": "BODY", "LEGS.1": "BODY",
-        "LEGS.2": "BODY", "TAIL": "BODY", "MUZZLE": "HEAD",
-    }  # fmt: skip
+        "HEAD": "BODY",
+        "EARS.1": "HEAD",
+        "EARS.2": "HEAD",
+        "ARMS.1": "BODY",
+        "ARMS.2": "BODY",
+        "LEGS.1": "BODY",
+        "LEGS.2": "BODY",
+        "TAIL": "BODY",
+        "MUZZLE": "HEAD",
+    }
     (told,) = [w for w in pattern.warnings if w.message.startswith(GUESSED)]
     assert all(name in told.message for name in ("EARS on HEAD", "ARMS on BODY", "LEGS on BODY", "TAIL on BODY"))
     assert where_is(pattern, placed(pattern, "TAIL"))[2] < -0.5
@@ -246,9 +264,13 @@ def hosts(pattern):
         ("Using a long tail of yarn, sew the head to the body.", {"TAIL": TUBE}, {"HEAD": "BODY"}),
         ("Seam the nose to the head as shown in the photo.", {"NOSE": CUP}, {"NOSE": "HEAD"}),
         ("Applique the spot to the belly, level with the arms.", {"SPOT": CUP}, {"SPOT": "BODY"}),
-        ("Sew the horns on the head, and the tail under the shell.", {"HORN (make 2)": TUBE}, {"HORN.1": "HEAD", "HORN.2": "HEAD"}),
+        (
+            "Sew the horns on the head, and the tail under the shell.",
+            {"HORN (make 2)": TUBE},
+            {"HORN.1": "HEAD", "HORN.2": "HEAD"},
+        ),
     ],
-)  # fmt: skip
+)
 def test_who_is_sewn_to_whom(sentence, parts, meant):
     found = hosts(toy(sentence, **parts))
     assert {part: found.get(part) for part in meant} == meant
@@ -281,8 +303,14 @@ def test_the_second_toy_of_a_text_keeps_its_own_parts():
     pattern = read_printed(Text(f"Two friends\n\n{one}{one}", "two.txt"))
     names = [part.name for part in pattern.parts]
     assert len(names) == 6
-    assert hosts(pattern) == {names[1]: names[0], f"{names[2]}.1": names[0], f"{names[2]}.2": names[0],
-                              names[4]: names[3], f"{names[5]}.1": names[3], f"{names[5]}.2": names[3]}  # fmt: skip
+    assert hosts(pattern) == {
+        names[1]: names[0],
+        f"{names[2]}.1": names[0],
+        f"{names[2]}.2": names[0],
+        names[4]: names[3],
+        f"{names[5]}.1": names[3],
+        f"{names[5]}.2": names[3],
+    }
 
 
 def test_what_is_flat_by_its_name_is_not_filled_unless_it_is_said():

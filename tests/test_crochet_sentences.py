@@ -39,7 +39,9 @@ def test_what_hands_do_makes_no_stitch(said: str) -> None:
     assert made(f"{BALL}{said}\nRnd 3: Sc in each sc around. (12)\n") == ([6, 12, 12], [])
 
 
-@pytest.mark.parametrize("said", ["Hold 2 pieces tog and 6 sc in next 6 sts.", "Fold Rnd 2, dec around.", "Pull up a loop in 2 sts."])  # fmt: skip
+@pytest.mark.parametrize(
+    "said", ["Hold 2 pieces tog and 6 sc in next 6 sts.", "Fold Rnd 2, dec around.", "Pull up a loop in 2 sts."]
+)
 def test_what_works_stitches_is_no_doing(said: str) -> None:
     edges, unread = made(f"{BALL}{said}\n")
     assert unread or len(edges) > 2
@@ -93,7 +95,10 @@ ROUNDS = [
     ("*Sc in next 3 sc, 2 sc in next sc; rep from * around to last 4 sc, sc in last 4 sc", [14]),
     ("*Sc in next st, 2 sc in next st; rep from * around, ending with sc2tog", [16]),
     ("Sc in each 1 sc around", [12]),
-    ("*With A, 1 sc in each of next 6 sc. With B, 1 sc in each of next 3 sc. With A, 1 sc in each sc to end of rnd", [12]),
+    (
+        "*With A, 1 sc in each of next 6 sc. With B, 1 sc in each of next 3 sc. With A, 1 sc in each sc to end of rnd",
+        [12],
+    ),
     ("1 sc in each sc around. Work 3 rnds even in sc", [12, 12, 12, 12]),
     ("Sc2tog around. Work 2 rnds even", [6, 6, 6]),
     ("Sc in each sc around. Work even for 4 rounds", [12, 12, 12, 12, 12]),
@@ -112,10 +117,19 @@ ROUNDS = [
     ("Sc2tog around until closed", [6]),
     ("With right side of piece facing, join B with sl st in any st, ch 1, sc in same st and in each st around", [12]),
     ("Sc around - 12 sc after Rnd 3", [12]),
-    ("Ch 3 (counts as dc). 1 dc in each of next 11 sc. Join with sl st to top of ch 3. 12 dc.\nRnd 4: Ch 1. Sc in each of next 11 dc, sc in top of ch-3", [12, 12]),
-    ("Ch 2 (counts as hdc), hdc in next 11 sc. Join.\nRnd 4: Ch 1, sc in next 11 hdc, sc in top of beginning ch", [12, 12]),
-    ("Ch 3 (counts as dc), dc in next 11 sts. Join.\nRnd 4: Ch 1, sc in next 11 dc, sc in top of turning ch-3", [12, 12]),
-]  # fmt: skip
+    (
+        "Ch 3 (counts as dc). 1 dc in each of next 11 sc. Join with sl st to top of ch 3. 12 dc.\nRnd 4: Ch 1. Sc in each of next 11 dc, sc in top of ch-3",
+        [12, 12],
+    ),
+    (
+        "Ch 2 (counts as hdc), hdc in next 11 sc. Join.\nRnd 4: Ch 1, sc in next 11 hdc, sc in top of beginning ch",
+        [12, 12],
+    ),
+    (
+        "Ch 3 (counts as dc), dc in next 11 sts. Join.\nRnd 4: Ch 1, sc in next 11 dc, sc in top of turning ch-3",
+        [12, 12],
+    ),
+]
 
 
 @pytest.mark.parametrize(("said", "edges"), ROUNDS)
@@ -150,7 +164,10 @@ def test_nothing_that_names_a_place_is_lost() -> None:
 
 MORE_ROUNDS = [
     ("Slip st in next 2 sc, sc in each st across - 2 slip sts, 10 sc", [12]),
-    ("(Sc, ch 2, sc) in next sc, sc in next 2 sc, *(sc, ch 2, sc) in next sc, sc in next 2 sc; rep from * 3 times; join with slip st in first sc - 16 sc and 4 ch-2 sps", [24]),
+    (
+        "(Sc, ch 2, sc) in next sc, sc in next 2 sc, *(sc, ch 2, sc) in next sc, sc in next 2 sc; rep from * 3 times; join with slip st in first sc - 16 sc and 4 ch-2 sps",
+        [24],
+    ),
     ("Sc in next 6 sc, 2 dc in next sc, sc in next 5 sc - 11 sc and 2 dc", [13]),
     ("Ch 1, sc in each st around, inc 4 sts evenly spaced - 16 sc", [16]),
     ("Sc in each sc around, dec 3 sc evenly spaced around. 9 sc", [9]),
@@ -164,12 +181,15 @@ MORE_ROUNDS = [
     ("Sc in each of first 6 sc and next 6 sc", [12]),
     ("Sc in first sc and next 5 sc, dc in next sc and last 5 sc", [12]),
     ("Ch 3 (counts as dc). Working in front loops only, 1 dc in first sc. 2 dc in each sc around. Join. 24 dc", [24]),
-    ("Sc in next st, sc in next st, change to E and work tr in same st, change to D and sc in each of next 10 sts. 13 sts", [13]),
+    (
+        "Sc in next st, sc in next st, change to E and work tr in same st, change to D and sc in each of next 10 sts. 13 sts",
+        [13],
+    ),
     ("With CB, sc in each st around", [12]),
     ("With 2 strands of A, sc in each st around", [12]),
     ("Sc in each ch and sc around", [12]),
     ("Sc in each of next 6 sc.\n1 sc in each sc around.\nJoin with sl st to first sc. 12 sc", [12]),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("said", "edges"), MORE_ROUNDS)

@@ -149,8 +149,20 @@ def _made_up(folder, drop=()):
         return json.dumps(turned(said) if isinstance(said, str) else [turned(s) for s in said], ensure_ascii=False)
 
     rows = ['name = "Backwards"', f"standing = {written(whole['standing'])}"]
-    for name in ("kinds", "posts", "increase", "decrease", "bumps", "stitches", "explained", "meaning", "words",
-                 "sentences", "colors", "page"):  # fmt: skip
+    for name in (
+        "kinds",
+        "posts",
+        "increase",
+        "decrease",
+        "bumps",
+        "stitches",
+        "explained",
+        "meaning",
+        "words",
+        "sentences",
+        "colors",
+        "page",
+    ):
         rows += [f"[{name}]", *(f'"{k}" = {written(v)}' for k, v in whole[name].items() if (name, k) not in drop)]
     return "\n".join(rows)
 

@@ -57,9 +57,10 @@ def test_a_column_is_wider_along_its_stitches_and_shorter_at_its_ends():
 
 def test_no_side_is_drawn_out_by_more_than_a_millimetre():
     assert widened(12.0, 0.5, 30.0) == MOST
-    size = [np.hypot(*(s[:, 2:] - s[:, :2]).T) for s in (
-        sewn(COLUMN, SATIN, stitch="satin", pull=p, pull_percent=q) for p, q in ((0.0, 0.0), (0.9, 30.0))
-    )]  # fmt: skip
+    size = [
+        np.hypot(*(s[:, 2:] - s[:, :2]).T)
+        for s in (sewn(COLUMN, SATIN, stitch="satin", pull=p, pull_percent=q) for p, q in ((0.0, 0.0), (0.9, 30.0)))
+    ]
     assert np.median(size[1]) - np.median(size[0]) == pytest.approx(2 * MOST, abs=0.03)
 
 

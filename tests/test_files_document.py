@@ -41,7 +41,14 @@ def test_word_documents_in_order(tmp_path):
     made.save(tmp_path / "ball.docx")
     text = files.read(tmp_path / "ball.docx", ("Text",))
     lines = [line for line in text.text.split("\n") if line]
-    assert lines == ["## Ball", "A small ball.", "## Body", *ROUNDS[:2], "| Rnd 3 | (sc, inc) x 6 | (18) |", "- Weave in the ends"]  # fmt: skip
+    assert lines == [
+        "## Ball",
+        "A small ball.",
+        "## Body",
+        *ROUNDS[:2],
+        "| Rnd 3 | (sc, inc) x 6 | (18) |",
+        "- Weave in the ends",
+    ]
     ((at, data),) = text.photos
     assert text.text[:at].rstrip().endswith("ball.") and data == photo()
     assert counts(text) == [6, 12, 18]
@@ -76,8 +83,13 @@ def test_saved_pages_of_the_web(tmp_path):
     (tmp_path / "ball.html").write_text(page)
     text = files.read(tmp_path / "ball.html", ("Text",))
     assert [line for line in text.text.split("\n") if line] == [
-        "## Ball", "It is", "small & red.", *(f"| {line.replace(': ', ' | ')} |" for line in ROUNDS), "1. one", "2. two",
-    ]  # fmt: skip
+        "## Ball",
+        "It is",
+        "small & red.",
+        *(f"| {line.replace(': ', ' | ')} |" for line in ROUNDS),
+        "1. one",
+        "2. two",
+    ]
     assert [data for _, data in text.photos] == [photo()]
     assert counts(text) == [6, 12, 18]
 
@@ -115,8 +127,15 @@ def test_pdfs_with_columns_heads_and_page_numbers(tmp_path):
     write_pdf(tmp_path / "ball.pdf", pages)
     text = files.read(tmp_path / "ball.pdf", ("Text",))
     lines = [line for line in text.text.split("\n") if line]
-    assert lines == ["## Ball", *left, *right, "Rnd 1 6 sc in magic ring (6)", "Rnd 2 inc x 6 (12)", "Rnd 3 (sc, inc) x 6 (18)",
-                     "Weave in the ends."]  # fmt: skip
+    assert lines == [
+        "## Ball",
+        *left,
+        *right,
+        "Rnd 1 6 sc in magic ring (6)",
+        "Rnd 2 inc x 6 (12)",
+        "Rnd 3 (sc, inc) x 6 (18)",
+        "Weave in the ends.",
+    ]
 
 
 def test_a_scan_is_refused_in_one_line(tmp_path):

@@ -181,8 +181,16 @@ def test_text_forms_and_polygons(tmp_path: Path) -> None:
 @pytest.mark.parametrize("suffix", [".glb", ".gltf", ".obj", ".ply", ".stl"])
 def test_what_is_no_mesh_is_told(tmp_path: Path, suffix: str) -> None:
     path = tmp_path / f"m{suffix}"
-    for raw in (b"", b"hello", b"glTF\2\0\0\0\xff\xff\xff\xff", b"ply\nformat ascii 1.0\nelement vertex 9\nend_header\n",
-                b"f 1 2 3\n", b"v 1 2\n", b"{}", b'{"nodes": [{"children": [0]}], "scenes": [{"nodes": [0]}]}'):  # fmt: skip
+    for raw in (
+        b"",
+        b"hello",
+        b"glTF\2\0\0\0\xff\xff\xff\xff",
+        b"ply\nformat ascii 1.0\nelement vertex 9\nend_header\n",
+        b"f 1 2 3\n",
+        b"v 1 2\n",
+        b"{}",
+        b'{"nodes": [{"children": [0]}], "scenes": [{"nodes": [0]}]}',
+    ):
         path.write_bytes(raw)
         with pytest.raises(TambourError):
             files.read(path, ["Mesh"])

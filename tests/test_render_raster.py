@@ -162,8 +162,10 @@ def test_light_is_the_same_whether_things_come_at_once_or_one_after_the_other() 
     for some in (one.faces, two.faces + len(one.vertices)):
         light.stand(made, points, some, threads=2, closed=True)
     np.testing.assert_array_equal(made.depth, at_once.depth)
-    sky, lamp = (light.unbroken(points, *(v[own] for v in light.studio(0.4, 7, 3)), size=90)
-                 for own in (slice(0, 7), slice(7, 10)))  # fmt: skip
+    sky, lamp = (
+        light.unbroken(points, *(v[own] for v in light.studio(0.4, 7, 3)), size=90)
+        for own in (slice(0, 7), slice(7, 10))
+    )
     for part in (sky, lamp):
         light.stand(part, points, faces, threads=1, closed=True)
     np.testing.assert_array_equal(light.together(sky, lamp).depth, at_once.depth)

@@ -241,9 +241,15 @@ def test_what_is_made_once_can_be_written_often(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["[" * 100_000, "{}", '{"craft": ["ink"]}', '{"craft": "weave", "params": [1], "source": null}',
-     '{"craft": "weave", "params": {}, "source": {"path": 7}}', '{"craft": "weave", "params": {}, "source": null, "files": "a.svg"}'],
-)  # fmt: skip
+    [
+        "[" * 100_000,
+        "{}",
+        '{"craft": ["ink"]}',
+        '{"craft": "weave", "params": [1], "source": null}',
+        '{"craft": "weave", "params": {}, "source": {"path": 7}}',
+        '{"craft": "weave", "params": {}, "source": null, "files": "a.svg"}',
+    ],
+)
 def test_what_is_no_report_is_told(text: str, tmp_path: Path) -> None:
     (tmp_path / "r.json").write_text(text)
     code, said = call("run", tmp_path / "r.json")

@@ -39,9 +39,12 @@ def test_schemathesis_finds_no_5xx(tmp_path: Path) -> None:
 
             @given(case=operation.as_strategy(), real=st.booleans())
             @settings(
-                max_examples=12, deadline=None, derandomize=True, phases=[Phase.generate],
+                max_examples=12,
+                deadline=None,
+                derandomize=True,
+                phases=[Phase.generate],
                 suppress_health_check=list(HealthCheck),
-            )  # fmt: skip
+            )
             def tried(case: Any, real: bool) -> None:
                 path = case.path
                 for name, value in (case.path_parameters or {}).items():

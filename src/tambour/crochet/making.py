@@ -33,9 +33,14 @@ def making(piece: Plush, *, frames: int = FRAMES, width: int = WIDTH) -> Iterato
     for k in range(1, count + 1):
         mesh = whole if k == count else upto(piece, -(-total * k // count))
         yield picture(
-            mesh, width=width, height=width, azimuth=THREE_QUARTER[0], elevation=radians(14.0), lights=LIGHTS,
+            mesh,
+            width=width,
+            height=width,
+            azimuth=THREE_QUARTER[0],
+            elevation=radians(14.0),
+            lights=LIGHTS,
             frame=whole.vertices,
-        )  # fmt: skip
+        )
 
 
 def upto(piece: Plush, stitches: int) -> Mesh:

@@ -37,9 +37,13 @@ def live(piece: Piece) -> Packed:
     k = stitches(plan)
     radius = piece.params.thread / 2
     led = curves(
-        plan.xy[k - 1], plan.xy[k], radius=radius, theta=float(np.radians(piece.params.theta)),
-        ends=piece.params.ends, base=piece.elevation[k],
-    )  # fmt: skip
+        plan.xy[k - 1],
+        plan.xy[k],
+        radius=radius,
+        theta=float(np.radians(piece.params.theta)),
+        ends=piece.params.ends,
+        base=piece.elevation[k],
+    )
     unit = k[led.stitch]
     threads = np.array([t.rgb for t in plan.threads], np.uint8).reshape(-1, 3)
     coords = np.column_stack([led.plan[:, 0], led.height, led.plan[:, 1]])

@@ -181,9 +181,11 @@ def _lines(runs: list[Run]) -> list[list[Run]]:
     for run in sorted(runs, key=lambda r: (r.top + r.low, r.left)):
         last = made[-1] if made else None
         middle = 0.5 * (run.top + run.low)
-        if last and min(r.top for r in last) < middle < max(r.low for r in last) and not any(
-            r.left < run.right - 1.0 and run.left < r.right - 1.0 for r in last
-        ):  # fmt: skip
+        if (
+            last
+            and min(r.top for r in last) < middle < max(r.low for r in last)
+            and not any(r.left < run.right - 1.0 and run.left < r.right - 1.0 for r in last)
+        ):
             last.append(run)
         else:
             made.append([run])

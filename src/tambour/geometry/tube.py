@@ -69,8 +69,20 @@ def frames(coords: F8x2, offsets: I8x1, tangent: F8x2, across: F8x2, side: F8x2)
 
 
 @kernel
-def _rings(coords: F8x2, offsets: I8x1, radius: F8x1, tangent: F8x2, across: F8x2, sides: int, lay: float,
-           plies: int, groove: float, vertices: F8x2, uv: F8x2, faces: I4x2) -> None:  # fmt: skip
+def _rings(
+    coords: F8x2,
+    offsets: I8x1,
+    radius: F8x1,
+    tangent: F8x2,
+    across: F8x2,
+    sides: int,
+    lay: float,
+    plies: int,
+    groove: float,
+    vertices: F8x2,
+    uv: F8x2,
+    faces: I4x2,
+) -> None:
     """Vertices, uv and faces of all tubes: per strand a pole, its rings, a pole; two more rings round off the ends."""
     vertex, face = 0, 0
     for s in range(len(offsets) - 1):

@@ -203,9 +203,17 @@ def _pool(
                     turn = 2.399963229728653 * tap
                     u, v = far * cos(turn), far * sin(turn)
                     lit += seen(
-                        k, px + u * axes[k, 0, 0] + v * axes[k, 1, 0], height + u * axes[k, 0, 1] + v * axes[k, 1, 1],
-                        pz + u * axes[k, 0, 2] + v * axes[k, 1, 2], axes, origin, texel, direction, depth, 0.5,
-                    )  # fmt: skip
+                        k,
+                        px + u * axes[k, 0, 0] + v * axes[k, 1, 0],
+                        height + u * axes[k, 0, 1] + v * axes[k, 1, 1],
+                        pz + u * axes[k, 0, 2] + v * axes[k, 1, 2],
+                        axes,
+                        origin,
+                        texel,
+                        direction,
+                        depth,
+                        0.5,
+                    )
                 for c in range(3):
                     share[row, column, c] += lit / taps * weight[k, c] * direction[k, 1] / whole[c]
 
@@ -224,9 +232,21 @@ def floor_light(lights: Lights, low: Array, high: Array, cells: int = 160, taps:
     lamps, skies = max(1, int(lights.key.sum())), max(1, int((~lights.key).sum()))
     width = np.where(lights.key, 0.24 / sqrt(lamps), 2 / sqrt(skies))
     _pool(
-        share, middle[0] - reach, middle[2] - reach, step, low[1], middle, width, lights.direction, lights.weight,
-        lights.axes, lights.origin, lights.texel, lights.depth, taps,
-    )  # fmt: skip
+        share,
+        middle[0] - reach,
+        middle[2] - reach,
+        step,
+        low[1],
+        middle,
+        width,
+        lights.direction,
+        lights.weight,
+        lights.axes,
+        lights.origin,
+        lights.texel,
+        lights.depth,
+        taps,
+    )
     # Towards the rim the floor fades into the open one.
     t = np.abs(np.linspace(-1, 1, cells))
     rim = np.clip((1 - np.maximum(t[:, None], t[None, :])) / 0.3, 0, 1)[..., None]

@@ -101,12 +101,34 @@ def picture(
     palette = linear(np.arange(256) / 255.0)
     color = np.broadcast_to(np.array(PLAIN, np.uint8), mesh.vertices.shape) if mesh.color is None else mesh.color
     arguments = (
-        near, face, x, y, z, mesh.vertices, vertex_normals(mesh.vertices, mesh.faces), mesh.faces, mesh.smooth,
-        palette[color], np.zeros((0, 2)) if mesh.uv is None else mesh.uv, group, table, camera.eye, camera.axes,
-        camera.scale, lit.direction, lit.weight, lit.key, lit.axes, lit.origin, lit.texel, lit.depth,
-        _backdrop(height, background), float(points[:, 1].min()) if ground else np.nan,
-        patch, plot,
-    )  # fmt: skip
+        near,
+        face,
+        x,
+        y,
+        z,
+        mesh.vertices,
+        vertex_normals(mesh.vertices, mesh.faces),
+        mesh.faces,
+        mesh.smooth,
+        palette[color],
+        np.zeros((0, 2)) if mesh.uv is None else mesh.uv,
+        group,
+        table,
+        camera.eye,
+        camera.axes,
+        camera.scale,
+        lit.direction,
+        lit.weight,
+        lit.key,
+        lit.axes,
+        lit.origin,
+        lit.texel,
+        lit.depth,
+        _backdrop(height, background),
+        float(points[:, 1].min()) if ground else np.nan,
+        patch,
+        plot,
+    )
     out = np.zeros((height, width, 4), np.float32)
     # Rows are dealt out in bands; every band writes its own, so their number changes no byte.
     edges = np.linspace(0, height, 4 * threads + 1).astype(int).tolist()

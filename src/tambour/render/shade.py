@@ -25,11 +25,38 @@ def _noise(row: int, column: int) -> float:
 
 @kernel
 def shade(
-    out: F4x3, first: int, last: int, samples: int, near: F4x2, face: I4x2, x: F8x1, y: F8x1, z: F8x1,
-    vertices: F8x2, normals: F8x2, faces: I4x2, smooth: bool, color: F8x2, uv: F8x2, material: I4x1,
-    table: F8x2, eye: F8x1, axes: F8x2, scale: float, direction: F8x2, weight: F8x2, key: B1x1, maps: F8x3,
-    origin: F8x2, texel: F8x1, depth: F4x3, backdrop: F8x2, ground: float, pool: F8x3, plot: F8x1,
-) -> None:  # fmt: skip
+    out: F4x3,
+    first: int,
+    last: int,
+    samples: int,
+    near: F4x2,
+    face: I4x2,
+    x: F8x1,
+    y: F8x1,
+    z: F8x1,
+    vertices: F8x2,
+    normals: F8x2,
+    faces: I4x2,
+    smooth: bool,
+    color: F8x2,
+    uv: F8x2,
+    material: I4x1,
+    table: F8x2,
+    eye: F8x1,
+    axes: F8x2,
+    scale: float,
+    direction: F8x2,
+    weight: F8x2,
+    key: B1x1,
+    maps: F8x3,
+    origin: F8x2,
+    texel: F8x1,
+    depth: F4x3,
+    backdrop: F8x2,
+    ground: float,
+    pool: F8x3,
+    plot: F8x1,
+) -> None:
     """Fill rows ``first`` to ``last`` - 1 of ``out`` (H, W, 4) float32: linear light and coverage.
 
     samples : along each side of a pixel; near, face : (H s, W s) of :func:`cover`; x, y, z : (V,) as given to it

@@ -28,8 +28,13 @@ async def check(studio: Studio, request: Request, body: CheckIn) -> dict[str, An
     what = known_craft(request.path_params["craft"])
     asked = set(what.params.files())
     job = {
-        "do": "check", "lane": "check", "craft": what.name, "text": body.text, "name": clean_name(body.name),
-        "params": {k: v for k, v in body.params.items() if k not in asked}, "edits": body.edits,
-    }  # fmt: skip
+        "do": "check",
+        "lane": "check",
+        "craft": what.name,
+        "text": body.text,
+        "name": clean_name(body.name),
+        "params": {k: v for k, v in body.params.items() if k not in asked},
+        "edits": body.edits,
+    }
     told = await until_left(request, studio.pool.run(job, seconds=limits.CHECK_SECONDS))
     return {"problems": told["problems"], "steps": told["steps"], "counts": told["counts"]}

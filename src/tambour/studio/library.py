@@ -296,10 +296,19 @@ class Library:
             "INSERT INTO revision (piece, parent, name, source, params, files, edits, edition, version, at, said)"
             " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
             (
-                piece, parent, content.name, source, _json(content.params), _json(content.files),
-                _json(content.edits), content.edition, content.version, at, said,
+                piece,
+                parent,
+                content.name,
+                source,
+                _json(content.params),
+                _json(content.files),
+                _json(content.edits),
+                content.edition,
+                content.version,
+                at,
+                said,
             ),
-        ).lastrowid  # fmt: skip
+        ).lastrowid
         assert made is not None
         if parent is not None:
             self._db.execute("UPDATE revision SET next = ? WHERE id = ?", (made, parent))

@@ -25,11 +25,20 @@ _PROBLEM = {
 }
 _PROBLEMS = {"type": "object", "properties": {"problems": {"type": "array", "items": _PROBLEM}}}
 REFUSALS = {
-    "400": "what was sent is no JSON", "401": "no token", "403": "sent by another page", "404": "not there",
-    "408": "the rest did not come", "409": "changed elsewhere", "413": "too large", "415": "of another type than JSON",
-    "422": "cannot be made of this", "429": "too much at once", "499": "the page left", "503": "the making was stopped",
+    "400": "what was sent is no JSON",
+    "401": "no token",
+    "403": "sent by another page",
+    "404": "not there",
+    "408": "the rest did not come",
+    "409": "changed elsewhere",
+    "413": "too large",
+    "415": "of another type than JSON",
+    "422": "cannot be made of this",
+    "429": "too much at once",
+    "499": "the page left",
+    "503": "the making was stopped",
     "507": "the disk is full",
-}  # fmt: skip
+}
 
 
 def document() -> dict[str, Any]:
@@ -53,11 +62,13 @@ def document() -> dict[str, Any]:
 def _operation(route: Route, schemas: dict[str, Any]) -> dict[str, Any]:
     found = [
         {
-            "name": name, "in": "path", "required": True,
+            "name": name,
+            "in": "path",
+            "required": True,
             "schema": {"type": "string", "pattern": f"^{PARAMETERS[name]}$"},
         }
         for name in re.findall(r"\{(\w+)\}", route.path)
-    ]  # fmt: skip
+    ]
     found += [
         {"name": name, "in": "query", "required": False, "description": text, "schema": {"type": "string"}}
         for name, text in route.query

@@ -28,12 +28,15 @@ NAMES = {"crochet": "pattern.txt", "knit": "chart.json", "ink": "", "embroidery"
 """Craft → what a source that was typed is called."""
 EXAMPLES: dict[str, tuple[tuple[str, str, Plain], ...]] = {
     "crochet": (
-        ("Frog", "frog.acl", {}), ("Bear", "bear.txt", {}), ("Mushroom", "mushroom.acl", {}), ("Octopus", "octopus.acl", {}),
+        ("Frog", "frog.acl", {}),
+        ("Bear", "bear.txt", {}),
+        ("Mushroom", "mushroom.acl", {}),
+        ("Octopus", "octopus.acl", {}),
     ),
     "knit": (("Rose", "rose.png", {"stitches": 90}), ("Cat", "cat.png", {"stitches": 90}), ("Band", "band.csv", {})),
     "ink": (("Plum", "plum", {"span": 1024.0}), ("Autumn", "autumn", {"span": 1024.0, "season": "autumn"})),
     "embroidery": (("Botanical", "botanical.svg", {}), ("Heart", "heart.svg", {}), ("Boat", "boat.svg", {})),
-}  # fmt: skip
+}
 """Craft → what the shelf shows: a title, a file of the examples or for ink a seed, parameters."""
 
 
@@ -116,10 +119,17 @@ async def plain_piece(studio: Studio, piece: Piece) -> Plain:
 
     undo, redo = await studio.library.do(ways, studio.library)
     return {
-        "id": piece.id, "craft": piece.craft, "title": piece.title, "made": piece.made, "changed": piece.changed,
-        "head": piece.head, "thumb": f"/api/revisions/{piece.head}/thumb.webp", "binned": piece.binned is not None,
-        "undo": undo, "redo": redo,
-    }  # fmt: skip
+        "id": piece.id,
+        "craft": piece.craft,
+        "title": piece.title,
+        "made": piece.made,
+        "changed": piece.changed,
+        "head": piece.head,
+        "thumb": f"/api/revisions/{piece.head}/thumb.webp",
+        "binned": piece.binned is not None,
+        "undo": undo,
+        "redo": redo,
+    }
 
 
 async def plain_revision(studio: Studio, revision: Revision, text: bool = True) -> Plain:
@@ -133,10 +143,18 @@ async def plain_revision(studio: Studio, revision: Revision, text: bool = True) 
             raw = await studio.library.do(studio.library.blob, it.source) if plain else b""
             source["text"] = _decoded(raw) if plain else None
     return {
-        "id": revision.id, "piece": revision.piece, "parent": revision.parent, "at": revision.at,
-        "said": revision.said, "source": source, "params": dict(it.params), "files": dict(it.files),
-        "edits": list(it.edits), "edition": it.edition, "version": it.version,
-    }  # fmt: skip
+        "id": revision.id,
+        "piece": revision.piece,
+        "parent": revision.parent,
+        "at": revision.at,
+        "said": revision.said,
+        "source": source,
+        "params": dict(it.params),
+        "files": dict(it.files),
+        "edits": list(it.edits),
+        "edition": it.edition,
+        "version": it.version,
+    }
 
 
 def _decoded(raw: bytes) -> str:
@@ -292,9 +310,14 @@ async def new(studio: Studio, request: Request, body: NewPiece) -> tuple[int, Pl
         raise Answer.of(422, "say what the piece is made of: a craft, a source, an example or a seed")
     what = known_craft(called)
     content = Content(
-        name or None, digest or ("" if raw is not None else None), params, _files(body.files), tuple(body.edits),
-        1, __version__,
-    )  # fmt: skip
+        name or None,
+        digest or ("" if raw is not None else None),
+        params,
+        _files(body.files),
+        tuple(body.edits),
+        1,
+        __version__,
+    )
     content = checked(what, content)
     title = _titled(title or (Path(name).stem if name else str(params.get("seed", ""))) or what.name)
     return 201, await both(studio, await studio.library.do(studio.library.add, what.name, title, content, raw))

@@ -75,10 +75,16 @@ class Hand:
         self.folder.mkdir(mode=0o700)
         settings = {"TAMBOUR_THREADS": str(self.threads), "PYTHONUNBUFFERED": "1"}
         self.process = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", "tambour.studio.worker",
-            stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE, stderr=self.log,
-            cwd=self.folder, env={**os.environ, **settings}, start_new_session=True,
-        )  # fmt: skip
+            sys.executable,
+            "-m",
+            "tambour.studio.worker",
+            stdin=asyncio.subprocess.PIPE,
+            stdout=asyncio.subprocess.PIPE,
+            stderr=self.log,
+            cwd=self.folder,
+            env={**os.environ, **settings},
+            start_new_session=True,
+        )
         self._tasks = [asyncio.create_task(self._listen()), asyncio.create_task(self._watch())]
 
     @property
@@ -279,9 +285,14 @@ class Pool:
             await asyncio.to_thread(_laid, hand.folder, folder, spec.blobs)
             hand.key = spec.key
         return {
-            "craft": spec.craft, "key": spec.key, "params": spec.params, "edits": spec.edits,
-            "source": spec.source, "files": spec.files, "folder": str(folder),
-        }  # fmt: skip
+            "craft": spec.craft,
+            "key": spec.key,
+            "params": spec.params,
+            "edits": spec.edits,
+            "source": spec.source,
+            "files": spec.files,
+            "folder": str(folder),
+        }
 
     async def _back(self, hand: Hand) -> None:
         """A worker is free again once its job is over; or dead, and another is started in its place."""

@@ -70,10 +70,20 @@ def serve(
         log = _log(place) or nowhere
         app = application(place, tokens, hosts, base, log)
         config = uvicorn.Config(
-            app, http="h11", ws="websockets-sansio", log_level="warning", access_log=False, proxy_headers=False, server_header=False,
-            date_header=False, limit_concurrency=limits.CONNECTIONS, timeout_keep_alive=10,
-            h11_max_incomplete_event_size=limits.HEADERS, ws_max_size=limits.MESSAGE, timeout_graceful_shutdown=2,
-        )  # fmt: skip
+            app,
+            http="h11",
+            ws="websockets-sansio",
+            log_level="warning",
+            access_log=False,
+            proxy_headers=False,
+            server_header=False,
+            date_header=False,
+            limit_concurrency=limits.CONNECTIONS,
+            timeout_keep_alive=10,
+            h11_max_incomplete_event_size=limits.HEADERS,
+            ws_max_size=limits.MESSAGE,
+            timeout_graceful_shutdown=2,
+        )
         server = uvicorn.Server(config)
         address = f"{base}/?token={tokens.token}"
         if browser:

@@ -117,9 +117,15 @@ class Desk:
     def do(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """One job: what it gives, as plain values; files are left where the job says."""
         works: dict[str, Callable[[dict[str, Any], Progress], dict[str, Any]]] = {
-            "warm": self.warm, "make": self.make, "out": self.out, "report": self.report, "thumb": self.thumb,
-            "check": self.check, "tile": self.tile, "read": self.read,
-        }  # fmt: skip
+            "warm": self.warm,
+            "make": self.make,
+            "out": self.out,
+            "report": self.report,
+            "thumb": self.thumb,
+            "check": self.check,
+            "tile": self.tile,
+            "read": self.read,
+        }
         return works[job["do"]](job, progress)
 
     def warm(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:

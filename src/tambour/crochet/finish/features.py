@@ -121,9 +121,16 @@ def meshes(
     for record, at in every:
         if isinstance(record, Felt):
             mesh, middle = felt(
-                under(record.spot.part), at.points[0], at.along[0], at.up[0], record.shape, record.width,
-                record.height, record.turn, record.color,
-            )  # fmt: skip
+                under(record.spot.part),
+                at.points[0],
+                at.along[0],
+                at.up[0],
+                record.shape,
+                record.width,
+                record.height,
+                record.turn,
+                record.color,
+            )
             whole.lay(middle, 0.75)
             made.append(mesh)
     for record, at in every:
@@ -224,15 +231,21 @@ def materials(built: Built, positions: Array) -> dict[str, list[dict[str, Any]]]
         "eyes": [{"color": c, "size_mm": s, "count": n} for (c, s), n in eyes.items()],
         "embroidery": [{"color": c, "width_mm": w, "cm": round(mm / 10, 1)} for (c, w), mm in sewn.items()],
         "felt": [
-            {"color": c, "shape": s, "width_mm": w, "height_mm": h, "count": n,
-             "cm2": round(n * area(s, w, h) / 100, 2)}
+            {
+                "color": c,
+                "shape": s,
+                "width_mm": w,
+                "height_mm": h,
+                "count": n,
+                "cm2": round(n * area(s, w, h) / 100, 2),
+            }
             for (c, s, w, h), n in pieces.items()
         ],
         "hair": [
             {"color": c, "strands": n, "cut_mm": length, "metres": round(n * length / 1000, 2)}
             for (c, length), n in tufts.items()
         ],
-    }  # fmt: skip
+    }
 
 
 # Doubts --------------------------------------------------------------------------------------------------------------

@@ -117,8 +117,14 @@ def _plain(size: Size) -> dict[str, Any]:
     }
     if size.stitches:
         v = size.around
-        made["around"] = {"mm": round(v, 2), "cm": round(v / 10, 2), "in": round(v / 25.4, 2),
-                          "part": size.part, "round": size.number, "stitches": size.stitches}  # fmt: skip
+        made["around"] = {
+            "mm": round(v, 2),
+            "cm": round(v / 10, 2),
+            "in": round(v / 25.4, 2),
+            "part": size.part,
+            "round": size.number,
+            "stitches": size.stitches,
+        }
     return made
 
 

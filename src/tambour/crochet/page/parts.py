@@ -222,8 +222,12 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
         whole = " ".join(words.lower() for _, words, _ in said)
         ours = [(row, row.words.lower()) for row in rows if not row.label and not row.colors]
         stuffs = _said(book, "stuff")
-        drop = [row for row, words in ours if (stuffs & set(words.rstrip(".").split()[:1]) and "stuff" in whole)
-                or (words in _ends(book) and re.search(r"fasten off|finish off|\bfo\b|break yarn|cut yarn", whole))]  # fmt: skip
+        drop = [
+            row
+            for row, words in ours
+            if (stuffs & set(words.rstrip(".").split()[:1]) and "stuff" in whole)
+            or (words in _ends(book) and re.search(r"fasten off|finish off|\bfo\b|break yarn|cut yarn", whole))
+        ]
         rows = [row for row in rows if row not in drop]
     if said and said[0][0] == 0 and rows and rows[0].colors and not rows[0].label and _WITH.match(said[0][1]):
         rows[0], said = replace(rows[0], words=said[0][1]), said[1:]  # the colour in her words

@@ -120,9 +120,15 @@ def whole(album: Album, width: int, height: int) -> Picture:
     room[:, 1] = np.maximum(room[:, 1], points[:, 1].min())
     elevation = _ABOVE if lies(album.piece) else _VIEW[1]
     seen = picture(
-        made, width=width, height=height, azimuth=_VIEW[0], elevation=elevation, background=BACKDROP, frame=room,
+        made,
+        width=width,
+        height=height,
+        azimuth=_VIEW[0],
+        elevation=elevation,
+        background=BACKDROP,
+        frame=room,
         lit=album.light(in_sight(album.piece) or album.all, album.face, _VIEW[0], MANY),
-    )  # fmt: skip
+    )
     paper = np.round(coded(film(linear(np.array(BACKDROP) / 255.0))) * 255).astype(np.float32)
     y = np.linspace(0.0, 1.0, height, dtype=np.float32)
     x = np.linspace(0.0, 1.0, width, dtype=np.float32)
@@ -140,9 +146,15 @@ def of_parts(album: Album, parts: Sequence[int], width: int, height: int) -> Pic
     from tambour.render.raster import picture
 
     return picture(
-        album.partial(parts), width=width, height=height, azimuth=_VIEW[0], elevation=_VIEW[1], ground=False,
-        background=BACKDROP, lights=sum(FEW),
-    )  # fmt: skip
+        album.partial(parts),
+        width=width,
+        height=height,
+        azimuth=_VIEW[0],
+        elevation=_VIEW[1],
+        ground=False,
+        background=BACKDROP,
+        lights=sum(FEW),
+    )
 
 
 def from_side(album: Album, side: str, width: int, height: int) -> Picture:
@@ -162,9 +174,16 @@ def from_side(album: Album, side: str, width: int, height: int) -> Picture:
         for y in (points[:, 1].min(), points[:, 1].max())
     ]
     return picture(
-        album.partial(album.all, album.face), width=width, height=height, azimuth=azimuth, elevation=elevation,
-        ground=False, background=BACKDROP, frame=np.concatenate(drum), lit=album.light(album.all, album.face, azimuth),
-    )  # fmt: skip
+        album.partial(album.all, album.face),
+        width=width,
+        height=height,
+        azimuth=azimuth,
+        elevation=elevation,
+        ground=False,
+        background=BACKDROP,
+        frame=np.concatenate(drum),
+        lit=album.light(album.all, album.face, azimuth),
+    )
 
 
 def of_step(album: Album, step: Step, frame: Array, width: int, height: int) -> Picture:
@@ -183,7 +202,13 @@ def of_step(album: Album, step: Step, frame: Array, width: int, height: int) -> 
         near = np.isin(part, [k for k in step.parts if x[part == k, 1].min(initial=np.inf) >= low])
         frame, view = skin(piece, np.flatnonzero(near)), _NEAR
     return picture(
-        album.partial(step.parts, step.finishes, fresh), width=width, height=height, azimuth=view[0],
-        elevation=view[1], ground=False, background=BACKDROP, frame=frame,
+        album.partial(step.parts, step.finishes, fresh),
+        width=width,
+        height=height,
+        azimuth=view[0],
+        elevation=view[1],
+        ground=False,
+        background=BACKDROP,
+        frame=frame,
         lit=album.light(step.parts, step.finishes, view[0]),
-    )  # fmt: skip
+    )

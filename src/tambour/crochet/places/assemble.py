@@ -25,9 +25,8 @@ _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
 _NO_GUESS: Final = Where(shown=True)
 FLAT: Final = frozenset(
-    ("ear", "wing", "fin", "fluke", "leaf", "hat", "spot", "cheek", "eye", "tuft", "collar", "bow", "spike", "inner", "door",
-     "tooth", "face", "beard", "worn")
-)  # fmt: skip
+    "ear wing fin fluke leaf hat spot cheek eye tuft collar bow spike inner door tooth face beard worn".split()
+)
 """Kinds of parts that are not stuffed, unless it is said."""
 
 
@@ -181,9 +180,13 @@ class Assembly(Toy):
         head = self.of_kind("head")
         faces = [f.where.rounds[0] for f in self.heard.features if f.where.rounds and self._is_on(f, main)]
         faces += [
-            p.where.rounds[0] for p in self.heard.puts
-            if p.where.rounds and p.host and p.host[0] == main and p.copies[0][0].kind in ("eye", "muzzle", "nose", "beak")
-        ]  # fmt: skip
+            p.where.rounds[0]
+            for p in self.heard.puts
+            if p.where.rounds
+            and p.host
+            and p.host[0] == main
+            and p.copies[0][0].kind in ("eye", "muzzle", "nose", "beak")
+        ]
         early = bool(faces) and (np.mean(faces) - low + 1) / (high - low + 1) < _LOW
         if (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
             return "side"
@@ -282,10 +285,19 @@ class Assembly(Toy):
     def _another(p: Put, puts: list[Put]) -> bool:
         """Whether ears are of another version of the toy: there is a pair at that place already."""
         made = p.copies[0][0]
-        return p.kind == "ear" and "inner" not in made.words and p.where.rounds is None and any(
-            q.kind == "ear" and "inner" not in q.copies[0][0].words and q.host == p.host
-            and len(q.copies) == len(p.copies) == 2 and q.where.words == p.where.words for q in puts
-        )  # fmt: skip
+        return (
+            p.kind == "ear"
+            and "inner" not in made.words
+            and p.where.rounds is None
+            and any(
+                q.kind == "ear"
+                and "inner" not in q.copies[0][0].words
+                and q.host == p.host
+                and len(q.copies) == len(p.copies) == 2
+                and q.where.words == p.where.words
+                for q in puts
+            )
+        )
 
     def _goes_on_head(self, p: Put) -> bool:
         from tambour.crochet.places.usual import usual

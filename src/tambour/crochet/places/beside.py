@@ -83,9 +83,14 @@ class Beside:
         lean = 0.45 if "slightly" in said else 1.3
         base = np.array(axis if axis is not None else (x, y, z), float)
         base = base / max(float(np.sqrt(base @ base)), 1e-9)
-        for word, to in (("outwards", (sign if x else 0.0, 0.1, 0.0)), ("upwards", (0.0, 1.0, 0.0)),
-                         ("downwards", (0.0, -1.0, 0.0)), ("forwards", (0.0, 0.0, 1.0)), ("backwards", (0.0, 0.0, -1.0)),
-                         ("inwards", (-sign if x else 0.0, 0.0, 0.0))):  # fmt: skip
+        for word, to in (
+            ("outwards", (sign if x else 0.0, 0.1, 0.0)),
+            ("upwards", (0.0, 1.0, 0.0)),
+            ("downwards", (0.0, -1.0, 0.0)),
+            ("forwards", (0.0, 0.0, 1.0)),
+            ("backwards", (0.0, 0.0, -1.0)),
+            ("inwards", (-sign if x else 0.0, 0.0, 0.0)),
+        ):
             if word in said and not (word == "forwards" and way.turn == 180.0):
                 base = base + lean * np.array(to)
                 axis = (float(base[0]), float(base[1]), float(base[2]))

@@ -41,7 +41,10 @@ def motifs(text: str) -> list[str]:
     plain = re.sub(
         r"\b(?:below|under|beneath|above|over|between|beside|next to|in line with|level with|bottom of|top of|tip of|"
         r"cent(?:er|re) of|sides? of|from|near|to|of|onto|on|around)\s+(?:the\s+|each\s+|both\s+|safety\s+|its\s+|your\s+)*(?:bottom of the )?"
-        r"(?:eyes?|nose|mouth|muzzle|snout|cheeks?|ears?|smile|eyebrows?)\b", " ", text)  # fmt: skip
+        r"(?:eyes?|nose|mouth|muzzle|snout|cheeks?|ears?|smile|eyebrows?)\b",
+        " ",
+        text,
+    )
     found = [(m.start(), name) for name, seen in _SEEN.items() if (m := seen.search(plain))]
     names = [name for _, name in sorted(found)]
     if "smile" in names and "mouth" in names:
@@ -128,16 +131,29 @@ def _oval(wide: float, high: float) -> Stroke:
 
 
 USUAL: Final[dict[str, float]] = {
-    "nose": 3.0, "v nose": 2.6, "y nose": 2.4, "mouth": 4.0, "smile": 5.0, "brows": 2.6, "cheeks": 2.4,
-    "whiskers": 4.0, "lashes": 1.8, "freckles": 1.6, "eyes": 1.5, "closed eyes": 3.0, "claws": 2.4, "navel": 1.0,
+    "nose": 3.0,
+    "v nose": 2.6,
+    "y nose": 2.4,
+    "mouth": 4.0,
+    "smile": 5.0,
+    "brows": 2.6,
+    "cheeks": 2.4,
+    "whiskers": 4.0,
+    "lashes": 1.8,
+    "freckles": 1.6,
+    "eyes": 1.5,
+    "closed eyes": 3.0,
+    "claws": 2.4,
+    "navel": 1.0,
     "dots": 1.0,
-}  # fmt: skip
+}
 """How many stitches wide a motif is, unless it is said."""
 _THICK: Final = {"nose": 2.2, "eyes": 2.0, "cheeks": 2.0, "whiskers": 1.2, "lashes": 1.2, "freckles": 1.4}
 
 
-def embroidered(host: Host, name: str, point: Array, wide: float, mirror: bool, color: RGB, span: Span,
-                tall: float | None = None) -> list[Embroidery]:  # fmt: skip
+def embroidered(
+    host: Host, name: str, point: Array, wide: float, mirror: bool, color: RGB, span: Span, tall: float | None = None
+) -> list[Embroidery]:
     """A motif about a point of a host, in strokes that lie on its fabric; ``mirror``: the left one of a pair;
     ``tall``: how many rounds it is high, where that is said."""
     spot = host.near(point, 0.1)

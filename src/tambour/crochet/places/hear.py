@@ -281,9 +281,11 @@ class Heard:
     def _on(self, found: list[Mention], low: str) -> Copy | None:
         """The part that a face is on: one that is named after "on", "of", "to", and made once."""
         single = [
-            m for m in found
-            if (len(m.copies) == 1 or m.word in ("foot", "paw", "leg", "arm", "hand")) and not _NEAR.search(low[: m.start])
-        ]  # fmt: skip
+            m
+            for m in found
+            if (len(m.copies) == 1 or m.word in ("foot", "paw", "leg", "arm", "hand"))
+            and not _NEAR.search(low[: m.start])
+        ]
         return single[-1].copies[0] if single else None
 
     @staticmethod

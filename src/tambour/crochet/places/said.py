@@ -13,8 +13,10 @@ VERB: Final = re.compile(
 )
 """Words that put something somewhere."""
 
-_NUMBERS: Final = {w: k for k, w in enumerate(
-    ["zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"])}  # fmt: skip
+_NUMBERS: Final = {
+    w: k for k, w in enumerate("zero one two three four five six seven eight nine ten eleven twelve".split())
+}
+_SIDES: Final = frozenset("top bottom front back sides left right upper lower middle neck tip forehead".split())
 _N: Final = r"(?:\d+(?:\.\d+)?|one|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve)"
 _ROUND: Final = r"(?:rounds?|rnds?|rds?|rows?|rnd\.|r)"
 _ST: Final = r"(?:stitches|stitch|sts?|sc|dc|spaces?|loops?)"
@@ -107,7 +109,7 @@ class Where:
     @property
     def says(self) -> bool:
         """Whether it says anything of a place."""
-        return bool(self.rounds or self.beside or self.words & {"top", "bottom", "front", "back", "sides", "left", "right", "upper", "lower", "middle", "neck", "tip", "forehead"})  # fmt: skip
+        return bool(self.rounds or self.beside or self.words & _SIDES)
 
 
 def where(text: str) -> Where:
@@ -131,7 +133,9 @@ def where(text: str) -> Where:
     )
     return Where(
         rounds,
-        float(stitch[1]) if (stitch and found is None) or (stitch and not re.search(r"(?:st|stitch)\s+\d+\s*(?:rnd|round)", text)) else None,
+        float(stitch[1])
+        if (stitch and found is None) or (stitch and not re.search(r"(?:st|stitch)\s+\d+\s*(?:rnd|round)", text))
+        else None,
         steps,
         length(mm[1], mm[2]) if mm and apart is None else None,
         number(wide[1] or wide[2]) if wide else None,
@@ -140,7 +144,7 @@ def where(text: str) -> Where:
         None if angle is None else float(angle[1]) if angle[1] else 30.0,
         bool(_SHOWN.search(text)),
         text,
-    )  # fmt: skip
+    )
 
 
 def number(word: str) -> float:

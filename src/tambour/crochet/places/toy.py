@@ -46,8 +46,9 @@ class Toy:
         self.built, self.stitch, self.eye = built, stitch, eye
         self.spots = Spots(built)
         self.stand = Stand(self.spots)
-        named = [Made(p.name, p.copies) for p in built.pattern.parts
-                 if f"{p.name}.1" in self.spots.parts and p.name in names]  # fmt: skip
+        named = [
+            Made(p.name, p.copies) for p in built.pattern.parts if f"{p.name}.1" in self.spots.parts and p.name in names
+        ]
         self.parts = [p for p in named if self.size(p) > 2] or named
         self.main = self.parts[0] if self.parts else Made("", 1)
         self.up = {p.name: p.up for p in built.pattern.parts}

@@ -36,8 +36,13 @@ class Way:
         def other(v: Vector) -> Vector:
             return (-v[0], v[1], v[2])
 
-        return replace(self, at=other(self.at), axis=None if self.axis is None else other(self.axis),
-                       line=other(self.line), turn=-self.turn)  # fmt: skip
+        return replace(
+            self,
+            at=other(self.at),
+            axis=None if self.axis is None else other(self.axis),
+            line=other(self.line),
+            turn=-self.turn,
+        )
 
     @property
     def direction(self) -> Array:
@@ -131,8 +136,9 @@ _LYING_PAIRS: Final[dict[str, Way]] = {
 }
 
 
-def usual(kind: str, copies: int, *, lying: bool = False, long: bool = False, words: frozenset[str] = frozenset()
-          ) -> list[Way]:  # fmt: skip
+def usual(
+    kind: str, copies: int, *, lying: bool = False, long: bool = False, words: frozenset[str] = frozenset()
+) -> list[Way]:
     """The ways of the copies of a part: the one with the lower stitch number is on the toy's left.
 
     lying : what it is put on lies; long : it is much longer than wide; words : of its name and of the sentence

@@ -70,8 +70,12 @@ def assembled(built: Built, said: list[Said], phrases: Phrases, palette: Palette
         found = _assembly(built, mine, names).assemble(usual)
         made.finish += found.finish
         made.ups |= found.ups
-        for whole, more in ((made.guessed, found.guessed), (made.loose, found.loose), (made.apart, found.apart),
-                            (made.unstuffed, found.unstuffed)):  # fmt: skip
+        for whole, more in (
+            (made.guessed, found.guessed),
+            (made.loose, found.loose),
+            (made.apart, found.apart),
+            (made.unstuffed, found.unstuffed),
+        ):
             whole += more
         made.lost += found.lost
     return made

@@ -73,8 +73,14 @@ class Printed(State):
             self.parts[0].name = "piece" if len(self.parts) == 1 or "body" in taken else "Body"  # sentences want a name
         sections = tuple(draft.section(source) for draft in self.parts)
         self._colors_told()
-        pattern = Pattern(source.text, sections, source.stitches, max_stitches=max_stitches,
-                          terms=self.language.code, stated=self.stated)  # fmt: skip
+        pattern = Pattern(
+            source.text,
+            sections,
+            source.stitches,
+            max_stitches=max_stitches,
+            terms=self.language.code,
+            stated=self.stated,
+        )
         if all(p.warning for p in source.problems):
             pattern, built, found = mended(pattern)
             if built is not None:

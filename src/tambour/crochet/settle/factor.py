@@ -146,9 +146,17 @@ def _columns(offsets: I8x1, neighbours: I4x1, order: I8x1, parent: I8x1, start: 
 
 @kernel
 def _numbers(
-    offsets: I8x1, neighbours: I4x1, weight: F8x1, diagonal: F8x1, order: I8x1, parent: I8x1, start: I8x1,
-    row: I4x1, value: F8x1, pivot: F8x1,
-) -> None:  # fmt: skip
+    offsets: I8x1,
+    neighbours: I4x1,
+    weight: F8x1,
+    diagonal: F8x1,
+    order: I8x1,
+    parent: I8x1,
+    start: I8x1,
+    row: I4x1,
+    value: F8x1,
+    pivot: F8x1,
+) -> None:
     """L by columns (row, value; unit diagonal) and the pivots D (N,), of a matrix with -weight beside its diagonal."""
     n = len(order)
     place, flag, filled = np.empty(n, np.int64), np.full(n, -1), start[:n].copy()

@@ -190,8 +190,12 @@ def push(coords: F8x2, pairs: I4x2, apart: float, rounds: int, move: F8x2, weigh
             share = 0.5 * (apart - gap) / gap
             own, other = (1 - s) ** 2 + s * s, (1 - t) ** 2 + t * t
             for c in range(3):
-                d = (coords[i, c] + s * (coords[i + 1, c] - coords[i, c]) - coords[j, c]
-                     - t * (coords[j + 1, c] - coords[j, c])) * share  # fmt: skip
+                d = (
+                    coords[i, c]
+                    + s * (coords[i + 1, c] - coords[i, c])
+                    - coords[j, c]
+                    - t * (coords[j + 1, c] - coords[j, c])
+                ) * share
                 move[i, c] += (1 - s) * d / own
                 move[i + 1, c] += s * d / own
                 move[j, c] -= (1 - t) * d / other

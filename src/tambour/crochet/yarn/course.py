@@ -77,10 +77,13 @@ def leaning(graph: StitchGraph, lean: float) -> tuple[Array, Array]:
             last -= 1
         own = slice(first, last)
         if (
-            last - first < 12 or graph.peculiarity[part.start] != ROOT or joined[own].any() or not single[own].all()
+            last - first < 12
+            or graph.peculiarity[part.start] != ROOT
+            or joined[own].any()
+            or not single[own].all()
             or (graph.direction[own] != graph.direction[first]).any()
             or (graph.previous[first + 1 : last] != np.arange(first, last - 1)).any()
-        ):  # fmt: skip
+        ):
             continue
         number = np.arange(last - first)
         _, begin, count = np.unique(graph.round[own], return_index=True, return_counts=True)

@@ -52,10 +52,26 @@ def strands(
     rows = course(graph, x, LEAN[hold])
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
     place(
-        led.cell, led.below, led.at, graph.height, graph.direction, 2 * radius / RATIO, rows.x, rows.along, rows.normal,
-        rows.up, rows.after, rows.before, rows.foot, rows.pace, rows.host, rows.slip, graph.peculiarity == ROOT,
-        np.diff(graph.anchor_offsets) == 0, coords,
-    )  # fmt: skip
+        led.cell,
+        led.below,
+        led.at,
+        graph.height,
+        graph.direction,
+        2 * radius / RATIO,
+        rows.x,
+        rows.along,
+        rows.normal,
+        rows.up,
+        rows.after,
+        rows.before,
+        rows.foot,
+        rows.pace,
+        rows.host,
+        rows.slip,
+        graph.peculiarity == ROOT,
+        np.diff(graph.anchor_offsets) == 0,
+        coords,
+    )
     coords, ends, stitch = _dense(coords, ends, led.cell, 2.4 * radius)
     clear(coords, ends, 2 * radius, looks=LOOKS)
     pieces, stray = _DETAIL[detail]

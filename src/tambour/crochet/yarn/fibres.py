@@ -74,9 +74,18 @@ def halo(yarn: Strands, kind: Fibre) -> Mesh:
 
 @kernel
 def _needles(
-    coords: F8x2, tangent: F8x2, across: F8x2, radius: float, at: I8x1, part: F8x1, draw: F8x2, long: float, thick: float,
-    vertices: F8x2, faces: I4x2,
-) -> None:  # fmt: skip
+    coords: F8x2,
+    tangent: F8x2,
+    across: F8x2,
+    radius: float,
+    at: I8x1,
+    part: F8x1,
+    draw: F8x2,
+    long: float,
+    thick: float,
+    vertices: F8x2,
+    faces: I4x2,
+) -> None:
     """Vertices (4 M, 3) and faces (4 M, 3) of M needles; draw (M, 6) in 0…1."""
     out, side = np.zeros(3), np.zeros(3)
     for k in range(len(at)):

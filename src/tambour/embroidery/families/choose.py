@@ -180,9 +180,17 @@ def fill(region: Region, polygon: Paths, area: Rings, start: Place) -> Stitches:
             v = turned.points[:, 1]
             at = gradient_levels(float(v.min()), float(v.max()), p.row_spacing, p.row_spacing_end or 3 * p.row_spacing)
         return tatami(
-            turned, angle, p.row_spacing, p.length, stagger=p.stagger, jitter=p.jitter, key=number, travel=travel,
-            start=start, at=at,
-        )  # fmt: skip
+            turned,
+            angle,
+            p.row_spacing,
+            p.length,
+            stagger=p.stagger,
+            jitter=p.jitter,
+            key=number,
+            travel=travel,
+            start=start,
+            at=at,
+        )
     shape = polygon_of(area)
     if name == "meander":
         return grids.meander(shape, area, p.motif_size, p.length, f"{p.seed} {region.id}", start)

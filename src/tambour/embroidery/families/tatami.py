@@ -287,9 +287,26 @@ def tatami(
     tour, turned = np.roll(tour, -cut), np.roll(turned, -cut)
     number = np.floor(v / spacing).astype(np.int64)
     uv, kinds, run, ways, hidden, covered = emit(
-        area.points, area.at, area.offsets, area.base, v, row, number, lo, hi, ring, place, tour, turned,
-        length, stagger, min(0.5, length / 4), jitter, np.uint64(key), travel == "hidden",
-    )  # fmt: skip
+        area.points,
+        area.at,
+        area.offsets,
+        area.base,
+        v,
+        row,
+        number,
+        lo,
+        hi,
+        ring,
+        place,
+        tour,
+        turned,
+        length,
+        stagger,
+        min(0.5, length / 4),
+        jitter,
+        np.uint64(key),
+        travel == "hidden",
+    )
     if kind != FILL:
         kinds = np.where(kinds == FILL, kind, kinds).astype(np.uint8)
     return Stitches(

@@ -316,10 +316,24 @@ def flow(area: Any, spacing: float, guide: Paths | None, angle: float, seed: str
     most = int(3 * grown.area / (step * spacing)) + 1000
     pitch = spacing * CALIBRATION
     xy, line = streamlines(
-        grid, left, top, cell, mask, bounds[0], bounds[1], fine, pitch, step,
-        NEAR[0] * pitch, NEAR[1] * pitch, SEED[0] * pitch, SEED[1] * pitch,
-        np.ascontiguousarray(np.concatenate([c, spread])), most, np.uint64(name_key(seed, "flow ends")),
-    )  # fmt: skip
+        grid,
+        left,
+        top,
+        cell,
+        mask,
+        bounds[0],
+        bounds[1],
+        fine,
+        pitch,
+        step,
+        NEAR[0] * pitch,
+        NEAR[1] * pitch,
+        SEED[0] * pitch,
+        SEED[1] * pitch,
+        np.ascontiguousarray(np.concatenate([c, spread])),
+        most,
+        np.uint64(name_key(seed, "flow ends")),
+    )
     relax(xy, line, grid, left, top, cell, bounds[0] - wide, bounds[1] - wide, spacing, ROUNDS, 0.3)
     xy = even_out(xy, line, area, spacing, grid, left, top, cell)
     cuts = np.flatnonzero(np.diff(line)) + 1

@@ -171,9 +171,21 @@ def _shapes(drawing: Drawing, seen: set[str]) -> Iterator[bytes]:
         )
         out = out if len(out) >= room else np.empty(room, np.uint8)
         size = spell.shapes(
-            out, coords, paths.offsets, parts, begin, end,
-            drawing.style, looks, look, heads, head, decimals, terse, spell.brief(decimals),
-        )  # fmt: skip
+            out,
+            coords,
+            paths.offsets,
+            parts,
+            begin,
+            end,
+            drawing.style,
+            looks,
+            look,
+            heads,
+            head,
+            decimals,
+            terse,
+            spell.brief(decimals),
+        )
         yield out[:size].tobytes()
         begin = end
     yield heads[head[m] :].tobytes()

@@ -160,10 +160,25 @@ def pair_rows(
 
 @kernel
 def colour_batches(
-    mine: I8x1, cells: U1x2, error: F4x3, aim: F4x3, dark: F4x2, ways: F4x2, knit: B1x2, relaxed: B1x2,
-    soft: float, f: int, free: bool, cap: int, ring: bool, shift: int, across: F4x2, down: F4x2, table: F4x1,
+    mine: I8x1,
+    cells: U1x2,
+    error: F4x3,
+    aim: F4x3,
+    dark: F4x2,
+    ways: F4x2,
+    knit: B1x2,
+    relaxed: B1x2,
+    soft: float,
+    f: int,
+    free: bool,
+    cap: int,
+    ring: bool,
+    shift: int,
+    across: F4x2,
+    down: F4x2,
+    table: F4x1,
     changed: B1x1,
-) -> None:  # fmt: skip
+) -> None:
     """Solve the rows ``mine`` with their pairs, eight at a time, given all others; keeps ``error`` true."""
     stitches = cells.shape[1]
     bits = across.shape[1] - 1

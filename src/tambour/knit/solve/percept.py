@@ -124,10 +124,27 @@ def solve(
 
             def work(low: int, high: int, mine: Array = mine, shift: int = sweep, changed: Array = changed) -> None:
                 solve_batches(
-                    mine[low * LANES : high * LANES], cells, tone, task.start, task.knit, task.relaxed, task.locked,
-                    task.weights, np.float32(keep), soft, task.limit, task.free, task.cap, task.ring, shift,
-                    sight.across, sight.down, table, changed, failed,
-                )  # fmt: skip
+                    mine[low * LANES : high * LANES],
+                    cells,
+                    tone,
+                    task.start,
+                    task.knit,
+                    task.relaxed,
+                    task.locked,
+                    task.weights,
+                    np.float32(keep),
+                    soft,
+                    task.limit,
+                    task.free,
+                    task.cap,
+                    task.ring,
+                    shift,
+                    sight.across,
+                    sight.down,
+                    table,
+                    changed,
+                    failed,
+                )
 
             share(batches, max(1, min(32, -(-batches // 2))), work)
             if progress is not None:

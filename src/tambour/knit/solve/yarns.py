@@ -221,9 +221,23 @@ def first_pass(
         costs = np.zeros(len(possible))
         out = np.zeros((len(possible), stitches), np.uint8)
         pair_rows(
-            y, error, aim, space[possible[:, 0]], ways, knit, relaxed, soft, task.limit, task.free, task.cap,
-            eye.across, eye.down, table, costs, out,
-        )  # fmt: skip
+            y,
+            error,
+            aim,
+            space[possible[:, 0]],
+            ways,
+            knit,
+            relaxed,
+            soft,
+            task.limit,
+            task.free,
+            task.cap,
+            eye.across,
+            eye.down,
+            table,
+            costs,
+            out,
+        )
         if y and price:
             costs[np.arange(len(possible)) != chosen[y - 1]] += price
         k = int(costs.argmin()) if fixed[y] < 0 else int(fixed[y])
@@ -251,9 +265,23 @@ def table_of(
     out = np.zeros((len(possible), aim.shape[1]), np.uint8)
     for y in range(len(aim)):
         pair_rows(
-            y, error, aim, space[possible[:, 0]], ways, knit, relaxed, soft, task.limit, task.free, task.cap,
-            eye.across, eye.down, table, costs[y], out,
-        )  # fmt: skip
+            y,
+            error,
+            aim,
+            space[possible[:, 0]],
+            ways,
+            knit,
+            relaxed,
+            soft,
+            task.limit,
+            task.free,
+            task.cap,
+            eye.across,
+            eye.down,
+            table,
+            costs[y],
+            out,
+        )
 
 
 def sweep(task: Task, aim: Array, space: Array, pairs: Array, bits: Array, eye: percept.Eye, sweeps: int) -> Array:
@@ -272,9 +300,25 @@ def sweep(task: Task, aim: Array, space: Array, pairs: Array, bits: Array, eye: 
         for phase in range(min(reach + 1, len(bits))):
             mine = np.arange(phase, len(bits), reach + 1)
             colour_batches(
-                mine, bits, error, aim, dark, ways, knit, relaxed, soft, task.limit, task.free, task.cap, task.ring, turn,
-                eye.across, eye.down, table, changed,
-            )  # fmt: skip
+                mine,
+                bits,
+                error,
+                aim,
+                dark,
+                ways,
+                knit,
+                relaxed,
+                soft,
+                task.limit,
+                task.free,
+                task.cap,
+                task.ring,
+                turn,
+                eye.across,
+                eye.down,
+                table,
+                changed,
+            )
         if not changed.any():
             break
     return bits
