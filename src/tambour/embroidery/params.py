@@ -101,13 +101,13 @@ class EmbroideryParams(Params):
     fabric: Fabric = "cotton"
     """The cloth it is sewn on: sets {--pull}, {--push}, and what else it wants, where they are not given."""
 
-    pull: Length = Field(default=0.2, ge=-MOST, le=MOST)
+    pull: Length = Field(default=FABRICS["cotton"]["pull"], ge=-MOST, le=MOST)
     """Rows and satin stitches are longer by this much at each end, against the cloth's drawing in."""
 
     pull_percent: float = Field(default=0.0, ge=0, le=30)
     """Satin is wider by this share of its width too (both sides together; with {--pull} at most 1 mm on each side)."""
 
-    push: Length = Field(default=0.1, ge=0, le=MOST)
+    push: Length = Field(default=FABRICS["cotton"]["push"], ge=0, le=MOST)
     """Ends of columns and outer rows of fills stay back by this much, against the cloth's being pushed out there."""
 
     test_card: bool = False

@@ -9,6 +9,12 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from tambour.core.params import Params, file, length
 
+YARNS = 8
+"""The most yarns in a piece that is made here; a chart that is read may hold more (picture/charts.py)."""
+
+Paper = Literal["a4", "a3", "letter"]
+"""Papers that charts are printed on; their sizes stand in render/page.py."""
+
 
 def _limit(value: Any) -> Any:
     text = str(value).strip()
@@ -117,7 +123,7 @@ class KnitParams(Params):
             name: {"method": ("random-walk", "hybrid")}
             for name in ("walk_sample", "walk_stop", "walk_gain", "walk_steps")
         },
-        **{name: {"yarns": (None, 3, 4, 5, 6, 7, 8)} for name in ("switch", "max_switches")},
+        **{name: {"yarns": (None, *range(3, YARNS + 1))} for name in ("switch", "max_switches")},
         "back": {"technique": ("jacquard",)},
     }
 
@@ -231,7 +237,7 @@ class KnitParams(Params):
     """Report on an existing chart, one pixel per stitch, and change nothing."""
 
     # --- yarns
-    yarns: int | None = Field(default=None, ge=2, le=8)
+    yarns: int | None = Field(default=None, ge=2, le=YARNS)
     """Yarns in the whole piece. Without it as many as there are {--colors}, or 2; intarsia and jacquard take what the
     picture has: the colours of flat art, 5 and 4 for a photograph."""
     colors: tuple[str, ...] = ()
@@ -249,7 +255,7 @@ class KnitParams(Params):
     # --- making and seeing
     title: str = Field(default="", max_length=80)
     """What the pattern is called, on its pages."""
-    page: Literal["a4", "a3", "letter"] = "a4"
+    page: Paper = "a4"
     """Paper of the printed pattern."""
     large_cells: bool = False
     """Draw the chart with large cells, on more pages."""

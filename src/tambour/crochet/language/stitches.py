@@ -83,7 +83,10 @@ POSTS: Final = {end + kind: max(0.75, HEIGHTS[kind] - 0.4) for kind in list(HEIG
 KINDS: Final = {**HEIGHTS, **POSTS}
 """Every plain stitch → its height."""
 
-STANDING: Final = {"ch1sc": "sc", "ch2hdc": "hdc", "ch3dc": "dc", "ch4tr": "tr", "ch5dtr": "dtr"}
+CHAINS: Final = {"sc": 1, "hdc": 2, "dc": 3, "tr": 4, "dtr": 5}
+"""Kinds that a chain stands for → its length; the same have stitches around the post."""
+
+STANDING: Final = {f"ch{n}{kind}": kind for kind, n in CHAINS.items()}
 """Chains at the beginning of a row or round that count as its first stitch → that stitch."""
 
 # Several loops drawn together in one anchor: a bump. Kind → loops, unless said; height; what it is made of.

@@ -3,16 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Final
+from typing import Any
 
-MOST: Final = 12
-"""The most stitches in one place, or together, that have a spelling."""
-
-BUMPS: Final = {"bobble": 5, "popcorn": 5, "puff": 4, "cl": 3}
-"""Stitches of several loops drawn together → how many, unless it is said."""
-
-CHAINS: Final = {"sc": 1, "hdc": 2, "dc": 3, "tr": 4, "dtr": 5}
-"""Kinds that a chain stands for → its length; the same have stitches around the post."""
+from tambour.crochet.language.stitches import BUMPS, CHAINS, MOST
 
 Spellings = dict[str, tuple[str, ...]]
 
@@ -84,13 +77,13 @@ def _families(
 
 
 def _bump(kind: str, n: int) -> str:
-    return kind if n == BUMPS[kind] else f"{kind}{n}"
+    return kind if n == BUMPS[kind][0] else f"{kind}{n}"
 
 
 def _bumps(kinds: Mapping[str, Sequence[str]]) -> Spellings:
     """The spellings of bumps, with the number of their loops behind where it is not the usual one."""
     return {
-        _bump(kind, n): tuple(said) if n == BUMPS[kind] else tuple(f"{s}{n}" for s in said)
+        _bump(kind, n): tuple(said) if n == BUMPS[kind][0] else tuple(f"{s}{n}" for s in said)
         for kind, said in kinds.items()
         for n in range(2, MOST + 1)
     }

@@ -152,9 +152,6 @@ SHARE, ENOUGH, NEAR = (
 )  # of flat art: the least share of a colour, of all of them; what counts as one (Oklab)
 
 
-MOST = 8  # yarns in a piece
-
-
 def few(picture: Array, count: int) -> list[Shade]:
     """The ``count`` colours that flat art is made of, the commonest first; fewer, or none, where it is not.
 

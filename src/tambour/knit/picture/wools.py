@@ -8,10 +8,10 @@ from tambour import color
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
-from tambour.knit.params import KnitParams
+from tambour.knit.params import YARNS, KnitParams
 from tambour.knit.picture.focus import saliency
 from tambour.knit.picture.resample import LUMA
-from tambour.knit.picture.shades import MOST, Shade, candidates, few
+from tambour.knit.picture.shades import Shade, candidates, few
 
 HUE = 2.2  # how much more a difference of hue counts than one of lightness: a cheek and a wall may be as light
 APART = 0.11  # Oklab distance below which two yarns are one to a knitter
@@ -66,7 +66,7 @@ def chosen(picture: Array, params: KnitParams, flat: bool) -> Palette:
     if params.colors:
         shades = candidates(picture, params)
     elif params.card == "none" and params.stash is None:
-        found = few(picture, params.yarns or MOST) if flat else []
+        found = few(picture, params.yarns or YARNS) if flat else []
         enough = len(found) >= 2 if params.yarns is None else len(found) == params.yarns
         shades = found if enough else best(picture, own(picture), params.yarns or PHOTOGRAPH[params.technique])
     else:

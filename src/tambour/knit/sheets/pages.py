@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from math import ceil, floor
 from textwrap import wrap
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,11 +15,11 @@ from tambour.core.picture import Picture
 from tambour.knit.hands.working import roles
 from tambour.knit.hands.written import bobbin_list, color_name, float_list, how_to_read, ladder_list
 from tambour.knit.hands.yarn import Amount, gauge_of
+from tambour.knit.params import Paper
 from tambour.knit.sheets.draw import RED, Look, Window, drawable, grid, key
 from tambour.knit.sheets.swatch import page as swatch_page
 from tambour.render.page import GREY, INK, PAPERS, Page
 
-Paper = Literal["a4", "a3", "letter"]
 MARGIN = 12.0
 HEAD = 12.0
 GUTTER = 8.0

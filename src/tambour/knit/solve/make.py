@@ -12,7 +12,7 @@ from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.knit.params import KnitParams
+from tambour.knit.params import YARNS, KnitParams
 from tambour.knit.picture import shades, tone
 from tambour.knit.picture.charts import chart_of, two_per_row
 from tambour.knit.picture.grounds import laid
@@ -85,7 +85,7 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
         )
     task = task_of(aim, start, limit, params, replace(layout, weights=weights))
     piece = finished(task, layout, palette, style.kind, how, params, progress)
-    colours = len(shades.few(layout.picture, shades.MOST)) if style.flat else 0
+    colours = len(shades.few(layout.picture, YARNS)) if style.flat else 0
     told = {
         "style": style.name,
         "why": style.why,
