@@ -22,6 +22,7 @@ FLOORS = [
     "files",
     "run",
     "examples",
+    "work",
     "studio",
     "cli",
 ]

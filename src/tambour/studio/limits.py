@@ -46,12 +46,8 @@ MAKE_SECONDS: Final = 600.0
 """Time of one job."""
 CHECK_SECONDS: Final = 30.0
 """Time to check a text."""
-STOP_SECONDS: Final = 0.3
-"""Time that a worker has to stop by itself before it is killed."""
 MEMORY: Final = 2048 * MB
 """Bytes of a worker."""
-WATCH: Final = 0.25
-"""Seconds between two looks at a worker's memory."""
 CACHE: Final = 512 * MB
 """Bytes of what was made and may be asked for again."""
 

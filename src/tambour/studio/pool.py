@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import os
 import shutil
-import struct
-import sys
 import tempfile
 import time
-from collections.abc import Callable, Coroutine
+from collections.abc import Coroutine
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -19,10 +16,9 @@ from typing import Any
 from tambour.run import CRAFTS
 from tambour.studio import limits
 from tambour.studio.problems import said
-from tambour.studio.worker import HEAD
+from tambour.work.hand import Frame, Hand, Tell
 
-Tell = Callable[[dict[str, Any]], None]
-Frame = Callable[[bytes], None]
+DESK = "tambour.studio.worker:Desk"
 
 
 class Failed(Exception):
@@ -52,131 +48,6 @@ class Spec:
     source: str | None = None
     files: dict[str, str] = field(default_factory=dict)
     blobs: dict[str, bytes] = field(default_factory=dict)
-
-
-class Hand:
-    """A worker's process, as the server sees it."""
-
-    def __init__(self, folder: Path, log: Any, threads: int) -> None:
-        self.folder, self.log, self.threads = folder, log, threads
-        self.key = self.name = ""
-        self.busy = True
-        self.used = time.monotonic()
-        self.job = 0
-        self.why = ""
-        self.dead = False
-        self._tell: Tell = lambda told: None
-        self._frame: Frame = lambda raw: None
-        self._end: asyncio.Future[dict[str, Any]] | None = None
-        self._tasks: list[asyncio.Task[None]] = []
-
-    async def start(self) -> None:
-        """Start the process."""
-        self.folder.mkdir(mode=0o700)
-        settings = {"TAMBOUR_THREADS": str(self.threads), "PYTHONUNBUFFERED": "1"}
-        self.process = await asyncio.create_subprocess_exec(
-            sys.executable,
-            "-m",
-            "tambour.studio.worker",
-            stdin=asyncio.subprocess.PIPE,
-            stdout=asyncio.subprocess.PIPE,
-            stderr=self.log,
-            cwd=self.folder,
-            env={**os.environ, **settings},
-            start_new_session=True,
-        )
-        self._tasks = [asyncio.create_task(self._listen()), asyncio.create_task(self._watch())]
-
-    @property
-    def alive(self) -> bool:
-        """Whether the process can be given work: one that was killed may still be there for a moment."""
-        return not self.dead and self.process.returncode is None
-
-    async def _listen(self) -> None:
-        assert self.process.stdout is not None
-        try:
-            while True:
-                kind, size = HEAD.unpack(await self.process.stdout.readexactly(HEAD.size))
-                body = await self.process.stdout.readexactly(size)
-                if kind == b"F":
-                    self._frame(body)
-                    continue
-                told = json.loads(body)
-                if told["job"] != self.job:
-                    continue
-                if told["is"] == "progress":
-                    self._tell(told)
-                elif self._end is not None and not self._end.done():
-                    self._end.set_result(told)
-        except (asyncio.IncompleteReadError, ConnectionError):
-            self.dead = True
-            await self.process.wait()
-            if self._end is not None and not self._end.done():
-                problem = said(self.why or "the worker ended in the midst of this", "try again, or make it smaller")
-                self._end.set_result({"is": "failed", "status": 503, "problems": [problem]})
-
-    async def _watch(self) -> None:
-        """Look at the memory, where the system tells it; kill what takes too much."""
-        statm = Path(f"/proc/{self.process.pid}/statm")
-        while self.alive and statm.exists():
-            with suppress(OSError, ValueError, IndexError):
-                if int(statm.read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") > limits.MEMORY:
-                    self.why = "this needs more memory than a piece may take"
-                    self.kill()
-            await asyncio.sleep(limits.WATCH)
-
-    def kill(self) -> None:
-        """End the process now."""
-        self.dead = True
-        with suppress(ProcessLookupError):
-            self.process.kill()
-
-    async def do(self, job: dict[str, Any], seconds: float, tell: Tell, frame: Frame) -> dict[str, Any]:
-        """Do a job and give its end; one that takes too long, or that nobody waits for any more, is to be stopped."""
-        assert self.process.stdin is not None
-        self.job += 1
-        self._tell, self._frame = tell, frame
-        self._end = asyncio.get_running_loop().create_future()
-        await self._say({**job, "job": self.job})
-        if self.dead and self._tasks[0].done():  # nobody is left who would tell its end
-            raise Failed.of(503, self.why or "the worker ended in the midst of this", "try again")
-        try:
-            async with asyncio.timeout(seconds):
-                return await asyncio.shield(self._end)
-        except TimeoutError:
-            hint = "make it smaller, or simpler"
-            raise Failed.of(503, f"this took more than {_time(seconds)} and was stopped", hint) from None
-        finally:
-            self._tell, self._frame = (lambda told: None), (lambda raw: None)
-
-    async def stop(self) -> None:
-        """See that no job goes on: ask it to end, and kill it when it does not."""
-        end = self._end
-        if end is None or end.done() or self.dead:
-            return
-        await self._say({"do": "stop", "job": self.job})
-        try:
-            async with asyncio.timeout(limits.STOP_SECONDS):
-                await asyncio.shield(end)
-        except TimeoutError:
-            self.kill()
-
-    async def _say(self, told: dict[str, Any]) -> None:
-        assert self.process.stdin is not None
-        raw = json.dumps(told).encode()
-        try:
-            self.process.stdin.write(struct.pack("<I", len(raw)) + raw)
-            await self.process.stdin.drain()
-        except ConnectionError:
-            self.kill()
-
-    async def close(self) -> None:
-        """End the process and clear its folder."""
-        self.kill()
-        await self.process.wait()
-        for task in self._tasks:
-            task.cancel()
-        await asyncio.to_thread(shutil.rmtree, self.folder, True)
 
 
 class Pool:
@@ -209,7 +80,7 @@ class Pool:
         """See that one more is warm and waiting, unless there are enough."""
         if not self._closed and len(self.hands) < self.most + 1:
             self.made += 1
-            hand = Hand(self.folder / str(self.made), self.log, self.threads)
+            hand = Hand(self.folder / str(self.made), self.log, self.threads, DESK, limits.MEMORY)
             self.hands.append(hand)
             self._later(self._begin(hand))
 
@@ -247,6 +118,8 @@ class Pool:
             self._later(self._back(hand))
         if told["is"] == "stopped":
             raise Failed.of(503, "this was stopped")
+        if told["is"] == "lost":
+            raise Failed.of(503, told["why"], told["hint"])
         if told["is"] == "failed":
             raise Failed(told["status"], told["problems"])
         return told
@@ -328,7 +201,3 @@ def _laid(home: Path, folder: Path, blobs: dict[str, bytes]) -> None:
 
 def _no(told: Any) -> None:
     pass
-
-
-def _time(seconds: float) -> str:
-    return f"{seconds / 60:.0f} minutes" if seconds >= 120 else f"{seconds:.0f} seconds"

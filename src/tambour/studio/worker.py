@@ -1,110 +1,16 @@
-"""Worker: a process of its own that makes pieces: jobs come in, events and files go out. It keeps its last piece.
-
-It opens what users gave, so that nothing they give is opened in the server. Words come over its input, a length and
-JSON each; it answers over its output: a letter, a length, and JSON ("J") or a pack ("F", a state to look at).
-"""
+"""Worker: what a worker of the studio can do (:mod:`tambour.work.worker` runs it). It keeps its last piece."""
 
 from __future__ import annotations
 
 import json
 import os
-import queue
-import struct
-import sys
-import threading
-import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 from tambour.core.errors import TambourError
-from tambour.core.progress import Progress, Stopped
-from tambour.studio import limits
+from tambour.core.progress import Progress
 from tambour.studio.problems import plains, said
-
-HEAD = struct.Struct("<cI")
-
-
-class Worker:
-    """One job at a time, in the order that they come."""
-
-    def __init__(self, words: BinaryIO, answers: BinaryIO) -> None:
-        self.words, self.answers = words, answers
-        self.jobs: queue.Queue[dict[str, Any] | None] = queue.Queue()
-        self.stopped: set[int] = set()
-        self.job: dict[str, Any] = {}
-        self.desk = Desk()
-        self.shown = self.framed = 0.0
-
-    def listen(self) -> None:
-        """Read words until there are no more: jobs, and which of them to stop."""
-        while len(head := self.words.read(4)) == 4:
-            (size,) = struct.unpack("<I", head)
-            told = json.loads(self.words.read(size))
-            if told["do"] == "stop":
-                self.stopped.add(told["job"])
-            else:
-                self.jobs.put(told)
-        self.jobs.put(None)
-
-    def run(self) -> None:
-        """Do jobs until there are no more words."""
-        threading.Thread(target=self.listen, daemon=True).start()
-        while (job := self.jobs.get()) is not None:
-            self.job = job
-            self.say(self._done(job))
-            if job.get("last"):
-                return
-
-    def _done(self, job: dict[str, Any]) -> dict[str, Any]:
-        from tambour.run import craft
-
-        what = craft(job["craft"]) if "craft" in job else None
-        try:
-            return {"is": "done", **self.desk.do(job, Progress(self.show, self.look))}
-        except TambourError as error:
-            return {"is": "failed", "status": 422, "problems": plains(error, what)}
-        except Stopped:
-            return {"is": "stopped"}
-        except MemoryError:
-            self.desk = Desk()
-            told = said("this needs more memory than a piece may take", "make it smaller")
-            return {"is": "failed", "status": 503, "problems": [told]}
-        except Exception:  # noqa: BLE001 - a fault of ours: told, and the worker goes on
-            import traceback
-
-            traceback.print_exc()
-            told = said("this is a fault of tambour's: it stands in the studio's log")
-            return {"is": "failed", "status": 500, "problems": [told]}
-
-    def say(self, told: dict[str, Any]) -> None:
-        """Send an event of the job."""
-        self._send(b"J", json.dumps({"job": self.job["job"], **told}, allow_nan=False).encode())
-
-    def _send(self, kind: bytes, body: bytes) -> None:
-        self.answers.write(HEAD.pack(kind, len(body)) + body)
-        self.answers.flush()
-
-    def show(self, stage: str, done: int, total: int) -> None:
-        """Tell how far the job is, thirty times a second at the most. Raises Stopped when it is to end."""
-        if self.job["job"] in self.stopped:
-            raise Stopped
-        now = time.monotonic()
-        if now - self.shown > 1 / 30 or not done:
-            self.shown = now
-            self.say({"is": "progress", "stage": stage, "done": int(done), "total": int(total)})
-
-    def look(self, value: Any) -> None:
-        """Send a state of the piece, where the job asks for them."""
-        from tambour.core.packed import Packed
-
-        now = time.monotonic()
-        rate = self.job.get("rate", 0)
-        if rate and isinstance(value, Packed) and now - self.framed >= 1 / rate:
-            from tambour.files.packed import packed
-
-            self.framed = now
-            self._send(b"F", packed(value))
 
 
 class Desk:
@@ -127,6 +33,19 @@ class Desk:
             "read": self.read,
         }
         return works[job["do"]](job, progress)
+
+    def failed(self, job: dict[str, Any], error: Exception) -> dict[str, Any]:
+        """A status and the problems, as a page is told them."""
+        from tambour.run import craft
+
+        if isinstance(error, TambourError):
+            return {"status": 422, "problems": plains(error, craft(job["craft"]) if "craft" in job else None)}
+        if isinstance(error, MemoryError):
+            return {
+                "status": 503,
+                "problems": [said("this needs more memory than a piece may take", "make it smaller")],
+            }
+        return {"status": 500, "problems": [said("this is a fault of tambour's: it stands in the studio's log")]}
 
     def warm(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """Load what making needs, by making small things."""
@@ -240,23 +159,3 @@ def _archive(to: Path, folder: Path, found: list[Path]) -> None:
             entry = zipfile.ZipInfo(str(path.relative_to(folder)))
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, path.read_bytes())
-
-
-def main() -> None:
-    """Work until the server that started this one closes its end."""
-    words, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
-    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
-    os.dup2(2, 1)
-    try:
-        import resource
-
-        most = limits.MEMORY
-        resource.setrlimit(resource.RLIMIT_DATA, (most, most))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    except (ImportError, ValueError, OSError) as error:  # elsewhere the server's watch alone holds it
-        sys.stderr.write(f"no limit of memory here: {error}\n")
-    Worker(words, answers).run()
-
-
-if __name__ == "__main__":
-    main()
