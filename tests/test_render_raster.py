@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 
 from tambour.core.mesh import Mesh
+from tambour.core.paths import Paths
+from tambour.core.strands import Strands
 from tambour.geometry.surface import vertex_normals
+from tambour.geometry.tube import sweep
 from tambour.render import light, raster
 from tambour.render.camera import look
 from tambour.render.cover import cover, turn
@@ -34,7 +37,7 @@ def test_cover_is_its_plain_twin(side: int) -> None:
     x, y, z = rng.uniform(-20, 90, 120), rng.uniform(-20, 70, 120), rng.uniform(1, 2, 120)
     faces = rng.integers(0, 120, (60, 3)).astype(np.int32)
     near, face = np.full((50, 70), -np.inf, np.float32), np.full((50, 70), -1, np.int32)
-    cover(x, y, z, faces, near, face, side)
+    cover(x, y, z, faces, near, face, np.full(60, side, np.int8))
     expected = cover_plainly(x, y, z, faces, (50, 70), side)
     assert (face == expected[1]).mean() > 0.999  # a sample exactly on an edge may go either way
     same = face == expected[1]
@@ -49,7 +52,7 @@ def test_cover_leaves_no_crack_and_no_face_out_of_sight() -> None:
     k = np.arange(1, 400)
     faces = np.stack([np.zeros(399), k, k + 1], axis=1).astype(np.int32)
     near, face = np.full((100, 100), -np.inf, np.float32), np.full((100, 100), -1, np.int32)
-    cover(x, y, np.ones(401), faces, near, face, 0)
+    cover(x, y, np.ones(401), faces, near, face, np.zeros(399, np.int8))
     assert (face >= 0).all()
 
 
@@ -104,7 +107,7 @@ def test_what_is_hidden_from_the_lamp_is_darker() -> None:
     faces = np.array([[0, 1, 2], [0, 2, 3]])
     one = Mesh(floor, faces, smooth=False)
     two = Mesh(np.vstack([floor, roof]), np.vstack([faces, faces + 4]), smooth=False)
-    made = light.shine(two.vertices, two.faces, *light.studio(0.0), size=200, threads=1, closed=False)
+    made = light.shine(two.vertices, two.faces, *light.studio(0.0), size=200, threads=1, shut=np.zeros(4, np.int8))
     lit = [
         sum(
             light.seen(k, *p, made.axes, made.origin, made.texel, made.direction, made.depth, 0.5)
@@ -126,6 +129,26 @@ def test_same_bytes_whatever_the_number_of_threads(monkeypatch: pytest.MonkeyPat
         monkeypatch.setattr(raster, "WORKERS", count)
         made.append(raster.picture(mesh, width=90).rgba.tobytes())
     assert made[0] == made[1] == made[2]
+
+
+def test_a_surface_without_a_rim_looks_the_same_from_its_outside_alone() -> None:
+    # Beside an open sheet; with the groups' faces told apart, and without.
+    line = np.array([[-15.0, 3, 0], [0, -4, 9], [15, 6, 0]])
+    ball = sweep(Strands(Paths.of([line], 3), np.full(3, 9.0), np.full((1, 3), 128, np.uint8)), sides=12)
+    sheet = np.array([[-40, -22, -40], [-40, -22, 40], [40, -22, 40], [40, -22, -40]], float)
+    points = np.vstack([ball.vertices, sheet])
+    faces = np.vstack([ball.faces, np.array([[0, 1, 2], [0, 2, 3]]) + len(ball.vertices)])
+    group = np.repeat(np.array([0, 1], np.int32), [len(ball.faces), 2])
+    told = Mesh(points, faces, face_group=group, group_names=("ball", "sheet"))
+    assert raster.shut(told).tolist() == [1] * len(ball.faces) + [0, 0]
+    untold = Mesh(points, faces, face_group=group.clip(0, 0), group_names=("both",))
+    assert not raster.shut(untold).any()
+    below, above = (raster.shine(m.vertices, m.faces, *light.studio(0.3, 7, 3), size=90, threads=1, shut=raster.shut(m))
+                    for m in (told, untold))  # fmt: skip
+    assert (below.depth == above.depth).mean() > 0.999
+    for elevation in (0.4, -0.6):  # the sheet is seen from both of its sides
+        one, other = (raster.picture(m, width=90, ground=False, elevation=elevation).rgba for m in (told, untold))
+        assert (one == other).all(axis=2).mean() > 0.99
 
 
 @pytest.mark.slow
@@ -157,17 +180,19 @@ def test_light_is_the_same_whether_things_come_at_once_or_one_after_the_other() 
     one, two = sphere(12), sphere(9)
     points = np.vstack([one.vertices, two.vertices + np.array([30.0, 5.0, 0.0])])
     faces = np.vstack([one.faces, two.faces + len(one.vertices)])
-    at_once = light.shine(points, faces, *light.studio(0.4, 7, 3), size=90, threads=1, closed=True)
+    at_once = light.shine(
+        points, faces, *light.studio(0.4, 7, 3), size=90, threads=1, shut=np.ones(len(faces), np.int8)
+    )
     made = light.unbroken(points, *light.studio(0.4, 7, 3), size=90)
     for some in (one.faces, two.faces + len(one.vertices)):
-        light.stand(made, points, some, threads=2, closed=True)
+        light.stand(made, points, some, np.ones(len(some), np.int8), threads=2)
     np.testing.assert_array_equal(made.depth, at_once.depth)
     sky, lamp = (
         light.unbroken(points, *(v[own] for v in light.studio(0.4, 7, 3)), size=90)
         for own in (slice(0, 7), slice(7, 10))
     )
     for part in (sky, lamp):
-        light.stand(part, points, faces, threads=1, closed=True)
+        light.stand(part, points, faces, np.ones(len(faces), np.int8), threads=1)
     np.testing.assert_array_equal(light.together(sky, lamp).depth, at_once.depth)
     mesh = Mesh(points, faces)
     pictures = [raster.picture(mesh, width=80, azimuth=0.4, ground=False, lit=lit).rgba for lit in (at_once, made)]

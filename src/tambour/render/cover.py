@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from tambour.core.arrays import F4x2, F8x1, F8x2, I4x2
+from tambour.core.arrays import F4x2, F8x1, F8x2, I1x1, I4x2
 from tambour.core.kernels import kernel
 
 
 @kernel
-def cover(x: F8x1, y: F8x1, z: F8x1, faces: I4x2, near: F4x2, face: I4x2, side: int) -> None:
+def cover(x: F8x1, y: F8x1, z: F8x1, faces: I4x2, near: F4x2, face: I4x2, side: I1x1) -> None:
     """Keep, for every sample, the greatest z of the faces over it, and which face that is.
 
     x, y : (V,) float64, in samples; sample (row, column) lies at (column + ½, row + ½)
@@ -17,10 +17,11 @@ def cover(x: F8x1, y: F8x1, z: F8x1, faces: I4x2, near: F4x2, face: I4x2, side: 
     faces : (F, 3) int32
     near : (H, W) float32; face : (H, W) int32, or (0, 0) when it is not wanted; both are updated. On equal z the earlier
         face stays.
-    side : 0 sees both sides of faces; 1 and -1 only those that turn clockwise and counter-clockwise on rows that run
-        down
+    side : (F,) 0 for a face that is seen from both sides; 1 and -1 where only those are that turn clockwise and
+        counter-clockwise on rows that run down
 
-    Pineda, "A parallel algorithm for polygon rasterization" (1988): edge functions, stepped along rows.
+    Pineda, "A parallel algorithm for polygon rasterization" (1988): edge functions, stepped from row to row; in a row
+    their signs tell where the face begins and ends.
     """
     height, width = near.shape
     named = len(face) > 0
@@ -28,7 +29,7 @@ def cover(x: F8x1, y: F8x1, z: F8x1, faces: I4x2, near: F4x2, face: I4x2, side: 
         a, b, c = faces[f, 0], faces[f, 1], faces[f, 2]
         ax, ay, bx, by, cx, cy = x[a], y[a], x[b], y[b], x[c], y[c]
         area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-        if area == 0.0 or area * side < 0.0:
+        if area == 0.0 or area * side[f] < 0.0:
             continue
         # Truncation rounds down what is not negative.
         low, high = min(ax, min(bx, cx)) + 0.5, max(ax, max(bx, cx)) + 0.5
@@ -38,23 +39,50 @@ def cover(x: F8x1, y: F8x1, z: F8x1, faces: I4x2, near: F4x2, face: I4x2, side: 
         if left >= right or top >= bottom:
             continue
         inverse = 1.0 / area
-        # Weights of b and c: their steps to the right and down, and their values at the first sample.
+        # Weights of b, c and a: their steps to the right and down, and their values at the first sample.
         b_right, b_down = (cy - ay) * inverse, (ax - cx) * inverse
         c_right, c_down = (ay - by) * inverse, (bx - ax) * inverse
+        a_right = -b_right - c_right
         px, py = left + 0.5 - ax, top + 0.5 - ay
         b_row, c_row = px * b_right + py * b_down, px * c_right + py * c_down
+        b_turn = -1.0 / b_right if b_right != 0.0 else 0.0
+        c_turn = -1.0 / c_right if c_right != 0.0 else 0.0
+        a_turn = -1.0 / a_right if a_right != 0.0 else 0.0
         z_b, z_c = z[b] - z[a], z[c] - z[a]
         z_right = b_right * z_b + c_right * z_c
         for row in range(top, bottom):
-            wb, wc, zed = b_row, c_row, z[a] + b_row * z_b + c_row * z_c
-            for column in range(left, right):
-                if min(min(wb, wc), 1.0 - wb - wc) >= 0.0 and zed > near[row, column]:
-                    near[row, column] = zed
-                    if named:
-                        face[row, column] = f
-                wb += b_right
-                wc += c_right
-                zed += z_right
+            # Samples from first to last, counted from the left, lie within all three edges.
+            a_row = 1.0 - b_row - c_row
+            first, last = 0.0, float(right - left - 1)
+            if b_right > 0.0:
+                first = max(first, b_row * b_turn)
+            elif b_right < 0.0:
+                last = min(last, b_row * b_turn)
+            elif b_row < 0.0:
+                last = -1.0
+            if c_right > 0.0:
+                first = max(first, c_row * c_turn)
+            elif c_right < 0.0:
+                last = min(last, c_row * c_turn)
+            elif c_row < 0.0:
+                last = -1.0
+            if a_right > 0.0:
+                first = max(first, a_row * a_turn)
+            elif a_right < 0.0:
+                last = min(last, a_row * a_turn)
+            elif a_row < 0.0:
+                last = -1.0
+            if first <= last:
+                k = int(first)
+                if k < first:
+                    k += 1
+                zed = z[a] + (b_row + k * b_right) * z_b + (c_row + k * c_right) * z_c
+                for column in range(left + k, left + int(last) + 1):
+                    if zed > near[row, column]:
+                        near[row, column] = zed
+                        if named:
+                            face[row, column] = f
+                    zed += z_right
             b_row += b_down
             c_row += c_down
 

@@ -90,15 +90,15 @@ def shine(
     *,
     size: int,
     threads: int,
-    closed: bool,
+    shut: Array,
 ) -> Lights:
     """The shadow maps of parallel lights over a mesh.
 
     vertices : (V, 3) mm; faces : (F, 3); directions, weight : (L, 3); key : (L,); size : texels along a map's side
-    closed : the mesh has no rim, so that the faces turned away from a light cast the same shadow as all of them
+    shut : (F,) int8, see :func:`stand`
     """
     made = unbroken(vertices, directions, weight, key, size=size)
-    stand(made, vertices, faces, threads=threads, closed=closed)
+    stand(made, vertices, faces, shut, threads=threads)
     return made
 
 
@@ -115,8 +115,13 @@ def unbroken(points: Array, directions: Array, weight: Array, key: Array, *, siz
     return Lights(directions, np.ascontiguousarray(weight), key, axes, origin, texel, depth)
 
 
-def stand(lights: Lights, vertices: Array, faces: Array, *, threads: int, closed: bool) -> None:
-    """Put a mesh into the lights, beside what stands there already: their maps are drawn on."""
+def stand(lights: Lights, vertices: Array, faces: Array, shut: Array, *, threads: int) -> None:
+    """Put a mesh into the lights, beside what stands there already: their maps are drawn on.
+
+    shut : (F,) int8, 1 for the faces of surfaces without a rim: those turned to a light cast the same shadow as all;
+        where nothing has a rim those turned away are drawn, so that what is lit is not shaded by itself
+    """
+    side = -shut if shut.all() else shut
 
     def draw(k: int) -> None:
         x, y, z = turn(vertices, np.vstack([lights.axes[k], lights.direction[k]]))
@@ -125,7 +130,7 @@ def stand(lights: Lights, vertices: Array, faces: Array, *, threads: int, closed
         y -= lights.origin[k, 1]
         y /= lights.texel[k]
         # Rows of a map run up: faces turned to the light have positive area there.
-        cover(x, y, z, faces, lights.depth[k], np.zeros((0, 0), np.int32), -1 if closed else 0)
+        cover(x, y, z, faces, lights.depth[k], np.zeros((0, 0), np.int32), side)
 
     with ThreadPoolExecutor(threads) as pool:
         list(pool.map(draw, range(len(lights.direction))))

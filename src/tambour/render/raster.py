@@ -83,16 +83,16 @@ def picture(
     y = (height / 2 - y * z * camera.scale) * samples
     near = np.full((height * samples, width * samples), -np.inf, np.float32)
     face = np.full(near.shape, -1, np.int32)
-    whole = closed(mesh.faces)
+    rimless = shut(mesh)
     # Rows run down: faces that look here have negative area.
-    cover(x, y, z, mesh.faces, near, face, -1 if whole else 0)
+    cover(x, y, z, mesh.faces, near, face, -rimless)
 
     if lit is None:
         # A map as fine as the picture, as far as that is seen.
         size = min(_FINEST, max(_FINEST // 3, round(1.25 * min(width, height))))
         lamps = max(1, lights // 5)
         all_of_them = studio(azimuth, lights - lamps, lamps)
-        lit = shine(mesh.vertices, mesh.faces, *all_of_them, size=size, threads=threads, closed=whole)
+        lit = shine(mesh.vertices, mesh.faces, *all_of_them, size=size, threads=threads, shut=rimless)
     patch, plot = floor_light(lit, points.min(0), points.max(0)) if ground else (np.ones((1, 1, 3)), np.zeros(3))
 
     names = [name if name in MATERIALS else "" for name in mesh.group_names]
@@ -135,6 +135,14 @@ def picture(
     with ThreadPoolExecutor(threads) as pool:
         list(pool.map(lambda k: shade(out, edges[k], edges[k + 1], samples, *arguments), range(4 * threads)))
     return Picture(_developed(out))
+
+
+def shut(mesh: Mesh) -> Array:
+    """(F,) int8: 1 for the faces of groups that have no rim, whose insides nobody sees; 0 for others."""
+    if mesh.face_group is None:
+        return np.full(len(mesh.faces), closed(mesh.faces), np.int8)
+    groups = range(len(mesh.group_names))
+    return np.array([closed(mesh.faces[mesh.face_group == k]) for k in groups], np.int8)[mesh.face_group]
 
 
 def shown(mesh: Mesh) -> Array:

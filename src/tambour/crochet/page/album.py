@@ -19,8 +19,8 @@ from tambour.crochet.maker.size import skin
 from tambour.crochet.yarn.fabric import mesh
 from tambour.crochet.yarn.loops import RATIO
 from tambour.crochet.yarn.spline import thin
-from tambour.geometry.surface import closed
 from tambour.render.light import Lights, stand, studio, together, unbroken
+from tambour.render.raster import shut
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
@@ -110,7 +110,7 @@ class Album:
             lights = unbroken(np.concatenate(points), direction[own], weight[own], key[own], size=_FINE)
         if before != set(parts) or worn != face:
             new = self.partial(parts, face, beside=sorted(before))
-            stand(lights, new.vertices, new.faces, threads=WORKERS, closed=closed(new.faces))
+            stand(lights, new.vertices, new.faces, shut(new), threads=WORKERS)
         self._lit[azimuth, many] = set(parts), face, lights
         return lights
 
