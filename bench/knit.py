@@ -235,7 +235,7 @@ def speed(small: bool) -> None:
         seconds = []
         for _ in range(5):
             told = Progress()
-            piece = make(page, KnitParams(method=method), told)
+            piece = make(page, KnitParams(method=method, stitches=363), told)
             seconds.append(told.seconds["solve"])
         edits = []
         for x in range(60, 70):
@@ -254,7 +254,7 @@ def speed(small: bool) -> None:
             Path("/proc/self/clear_refs").write_text("5")
             before = peak()
             told = Progress()
-            piece = make(big, KnitParams(method=method, tone=mode), told)
+            piece = make(big, KnitParams(method=method, tone=mode, stitches=4000), told)
             extra = (peak() - before) * 2**20 / 16e6
             assert piece.figures["violations"] == 0
             print(

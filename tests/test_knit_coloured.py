@@ -149,7 +149,7 @@ def test_jacquard_takes_any_yarns_in_a_row_and_both_backs():
 
 def test_tones_of_jacquard_are_true_from_afar():
     rgb = np.repeat(np.linspace(20, 235, 200)[None, :, None], 160, axis=0).repeat(3, axis=2).astype(np.uint8)
-    piece = made(rgb, technique="jacquard", style="tonal", colors=("#000000", "#ffffff"))
+    piece = made(rgb, technique="jacquard", style="tonal", colors=("#000000", "#ffffff"), stitches=200)
     from tambour.color import linear
 
     for part in np.array_split(np.arange(200), 5):

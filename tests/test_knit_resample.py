@@ -119,6 +119,6 @@ def test_saliency_finds_the_odd_one():
     rgb = np.full((64, 96, 3), 200, np.uint8)
     rgb[...] -= np.random.default_rng(0).integers(0, 40, (64, 96, 1), dtype=np.uint8)
     rgb[20:32, 60:72] = 10
-    weights = lay(picture(rgb), KnitParams(focus="saliency"), Progress()).weights[::-1]
+    weights = lay(picture(rgb), KnitParams(focus="saliency", stitches=96), Progress()).weights[::-1]
     assert weights.min() >= 1 and weights.max() <= 10
     assert weights[18:34, 58:74].mean() > 2 * np.delete(weights, np.s_[50:80], 1).mean()

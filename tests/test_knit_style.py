@@ -58,9 +58,9 @@ def test_the_style_is_chosen_and_its_reason_given():
         (drawing, {}, "graphic", "line drawing"),
         (art, {}, "graphic", "flat art"),
         (photo(), {}, "graphic", "photograph"),
-        (photo(200, 180), {}, "tonal", "photograph"),
-        (photo(200, 180), {"floats": "caught"}, "graphic", "photograph"),
-        (photo(), {"seen_from": "10m"}, "tonal", "photograph"),
+        (photo(200, 180), {"stitches": 180, "yarns": 2}, "tonal", "photograph"),
+        (photo(200, 180), {"stitches": 180, "floats": "caught"}, "graphic", "photograph"),
+        (photo(), {"seen_from": "10m", "yarns": 2}, "tonal", "photograph"),
         (photo(), {"method": "exact"}, "plain", "photograph"),
         (photo(), {"detail": 1.0}, "plain", "photograph"),
         (photo(), {"keep": 0.1}, "tonal", "photograph"),
@@ -149,7 +149,7 @@ def test_regions_have_clean_borders():
     for k in range(3):
         island, _ = label(found == k, np.ones((3, 3)))
         assert np.bincount(island.ravel())[1:].min() > 1  # no single stitches
-    piece = piece_of(photo(), gauge="24x32")
+    piece = piece_of(photo(), gauge="24x32", technique="stranded")
     assert measure.facts(piece)["alone"] <= 2.0
 
 

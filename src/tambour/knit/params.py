@@ -129,7 +129,8 @@ class KnitParams(Params):
 
     # --- from the picture to stitches
     stitches: int | None = Field(default=None, ge=1, le=20000)
-    """Stitches in a row; without it the picture is taken stitch for stitch, a pixel each."""
+    """Stitches in a row. Without it charts and pixel art have a stitch for each pixel, other pictures the width that is usual for
+    {--use}: 33 cm across the front of a garment."""
     rows: int | None = Field(default=None, ge=1, le=20000)
     """Rows; without it they follow from the picture's shape and the gauge."""
     gauge: Ratio | None = Field(default=None, json_schema_extra={"metavar": "STSxROWS"})
@@ -140,9 +141,10 @@ class KnitParams(Params):
     """Turn the picture counter-clockwise; auto finds the angle that lines its strokes up with the stitches."""
     direction: Literal["horizontal", "vertical"] = "horizontal"
     """Knitting direction: vertical knits the picture sideways (rows of knitting run down it)."""
-    technique: Literal["stranded", "intarsia", "jacquard"] = "stranded"
+    technique: Literal["auto", "stranded", "intarsia", "jacquard"] = "auto"
     """Stranded: two yarns in a row, the idle one floats behind. Intarsia: any yarns in a row, each area from a bobbin of
-    its own. Jacquard: any yarns in a row on a double bed, which hides them in the back."""
+    its own. Jacquard: any yarns in a row on a double bed, which hides them in the back. Auto: intarsia for a picture in
+    several colours, unless something is asked for that only stranded knitting has; else stranded."""
     back: Literal["birdseye", "stripes"] = "birdseye"
     """Jacquard: what the back bed knits: the yarns by turns (birdseye), or a whole row of each (stripes)."""
     style: Literal["auto", "graphic", "texture", "tonal", "plain"] = "auto"
@@ -153,7 +155,7 @@ class KnitParams(Params):
     ground: Literal["lice", "diagonal", "brick", "stripe"] = "lice"
     """Graphic and texture: how the stitches that hold floats stand in plain areas."""
     use: Literal["garment", "mitten", "child", "blanket"] = "garment"
-    """What it is for: sets {--max-float} (shorter for mittens and children) and {--seen-from} (a blanket from 4 m)."""
+    """What it is for: sets {--max-float} (shorter for mittens and children), {--seen-from} (a blanket from 4 m) and {--stitches}."""
     seen_from: Distance | None = Field(default=None, json_schema_extra={"metavar": "LENGTH"})
     """How far away one looks from, such as 2m: chooses the style, and weighs what the eye sees from there."""
     brightness: float = Field(default=0.0, ge=-1, le=1)
@@ -238,10 +240,10 @@ class KnitParams(Params):
 
     # --- yarns
     yarns: int | None = Field(default=None, ge=2, le=YARNS)
-    """Yarns in the whole piece. Without it as many as there are {--colors}, or 2; intarsia and jacquard take what the
+    """Yarns in the whole piece. Without it as many as there are {--colors}, or 2 stranded; intarsia and jacquard take what the
     picture has: the colours of flat art, 5 and 4 for a photograph."""
     colors: tuple[str, ...] = ()
-    """A yarn's colour as #rrggbb; give one for each yarn. Without them black and white, or the picture's own."""
+    """A yarn's colour as #rrggbb; give one for each yarn. Without them black and white where two show greys, else the picture's own."""
     card: Literal["none", "wool", "natural"] = "none"
     """Choose the yarns from a shade card."""
     stash: Any = file("Text", "Choose the yarns from a CSV file: name, colour, metres, grams.")
@@ -305,7 +307,7 @@ class KnitParams(Params):
             raise ValueError("{--repeat} closes upon itself: it does not go with {--edges} free")
         if self.round and self.edge_stitches:
             raise ValueError("{--round} has no edges for {--edge-stitches}")
-        if self.technique != "stranded":
+        if self.technique not in ("auto", "stranded"):
             self._of_areas()
         if len(self.colors) == 1:
             raise ValueError("{--colors}: at least two yarns are wanted")
@@ -350,4 +352,4 @@ class KnitParams(Params):
     def end_needles(self) -> bool:
         """The machine knits the outermost stitches of every row in its second feeder (Brother's KC I)."""
         brother = self.machine is not None and self.machine.startswith(("kh", "brother"))
-        return brother and self.edges == "anchored" and self.technique == "stranded" and self.repeat is None
+        return brother and self.edges == "anchored" and self.technique in ("auto", "stranded") and self.repeat is None

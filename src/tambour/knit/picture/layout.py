@@ -11,7 +11,7 @@ from tambour.core.errors import TambourError
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
-from tambour.knit.picture import resample, shapes
+from tambour.knit.picture import resample, shapes, usual
 from tambour.knit.task import NONE, PLAIN
 
 HEAVY = 9.0  # the dearest flips cost 1 + HEAVY
@@ -27,6 +27,7 @@ class Layout:
     knit, relaxed, locked : bool, or empty
     weights : (R, C) float32, or empty
     repeat : (n, k), or None; ``copies`` of the motif stand side by side, plus k stitches
+    pixels : each stitch is a pixel of the picture, as pixel art and charts are
     """
 
     picture: Array
@@ -39,6 +40,7 @@ class Layout:
     weights: Array
     repeat: tuple[int, int] | None
     copies: int
+    pixels: bool = False
 
     def tiled(self, cells: Array) -> Array:
         """The whole chart of what was solved."""
@@ -54,7 +56,7 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
     Raises TambourError for a frame that leaves no room, a width that is no multiple of the repeat, and masks of a size
     that fits neither the chart nor the picture.
     """
-    whole = resample.upright(source, params, progress)
+    whole, params = usual.sized(resample.upright(source, params, progress), params, progress)
     height, width = whole.shape[:2]
     edge, border = params.edge_stitches, params.border
     sides = 2 * (edge + border)
@@ -136,6 +138,7 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
         weighed(grey, picture, params),
         repeat,
         copies,
+        params.stitches is None and params.rows is None,
     )
 
 

@@ -45,9 +45,8 @@ def recognised(picture: Array, luma: Array) -> Kind:
     return "flat art" if count[-FEW:].sum() >= FLAT * count.sum() else "photograph"
 
 
-def chosen(picture: Array, luma: Array, params: KnitParams) -> Style:
-    """The style of ``picture`` (R, C, 3) under ``params``."""
-    kind = recognised(picture, luma)
+def chosen(kind: Kind, shape: tuple[int, int], params: KnitParams) -> Style:
+    """The style of a picture of ``kind`` and (rows, stitches) under ``params``."""
     near = NEAR[params.use]
     asked = length(params.seen_from) / 1000 if params.seen_from else None
     if params.style != "auto":
@@ -59,7 +58,7 @@ def chosen(picture: Array, luma: Array, params: KnitParams) -> Style:
         )
     if params.tone is not None or params.keep:
         return Style("tonal", kind, asked or FAR, "tonal: tone or keep was asked for")
-    rows, stitches = picture.shape[:2]
+    rows, stitches = shape
     if kind != "photograph":
         return Style("graphic", kind, asked or near, f"graphic: {kind}, its areas and lines are kept")
     if (asked or 0.0) >= FAR and params.technique != "intarsia":

@@ -11,13 +11,12 @@ from tambour.core.chart import Chart
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
-from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import resample, tone, wools
-from tambour.knit.picture.layout import Layout, lay
+from tambour.knit.picture.layout import Layout
 from tambour.knit.picture.prepare import prepared
-from tambour.knit.picture.style import NEAR, Style, chosen, suggested
+from tambour.knit.picture.style import NEAR, Style, suggested
 from tambour.knit.piece import Piece
 from tambour.knit.solve import areas
 from tambour.knit.solve.assemble import name_of
@@ -49,30 +48,31 @@ class Field:
         return np.tile(np.arange(self.cost.shape[2], dtype=np.uint8), (len(self.cells), 1))
 
 
-def make(source: Picture, params: KnitParams, progress: Progress) -> Piece:
-    """The Piece of a picture in areas: intarsia, or one picture on a double bed.
+def make(layout: Layout, style: Style, params: KnitParams, exact: bool, progress: Progress) -> Piece:
+    """The Piece of a picture in areas: intarsia, or one picture on a double bed. With ``exact`` each stitch has the yarn
+    nearest to it, however narrow an area is: pixel art, a stitch for each pixel.
 
     Raises TambourError for what does not fit together.
     """
+    least = 1 if exact else LEAST[params.technique]
     with progress.stage("tone"):
-        layout = lay(source, params, progress)
-        luma = tone.brightness(layout.picture, "code")
-        style = chosen(layout.picture, luma, params)
         params = params.model_copy(update={"style": style.name, "seen_from": params.seen_from or f"{style.metres:g}m"})
-        palette, cost = costs(layout, params, style)
+        palette, cost = costs(layout, params, style, exact)
     with progress.stage("start_assignment"):
         start = np.ascontiguousarray(cost.argmin(2), np.uint8)
         locked = layout.locked if layout.locked.size else np.zeros(start.shape, np.bool_)
         if locked.any():
             cost = held(cost, start, locked)
-        across, up = prices(cost, params)
+        across, up = prices(cost, params) if not exact else (np.zeros(start.shape, np.float32),) * 2
     with progress.stage("solve"):
         if style.name == "tonal":
             cells = diffused(layout.picture, palette)
+        elif exact:
+            cells = start
         else:
             fewest = 0 if style.flat else FEWEST[params.technique]
-            cells = areas.solve(cost, across, up, LEAST[params.technique], layout.knit, fewest)
-    field = Field(cost, across, up, LEAST[params.technique], layout, cells, locked)
+            cells = areas.solve(cost, across, up, least, layout.knit, fewest)
+    field = Field(cost, across, up, least, layout, cells, locked)
     colours = len(palette) if style.flat else 0
     figures = {
         "style": style.name,
@@ -80,6 +80,14 @@ def make(source: Picture, params: KnitParams, progress: Progress) -> Piece:
         "suggested": suggested(style.kind, start.shape, colours, params),
         "seen_from": style.metres,
     }
+    if least < LEAST[params.technique]:
+        figures["embroidered"] = areas.narrow(cells, LEAST[params.technique], layout.knit)
+        if figures["embroidered"]:
+            progress.warn(
+                f"{figures['embroidered']} places are narrower than {LEAST[params.technique]} stitches in their row: "
+                "strand them, or embroider them in duplicate stitch",
+                hint="{--stitches} lets areas be as wide as a bobbin wants",
+            )
     return assembled(field, palette, start, style.kind, figures, params)
 
 
@@ -105,7 +113,7 @@ def of_chart(chart: Chart, params: KnitParams, progress: Progress) -> Piece:
     return replace(piece, chart=replace(piece.chart, gauge=piece.chart.gauge or chart.gauge))
 
 
-def costs(layout: Layout, params: KnitParams, style: Style) -> tuple[Palette, Array]:
+def costs(layout: Layout, params: KnitParams, style: Style, exact: bool) -> tuple[Palette, Array]:
     """The yarns, and (R, C, K) float32, what each stitch costs in each: two yarns without colours of their own show
     lightness, prepared as for stranded knitting; others are compared in colour."""
     own = bool(params.colors) or params.card != "none" or params.stash is not None
@@ -116,7 +124,7 @@ def costs(layout: Layout, params: KnitParams, style: Style) -> tuple[Palette, Ar
     picture = layout.picture if style.flat else wools.cleared(layout.picture)
     palette = wools.chosen(picture, params, style.flat)
     cost = wools.distances(picture, palette)
-    return palette, wools.pure(cost) if style.flat else cost
+    return palette, wools.pure(cost) if style.flat and not exact else cost
 
 
 def prices(cost: Array, params: KnitParams) -> tuple[Array, Array]:
@@ -160,7 +168,7 @@ def assembled(
         no_stitch=tiled(~layout.knit) if layout.knit.size else None,
         locked=tiled(field.locked) if field.locked.any() else None,
         gauge=resample.gauge_of(params),
-        technique=params.technique,
+        technique="jacquard" if params.technique == "jacquard" else "intarsia",
         backing=params.back,
     )
     narrow = areas.narrow(field.cells, field.least, layout.knit)

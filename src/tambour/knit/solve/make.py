@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tambour.core.chart import Chart
+from tambour.core.chart import Chart, Technique
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
@@ -19,9 +19,11 @@ from tambour.knit.picture.grounds import laid
 from tambour.knit.picture.layout import Layout, lay
 from tambour.knit.picture.prepare import mixed, prepared
 from tambour.knit.picture.regions import divided
-from tambour.knit.picture.style import Style, chosen, of_plain, settled, suggested
+from tambour.knit.picture.style import Style, chosen, of_plain, recognised, settled, suggested
+from tambour.knit.picture.usual import coloured
 from tambour.knit.piece import Piece
-from tambour.knit.solve import floats
+from tambour.knit.solve import coloured as areas
+from tambour.knit.solve import floats, yarns
 from tambour.knit.solve.assemble import State, assemble
 from tambour.knit.solve.stages import advise, mirrored, solved, squash_of, task_of
 from tambour.knit.task import NONE, PLAIN, Task
@@ -32,40 +34,37 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
 
     Raises TambourError for pictures, masks and limits that cannot be used together.
     """
+    if isinstance(source, Chart) or params.check:
+        return given(source, params, progress)
     limit = floats.limit_of(params)
-    if isinstance(source, Chart) and source.technique != "stranded":
-        from tambour.knit.solve import coloured
-
-        return coloured.of_chart(source, params, progress)
-    if params.technique != "stranded":
-        from tambour.knit.solve import coloured
-
-        if isinstance(source, Chart) or params.check:
-            known = source if isinstance(source, Chart) else chart_of(source, two=False)
-            worked = replace(known, technique=params.technique, backing=params.back)
-            return coloured.of_chart(worked, params, progress)
-        return coloured.make(source, params, progress)
     if params.edge_stitches > limit and params.edges == "anchored":
         raise TambourError(
             f"{params.edge_stitches} edge stitches of one colour are longer than a float may be ({limit})",
             where="{--edge-stitches}",
         )
-    if limit == 1 and params.floats == "short" and not params.check:
+    if limit == 1 and params.floats == "short" and params.technique in ("auto", "stranded"):
         progress.warn(
             "with floats of one stitch every row is a check, whatever the picture",
             hint="{--max-float} 3 and more leave room for one; {--floats} caught leaves it as it is",
         )
-    if isinstance(source, Chart) or params.check:
-        wanted = params.model_copy(update={"method": params.method or "exact", "style": "plain"})
-        return of_chart(source, wanted, limit, progress)
-    if params.count > 2:
-        from tambour.knit.solve import yarns
-
-        return yarns.make(source, params, limit, progress)
     with progress.stage("tone"):
         layout = lay(source, params, progress)
         luma = tone.brightness(layout.picture, "code")
-        style = chosen(layout.picture, luma, params)
+        kind = recognised(layout.picture, luma)
+        # Pixel art that is given to us, and no word said, stays as it is.
+        exact = params.technique == "auto" and kind != "photograph" and layout.pixels
+        params = coloured(layout.picture, kind, params)
+        style = chosen(kind, luma.shape, params)
+    if params.technique != "stranded":
+        return areas.make(layout, style, params, exact, progress)
+    if params.count > 2:
+        return yarns.make(layout, style, params, limit, progress)
+    return two(layout, luma, style, params, limit, progress)
+
+
+def two(layout: Layout, luma: Array, style: Style, params: KnitParams, limit: int, progress: Progress) -> Piece:
+    """The Piece of a picture in two stranded yarns; ``luma`` (R, C) its brightness."""
+    with progress.stage("tone"):
         if style.name != "plain" and of_plain(params):
             progress.warn(
                 f"{style.name} has no part for {{--detail}}, {{--threshold}} and {{--patches}}: they are for plain"
@@ -165,6 +164,19 @@ def finished(
             cells = mirrored(task, cells)
     pairs = np.tile(np.array([0, 1], np.uint8), (len(cells), 1))
     return assemble(State(task, cells, layout, pairs), palette, kind, how, params, before, progress)
+
+
+def given(source: Picture | Chart, params: KnitParams, progress: Progress) -> Piece:
+    """The Piece of an existing chart, in the technique that it says, or that was asked for."""
+    technique = source.technique if isinstance(source, Chart) and source.technique != "stranded" else params.technique
+    if technique not in ("auto", "stranded"):
+        chart = source if isinstance(source, Chart) else chart_of(source, two=False)
+        if chart.technique != technique:
+            worked: Technique = "jacquard" if technique == "jacquard" else "intarsia"
+            chart = replace(chart, technique=worked, backing=params.back)
+        return areas.of_chart(chart, params, progress)
+    params = params.model_copy(update={"technique": "stranded", "method": params.method or "exact", "style": "plain"})
+    return of_chart(source, params, floats.limit_of(params), progress)
 
 
 def of_chart(source: Picture | Chart, params: KnitParams, limit: int, progress: Progress) -> Piece:

@@ -16,13 +16,11 @@ from tambour import color
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
-from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import shades, tone
-from tambour.knit.picture.layout import lay
-from tambour.knit.picture.style import chosen as chosen_style
-from tambour.knit.picture.style import settled
+from tambour.knit.picture.layout import Layout
+from tambour.knit.picture.style import Style, settled
 from tambour.knit.piece import Piece
 from tambour.knit.solve import blocks, exact, floats, percept, stages
 from tambour.knit.solve.assemble import State, assemble
@@ -34,7 +32,7 @@ SWITCH = 1e-3  # squared error on every stitch of a row that a change of pair is
 SWEEPS = 4
 
 
-def make(source: Picture, params: KnitParams, limit: int, progress: Progress) -> Piece:
+def make(layout: Layout, style: Style, params: KnitParams, limit: int, progress: Progress) -> Piece:
     """The Piece of a picture in as many yarns as ``params`` ask for.
 
     Raises TambourError for what needs two yarns only (locked stitches, frames, weights, patches), and for yarns that
@@ -55,9 +53,6 @@ def make(source: Picture, params: KnitParams, limit: int, progress: Progress) ->
             where="{--focus}" if params.focus != "none" else "{--start} patches",
         )
     with progress.stage("tone"):
-        layout = lay(source, params, progress)
-        luma = tone.brightness(layout.picture, "code")
-        style = chosen_style(layout.picture, luma, params)
         params = settled(params, style)
         kind = style.kind
         areas = style.name in ("graphic", "texture")
