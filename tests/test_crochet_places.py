@@ -367,3 +367,30 @@ def test_places_are_printed_as_people_say_them():
     assert "between Rnd 8 and 9" in line and "hanging down" in line
     assert "°" not in line and "." not in line.rstrip(".")
     assert "°" in instructions(build(pattern)).text
+
+
+@pytest.mark.parametrize(
+    ("heads", "names", "copies"),
+    [
+        ("SNOUT\nWith A, beg using magic loop method demonstrated here. (See diagram on page 3)", "SNOUT", 1),
+        ("Ears (make 2)\nNote: Ch 1 does not count as a stitch.\nWith A, beg using magic loop method.", "Ears", 2),
+        ("Sew them on. Stuff it. TAIL See diagram on page 4. With B, make a magic ring.", "TAIL", 1),
+    ],
+)
+def test_a_heading_stands_over_its_part_though_notes_are_between(heads: str, names: str, copies: int) -> None:
+    """Notes, a ring that is made, or a page's diagram between a heading and the first round take its name from no part."""
+    text = f"Toy\n\nINSTRUCTIONS\nBODY\n{CLOSED}\n{heads}\n{TUBE}"
+    found = read_printed(Text(text, "toy.txt")).parts[-1]
+    assert (found.name, found.copies) == (names, copies)
+
+
+def test_a_title_or_a_word_of_the_abbreviations_is_no_heading() -> None:
+    for text in (f"Bean Bag\n\n{CLOSED}", f"Berry\n\nSpecial stitch\nBobble (bo): work 5 dc together.\n\n{CLOSED}"):
+        assert read_printed(Text(text, "toy.txt")).parts[0].name == ""
+
+
+def test_of_many_leaves_that_are_in_each_others_way_one_is_told(tmp_path: Path) -> None:
+    text = f"Toy\n\nBODY\n{CLOSED}\nLEAF (make 6)\n{CUP}\nSew leaves to top of body.\n"
+    (tmp_path / "toy.txt").write_text(text)
+    report = run("crochet", str(tmp_path / "toy.txt"), out=[str(tmp_path / "toy.acl")])
+    assert sum("sewn to the same place" in w for w in map(str, report["warnings"])) == 1

@@ -62,7 +62,7 @@ def toy(piece: Plush) -> Mesh:
 def in_sight(piece: Plush) -> list[int] | None:
     """The parts that pictures of a printed pattern's toy show; None for all of them.
 
-    Clothes and unnamed parts that nothing places would only stand beside it.
+    Clothes, limbs and unnamed parts that nothing places would only stand beside it.
     """
     import re
 
@@ -78,7 +78,8 @@ def in_sight(piece: Plush) -> list[int] | None:
     at = {k: int(label[graph.parts[k].start]) for k in filled}
     name = {k: pattern.parts[piece.built.parts[k].section].name for k in filled}
     main = at[max(filled, key=lambda k: graph.parts[k].end - graph.parts[k].start)]
-    aside = {k for k in filled if Made(name[k], 1).worn or re.fullmatch(r"(?:part|piece)(?:_\w+)?|", name[k])}
+    of = [Made(name[k], 1) if k in name else Made("", 1) for k in range(len(graph.parts))]
+    aside = {k for k in filled if of[k].kind or of[k].worn or re.fullmatch(r"(?:part|piece)(?:_\w+)?|", name[k])}
     toys = {main, *(at[k] for k in filled if k not in aside and list(at.values()).count(at[k]) > 1)}
     kept = [k for k in filled if k not in aside or at[k] in toys]
     return kept if len(kept) < len(filled) else None
@@ -102,7 +103,7 @@ def photo(piece: Plush) -> Picture:
     """The piece in yarn, path-traced."""
     from tambour.render.photo import picture
 
-    return picture(yarn(piece))
+    return picture(toy(piece))
 
 
 def surface(piece: Plush) -> Mesh:

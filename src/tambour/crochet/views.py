@@ -9,7 +9,14 @@ VIEWS: dict[str, View] = {
         Lazy("tambour.crochet.looks:yarn"),
         "Mesh",
         "the piece in its yarn",
-        (".glb", ".obj", ".ply", ".stl", ".png", ".jpg"),
+        (".glb", ".obj", ".ply", ".stl"),
+        "fabric",
+    ),
+    "toy": View(
+        Lazy("tambour.crochet.page.portrait:whole"),
+        "Picture",
+        "the toy put together, in its yarn, as one looks at it; what belongs nowhere on it left out",
+        (".png", ".jpg"),
         "fabric",
     ),
     "check": View(

@@ -126,6 +126,7 @@ def crowded(joining: Joining) -> list[Problem]:
     spots, steps = joining.spots, joining.steps
     found: list[Problem] = []
     known: list[tuple[Placed, bool, Array]] = []
+    told: set[tuple[object, ...]] = set()
     for f, end in steps:
         frame = frames(spots.built, spots.layout, [f.spot])
         points = sewing.line(f, end, frame)
@@ -136,7 +137,9 @@ def crowded(joining: Joining) -> list[Problem]:
             middles = float(np.sqrt(((points.mean(0) - its.mean(0)) ** 2).sum()))
             sizes = [float(np.sqrt(((p - p.mean(0)) ** 2).sum(1).max())) for p in (points, its)]
             inside = (ring and middles < sizes[1]) or (end.ring and middles < sizes[0])
-            if float(apart.min()) < APART or inside:
+            pair = (f.span, f.part.rsplit(".", 1)[0], other.part.rsplit(".", 1)[0])
+            if (float(apart.min()) < APART or inside) and pair not in told:
+                told.add(pair)  # of twenty leaves one is enough
                 message = f'"{f.part}" and "{other.part}" are sewn to the same place'
                 hint = "their seams are in each other's way: move one of the two"
                 found.append(Problem(message, hint, f.span, spots.built.pattern.text, warning=True))

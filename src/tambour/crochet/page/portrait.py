@@ -19,6 +19,14 @@ SIDES: Final[dict[str, tuple[float, float]]] = {
     "top": (0.0, radians(80.0)),
 }
 """Side → azimuth and elevation of the camera; left and right are those of one who looks at the front."""
+AHEAD, ASIDE, ABOVE = (
+    (radians(18.0), radians(13.0)),
+    (radians(38.0), radians(16.0)),
+    (radians(24.0), radians(52.0)),
+)
+"""Azimuth and elevation for a toy that stands or sits, for one that lies or goes on four legs, for what is flat."""
+_LONG: Final = 1.25
+"""A toy so much deeper than high is seen from the side as well."""
 
 
 def portrait(piece: Plush, side: str, *, width: int = 1200, height: int | None = None, ground: bool = True) -> Picture:
@@ -26,6 +34,19 @@ def portrait(piece: Plush, side: str, *, width: int = 1200, height: int | None =
     from tambour.crochet.looks import toy
 
     return seen(toy(piece), side, width=width, height=height, ground=ground)
+
+
+def whole(piece: Plush, *, width: int = 1200) -> Picture:
+    """The toy as one looks at it: its face ahead, from a little above; what lies flat from higher."""
+    import numpy as np
+
+    from tambour.crochet.looks import toy
+    from tambour.crochet.page.pictures import lies
+    from tambour.render.raster import picture
+
+    _, high, deep = np.ptp(piece.positions, axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
+    azimuth, elevation = ABOVE if lies(piece) else ASIDE if deep > _LONG * high else AHEAD
+    return picture(toy(piece), width=width, azimuth=azimuth, elevation=elevation)
 
 
 front, back, left, right, top = (partial(portrait, side=side) for side in SIDES)

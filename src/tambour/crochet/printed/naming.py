@@ -1,8 +1,13 @@
-"""Printed patterns, naming: which part words mean."""
+"""Printed patterns, naming: which part words mean, and the heading that a part stands under, notes between or not."""
 
 from __future__ import annotations
 
+import re
 from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.places.names import kind_of, one
+from tambour.crochet.printed.notes import Heading, plain_name
 
 _SMALL: Final = frozenset(
     ("the", "a", "of", "for", "as", "given", "first", "1st", "one", "piece", "pattern", "instructions")
@@ -27,3 +32,61 @@ def named(names: list[str], words: str) -> int | None:
 def _one(word: str) -> str:
     """A word as its singular, roughly."""
     return word[:-1] if word.endswith("s") and len(word) > 3 else word
+
+
+_FAR: Final = 900
+"""Characters above a part's first round in which its heading may stand."""
+_TITLE: Final = re.compile(
+    r"(?:^|(?<=[.!?]\s)|(?<=[.!?]\s\s))[#*•\s]*"
+    r"(?P<name>[A-ZÀ-Þa-z][\w'’&/-]*(?:[ \t][\w'’&/-]+){0,4}?)[ \t]*"
+    r"(?P<make>[(\[](?:make|work)\b[^)\]\n]{0,80}[)\]])?[ \t]*"
+    r"(?P<end>[:.]?[*\s]*$|(?=[(\[](?:[Mm]ake|MAKE|[Ss]ee|Beg|beg|[Ww]ork|[A-Z]{3}))|[:.]?[ \t]+(?=See\b|With\b|Begin|Beg\b))",
+    re.MULTILINE,
+)
+_SAID: Final = (
+    "note notes row rows rnd rnds round rounds instructions begin beg beginning shape divide join joining joined end "
+    "continue cont work working fasten stuff sew attach make with using see diagram gauge special abbreviation "
+    "abbreviations finishing assembly repeat place change color colour materials size measurements turn insert next "
+    "step skip stitch hook yarn video here and or if now"
+)
+_NO_PART: Final = frozenset(_SAID.split())
+"""Words that no heading of a part has."""
+_MANY: Final = {"two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "eight": 8, "ten": 10, "twelve": 12}
+
+
+def heading_above(text: str, low: int, high: int) -> Heading | None:
+    """The heading that the work at ``high`` stands under, at or behind ``low``, though notes or a ring stand between.
+
+    A line of a few words that name a part, or capitals at the beginning of a sentence ("FACE See diagram on page 4.");
+    the last before ``high``.
+    """
+    low = max(low, high - _FAR)
+    begun = list(re.finditer(r"^(?:INSTRUCTIONS|DIRECTIONS|PATTERN)\b.*$", text[low:high], re.MULTILINE))
+    low += begun[-1].end() if begun else 0
+    capitals = bool(low)
+    title = len(text) - len(text.lstrip())
+    low = max(low, text.find("\n", title) % (len(text) + 1))
+    for found in reversed(list(_TITLE.finditer(text[low:high]))):
+        words = [one(w) for w in re.findall(r"[^\W\d_]+", found["name"].lower())]
+        if not words or set(words) & _NO_PART or not any(len(w) > 2 for w in words):
+            continue
+        kinds = [kind_of(w) for w in words]
+        starts = not text[text.rfind("\n", 0, low + found.start("name")) + 1 : low + found.start("name")].strip(
+            "#*• \t"
+        )
+        if not ((capitals and found["name"].isupper()) or (kinds[-1] and starts)):
+            continue
+        name = plain_name(found["name"])
+        if name:
+            at = low + found.start("name")
+            return Heading(name, Span(at, at + len(found["name"])), _made(found["make"]), None, True, True)
+    return None
+
+
+def _made(words: str | None) -> int:
+    """How many "(make 2)", "(make 1 with B and 1 with C)" are."""
+    said = re.findall(
+        r"\b(\d+|two|three|four|five|six|eight|ten|twelve)\b(?!\s*(?:mm|st|sts|rnds?|rounds?)\b)", (words or "").lower()
+    )
+    many = sum(int(w) if w.isdigit() else _MANY[w] for w in said)
+    return many if 1 <= many <= 100 else 1

@@ -10,6 +10,7 @@ from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.naming import heading_above
 from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.recognise import recognised
@@ -112,6 +113,10 @@ class State:
             self.lead = [*last.lines, *self.lead]
             self.parts.pop()
         found, self.heading, self.mode = self.heading, None, ""
+        if found is None:
+            rounds = self.parts[-1].lines if self.parts else []
+            ended = next((line.span.start for line in reversed(rounds) if line.in_round), 0)
+            found = heading_above(self.source.text.text, ended, span.start)
         name = found.name if found is not None else ""
         if not name and self.parts:
             name = f"part_{len(self.parts) + 1}"
