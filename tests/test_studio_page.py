@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -50,18 +51,24 @@ if not (LIB / "made.json").exists() or CHROMIUM is None:
 playwright = pytest.importorskip("playwright.sync_api")
 
 
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """The address, with its token, of a studio of its own."""
-    library = tmp_path_factory.mktemp("studio") / "library.db"
-    words = [sys.executable, "-m", "tambour", "studio", "--no-open", "--port", "0", "--library", str(library)]
+@contextmanager
+def studio(library: Path, port: int = 0) -> Iterator[tuple[str, subprocess.Popen[str]]]:
+    """A studio of its own: its address, with its token, and its process."""
+    words = [sys.executable, "-m", "tambour", "studio", "--no-open", "--port", str(port), "--library", str(library)]
     with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as started:
         assert started.stdout is not None
         try:
-            yield started.stdout.readline().strip()
+            yield started.stdout.readline().strip(), started
         finally:
             started.terminate()
             started.wait(20)
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The address, with its token, of a studio."""
+    with studio(tmp_path_factory.mktemp("studio") / "library.db") as (address, _):
+        yield address
 
 
 @pytest.fixture(scope="module")
@@ -156,6 +163,7 @@ def picture(page: Any) -> bytes:
 def taken(page: Any, tmp_path: Path, name: str) -> Path:
     """The file of that name from Take away."""
     page.keyboard.press("Control+s")
+    page.click("dialog[open] summary")
     page.wait_for_selector("dialog[open] .way")
     with page.expect_download() as waiting:
         page.locator("dialog[open] .way", has_text=name).first.click()
@@ -173,7 +181,14 @@ def test_crochet(page, tmp_path):
     scrub(page, 0.5)
     assert picture(page) != whole
     assert "Rnd" in page.inner_text(".making .where")
-    got = taken(page, tmp_path, "ball.acl")
+    page.fill(".title input", "My ball/1.0")
+    page.keyboard.press("Tab")
+    until(page, "document.title.startsWith('My')")
+    page.keyboard.press("Control+s")
+    page.wait_for_selector("dialog[open] .first")
+    assert page.locator("dialog[open] .first .button").count() <= 8 and not page.locator(".way").first.is_visible()
+    page.keyboard.press("Escape")
+    got = taken(page, tmp_path, "My ball 1 0.acl")
     (tmp_path / "ball.txt").write_text(BALL)
     run.run("crochet", tmp_path / "ball.txt", out=[tmp_path / "ball.acl"])
     assert got.read_bytes() == (tmp_path / "ball.acl").read_bytes()
@@ -221,7 +236,9 @@ def test_knit_painted_by_keys(page, tmp_path):
     page.focus(".view canvas")
     for key in ("ArrowRight", "ArrowUp", "x", "Enter"):
         page.keyboard.press(key)
-    page.wait_for_selector("text=held by hand")
+    page.wait_for_selector("text=1 stitch held by hand")
+    drawn = "c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some(v => v)"
+    assert page.locator(".ruler").evaluate(drawn)  # numbers at the chart's edge
     until(page, "document.querySelector('.saved').textContent === 'saved'")
     whole = picture(page)
     scrub(page, 0.5)
@@ -250,9 +267,106 @@ def test_ink(page, tmp_path):
     until(page, f"location.href !== '{before}'")
     assert "?x=" in page.url
     assert any(picture(page) != blank for _ in range(40))  # tiles come when they are painted
-    got = taken(page, tmp_path, ".json")
-    run.run("ink", params=run.craft("ink").params.of({"seed": "plum", "span": 300}), out=[tmp_path / "plum.json"])
+    got = taken(page, tmp_path, "plum.json")
+    seen = page.evaluate(
+        "async () => (await (await fetch(`/api/pieces/${location.hash.split('/').pop().split('?')[0]}`)).json()).revision.params"
+    )
+    assert seen["from_"] == round(float(page.url.split("?x=")[1])) > 0 and seen["span"] != 300
+    run.run("ink", params=run.craft("ink").params.of(seen), out=[tmp_path / "plum.json"])
     assert got.read_bytes() == (tmp_path / "plum.json").read_bytes()
+
+
+def kept_word(page: Any) -> str:
+    """The bar's word of how a piece is kept."""
+    return str(page.inner_text(".saved"))
+
+
+def test_a_killed_server_loses_nothing_and_an_old_page_says_what_is_not_saved(browser, tmp_path):
+    with studio(tmp_path / "library.db") as (address, process):
+        context = browser.new_context(viewport={"width": 900, "height": 480}, reduced_motion="reduce")
+        context.set_default_timeout(120_000)
+        context.route("**/api/examples/**", lambda route: route.fulfill(body=b""))
+        page = context.new_page()
+        page.goto(address)
+        new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+        made(page)
+        page.keyboard.press("e")
+        page.keyboard.type("First line\n")
+        until(page, "document.querySelector('.saved').textContent === 'saved'")
+        process.kill()
+        process.wait()
+        page.keyboard.type("Second line\n")
+        until(page, "document.querySelector('.saved').textContent === 'kept here'")
+    port = int(address.split(":")[2].split("/")[0])
+    with studio(tmp_path / "library.db", port) as (again, _):
+        until(page, "document.querySelector('.notes').textContent.includes('started anew')")
+        assert kept_word(page) == "kept here"
+        other = context.new_page()  # the address that was printed, in the same browser: both pages are welcome
+        other.goto(again)
+        other.wait_for_selector(".mine .cardx")
+        until(page, "document.querySelector('.saved').textContent === 'saved'")
+        assert "started anew" not in page.inner_text(".notes")
+        other.click(".mine .cardx")
+        until(other, "document.querySelector('.editor')?.shadowRoot?.textContent.includes('Second line')")
+        assert "First line" in other.evaluate("document.querySelector('.editor').shadowRoot.textContent")
+    context.close()
+
+
+def test_the_palette_presses_nothing_behind_it_and_finds_pieces(page):
+    piece = new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "Odd 100 % ball"})
+    made(page)
+    before = page.url
+    page.click(".mark")
+    page.wait_for_selector(".mine .cardx")
+    page.focus("nav button")  # Enter on it would begin a piece
+    page.keyboard.press("Control+k")
+    page.keyboard.type("all keys")
+    page.keyboard.press("Enter")
+    page.wait_for_selector("dialog .keys")
+    assert page.evaluate("location.hash") in ("", "#")
+    page.keyboard.press("Escape")
+    page.keyboard.press("Control+k")
+    page.keyboard.type("ball 100 %")
+    page.wait_for_selector(".palette li >> text=Odd 100 % ball")
+    page.keyboard.press("Enter")
+    until(page, f"location.hash.includes('{piece}')")
+    assert page.url == before
+
+
+def test_notes_go_with_what_they_were_said_of(page):
+    new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    made(page)
+    told = "import(document.querySelector('script[type=module]').src.replace('main', 'notes')).then(n => n.tell('of the ball'))"
+    page.keyboard.press("e")
+    page.keyboard.type("Hello\n")
+    until(page, "document.querySelector('.saved').textContent === 'saved'")
+    page.evaluate(f"() => {told}")
+    page.wait_for_selector(".note >> text=of the ball")
+    page.click("[aria-label=undo]")
+    page.wait_for_selector(".note", state="detached")
+    page.evaluate(f"() => {told}")
+    page.wait_for_selector(".note >> text=of the ball")
+    page.click(".mark")
+    page.wait_for_selector(".note", state="detached")
+
+
+def test_the_shelf_asks_where_a_file_was_dropped_and_shows_pictures_at_once(page, tmp_path):
+    from PIL import Image
+
+    Image.new("RGB", (40, 40), "teal").save(tmp_path / "square.png")
+    page.wait_for_selector(".cardx img")
+    until(page, "[...document.querySelectorAll('.stand .cardx img')].every(i => i.complete && i.naturalWidth > 100)")
+    with page.expect_file_chooser() as chosen:
+        page.click("text=Choose a file")
+    chosen.value.set_files(tmp_path / "square.png")
+    page.wait_for_selector(".drop .choice")
+    page.keyboard.press("Escape")
+    page.wait_for_selector(".choice", state="detached")
+    with page.expect_file_chooser() as chosen:
+        page.click("text=Choose a file")
+    chosen.value.set_files(tmp_path / "square.png")
+    page.click(".choice >> text=Stitch it")
+    until(page, "location.hash.includes('piece')")
 
 
 def test_the_shelf_begins_a_piece_of_what_is_typed(page):

@@ -141,6 +141,32 @@ def test_the_bin_and_the_pages_of_the_list(ours: TestClient) -> None:
     assert gone in {p["id"] for p in ours.get("/api/pieces").json()["pieces"]}
 
 
+def test_pieces_are_found_by_words_of_their_titles(ours: TestClient) -> None:
+    for title in ("Fox 50%_a", "Fox 500a", "Blue fox"):
+        new(ours, seed="1", title=title)
+    found = lambda words: [p["title"] for p in ours.get("/api/pieces", params={"words": words}).json()["pieces"]]  # noqa: E731
+    assert found("fox blue") == ["Blue fox"] and found("50%_a") == ["Fox 50%_a"] and found("fox \\") == []
+    assert len(found("fox")) == 3
+
+
+def test_a_chart_is_pictured_as_from_afar() -> None:
+    """Single stitches would be noise at that size; a chart of few stitches is its cloth."""
+    import numpy as np
+    from PIL import Image
+
+    from tambour.core.chart import Chart
+    from tambour.core.palette import Palette
+    from tambour.studio.thumbs import thumb
+
+    wool = Palette(np.array([[20] * 3, [235] * 3], np.uint8))
+    for side, least, most in ((120, 0, 25), (12, 60, 130)):
+        cells = (np.indices((side, side)).sum(0) % 2).astype(np.uint8)
+        what = craft("knit")
+        piece = make(what, Chart(cells, wool), what.params.of({})).piece
+        seen = np.asarray(Image.open(io.BytesIO(thumb("knit", piece))).convert("L"), float)
+        assert least <= seen.std() <= most
+
+
 def test_the_later_place_wins(ours: TestClient) -> None:
     path = f"/api/pieces/{new(ours, seed='1')[0]['id']}/place"
     assert ours.get(path).json() == {"place": None}

@@ -10,7 +10,7 @@ import json
 import secrets
 import sqlite3
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -91,6 +91,10 @@ class Place:
     step: int
     unit: int
     at: int
+
+
+_PLAIN = {ord(c): f"\\{c}" for c in "\\%_"}
+"""What SQL would read in a word, as itself."""
 
 
 def now() -> int:
@@ -228,13 +232,15 @@ class Library:
             raise Missing
         return Piece(*row)
 
-    def pieces(self, after: tuple[int, str] | None, most: int, binned: bool) -> list[Piece]:
-        """Pieces, the last changed first, from behind ``after`` (changed, id) on."""
+    def pieces(self, after: tuple[int, str] | None, most: int, binned: bool, words: Sequence[str] = ()) -> list[Piece]:
+        """Pieces, the last changed first, from behind ``after`` (changed, id) on; ``words``: all are in their titles."""
+        wanted = [f"%{w.translate(_PLAIN)}%" for w in words]
         rows = self._db.execute(
             "SELECT id, craft, title, made, changed, head, thumb, binned FROM piece"
             " WHERE (binned IS NOT NULL) = ? AND (? IS NULL OR changed < ? OR (changed = ? AND id > ?))"
-            " ORDER BY changed DESC, id LIMIT ?",
-            (binned, *(after[:1] * 3 if after else (None,) * 3), after[1] if after else None, most),
+            + " AND title LIKE ? ESCAPE '\\'" * len(wanted)
+            + " ORDER BY changed DESC, id LIMIT ?",
+            (binned, *(after[:1] * 3 if after else (None,) * 3), after[1] if after else None, *wanted, most),
         )
         return [Piece(*row) for row in rows]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import re
 import shutil
 from collections import OrderedDict
 from collections.abc import Awaitable, Callable
@@ -103,15 +104,15 @@ class Making:
         key = key_of(name, content)
         return Spec(key, name, dict(content.params), list(content.edits), source, files, blobs)
 
-    async def view(self, name: str, content: Content, view: str, suffix: str) -> Output:
+    async def view(self, name: str, content: Content, view: str, suffix: str, title: str = "") -> Output:
         """A view's file, as the command line writes it."""
-        called = file_name(name, content, view, suffix)
+        called = file_name(name, content, view, suffix, title)
 
         async def make(to: Path) -> dict[str, Any]:
             spec = await self.spec(name, content)
             return await self.pool.run({"do": "out", "to": str(to), "name": called}, spec)
 
-        return await self.get(f"{key_of(name, content)}/{view}{suffix}", make)
+        return await self.get(f"{key_of(name, content)}/{view}/{called}", make)
 
 
 def tag(key: str) -> str:
@@ -132,9 +133,16 @@ def default_view(name: str, params: Any, suffix: str) -> str:
     return prefer.get(suffix) or next((v for v, it in what.views.items() if suffix in it.suffixes), "")
 
 
-def file_name(name: str, content: Content, view: str, suffix: str) -> str:
-    """What the command line would be asked to call this file: the source's name, the view where it is not the usual."""
+def file_stem(title: str) -> str:
+    """A title as the stem of a file's name: what no disk takes, and dots, which part views from suffixes, are spaces."""
+    plain = re.sub(r"[<>:\"/\\|?*.\x00-\x1f\x7f]", " ", title)
+    return " ".join(plain.split())[: limits.NAME].strip()
+
+
+def file_name(name: str, content: Content, view: str, suffix: str, title: str = "") -> str:
+    """What the command line would be asked to call this file: the piece's title, else the source's name, with the view
+    where it is not the usual."""
     what = craft(name)
     params = what.params.of(dict(content.params))
-    stem = what.stem(params) or (Path(content.name).stem if content.name else what.name)
+    stem = file_stem(title) or what.stem(params) or (Path(content.name).stem if content.name else what.name)
     return f"{stem}{suffix}" if default_view(name, params, suffix) == view else f"{stem}.{view}{suffix}"

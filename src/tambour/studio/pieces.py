@@ -33,7 +33,7 @@ EXAMPLES: dict[str, tuple[tuple[str, str, Plain], ...]] = {
         ("Mushroom", "mushroom.acl", {}),
         ("Octopus", "octopus.acl", {}),
     ),
-    "knit": (("Rose", "rose.png", {"stitches": 90}), ("Cat", "cat.png", {"stitches": 90}), ("Band", "band.csv", {})),
+    "knit": (("Cat", "cat.png", {"stitches": 90}), ("Rose", "rose.png", {"stitches": 90}), ("Band", "band.csv", {})),
     "ink": (("Plum", "plum", {"span": 1024.0}), ("Autumn", "autumn", {"span": 1024.0, "season": "autumn"})),
     "embroidery": (("Botanical", "botanical.svg", {}), ("Heart", "heart.svg", {}), ("Boat", "boat.svg", {})),
 }
@@ -282,7 +282,8 @@ async def listed(studio: Studio, request: Request) -> Plain:
     count = int(most[:4]) if most.isascii() and most.isdecimal() else limits.LISTED
     count = max(1, min(limits.LISTED, count))
     binned = request.query_params.get("binned", "0") in ("1", "true")
-    found = await studio.library.do(studio.library.pieces, (int(at), name) if after else None, count, binned)
+    words = request.query_params.get("words", "")[: limits.TITLE].split()[:8]
+    found = await studio.library.do(studio.library.pieces, (int(at), name) if after else None, count, binned, words)
     following = f"{found[-1].changed}-{found[-1].id}" if len(found) == count else None
     return {"pieces": [await plain_piece(studio, p) for p in found], "next": following}
 

@@ -52,7 +52,8 @@ ROUTES: tuple[Route, ...] = (
     Route("GET", "/api/examples/{craft}/{example}/steps.json", views.example_steps),
     Route(
         "GET", "/api/pieces", pieces.listed,
-        query=(("after", "where the page before ended"), ("limit", "at most 50"), ("binned", "1: those in the bin")),
+        query=(("after", "where the page before ended"), ("limit", "at most 50"), ("binned", "1: those in the bin"),
+               ("words", "those alone whose titles hold them all")),
     ),
     Route("POST", "/api/pieces", pieces.new, takes=pieces.NewPiece),
     Route("GET", "/api/pieces/{id}", pieces.one),

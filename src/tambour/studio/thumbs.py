@@ -7,6 +7,8 @@ from typing import Any
 
 SIDE = 320
 """Pixels of its longer side."""
+PLAIN, FAR = 32, 125
+"""A chart of so few stitches is shown as cloth; of larger ones, what is finer than the FARth part is blurred."""
 
 
 def thumb(craft: str, piece: Any) -> bytes:
@@ -28,9 +30,25 @@ def _crochet(piece: Any) -> Any:
 
 
 def _knit(piece: Any) -> Any:
+    """As it is seen from afar: at this size single stitches would be noise. A small chart as its cloth."""
+    import numpy as np
+    from PIL import Image, ImageFilter
+
+    from tambour.color import coded, linear
     from tambour.knit.views import fabric
 
-    return fabric(piece).rgba
+    rows, columns = piece.chart.shape
+    if max(rows, columns) <= PLAIN:
+        return fabric(piece).rgba
+    light = linear(piece.chart.palette.rgb / 255.0)[piece.chart.cells[::-1]]
+    tall = 1.0 if piece.chart.gauge is None else piece.chart.gauge.height / piece.chart.gauge.width
+    scale = 2 * SIDE / max(columns, rows * tall)
+    size = max(1, round(columns * scale)), max(1, round(rows * tall * scale))
+    afar = ImageFilter.GaussianBlur(scale * max(columns, rows) / FAR)
+    seen = [Image.fromarray(np.uint8(np.round(255 * np.sqrt(light[..., c])))) for c in range(3)]
+    seen = [np.asarray(p.resize(size, Image.Resampling.BOX).filter(afar), float) / 255 for p in seen]
+    rgb = coded(np.stack(seen, -1) ** 2)
+    return np.uint8(np.round(255 * np.concatenate([rgb, np.ones((*rgb.shape[:2], 1))], -1)))
 
 
 def _ink(piece: Any) -> Any:

@@ -10,7 +10,7 @@ from tambour import __version__, files
 from tambour.run import craft
 from tambour.studio.context import Answer, Studio, until_left
 from tambour.studio.guard import SANDBOX
-from tambour.studio.library import Content, Revision
+from tambour.studio.library import Content, Piece, Revision
 from tambour.studio.making import Output, file_name, key_of, tag
 from tambour.studio.pieces import EXAMPLES, example, plain_revision
 
@@ -25,9 +25,13 @@ _KINDS = {".webp": "image/webp", ".json": "application/json"}
 
 
 async def _found(studio: Studio, request: Request) -> tuple[str, Revision]:
-    revision = await studio.library.do(studio.library.revision, int(request.path_params["r"]))
-    piece = await studio.library.do(studio.library.piece, revision.piece)
+    piece, revision = await _titled(studio, request)
     return piece.craft, revision
+
+
+async def _titled(studio: Studio, request: Request) -> tuple[Piece, Revision]:
+    revision = await studio.library.do(studio.library.revision, int(request.path_params["r"]))
+    return await studio.library.do(studio.library.piece, revision.piece), revision
 
 
 def sent(request: Request, output: Output, kind: str, *, as_file: bool = False, cache: str = ASKED) -> Response:
@@ -53,14 +57,15 @@ async def shown(
     suffix: str,
     kind: str,
     as_file: bool = False,
+    title: str = "",
 ) -> Response:
     """A view of a piece as an answer; nothing is made for who has it."""
     from starlette.responses import Response
 
-    mark = tag(f"{key_of(name, content)}/{view}{suffix}")
+    mark = tag(f"{key_of(name, content)}/{view}/{file_name(name, content, view, suffix, title)}")
     if request.headers.get("if-none-match") == mark:
         return Response(status_code=304, headers={"cache-control": ASKED, "etag": mark})
-    made = await until_left(request, studio.making.view(name, content, view, suffix))
+    made = await until_left(request, studio.making.view(name, content, view, suffix, title))
     return sent(request, made, kind, as_file=as_file)
 
 
@@ -149,12 +154,13 @@ async def thumb(studio: Studio, request: Request) -> Response:
 
 async def takeaway(studio: Studio, request: Request) -> dict[str, Any]:
     """Every file that can be made of it; with its size where it was made already."""
-    name, found = await _found(studio, request)
-    key, listed = key_of(name, found.content), []
+    piece, found = await _titled(studio, request)
+    name, listed = piece.craft, []
+    key = key_of(name, found.content)
     for view, it in craft(name).views.items():
         for suffix in sorted(s for s, kind in files.WRITE if kind == it.value):
-            made = studio.making.known(f"{key}/{view}{suffix}")
-            called = file_name(name, found.content, view, suffix)
+            called = file_name(name, found.content, view, suffix, piece.title)
+            made = studio.making.known(f"{key}/{view}/{called}")
             size = None if made is None else made.size
             listed.append({"view": view, "suffix": suffix, "help": it.help, "name": called, "size": size})
     return {"files": listed}
@@ -162,11 +168,12 @@ async def takeaway(studio: Studio, request: Request) -> dict[str, Any]:
 
 async def download(studio: Studio, request: Request) -> Response:
     """A file: the command line's bytes; several files as one archive."""
-    name, found = await _found(studio, request)
+    piece, found = await _titled(studio, request)
+    name = piece.craft
     view, dot, rest = request.path_params["file"].partition(".")
     suffix = dot + rest
     views = craft(name).views
     if view not in views or not files.can_write(suffix, views[view].value):
         raise Answer.of(404, "there is no such file of this piece")
     kind = _KINDS.get(suffix, "application/octet-stream")
-    return await shown(studio, request, name, found.content, view, suffix, kind, as_file=True)
+    return await shown(studio, request, name, found.content, view, suffix, kind, True, piece.title)

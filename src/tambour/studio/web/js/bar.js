@@ -3,7 +3,7 @@ import { html, nothing, show } from "./view.js";
 import { help, offer, palette, written } from "./keys.js";
 import { attempt } from "./notes.js";
 import { theme, turnTheme } from "./theme.js";
-import { online } from "./wire.js";
+import { ask, online, welcome } from "./wire.js";
 import { begin } from "./drop.js";
 import { takeAway } from "./takeaway.js";
 import { pair } from "./pair.js";
@@ -18,13 +18,24 @@ const NEW = {
 };
 const GLYPH = { auto: "◐", light: "☀", dark: "☾" };
 
+/** One's own pieces whose titles hold these words. @param {string} words */
+async function pieces(words) {
+  const told = await ask(`/api/pieces?limit=20&words=${encodeURIComponent(words)}`);
+  return told.pieces.map((/** @type {any} */ p) => ({ name: p.title, note: CRAFTS[p.craft], do: () => (location.hash = `#/piece/${p.id}`) }));
+}
+
 /** @param {HTMLElement} element @param {HTMLElement} over @param {Piece|null} piece @param {(craft: string) => void} [wants] a craft that needs a file first */
 export function bar(element, over, piece, wants = () => {}) {
-  const away = () => piece && takeAway(over, piece, { follow });
+  const away = async () => {
+    if (!piece) return;
+    await piece.before();
+    takeAway(over, piece, { follow });
+  };
   const follow = () => piece && pair(over, piece);
   const fresh = (/** @type {string} */ craft) => (NEW[craft] ? attempt(() => begin(NEW[craft])) : wants(craft));
+  const find = () => palette(over, pieces);
   const commands = () => [
-    { name: "Find anything", key: "mod+k", do: () => palette(over) },
+    { name: "Find anything", key: "mod+k", do: find },
     { name: "All keys", key: "?", do: () => help(over) },
     { name: "Light, dark, or as the machine has it", do: turnTheme },
     { name: "The shelf", do: () => (location.hash = "") },
@@ -42,7 +53,7 @@ export function bar(element, over, piece, wants = () => {}) {
 
   function view() {
     const here = piece?.piece.value, craft = piece?.craft.value?.name;
-    const saved = !piece ? "" : !online.value ? "kept here" : piece.saved.value ? "saved" : "saving";
+    const saved = !piece ? "" : piece.refused.value ? "not saved" : !online.value || !welcome.value ? "kept here" : piece.saved.value ? "saved" : "saving";
     return html`<a class="mark" href="#" aria-label="Tambour: the shelf"><i></i>tambour</a>
       <nav aria-label="crafts">${Object.entries(CRAFTS).map(([name, label]) => html`<button aria-current=${name === craft ? "page" : nothing} @click=${() => name !== craft && fresh(name)} title="Begin with ${label.toLowerCase()}">${label}</button>`)}</nav>
       ${here ? html`<div class="title"><input type="text" .value=${here.title} aria-label="title" maxlength="120"
@@ -50,7 +61,7 @@ export function bar(element, over, piece, wants = () => {}) {
         <span class="saved ${saved === "saved" ? "" : "waiting"}" role="status">${saved}</span></div>` : ""}
       <div class="right">
         <button class="icon wide" @click=${turnTheme} aria-label="light or dark: ${theme.value}" title="Light or dark: ${theme.value}">${GLYPH[theme.value]}</button>
-        <button class="icon wide" @click=${() => palette(over)} aria-label="find anything" title="Find anything (${written("mod+k")})">⌕</button>
+        <button class="icon wide" @click=${find} aria-label="find anything" title="Find anything (${written("mod+k")})">⌕</button>
         ${here ? html`
           <button class="icon" ?disabled=${!here.undo} @click=${() => piece.step("undo")} aria-label="undo" title="Undo (${written("mod+z")})">↶</button>
           <button class="icon wide" ?disabled=${!here.redo} @click=${() => piece.step("redo")} aria-label="redo" title="Redo">↷</button>

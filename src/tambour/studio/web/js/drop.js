@@ -1,15 +1,17 @@
 // What is dropped, pasted or typed finds its craft: a pattern's text, a file, or a word as a seed.
 import { attempt, tell } from "./notes.js";
+import { html, render } from "./view.js";
 import { ask } from "./wire.js";
 
-const NAMES = { crochet: "Crochet", knit: "Knit", ink: "Ink", embroidery: "Embroidery" };
+/** What a craft makes of a file. */
+const MAKES = { crochet: ["Crochet it", "a pattern to work"], knit: ["Knit it", "a chart of stitches"], embroidery: ["Stitch it", "thread on cloth"], ink: ["Paint it", "a scroll"] };
 
 /** Make a piece of a file. @param {File} file @param {string} [craft] @returns {Promise<void>} */
 export async function fromFile(file, craft) {
   await attempt(async () => {
     const kept = await ask(`/api/files?name=${encodeURIComponent(file.name || "pasted.png")}`, { method: "POST", body: file });
     const source = { sha256: kept.sha256, name: kept.name };
-    const choice = craft ?? (kept.crafts.length === 1 ? kept.crafts[0] : await chosen(kept.crafts));
+    const choice = craft ?? (kept.crafts.length === 1 ? kept.crafts[0] : await chosen(kept.name, kept.crafts));
     if (choice) await begin({ craft: choice, source, title: titled(kept.name) });
   });
 }
@@ -29,15 +31,27 @@ export async function begin(what) {
   location.hash = `#/piece/${piece.id}`;
 }
 
-/** Two crafts can take it: which? @param {string[]} crafts @returns {Promise<string|undefined>} */
-function chosen(crafts) {
+/** Two crafts can take it: which? Asked where it was dropped. @param {string} name the file's @param {string[]} crafts @returns {Promise<string|undefined>} */
+function chosen(name, crafts) {
   if (!crafts.length) {
     tell("No craft can begin with this file. A pattern (text, PDF, Word), a picture, an SVG or a machine's stitch file can.");
     return Promise.resolve(undefined);
   }
-  return new Promise((done) =>
-    tell("What shall become of it?", { calm: true, stay: true, acts: crafts.map((c) => ({ name: NAMES[c], do: () => done(c) })) }),
-  );
+  document.querySelector(".choice")?.remove();
+  const box = document.createElement("dialog"), here = document.querySelector(".drop");
+  box.className = "choice";
+  box.setAttribute("aria-label", "what shall become of it");
+  (here ?? document.body).append(box);
+  return new Promise((done) => {
+    const end = (/** @type {string|undefined} */ craft) => (box.remove(), done(craft));
+    box.addEventListener("close", () => end(undefined));
+    box.addEventListener("keydown", (event) => event.key === "Escape" && end(undefined));
+    render(html`<p>What shall become of <b>${name}</b>?</p><div class="first">${crafts.map((c, k) => html`<button class="button ${k ? "" : "act"}" @click=${() => end(c)}>
+      <b>${MAKES[c][0]}</b><span>${MAKES[c][1]}</span></button>`)}</div><button class="icon plain shut" aria-label="nothing, let it be" @click=${() => end(undefined)}>×</button>`, box);
+    if (here) box.show();
+    else box.showModal();
+    box.querySelector("button")?.focus();
+  });
 }
 
 /** @param {string} file */
@@ -64,3 +78,13 @@ export function takes(element, over = () => {}) {
     else if (text) fromText(text);
   });
 }
+
+// A file that falls beside the field, or on a piece, begins a piece too: else the browser would open it and leave.
+const files = (/** @type {DragEvent} */ event) => Boolean(event.dataTransfer?.types.includes("Files"));
+addEventListener("dragover", (event) => files(event) && event.preventDefault());
+addEventListener("drop", (event) => {
+  if (event.defaultPrevented || !files(event)) return;
+  event.preventDefault();
+  const file = event.dataTransfer?.files[0];
+  if (file) fromFile(file);
+});

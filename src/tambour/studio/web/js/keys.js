@@ -1,7 +1,7 @@
 // Keys: one table of commands, from which come the shortcuts, the palette (⌘K) and the page of all keys (?).
 import { html, render } from "./view.js";
 
-/** @typedef {{name: string, key?: string, do: () => void, hidden?: boolean}} Command */
+/** @typedef {{name: string, key?: string, note?: string, do: () => void, hidden?: boolean}} Command */
 
 /** @type {(() => Command[])[]} the newest stands last */
 const tables = [];
@@ -54,28 +54,35 @@ addEventListener("keydown", (event) => {
   if (screens.at(-1)?.(event)) event.preventDefault();
 });
 
-/** All that can be done, found by typing. @param {HTMLElement} over */
-export function palette(over) {
+/** All that can be done, found by typing. @param {HTMLElement} over @param {(words: string) => Promise<Command[]>} [more] what else is found by these words */
+export function palette(over, more = async () => []) {
   const box = document.createElement("dialog");
   box.className = "palette";
   box.setAttribute("aria-label", "find anything");
-  let wanted = "", at = 0;
-  const found = () => all().filter((c) => !c.hidden && wanted.toLowerCase().split(/\s+/).every((w) => c.name.toLowerCase().includes(w))).slice(0, 40);
+  let wanted = "", at = 0, others = /** @type {Command[]} */ ([]), turn = 0;
+  const fits = (/** @type {Command} */ c) => !c.hidden && wanted.toLowerCase().split(/\s+/).every((w) => c.name.toLowerCase().includes(w));
+  const found = () => [...all().filter(fits), ...others].slice(0, 60);
+  const seek = async () => {
+    const mine = ++turn, told = await more(wanted.trim()).catch(() => []);
+    if (mine !== turn || !box.isConnected) return;
+    others = told;
+    draw();
+  };
   const run = (/** @type {Command|undefined} */ c) => {
     box.close();
     c?.do();
   };
   const draw = () => render(html`<input type="text" role="combobox" aria-expanded="true" aria-controls="found" aria-activedescendant="found-${at}"
-      aria-label="what do you want to do?" placeholder="What do you want to do?" @input=${(/** @type {any} */ e) => ((wanted = e.target.value), (at = 0), draw())} @keydown=${key}>
+      aria-label="what do you want to do?" placeholder="What do you want to do?" @input=${(/** @type {any} */ e) => ((wanted = e.target.value), (at = 0), draw(), seek())} @keydown=${key}>
     <ul id="found" role="listbox" aria-label="found">${found().map((c, k) => html`<li role="option" id="found-${k}" aria-selected=${k === at} @click=${() => run(c)}>
-      <span>${c.name}</span>${c.key ? html`<kbd>${written(c.key)}</kbd>` : ""}</li>`)}</ul>`, box);
+      <span>${c.name}</span>${c.key ? html`<kbd>${written(c.key)}</kbd>` : c.note ? html`<span class="quiet">${c.note}</span>` : ""}</li>`)}</ul>`, box);
   const key = (/** @type {KeyboardEvent} */ event) => {
     const n = Math.max(1, found().length);
     if (event.key === "ArrowDown") at = (at + 1) % n;
     else if (event.key === "ArrowUp") at = (at + n - 1) % n;
-    else if (event.key === "Enter") return run(found()[at]);
-    else return;
-    event.preventDefault();
+    else if (event.key !== "Enter") return;
+    event.preventDefault(); // else Enter would also press the button that has the focus again once this is closed
+    if (event.key === "Enter") return run(found()[at]);
     draw();
     box.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest" });
   };
@@ -84,6 +91,7 @@ export function palette(over) {
   over.append(box);
   box.showModal();
   box.querySelector("input")?.focus();
+  seek();
 }
 
 /** The page of all keys. @param {HTMLElement} over */

@@ -15,7 +15,7 @@ const LINES = {
 /** Words to begin a scroll with. */
 const WORDS = ["first snow", "a walk by the lake", "seven cranes", "old pine"];
 /** The examples that stand on the shelf, as the server names them. */
-export const SHELF = { crochet: ["frog.acl"], knit: ["rose.png"], ink: ["plum"], embroidery: ["botanical.svg"] };
+export const SHELF = { crochet: ["frog.acl"], knit: ["cat.png"], ink: ["plum"], embroidery: ["botanical.svg"] };
 
 /** @param {HTMLElement} element @param {{choose?: (take: (craft: string) => void) => void}} [how] */
 export function shelf(element, { choose } = {}) {
@@ -88,7 +88,7 @@ export function shelf(element, { choose } = {}) {
       const name = example(craft);
       const others = craft.examples.filter((/** @type {any} */ e) => e.name !== name).slice(0, 7);
       return html`<div class="stand"><button class="cardx" ?disabled=${!name && craft.name !== "ink"} @click=${() => attempt(() => begin({ craft: craft.name, example: name }))}>
-        <span class="picture"><canvas aria-hidden="true" ${ref(mover(craft.name, name))}></canvas></span>
+        <span class="picture"><img src=${new URL(`../pictures/${craft.name}.webp`, import.meta.url).href} alt=""><canvas aria-hidden="true" ${ref(mover(craft.name, name))}></canvas></span>
         <span class="under"><b>${CRAFTS[craft.name]}</b><span>${LINES[craft.name] ?? craft.help}</span></span></button>
         <p class="others">${craft.name === "ink" ? WORDS.map((w) => html`<button class="link" @click=${() => fromText(w)}>${w}</button> `)
           : others.map((/** @type {any} */ e) => html`<button class="link" @click=${() => attempt(() => begin({ craft: craft.name, example: e.name }))}>${e.title}</button> `)}</p></div>`;

@@ -1,7 +1,7 @@
 // Which screen, which piece: the address after # says it.
 import { bar } from "./bar.js";
 import { shelf } from "./library.js";
-import { attempt, view as notes } from "./notes.js";
+import { attempt, clear, view as notes } from "./notes.js";
 import { Piece } from "./piece.js";
 import "./theme.js";
 import { html, render, show } from "./view.js";
@@ -27,6 +27,7 @@ let turn = 0;
 async function go() {
   const mine = ++turn;
   for (const end of leave.splice(0).reverse()) end();
+  clear();
   over.replaceChildren();
   const screen = document.createElement("div");
   screen.className = "screen";

@@ -25,6 +25,7 @@ export function moving(canvas, craft, example) {
       if (now >= due && document.visibilityState === "visible") {
         const began = performance.now();
         cost = step((now - from) / 1000) ?? performance.now() - began;
+        canvas.dataset.moves = ""; // now it may be seen, in place of the still picture
         due = now + Math.max(30, cost * 5); // four of them share the page with the person who reads it
       }
       if (!still.matches) requestAnimationFrame(go);
@@ -72,6 +73,7 @@ function chart(canvas, pack) {
   return {
     step: (/** @type {number} */ t) => {
       const near = still.matches ? 0 : (1 - Math.cos((t / 14) * 2 * Math.PI - 2.2)) / 2;
+      view.how.blur = near < 0.35 ? Math.max(0, Math.log2(view.columns / 64)) : 0; // from afar, as one sees it worn
       view.scale = least * Math.exp(near * Math.log(most / least));
       view.center = [pack.shapes.cells[1] * (0.5 - 0.08 * near), pack.shapes.cells[0] * (0.5 + 0.1 * near)];
       view.touch();
@@ -90,20 +92,22 @@ async function scroll(canvas, seed, stop) {
   canvas.height = high;
   /** @type {(ImageBitmap|null)[]} */
   const tiles = [null, null, null];
+  const tile = async (/** @type {number} */ k) => (tiles[k] = await painter.paint(unpack(await bytes(`/api/ink/tiles/${told.key}/${k}.pack`, stop)), scale));
+  await tile(0); // till then the still picture is seen
   (async () => {
-    for (let k = 0; k < tiles.length; k++) tiles[k] = await painter.paint(unpack(await bytes(`/api/ink/tiles/${told.key}/${k}.pack`, stop)), scale);
+    for (let k = 1; k < tiles.length; k++) await tile(k);
   })().catch(() => {}); // bare paper where a tile does not come
   const wide = told.tile * scale, room = Math.max(0, tiles.length * wide - canvas.width), [r, g, b] = told.background;
   return {
-    step: (/** @type {number} */ t) => {
+    step: (/** @type {number} */ now) => {
       paint.fillStyle = `rgb(${r} ${g} ${b})`;
       paint.fillRect(0, 0, canvas.width, high);
-      const x = room * (0.5 - 0.5 * Math.cos(t / 11));
-      tiles.forEach((tile, k) => tile && paint.drawImage(tile, Math.round(k * wide - x), 0, Math.ceil(wide) + 1, high));
+      const x = room * (0.5 - 0.5 * Math.cos(now / 11));
+      tiles.forEach((t, k) => t && paint.drawImage(t, Math.round(k * wide - x), 0, Math.ceil(wide) + 1, high));
       return undefined;
     },
     free: () => {
-      for (const tile of tiles) tile?.close();
+      for (const t of tiles) t?.close();
       painter.free();
     },
   };

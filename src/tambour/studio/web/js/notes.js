@@ -1,6 +1,6 @@
 // Notes at the edge of the page: what went wrong without a place of its own, or a word that something is done.
 import { html, signal } from "./view.js";
-import { Trouble, online } from "./wire.js";
+import { Trouble, online, welcome } from "./wire.js";
 
 /** @typedef {{id: number, text: unknown, calm: boolean, acts: {name: string, do: () => void}[]}} Note */
 
@@ -16,6 +16,9 @@ export function tell(text, { calm = false, acts = [], stay = !calm } = {}) {
 
 /** @param {number} id */
 const away = (id) => (notes.value = notes.value.filter((n) => n.id !== id));
+
+/** Notes go with what they were said of: another piece, an undo, a change. @param {boolean} [wrong] only those that say that something is wrong */
+export const clear = (wrong = false) => notes.value.length && (notes.value = notes.value.filter((n) => wrong && n.calm));
 
 /** Do something; what it runs into becomes a note. @param {() => Promise<any>} act @returns {Promise<any>} */
 export async function attempt(act) {
@@ -35,6 +38,7 @@ addEventListener("unhandledrejection", ({ reason }) => {
 
 export const view = () => html`<div class="notes" role="status">
   ${online.value ? "" : html`<div class="note"><p><b>Tambour is not answering.</b> Go on working: all is kept here and saved when it is back.</p></div>`}
+  ${welcome.value ? "" : html`<div class="note"><p><b>Tambour was started anew, and this page is of the start before.</b> What you do here is kept in this browser. Open the address that Tambour printed, and it is saved.</p></div>`}
   ${notes.value.map((n) => html`<div class="note ${n.calm ? "calm" : ""}"><p>${n.text}</p>
     ${n.acts.map((a) => html`<button class="button" @click=${() => (away(n.id), a.do())}>${a.name}</button>`)}
     <button class="icon button plain" aria-label="close" @click=${() => away(n.id)}>×</button></div>`)}

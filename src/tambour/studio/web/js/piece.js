@@ -1,12 +1,16 @@
 // A piece as signals: its source, what it was told, its edits, how its making goes; every change is kept at once.
 import { batch, computed, signal } from "../lib/ui.js";
 import { unpack } from "./pack.js";
+import { clear } from "./notes.js";
 import { Live, Trouble, ask, bytes, online, patiently } from "./wire.js";
 
 /** @typedef {import("./pack.js").Pack} Pack */
 /** @typedef {import("./wire.js").Problem} Problem */
 /** @typedef {{label: string, words: string, count: number, part: string, span: [number, number]|null, first: number, end: number, stop: string, direction: number}} Step */
 /** @typedef {{source?: any, params?: Record<string, any>, edits?: any[], files?: any, said?: string, merge?: boolean}} Change */
+
+/** Answers after which the same is tried again: no server, one of a later start, too much at once, a fault, a full disk. */
+const AGAIN = [0, 401, 429, 500, 502, 503, 507];
 
 export class Piece {
   /** @param {string} id */
@@ -18,6 +22,12 @@ export class Piece {
     /** What is still to be sent, and what is on its way. */
     this.unsent = signal(/** @type {Change|null} */ (null));
     this.sending = signal(false);
+    /** The last change was not taken: what is wrong stands in ``failed``. */
+    this.refused = signal(false);
+    /** Done before files are taken away: a scroll says which window. */
+    this.before = async () => {};
+    this.due = /** @type {any} */ (0);
+    this.closed = false;
     this.live = signal(/** @type {Pack|null} */ (null));
     this.steps = signal(/** @type {{unit: string, units: number, steps: Step[]}|null} */ (null));
     this.report = signal(/** @type {any} */ (null));
@@ -78,7 +88,7 @@ export class Piece {
 
   /** Make the head, and tell how it goes; a scroll is made tile by tile instead, where one looks. */
   watch() {
-    if (this.craft.value?.name === "ink") return;
+    if (this.craft.value?.name === "ink" || this.closed) return;
     batch(() => {
       this.failed.value = [];
       this.going.value = { stage: "", done: 0, total: 0 };
@@ -108,14 +118,19 @@ export class Piece {
     }
   }
 
-  /** Change the piece: shown at once, kept in this browser until the server has it. @param {Change} what */
-  change(what) {
+  /** Change the piece: shown at once, kept in this browser until the server has it. @param {Change} what @param {number} [wait] ms in which more may come */
+  change(what, wait = 0) {
+    clear(true);
     this.unsent.value = { ...this.unsent.value, ...what, ...(what.params ? { params: { ...this.unsent.value?.params, ...what.params } } : {}) };
     keep(this.id, this.unsent.value);
-    return this._send();
+    if (!wait) return this._send();
+    clearTimeout(this.due);
+    this.due = setTimeout(() => this._send(), wait);
+    return undefined;
   }
 
   async _send() {
+    clearTimeout(this.due);
     if (this.sending.value || !this.unsent.value) return;
     const { ...what } = this.unsent.value;
     const base = this.revision.value;
@@ -127,6 +142,7 @@ export class Piece {
     try {
       const { piece, revision } = await ask(`/api/pieces/${this.id}/revisions`, { body: { base: base.id, ...what } });
       this._take(piece, revision);
+      this.refused.value = false;
       if (!this.unsent.value) keep(this.id, null);
       this.watch();
     } catch (error) {
@@ -135,11 +151,14 @@ export class Piece {
         // Another page wrote in between: ours goes on top of it, theirs stays in the history.
         this._take(trouble.body.piece, trouble.body.revision);
         this.unsent.value = { ...what, ...this.unsent.value };
-      } else if (trouble.status === 0) {
+      } else if (AGAIN.includes(trouble.status)) {
         this.unsent.value = { ...what, ...this.unsent.value };
-        setTimeout(() => this._send(), 2000);
+        if (trouble.status >= 500) this._trouble(error);
+        this.due = setTimeout(() => this._send(), trouble.status ? 4000 : 2000);
+        return;
       } else {
         keep(this.id, null);
+        this.refused.value = true;
         this._trouble(error);
       }
     } finally {
@@ -159,10 +178,13 @@ export class Piece {
 
   /** @param {"undo"|"redo"} way */
   async step(way) {
+    if (this.unsent.value) await this._send();
     if (this.unsent.value || this.sending.value || !this.piece.value?.[way]) return;
+    clear();
     try {
       const { piece, revision } = await ask(`/api/pieces/${this.id}/${way}`, { body: {} });
       this._take(piece, revision);
+      this.refused.value = false;
       this.watch();
     } catch (error) {
       if (!(error instanceof Trouble) || error.status !== 409) this._trouble(error);
@@ -188,6 +210,9 @@ export class Piece {
   }
 
   close() {
+    if (this.unsent.value) this._send(); // what was typed last
+    this.closed = true;
+    clearTimeout(this.due);
     this.wire.close();
   }
 }

@@ -1,17 +1,23 @@
 // Take away: what one most wants first, then every format with what it is and how large.
 import { attempt, tell } from "./notes.js";
-import { counted, html, render, size } from "./view.js";
+import { counted, html, number, render, size } from "./view.js";
 import { ask, bytes } from "./wire.js";
 
 /** @typedef {import("./piece.js").Piece} Piece */
 
-/** What is offered first: [view, suffix, title, line]. */
+/** What people take first: [view, suffix, title, line]. */
 const FIRST = {
-  crochet: [["page", ".pdf", "Print it", "the pattern as a booklet, PDF"], ["yarn", ".png", "Picture", "the toy in its yarn"], ["yarn", ".glb", "3-D", "for any viewer, GLB"]],
-  knit: [["pattern", ".pdf", "Print it", "the chart over pages, PDF"], ["fabric", ".jpg", "Picture", "as it will be knitted"], ["stitches", ".png", "Chart", "a pixel for each stitch"]],
-  ink: [["picture", ".png", "Picture", "painted, in pixels"], ["scroll", ".svg", "Vectors", "a group for each hill, SVG"], ["plot", ".hpgl", "Plotter", "lines for a pen, HPGL"]],
-  embroidery: [["machine", ".dst", "Machine", "DST, read by nearly all"], ["machine", ".pes", "Brother", "PES with its colours"], ["worksheet", ".pdf", "Worksheet", "threads and stops, PDF"]],
+  crochet: [["page", ".pdf", "Print it", "the pattern as a booklet, PDF"], ["yarn", ".png", "Picture", "the toy in its yarn, PNG"], ["instructions", ".txt", "Words", "as makers print them, text"],
+    ["diagram", ".svg", "Symbols", "a chart of its stitches, SVG"], ["yarn", ".glb", "3-D", "for any viewer, GLB"], ["making", ".gif", "Film", "it grows stitch by stitch, GIF"]],
+  knit: [["pattern", ".pdf", "Print it", "the chart over pages, PDF"], ["fabric", ".jpg", "Picture", "as it will be knitted, JPG"], ["stitches", ".png", "Chart", "a pixel for each stitch, PNG"],
+    ["written", ".txt", "Rows in words", "to read aloud, text"], ["knitout", ".k", "Machine", "knitout"], ["project", ".json", "To go on elsewhere", "all of it, JSON"]],
+  ink: [["picture", ".png", "Picture", "this window, painted, PNG"], ["scroll", ".svg", "Vectors", "a group for each hill, SVG"], ["sheet", ".pdf", "Print it", "on one page, PDF"],
+    ["plot", ".hpgl", "Plotter", "lines for a pen, HPGL"], ["painting", ".gif", "Film", "the painting being painted, GIF"]],
+  embroidery: [["machine", ".dst", "Machine", "DST, read by nearly all"], ["machine", ".pes", "Brother", "PES with its colours"], ["machine", ".jef", "Janome", "JEF"], ["machine", ".vp3", "Husqvarna", "VP3"],
+    ["worksheet", ".pdf", "Worksheet", "threads and stops, PDF"], ["preview", ".png", "Picture", "thread on cloth, PNG"]],
 };
+/** Second names of one format, and what a text of this craft is not. */
+const SAME = new Set([".jpeg", ".tiff", ".plt", ".knitout", ".usd"]), TEXTS = new Set([".txt", ".md", ".html", ".pdf"]);
 
 /** @param {HTMLElement} over where dialogs stand @param {Piece} piece @param {{follow: () => void}} more */
 export async function takeAway(over, piece, { follow }) {
@@ -20,8 +26,11 @@ export async function takeAway(over, piece, { follow }) {
   const found = await attempt(() => ask(`/api/revisions/${id}/files`));
   if (!found) return;
   const { files } = /** @type {{files: {view: string, suffix: string, help: string, name: string, size: number|null}[]}} */ (found);
-  const busy = new Set();
+  const busy = new Set(), usual = (/** @type {any} */ f) => craft.views.find((/** @type {any} */ v) => v.name === f.view)?.usual.includes(f.suffix);
+  const text = (/** @type {any} */ f) => files.some((o) => o.view === f.view && o.suffix === ".md");
+  const sensible = files.filter((f) => !SAME.has(f.suffix) && (usual(f) || !text(f) || TEXTS.has(f.suffix)));
   const box = document.createElement("dialog");
+  box.className = "away";
   box.setAttribute("aria-labelledby", "away-title");
   const draw = () => render(view(), box);
   const get = async (/** @type {any} */ file) => {
@@ -39,19 +48,19 @@ export async function takeAway(over, piece, { follow }) {
   const alone = () => attempt(() => shopPage(piece));
   const view = () => {
     const first = (FIRST[craft.name] ?? []).map(([v, s, title, line]) => ({ file: files.find((f) => f.view === v && f.suffix === s), title, line })).filter((f) => f.file);
-    const views = [...new Set(files.map((f) => f.view))];
+    const views = [...new Set(sensible.map((f) => f.view))];
     return html`<button class="icon shut" autofocus aria-label="close" @click=${() => box.close()}>×</button><h2 id="away-title">Take away</h2>
-      <p class="quiet">The very files that the command line writes. ${counted(files.length, "format")}.</p>
+      <p class="quiet">${craft.name === "ink" ? `What is in sight: from ${number(piece.params.value.from_ ?? 0)}, ${number(piece.params.value.span ?? 0)} wide. ` : ""}The very files that the command line writes.</p>
       <div class="first">${first.map(({ file, title, line }, k) => html`<button class="button ${k ? "" : "act"}" ?disabled=${busy.has(file)} @click=${() => get(file)}>
-          <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}</span></button>`)}
+          <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}${file.size === null ? "" : ` · ${size(file.size)}`}</span></button>`)}
         <button class="button" @click=${() => (box.close(), follow())}><b>Follow</b><span>on a phone, stitch by stitch</span></button>
         ${piece.live.value?.arrays.points && craft.name !== "ink" ? html`<button class="button" @click=${alone}><b>For your shop</b><span>one page that shows it, HTML</span></button>` : ""}
       </div>
+      <details class="group"><summary>More: ${counted(sensible.length, "format")}</summary>
       ${views.map((v) => html`<h3 class="head">${v}</h3><p class="quiet">${files.find((f) => f.view === v)?.help.replace(/\{--([a-z-]+)\}/g, "“$1”")}</p>
-        <div class="ways">${files.filter((f) => f.view === v).map((f) => html`<button class="way ${busy.has(f) ? "busy" : ""}" @click=${() => get(f)}>
+        <div class="ways">${sensible.filter((f) => f.view === v).map((f) => html`<button class="way ${busy.has(f) ? "busy" : ""}" @click=${() => get(f)}>
           <span class="what">${f.suffix.slice(1).toUpperCase()}</span><span class="name">${busy.has(f) ? "making it …" : f.name}</span>
-          <span class="quiet">${f.size === null ? "" : size(f.size)}</span></button>`)}</div>`)}
-`;
+          <span class="quiet">${f.size === null ? "" : size(f.size)}</span></button>`)}</div>`)}</details>`;
   };
   draw();
   box.addEventListener("close", () => box.remove());

@@ -5,6 +5,8 @@ import { signal } from "../lib/ui.js";
 
 /** Whether the server answers. */
 export const online = signal(true);
+/** Whether it knows this page: one of an earlier start it does not. */
+export const welcome = signal(true);
 
 /** What the server, or the way to it, had against a request. */
 export class Trouble extends Error {
@@ -28,6 +30,7 @@ async function reach(path, how) {
     throw new Trouble(0, [{ message: "Tambour does not answer", hint: "is it still running? Your work is kept here and goes on when it is back" }]);
   }
   online.value = true;
+  welcome.value = answer.status !== 401;
   if (answer.ok) return answer;
   const body = await answer.json().catch(() => ({}));
   const problems = body.problems ?? [{ message: WORDS[answer.status] ?? `this cannot be done now (${answer.status})` }];

@@ -68,8 +68,8 @@ export function screen(root, piece, { over }) {
       // a newer key took its place, or the server is away, which the bar says
     }
   }, 90);
-  const commit = later((/** @type {string} */ text) => piece.change({ source: { text, name: source?.name?.replace(/\.(pdf|docx|html?)$/i, ".txt") ?? "pattern.txt" }, merge: true }), 600);
-  stop.push(() => (check.stop(), commit.stop(), editor.view.destroy()));
+  const commit = (/** @type {string} */ text) => piece.change({ source: { text, name: source?.name?.replace(/\.(pdf|docx|html?)$/i, ".txt") ?? "pattern.txt" }, merge: true }, 600);
+  stop.push(() => (check.stop(), editor.view.destroy()));
   stop.push(effect(() => {
     const text = piece.revision.value?.source?.text;
     if (typeof text === "string" && untracked(() => piece.saved.value)) editor.set(text);

@@ -121,6 +121,8 @@ export class Chart {
     /** @type {[number, number, number, number]} columns and rows [from, to) */
     this.select = [0, 0, 0, 0];
     this.frames = 0;
+    /** Told of every frame: what lies over the chart follows it. */
+    this.ondraw = () => {};
     this._asked = 0;
     this.gl = context(canvas);
     if (this.gl) {
@@ -285,6 +287,7 @@ export class Chart {
     });
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     this.frames++;
+    this.ondraw();
   }
 
   free() {

@@ -167,8 +167,13 @@ export function screen(root, piece, { over, extra }) {
     requestAnimationFrame(on);
   }
   const take = async () => {
-    await piece.change({ params: { from_: Math.round(x), span: Math.round(wide()) }, said: "this window" });
+    await piece.before();
     await takeAway(over, piece, { follow: () => {} });
+  };
+  // What is taken away is what is in sight.
+  piece.before = async () => {
+    const from_ = Math.round(x), span = Math.round(wide());
+    if (params.value.from_ !== from_ || params.value.span !== span) await piece.change({ params: { from_, span }, said: "this window" });
   };
   const link = () => attempt(async () => {
     await navigator.clipboard?.writeText(location.href);

@@ -6,6 +6,7 @@ import { night } from "../theme.js";
 import { Timeline } from "../timeline.js";
 import { counted, effect, hex, html, number, show, signal, untracked } from "../view.js";
 import { LAYERS, marks } from "./layers.js";
+import { Ruler } from "./ruler.js";
 import { TOOLS, area, between, cut, laid, mirrored, repeated } from "./paint.js";
 import { facts, yarns } from "./yarns.js";
 
@@ -17,7 +18,8 @@ export function screen(root, piece) {
   const at = frame(root, { left: "Tools", right: "Facts", view: "Chart" });
   const tool = signal("pencil"), layer = signal("chart"), yarn = signal(0), chosen = signal(/** @type {[number, number, number, number]|null} */ (null));
   const motif = signal(/** @type {import("./paint.js").Motif|null} */ (null)), spot = signal(/** @type {[number, number]} */ ([-1, -1]));
-  const chart = new Chart(at.canvas);
+  const chart = new Chart(at.canvas), ruler = new Ruler(chart, at.blank);
+  ruler.back = (row) => (piece.steps.value?.steps[row]?.direction ?? -1) > 0;
   /** @type {Set<number>} painted by hand */
   const locked = new Set();
   /** @type {Set<number>} rows that wait for the solver */
@@ -86,22 +88,25 @@ export function screen(root, piece) {
     chart.touch();
   }));
 
-  /** Paint: at once on the page, then as edits; the solver's answer takes its place. @param {Put[]} cells @param {string} said */
-  const put = (cells, said) => {
+  const edits = () => piece.unsent.value?.edits ?? piece.revision.value?.edits ?? [];
+  const held = () => edits().filter((/** @type {any} */ e) => e.edit === "stitch").length;
+  /** Paint: at once on the page, then as edits; the solver's answer takes its place. @param {Put[]} painted @param {string} said */
+  const put = (painted, said) => {
     const pack = piece.live.value;
-    if (!pack || !cells.length) return;
+    if (!pack || !painted.length) return;
+    const cells = [...new Map(painted.map((c) => [c[1] * columns() + c[0], c])).values()]; // a hand goes over a stitch twice
     const p = pack.arrays.palette, gone = new Set(cells.map(([x, y]) => `${y + 1},${columns() - x}`));
     chart.put(cells);
     for (const [x, y] of cells) (locked.add(y * columns() + x), rows.add(y));
     mark();
-    const kept = (piece.unsent.value?.edits ?? piece.revision.value.edits).filter((/** @type {any} */ e) => e.edit !== "stitch" || !gone.has(`${e.row},${e.stitch}`));
+    const kept = edits().filter((/** @type {any} */ e) => e.edit !== "stitch" || !gone.has(`${e.row},${e.stitch}`));
     piece.change({ edits: [...kept, ...cells.map(([x, y, v]) => ({ edit: "stitch", row: y + 1, stitch: columns() - x, yarn: hex(p.subarray(3 * v, 3 * v + 3)) }))], said });
   };
   /** Let go of stitches that were held. @param {number[][]} cells */
   const release = (cells) => {
-    const gone = new Set(cells.map(([x, y]) => `${y + 1},${columns() - x}`)), edits = piece.revision.value.edits;
-    const left = edits.filter((/** @type {any} */ e) => e.edit !== "stitch" || !gone.has(`${e.row},${e.stitch}`));
-    if (left.length !== edits.length) piece.change({ edits: left, said: "unlocked" });
+    const gone = new Set(cells.map(([x, y]) => `${y + 1},${columns() - x}`)), all = edits();
+    const left = all.filter((/** @type {any} */ e) => e.edit !== "stitch" || !gone.has(`${e.row},${e.stitch}`));
+    if (left.length !== all.length) piece.change({ edits: left, said: "unlocked" });
   };
   const boxed = (/** @type {[number, number]} */ a, /** @type {[number, number]} */ b) => /** @type {[number, number, number, number]} */ ([
     Math.max(0, Math.min(a[0], b[0])), Math.max(0, Math.min(a[1], b[1])), Math.min(chart.columns, Math.max(a[0], b[0]) + 1), Math.min(chart.rows, Math.max(a[1], b[1]) + 1)]);
@@ -157,7 +162,7 @@ export function screen(root, piece) {
     const { cells, from, last, slide } = stroke;
     stroke = null;
     if (slide) return;
-    if (tool.value === "pencil") put(cells, counted(cells.length, "stitch", "stitches"));
+    if (tool.value === "pencil") put(cells, "painted");
     if (tool.value === "line") {
       chosen.value = null;
       put(between(from, last).filter(inside).map(([x, y]) => [x, y, yarn.value]), "a line");
@@ -191,7 +196,7 @@ export function screen(root, piece) {
       <button class="button" @click=${() => put(within().map(([x, y]) => /** @type {Put} */ ([x, y, grid().data[y * columns() + x]])), "locked")}>Lock</button>
       <button class="button" @click=${() => release(within())}>Unlock</button><button class="button" @click=${() => (chosen.value = null)}>Done</button></div>` : ""}
     ${yarns(piece, yarn)}
-    ${locked.size ? html`<p class="quiet">${counted(piece.revision.value?.edits.length ?? 0, "stitch", "stitches")} held by hand. <button class="link" @click=${() => piece.change({ edits: [], said: "all unlocked" })}>Let all go</button></p>` : ""}`));
+    ${held() ? html`<p class="quiet">${counted(held(), "stitch", "stitches")} held by hand. <button class="link" @click=${() => piece.change({ edits: edits().filter((/** @type {any} */ e) => e.edit !== "stitch"), said: "all unlocked" })}>Let all go</button></p>` : ""}`));
   stop.push(show(at.right, () => facts(piece)));
   stop.push(show(at.top, () => {
     const [x, y] = spot.value, pack = piece.live.value;
