@@ -46,8 +46,8 @@ def _knit(piece: Any) -> Any:
     size = max(1, round(columns * scale)), max(1, round(rows * tall * scale))
     afar = ImageFilter.GaussianBlur(scale * max(columns, rows) / FAR)
     seen = [Image.fromarray(np.uint8(np.round(255 * np.sqrt(light[..., c])))) for c in range(3)]
-    seen = [np.asarray(p.resize(size, Image.Resampling.BOX).filter(afar), float) / 255 for p in seen]
-    rgb = coded(np.stack(seen, -1) ** 2)
+    soft = [np.asarray(p.resize(size, Image.Resampling.BOX).filter(afar), float) / 255 for p in seen]
+    rgb = coded(np.stack(soft, -1) ** 2)
     return np.uint8(np.round(255 * np.concatenate([rgb, np.ones((*rgb.shape[:2], 1))], -1)))
 
 
