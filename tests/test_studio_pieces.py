@@ -331,3 +331,22 @@ def test_pictures_for_the_shelf_and_examples(ours: TestClient) -> None:
     assert ours.get("/api/examples/embroidery/sampler.py/live.pack").status_code == 404
     form = ours.get("/api/crafts/knit").json()
     assert form["form"]["gauge"]["label"] and "stitch" in form["changes"]
+
+
+def test_a_part_is_put_elsewhere_by_its_sentence(ours: TestClient) -> None:
+    """The revision's text says where it is now; what cannot be is told, and changes nothing."""
+    toy = f"== Ball ==\n{BALL}== Nose ==\nR1: MR(6) (6)\nR2: 6 sc (6)\nFO\nplace(Nose, Ball, round=2)\n"
+    piece, first = new(ours, source={"text": toy, "name": "toy.acl"})
+    path = f"/api/pieces/{piece['id']}/place-part"
+    answer = ours.post(path, json={"base": first["id"], "part": "Nose", "onto": 20})
+    assert answer.status_code == 201, answer.text
+    assert answer.json()["sentence"] == "place(Nose, Ball, round=3, stitch=2)"
+    assert answer.json()["sentence"] in answer.json()["revision"]["source"]["text"]
+    base = answer.json()["revision"]["id"]
+    wrong = ours.post(path, json={"base": base, "part": "Ear", "onto": 1})
+    assert wrong.status_code == 422 and "not in the pattern" in wrong.json()["problems"][0]["message"]
+    assert ours.post(path, json={"base": first["id"], "part": "Nose", "onto": 21}).status_code == 409
+    assert ours.get(f"/api/pieces/{piece['id']}").json()["revision"]["id"] == base
+    scroll, drawn = new(ours, seed="plum")
+    other = ours.post(f"/api/pieces/{scroll['id']}/place-part", json={"base": drawn["id"], "part": "Nose", "onto": 1})
+    assert other.status_code == 422

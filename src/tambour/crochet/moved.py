@@ -45,9 +45,9 @@ def moved(source: Text, params: CrochetParams, part: str, onto: int) -> Moved:
     Its other copy, where the two are mirrored, goes with it. Raises TambourError where it cannot be put there.
 
     >>> from tambour.core.errors import Text
-    >>> words = "== Ball ==\\nR1: MR(6) (6)\\nR2: 6 inc (12)\\nR3: 12 sc (12)\\nR4: 12 sc (12)\\nR5: 6 dec (6)\\nFO\\n"
-    >>> words += "== Nose ==\\nR1: MR(6) (6)\\nR2: 6 sc (6)\\nFO\\nplace(Nose, Ball, round=3)\\n"
-    >>> moved(Text(words, "ball.acl"), CrochetParams(), "Nose", 30).sentence
+    >>> words = "== Ball ==\nR1: MR(6) (6)\nR2: 6 inc (12)\nR3: 12 sc (12)\nR4: 12 sc (12)\nR5: 6 dec (6)\nFO\n"
+    >>> words += "== Nose ==\nR1: MR(6) (6)\nR2: 6 sc (6)\nFO\nplace(Nose, Ball, round=3)\n"
+    >>> moved(Text(words, "ball.acl"), CrochetParams(), "Nose", 31).sentence
     'place(Nose, Ball, round=4, stitch=1)'
     """
     from tambour.crochet.plush import worked

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from tambour.studio import checks, follow, limits, pieces, tiles, views
+from tambour.studio import checks, follow, limits, pieces, placing, tiles, views
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +61,7 @@ ROUTES: tuple[Route, ...] = (
     Route("DELETE", "/api/pieces/{id}", pieces.binned),
     Route("GET", "/api/pieces/{id}/history", pieces.history),
     Route("POST", "/api/pieces/{id}/revisions", pieces.revise, takes=pieces.NewRevision),
+    Route("POST", "/api/pieces/{id}/place-part", placing.place_part, takes=placing.PlacePart),
     Route("POST", "/api/pieces/{id}/undo", pieces.undo),
     Route("POST", "/api/pieces/{id}/redo", pieces.redo),
     Route("POST", "/api/pieces/{id}/head", pieces.head, takes=pieces.Go),

@@ -31,6 +31,7 @@ class Desk:
             "check": self.check,
             "tile": self.tile,
             "read": self.read,
+            "place": self.place,
         }
         return works[job["do"]](job, progress)
 
@@ -125,6 +126,17 @@ class Desk:
         os.chdir(job["folder"])
         text = files.read(job["source"], ("Text",))
         return {"text": text.text, "name": text.name}
+
+    def place(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """A part sewn on over another stitch: the pattern's text, and the sentence in it that says so."""
+        from tambour import files
+        from tambour.crochet.moved import moved
+        from tambour.run import craft
+
+        os.chdir(job["folder"])
+        params = craft("crochet").params.of({**job["params"], **job["files"]})
+        made = moved(files.read(job["source"], ("Text",)), params, job["part"], job["onto"])
+        return {"text": made.text, "sentence": made.sentence}
 
     def tile(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """A tile of a scroll, as a pack."""

@@ -167,6 +167,18 @@ export class Piece {
     if (this.unsent.value && online.value) await this._send();
   }
 
+  /** All that was done is with the server; false where it is not to be had. */
+  async flush() {
+    if (this.unsent.value) await this._send();
+    return this.saved.value;
+  }
+
+  /** What the server made of the piece by itself. @param {{piece: any, revision: any}} told */
+  take({ piece, revision }) {
+    this._take(piece, revision);
+    this.watch();
+  }
+
   /** @param {unknown} error */
   _trouble(error) {
     if (!(error instanceof Trouble)) throw error;

@@ -1,4 +1,5 @@
-// The hand on the toy: a click tells the stitch; a sewn part is dragged over the body and its sentence follows; Alt pulls a stitch.
+// The hand on the toy: a click tells the stitch; a sewn part is dragged over the body and its sentence follows, with Shift it
+// leans; Alt pulls a stitch.
 import { signal } from "../view.js";
 
 /** @typedef {import("../gl/stage.js").Stage} Stage */
@@ -7,20 +8,21 @@ import { signal } from "../view.js";
 export class Hand {
   /**
    * @param {Stage} stage @param {Piece} piece
-   * @param {{part: {value: number}, mode: {value: string}, dropped: (part: string, onto: number) => void}} how
-   * dropped: a part was let go over the stitch ``onto``
+   * @param {{part: {value: number}, mode: {value: string}, dropped: (part: string, onto: number) => void, leaned: (part: string, tilt: number, towards: number) => void}} how
+   * dropped: a part was let go over the stitch ``onto``; leaned: it was leaned by so many degrees, towards so many from up, counter-clockwise
    */
-  constructor(stage, piece, { part, mode, dropped }) {
+  constructor(stage, piece, { part, mode, dropped, leaned }) {
     this.stage = stage;
     this.piece = piece;
     this.part = part;
     this.mode = mode;
     this.dropped = dropped;
+    this.leaned = leaned;
     /** What the hand is doing, in words. */
     this.word = signal("");
     /** @type {any} */
     this.pack = null;
-    /** @type {{kind: "part"|"stitch", unit: number, from: [number, number, number]}|null} */
+    /** @type {{kind: "part"|"lean"|"stitch", unit: number, from: [number, number, number], x: number, y: number}|null} */
     this.held = null;
   }
 
@@ -35,10 +37,11 @@ export class Hand {
       if (unit < 0) return false;
       const from = this.stage.strands?.middle(unit);
       if (!from) return false;
-      if (event.altKey) this.held = { kind: "stitch", unit, from };
+      const x = event.offsetX, y = event.offsetY;
+      if (event.altKey) this.held = { kind: "stitch", unit, from, x, y };
       else if (this.pack.arrays.part[unit] > 0) {
         this.part.value = this.pack.arrays.part[unit];
-        this.held = { kind: "part", unit, from };
+        this.held = { kind: event.shiftKey && this.sewn(unit) ? "lean" : "part", unit, from, x, y };
       } else return false;
       canvas.setPointerCapture(event.pointerId);
       return true;
@@ -54,6 +57,25 @@ export class Hand {
     });
   }
 
+  /** What the report says of the part that a stitch is of. @param {number} unit @returns {any} */
+  sewn(unit) {
+    const name = this.called(unit);
+    return this.piece.report.value?.assembly?.find((/** @type {any} */ a) => a.part === name);
+  }
+
+  /** A part as patterns call it. @param {number} unit */
+  called(unit) {
+    return this.pack.facts.parts[this.pack.arrays.part[unit]].name.replace(/ (\d+)$/, ".$1");
+  }
+
+  /** How the part leans when the hand is here: a pixel is half a degree. @param {number} x @param {number} y */
+  lean(x, y) {
+    const held = /** @type {NonNullable<Hand["held"]>} */ (this.held), told = this.sewn(held.unit), turn = ((told.towards ?? 0) * Math.PI) / 180;
+    const up = (told.tilt ?? 0) * Math.cos(turn) - (y - held.y) / 2, left = (told.tilt ?? 0) * Math.sin(turn) - (x - held.x) / 2;
+    const towards = ((Math.atan2(left, up) * 180) / Math.PI + 360) % 360;
+    return { tilt: Math.round(Math.min(90, Math.hypot(up, left)) / 5) * 5, towards: Math.round(towards / 5) * 5 };
+  }
+
   /** @param {number} x @param {number} y */
   move(x, y) {
     const { kind, unit, from } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
@@ -61,6 +83,11 @@ export class Hand {
     if (kind === "stitch") {
       this.piece.wire.say({ type: "hold", node: unit, x: to[0], y: to[1], z: to[2] });
       this.word.value = "Let go, and it finds its shape again";
+      return;
+    }
+    if (kind === "lean") {
+      const { tilt, towards } = this.lean(x, y);
+      this.word.value = `${this.called(unit)} leans ${tilt}°, towards ${towards}°`;
       return;
     }
     const part = this.pack.arrays.part, here = part[unit], by = new Float32Array(3 * part.length);
@@ -72,16 +99,19 @@ export class Hand {
   /** @param {number} x @param {number} y @param {boolean} still */
   drop(x, y, still) {
     const { kind, unit } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
+    const lean = kind === "lean" && !still ? this.lean(x, y) : null;
     this.held = null;
     this.word.value = "";
+    if (lean) return this.leaned(this.called(unit), lean.tilt, lean.towards);
+    if (kind === "lean") return undefined;
     if (kind === "stitch") return this.piece.wire.say({ type: "release" });
     if (still) return this.stage.move(null);
     // What lies under it: the toy as it was before this part was worked.
-    const part = this.pack.arrays.part[unit], { start, name } = this.pack.facts.parts[part], count = this.stage.count;
+    const { start } = this.pack.facts.parts[this.pack.arrays.part[unit]], count = this.stage.count;
     this.stage.count = start;
     const onto = this.stage.pick(x, y);
     this.stage.count = count;
     if (onto < 0) return this.stage.move(null);
-    return this.dropped(name.replace(/ (\d+)$/, ".$1"), onto);
+    return this.dropped(this.called(unit), onto);
   }
 }

@@ -90,12 +90,14 @@ export function screen(root, piece, { over }) {
   }));
 
   // The toy.
-  const hand = new Hand(stage, piece, { part, mode, dropped: async (name, onto) => {
+  const hand = new Hand(stage, piece, { part, mode, leaned: (name, tilt, towards) => {
+    const others = (piece.revision.value.edits ?? []).filter((/** @type {any} */ e) => !(e.edit === "pose" && e.part === name && ["tilt", "towards"].includes(e.angle)));
+    piece.change({ edits: [...others, { edit: "pose", part: name, angle: "tilt", degrees: tilt }, { edit: "pose", part: name, angle: "towards", degrees: towards }], said: `${name} leans` });
+  }, dropped: async (name, onto) => {
+    if (!(await piece.flush())) return stage.move(null);
     const answer = await attempt(() => ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto } }));
     if (!answer) return stage.move(null);
-    piece.piece.value = answer.piece;
-    piece.revision.value = answer.revision;
-    piece.watch();
+    piece.take(answer);
     tell(html`Now the pattern says: <b>${answer.sentence}</b>`, { calm: true });
   } });
   let shown = /** @type {any} */ (null);

@@ -1,0 +1,83 @@
+"""A part that is put elsewhere: the sentence is written anew, and read as it was meant."""
+
+from __future__ import annotations
+
+import pytest
+
+from tambour.core.errors import TambourError, Text
+from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Placed
+from tambour.crochet.moved import moved
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import worked
+from tambour.examples import folder
+
+PARAMS = CrochetParams()
+
+
+def text(name: str) -> Text:
+    return Text((folder() / "crochet" / name).read_text(), name)
+
+
+def stitch(built: Built, part: str, number: int, at: int) -> int:
+    spots = Spots(built)
+    k = spots.round_at(spots.parts[part], number)
+    assert k is not None
+    return int(spots.stitches(k)[at - 1])
+
+
+def placed(built: Built) -> dict[str, Placed]:
+    return {r.part: r for r in built.pattern.finish if isinstance(r, Placed)}
+
+
+@pytest.mark.parametrize(
+    ("name", "part", "onto", "said"),
+    [
+        ("bear.txt", "Ear.1", ("Head", 5, 15), "over rounds 2 to 8"),
+        ("bear.txt", "Arm.2", ("Body", 15, 21), "between rounds 15 and 16"),
+        ("bear.txt", "Leg.1", ("Body", 8, 13), "9 stitches apart, so that the bear sits"),
+        ("bear.txt", "Ear.1", ("Body", 10, 15), "Sew Ear 1 to Body, Rnd 10"),
+        ("bear.acl", "Leg.2", ("Body", 7, 26), "place(Leg.2, Body, round=7.5, stitch=26"),
+        ("bunny.acl", "Tail", ("Body", 6, 4), "place(Tail, Body, round=6, stitch=4, by=5)"),
+    ],
+)
+def test_a_part_is_where_the_hand_put_it_and_nothing_else_moves(name, part, onto, said):
+    source = text(name)
+    before, _ = worked(source, PARAMS)
+    made = moved(source, PARAMS, part, stitch(before, *onto))
+    assert said in made.sentence and made.sentence.split(". ")[0].split("\n")[0] in made.text
+    after, _ = worked(Text(made.text, name), PARAMS)
+    old, new = placed(before), placed(after)
+    assert new[part].spot.part == onto[0] and abs(new[part].spot.round - onto[1]) <= 0.5
+    assert abs((new[part].spot.stitch or 0) - onto[2]) <= 1.6
+    base = part.split(".")[0]
+    assert {n: r for n, r in old.items() if n.split(".")[0] != base} == {
+        n: r for n, r in new.items() if n.split(".")[0] != base
+    }
+    assert len(before.pattern.finish) == len(after.pattern.finish)
+
+
+def test_marks_that_were_sewn_become_lines_that_place_and_the_other_arm_goes_along():
+    source = text("frog.acl")
+    before, _ = worked(source, PARAMS)
+    made = moved(source, PARAMS, "Arm.1", stitch(before, "Body", 18, 9))
+    after, doubts = worked(Text(made.text, "frog.acl"), PARAMS)
+    arms = placed(after)
+    assert set(arms) == {"Arm.1", "Arm.2"} and len(after.sewn) == len(before.sewn) - 8
+    assert {r.spot.round for r in arms.values()} == {18.0} and not doubts
+    again = moved(Text(made.text, "frog.acl"), PARAMS, "Arm.1", stitch(after, "Body", 16, 9))
+    assert "round=16" in again.sentence and again.text.count("place(") == 2
+
+
+def test_what_cannot_be_put_there_is_told():
+    source = text("frog.acl")
+    built, _ = worked(source, PARAMS)
+    for part, onto, why in (
+        ("Arm.9", 3, "not in the pattern"),
+        ("Arm.1", len(built.graph), "not in the pattern"),
+        ("Arm.1", int(built.graph.parts[5].start), "to itself"),
+        ("Body", int(built.graph.parts[1].start), "where this part is sewn on"),
+    ):
+        with pytest.raises(TambourError, match=why):
+            moved(source, PARAMS, part, onto)
