@@ -1,5 +1,5 @@
-"""What can be changed by hand in a chart: a stitch takes another yarn, and the rows that see it are solved again; a yarn
-takes another colour."""
+"""What can be changed by hand in a chart: stitches take another yarn, and the rows that see them are solved again; a yarn
+takes another colour; rows and columns come in, or go."""
 
 from __future__ import annotations
 
@@ -27,6 +27,31 @@ class Stitch(Params):
     """The stitch, from 1 at the right, as charts are numbered."""
     yarn: str = Field(max_length=40)
     """MC, CC, the yarn's number from 1 (the chart's order), or its colour as #rrggbb."""
+
+
+class Run(Stitch):
+    """Neighbouring stitches of a row take another yarn and stay so."""
+
+    count: int = Field(ge=1, le=20_000)
+    """How many, from the stitch on to the left."""
+
+
+class Rows(Params):
+    """Rows come in, or go."""
+
+    at: int = Field(ge=1, le=20_001)
+    """The row, from 1 at the cast-on edge; one more than there are for the upper end."""
+    count: int = Field(ge=-20_000, le=20_000)
+    """How many come in before it, like it; below 0: how many go, from it on."""
+
+
+class Columns(Params):
+    """Columns of stitches come in, or go."""
+
+    at: int = Field(ge=1, le=20_001)
+    """The stitch, from 1 at the right; one more than there are for the left end."""
+    count: int = Field(ge=-20_000, le=20_000)
+    """How many come in to the right of it, like it; below 0: how many go, from it on to the left."""
 
 
 class Recolour(Params):
@@ -69,6 +94,50 @@ def _recoloured(piece: Piece, edits: Sequence[Recolour], progress: Progress) -> 
     return replace(piece, chart=replace(piece.chart, palette=palette))
 
 
+_PICTURED = (
+    *("stitches", "rows", "crop", "rotate", "direction", "repeat", "arrange", "border", "edge_stitches", "shape"),
+    *("style", "tones", "ground", "use", "seen_from", "relax", "lock", "weights", "focus", "colors", "yarns", "stash"),
+)
+"""Parameters that lead from a picture to stitches: a chart of another size stands as it is, and is no picture's any more."""
+
+
+def _reshaped(piece: Piece, edits: Sequence[Rows] | Sequence[Columns], progress: Progress) -> Piece:
+    """The chart with other rows or columns, solved again where floats became too long; stitches held by hand stay."""
+    from dataclasses import replace
+
+    import numpy as np
+
+    from tambour.core.chart import LONGEST
+    from tambour.knit.flow import make
+
+    chart = piece.chart
+    for e in edits:
+        axis = int(isinstance(e, Columns))
+        size, kind = chart.shape[axis], "columns" if axis else "rows"
+        where, at = f"{{--edit}} {kind}:{e.at}={e.count}", e.at - 1
+        if at > size or at - min(e.count, 0) > size:
+            raise TambourError(f"there are {size} {kind}", where=where)
+        if size + e.count < 1:
+            raise TambourError(f"no {kind} would be left", where=where)
+        if size + e.count > LONGEST:
+            raise TambourError(f"a chart has at most {LONGEST} {kind}", where=where)
+        order = np.arange(size)
+        like = min(at, size - 1)
+        kept = np.delete(order, slice(at, at - e.count)) if e.count < 0 else np.insert(order, at, [like] * e.count)
+        new = np.zeros(len(kept), bool)
+        new[at : at + max(e.count, 0)] = True
+        if axis:  # numbered from the right
+            kept, new = size - 1 - kept[::-1], new[::-1]
+        masks = {name: getattr(chart, name) for name in ("no_stitch", "relaxed", "locked")}
+        masks = {name: None if m is None else np.take(m, kept, axis) for name, m in masks.items()}
+        if masks["locked"] is not None:
+            masks["locked"] = masks["locked"] & ~(new[None, :] if axis else new[:, None])
+        chart = replace(chart, cells=np.ascontiguousarray(np.take(chart.cells, kept, axis)), **masks)
+    usual = type(piece.params)()
+    params = piece.params.model_copy(update={name: getattr(usual, name) for name in _PICTURED})
+    return replace(make(chart, params, progress), params=params)
+
+
 def _set(piece: Piece, edits: Sequence[Stitch], progress: Progress) -> Piece:
     from tambour.knit.flow import fitting
     from tambour.knit.solve.edit import resolve
@@ -76,8 +145,10 @@ def _set(piece: Piece, edits: Sequence[Stitch], progress: Progress) -> Piece:
     rows, stitches = piece.chart.cells.shape
     problems, wanted = [], []
     for e in edits:
-        where = f"{{--edit}} stitch:{e.row},{e.stitch}={e.yarn}"
-        if e.row > rows or e.stitch > stitches:
+        count = e.count if isinstance(e, Run) else 1
+        said = f"run:{e.row},{e.stitch},{count}" if isinstance(e, Run) else f"stitch:{e.row},{e.stitch}"
+        where = f"{{--edit}} {said}={e.yarn}"
+        if e.row > rows or e.stitch + count - 1 > stitches:
             problems.append(Problem("there is no such stitch", f"{rows} rows of {stitches} stitches", where=where))
         elif (yarn := _yarn(piece, e)) is None:
             known = ", ".join(_codes(piece))
@@ -86,7 +157,7 @@ def _set(piece: Piece, edits: Sequence[Stitch], progress: Progress) -> Piece:
             told = " and ".join(_codes(piece)[k] for k in pair)
             problems.append(Problem("this row is not knitted with that yarn", f"it has {told}", where=where))
         else:
-            wanted.append((e.row - 1, stitches - e.stitch, yarn))
+            wanted += [(e.row - 1, stitches - e.stitch - k, yarn) for k in range(count)]
     if problems:
         raise TambourError(problems)
     with progress.stage("solve"):
@@ -116,4 +187,10 @@ def _yarn(piece: Piece, edit: Stitch) -> int | None:
 STITCH = Change(
     "a stitch takes another yarn, and what sees it is solved again", Stitch, "{row},{stitch}={yarn}", after=_set
 )
+RUN = Change(
+    "neighbouring stitches take another yarn, and what sees them is solved again", Run, "{row},{stitch},{count}={yarn}",
+    after=_set,
+)  # fmt: skip
+ROWS = Change("rows come in, like the one that they come before, or go", Rows, "{at}={count}", after=_reshaped)
+COLUMNS = Change("columns come in, like their neighbour, or go", Columns, "{at}={count}", after=_reshaped)
 YARN = Change("a yarn takes another colour", Recolour, "{yarn}={colour}", after=_recoloured)

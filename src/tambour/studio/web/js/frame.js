@@ -1,5 +1,5 @@
 // The frame of a craft's screen: words or list at the left, the piece, facts at the right, the making below; tabs on a phone.
-import { html, render } from "./view.js";
+import { html, render, signal } from "./view.js";
 
 /**
  * @param {HTMLElement} root @param {{left?: string, words?: boolean, right: string, view: string}} names what the sides are called
@@ -38,6 +38,14 @@ const STAGES = {
 export const working = (going) => going && html`<div class="said working" role="status"><span>${STAGES[going.stage] ?? going.stage ?? "beginning"} …</span>
   ${going.total ? html`<progress max=${going.total} value=${going.done} aria-label="how far"></progress>` : ""}</div>`;
 
-/** Without WebGL2 the piece cannot be drawn here: say so, and what there is instead. */
-export const noGl = html`<p class="big">This browser draws no 3-D.</p><p>Tambour draws yarn and thread with WebGL2, which is switched off here or not to be had.
-  All else works: the words, the checks, and everything under Take away, pictures too.</p>`;
+/** Without WebGL2 the piece cannot be drawn here: say so, and show the pictures that Tambour paints itself. @param {import("./piece.js").Piece} piece @param {[string, string][]} views [view, what it is called] */
+export function withoutGl(piece, views) {
+  const side = signal(views[0][0]);
+  return () => {
+    const id = piece.revision.value?.id, made = piece.live.value;
+    return html`<p class="big">A still picture: this browser draws no 3-D.</p>
+      <p>Tambour draws yarn and thread with WebGL2, which is switched off here or not to be had. All else works: the words, the checks, Follow, and everything under Take away.</p>
+      ${made ? html`<div class="seg" role="group" aria-label="seen from">${views.map(([name, label]) => html`<button aria-pressed=${side.value === name} @click=${() => (side.value = name)}>${label}</button>`)}</div>
+        <img class="still" src="/api/revisions/${id}/files/${side.value}.webp" alt="${piece.piece.value?.title}, ${side.value}">` : ""}`;
+  };
+}

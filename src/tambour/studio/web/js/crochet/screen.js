@@ -1,5 +1,5 @@
 // Crochet: the pattern's words, the toy in its yarn, and what they say of each other.
-import { frame, noGl, working } from "../frame.js";
+import { frame, withoutGl, working } from "../frame.js";
 import { Stage } from "../gl/stage.js";
 import { offer } from "../keys.js";
 import { attempt, tell } from "../notes.js";
@@ -28,7 +28,7 @@ export function screen(root, piece, { over }) {
     stage.night = night.value;
     stage.touch();
   })];
-  if (!stage.gl) stop.push(show(at.blank, () => noGl));
+  if (!stage.gl) stop.push(show(at.blank, withoutGl(piece, [["front", "Front"], ["back", "Back"], ["left", "Left"], ["right", "Right"], ["top", "Top"]])));
   stage.resize();
 
   // The words.

@@ -1,5 +1,5 @@
 // Embroidery: the regions, the thread on its cloth, and what the machine will do.
-import { frame, noGl, working } from "../frame.js";
+import { frame, withoutGl, working } from "../frame.js";
 import { Stage } from "../gl/stage.js";
 import { offer } from "../keys.js";
 import { night } from "../theme.js";
@@ -33,7 +33,7 @@ export function screen(root, piece) {
   } });
   /** @type {(() => void)[]} */
   const stop = [timeline.stop];
-  if (!stage.gl) stop.push(show(at.blank, () => noGl));
+  if (!stage.gl) stop.push(show(at.blank, withoutGl(piece, [["preview", "Thread"], ["density", "Density"]])));
   stop.push(effect(() => {
     stage.night = night.value;
     const c = String(piece.params.value.ground ?? "#ece7dc"), rgb = /^#[0-9a-f]{6}$/i.test(c) ? [1, 3, 5].map((k) => parseInt(c.slice(k, k + 2), 16) / 255) : [0.93, 0.91, 0.86];

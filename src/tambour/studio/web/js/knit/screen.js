@@ -1,5 +1,5 @@
 // Knit: the chart from a distance to single stitches, painted by hand and kept lawful.
-import { frame, noGl, working } from "../frame.js";
+import { frame, withoutGl, working } from "../frame.js";
 import { Chart } from "../gl/chart.js";
 import { offer } from "../keys.js";
 import { night } from "../theme.js";
@@ -33,7 +33,7 @@ export function screen(root, piece) {
   } });
   /** @type {(() => void)[]} */
   const stop = [timeline.stop];
-  if (!chart.gl) stop.push(show(at.blank, () => noGl));
+  if (!chart.gl) stop.push(show(at.blank, withoutGl(piece, [["fabric", "Front"], ["back", "Back"]])));
   chart.resize();
   const columns = () => chart.columns, cellOf = (/** @type {any} */ e) => /** @type {[number, number]} */ ([columns() - e.stitch, e.row - 1]);
   const grid = () => ({ columns: chart.columns, rows: chart.rows, data: /** @type {Uint8Array} */ (chart.data) });

@@ -1,0 +1,70 @@
+"""Rows and columns that come in and go, and runs of stitches: as numbers in numpy, with the law kept."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tambour.core.chart import Chart
+from tambour.core.errors import TambourError
+from tambour.core.palette import Palette
+from tambour.knit.piece import Piece
+from tambour.run import craft, make
+
+WOOL = Palette(np.array([[20, 30, 90], [240, 230, 210], [180, 30, 30]], np.uint8))
+WHAT = craft("knit")
+
+
+def made(cells: np.ndarray, *edits: str, **values: object) -> Piece:
+    chart = Chart(cells.astype(np.uint8), WOOL if cells.max() > 1 else Palette(WOOL.rgb[:2]))
+    piece: Piece = make(WHAT, chart, WHAT.params.of(values), edits).piece
+    return piece
+
+
+def lawful(seed: int, rows: int = 9, stitches: int = 11) -> np.ndarray:
+    """Cells whose runs are short."""
+    shade = np.random.default_rng(seed).integers(0, 2, (rows, stitches))
+    shade[:, ::3], shade[:, 1::3] = 0, 1
+    return shade
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_rows_and_columns_come_in_and_go_as_in_numpy(seed):
+    cells, at, n = lawful(seed), 2 + seed, 1 + seed
+    assert (made(cells, f"rows:{at}={n}").chart.cells == np.insert(cells, [at - 1] * n, cells[at - 1], 0)).all()
+    assert (made(cells, f"rows:{at}=-{n}").chart.cells == np.delete(cells, range(at - 1, at - 1 + n), 0)).all()
+    mirror = cells[:, ::-1]
+    wider = np.insert(mirror, [at - 1] * n, mirror[:, at - 1 : at], 1)[:, ::-1]
+    free = {"method": "none"}  # stitches alike beside each other may be too many: the law is another test's
+    assert (made(cells, f"columns:{at}={n}", **free).chart.cells == wider).all()
+    narrower = np.delete(mirror, range(at - 1, at - 1 + n), 1)[:, ::-1]
+    assert (made(cells, f"columns:{at}=-{n}", **free).chart.cells == narrower).all()
+    assert (made(cells, "rows:10=2").chart.cells[-3:] == cells[-1]).all()
+    assert (made(cells, f"rows:{at}={n}", f"rows:{at}=-{n}").chart.cells == cells).all()
+
+
+def test_the_law_holds_afterwards_and_what_was_held_stays():
+    piece = made(lawful(1), "stitch:4,3=2", "columns:3=9", "run:5,1,4=1", max_float=4)
+    assert piece.figures["violations"] == 0
+    assert piece.chart.locked is not None
+    assert piece.chart.locked[3].nonzero()[0].tolist() == [8]  # the stitch that was third is held, its copies are not
+    assert piece.chart.locked[4].nonzero()[0].tolist() == [16, 17, 18, 19]
+    assert (piece.chart.cells[4, 16:] == 0).all() and piece.chart.cells[3, 8] == 1
+
+
+def test_a_picture_s_chart_keeps_its_stitches_when_rows_come_in():
+    from tambour.core.picture import Picture
+
+    grey = np.tile(np.linspace(0, 255, 40, dtype=np.uint8), (30, 1))
+    picture = Picture(np.dstack([grey] * 3 + [np.full_like(grey, 255)]))
+    params = WHAT.params.of({"stitches": 20, "border": 0} if "border" in WHAT.params.form() else {"stitches": 20})
+    plain: Piece = make(WHAT, picture, params).piece
+    taller: Piece = make(WHAT, picture, params, ["rows:3=2", "rows:1=-1"]).piece
+    cells = plain.chart.cells
+    assert (taller.chart.cells == np.delete(np.insert(cells, [2, 2], cells[2], 0), 0, 0)).all()
+
+
+@pytest.mark.parametrize("edit", ["rows:30=1", "rows:1=-9", "rows:1=-20", "columns:13=1", "rows:10=-1", "run:3,9,9=1"])
+def test_what_is_not_there_is_told(edit):
+    with pytest.raises(TambourError):
+        made(lawful(2), edit)
