@@ -243,10 +243,22 @@ def test_knit_painted_by_keys(page, tmp_path):
     whole = picture(page)
     scrub(page, 0.5)
     assert picture(page) != whole
+    page.keyboard.press("Control+k")
+    page.keyboard.type("whole chart")
+    page.keyboard.press("Enter")
+    page.click("text=Insert 10 rows")
+    until(page, "document.querySelector('.side.right')?.textContent.includes('12 × 20')")
+    page.keyboard.press("Control+k")
+    page.keyboard.type("whole chart")
+    page.keyboard.press("Enter")
+    page.click("text=Mirror ↔")
+    page.wait_for_selector("text=240 stitches held by hand")
+    until(page, "document.querySelector('.saved').textContent === 'saved'")
     edits = page.evaluate(
         "async () => (await (await fetch(`/api/pieces/${location.hash.split('/').pop()}`)).json()).revision.edits"
     )
-    assert len(edits) == 1
+    assert [e["edit"] for e in edits[:2]] == ["run", "rows"] and {e["edit"] for e in edits[2:]} == {"run"}
+    assert sum(e["count"] for e in edits[2:]) == 240 > len(edits)
     made(page)
     got = taken(page, tmp_path, "chart.txt")
     (tmp_path / "chart.csv").write_text(rows)
@@ -274,6 +286,20 @@ def test_ink(page, tmp_path):
     assert seen["from_"] == round(float(page.url.split("?x=")[1])) > 0 and seen["span"] != 300
     run.run("ink", params=run.craft("ink").params.of(seen), out=[tmp_path / "plum.json"])
     assert got.read_bytes() == (tmp_path / "plum.json").read_bytes()
+
+
+def test_without_webgl_there_is_a_word_and_a_still_picture(page):
+    page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
+    new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    page.reload()
+    made(page)
+    assert "draws no 3-D" in page.inner_text(".blank")
+    page.click(".blank >> text=Back")
+    until(
+        page, "(i => i?.src.includes('back') && i.complete && i.naturalWidth > 100)(document.querySelector('.still'))"
+    )
+    page.keyboard.press("Home")  # the text twin goes on without a picture
+    until(page, "document.querySelector('.making .where').textContent.includes('Rnd')")
 
 
 def kept_word(page: Any) -> str:

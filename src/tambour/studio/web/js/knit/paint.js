@@ -6,7 +6,7 @@
 
 export const TOOLS = [
   ["hand", "Hand", "h", "move about"], ["pencil", "Pencil", "b", "a stitch at a time"], ["line", "Line", "l", "from stitch to stitch"], ["fill", "Fill", "g", "all that hangs together"],
-  ["pick", "Pick", "i", "take a yarn from the chart"], ["select", "Select", "m", "then copy, mirror, repeat"], ["free", "Unlock", "u", "let Tambour choose again"],
+  ["pick", "Pick", "i", "take a yarn from the chart"], ["select", "Select", "m", "then copy, mirror, repeat; drag what is chosen to move it"], ["free", "Unlock", "u", "let Tambour choose again"],
 ];
 
 /** Stitches between two, both with them. @param {Cell} a @param {Cell} b @returns {Cell[]} */
@@ -66,4 +66,31 @@ export function repeated({ columns, rows }, { wide, high, yarns }, [x, y], drop)
       found.push([c, r, yarns[mod(r - y + lower, high) * wide + mod(c - x, wide)]]);
     }
   return found;
+}
+
+/**
+ * What was painted by hand since rows or columns last came or went. @param {any[]} edits @param {number} columns @param {string[]} hexes of the yarns
+ * @returns {{before: any[], rest: any[], cells: Map<number, number>}} before: edits that stand; rest: those that are not painting; cells: row × columns + column → yarn
+ */
+export function painted(edits, columns, hexes) {
+  const from = edits.map((e) => e.edit === "rows" || e.edit === "columns").lastIndexOf(true) + 1, cells = new Map(), rest = [];
+  for (const e of edits.slice(from)) {
+    const yarn = /^\d+$/.test(e.yarn) ? Number(e.yarn) - 1 : hexes.indexOf(e.yarn);
+    if (!["stitch", "run"].includes(e.edit) || yarn < 0) rest.push(e);
+    else for (let k = 0; k < (e.count ?? 1); k++) cells.set((e.row - 1) * columns + columns - e.stitch - k, yarn);
+  }
+  return { before: edits.slice(0, from), rest, cells };
+}
+
+/** The same as edits: neighbours in a row are one. @param {Map<number, number>} cells @param {number} columns */
+export function told(cells, columns) {
+  const made = /** @type {any[]} */ ([]);
+  let last = /** @type {any} */ (null), at = -1;
+  for (const i of [...cells.keys()].sort((a, b) => Math.floor(a / columns) - Math.floor(b / columns) || b - a)) {
+    const row = Math.floor(i / columns) + 1, yarn = String((cells.get(i) ?? 0) + 1);
+    if (last && last.row === row && last.yarn === yarn && i === at - 1) last.count++;
+    else made.push((last = { edit: "run", row, stitch: columns - (i % columns), count: 1, yarn }));
+    at = i;
+  }
+  return made;
 }

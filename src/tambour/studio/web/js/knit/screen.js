@@ -7,7 +7,7 @@ import { Timeline } from "../timeline.js";
 import { counted, effect, hex, html, number, show, signal, untracked } from "../view.js";
 import { LAYERS, marks } from "./layers.js";
 import { Ruler } from "./ruler.js";
-import { TOOLS, area, between, cut, laid, mirrored, repeated } from "./paint.js";
+import { TOOLS, area, between, cut, laid, mirrored, painted, repeated, told } from "./paint.js";
 import { facts, yarns } from "./yarns.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
@@ -35,7 +35,13 @@ export function screen(root, piece) {
   const stop = [timeline.stop];
   if (!chart.gl) stop.push(show(at.blank, withoutGl(piece, [["fabric", "Front"], ["back", "Back"]])));
   chart.resize();
-  const columns = () => chart.columns, cellOf = (/** @type {any} */ e) => /** @type {[number, number]} */ ([columns() - e.stitch, e.row - 1]);
+  const columns = () => chart.columns;
+  const hexes = () => {
+    const p = piece.live.value?.arrays.palette ?? [];
+    return Array.from({ length: p.length / 3 }, (_, k) => hex(p.subarray(3 * k, 3 * k + 3)));
+  };
+  const edits = () => piece.unsent.value?.edits ?? piece.revision.value?.edits ?? [];
+  const byHand = () => painted(edits(), columns(), hexes());
   const grid = () => ({ columns: chart.columns, rows: chart.rows, data: /** @type {Uint8Array} */ (chart.data) });
   const inside = (/** @type {number[]} */ [x, y]) => x >= 0 && y >= 0 && x < chart.columns && y < chart.rows;
   const mark = (/** @type {Set<number>} */ changed = new Set()) => {
@@ -52,10 +58,7 @@ export function screen(root, piece) {
     locked.clear();
     rows.clear();
     untracked(() => {
-      for (const e of piece.revision.value.edits) if (e.edit === "stitch") {
-        const [x, y] = cellOf(e);
-        if (inside([x, y])) locked.add(y * columns() + x);
-      }
+      for (const i of byHand().cells.keys()) locked.add(i);
       // What the solver changed is shown for a moment, else one thinks it a fault.
       const changed = new Set(/** @type {number[]} */ ([]));
       if (same && before && chart.data) for (let i = 0; i < before.length; i++) if (before[i] !== chart.data[i]) changed.add(i);
@@ -88,32 +91,38 @@ export function screen(root, piece) {
     chart.touch();
   }));
 
-  const edits = () => piece.unsent.value?.edits ?? piece.revision.value?.edits ?? [];
-  const held = () => edits().filter((/** @type {any} */ e) => e.edit === "stitch").length;
-  /** Paint: at once on the page, then as edits; the solver's answer takes its place. @param {Put[]} painted @param {string} said */
-  const put = (painted, said) => {
-    const pack = piece.live.value;
-    if (!pack || !painted.length) return;
-    const cells = [...new Map(painted.map((c) => [c[1] * columns() + c[0], c])).values()]; // a hand goes over a stitch twice
-    const p = pack.arrays.palette, gone = new Set(cells.map(([x, y]) => `${y + 1},${columns() - x}`));
+  const held = () => byHand().cells.size;
+  /** Paint: at once on the page, then as edits; the solver's answer takes its place. @param {Put[]} cells @param {string} said */
+  const put = (cells, said) => {
+    if (!piece.live.value || !cells.length) return;
+    const { before, rest, cells: map } = byHand();
     chart.put(cells);
-    for (const [x, y] of cells) (locked.add(y * columns() + x), rows.add(y));
+    for (const [x, y, v] of cells) {
+      const i = y * columns() + x;
+      locked.add(i);
+      rows.add(y);
+      map.set(i, v);
+    }
     mark();
-    const kept = edits().filter((/** @type {any} */ e) => e.edit !== "stitch" || !gone.has(`${e.row},${e.stitch}`));
-    piece.change({ edits: [...kept, ...cells.map(([x, y, v]) => ({ edit: "stitch", row: y + 1, stitch: columns() - x, yarn: hex(p.subarray(3 * v, 3 * v + 3)) }))], said });
+    piece.change({ edits: [...before, ...told(map, columns()), ...rest], said });
   };
   /** Let go of stitches that were held. @param {number[][]} cells */
   const release = (cells) => {
-    const gone = new Set(cells.map(([x, y]) => `${y + 1},${columns() - x}`)), all = edits();
-    const left = all.filter((/** @type {any} */ e) => e.edit !== "stitch" || !gone.has(`${e.row},${e.stitch}`));
-    if (left.length !== all.length) piece.change({ edits: left, said: "unlocked" });
+    const { before, rest, cells: map } = byHand(), n = map.size;
+    for (const [x, y] of cells) map.delete(y * columns() + x);
+    if (map.size !== n) piece.change({ edits: [...before, ...told(map, columns()), ...rest], said: "unlocked" });
+  };
+  /** Rows or columns come in before a place, or go from it on. @param {"rows"|"columns"} edit @param {number} at @param {number} count */
+  const reshape = (edit, at, count) => {
+    chosen.value = null;
+    piece.change({ edits: [...edits(), { edit, at, count }], said: `${counted(Math.abs(count), edit === "rows" ? "row" : "column")} ${count > 0 ? "inserted" : "deleted"}` });
   };
   const boxed = (/** @type {[number, number]} */ a, /** @type {[number, number]} */ b) => /** @type {[number, number, number, number]} */ ([
     Math.max(0, Math.min(a[0], b[0])), Math.max(0, Math.min(a[1], b[1])), Math.min(chart.columns, Math.max(a[0], b[0]) + 1), Math.min(chart.rows, Math.max(a[1], b[1]) + 1)]);
   const within = ([x, y, X, Y] = chosen.value ?? [0, 0, 0, 0]) => Array.from({ length: (X - x) * (Y - y) }, (_, i) => [x + (i % (X - x)), y + Math.floor(i / (X - x))]);
 
   // Gestures.
-  /** @type {{from: [number, number], last: [number, number], cells: Put[], x: number, y: number, slide: boolean}|null} */
+  /** @type {{from: [number, number], last: [number, number], cells: Put[], x: number, y: number, slide: boolean, moves?: [number, number, number, number]}|null} */
   let stroke = null;
   /** @type {Map<number, {x: number, y: number}>} */
   const down = new Map();
@@ -127,8 +136,11 @@ export function screen(root, piece) {
     if (tool.value === "pencil") draw(cell);
     else if (tool.value === "pick") yarn.value = grid().data[cell[1] * columns() + cell[0]];
     else if (tool.value === "fill") put(area(grid(), cell).map(([x, y]) => [x, y, yarn.value]), "filled");
-    else if (tool.value === "select") chosen.value = boxed(cell, cell);
-    else if (tool.value === "free") release([cell]);
+    else if (tool.value === "select") {
+      const c = chosen.value;
+      if (c && cell[0] >= c[0] && cell[1] >= c[1] && cell[0] < c[2] && cell[1] < c[3] && (c[2] - c[0] > 1 || c[3] - c[1] > 1)) stroke.moves = c;
+      else chosen.value = boxed(cell, cell);
+    } else if (tool.value === "free") release([cell]);
     return undefined;
   });
   const draw = (/** @type {[number, number]} */ cell) => {
@@ -152,16 +164,24 @@ export function screen(root, piece) {
     if (stroke.slide) {
       if (down.size < 2) chart.slide(event.offsetX - stroke.x, event.offsetY - stroke.y);
     } else if (tool.value === "pencil") draw(cell);
-    else if (tool.value === "select") chosen.value = boxed(stroke.from, cell);
+    else if (tool.value === "select" && stroke.moves) {
+      const [dx, dy] = [cell[0] - stroke.from[0], cell[1] - stroke.from[1]], [x, y, X, Y] = stroke.moves;
+      chosen.value = [x + dx, y + dy, X + dx, Y + dy];
+    } else if (tool.value === "select") chosen.value = boxed(stroke.from, cell);
     else if (tool.value === "line") chosen.value = boxed(stroke.from, cell);
     Object.assign(stroke, { last: cell, x: event.offsetX, y: event.offsetY });
   });
   const up = (/** @type {PointerEvent} */ event) => {
     down.delete(event.pointerId);
     if (!stroke) return;
-    const { cells, from, last, slide } = stroke;
+    const { cells, from, last, slide, moves } = stroke;
     stroke = null;
     if (slide) return;
+    if (moves) {
+      const to = chosen.value, m = cut(grid(), moves), ground = piece.live.value?.facts.background ?? 0;
+      if (to && (to[0] !== moves[0] || to[1] !== moves[1])) put([...within(moves).map(([x, y]) => /** @type {Put} */ ([x, y, ground])), ...laid(grid(), m, [to[0], to[1]])], "moved");
+      return;
+    }
     if (tool.value === "pencil") put(cells, "painted");
     if (tool.value === "line") {
       chosen.value = null;
@@ -183,6 +203,9 @@ export function screen(root, piece) {
     if (m && to) put(all ? repeated(grid(), m, [to[0], to[1]], drop) : laid(grid(), m, [to[0], to[1]]), all ? "repeated" : "pasted");
   };
   const flip = (/** @type {boolean} */ across) => chosen.value && put(laid(grid(), mirrored(cut(grid(), chosen.value), across), [chosen.value[0], chosen.value[1]]), "mirrored");
+  /** The chosen rows as [first, how many], numbered from 1; the chosen columns likewise, from the right. */
+  const high = () => /** @type {[number, number]} */ (chosen.value ? [chosen.value[1] + 1, chosen.value[3] - chosen.value[1]] : [1, 0]);
+  const across = () => /** @type {[number, number]} */ (chosen.value ? [chart.columns - chosen.value[2] + 1, chosen.value[2] - chosen.value[0]] : [1, 0]);
   const chooseAll = () => (chosen.value = [0, 0, chart.columns, chart.rows]);
 
   stop.push(show(at.left, () => html`<h2 class="head">Tools</h2><div class="tools" role="group" aria-label="tools">${TOOLS.map(([name, label, key, help]) => html`
@@ -194,9 +217,11 @@ export function screen(root, piece) {
       <button class="button" @click=${() => flip(true)}>Mirror ↔</button><button class="button" @click=${() => flip(false)}>Mirror ↕</button>
       <button class="button" @click=${() => put(within().map(([x, y]) => /** @type {Put} */ ([x, y, yarn.value])), "filled")}>Fill</button>
       <button class="button" @click=${() => put(within().map(([x, y]) => /** @type {Put} */ ([x, y, grid().data[y * columns() + x]])), "locked")}>Lock</button>
-      <button class="button" @click=${() => release(within())}>Unlock</button><button class="button" @click=${() => (chosen.value = null)}>Done</button></div>` : ""}
+      <button class="button" @click=${() => release(within())}>Unlock</button><button class="button" @click=${() => (chosen.value = null)}>Done</button></div>
+      <div class="tools wide"><button class="button" @click=${() => reshape("rows", high()[0], high()[1])}>Insert ${counted(high()[1], "row")}</button><button class="button" ?disabled=${high()[1] >= chart.rows} @click=${() => reshape("rows", high()[0], -high()[1])}>Delete ${counted(high()[1], "row")}</button>
+      <button class="button" @click=${() => reshape("columns", across()[0], across()[1])}>Insert ${counted(across()[1], "column")}</button><button class="button" ?disabled=${across()[1] >= chart.columns} @click=${() => reshape("columns", across()[0], -across()[1])}>Delete ${counted(across()[1], "column")}</button></div>` : ""}
     ${yarns(piece, yarn)}
-    ${held() ? html`<p class="quiet">${counted(held(), "stitch", "stitches")} held by hand. <button class="link" @click=${() => piece.change({ edits: edits().filter((/** @type {any} */ e) => e.edit !== "stitch"), said: "all unlocked" })}>Let all go</button></p>` : ""}`));
+    ${held() ? html`<p class="quiet">${counted(held(), "stitch", "stitches")} held by hand. <button class="link" @click=${() => release([...byHand().cells.keys()].map((i) => [i % columns(), Math.floor(i / columns())]))}>Let all go</button></p>` : ""}`));
   stop.push(show(at.right, () => facts(piece)));
   stop.push(show(at.top, () => {
     const [x, y] = spot.value, pack = piece.live.value;

@@ -10,9 +10,9 @@ export function yarns(piece, yarn) {
   const pack = piece.live.value;
   if (!pack) return "";
   const p = pack.arrays.palette, n = p.length / 3, used = piece.report.value?.yarn ?? [];
-  const recolor = (/** @type {number} */ k, /** @type {string} */ color) => {
-    const colors = Array.from({ length: n }, (_, i) => (i === k ? color : hex(p.subarray(3 * i, 3 * i + 3))));
-    piece.change({ params: { colors }, edits: (piece.revision.value.edits ?? []).map((/** @type {any} */ e) => (e.yarn === hex(p.subarray(3 * k, 3 * k + 3)) ? { ...e, yarn: color } : e)), said: "another colour" });
+  const recolor = (/** @type {number} */ k, /** @type {string} */ colour) => {
+    const edits = (piece.unsent.value?.edits ?? piece.revision.value.edits ?? []).filter((/** @type {any} */ e) => e.edit !== "yarn" || e.yarn !== String(k + 1));
+    piece.change({ edits: [...edits, { edit: "yarn", yarn: String(k + 1), colour }], said: "another colour" });
   };
   return html`<h2 class="head">Yarns</h2><ul>${Array.from({ length: n }, (_, k) => {
     const color = hex(p.subarray(3 * k, 3 * k + 3)), name = pack.facts.names[k], told = used.find((/** @type {any} */ y) => y.name === name);
