@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tambour.craft import Craft, Lazy
-from tambour.embroidery.edits import REGION
+from tambour.embroidery.edits import ORDER, REGION
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.views import VIEWS
 
@@ -16,5 +16,5 @@ CRAFT = Craft(
     views=VIEWS,
     facts=Lazy("tambour.embroidery.plan.facts:facts"),
     optional_source=True,
-    changes={"region": REGION},
+    changes={"region": REGION, "order": ORDER},
 )

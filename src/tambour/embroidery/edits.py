@@ -1,4 +1,4 @@
-"""What can be changed by hand in an embroidery: how one region is stitched."""
+"""What can be changed by hand in an embroidery: how one region is stitched, and in which order regions are sewn."""
 
 from __future__ import annotations
 
@@ -18,6 +18,9 @@ from tambour.embroidery.params import EmbroideryParams
 if TYPE_CHECKING:
     from tambour.core.drawing import Drawing
 
+PLACED = ("start", "end", "trim", "stop", "rails")
+"""What is said of a region beside parameters."""
+
 
 class Region(Params):
     """A region is stitched another way."""
@@ -25,9 +28,17 @@ class Region(Params):
     region: str = Field(max_length=200)
     """The region: its shape's number in the drawing, from 1, or the id of its shape or group."""
     field: str = Field(max_length=40)
-    """Which parameter: stitch, angle, row-spacing …"""
-    value: str = Field(max_length=200)
+    """Which parameter: stitch, angle, row-spacing …; or start, end (x,y in mm from the hoop's centre), rails (two lines:
+    x,y x,y; x,y x,y), trim, stop (true or false)."""
+    value: str = Field(max_length=2000)
     """Its value there, as the option takes it."""
+
+
+class Order(Params):
+    """Regions are sewn in this order."""
+
+    regions: str = Field(max_length=20_000)
+    """Their numbers or ids, the first one first, with a vertical bar between them; others keep their places."""
 
 
 def _changed(source: Any, params: EmbroideryParams, edits: Sequence[Region]) -> tuple[Any, EmbroideryParams]:
@@ -50,6 +61,9 @@ def _changed(source: Any, params: EmbroideryParams, edits: Sequence[Region]) -> 
     for edit in edits:
         where = f"{{--edit}} region:{edit.region}.{edit.field}={edit.value}"
         name = edit.field.replace("-", "_")
+        if name in PLACED:
+            source = _tried(source, edit.region, f"tambour-{name}", edit.value, where, problems)
+            continue
         known = sorted(set(EmbroideryParams.asked()) - set(EmbroideryParams.files()))
         if name not in known:
             hint = did_you_mean(name, known) or "stitch, angle, row-spacing and others say how a region is stitched"
@@ -99,4 +113,26 @@ def _told(drawing: Drawing, region: str, key: str, value: str, where: str) -> Dr
     return replace(drawing, groups=made, group=group)
 
 
+def _tried(source: Drawing, region: str, key: str, value: str, where: str, problems: list[Problem]) -> Drawing:
+    try:
+        return _told(source, region, key, value, where)
+    except TambourError as error:
+        problems += error.problems
+        return source
+
+
+def _ordered(source: Any, params: EmbroideryParams, edits: Sequence[Order]) -> tuple[Any, EmbroideryParams]:
+    """The drawing with the ranks of its regions as data of its groups."""
+    source, params = _changed(source, params, ())
+    problems: list[Problem] = []
+    names = [n.strip() for n in edits[-1].regions.split("|") if n.strip()]
+    for rank, name in enumerate(names):
+        where = f"{{--edit}} order:{edits[-1].regions[:80]}"
+        source = _tried(source, name, "tambour-rank", str(rank + 1), where, problems)
+    if problems:
+        raise TambourError(problems)
+    return source, params
+
+
+ORDER = Change("in which order regions are sewn", Order, "{regions}", before=_ordered)
 REGION = Change("how one region is stitched", Region, "{region}.{field}={value}", before=_changed)

@@ -106,6 +106,9 @@ def _regions(piece: Piece) -> list[dict[str, Any]]:
                 "first": int(own[0]) if len(own) else 0,
                 "end": int(own[-1]) + 1 if len(own) else 0,
                 "params": r.params.plain(),
+                "trim": "trim" in r.flags,
+                "stop": "stop" in r.flags,
+                "rails": [line.tolist() for line in r.paths][:2] if r.role == "rails" else None,
             }
         )
     return listed

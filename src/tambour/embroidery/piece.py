@@ -45,7 +45,8 @@ class Region:
     width : width of a line, mm (0 for areas)
     guide : lines that guided, flow and ripple stitches follow, or None
     start, end : places asked for by the source (command symbols), or None
-    flags : words such as "trim_after", "stop_after"
+    flags : "trim" and "stop": what is done after it
+    rank : its place in the order of sewing among those that have one, or None
     """
 
     id: str
@@ -59,6 +60,7 @@ class Region:
     start: tuple[float, float] | None = None
     end: tuple[float, float] | None = None
     flags: frozenset[str] = frozenset()
+    rank: int | None = None
 
     @property
     def turn(self) -> float:

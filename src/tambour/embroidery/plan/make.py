@@ -18,7 +18,7 @@ from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.plan.design import piece_of
 from tambour.embroidery.plan.facts import outside
 from tambour.embroidery.plan.layers import elevation, layers
-from tambour.embroidery.plan.order import order
+from tambour.embroidery.plan.order import order, ranked, upside_down
 from tambour.embroidery.plan.overlap import overlapped
 from tambour.embroidery.plan.sequence import Layout
 from tambour.embroidery.plan.sewable import doubts
@@ -65,6 +65,13 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         how = "file"
     with progress.stage("route"):
         sequence = order(found, how)
+        if any(r.rank is not None for r in found):
+            sequence = ranked(found, sequence)
+            for a, b in upside_down(found, sequence)[:5]:
+                progress.warn(
+                    f"{found[a].id} lies on {found[b].id} in the drawing, and is sewn before it",
+                    hint="what is sewn later covers it: sew it later, or change the drawing",
+                )
     layout = Layout(params)
     with progress.stage("fill"):
         below = knockdown(found, params) if params.knockdown else []

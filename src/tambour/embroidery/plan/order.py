@@ -47,6 +47,26 @@ def order(regions: Sequence[Region], how: str) -> list[int]:
     return done
 
 
+def ranked(regions: Sequence[Region], sequence: Sequence[int]) -> list[int]:
+    """The order of work with the regions that have a rank by their ranks, at the places where they stood."""
+    by = sorted((k for k in sequence if regions[k].rank is not None), key=lambda k: regions[k].rank or 0)
+    left = iter(by)
+    return [k if regions[k].rank is None else next(left) for k in sequence]
+
+
+def upside_down(regions: Sequence[Region], sequence: Sequence[int]) -> list[tuple[int, int]]:
+    """Pairs (a, b): region a lies on b in the drawing, and is sewn before it."""
+    boxes = np.array([[*r.paths.coords.min(0), *r.paths.coords.max(0)] for r in regions])
+    at = {k: i for i, k in enumerate(sequence)}
+    waits = _waits(regions, boxes)
+    return [
+        (a, b)
+        for a, before in enumerate(waits)
+        for b in sorted(before)
+        if at[b] > at[a] and regions[a].color != regions[b].color
+    ]
+
+
 def blocks(colors: Sequence[int], waits: Sequence[set[int]]) -> list[list[int]]:
     """The fewest blocks of one colour each in which all can be sewn: lists of indices, rising within a block.
 

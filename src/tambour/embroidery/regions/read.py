@@ -23,6 +23,9 @@ from tambour.embroidery.regions.inkstitch import is_satin, overrides
 SMALLEST = 0.05  # mm²: areas below are not stitched
 LINES = ("running", "bean", "motif")
 LARGEST = 4_000_000.0  # mm² of design
+REACH = 100_000.0  # mm from the hoop's centre
+HANDS = ("role", "start", "end", "trim", "stop", "rails", "rank")
+"""What ``data-tambour-…`` say of a shape beside parameters: ``start``, ``end`` and ``rails`` as places in mm of the hoop."""
 
 
 def place(drawing: Drawing, params: EmbroideryParams) -> tuple[float, Array]:
@@ -145,6 +148,11 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
             "flags": inkstitch_flags(data),
         }
         name = name or f"shape {m + 1}"
+        common |= _by_hand(data, name, common, problems)
+        if rails := _rails(data, name, problems):
+            rgb = tuple(int(c) for c in (fill if fill[style, 3] else stroke)[style, :3])
+            found.append(Region(name, rails, "satin", rgb, own, "rails", 0.0, **common))  # type: ignore[arg-type]
+            continue
         if fill[style, 3] and not is_satin(data):
             area = polygons(lines, bool(drawing.styles.evenodd[style]))
             if area is None:
@@ -194,7 +202,7 @@ def _own(
     given: dict[str, Any] = {}
     for g in chain:
         for key, value in drawing.groups.data[g].items():
-            if key.startswith("tambour-") and key not in ("tambour-role",):
+            if key.startswith("tambour-") and key[8:] not in HANDS:
                 given[key[8:].replace("-", "_")] = value
     role = [drawing.groups.data[g].get("tambour-role", "") for g in chain]
     data = {**own, "tambour-role": next(filter(None, reversed(role)), "")}
@@ -225,6 +233,52 @@ def _guides(drawing: Drawing, parts: Array, scale: float, shift: Array) -> dict[
             lines = [drawing.paths[i] * scale + shift for i in range(int(parts[m]), int(parts[m + 1]))]
             found.setdefault(int(drawing.groups.parent[group]), []).extend(lines)
     return {g: Paths.of([line for line in lines if len(line) > 1]) for g, lines in found.items()}
+
+
+def _numbers(data: Mapping[str, str], key: str, name: str, problems: list[Problem]) -> list[list[tuple[float, float]]]:
+    """Lines of points, mm from the hoop's centre, as ``x,y x,y; x,y`` says them; none where they are wrong or not there."""
+    said = data.get(f"tambour-{key}", "").strip()
+    try:
+        lines = [
+            [tuple(float(v) for v in at.split(",")) for at in line.split()] for line in said.split(";") if line.strip()
+        ]
+        if any(len(at) != 2 or not all(abs(v) < REACH for v in at) for line in lines for at in line):
+            raise ValueError
+    except ValueError:
+        hint = "x,y in mm from the hoop's centre, such as 12.5,-4"
+        problems.append(Problem(f"data-tambour-{key}={said[:60]!r} is no place", hint, where=name))
+        return []
+    return lines  # type: ignore[return-value]
+
+
+def _by_hand(data: Mapping[str, str], name: str, known: Mapping[str, Any], problems: list[Problem]) -> dict[str, Any]:
+    """Where a region is begun and ended, what is done after it, and its place in the order, as ``tambour-…`` say."""
+    made: dict[str, Any] = {}
+    for key in ("start", "end"):
+        if lines := _numbers(data, key, name, problems):
+            made[key] = lines[0][0]
+    for key in ("trim", "stop"):
+        if f"tambour-{key}" in data:
+            on = data[f"tambour-{key}"].strip().lower() in ("true", "yes", "1", "on")
+            made["flags"] = (made.get("flags", known["flags"]) - {key}) | ({key} if on else set())
+    if "tambour-rank" in data:
+        rank = data["tambour-rank"].strip()
+        if rank.isdecimal() and len(rank) < 9:
+            made["rank"] = int(rank)
+        else:
+            problems.append(Problem(f"data-tambour-rank={rank[:60]!r} is no number", "such as 3", where=name))
+    return made
+
+
+def _rails(data: Mapping[str, str], name: str, problems: list[Problem]) -> Paths | None:
+    """The two rails of a satin column that were laid by hand."""
+    lines = [line for line in _numbers(data, "rails", name, problems) if len(line) > 1]
+    if "tambour-rails" not in data or not lines:
+        return None
+    if len(lines) != 2:
+        problems.append(Problem("a satin column has two rails, each of two places and more", where=name))
+        return None
+    return Paths.of([np.array(line, np.float64) for line in lines])
 
 
 def _point(data: Mapping[str, str], names: tuple[str, ...], scale: float, shift: Array) -> tuple[float, float] | None:

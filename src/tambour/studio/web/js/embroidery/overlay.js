@@ -1,14 +1,18 @@
-// What lies over the thread as lines: the hoop, the chosen region and its angle, where the thread is cut, the needle.
+// What lies over the thread as lines: the hoop, the chosen region with its angle, its rails, where it is begun and ended;
+// where the thread is cut, the needle.
 import { html, render, svg } from "../view.js";
+import { place, spelt } from "./rails.js";
 
 /** @typedef {import("../gl/stage.js").Stage} Stage */
 /** @typedef {import("../pack.js").Pack} Pack */
 
 export class Overlay {
-  /** @param {HTMLElement} view @param {Stage} stage @param {(region: number, degrees: number) => void} turned the angle was set by its handle */
-  constructor(view, stage, turned) {
+  /** @param {HTMLElement} view @param {Stage} stage @param {(region: number, field: string, value: any) => void} changed what was set by a handle */
+  constructor(view, stage, changed) {
     this.stage = stage;
-    this.turned = turned;
+    this.changed = changed;
+    /** What is being dragged, and where it is now. @type {{key: string, spot: [number, number]}|null} */
+    this.held = null;
     this.host = document.createElement("div");
     this.host.className = "lines";
     view.append(this.host);
@@ -47,7 +51,7 @@ export class Overlay {
     if (this.region >= 0) {
       let d = "";
       for (let k = 0; k < a.outline_offsets.length - 1; k++) if (a.outline_region[k] === this.region) d += line(a.outline_offsets[k], a.outline_offsets[k + 1], pack.facts.regions[this.region]?.role !== "line");
-      parts.push(svg`<path class="region" d=${d}></path>`, this.angle(pack));
+      parts.push(svg`<path class="region" d=${d}></path>`, this.angle(pack), this.rails(pack), this.ends(pack));
     }
     if (this.cuts) {
       const k = Math.min(this.at, a.command.length);
@@ -86,7 +90,7 @@ export class Overlay {
       };
       const up = () => {
         knob.removeEventListener("pointermove", move);
-        if (this.turning !== null) this.turned(this.region, ((this.turning % 180) + 180) % 180);
+        if (this.turning !== null) this.changed(this.region, "angle", ((this.turning % 180) + 180) % 180);
         this.turning = null;
       };
       knob.addEventListener("pointermove", move);
@@ -95,5 +99,47 @@ export class Overlay {
     return svg`<line class="angle" x1=${c.x - dx} y1=${c.y - dy} x2=${c.x + dx} y2=${c.y + dy}></line>
       <circle class="knob" cx=${c.x + dx} cy=${c.y + dy} r="8" @pointerdown=${down}></circle>
       ${this.turning === null ? "" : svg`<text class="degrees" x=${c.x + dx + 14} y=${c.y + dy + 5}>${this.turning}°</text>`}`;
+  }
+
+  /** A handle that is dragged over the cloth. @param {string} key @param {[number, number]} spot mm @param {string} kind @param {(spot: [number, number]) => void} done */
+  knob(key, spot, kind, done) {
+    const at = this.held?.key === key ? this.held.spot : spot, p = this.spot(...at);
+    const down = (/** @type {PointerEvent} */ event) => {
+      event.stopPropagation();
+      const handle = /** @type {Element} */ (event.currentTarget), box = this.host.getBoundingClientRect();
+      handle.setPointerCapture(event.pointerId);
+      const move = (/** @type {any} */ e) => {
+        const [x, , y] = this.stage.camera.under(e.clientX - box.left, e.clientY - box.top, [at[0], 0, at[1]]);
+        this.held = { key, spot: [x, y] };
+        this.draw();
+      };
+      const up = () => {
+        handle.removeEventListener("pointermove", move);
+        const held = this.held;
+        this.held = null;
+        if (held) done(held.spot);
+      };
+      handle.addEventListener("pointermove", move);
+      handle.addEventListener("pointerup", up, { once: true });
+    };
+    return kind === "rail" ? svg`<rect class="knob" x=${p.x - 6} y=${p.y - 6} width="12" height="12" @pointerdown=${down}></rect>`
+      : svg`<circle class="knob ${kind}" cx=${p.x} cy=${p.y} r="7" @pointerdown=${down}></circle>`;
+  }
+
+  /** Where the region's thread begins and ends. @param {Pack} pack */
+  ends(pack) {
+    const told = pack.facts.regions[this.region], xy = pack.arrays.xy;
+    if (!told || told.end - told.first < 2) return "";
+    return [["start", told.first], ["end", told.end - 1]].map(([name, i]) => this.knob(String(name), [xy[2 * Number(i)], xy[2 * Number(i) + 1]], String(name), (spot) => this.changed(this.region, String(name), place(spot))));
+  }
+
+  /** Rails that were laid by hand, each place to be dragged. @param {Pack} pack */
+  rails(pack) {
+    /** @type {[number, number][][]|null} */
+    const rails = pack.facts.regions[this.region]?.rails;
+    if (!rails) return "";
+    const now = rails.map((line, l) => line.map((at, k) => (this.held?.key === `${l}.${k}` ? this.held.spot : at)));
+    return [now.map((line) => svg`<polyline class="angle" fill="none" points=${line.map((at) => { const p = this.spot(...at); return `${p.x.toFixed(1)},${p.y.toFixed(1)}`; }).join(" ")}></polyline>`),
+      rails.map((line, l) => line.map((at, k) => this.knob(`${l}.${k}`, at, "rail", (spot) => this.changed(this.region, "rails", spelt(rails.map((other, m) => other.map((o, j) => (m === l && j === k ? spot : o))))))))];
   }
 }

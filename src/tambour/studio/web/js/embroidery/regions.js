@@ -8,27 +8,51 @@ import { counted, dyed, html, live, number, ref } from "../view.js";
 const FIELDS = ["angle", "row_spacing", "length", "underlay", "pull"];
 const NAMES = { tatami: "fill" };
 
-/** @param {Piece} piece @param {{value: number}} chosen @param {(region: number, field: string, value: any) => void} change */
-export function regions(piece, chosen, change) {
+/** @typedef {{chosen: {value: number}, change: (region: number, field: string, value: any) => void, put: (order: number[]) => void, lay: (region: number) => void}} Hands */
+
+/** What a region is called in edits. @param {any[]} all @param {number} k */
+export const called = (all, k) => all[k].id || String(k + 1);
+
+/** Regions in the order of sewing. @param {any[]} all */
+export const sewn = (all) => all.map((_, k) => k).sort((a, b) => all[a].first - all[b].first || a - b);
+
+/** @param {Piece} piece @param {Hands} hands put: sew in this order; lay: lay rails by hand */
+export function regions(piece, hands) {
+  const { chosen, put } = hands;
   const pack = piece.live.value, form = piece.craft.value?.form;
   if (!pack || !form) return html`<p class="quiet">The regions stand here once the thread lies.</p>`;
   const all = pack.facts.regions;
   if (!all.length) return html`<p class="quiet">A machine's file has stitches alone, no regions: it can be watched, measured and written in other formats.</p>${threads(piece)}`;
-  return html`<h2 class="head">In the order of sewing</h2><ol class="regions">${all.map((/** @type {any} */ r, /** @type {number} */ k) => html`<li>
+  const order = sewn(all);
+  const move = (/** @type {number} */ from, /** @type {number} */ to) => {
+    if (to < 0 || to >= order.length || from === to) return;
+    const now = [...order], [k] = now.splice(from, 1);
+    now.splice(to, 0, k);
+    put(now);
+  };
+  return html`<h2 class="head">In the order of sewing</h2><ol class="regions">${order.map((k, at) => {
+    const r = all[k];
+    return html`<li draggable="true" @dragstart=${(/** @type {DragEvent} */ e) => e.dataTransfer?.setData("text/tambour-region", String(at))} @dragover=${(/** @type {DragEvent} */ e) => e.dataTransfer?.types.includes("text/tambour-region") && e.preventDefault()}
+        @drop=${(/** @type {DragEvent} */ e) => (e.preventDefault(), e.stopPropagation(), move(Number(e.dataTransfer?.getData("text/tambour-region")), at))}>
       <button class="rowbutton" aria-pressed=${chosen.value === k} @click=${() => (chosen.value = chosen.value === k ? -1 : k)}>
         <i class="swatch" ${ref(dyed(r.color))}></i> ${r.id || `region ${k + 1}`}<span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.end - r.first)}</span></button>
-      ${chosen.value === k ? one(r, k, form, change) : ""}</li>`)}</ol>${threads(piece)}`;
+      ${chosen.value === k ? html`${one(r, k, form, hands)}
+        <div class="inside tools"><button class="button" ?disabled=${!at} @click=${() => move(at, at - 1)}>Sew earlier</button><button class="button" ?disabled=${at + 1 >= order.length} @click=${() => move(at, at + 1)}>Sew later</button></div>` : ""}</li>`;
+  })}</ol>${threads(piece)}`;
 }
 
-/** @param {any} r @param {number} k @param {any} form @param {(region: number, field: string, value: any) => void} change */
-function one(r, k, form, change) {
+/** @param {any} r @param {number} k @param {any} form @param {Hands} hands */
+function one(r, k, form, { change, lay }) {
   const stitches = form.stitch.choices ?? [], spell = speller(form);
   return html`<div class="inside form">
     <div class="field"><label class="name" for="stitch-${k}">Stitch</label><select id="stitch-${k}" @change=${(/** @type {any} */ e) => change(k, "stitch", e.target.value)}>
       ${r.params?.stitch ? "" : html`<option selected value="">${NAMES[r.stitch] ?? r.stitch}, by its shape</option>`}
       ${stitches.map((/** @type {string} */ s) => html`<option value=${s} ?selected=${s === r.params?.stitch}>${NAMES[s] ?? s}</option>`)}</select></div>
     ${FIELDS.filter((f) => form[f] && (f !== "angle" || (r.role !== "line" && r.params?.angle !== undefined))).map((f) => html`<div class="field"><label class="name" for="${f}-${k}">${form[f].label}${form[f].unit ? html` <span class="quiet">${form[f].unit}</span>` : ""}</label>
-      <input id="${f}-${k}" type="text" title=${spell(form[f].help)} .value=${live(shown(r.params?.[f] ?? form[f].default))} @change=${(/** @type {any} */ e) => e.target.value.trim() && change(k, f, e.target.value.trim())}></div>`)}</div>`;
+      <input id="${f}-${k}" type="text" title=${spell(form[f].help)} .value=${live(shown(r.params?.[f] ?? form[f].default))} @change=${(/** @type {any} */ e) => e.target.value.trim() && change(k, f, e.target.value.trim())}></div>`)}
+    ${[["trim", "Cut the thread after it"], ["stop", "Stop the machine after it"]].map(([f, label]) => html`<div class="field tick"><input type="checkbox" id="${f}-${k}" .checked=${live(Boolean(r[f]))} @change=${(/** @type {any} */ e) => change(k, f, e.target.checked)}><label for="${f}-${k}">${label}</label></div>`)}
+    ${r.role === "line" ? "" : html`<p><button class="button" @click=${() => lay(k)}>${r.rails ? "Rails back to its shape" : "Lay rails for satin"}</button></p>`}
+    <p class="quiet">On the cloth: the green dot is where its thread begins, the red one where it ends${r.rails ? ", the squares are its rails" : ""}. Drag them.</p></div>`;
 }
 
 const shown = (/** @type {any} */ v) => (v === null || v === undefined ? "" : typeof v === "number" ? String(Math.round(v * 100) / 100) : String(v));

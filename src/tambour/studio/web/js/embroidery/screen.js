@@ -7,7 +7,8 @@ import { Timeline } from "../timeline.js";
 import { dyed, effect, html, number, ref, show, signal, untracked } from "../view.js";
 import { MODES, looks } from "./density.js";
 import { Overlay } from "./overlay.js";
-import { facts, minutes, regions } from "./regions.js";
+import { called, facts, minutes, regions } from "./regions.js";
+import { alongside, spelt } from "./rails.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
@@ -17,11 +18,22 @@ export function screen(root, piece) {
   const mode = signal("thread"), chosen = signal(-1);
   const stage = new Stage(at.canvas, { flat: true });
   const change = (/** @type {number} */ k, /** @type {string} */ field, /** @type {any} */ value) => {
-    const region = piece.live.value?.facts.regions[k].id || String(k + 1), name = field.replaceAll("_", "-");
-    const edits = piece.revision.value.edits.filter((/** @type {any} */ e) => !(e.edit === "region" && e.region === region && e.field === name));
-    piece.change({ edits: [...edits, { edit: "region", region, field: name, value: String(value) }], said: `${region}: ${field} ${value}` });
+    const region = called(all(), k), name = field.replaceAll("_", "-");
+    const edits = (piece.unsent.value?.edits ?? piece.revision.value.edits).filter((/** @type {any} */ e) => !(e.edit === "region" && e.region === region && e.field === name));
+    piece.change({ edits: value === null ? edits : [...edits, { edit: "region", region, field: name, value: String(value) }], said: `${region}: ${field} ${value ?? "as it was"}`.slice(0, 100) });
   };
-  const overlay = new Overlay(at.view, stage, (k, degrees) => change(k, "angle", degrees));
+  const all = () => piece.live.value?.facts.regions ?? [];
+  const put = (/** @type {number[]} */ order) => {
+    const edits = (piece.unsent.value?.edits ?? piece.revision.value.edits).filter((/** @type {any} */ e) => e.edit !== "order");
+    piece.change({ edits: [...edits, { edit: "order", regions: order.map((k) => called(all(), k)).join(" | ") }], said: "another order" });
+  };
+  const lay = (/** @type {number} */ k) => {
+    const pack = piece.live.value;
+    if (!pack) return;
+    if (all()[k].rails) change(k, "rails", null);
+    else change(k, "rails", spelt(alongside(pack, k)));
+  };
+  const overlay = new Overlay(at.view, stage, (k, field, value) => change(k, field, value));
   at.view.insertBefore(overlay.host, at.blank);
   stage.ondraw = () => overlay.draw();
   const timeline = new Timeline(at.making, piece, { where: (k, told) => {
@@ -76,7 +88,7 @@ export function screen(root, piece) {
     const unit = stage.pick(event.offsetX, event.offsetY);
     chosen.value = unit < 0 ? -1 : pack.arrays.region[unit];
   });
-  stop.push(show(at.left, () => regions(piece, chosen, change)));
+  stop.push(show(at.left, () => regions(piece, { chosen, change, put, lay })));
   stop.push(show(at.right, () => facts(piece)));
   stop.push(show(at.top, () => html`${working(piece.going.value)}
     ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert"><b>${piece.failed.value[0].message}</b><br>${piece.failed.value[0].hint ?? ""}</div>` : ""}`));
@@ -92,7 +104,7 @@ export function screen(root, piece) {
       stage.touch();
     } },
     ...MODES.map(([name, label], k) => ({ name: `Look: ${label.toLowerCase()}`, key: String(k + 1), do: () => void (mode.value = name) })),
-    ...(piece.live.value?.facts.regions ?? []).map((/** @type {any} */ r, /** @type {number} */ k) => ({ name: `Region: ${r.id || k + 1}`, do: () => void (chosen.value = k) })),
+    ...all().map((/** @type {any} */ r, /** @type {number} */ k) => ({ name: `Region: ${r.id || k + 1}`, do: () => void (chosen.value = k) })),
   ], (event) => timeline.key(event)));
   return () => {
     for (const end of stop) end();
