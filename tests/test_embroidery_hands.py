@@ -68,8 +68,15 @@ def test_a_region_begins_and_ends_where_it_is_said(drawing, corner):
     at = np.where(np.array(corner) > 0, high, low)
     across = low + high - at
     told = [f"region:blue.start={at[0]:.2f},{at[1]:.2f}", f"region:blue.end={across[0]:.2f},{across[1]:.2f}"]
-    made = own(sewn(drawing, *told), "blue")
+    piece = make(WHAT, drawing, WHAT.params.of({}), told)
+    made = own(piece.piece, "blue")
     assert np.hypot(*(made[0] - at)) < 2.5 and np.hypot(*(made[-1] - across)) < 2.5
+    assert not any("asked to" in w.message for w in piece.progress.warnings)
+
+
+def test_a_place_that_the_rows_do_not_lead_to_is_told(drawing):
+    said = make(WHAT, drawing, WHAT.params.of({}), ["region:blue.end=60,60"]).progress.warnings
+    assert any("blue does not end where it was asked to" in w.message for w in said)
 
 
 def test_rails_make_a_satin_column_between_them(drawing):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -134,6 +135,9 @@ def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -
     p = region.params
     area = rings(polygon)
     parts = area_underlay(polygon, p, start) if region.stitch in COVERED else []
+    if region.start is not None:  # the way from there lies below all the rest
+        begin = nearest_on_outline(area, np.array(region.start))[2]
+        parts.insert(0, Stitches.of(np.array([begin]), TRAVEL))
     if end is not None and (parts or start is not None):
         # The fill begins, and so ends, at the place nearest to where the thread goes on; the way there lies below it.
         here = nearest_on_outline(area, np.array(end))[2]
@@ -144,8 +148,23 @@ def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -
         satin, left = branched(polygon_of(area), p, region.id, start)
         rest = _rest(left, region, parts, satin)
         return linked([*rest, *satin], area, p.length)
-    parts.append(fill(region, polygon, area, start))
+    made = fill(region, polygon, area, start)
+    if region.end is not None:
+        made = _ending(made, region.end, lambda begin: fill(region, polygon, area, begin))
+    parts.append(made)
     return linked(parts, area, p.length)
+
+
+def _ending(made: Stitches, end: tuple[float, float], again: Callable[[Place], Stitches]) -> Stitches:
+    """The thread of a fill that ends where a hand wants it: itself, from its other end, or begun on the other side."""
+    if len(made) < 2:
+        return made
+    ways = [made]
+    if not made.facts.get("hidden_mm", 0.0):  # turned about, ways that lay below rows would lie on them
+        ways.append(made.reversed())
+    x, y = made.xy.min(0) + made.xy.max(0) - np.array(end)
+    ways.append(again((float(x), float(y))))
+    return min(ways, key=lambda w: float(np.hypot(*(w.xy[-1] - np.array(end)))))
 
 
 def _rest(left: Any, region: Region, below: list[Stitches], satin: list[Stitches]) -> list[Stitches]:

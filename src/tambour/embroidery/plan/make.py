@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,9 @@ from tambour.embroidery.regions.lettering import lettered
 from tambour.embroidery.regions.palette import reduced
 from tambour.embroidery.regions.read import extent, regions
 from tambour.embroidery.regions.trace import traced
+from tambour.embroidery.stitches import Stitches
 
+ASTRAY = 4.0  # mm that a region may begin or end beside where it was asked to without a word
 BARE = 0.3  # mm that thread may lie beside its area without a word
 MOST = 5000  # regions above which their order is not sought: pairs of them would be counted in millions
 
@@ -90,6 +93,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         with progress.stage("fill"):
             patch = region.role == "area" and region.params.applique
             stages = applique(region) if patch else [region_stitches(region, start, end)]
+        _told_where(region, [thread for stage in stages for thread in stage], progress)
         with progress.stage("sequence"):
             layout.color(Thread(region.color))
             for number, threads in enumerate(stages):
@@ -142,6 +146,20 @@ def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: Em
     far = np.asarray(cKDTree(a).query(b)[0])
     k = int(np.argmin(far))
     return (float(b[k, 0]), float(b[k, 1])) if far[k] < 30 else None
+
+
+def _told_where(region: Region, threads: Sequence[Stitches], progress: Progress) -> None:
+    """Say where a region does not begin or end as it was asked to."""
+    sewn = [t for t in threads if len(t)]
+    if not sewn:
+        return
+    for word, asked, xy in (("begin", region.start, sewn[0].xy[0]), ("end", region.end, sewn[-1].xy[-1])):
+        far = 0.0 if asked is None else float(np.hypot(*(xy - np.array(asked))))
+        if far > ASTRAY:
+            progress.warn(
+                f"{region.id} does not {word} where it was asked to: {far:.0f} mm away",
+                hint="its rows lead elsewhere: turn its angle, or ask for a place at an end of them",
+            )
 
 
 def _place(here: Any) -> Place:

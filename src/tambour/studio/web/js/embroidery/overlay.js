@@ -130,7 +130,10 @@ export class Overlay {
   ends(pack) {
     const told = pack.facts.regions[this.region], xy = pack.arrays.xy;
     if (!told || told.end - told.first < 2) return "";
-    return [["start", told.first], ["end", told.end - 1]].map(([name, i]) => this.knob(String(name), [xy[2 * Number(i)], xy[2 * Number(i) + 1]], String(name), (spot) => this.changed(this.region, String(name), place(spot))));
+    let first = told.first, last = told.end - 1; // jumps that lead to it are not yet it
+    while (first < last && pack.arrays.command[first]) first++;
+    while (last > first && pack.arrays.command[last]) last--;
+    return [["start", first], ["end", last]].map(([name, i]) => this.knob(String(name), [xy[2 * Number(i)], xy[2 * Number(i) + 1]], String(name), (spot) => this.changed(this.region, String(name), place(spot))));
   }
 
   /** Rails that were laid by hand, each place to be dragged. @param {Pack} pack */
