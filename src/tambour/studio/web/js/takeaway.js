@@ -46,6 +46,11 @@ export async function takeAway(over, piece, { follow }) {
     draw();
   };
   const alone = () => attempt(() => shopPage(piece));
+  const filmed = async (/** @type {"photos"|"film"} */ what) => {
+    box.close();
+    const made = await import("./film.js");
+    await made[what](over, piece);
+  };
   const view = () => {
     const first = (FIRST[craft.name] ?? []).map(([v, s, title, line]) => ({ file: files.find((f) => f.view === v && f.suffix === s), title, line })).filter((f) => f.file);
     const views = [...new Set(sensible.map((f) => f.view))];
@@ -55,6 +60,8 @@ export async function takeAway(over, piece, { follow }) {
           <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}${file.size === null ? "" : ` · ${size(file.size)}`}</span></button>`)}
         <button class="button" @click=${() => (box.close(), follow())}><b>Follow</b><span>on a phone, stitch by stitch</span></button>
         ${piece.live.value?.arrays.points && craft.name !== "ink" ? html`<button class="button" @click=${alone}><b>For your shop</b><span>one page that shows it, HTML</span></button>` : ""}
+        ${piece.live.value && craft.name !== "ink" ? html`<button class="button" @click=${() => filmed("photos")}><b>Step by step</b><span>a picture of each step, JPG</span></button>
+          <button class="button" @click=${() => filmed("film")}><b>Upright film</b><span>of the making, 9:16</span></button>` : ""}
       </div>
       <details class="group"><summary>More: ${counted(sensible.length, "format")}</summary>
       ${views.map((v) => html`<h3 class="head">${v}</h3><p class="quiet">${files.find((f) => f.view === v)?.help.replace(/\{--([a-z-]+)\}/g, "“$1”")}</p>

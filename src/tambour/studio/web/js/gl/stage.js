@@ -87,6 +87,7 @@ export class Stage {
     this.ground = null;
     this.count = 0; // units that are worked
     this.glow = true;
+    this.ratio = 0; // pixels of the picture to one of the page, where it is not the screen's
     /** Drawn pictures of a still view: more is smoother. Software that draws slowly gets one. */
     this.looks = 12;
     this.frames = 0;
@@ -178,7 +179,7 @@ export class Stage {
   }
 
   resize() {
-    const ratio = Math.min(2, self.devicePixelRatio || 1);
+    const ratio = this.ratio || Math.min(2, self.devicePixelRatio || 1);
     const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio)), height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
     if (width === this.canvas.width && height === this.canvas.height && this.drawn) return;
     const first = this.camera.width <= 1;
