@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 T := $(BIN)/tambour
 
-.PHONY: demo studio test check bench docs golden planted kernels clean
+.PHONY: demo studio test check bench docs book golden planted kernels clean
 
 # What a user has: the package and its kernels, built once and kept in the user's cache.
 $(VENV)/used: pyproject.toml
@@ -50,6 +50,14 @@ bench: $(VENV)/ready
 docs: $(VENV)/ready
 	$(BIN)/python docs/rooms.py
 	$(BIN)/python docs/pictures.py
+
+# The docs as a site, in out/book; a link that leads nowhere is an error.
+book: $(VENV)/book
+	$(BIN)/mkdocs build --quiet --strict
+
+$(VENV)/book: $(VENV)/used
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[book]'
+	touch $@
 
 golden: $(VENV)/ready
 	$(BIN)/python -m pytest tests/test_golden.py --update-golden
