@@ -428,3 +428,17 @@ def test_what_the_tech_edit_doubts_is_red():
     color = checked(make(Text(text), CrochetParams(solver="none"), Progress())).color.astype(int)
     red = (color[:, 0] > 150) & (color[:, 1:3].max(1) < 90)
     assert 0.02 < red.mean() < 0.6
+
+
+def test_chains_that_stand_for_a_stitch_are_as_long_as_it_is_high() -> None:
+    from tambour.crochet.language.stitches import HEIGHTS, STANDING, STITCHES
+
+    assert STANDING == {
+        "ch1sc": "sc",
+        "ch2hdc": "hdc",
+        "ch3dc": "dc",
+        "ch4tr": "tr",
+        "ch5dtr": "dtr",
+    }  # Craft Yarn Council
+    for chain, stitch in STANDING.items():
+        assert STITCHES[chain].moves[-1].height == HEIGHTS[stitch]
