@@ -8,12 +8,13 @@ import pytest
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.finish.joining import prepare
 from tambour.crochet.graph.build import build
-from tambour.crochet.graph.spots import Spots
+from tambour.crochet.graph.spots import Spots, sewn_rim
 from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
 from tambour.crochet.page.instructions import instructions
 from tambour.crochet.places.names import Made, mentions
 from tambour.crochet.places.said import clauses, where
 from tambour.crochet.printed.pattern import read_printed
+from tambour.crochet.printed.shades import dyed
 from tambour.run import craft, run
 
 BALL = """Rnd 1: 6 sc in MR (6)
@@ -394,3 +395,43 @@ def test_of_many_leaves_that_are_in_each_others_way_one_is_told(tmp_path: Path) 
     (tmp_path / "toy.txt").write_text(text)
     report = run("crochet", str(tmp_path / "toy.txt"), out=[str(tmp_path / "toy.acl")])
     assert sum("sewn to the same place" in w for w in map(str, report["warnings"])) == 1
+
+
+def test_a_cap_that_narrows_is_sewn_by_its_brim_and_stands_on_an_open_beginning() -> None:
+    cap = "With A, ch 24, join with sl st to form a ring.\nRnd 1: sc around (24)\nRnd 2: (2 sc, dec) x 6 (18)\nRnd 3: (sc, dec) x 6 (12)\nRnd 4: dec x 6 (6)\nFasten off.\n"
+    pattern = toy("Sew the hat to the top of the head.", HAT=cap)
+    record = next(r for r in pattern.finish if isinstance(r, Placed) and r.part == "HAT")
+    built = build(pattern)
+    spots = Spots(built)
+    assert len(sewn_rim(built, spots.parts["HAT"])) == 24
+    assert record.spot.part == "HEAD"
+
+
+@pytest.mark.parametrize(
+    ("heading", "copies", "guessed"),
+    [
+        ("EARS", 2, True),
+        ("EARS (make 1)", 1, False),
+        ("EARS (Make 1 with A and 1 with B)", 2, False),
+        ("EAR", 1, False),
+    ],
+)
+def test_ears_of_which_nothing_is_said_are_two_and_that_is_told(heading: str, copies: int, guessed: bool) -> None:
+    pattern = read_printed(Text(f"Toy\n\nBODY\n{CLOSED}\n{heading}\n{TUBE}", "toy.txt"))
+    assert pattern.parts[-1].copies == copies
+    assert any("two of" in w.message for w in pattern.warnings) == guessed
+
+
+@pytest.mark.parametrize(
+    ("name", "near"),
+    [
+        ("Grey Heather", (140, 140, 142)),
+        ("Café Latte", (180, 144, 108)),
+        ("French Rose", (226, 136, 150)),
+        ("Faded Denim", (137, 157, 184)),
+    ],
+)
+def test_a_yarn_is_dyed_as_any_word_of_its_name_tells(name: str, near: tuple[int, int, int]) -> None:
+    found = dyed(name)
+    assert found is not None and max(abs(a - b) for a, b in zip(found, near)) <= 12
+    assert dyed("Calliope") is None

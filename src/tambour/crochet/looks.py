@@ -77,9 +77,10 @@ def in_sight(piece: Plush) -> list[int] | None:
     filled = [k for k, part in enumerate(graph.parts) if part.end > part.start]
     at = {k: int(label[graph.parts[k].start]) for k in filled}
     name = {k: pattern.parts[piece.built.parts[k].section].name for k in filled}
-    main = at[max(filled, key=lambda k: graph.parts[k].end - graph.parts[k].start)]
     of = [Made(name[k], 1) if k in name else Made("", 1) for k in range(len(graph.parts))]
     aside = {k for k in filled if of[k].kind or of[k].worn or re.fullmatch(r"(?:part|piece)(?:_\w+)?|", name[k])}
+    bare = [k for k in filled if not of[k].worn] or filled
+    main = at[max(bare, key=lambda k: (of[k].kind in ("head", "body"), graph.parts[k].end - graph.parts[k].start))]
     toys = {main, *(at[k] for k in filled if k not in aside and list(at.values()).count(at[k]) > 1)}
     kept = [k for k in filled if k not in aside or at[k] in toys]
     return kept if len(kept) < len(filled) else None

@@ -17,6 +17,9 @@ from tambour.crochet.graph.build import Built
 from tambour.crochet.graph.lids import lids
 from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Spot
 
+GATHERED = 8
+"""An open end of so few stitches is drawn together."""
+
 
 @dataclass(frozen=True, slots=True)
 class Place:
@@ -95,11 +98,11 @@ class Spots:
         return p.start + int(nodes[0 if kind == ROOT else -1]) if len(nodes) else None
 
     def opening(self, part: int, number: float) -> Array:
-        """The rim of an open part, in the order of work, where ``number`` is the one after its last round's."""
+        """The rim of an open part, in the order of work: ``number`` is the one after its last round's, or before its first's."""
         mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
-        if not mine or number != max(mine) + 1 or self.in_rows[part]:
+        if not mine or self.in_rows[part] or number not in (min(mine) - 1, max(mine) + 1):
             return np.zeros(0, int)
-        return rim(self.built, part)
+        return rim(self.built, part) if number > max(mine) else begun(self.built, part)
 
     def place(self, spot: Spot) -> Place:
         """Where a spot is; it must be one that :func:`problems` has nothing against."""
@@ -230,9 +233,20 @@ def edge(built: Built, part: int, at: int | None = None) -> Array:
 
 
 def sewn_rim(built: Built, part: int) -> Array:
-    """The edge that a part in rounds is sewn by: that of its last round, else that of its first; empty where both are closed."""
-    last = rim(built, part)
-    return last if len(last) else edge(built, part, built.graph.parts[part].start)
+    """The edge that a part in rounds is sewn by: that of its last round, else that of its first; empty where both are closed.
+
+    An end of a few stitches is gathered: a cap that narrows to six is sewn by its brim.
+    """
+    last, first = rim(built, part), begun(built, part)
+    return first if not len(last) or (len(last) <= GATHERED and len(first) >= 2 * len(last)) else last
+
+
+def begun(built: Built, part: int) -> Array:
+    """The edge of a part that was worked first, where it is open: a chain joined to a ring; empty where it is closed."""
+    p = built.graph.parts[part]
+    if p.end <= p.start or (built.graph.peculiarity[p.start : p.end] == ROOT).any():
+        return np.zeros(0, int)
+    return edge(built, part, p.start)
 
 
 def rim(built: Built, part: int) -> Array:

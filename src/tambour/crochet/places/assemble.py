@@ -203,6 +203,9 @@ class Assembly(Toy):
             or self._named_top(main)
         ):
             return "start"
+        counts = [r.count for r in self.built.rounds if r.part == part]
+        if len(counts) > 4 and counts[-1] >= 2 * counts[-2] > 20:
+            return "start"  # a ruffle hangs
         wide = self.open(f"{main.name}.1")
         hung = any(p.host and p.host[0] == main and "top" in p.where.words for p in self.heard.puts)
         return (
@@ -215,7 +218,8 @@ class Assembly(Toy):
         return [w for w in main.words if w in ("head", "body")][:2] == ["head", "body"]
 
     def _is_on(self, feature: Feature, main: Made) -> bool:
-        return feature.host is None or feature.host[0] == main
+        head = self.of_kind("head")
+        return head in (None, main) if feature.host is None else feature.host[0] == main
 
     def _tree(self) -> list[Put]:
         """Every put with what it is put on, those that others stand on first; no copy twice, none on itself."""

@@ -200,6 +200,10 @@ def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) ->
     whole = [p for p in hit if p.words == [w[3] for w in words[at : at + best] if w[2] not in _FILLER]]
     if whole:
         hit = whole
+    said = [w[3] for w in words[at : at + best] if w[2] not in _FILLER]
+    ending = [p for p in hit if p.words[-len(said) :] == said]
+    if ending and said[-1] == words[at + best - 1][2]:
+        hit = ending  # "the cap" is the mushroom's cap, and not its spots
     if hit:
         plain = [p for p in hit if "inner" not in p.words]
         return best, plain if plain and words[at][3] != "inner" else hit

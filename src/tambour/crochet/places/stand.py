@@ -12,7 +12,7 @@ from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP
 from tambour.crochet.finish import sewing
 from tambour.crochet.finish.placing import Frames, frames, standing
-from tambour.crochet.graph.spots import Spots, rim
+from tambour.crochet.graph.spots import Spots, begun, rim
 from tambour.crochet.language.finishes import Eye, Placed, Spot
 
 NECK = 0.82
@@ -119,7 +119,7 @@ class Host:
                 return Spot(self.name, float(self.high + 1), None)
         if float(self.axis @ direction) < -0.9 and self.low == self._ends[0]:
             g, p = self.stand.spots.built.graph, self.stand.spots.built.graph.parts[self.part]
-            if (g.peculiarity[p.start : p.end] == ROOT).any():
+            if (g.peculiarity[p.start : p.end] == ROOT).any() or len(begun(self.stand.spots.built, self.part)):
                 return Spot(self.name, float(self.low - 1), None)
         return None
 

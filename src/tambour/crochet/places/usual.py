@@ -113,6 +113,7 @@ _SINGLE: Final[dict[str, Way]] = {
     "beard": Way((0.0, -0.5, 0.9), (0.0, -0.7, 0.7), _ACROSS, None, on="head"),
     "handle": Way((0.95, 0.1, 0.0), (1.0, 0.3, 0.0), flat=False),
     "claw": Way((0.0, 0.0, 1.0), (0.0, 0.0, 1.0), flat=None),
+    "tentacle": Way((0.0, -0.75, 0.66), (0.0, -0.25, 1.0), flat=True),
     "": Way((0.0, 0.0, 1.0), None),
 }
 # On a body that lies with its front ahead, these differ.

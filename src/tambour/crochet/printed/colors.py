@@ -7,7 +7,7 @@ from typing import Final
 
 from tambour.core.rgb import RGB, unhexed
 from tambour.crochet.printed.cursor import Cursor
-from tambour.crochet.printed.shades import listed, said, shade
+from tambour.crochet.printed.shades import dyed, listed, said, shade
 
 # Letters without a meaning of their own get these, one after the other.
 LETTERS: Final = ("mc", "cc", "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "ca", "cb", "cd", "ce", "c1", "c2")
@@ -42,7 +42,7 @@ class Palette:
         """Takes the yarns that a line of the materials gives letters."""
         for letter, name in listed(line).items():
             self.named.setdefault(letter, name)
-            hue = shade(name)
+            hue = dyed(name)
             if hue is not None:
                 self.given.setdefault(letter, hue)
 

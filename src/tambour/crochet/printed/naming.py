@@ -83,6 +83,27 @@ def heading_above(text: str, low: int, high: int) -> Heading | None:
     return None
 
 
+_TWO: Final = frozenset(("ear", "arm", "leg", "eye", "wing", "foot", "fin", "horn", "cheek"))
+"""Kinds of parts of which a toy has two."""
+
+
+def made_of(text: str, heading: Heading) -> tuple[int, bool]:
+    """How many of a part its heading asks for, and whether that is a guess: "(Make 1 with B and 1 with C)" are two, and so
+    are "EARS" of which nothing is said."""
+    end = heading.span.end
+    bracket = re.match(r"[\s:]*[(\[]\s*make\b([^)\]\n,;.]*)", text[end : end + 120], re.IGNORECASE)
+    if heading.copies > 1 or heading.copies_span is not None or bracket:
+        return max(heading.copies, _made(re.split(r"\bfor\b", bracket[1])[0]) if bracket else 1), False
+    last = (re.findall(r"[^\W\d_]+", heading.name.lower()) or [""])[-1]
+    two = (
+        bool(text[: heading.span.start].strip())  # a title is none
+        and kind_of(one(last)) in _TWO
+        and one(last) != last
+        and not set(heading.name.lower().split()) & {*_NO_PART, "and", "&"}
+    )
+    return (2, True) if two else (1, False)
+
+
 def _made(words: str | None) -> int:
     """How many "(make 2)", "(make 1 with B and 1 with C)" are."""
     said = re.findall(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from functools import lru_cache
 from typing import Final
 
@@ -166,6 +167,23 @@ YARNS: Final[dict[str, RGB]] = {
 }
 """Names of yarn → sRGB, by eye from shade cards."""
 
+_DYED: Final[dict[str, RGB]] = {
+    "adobe": (190, 104, 82), "aruba": (64, 178, 184), "atom": (206, 40, 44), "blackbird": (40, 40, 46),
+    "blueberry": (70, 88, 148), "bluie": (96, 150, 206), "cafe": (180, 144, 108), "cloud": (236, 238, 242),
+    "cotton": (250, 236, 236), "cub": (150, 106, 70), "dolphin": (138, 150, 164), "driftwood": (202, 186, 164),
+    "elephant": (146, 148, 152), "fog": (200, 204, 208), "fox": (206, 104, 48), "frosty": (206, 226, 230),
+    "glowworm": (190, 210, 84), "golden": (232, 184, 70), "lagoon": (44, 142, 156), "lamb": (244, 236, 220),
+    "landshark": (120, 130, 142), "leafy": (98, 146, 74), "lily": (246, 240, 226), "mist": (206, 216, 220),
+    "misty": (196, 202, 206), "mossy": (112, 120, 70), "mouse": (150, 148, 146), "overcast": (152, 160, 168),
+    "polar": (242, 245, 246), "potpourri": (214, 150, 164), "saffron": (240, 178, 58), "shrimp": (244, 152, 124),
+    "sky": (150, 196, 232), "snow": (250, 250, 250), "stone": (172, 166, 154), "storm": (104, 112, 122),
+    "sunshine": (250, 216, 92), "sunsoaked": (240, 212, 130), "teddy": (156, 110, 70), "terracotta": (196, 108, 82),
+    "tickle": (150, 210, 196), "vanilla": (246, 234, 204), "velveteal": (20, 108, 118), "whitey": (250, 249, 245),
+    "wood": (150, 112, 76),
+}  # fmt: skip
+"""Words of shade cards that name no colour elsewhere."""
+_PALE: Final = frozenset(("mist", "misty", "frosty", "faded", "quiet", "dust", "whisper"))
+
 _THINGS: Final = frozenset(
     [
         "amethyst",
@@ -234,6 +252,26 @@ def listed(line: str) -> dict[str, str]:
     """The letters that a list of materials gives to yarns → the names of their colours."""
     found = {m[1].lower(): m[2].strip() for m in _LED.finditer(line)}
     return {**{m[2].lower(): m[1].strip() for m in _ENDED.finditer(line)}, **found}
+
+
+def dyed(name: str) -> RGB | None:
+    """The colour of a yarn in a list of materials, by any word of its name that tells one: "Grey Heather", "French Rose".
+
+    In other sentences such words may mean the things themselves; None where no word tells a colour.
+    """
+    plain = "".join(c for c in unicodedata.normalize("NFKD", name.lower()) if not unicodedata.combining(c))
+    words = [w.removesuffix("'s").removesuffix("’s") for w in plain.replace("-", " ").split()]
+    if (found := shade(" ".join(words))) is not None:
+        return found
+    for long in range(len(words), 0, -1):
+        for at in range(len(words) - long, -1, -1):
+            part = words[at : at + long]
+            hue = shade(" ".join(part)) or (_DYED.get(part[0]) if long == 1 else None)
+            if hue is not None:
+                pale = 0.35 if (set(words) - set(part)) & _PALE else 0.0
+                red, green, blue = (round(c + (255 - c) * pale) for c in hue)
+                return red, green, blue
+    return None
 
 
 def said(name: str) -> RGB | None:

@@ -6,11 +6,12 @@ from collections.abc import Callable, Mapping
 from typing import Any, Final
 
 from tambour.core.errors import Problem, Span
+from tambour.crochet.language.finishes import GUESSED
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.colors import Palette
-from tambour.crochet.printed.naming import heading_above
+from tambour.crochet.printed.naming import heading_above, made_of
 from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.recognise import recognised
@@ -126,7 +127,11 @@ class State:
             name = next(f"{name}_{k}" for k in range(2, len(taken) + 3) if f"{name}_{k}" not in taken)
         draft = Draft(name, found.span if found is not None else span)
         if found is not None:
-            draft.copies, draft.copies_span = found.copies, found.copies_span
+            draft.copies_span = found.copies_span
+            draft.copies, guess = made_of(self.source.text.text, found)
+            if guess:
+                hint = "say how many: (make 2), or (make 1)"
+                self.source.doubt(f"{GUESSED}: two of {found.name} are made", hint, found.span)
         draft.lines, self.lead = self.lead, []
         for key, value in self.early.items():
             setattr(draft, key, value)
