@@ -23,6 +23,7 @@ FLOORS = [
     "run",
     "examples",
     "work",
+    "sweep",
     "studio",
     "cli",
 ]

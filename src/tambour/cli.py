@@ -27,6 +27,7 @@ from tambour import __version__  # noqa: E402
 from tambour.core.errors import Problem, TambourError, did_you_mean, shown, spelt  # noqa: E402
 from tambour.core.progress import Stopped  # noqa: E402
 from tambour.run import CRAFTS  # noqa: E402
+from tambour.sweep import command as sweep  # noqa: E402
 
 ISSUES = "please report it, with the command, the input and the lines above"
 
@@ -325,6 +326,9 @@ def studio(
         click.echo(f"wrote {count} pieces into {archive}")
         return
     serve(host, port, None if library is None else Path(library), names, not no_open, click.echo)
+
+
+tambour.add_command(sweep.command)
 
 
 def _opened() -> None:

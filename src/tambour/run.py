@@ -19,6 +19,7 @@ from tambour.craft import Craft, Edit, View, plain_edit
 
 if TYPE_CHECKING:
     from tambour.core.params import Params
+    from tambour.files.sink import Writing
 
 # Name → (where its CRAFT is, one line): the line stands here so that help need not load the crafts.
 CRAFTS: dict[str, tuple[str, str]] = {
@@ -205,13 +206,18 @@ def _stem(what: Craft, source: Any, params: Params) -> str:
 
 
 def write(
-    made: Made, out: Sequence[str | Path] = (), report: str | Path | None = None, progress: Progress | None = None
+    made: Made,
+    out: Sequence[str | Path] = (),
+    report: str | Path | None = None,
+    progress: Progress | None = None,
+    into: Writing | None = None,
 ) -> dict[str, Any]:
     """Write files of a piece, and the report beside them; gives the report.
 
     out : file names, see :func:`outputs`
     report : where the report is written as JSON
     progress : for this writing (the making's own when None)
+    into : where the files go, such as :class:`tambour.files.sink.Kept` (the disk when None)
 
     All files appear, or, on any error, none. Raises TambourError. The report holds craft, version, edition, params,
     source, edits, the craft's facts, warnings, files, how its kernels ran, and seconds per stage.
@@ -226,7 +232,7 @@ def write(
     guard(plan, (made.source or {}).get("path"), report)
     what.check(made.params, [item.view for item in plan])
     cache: dict[str, Any] = {}
-    with Writing() as writing:
+    with into or Writing() as writing:
         for k, item in enumerate(plan):
             view: View = what.views[item.view]
             if item.view not in cache:

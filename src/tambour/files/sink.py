@@ -18,7 +18,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import IO, Any
 
 from tambour.core.errors import TambourError
 
@@ -82,7 +82,7 @@ class Sink:
         with self.stream() as out:
             out.write(data)
 
-    def stream(self) -> Stream:
+    def stream(self) -> IO[bytes]:
         """The file as it comes; close it (``with``)."""
         return self.writing.stream(self.path)
 
@@ -98,7 +98,7 @@ class Sink:
 
 
 @dataclass(slots=True)
-class _Room:
+class Room:
     """A hidden folder beside some places: ``new/NAME`` is made there, ``old/NAME`` is what stood at the place.
 
     ``whole`` in it names (between zero bytes) the files that stood in ``new`` when the last of all was finished. The
@@ -109,7 +109,8 @@ class _Room:
     lock: int | None
 
     @staticmethod
-    def beside(parent: Path) -> _Room:
+    def beside(parent: Path) -> Room:
+        """A new folder beside places in ``parent``, where what the dead have left is cleared away."""
         sweep(parent)
         while True:
             folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=parent))
@@ -118,9 +119,10 @@ class _Room:
                 break  # else somebody swept it before it was locked
         for name in ("new", "old"):
             (folder / name).mkdir()
-        return _Room(folder, lock)
+        return Room(folder, lock)
 
     def clear(self) -> None:
+        """Remove it with all that is in it."""
         shutil.rmtree(self.folder, ignore_errors=True)
         if self.lock is not None:
             os.close(self.lock)
@@ -196,7 +198,7 @@ class _File:
     asked: Path
     place: Path  # symbolic links followed
     made: Path
-    room: _Room | None  # None: the place is a pipe or a device, which is written into
+    room: Room | None  # None: the place is a pipe or a device, which is written into
     moved: bool = False
 
     @property
@@ -214,7 +216,7 @@ class Writing:
     """
 
     def __init__(self) -> None:
-        self._rooms: dict[Path, _Room] = {}
+        self._rooms: dict[Path, Room] = {}
         self._files: dict[Path, _File] = {}
 
     def __enter__(self) -> Writing:
@@ -232,7 +234,7 @@ class Writing:
         """Where a writer leaves the file that shall stand at ``path``."""
         return Sink(Path(path), self)
 
-    def stream(self, path: Path) -> Stream:
+    def stream(self, path: Path) -> IO[bytes]:
         """The new file for ``path``; TambourError where none can stand."""
         try:
             place = Path(os.path.realpath(path) if path.is_symlink() else path)
@@ -257,12 +259,12 @@ class Writing:
         except OSError as error:
             raise cannot(path, error) from None
 
-    def room(self, parent: Path) -> _Room:
+    def room(self, parent: Path) -> Room:
         """The hidden folder in ``parent``."""
         parent = parent.resolve()
         if parent not in self._rooms:
             with undisturbed():
-                self._rooms[parent] = _Room.beside(parent)
+                self._rooms[parent] = Room.beside(parent)
         return self._rooms[parent]
 
     def commit(self) -> None:
@@ -282,7 +284,7 @@ class Writing:
                         f.moved = True
                         os.replace(f.made, f.place)
                 for parent in self._rooms:
-                    _settle(parent)
+                    settle(parent)
             for f in self._files.values():
                 if f.room is None:
                     with refused(f.asked):
@@ -322,7 +324,7 @@ def _back(f: _File) -> None:
             f.place.unlink()
 
 
-def _settle(parent: Path) -> None:
+def settle(parent: Path) -> None:
     """Put a folder's new names on the disk, where folders can be told to."""
     with suppress(OSError):
         number = os.open(parent, os.O_RDONLY)
@@ -342,6 +344,48 @@ def _pour(f: _File) -> None:
                     part = part[os.write(number, part) :]
     finally:
         os.close(number)
+
+
+class _Page(io.BytesIO):
+    """A file of ``Kept``; closing it leaves its bytes there."""
+
+    def __init__(self, kept: dict[str, bytes], name: str) -> None:
+        super().__init__()
+        self._kept, self._name = kept, name
+
+    def close(self) -> None:
+        if not self.closed:
+            self._kept[self._name] = self.getvalue()
+        super().close()
+
+
+class Kept(Writing):
+    """Files that go to no disk: ``files`` holds the bytes of each by its place, in the order that they were begun."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.files: dict[str, bytes] = {}
+
+    @property
+    def paths(self) -> list[Path]:
+        """The places asked for so far, in order."""
+        return [Path(name) for name in self.files]
+
+    def stream(self, path: Path) -> IO[bytes]:
+        """The new file for ``path``; TambourError where it is there."""
+        if str(path) in self.files:
+            raise TambourError("this file would be written twice", hint="name it differently", where=str(path))
+        self.files[str(path)] = b""
+        return _Page(self.files, str(path))
+
+    def room(self, parent: Path) -> Room:
+        """A folder for libraries that can write to nothing but a path."""
+        if not self._rooms:
+            self._rooms[Path()] = Room(Path(tempfile.mkdtemp(prefix=PREFIX)), None)
+        return self._rooms[Path()]
+
+    def commit(self) -> None:
+        """Nothing: the bytes are there."""
 
 
 @contextmanager

@@ -50,20 +50,9 @@ class Desk:
 
     def warm(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """Load what making needs, by making small things."""
-        from tambour.core.errors import Text
-        from tambour.run import craft, make
+        from tambour.work.warm import warm
 
-        small: dict[str, tuple[Any, dict[str, Any]]] = {
-            "crochet": (Text("R1: MR(6) (6)\nR2: 6 inc (12)\nR3: 12 sc (12)\nR4: 6 dec (6)\nFO\n"), {}),
-            "ink": (None, {"span": 64.0}),
-            "embroidery": (None, {"text": "o", "text_size": 10.0}),
-        }
-        for name in job["crafts"]:
-            source, values = small[name] if name in small else (_chart(), {})
-            what = craft(name)
-            piece = make(what, source, what.params.of(values)).piece
-            what.views["live"].make(piece)
-            what.views["steps"].make(piece)
+        warm(job["crafts"], ("live", "steps"))
         return {}
 
     def make(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
@@ -106,7 +95,7 @@ class Desk:
 
     def thumb(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """A small picture of the piece."""
-        from tambour.studio.thumbs import thumb
+        from tambour.work.thumbs import thumb
 
         self.make(job, progress)
         file = Path(job["to"]) / "thumb.webp"
@@ -148,18 +137,6 @@ class Desk:
         file = Path(job["to"]) / "tile.pack"
         file.write_bytes(packed(tile(params, job["k"])))
         return {"file": str(file)}
-
-
-def _chart() -> Any:
-    """A small chart to knit."""
-    import numpy as np
-
-    from tambour.core.chart import Chart
-    from tambour.core.palette import Palette
-
-    return Chart(
-        (np.indices((12, 12)).sum(0) // 3 % 2).astype(np.uint8), Palette(np.array([[0] * 3, [255] * 3], np.uint8))
-    )
 
 
 def _archive(to: Path, folder: Path, found: list[Path]) -> None:

@@ -21,6 +21,8 @@ Frame = Callable[[bytes], None]
 
 WATCH = 0.25
 """Seconds between two looks at a worker's memory."""
+DIED = "the worker ended in the midst of this"
+"""Why a job is lost whose worker nobody here has killed."""
 PATIENCE = 0.3
 """Seconds that a worker has to stop by itself before it is killed."""
 
@@ -93,7 +95,7 @@ class Hand:
                 self._end.set_result(self._lost("try again, or make it smaller"))
 
     def _lost(self, hint: str) -> dict[str, Any]:
-        return {"is": "lost", "why": self.why or "the worker ended in the midst of this", "hint": hint}
+        return {"is": "lost", "why": self.why or DIED, "hint": hint}
 
     async def _watch(self) -> None:
         """Look at the memory, where the system tells it; kill what takes too much."""
@@ -111,10 +113,10 @@ class Hand:
         with suppress(ProcessLookupError):
             self.process.kill()
 
-    async def do(self, job: dict[str, Any], seconds: float, tell: Tell, frame: Frame) -> dict[str, Any]:
+    async def do(self, job: dict[str, Any], seconds: float | None, tell: Tell, frame: Frame) -> dict[str, Any]:
         """Do a job and give its end: "is" done, failed, stopped, or lost with "why" and "hint".
 
-        seconds : after which it is lost ; tell, frame : called with its progress, and with the bytes that it sends
+        seconds : after which it is lost, None for never ; tell, frame : called with its progress, and with the bytes that it sends
 
         A job that was lost so, or that nobody waits for any more, may still go on: :meth:`stop` it.
         """
@@ -129,7 +131,7 @@ class Hand:
             async with asyncio.timeout(seconds):
                 return await asyncio.shield(self._end)
         except TimeoutError:
-            why = f"this took more than {_time(seconds)} and was stopped"
+            why = f"this took more than {_time(seconds or 0.0)} and was stopped"
             return {"is": "lost", "why": why, "hint": "make it smaller, or simpler"}
         finally:
             self._tell, self._frame = (lambda told: None), (lambda raw: None)

@@ -40,6 +40,7 @@ class Worker:
         self.words, self.answers, self.kind = words, answers, kind
         self.jobs: queue.Queue[dict[str, Any] | None] = queue.Queue()
         self.stopped: set[int] = set()
+        self.over = False
         self.job: dict[str, Any] = {}
         self.desk = kind()
         self.shown = self.framed = 0.0
@@ -53,6 +54,7 @@ class Worker:
                 self.stopped.add(told["job"])
             else:
                 self.jobs.put(told)
+        self.over = True
         self.jobs.put(None)
 
     def run(self) -> None:
@@ -91,7 +93,7 @@ class Worker:
 
     def show(self, stage: str, done: int, total: int) -> None:
         """Tell how far the job is, thirty times a second at the most. Raises Stopped when it is to end."""
-        if self.job["job"] in self.stopped:
+        if self.over or self.job["job"] in self.stopped:
             raise Stopped
         now = time.monotonic()
         if now - self.shown > 1 / 30 or not done:

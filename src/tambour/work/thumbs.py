@@ -1,4 +1,4 @@
-"""Thumbs: a small picture of a piece, for the shelf."""
+"""Thumbs: a small picture of a piece, for a shelf or a contact sheet."""
 
 from __future__ import annotations
 
@@ -16,8 +16,23 @@ def thumb(craft: str, piece: Any) -> bytes:
     from PIL import Image
 
     rgba = {"crochet": _crochet, "knit": _knit, "ink": _ink, "embroidery": _embroidery}[craft](piece)
-    picture = Image.fromarray(rgba)
-    picture.thumbnail((SIDE, SIDE), Image.Resampling.LANCZOS)
+    return _small(Image.fromarray(rgba))
+
+
+def shrunk(raw: bytes) -> bytes:
+    """A picture's file, as :func:`thumb` would give it."""
+    from PIL import Image
+
+    picture = Image.open(io.BytesIO(raw))
+    picture.draft("RGB", (2 * SIDE, 2 * SIDE))  # a JPEG is decoded no finer than is needed
+    return _small(picture.convert("RGBA"))
+
+
+def _small(picture: Any) -> bytes:
+    from PIL import Image
+
+    # Whole pixels are averaged first: a tenth of the time, and no difference that one sees.
+    picture.thumbnail((SIDE, SIDE), Image.Resampling.LANCZOS, reducing_gap=2.0)
     raw = io.BytesIO()
     picture.save(raw, "WEBP", quality=80, method=4)
     return raw.getvalue()

@@ -1,0 +1,145 @@
+"""Local: a pool of workers on this machine. Each is started once, keeps what it has loaded, and is replaced when it dies."""
+
+from __future__ import annotations
+
+import asyncio
+import hashlib
+import os
+import shutil
+import subprocess
+import tempfile
+import threading
+from collections.abc import Mapping
+from concurrent.futures import Future
+from pathlib import Path
+from typing import Any
+
+from tambour.files.sink import Room
+from tambour.work.hand import DIED, Hand
+from tambour.work.limit import Limit
+from tambour.work.piece import Done, Job
+
+DESK = "tambour.work.desk:Pieces"
+KEPT = 4
+"""Files that lie ready in a worker's folder: pieces of one source follow each other."""
+TRIES = 3
+"""How often a piece is begun whose worker dies of it, or is killed by somebody."""
+UNLIMITED = 1 << 62
+
+
+def processors() -> int:
+    """How many processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+class Local:
+    """Makes pieces in ``width`` processes; ``submit`` may be called from any thread.
+
+    What dies by itself is tried again, by another worker; what breaks the limit is not. The time of a piece is its own:
+    a worker has grown warm before.
+    """
+
+    def __init__(self, width: int | None = None, limit: Limit | None = None) -> None:
+        self.width = width or processors()
+        self.limit = limit or Limit()
+        self.threads = max(1, processors() // self.width)
+        self._room = Room.beside(Path(tempfile.gettempdir()))
+        self._hands: set[Hand] = set()
+        self._made = 0
+        self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
+        self._thread.start()
+        self._free: asyncio.LifoQueue[Hand | None] = asyncio.LifoQueue()
+        for _ in range(self.width):
+            self._free.put_nowait(None)
+
+    def submit(self, job: Job) -> Future[Done]:
+        """What will become of a job."""
+        return asyncio.run_coroutine_threadsafe(self._done(job), self._loop)
+
+    def close(self) -> None:
+        """End all workers, whatever they do, and clear what they left."""
+        if not self._thread.is_alive():
+            return
+        asyncio.run_coroutine_threadsafe(self._end(), self._loop).result()
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join()
+        self._loop.close()
+        self._room.clear()
+
+    async def _done(self, job: Job) -> Done:
+        for _ in range(TRIES):
+            done, ended = await self._once(job)
+            if ended:
+                break
+        return done
+
+    async def _once(self, job: Job) -> tuple[Done, bool]:
+        """What became of a job, and whether that is its end: False where the worker died of itself."""
+        hand = await self._free.get()
+        try:
+            if hand is None or not hand.alive:
+                hand = await self._start(hand, job.craft)
+            frames: list[bytes] = []
+            laid = _laid(hand.folder, job.blobs)
+            plain = {k: v for k, v in _plain(job).items() if k != "blobs"}
+            told = await hand.do({"do": "piece", "piece": plain, "laid": laid}, self.limit.seconds, _no, frames.append)
+            if told["is"] == "lost":
+                await self._drop(hand)
+                hand = None
+                return Done(reason=told["why"]), told["why"] != DIED
+            if told["is"] != "done":
+                return Done(reason=told.get("reason", "it was stopped"), fault=told.get("fault", "")), True
+            *files, thumb = frames
+            return Done(told["report"], dict(zip(told["names"], files)), thumb), True
+        except OSError as error:  # the folder for the source, or the process, is not to be had
+            return Done(reason=f"no worker can be had: {error.strerror or error}"), True
+        finally:
+            self._free.put_nowait(hand)
+
+    async def _start(self, dead: Hand | None, craft: str) -> Hand:
+        if dead is not None:
+            await self._drop(dead)
+        self._made += 1
+        memory = self.limit.memory or UNLIMITED
+        hand = Hand(self._room.folder / str(self._made), subprocess.DEVNULL, self.threads, DESK, memory)
+        self._hands.add(hand)
+        await hand.start()
+        await hand.do({"do": "warm", "craft": craft}, None, _no, _no)
+        return hand
+
+    async def _drop(self, hand: Hand) -> None:
+        self._hands.discard(hand)
+        await hand.close()
+
+    async def _end(self) -> None:
+        others = [t for t in asyncio.all_tasks() if t is not asyncio.current_task()]
+        for hand in list(self._hands):
+            if hasattr(hand, "process"):
+                await self._drop(hand)
+        for task in others:
+            task.cancel()
+        await asyncio.gather(*others, return_exceptions=True)
+
+
+def _plain(job: Job) -> dict[str, Any]:
+    return {name: getattr(job, name) for name in job.__dataclass_fields__}
+
+
+def _laid(folder: Path, blobs: Mapping[str, bytes]) -> dict[str, str]:
+    """Lay files into a worker's folder, each under its own last name, where they do not lie there yet."""
+    laid = {}
+    for name, raw in blobs.items():
+        place = folder / hashlib.sha256(raw).hexdigest()[:24] / Path(name).name
+        if not place.exists():
+            old = sorted((p for p in folder.iterdir() if p.is_dir()), key=lambda p: p.stat().st_mtime_ns)
+            for gone in old[:-KEPT] if len(old) > KEPT + len(blobs) else ():
+                shutil.rmtree(gone, ignore_errors=True)
+            place.parent.mkdir(exist_ok=True)
+            place.write_bytes(raw)
+        laid[name] = str(place)
+    return laid
+
+
+def _no(told: Any) -> None:
+    pass
