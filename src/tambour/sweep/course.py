@@ -22,9 +22,11 @@ INDEX_SECONDS = 2.0
 
 
 class Pool(Protocol):
-    """Where pieces are made: ``width`` of them at once."""
+    """Where pieces are made."""
 
-    width: int
+    @property
+    def width(self) -> int:
+        """How many at once, as things stand."""
 
     def submit(self, job: Job) -> Future[Done]:
         """What will become of a job."""
@@ -142,6 +144,10 @@ def planned(
 
 def pool(jobs: int | None = None, limit: Limit | None = None, scheduler: str = "", cluster: int = 0) -> Pool:
     """Where pieces are made: processes here, or a Dask cluster."""
+    if scheduler or cluster:
+        from tambour.work.cluster import Cluster
+
+        return Cluster(scheduler, cluster, limit)
     from tambour.work.local import Local
 
     return Local(jobs, limit)

@@ -67,6 +67,13 @@ class Local:
         self._loop.close()
         self._room.clear()
 
+    def abandon(self) -> None:
+        """Clear what the workers would leave, where this process ends and they will see it."""
+        for hand in self._hands:
+            if hasattr(hand, "process"):
+                hand.kill()
+        self._room.clear()
+
     async def _done(self, job: Job) -> Done:
         for _ in range(TRIES):
             done, ended = await self._once(job)
