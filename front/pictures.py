@@ -4,7 +4,7 @@ from pathlib import Path
 
 from tambour.run import craft, make
 from tambour.studio.pieces import EXAMPLES
-from tambour.studio.thumbs import thumb
+from tambour.work.thumbs import thumb
 
 TO = Path(__file__).parents[1] / "src" / "tambour" / "studio" / "web" / "pictures"
 EXAMPLE_FILES = Path(__file__).parents[1] / "examples"

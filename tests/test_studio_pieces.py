@@ -156,7 +156,7 @@ def test_a_chart_is_pictured_as_from_afar() -> None:
 
     from tambour.core.chart import Chart
     from tambour.core.palette import Palette
-    from tambour.studio.thumbs import thumb
+    from tambour.work.thumbs import thumb
 
     wool = Palette(np.array([[20] * 3, [235] * 3], np.uint8))
     for side, least, most in ((120, 0, 25), (12, 60, 130)):
