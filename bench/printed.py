@@ -118,8 +118,7 @@ def measured(name: str, words: str, pictures: bool) -> Row:
     gaps, read_at = [], []
     for part in pattern.parts:
         for line in part.lines:
-            gap = any(getattr(i, "name", "") == "gap" for i in line.items)
-            (gaps if gap else read_at).append((line.span.start, line.span.end))
+            (gaps if line.gap else read_at).append((line.span.start, line.span.end))
     for at in heads:
         inside = [k for k, where in enumerate((read_at, gaps)) if any(a - 3 <= at <= a + 3 for a, _ in where)]
         if 1 in inside:

@@ -83,8 +83,9 @@ class Line:
 
     @property
     def gap(self) -> bool:
-        """Whether it is a round that was not understood, and takes its count."""
-        return any(isinstance(item, Action) and item.name == "gap" for item in self.items)
+        """Whether it is a round that was not understood, and takes its count. A gap with a second number was understood, and stands on a
+        count below that the text itself gets wrong."""
+        return any(isinstance(item, Action) and item.name == "gap" and len(item.numbers) == 1 for item in self.items)
 
     def rounds(self) -> Iterator[Line]:
         """The rounds that it is, one by one, with their numbers; those worked again as they are written elsewhere."""

@@ -6,11 +6,13 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item
+from tambour.crochet.printed.asides import aside, things
 from tambour.crochet.printed.clauses import where
 from tambour.crochet.printed.colors import LETTERS
 from tambour.crochet.printed.counts import closing, count, counted_at, ends_with_number, makes
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import BETWEEN, by_hand, doing, drawn_tight
+from tambour.crochet.printed.moved import Moved, moved
 from tambour.crochet.printed.reader import Body, Reader
 from tambour.crochet.printed.references import even_rounds, refers
 from tambour.crochet.printed.repeats import bracket, led, repeated, star
@@ -20,28 +22,9 @@ from tambour.crochet.printed.tokens import Token
 _LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
 _PHRASE = frozenset(",;.()[]{}*=")
 _ENDS = frozenset((".", ";"))
-_ASIDE: Final = frozenset(
-    (
-        "taking",
-        "making",
-        "being",
-        "ensuring",
-        "holding",
-        "pushing",
-        "placing",
-        "weaving",
-        "pulling",
-        "keeping",
-        "carrying",
-        "moving",
-        "matching",
-        "stuffing",
-        "removing",
-        "dropping",
-    )
-)
 _FACING: Final = frozenset(("right", "wrong", "rs", "ws", "facing"))
 _PARTED: Final = frozenset(("break", "drop", "carry"))
+_ALONG: Final = frozenset(("behind", "along", "from", "using", "across", "through", "down", "inside", "into", "right", "left"))
 _LAST: Final = frozenset(("end", "ending", "ends"))
 _COURSE: Final = frozenset(
     ("spiral", "spirals", "continuous", "joined", "pattern", "sequence", "rounds", "rows", "turned")
@@ -75,8 +58,13 @@ class Walk(Reader):
                 c.at = self.end_of_sentence() + 1
                 continue
             before = (body.stated, body.stated_span, body.rounds, body.sides)
+            self.edging = False
             try:
                 self.items(body.items, _ENDS)
+                if self.edging and any(map(makes, body.items[:made])):
+                    del body.items[made:]  # "Work 1 rnd of sc evenly around Ear": along another edge
+                    body.stated, body.stated_span, body.rounds, body.sides = before
+                    body.edged.append(Span(c.tokens[at].start, c.tokens[c.at - 1].end))
                 if self.before is not None:
                     raise NotUnderstood(c.tokens[c.at - 1], "what goes in this place is not said", "say which stitches")
             except NotUnderstood as wrong:
@@ -136,7 +124,7 @@ class Walk(Reader):
     def between(self, token: Token) -> bool:
         """Goes past what only stands between clauses."""
         c = self.c
-        if token.word in _ASIDE and token.kind == "word":
+        if aside(c):
             self.to_separator()
             return True
         after = c.look(1)
@@ -147,6 +135,8 @@ class Walk(Reader):
             if token.word in "-:" and ends_with_number(self, 1):
                 return False
             c.at += 1
+            if token.word == "-" and (many := things(c)):
+                c.at += many  # "- 5 petals"
             return True
         if token.kind == "key" and token.value in ("and", "begin", "make", "times", "for", "more"):
             if token.value == "begin" and c.key("from", "in", "to", ahead=1):
@@ -185,9 +175,30 @@ class Walk(Reader):
             self.color(found)
         elif token.word in _LAST and found:
             self.ends_with(found)
-        else:
+        elif not self.along(found):
             message = f'"{token.word}" is not understood here'
             raise NotUnderstood(token, message, "a stitch, a number or a repeat is wanted here")
+
+    def along(self, found: list[Item]) -> bool:
+        """Words that say along which edge stitches go that were just read ("8 sc evenly up right side of Ear"), or that come before
+        them ("behind petals, into free loops of Rnd 1"); whether the clause at the cursor is such."""
+        c, begin = self.c, self.c.at
+        first = c.tokens[begin]
+        led_by = first.word in _ALONG
+        self.to_separator()
+        clause = c.tokens[begin : c.at]
+        found_at = moved(clause)
+        before = c.tokens[begin - 1] if begin else None
+        tail = before is not None and (before.kind == "stitch" or before.value in ("around", "in", "next", "each", "stitch", "over"))
+        fits = found_at is not None or (tail and first.capital)
+        if not fits or not (led_by or (tail and found)) or any(t.kind == "stitch" and t.value != "ch" for t in clause[1:]):
+            c.at = begin
+            return False
+        if any(map(makes, found)):
+            self.edging = True
+        if self.body.moved is None:
+            self.body.moved = found_at or Moved(Span(clause[0].start, clause[-1].end))
+        return True
 
     def ends_with(self, found: list[Item]) -> None:
         """``rep from * around, end sc``: stitches that the repeat before them leaves room for."""
@@ -281,6 +292,8 @@ class Walk(Reader):
                 del c.tokens[c.at + 2], c.tokens[c.at]
             while c.key("with", "in", "and") and (c.kind("number", 1) or c.kind("stitch", 1)):
                 c.at += 1
+        elif word in ("in", "over", "with", "from", "around") and not any(map(makes, found)) and self.elsewhere(found):
+            pass
         elif word in ("in", "over") and (
             c.key("bumps", "foundation")
             or (after := c.look()) is None
@@ -368,6 +381,21 @@ class Walk(Reader):
                 token, f'"{token.word}" is not understood here', "a stitch, a number or a repeat is wanted"
             )
 
+    def elsewhere(self, found: list[Item]) -> bool:
+        """Goes past "in unused loops of rnd before last", said before stitches; whether that stands at the cursor."""
+        c, begin = self.c, self.c.at
+        self.to_separator()
+        clause = c.tokens[begin : c.at]
+        place = moved(clause) if c.look() is not None else None
+        plain = any(t.kind == "stitch" and t.value != "ch" for t in clause) or any(t.kind == "key" and t.value == "side" for t in clause)
+        if place is None or plain or not (place.number or place.before or place.free):
+            c.at = begin
+            return False
+        self.body.moved = self.body.moved or place
+        if place.loops:
+            found.append(Action(place.loops, place.span))
+        return True
+
     def folding(self, found: list[Item], token: Token) -> None:
         """Stitches go through both layers of the edge, which lies flat: they close it."""
         if any(t.word in _PIECES for t in self.c.tokens):
@@ -418,11 +446,17 @@ class Walk(Reader):
             begin = c.at
             self.to_separator("turn", "fasten off", "and", "form")
             tied = any(t.kind == "stitch" and t.value in ("slst", "sc") for t in c.tokens[begin : c.at])
+            if not worked:
+                self.body.moved = self.body.moved or moved(c.tokens[begin : c.at])
             if worked and tied:
                 found.append(Action("join", token.span))
             found.append(Action("color", span, numbers=shade[0]))
             return
+        begin = c.at
         self.to_separator("turn", "fasten off", "and", "form")
+        if not worked and (elsewhere := moved(c.tokens[begin : c.at])) is not None:
+            self.body.moved = self.body.moved or elsewhere
+            return
         found.append(Action("join", token.span))
 
     def ending(self) -> None:

@@ -6,7 +6,8 @@ from typing import Final, Literal
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Item
-from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.asides import things
+from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
 
@@ -70,6 +71,9 @@ def _and_more(r: Reader, ahead: int) -> int | None:
     ahead += 1
     if c.key("and", ahead=ahead):
         ahead += 1
+    if many := things(Cursor(c.tokens, c.at + ahead)):  # "and 6 legs"
+        after = c.look(ahead + many)
+        return ahead + many if after is None or c.mark(*_ENDS, ",", ahead=ahead + many) else None
     if c.whole(ahead) is None or not (c.kind("stitch", ahead + 1) or c.key("space", "stitch", ahead=ahead + 1)):
         return None
     ahead += 2
@@ -95,12 +99,14 @@ def count(r: Reader, found: list[Item]) -> bool:
         return False
     begin = c.take()
     r.body.stated, r.body.stated_span = _listed(r, begin.value), begin.span
+    begun = c.at
     while (
         c.look() is not None
         and not c.mark(".", "(", "[", ";", "*", "**")
         and not (c.mark("-") and not c.key("space", ahead=2))
     ):
         c.at += 1
+    r.body.loose = r.body.loose or any(things(Cursor(c.tokens, k)) for k in range(begun + 1, c.at))
     return True
 
 

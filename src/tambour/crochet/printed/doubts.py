@@ -12,6 +12,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item
+from tambour.crochet.printed.asides import penned
 from tambour.crochet.printed.body import Walk
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import NotUnderstood
@@ -125,7 +126,9 @@ def decided(
     edge : stitches below, None where they are not known; times : rounds that are worked so
     chain : the foundation chain that it is worked into, None for none
     """
-    tokens = shortened(tokens)
+    tokens, slipped = penned(shortened(tokens))
+    for token, meant in slipped:
+        source.doubt(f'"{token.word}" is read as "{meant}"', "correct the word", token.span)
 
     def phrase(begin: int, end: int) -> Action | None:
         # Small words are no tokens: "change to color A" goes on to the comma.
@@ -172,6 +175,9 @@ def decided(
         if body.asked and begun < 2:
             body = _second(read, body, begun, fit) or body
     body.fit = fit(body) if body.refers is None else 2
+    if body.loose and not body.fit:
+        body.stated = body.stated_span = None  # what else is counted there is not known
+        body.fit = fit(body)
     if body is not first and "places" in body.asked and body.stated is not None and body.fit:
         source.each = not source.each
     for what, span in first.asked.items():

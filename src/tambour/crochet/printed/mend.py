@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass, field, replace
+from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError
 from tambour.crochet.graph.build import Built, build
@@ -23,38 +25,44 @@ def is_start(item: Item, stitches: dict[str, Stitch]) -> bool:
     return item.name in stitches and stitches[item.name].where == "ring"
 
 
-def mended(pattern: Pattern) -> tuple[Pattern, Built | None, list[Problem]]:
+@dataclass
+class Found:
+    """What is told of a pattern while it is mended: ``unread`` of its gaps, ``doubts`` of what was understood and cannot be worked as it
+    is said."""
+
+    unread: list[Problem] = field(default_factory=list)
+    doubts: list[Problem] = field(default_factory=list)
+
+
+def mended(pattern: Pattern, told: Found) -> tuple[Pattern, Built | None]:
     """``pattern`` with gaps for the rounds that the hook cannot work, worked, and what is told of each gap.
 
     Each part is mended by itself, so that only those with a fault are worked more than once; None in place of the work
     where it still cannot be done.
     """
-    told: list[Problem] = []
     for _ in range(_TRIES):
         try:
-            return pattern, build(pattern), told
+            return pattern, build(pattern)
         except TambourError as error:
             wrong = [p for p in error.problems if not p.warning and p.span is not None]
         parts = []
         for section in pattern.parts:
             if any(_inside(p.span, line) for p in wrong for line in section.lines):
-                section, found = _section(pattern, section)
-                told += found
+                section = _section(pattern, section, told)
             parts.append(section)
         if tuple(parts) == pattern.parts:
             break
         pattern = replace(pattern, parts=tuple(parts))
-    return pattern, None, told
+    return pattern, None
 
 
-def agreed(pattern: Pattern, built: Built, sound: set[int], unread: list[Span]) -> tuple[Pattern, Built, list[Problem]]:
+def agreed(pattern: Pattern, built: Built, sound: set[int], unread: list[Span], told: Found) -> tuple[Pattern, Built]:
     """The same with gaps where the hook makes another count than the one stated, though the words do make it on the count
     that is stated below, or though something since the last count that it did make was not read: there something before
     was read wrongly, and it is no mistake of the text.
 
     sound : where the lines begin whose words make their counts; unread : what was not understood
     """
-    told: list[Problem] = []
     for _ in range(_TRIES):
         alarms = {p.span: p for p in built.warnings if p.span is not None and p.message.startswith("the pattern says")}
         wrong = [
@@ -69,21 +77,40 @@ def agreed(pattern: Pattern, built: Built, sound: set[int], unread: list[Span]) 
             break
         parts = list(pattern.parts)
         for k, problem in firsts.items():
+            fair = _fair(parts[k], problem.span, alarms.keys() - {p.span for p in wrong}, sound, unread)
             lines = []
             for line in parts[k].lines:
                 at = line.stated_span
                 if at is not None and at == problem.span and line.stated:
-                    line = replace(line, items=_gap(line, at, line.stated), again=None)
+                    line = replace(line, items=_gap(line, at, line.stated, fair), again=None)
                 lines.append(line)
-            said = f"this round does not fit the one below as that was read: it is taken from its count, {_stated(lines, problem)}"
-            told.append(replace(problem, message=said, warning=True))
+            many = _stated(lines, problem)
+            if fair:
+                said = f"this round makes its {many} stitches on the count that is stated below it, which is not what is made there"
+                told.doubts.append(replace(problem, message=said, warning=True))
+            else:
+                said = f"this round does not fit the one below as that was read: it is taken from its count, {many}"
+                told.unread.append(replace(problem, message=said, warning=True))
             parts[k] = replace(parts[k], lines=tuple(lines))
-        pattern, again, found = mended(replace(pattern, parts=tuple(parts)))
-        told += found
+        pattern, again = mended(replace(pattern, parts=tuple(parts)), told)
         if again is None:
             break
         built = again
-    return pattern, built, told
+    return pattern, built
+
+
+def _fair(section: Section, span: Span | None, told: AbstractSet[Span | None], sound: set[int], unread: list[Span]) -> bool:
+    """Whether the round whose count stands at ``span`` is understood, and only a count below it that the text gets wrong is amiss, which
+    is told there."""
+    at = next(k for k, line in enumerate(section.lines) if line.stated_span == span)
+    if section.lines[at].span.start not in sound:
+        return False
+    for line in reversed(section.lines[:at]):
+        if any(line.span.start <= one.start < line.span.end for one in unread) or line.gap:
+            return False
+        if line.stated is not None:
+            return line.stated_span in told or any(isinstance(i, Action) and i.name == "gap" for i in line.items)
+    return False
 
 
 def _stated(lines: list[Line], problem: Problem) -> int:
@@ -146,27 +173,49 @@ def _names(items: tuple[Item, ...]) -> set[str]:
     return {n for i in items for n in (_names(i.items) if isinstance(i, Group) else {i.name})}
 
 
-def _section(pattern: Pattern, section: Section) -> tuple[Section, list[Problem]]:
+def _section(pattern: Pattern, section: Section, told: Found) -> Section:
     """One part with gaps where the hook fails."""
-    told: list[Problem] = []
     for _ in range(_ROUNDS):
         try:
             build(replace(pattern, parts=(replace(section, copies=1, copies_span=None),)))
         except TambourError as error:
             wrong = [p for p in error.problems if not p.warning and p.span is not None]
-            (mended,), found = _gaps(replace(pattern, parts=(section,)), wrong)
+            (mended,) = _gaps(replace(pattern, parts=(section,)), wrong, told)
             if mended == section:
-                return section, told
+                return section
             section = mended
-            told += found
             continue
         break
-    return section, told
+    return section
 
 
-def _gaps(pattern: Pattern, wrong: list[Problem]) -> tuple[tuple[Section, ...], list[Problem]]:
+_EASED: Final = {
+    "a single loop needs two rounds below it": (("flo", "blo"), "a single loop needs two rounds below it: both loops are taken"),
+    "rows have no opening to fold": (("fold",), "what is folded here is flat: the seam is not drawn"),
+    "FO needs at least two stitches": (("fo",), "so few stitches are not drawn together"),
+}
+"""What the hook refuses → the actions that it can do without, and what is told of that."""
+
+
+def _eased(line: Line, problem: Problem) -> tuple[Line, str] | None:
+    """``line`` without a nicety that the hook cannot work there, and what is told; None where that is not its fault."""
+    for message, (names, said) in _EASED.items():
+        if problem.message.startswith(message):
+            items = tuple(i for i in map(lambda i: _without(i, names), line.items) if i is not None)
+            if items != line.items:
+                return replace(line, items=items), said
+    return None
+
+
+def _without(item: Item, names: tuple[str, ...]) -> Item | None:
+    if isinstance(item, Action):
+        return None if item.name in names else item
+    items = tuple(i for i in map(lambda i: _without(i, names), item.items) if i is not None)
+    return replace(item, items=items) if items else None
+
+
+def _gaps(pattern: Pattern, wrong: list[Problem], told: Found) -> tuple[Section, ...]:
     """The parts with a gap in place of each line that a problem stands in."""
-    told: list[Problem] = []
     parts = []
     for section in pattern.parts:
         lines: list[Line] = []
@@ -175,6 +224,11 @@ def _gaps(pattern: Pattern, wrong: list[Problem]) -> tuple[tuple[Section, ...], 
             if problem is None:
                 lines.append(line)
                 continue
+            eased = _eased(line, problem)
+            if eased is not None:
+                told.doubts.append(replace(problem, message=eased[1], warning=True))
+                lines += [eased[0]] if eased[0].items else []
+                continue
             count = line.stated or next((one.stated for one in reversed(lines) if one.stated), None)
             at = line.stated_span or line.span
             if line.gap or not count or not line.in_round:
@@ -182,16 +236,16 @@ def _gaps(pattern: Pattern, wrong: list[Problem]) -> tuple[tuple[Section, ...], 
             else:
                 said = f"{problem.message}: this round is taken from its count, {count}"
                 lines.append(replace(line, items=_gap(line, at, count), again=None))
-            told.append(replace(problem, message=said, warning=True))
+            told.unread.append(replace(problem, message=said, warning=True))
         parts.append(replace(section, lines=tuple(lines)))
-    return tuple(parts), told
+    return tuple(parts)
 
 
-def _gap(line: Line, at: Span, count: int) -> tuple[Item, ...]:
-    """A gap in place of what a line works; its join or turn stays, since the next line counts on it."""
+def _gap(line: Line, at: Span, count: int, fair: bool = False) -> tuple[Item, ...]:
+    """A gap in place of what a line works; its join or turn stays, since the next line counts on it. ``fair`` : it was understood."""
     last = line.items[-1:]
     ends = last if last and isinstance(last[0], Action) and last[0].name in ("join", "turn") else ()
-    return (Action("gap", at, numbers=(count,)), *ends)
+    return (Action("gap", at, numbers=(count, 1) if fair else (count,)), *ends)
 
 
 def _inside(span: Span | None, line: Line) -> bool:

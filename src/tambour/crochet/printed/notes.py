@@ -141,9 +141,49 @@ def copies_in(tokens: list[Token]) -> tuple[int, Span] | None:
     return _copies(Cursor(tokens))
 
 
+def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
+    """How many copies a sentence says that names yarns or versions: "(Make 1 with A and 1 with B)", "Make 2 each with A, B, C"; and whether
+    they come to those already made ("Make 1 more with D"). None for another sentence."""
+    tokens = [t for t in tokens if t.word not in ("(", ")", "[", "]")]
+    numbers = [k for k, t in enumerate(tokens) if t.kind == "number" and isinstance(t.value, int)]
+    if not tokens or not (tokens[0].kind == "key" and tokens[0].value == "make") or numbers[:1] != [1] or len(tokens) > 40:
+        return None
+    if any(t.kind == "stitch" or (t.kind == "key" and t.value in _WORKED) or t.word in ("small", "tight") for t in tokens[1:4]):
+        return None
+    if any(t.kind == "stitch" or (t.kind == "key" and t.value in ("round", "row", "ring", "hook", "repeat")) for t in tokens):
+        return None
+    if not any(t.word in _ALIKE or (t.kind == "key" and t.value in ("with", "for", "each", "in")) for t in tokens[2:]):
+        return None
+    total, versions = 0, False
+    for k in numbers:
+        after = tokens[k + 1 : k + 8]
+        end = next((n for n, t in enumerate(after) if t.kind == "number"), len(after))
+        each = any(t.kind == "key" and t.value == "each" for t in after[:end])
+        letters = sum(1 for t in after[:end] if t.kind == "word" and len(t.word) == 1)
+        total += int(tokens[k].value) * (letters if each and letters else 1)
+        rest = tokens[k + 1 :]
+        name = next((n for n, t in enumerate(rest) if t.kind == "key" and t.value == "for"), None)
+        if name is not None and any(t.kind == "key" and t.value == "make" for t in rest[name:]):
+            versions = versions or not any(t.kind == "number" for t in rest[:name])
+        if versions or (k + 1 < len(tokens) and tokens[k + 1].word == "-"):
+            break  # the copies of the first version; "3 - 1 each with B, C, D"
+    more = any(t.kind == "key" and t.value == "more" for t in tokens[:4])
+    return (total, tokens[numbers[0]].span, more) if 1 <= total <= 1000 else None
+
+
+_WORKED: Final = ("ring", "stitch", "hook", "loop", "round", "row")
+_ALIKE: Final = frozenset(("alike", "pieces", "the same", "per"))
+
+
 def _copies(c: Cursor) -> tuple[int, Span] | None:
     """``(make 2)``, ``x2``, ``- make two``, ``(2x)``, ``(2)`` at the cursor."""
     begin = c.at
+    if c.mark("(", "["):
+        end = next((k for k in range(c.at, len(c.tokens)) if c.tokens[k].word in (")", "]")), len(c.tokens) - 1)
+        listed = copies_said(c.tokens[c.at + 1 : end])
+        if listed is not None:
+            c.at = end + 1
+            return listed[:2]
     while c.mark("(", "[", "-", ",", ":", "."):
         c.at += 1
     worded = c.skip_key("make")

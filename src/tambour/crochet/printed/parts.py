@@ -47,6 +47,7 @@ class Draft:
     chain : where in ``lines`` a foundation chain stands that is not worked into yet
     other : the count that the last round states, where it makes another
     sure : the number of stitches on its edge is known for certain; offset : its last round when numbers began at 1 again
+    edges : rounds → stitches on the edge after them
     others : "11th and alt rows": that row, and its number
     spread : where lines begin that fit the round below them only;
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
@@ -75,6 +76,7 @@ class Draft:
     sure: bool = True
     offset: int = 0
     others: tuple[int, Line] | None = None
+    edges: dict[int, int] = field(default_factory=dict)
 
     def begun(self) -> bool:
         """Whether anything but colours stands in it."""
@@ -184,6 +186,8 @@ class Draft:
             fewer = self.edge is not None and before is not None and self.edge < before
             self.shrunk = fewer and not any(skips(i) for i in items)
         self.peak = max(self.peak, self.edge or 0)
+        if worked and self.edge is not None:
+            self.edges.update(dict.fromkeys(numbers or range(self.last - times + 1, self.last + 1), self.edge))
 
     def _numbered(self, source: Source, head: Head, steady: bool) -> None:
         """Doubts about numbers that do not follow."""
@@ -214,6 +218,7 @@ class Draft:
         lines = origin.referred(refers)
         if not lines or any(line.span.start in origin.spread for line in lines):
             return False
+        lines = tuple(replace(line, items=tuple(i for i in line.items if not _marks(i))) for line in lines)
         numbers = head.numbers if head is not None else ()
         once = sum(line.times for line in lines)
         total = len(numbers) or (head.many if head is not None and head.many > 1 else once * (refers.times or 1))
@@ -255,6 +260,8 @@ class Draft:
         if body.stated is not None:
             self.other = body.stated if self.edge is not None and self.edge != body.stated else None
         self.edge = self.edge if self.edge is not None else body.stated
+        if self.edge is not None:
+            self.edges[self.last] = self.edge
         self.shrunk = self.edge is not None and before is not None and self.edge < before
         return True
 
@@ -426,6 +433,12 @@ class Draft:
                 return [*items[:at], *items[at + 1 :]]
         return items
 
+    def leave(self, source: Source) -> None:
+        """Ends the edge under way as the text says, before the hook goes back to another: later rounds say nothing of it."""
+        if self.off is not None:
+            self.lines = list(self.section(source).lines)
+            self.off, self.ends = None, ""
+
     # -- the part ---------------------------------------------------------------------------------------------------
 
     def section(self, source: Source) -> Section:
@@ -457,3 +470,8 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
+
+
+def _marks(item: Item) -> bool:
+    """Whether an item sets a mark or goes back to one, which is done once."""
+    return isinstance(item, Action) and item.name in ("mark", "goto")

@@ -12,6 +12,7 @@ from tambour.crochet.places.hear import assembling
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.conventions import convention
+from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
@@ -22,6 +23,7 @@ from tambour.crochet.printed.notes import (
     MODES,
     Heading,
     copies_alone,
+    copies_said,
     definition,
     heading,
     own_stitch,
@@ -30,11 +32,13 @@ from tambour.crochet.printed.notes import (
 )
 from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.remarks import remark
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.special import explained
 from tambour.crochet.yarns import hook_of
 
+EDGED: Final = "this goes along an edge that is no round's: it is not drawn"
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
 WRAPPED: Final = 12  # lines of a paragraph
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
@@ -280,6 +284,8 @@ def _held(tokens: list[Token]) -> set[int]:
 def _sentence(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds; whether it was understood."""
     handed, p.handed = p.handed, True
+    if (more := copies_said(tokens)) is not None:
+        return _more_copies(p, more)
     if finishing(p, tokens):
         return True
     if p.mode not in ("materials", "abbreviations") and (
@@ -314,6 +320,12 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         body = decided(p.source, tokens, p.palette, draft.edge if draft else None, p.phrases)
     except NotUnderstood:
         return False
+    if body.moved is not None and draft is not None and not body.left and not any(map(makes, body.items)):
+        p.moved = body.moved
+        p.lead += [Line((i,), Span(tokens[0].start, tokens[-1].end), False) for i in body.items if isinstance(i, Action) and i.name == "color"]
+        return True
+    if body.moved is not None:
+        return _along(p, body, tokens)
     if body.refers is not None and draft is not None:
         return _referred(p, body, tokens)
     if body.pending:
@@ -341,6 +353,25 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     draft.add(p.source, None, body, span)
     p.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
     return True
+
+
+def _along(p: State, body: Body, tokens: list[Token]) -> bool:
+    """A sentence that works along an edge ("Work 1 row of sc up right side of Ear"): read, and told as not drawn."""
+    if body.left or not p.parts:
+        return False
+    p.source.doubt(EDGED, "give it a round of its own", Span(tokens[0].start, tokens[-1].end))
+    return True
+
+
+def _more_copies(p: State, more: tuple[int, Span, bool]) -> bool:
+    """Takes "Make 2 with A and 1 with B" for the part that is headed, or else for the one just made; whether there is one."""
+    count, span, added = more
+    if p.heading is not None:
+        p.heading = replace(p.heading, copies=count, copies_span=span, strong=True)
+    elif p.parts:
+        draft = p.parts[-1]
+        draft.copies, draft.copies_span = draft.copies + count if added else max(draft.copies, count), span
+    return p.heading is not None or bool(p.parts)
 
 
 def _once_more(tokens: list[Token]) -> bool:
@@ -414,6 +445,9 @@ def left_over(p: State, tokens: list[Token]) -> None:
     """A sentence that was not read: told when it may instruct."""
     if instructs(p, tokens):
         span = Span(tokens[0].start, tokens[-1].end)
+        if remark(p.source.text.text, tokens):
+            p.passed.append(span)
+            return
         if p.parts and p.mode != "assembly" and any(t.kind == "stitch" for t in tokens):
             p.parts[-1].sure = False
         p.tell(NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", span)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import Stitch
@@ -13,6 +14,9 @@ from tambour.crochet.printed.clauses import Where
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import Cursor, NotUnderstood, Refers
 from tambour.crochet.printed.tokens import Token
+
+if TYPE_CHECKING:
+    from tambour.crochet.printed.moved import Moved
 
 _STOPS = (".", ",", ";", ":", "(", "[", "{", "*", ")", "]", "}")
 
@@ -33,6 +37,8 @@ class Body:
     asked : wordings that can be read in two ways → their place
     plain : "work 3 rnds even": so many plain rounds that follow it, each with its place
     spread : increases or decreases are spread over the stitches of the round below, and over no others
+    loose : its count names other things too ("22 sc and 2 ears"), which may or may not be among it
+    moved : it is worked elsewhere than where the hook is; edged : sentences that work along an edge after the round
     pending : a magic ring still wants its stitches
     fit : 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit
     """
@@ -58,6 +64,9 @@ class Body:
     plain: list[tuple[int, Span]] = field(default_factory=list)
     pending: bool = False
     spread: bool = False
+    loose: bool = False
+    moved: Moved | None = None
+    edged: list[Span] = field(default_factory=list)
     fit: int = 2
 
 
@@ -84,6 +93,7 @@ class Reader(ABC):
         self.edge: int | None = None  # stitches of the round below
         self.standing: dict[int, bool] = {}  # chains that count as a stitch, or do not, in the whole text
         self.leaves = 0  # stitches at the end that the repeat just read leaves
+        self.edging = False  # the sentence under way goes along an edge
         self.depth = self.stars = 0  # brackets, and asterisks, that are open
 
     @abstractmethod

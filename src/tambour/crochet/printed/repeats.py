@@ -6,6 +6,7 @@ from typing import Final, Literal
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item
+from tambour.crochet.printed.asides import things
 from tambour.crochet.printed.clauses import to_last, where
 from tambour.crochet.printed.counts import (
     Times,
@@ -16,12 +17,15 @@ from tambour.crochet.printed.counts import (
     ends_with_number,
     multiplier,
 )
-from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.stitch import placed, standing
 from tambour.crochet.printed.tokens import Token
 
 _REMARKED: Final = frozenset(("inc'd", "dec'd", "increased", "decreased", "made", "worked", "group", "groups"))
+
+
+_REMARKS: Final = frozenset(("top", "including", "center", "first", "last", "about", "approx", "see", "for", "longest", "formerly"))
 
 
 def bracket(r: Reader, found: list[Item], token: Token) -> None:
@@ -73,6 +77,10 @@ def _instructs(words: list[Token]) -> bool:
     """Whether words in brackets are instructions, and not a remark that names stitches."""
     if words and ((words[-1].kind == "key" and words[-1].value in ("round", "row")) or words[-1].word in _REMARKED):
         return False  # "(Dec rnd)", "(1 sc inc'd)"
+    if words and words[0].word in _REMARKS and not any(t.kind == "key" and t.value == "repeat" for t in words):
+        return False  # "(top of ch-4)", "(first hdc)", "(including joining sc)"
+    if things(Cursor(words)):
+        return False  # "(5 clusters of 7-dc)"
     stitches = sum(t.kind == "stitch" for t in words)
     return stitches * 3 >= sum(t.kind in ("word", "key", "stitch") for t in words) > 0
 

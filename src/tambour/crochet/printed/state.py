@@ -11,6 +11,7 @@ from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.naming import heading_above, made_of
 from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.parts import Draft
@@ -84,6 +85,7 @@ class State:
         self.left_out: list[Span] = []  # rounds without a count, or on no edge that is known
         self.sound: set[int] = set()  # where rounds begin whose words make their counts
         self.starred = ""  # asterisks that stand before what comes next
+        self.moved: Moved | None = None  # where yarn was joined that the next round begins with
         self.handed = False  # the sentence before this one was something that hands do
         self.sentences: list[Said] = []  # of finishing, read once the parts are known
 

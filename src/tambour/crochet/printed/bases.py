@@ -1,0 +1,91 @@
+"""Printed patterns, bases: what rounds are worked on that begin elsewhere than where the hook is: a round made before, which the
+hook goes back to, or a chain of as many stitches in place of an edge that the tree does not know."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.stitches import Stitch
+from tambour.crochet.language.tree import Action, Group, Item, Line
+from tambour.crochet.printed.doubts import after, worked
+from tambour.crochet.printed.moved import Moved
+from tambour.crochet.printed.parts import Draft
+
+_MOST: Final = 400
+_LIFT: Final = 5
+
+
+def base(items: list[Item], stated: int | None, stitches: dict[str, Stitch]) -> int | None:
+    """How many stitches ``items`` are worked into, by what they use up or else by their count; None where neither says it."""
+    if any(isinstance(i, Group) and i.times is None for i in items):
+        if stated is None:
+            return None
+        return next((n for n in range(1, _MOST) if after(items, n, stitches) == stated), None)
+    done = worked(items, _MOST * 10, stitches)
+    return done[1] if done is not None and done[1] else None
+
+
+def foundation(count: int, span: Span, row: bool) -> tuple[Item, ...]:
+    """A chain of so many stitches, to work a round or a row on."""
+    if row:
+        return (Action("ch", span, count + 1), Action("turn", span))
+    return (Action("ch", span, count),)
+
+
+def lifted(items: list[Item]) -> list[Item]:
+    """``items`` without the chains that lift the yarn before the first stitch, which a chain below would count as its own."""
+    at = next((k for k, i in enumerate(items) if not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "turn", "join")), 0)
+    first = items[at] if items else None
+    if isinstance(first, Action) and first.name == "ch" and first.times <= _LIFT:
+        return [*items[:at], *items[at + 1 :]]
+    return items
+
+
+def back_to(draft: Draft, place: Moved) -> tuple[Action, int] | None:
+    """What brings the hook back to the round of ``draft`` that ``place`` names, where a mark is put, and the stitches there; None where
+    that round is not known."""
+    if not (place.number or place.before or place.free):
+        return None
+    number = place.number or (draft.last + 1 - place.before if place.before else _left_loops(draft))
+    edge = draft.edges.get(number, 0)
+    at = next(
+        (
+            k
+            for k, line in enumerate(draft.lines)
+            if line.in_round and line.number is not None and line.number <= number < line.number + line.times
+        ),
+        None,
+    )
+    if at is None or edge < 2 or draft.copies > 1:
+        return None
+    line = draft.lines[at]
+    label = next((i.labels[0] for i in line.items[-1:] if isinstance(i, Action) and i.name == "mark"), "")
+    if not label or line.times > 1:
+        done = number - (line.number or number) + 1
+        label = f"{draft.name or 'piece'}_{number}".replace(" ", "_").lower()
+        mark = Action("mark", place.span, labels=(label,))
+        first = [replace(line, times=done - 1, times_span=line.times_span if done > 2 else None)] if done > 1 else []
+        rest = line.times - done
+        tail = [replace(line, times=rest, times_span=line.times_span if rest > 1 else None, number=number + 1)] if rest else []
+        one = replace(line, times=1, times_span=None, number=number, notes=() if tail else line.notes)
+        if line.again is not None:  # it is written out, so that it can hold the mark
+            every = list(line.rounds())
+            first, one, tail = every[: done - 1], every[done - 1], every[done:]
+        only = replace(one, items=(*one.items, mark))
+        draft.lines[at : at + 1] = [*first, only, *tail]
+        more = len(first) + len(tail)
+        draft.marks = [(stars, where + more if where > at else where) for stars, where in draft.marks]
+        if draft.chain is not None and draft.chain > at:
+            draft.chain += more
+    return Action("goto", place.span, labels=(label,)), edge
+
+
+def _left_loops(draft: Draft) -> int:
+    """The last round that one above it leaves loops of."""
+    for line in reversed(draft.lines):
+        single = any(isinstance(i, Action) and i.name in ("flo", "blo") for i in line.items)
+        if single and line.in_round and line.number is not None and line.number > 1:
+            return line.number - 1
+    return 0

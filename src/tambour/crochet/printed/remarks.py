@@ -1,0 +1,59 @@
+"""Printed patterns, remarks: sentences that instruct nothing, and are kept as the designer wrote them: prose, footers, steps' numbers."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from tambour.crochet.printed.doings import works
+from tambour.crochet.printed.tokens import Token
+
+_WHO: Final = frozenset(("he", "she", "they", "you'll", "you're", "we", "i", "these", "those", "each", "it'll", "they're", "our", "my"))
+_IS: Final = frozenset(
+    ("is", "are", "was", "were", "will", "can", "could", "may", "might", "would", "should", "has", "have", "measures", "loves", "likes", "causes", "form", "forms", "look", "looks")
+)  # fmt: skip
+_PAGE: Final = re.compile(
+    r"\b\d+\s+of\s+\d+\s*$|LAST UPDATED|©|\(c\)\s*\d{4}|^\s*page\s+\d+|\bRHC\d|\byards?\b.*\bskeins?\b|®.*|\b(?:oz|yds?|yd)\b.*\b(?:g|m)\)|www\.|\.com\b",
+    re.IGNORECASE,
+)  # fmt: skip
+_HELD: Final = ("repeat", "as", "same")
+
+
+def remark(text: str, tokens: list[Token]) -> bool:
+    """Whether a sentence that no reading understands instructs nothing: a page's foot, what a toy is like, a step's number, what comes
+    of the work. Whatever names stitches to work, or rounds to repeat, is none."""
+    said = text[tokens[0].start : tokens[-1].end]
+    if _foot(said, tokens):
+        return True
+    if len(tokens) == 1 and tokens[0].kind == "number" and isinstance(tokens[0].value, int) and tokens[0].value <= 30:
+        return text[tokens[0].end : tokens[0].end + 1] in (".", ")", "\n", "") and _begins_line(text, tokens[0].start)
+    tokens = _plain(tokens)
+    if not tokens or any(t.kind == "key" and t.value == "repeat" for t in tokens):
+        return False
+    counted = any(
+        t.kind == "number" and k + 1 < len(tokens) and (tokens[k + 1].kind == "stitch" or tokens[k + 1].word in ("st", "sts"))
+        for k, t in enumerate(tokens)
+    )
+    first = tokens[0]
+    verb = next((k for k, t in enumerate(tokens[:12]) if t.word in _IS), -1)
+    if counted or any(works(tokens, k) and k > verb for k in range(len(tokens))):
+        return False
+    if verb < 0:
+        return first.word in ("you'll", "you're", "they're", "it'll")
+    return first.kind in ("word", "stitch") or first.value in ("round", "row", "part", "each", "eyes", "color")
+
+
+def _foot(said: str, tokens: list[Token]) -> bool:
+    """Whether words are the foot of a page, or of a yarn's label."""
+    return _PAGE.search(said) is not None and not any(works(tokens, k) for k in range(len(tokens)))
+
+
+def _begins_line(text: str, at: int) -> bool:
+    return not text[text.rfind("\n", 0, at) + 1 : at].strip(" \t*-•(")
+
+
+def _plain(tokens: list[Token]) -> list[Token]:
+    """A sentence without "Note:" before it."""
+    if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value == "notes" and tokens[1].word in (":", "-"):
+        return tokens[2:]
+    return tokens
