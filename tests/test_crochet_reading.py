@@ -93,7 +93,7 @@ def test_assembly_in_sentences():
     [
         ("Rnd 2: 6 incc (12)", "incc", 'did you mean "inc"'),
         ("Rnd 2: (sc, foo) x 6 (18)", "foo", ""),
-        ("Rnd 2: sc in each stitch aroun", "aroun", 'did you mean "around"?'),
+        ("Rnd 2: sc in each stitch aroonde", "aroonde", 'did you mean "around"?'),
         ("Rnd 2: (sc, inc x 3", "(", '")" closes it'),
         ("Rnd 2: 0 sc", "0", ""),
         ("Rnd 2: 6 sc in next 0 sts", "0", "whole number"),

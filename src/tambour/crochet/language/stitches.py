@@ -97,6 +97,9 @@ BUMPS: Final = {
     "cl": (3, 2.0, "dc"),
 }
 
+PICOTS: Final = range(2, 61)
+"""How many chains a picot may have: 3, unless its name says another number."""
+
 # Stitches that the graph has as other ones: kind → that one, and what is left out.
 _AS: Final = {
     "crab": ("sc", "it is worked onwards, not backwards"),
@@ -122,7 +125,7 @@ def _table() -> dict[str, Stitch]:
         Stitch("ch", (Move(OVER, "ch", 1.0),)),
         Stitch("slst", (Move(JOIN),)),
         Stitch("skip", (Move(NEXT),)),
-        Stitch("picot", (Move(OVER, "picot", 1.0),) * 3 + (Move(KNOT),)),
+        *(Stitch("picot" if n == 3 else f"picot{n}", (Move(OVER, "picot", 1.0),) * n + (Move(KNOT),)) for n in PICOTS),
     ]
     for kind in KINDS:
         prefix = "" if kind == "sc" else kind

@@ -10,9 +10,40 @@ from tambour.crochet.printed.tokens import Token
 
 _ASIDE: Final = frozenset(("but", "instead", "being", "so", "omitting", "without", "adding", "noting", "including"))
 _HANDS: Final = frozenset(
-    ("taking", "making", "being", "ensuring", "holding", "pushing", "placing", "weaving", "pulling", "keeping", "carrying", "moving", "matching", "stuffing", "removing", "dropping")
+    (
+        "taking",
+        "making",
+        "being",
+        "ensuring",
+        "holding",
+        "pushing",
+        "placing",
+        "weaving",
+        "pulling",
+        "keeping",
+        "carrying",
+        "moving",
+        "matching",
+        "stuffing",
+        "removing",
+        "dropping",
+    )
 )
-_NO: Final = frozenset(("ending", "string", "spring", "during", "changing", "turning", "alternating", "nothing", "opening", "edging", "stocking"))
+_NO: Final = frozenset(
+    (
+        "ending",
+        "string",
+        "spring",
+        "during",
+        "changing",
+        "turning",
+        "alternating",
+        "nothing",
+        "opening",
+        "edging",
+        "stocking",
+    )
+)
 _WORKS: Final = frozenset(("working", "skipping", "inserting", "using", "leaving", "slipping", "crocheting"))
 _STOPS: Final = (",", ".", ";", ":", "(", "[", "{", ")", "]", "}", "*", "**", "=")
 _PEN: Final = {"next": "next", "around": "around", "each": "each", "repeat": "repeat", "stitch": "stitch"}
@@ -73,7 +104,8 @@ def penned(tokens: list[Token]) -> tuple[list[Token], list[tuple[Token, str]]]:
         return tokens, []
     known = {id(t): meant for t, meant in found}
     made = [
-        Token("key", known[id(t)], t.start, t.end, _PEN[known[id(t)]], t.glued, t.capital) if id(t) in known else t for t in tokens
+        Token("key", known[id(t)], t.start, t.end, _PEN[known[id(t)]], t.glued, t.capital) if id(t) in known else t
+        for t in tokens
     ]
     return made, found
 

@@ -9,11 +9,18 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line
-from tambour.crochet.printed.doubts import after, worked
+from tambour.crochet.printed.doubts import after, decided, worked
+from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.mend import is_start
 from tambour.crochet.printed.moved import Moved
+from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.parts import Draft
+from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Token
 
 _MOST: Final = 400
+MOST: Final = 5000  # stitches of a round that is taken from its count
 _LIFT: Final = 5
 
 
@@ -36,7 +43,14 @@ def foundation(count: int, span: Span, row: bool) -> tuple[Item, ...]:
 
 def lifted(items: list[Item]) -> list[Item]:
     """``items`` without the chains that lift the yarn before the first stitch, which a chain below would count as its own."""
-    at = next((k for k, i in enumerate(items) if not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "turn", "join")), 0)
+    at = next(
+        (
+            k
+            for k, i in enumerate(items)
+            if not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "turn", "join")
+        ),
+        0,
+    )
     first = items[at] if items else None
     if isinstance(first, Action) and first.name == "ch" and first.times <= _LIFT:
         return [*items[:at], *items[at + 1 :]]
@@ -68,7 +82,11 @@ def back_to(draft: Draft, place: Moved) -> tuple[Action, int] | None:
         mark = Action("mark", place.span, labels=(label,))
         first = [replace(line, times=done - 1, times_span=line.times_span if done > 2 else None)] if done > 1 else []
         rest = line.times - done
-        tail = [replace(line, times=rest, times_span=line.times_span if rest > 1 else None, number=number + 1)] if rest else []
+        tail = (
+            [replace(line, times=rest, times_span=line.times_span if rest > 1 else None, number=number + 1)]
+            if rest
+            else []
+        )
         one = replace(line, times=1, times_span=None, number=number, notes=() if tail else line.notes)
         if line.again is not None:  # it is written out, so that it can hold the mark
             every = list(line.rounds())
@@ -89,3 +107,68 @@ def _left_loops(draft: Draft) -> int:
         if single and line.in_round and line.number is not None and line.number > 1:
             return line.number - 1
     return 0
+
+
+def elsewhere(
+    p: State, draft: Draft, head: Head, read: Body, place: Moved, what: tuple[list[Token], int, Span]
+) -> tuple[Draft, Head, Body]:
+    """A round that is worked elsewhere than where the hook is: back on a round of the part, or along an edge, which is a part of
+    its own then."""
+    tokens, times, span = what
+    owner = draft if draft.begun() else p.parts[-2] if len(p.parts) > 1 and not place.words else draft
+    back = back_to(owner, place) if owner.begun() and read.refers is None else None
+    if back is not None:
+        goto, edge = back
+        again = decided(p.source, tokens, p.palette, edge, p.phrases, times)
+        if again.fit or again.stated is None:
+            if owner is not draft:
+                p.parts.remove(draft)
+                owner.lines += [line for line in draft.lines if not draft.begun()]
+            owner.leave(p.source)
+            again.items.insert(0, goto)
+            owner.edge, owner.chain, owner.sure = edge, None, True
+            if head.numbers and head.numbers[0] <= owner.last and owner is not draft:
+                owner.offset = owner.last
+                head = replace(head, numbers=tuple(n + owner.offset for n in head.numbers))
+            return owner, head, again
+    if draft.begun():
+        p.heading = p.heading or Heading(f"{draft.name or 'piece'} edging".strip(), place.span)
+        lead = draft.last
+        p.begin(True, span)
+        draft = p.parts[-1]
+        draft.offset, draft.last = (0, lead) if head.numbers and head.numbers[0] == lead + 1 else (0, 0)
+    return draft, head, based(p, draft, head, read, span, (tokens, times)) or read
+
+
+def based(p: State, draft: Draft, head: Head, read: Body, span: Span, what: tuple[list[Token], int]) -> Body | None:
+    """A round on an edge that is not known, on a chain of as many stitches, which is told; None where it does not say how many."""
+    if is_first(read, p.source.stitches) or draft.chain is not None:
+        return None
+    count = base(
+        [i for i in read.items if not (isinstance(i, Action) and i.name == "goto")],
+        read.stated,
+        p.source.stitches,
+    )
+    if not count or count > MOST:
+        return None
+    at = head.span
+    p.source.doubt(
+        f"the edge that this is worked on is not known: it is worked on a chain of {count}",
+        "name the round: join with sl st to Rnd 5 of Head",
+        at,
+    )
+    draft.lines.append(Line(foundation(count, at, head.row), span, False))
+    draft.edge, draft.flat = count, head.row
+    tokens, times = what
+    again = decided(p.source, tokens, p.palette, count, p.phrases, times)
+    again.items = lifted(again.items)
+    return again
+
+
+def is_first(body: Body, stitches: dict[str, Stitch]) -> bool:
+    """Whether a body begins a piece of its own."""
+    founded = any(
+        is_start(i, stitches) and not (isinstance(i, Action) and i.name == "ch" and i.times <= _LIFT)
+        for i in body.items
+    )
+    return bool(body.hook) or body.pending or founded

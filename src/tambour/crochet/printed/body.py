@@ -10,10 +10,10 @@ from tambour.crochet.printed.asides import aside, things
 from tambour.crochet.printed.clauses import where
 from tambour.crochet.printed.colors import LETTERS
 from tambour.crochet.printed.counts import closing, count, counted_at, ends_with_number, makes
+from tambour.crochet.printed.courses import Courses
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import BETWEEN, by_hand, doing, drawn_tight
-from tambour.crochet.printed.moved import Moved, moved
-from tambour.crochet.printed.reader import Body, Reader
+from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.references import even_rounds, refers
 from tambour.crochet.printed.repeats import bracket, led, repeated, star
 from tambour.crochet.printed.stitch import bump, room, spread, standing, stitch
@@ -24,21 +24,17 @@ _PHRASE = frozenset(",;.()[]{}*=")
 _ENDS = frozenset((".", ";"))
 _FACING: Final = frozenset(("right", "wrong", "rs", "ws", "facing"))
 _PARTED: Final = frozenset(("break", "drop", "carry"))
-_ALONG: Final = frozenset(("behind", "along", "from", "using", "across", "through", "down", "inside", "into", "right", "left"))
 _LAST: Final = frozenset(("end", "ending", "ends"))
 _COURSE: Final = frozenset(
     ("spiral", "spirals", "continuous", "joined", "pattern", "sequence", "rounds", "rows", "turned")
 )
 _FLAT: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "press"))
-_PIECES: Final = frozenset(
-    ("pieces", "halves", "both pieces", "front", "inner", "outer", "sleeve", "cuff", "motifs", "first", "second")
-)
 _ENDED_SO: Final = frozenset(("seam", "attach", "finish", "secure", "complete", "cover", "shape"))
 _STRANDS: Final = frozenset(("strand", "strands", "length", "lengths", "double", "separate"))
 _HOOKS: Final = frozenset(("smaller", "larger", "size", "small", "large", "hook"))
 
 
-class Walk(Reader):
+class Walk(Courses):
     """Reads one body, clause after clause."""
 
     def read(self) -> Body:
@@ -58,10 +54,10 @@ class Walk(Reader):
                 c.at = self.end_of_sentence() + 1
                 continue
             before = (body.stated, body.stated_span, body.rounds, body.sides)
-            self.edging = False
+            self.edging, there = False, body.moved is not None
             try:
                 self.items(body.items, _ENDS)
-                if self.edging and any(map(makes, body.items[:made])):
+                if self.edging and not there and any(map(makes, body.items[:made])):
                     del body.items[made:]  # "Work 1 rnd of sc evenly around Ear": along another edge
                     body.stated, body.stated_span, body.rounds, body.sides = before
                     body.edged.append(Span(c.tokens[at].start, c.tokens[c.at - 1].end))
@@ -178,27 +174,6 @@ class Walk(Reader):
         elif not self.along(found):
             message = f'"{token.word}" is not understood here'
             raise NotUnderstood(token, message, "a stitch, a number or a repeat is wanted here")
-
-    def along(self, found: list[Item]) -> bool:
-        """Words that say along which edge stitches go that were just read ("8 sc evenly up right side of Ear"), or that come before
-        them ("behind petals, into free loops of Rnd 1"); whether the clause at the cursor is such."""
-        c, begin = self.c, self.c.at
-        first = c.tokens[begin]
-        led_by = first.word in _ALONG
-        self.to_separator()
-        clause = c.tokens[begin : c.at]
-        found_at = moved(clause)
-        before = c.tokens[begin - 1] if begin else None
-        tail = before is not None and (before.kind == "stitch" or before.value in ("around", "in", "next", "each", "stitch", "over"))
-        fits = found_at is not None or (tail and first.capital)
-        if not fits or not (led_by or (tail and found)) or any(t.kind == "stitch" and t.value != "ch" for t in clause[1:]):
-            c.at = begin
-            return False
-        if any(map(makes, found)):
-            self.edging = True
-        if self.body.moved is None:
-            self.body.moved = found_at or Moved(Span(clause[0].start, clause[-1].end))
-        return True
 
     def ends_with(self, found: list[Item]) -> None:
         """``rep from * around, end sc``: stitches that the repeat before them leaves room for."""
@@ -381,38 +356,6 @@ class Walk(Reader):
                 token, f'"{token.word}" is not understood here', "a stitch, a number or a repeat is wanted"
             )
 
-    def elsewhere(self, found: list[Item]) -> bool:
-        """Goes past "in unused loops of rnd before last", said before stitches; whether that stands at the cursor."""
-        c, begin = self.c, self.c.at
-        self.to_separator()
-        clause = c.tokens[begin : c.at]
-        place = moved(clause) if c.look() is not None else None
-        plain = any(t.kind == "stitch" and t.value != "ch" for t in clause) or any(t.kind == "key" and t.value == "side" for t in clause)
-        if place is None or plain or not (place.number or place.before or place.free):
-            c.at = begin
-            return False
-        self.body.moved = self.body.moved or place
-        if place.loops:
-            found.append(Action(place.loops, place.span))
-        return True
-
-    def folding(self, found: list[Item], token: Token) -> None:
-        """Stitches go through both layers of the edge, which lies flat: they close it."""
-        if any(t.word in _PIECES for t in self.c.tokens):
-            raise NotUnderstood(token, "two pieces are not joined here", "say how many stitches the round has")
-        found.append(Action("fold", token.span))
-        while self.c.look() is not None and not self.c.mark(",", ".", ";") and not self.c.kind("stitch"):
-            self.c.at += 1
-
-    def side_ahead(self) -> bool:
-        """Whether the clause at the cursor speaks of the other side: "turn to work along opposite side of chain"."""
-        ahead = 0
-        while self.c.look(ahead) is not None and not self.c.mark(",", ".", ";", "(", "[", ahead=ahead):
-            if self.c.key("side", ahead=ahead):
-                return True
-            ahead += 1
-        return False
-
     def again(self, found: list[Item], token: Token) -> None:
         """``repeat Rnd 4``, ``as Rnds 2-3 of Head``, or a repeat of all that was said."""
         lead, inner = led(found)
@@ -428,36 +371,6 @@ class Walk(Reader):
             raise NotUnderstood(token, "there is nothing to repeat here", "say which round: repeat Rnd 4")
         found[:] = lead
         repeated(self, found, inner, token.span, star=True)
-
-    def other_side(self, found: list[Item]) -> None:
-        """The work goes on along the other side of the foundation chain."""
-        self.body.sides, self.body.turned = True, len(found)
-        self.to_separator()
-
-    def joining(self, found: list[Item], token: Token) -> None:
-        """``join``, ``join with sl st in first sc``, ``join B with sl st``; without stitches before it, yarn that is joined."""
-        c = self.c
-        c.skip_key("with", "color", "yarn")
-        shade = self.palette.color(c) or self.palette.letter(c, c.at)
-        worked = any(not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "turn") for i in found)
-        if shade is not None:
-            span = Span(c.tokens[c.at].start, c.tokens[c.at + shade[1] - 1].end)
-            c.at += shade[1]
-            begin = c.at
-            self.to_separator("turn", "fasten off", "and", "form")
-            tied = any(t.kind == "stitch" and t.value in ("slst", "sc") for t in c.tokens[begin : c.at])
-            if not worked:
-                self.body.moved = self.body.moved or moved(c.tokens[begin : c.at])
-            if worked and tied:
-                found.append(Action("join", token.span))
-            found.append(Action("color", span, numbers=shade[0]))
-            return
-        begin = c.at
-        self.to_separator("turn", "fasten off", "and", "form")
-        if not worked and (elsewhere := moved(c.tokens[begin : c.at])) is not None:
-            self.body.moved = self.body.moved or elsewhere
-            return
-        found.append(Action("join", token.span))
 
     def ending(self) -> None:
         """How the end is left: closed, or open for sewing; to the end of the sentence."""
@@ -482,6 +395,8 @@ class Walk(Reader):
         """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
         c = self.c
         at = c.at
+        if c.key("join"):
+            return False  # "Join B with sl st to first sc": joins the round, if there is one
         asked = hooked = False
         while at < len(c.tokens) and at - c.at < 8:
             token = c.tokens[at]

@@ -46,6 +46,12 @@ def ends_with_number(r: Reader, ahead: int) -> bool:
                 c.key("total", "round", "row", "each", ahead=ahead + 1) or c.look(ahead + 1) is None
             ):
                 return False  # "6 sc in ring"
+            if (
+                token.value == "in"
+                and c.key("each", ahead=ahead + 1)
+                and (c.key("stitch", "next", ahead=ahead + 2) or c.kind("stitch", ahead + 2))
+            ):
+                return False  # "1 sc in each st to end of rnd"
         elif named and (token.kind == "ordinal" or (token.kind == "number" and c.key("round", "row", ahead=ahead - 1))):
             pass  # "12 sc at end of Rnd 35"
         elif (

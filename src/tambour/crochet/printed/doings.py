@@ -175,7 +175,7 @@ def by_hand(tokens: list[Token]) -> bool:
         at += 1
     if at < len(tokens) and _beginning(tokens[at]):  # "Using a strand of D, tie …", "With wrong sides facing, fold …"
         at = next((k + 1 for k in range(at, len(tokens)) if tokens[k].word in (",", ":")), len(tokens))
-    if at >= len(tokens):
+    if at >= len(tokens) or len(tokens) < 2:
         return False
     first = tokens[at]
     if _pulls(first, tokens[at + 1] if at + 1 < len(tokens) else None):

@@ -128,7 +128,7 @@ def decided(
     """
     tokens, slipped = penned(shortened(tokens))
     for token, meant in slipped:
-        source.doubt(f'"{token.word}" is read as "{meant}"', "correct the word", token.span)
+        source.doubt(f'"{token.word}" is read as "{meant}"', f'did you mean "{meant}"?', token.span, True)
 
     def phrase(begin: int, end: int) -> Action | None:
         # Small words are no tokens: "change to color A" goes on to the comma.
@@ -175,6 +175,9 @@ def decided(
         if body.asked and begun < 2:
             body = _second(read, body, begun, fit) or body
     body.fit = fit(body) if body.refers is None else 2
+    if body.curled:
+        span = Span(tokens[0].start, tokens[-1].end)
+        source.doubt("what is worked back along chains is drawn as a loop of them", "nothing is amiss", span)
     if body.loose and not body.fit:
         body.stated = body.stated_span = None  # what else is counted there is not known
         body.fit = fit(body)

@@ -99,7 +99,9 @@ def agreed(pattern: Pattern, built: Built, sound: set[int], unread: list[Span], 
     return pattern, built
 
 
-def _fair(section: Section, span: Span | None, told: AbstractSet[Span | None], sound: set[int], unread: list[Span]) -> bool:
+def _fair(
+    section: Section, span: Span | None, told: AbstractSet[Span | None], sound: set[int], unread: list[Span]
+) -> bool:
     """Whether the round whose count stands at ``span`` is understood, and only a count below it that the text gets wrong is amiss, which
     is told there."""
     at = next(k for k, line in enumerate(section.lines) if line.stated_span == span)
@@ -190,7 +192,10 @@ def _section(pattern: Pattern, section: Section, told: Found) -> Section:
 
 
 _EASED: Final = {
-    "a single loop needs two rounds below it": (("flo", "blo"), "a single loop needs two rounds below it: both loops are taken"),
+    "a single loop needs two rounds below it": (
+        ("flo", "blo"),
+        "a single loop needs two rounds below it: both loops are taken",
+    ),
     "rows have no opening to fold": (("fold",), "what is folded here is flat: the seam is not drawn"),
     "FO needs at least two stitches": (("fo",), "so few stitches are not drawn together"),
 }
@@ -201,7 +206,7 @@ def _eased(line: Line, problem: Problem) -> tuple[Line, str] | None:
     """``line`` without a nicety that the hook cannot work there, and what is told; None where that is not its fault."""
     for message, (names, said) in _EASED.items():
         if problem.message.startswith(message):
-            items = tuple(i for i in map(lambda i: _without(i, names), line.items) if i is not None)
+            items = tuple(i for i in (_without(i, names) for i in line.items) if i is not None)
             if items != line.items:
                 return replace(line, items=items), said
     return None
@@ -210,7 +215,7 @@ def _eased(line: Line, problem: Problem) -> tuple[Line, str] | None:
 def _without(item: Item, names: tuple[str, ...]) -> Item | None:
     if isinstance(item, Action):
         return None if item.name in names else item
-    items = tuple(i for i in map(lambda i: _without(i, names), item.items) if i is not None)
+    items = tuple(i for i in (_without(i, names) for i in item.items) if i is not None)
     return replace(item, items=items) if items else None
 
 
@@ -233,6 +238,11 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found) -> tuple[Section,
             at = line.stated_span or line.span
             if line.gap or not count or not line.in_round:
                 said = f"{problem.message}: this round is left out"
+            elif problem.message.startswith("the pattern makes more than"):
+                said = f"{problem.message}: this round is taken to have {count}"
+                lines.append(replace(line, items=_gap(line, at, count, True), again=None))
+                told.doubts.append(replace(problem, message=said, warning=True))
+                continue
             else:
                 said = f"{problem.message}: this round is taken from its count, {count}"
                 lines.append(replace(line, items=_gap(line, at, count), again=None))

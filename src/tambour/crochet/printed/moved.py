@@ -11,7 +11,7 @@ from tambour.crochet.printed.tokens import Token
 _FREE: Final = frozenset(("unused", "unworked", "remaining", "rem", "free", "skipped", "exposed", "leftover"))
 _EDGES: Final = frozenset(
     (
-        "edge", "edges", "edging", "corner", "corners", "perimeter", "opening", "armhole", "neck", "ends", "sides", "outside",
+        "edge", "side", "edges", "edging", "corner", "corners", "perimeter", "opening", "armhole", "neck", "ends", "sides", "outside",
         "bottom", "tip", "point", "underside", "rows", "waist", "shoulder", "strap", "brim", "center", "centre", "end", "seam",
         "circumference", "border", "top", "piece", "flap", "outer", "inner", "base",
     )
@@ -57,9 +57,18 @@ def moved(tokens: list[Token]) -> Moved | None:
             free = free or ("loop" if prior is not None and prior.word in _FREE else "")
         elif token.word in _FREE or (token.kind == "key" and token.value == "rest"):
             near = tokens[k + 1 : k + 4]
-            if any(t.kind == "key" and t.value in _LOOPS for t in near) or token.word in ("unworked", "skipped", "unused", "free"):
+            if any(t.kind == "key" and t.value in _LOOPS for t in near) or token.word in (
+                "unworked",
+                "skipped",
+                "unused",
+                "free",
+            ):
                 free = "loop"
-        elif token.word == "end" and after_it is not None and (after_it.kind == "ordinal" or after_it.value in ("last", "round", "row")):
+        elif (
+            token.word == "end"
+            and after_it is not None
+            and (after_it.kind == "ordinal" or after_it.value in ("last", "round", "row"))
+        ):
             return None  # "at end of last rnd"
         elif token.word in _EDGES or (token.kind == "key" and token.value == "side"):
             if not (token.word in ("top", "end") and _of_chain(tokens[k + 1 :])):

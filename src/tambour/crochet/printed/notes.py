@@ -146,11 +146,22 @@ def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
     they come to those already made ("Make 1 more with D"). None for another sentence."""
     tokens = [t for t in tokens if t.word not in ("(", ")", "[", "]")]
     numbers = [k for k, t in enumerate(tokens) if t.kind == "number" and isinstance(t.value, int)]
-    if not tokens or not (tokens[0].kind == "key" and tokens[0].value == "make") or numbers[:1] != [1] or len(tokens) > 40:
+    if (
+        not tokens
+        or not (tokens[0].kind == "key" and tokens[0].value == "make")
+        or numbers[:1] != [1]
+        or len(tokens) > 40
+    ):
         return None
-    if any(t.kind == "stitch" or (t.kind == "key" and t.value in _WORKED) or t.word in ("small", "tight") for t in tokens[1:4]):
+    if any(
+        t.kind == "stitch" or (t.kind == "key" and t.value in _WORKED) or t.word in ("small", "tight")
+        for t in tokens[1:4]
+    ):
         return None
-    if any(t.kind == "stitch" or (t.kind == "key" and t.value in ("round", "row", "ring", "hook", "repeat")) for t in tokens):
+    if any(
+        t.kind == "stitch" or (t.kind == "key" and t.value in ("round", "row", "ring", "hook", "repeat"))
+        for t in tokens
+    ):
         return None
     if not any(t.word in _ALIKE or (t.kind == "key" and t.value in ("with", "for", "each", "in")) for t in tokens[2:]):
         return None

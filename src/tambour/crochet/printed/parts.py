@@ -10,6 +10,7 @@ from tambour.crochet.graph.hook import MOST_AT_TIP
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import into_one
 from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Section, written
+from tambour.crochet.printed.curls import rooted
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.doubts import after, chainless, reached
 from tambour.crochet.printed.heads import Head
@@ -104,6 +105,9 @@ class Draft:
         if body.ringed:
             self.drop_chain()
         if not items:
+            return
+        if body.curled and not self.begun():
+            self._line(source, head, body, rooted(items), span, notes)
             return
         items = self._founded(source, head, body, items, span)
         if items:
@@ -415,7 +419,12 @@ class Draft:
         )
         lead = items[at] if items else None
         turns = any(isinstance(i, Action) and i.name == "turn" for i in items[at : at + 3])
-        last = next((i for line in reversed(self.lines) for i in reversed(line.items) if goes(i)), None)
+        before = next(
+            (line for line in reversed(self.lines) if line.again is not None or any(map(goes, line.items))), None
+        )
+        while before is not None and before.again is not None:
+            before = before.again.lines[-1]
+        last = next((i for i in reversed(before.items) if goes(i)), None) if before is not None else None
         lifted = isinstance(last, Action) and last.name in ("join", "turn")
         worked = any(works(line_item) for line in self.lines for line_item in line.items)
         if self.flat and worked and not turns and not lifted and (head is None or head.row) and any(map(works, items)):

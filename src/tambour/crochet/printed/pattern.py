@@ -9,18 +9,18 @@ from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
 from tambour.crochet.graph.build import Built
 from tambour.crochet.language.finishes import GUESSED, check_names
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import MOST, Stitch
+from tambour.crochet.language.stitches import MOST
 from tambour.crochet.language.tree import Action, Again, Group, Line, Pattern
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
-from tambour.crochet.printed.bases import back_to, base, foundation, lifted
+from tambour.crochet.printed.bases import MOST as _MOST
+from tambour.crochet.printed.bases import based, elsewhere, is_first
 from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import STARS, Head, heads
+from tambour.crochet.printed.items import works as worked
 from tambour.crochet.printed.mend import Found, agreed, is_start, mended
-from tambour.crochet.printed.moved import Moved
-from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.opening import founding, opening
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.prose import EDGED, NOT_UNDERSTOOD, WRAPPED, finishing, instructs, stuffed, text_line
@@ -33,8 +33,6 @@ from tambour.crochet.words.phrases import Phrases
 NOTHING: Final = "this holds no crochet instructions"
 _LINES = 100  # lines of other text to a round of one that is a pattern at all
 _HOPELESS = 12  # rounds that were not understood to one that was
-_MOST = 5000  # stitches of a round that is taken from its count
-_LIFT = 5  # chains that only lift the yarn to a round
 _SHORT = 12  # words of a line that only ends the round above it
 _HINTED = 20  # errors that suggestions are looked for
 
@@ -345,9 +343,14 @@ class Printed(State):
             return
         place, self.moved = read.moved or self.moved, None
         if place is not None and not is_first(read, self.source.stitches):
-            draft, head, read = self._elsewhere(draft, head, read, place, (tokens, times, span))
-        elif not draft.started(self.source) and read.refers is None:
-            read = self._based(draft, head, read, span, (tokens, times)) or read
+            draft, head, read = elsewhere(self, draft, head, read, place, (tokens, times, span))
+        elif (
+            not draft.started(self.source)
+            and read.refers is None
+            and len(self.parts) > 1
+            and sum(map(worked, read.items)) > 1
+        ):
+            read = based(self, draft, head, read, span, (tokens, times)) or read
         unread = []
         for left in read.left:
             if not finishing(self, left):
@@ -382,6 +385,10 @@ class Printed(State):
             if not draft.started(self.source):
                 del draft.lines[before:]
                 draft.edge, draft.last = edge, last
+                read = based(self, draft, head, read, span, (tokens, times)) or read
+                if draft.started(self.source):
+                    draft.add(self.source, head, read, span, notes)
+            if not draft.started(self.source):
                 self._gap(draft, head, tokens, span, NotUnderstood(first, "what this is worked on is not known"))
                 return
             if read.stated is not None and read.fit:
@@ -404,56 +411,6 @@ class Printed(State):
             )
             draft.sure = False
         self.passed += [Span(left[0].start, left[-1].end) for left in unread if left not in instructive]
-
-    def _elsewhere(
-        self, draft: Draft, head: Head, read: Body, place: Moved, what: tuple[list[Token], int, Span]
-    ) -> tuple[Draft, Head, Body]:
-        """A round that is worked elsewhere than where the hook is: back on a round of the part, or along an edge, which is a part of
-        its own then."""
-        tokens, times, span = what
-        owner = draft if draft.begun() else self.parts[-2] if len(self.parts) > 1 and not place.words else draft
-        back = back_to(owner, place) if owner.begun() and read.refers is None else None
-        if back is not None:
-            goto, edge = back
-            again = decided(self.source, tokens, self.palette, edge, self.phrases, times)
-            if again.fit or again.stated is None:
-                if owner is not draft:
-                    self.parts.remove(draft)
-                    owner.lines += [line for line in draft.lines if not draft.begun()]
-                owner.leave(self.source)
-                again.items.insert(0, goto)
-                owner.edge, owner.chain, owner.sure = edge, None, True
-                if head.numbers and head.numbers[0] <= owner.last and owner is not draft:
-                    owner.offset = owner.last
-                    head = replace(head, numbers=tuple(n + owner.offset for n in head.numbers))
-                return owner, head, again
-        if draft.begun():
-            self.heading = self.heading or Heading(f"{draft.name or 'piece'} edging".strip(), place.span)
-            lead = draft.last
-            self.begin(True, span)
-            draft = self.parts[-1]
-            draft.offset, draft.last = (0, lead) if head.numbers and head.numbers[0] == lead + 1 else (0, 0)
-        return draft, head, self._based(draft, head, read, span, (tokens, times)) or read
-
-    def _based(self, draft: Draft, head: Head, read: Body, span: Span, what: tuple[list[Token], int]) -> Body | None:
-        """A round on an edge that is not known, on a chain of as many stitches, which is told; None where it does not say how many."""
-        if is_first(read, self.source.stitches) or draft.chain is not None:
-            return None
-        count = base([i for i in read.items if not (isinstance(i, Action) and i.name == "goto")], read.stated, self.source.stitches)
-        if not count or count > _MOST:
-            return None
-        at = head.span
-        self.source.doubt(
-            f"the edge that this is worked on is not known: it is worked on a chain of {count}",
-            "name the round: join with sl st to Rnd 5 of Head",
-            at,
-        )
-        draft.lines.append(Line(foundation(count, at, head.row), span, False))
-        draft.edge, draft.flat = count, head.row
-        tokens, times = what
-        again = decided(self.source, tokens, self.palette, count, self.phrases, times)
-        again.items = lifted(again.items)
-        return again
 
     def _gap(self, draft: Draft, head: Head, tokens: list[Token], span: Span, wrong: NotUnderstood) -> None:
         """A round that was not understood takes its count, or else that of the round below."""
@@ -481,12 +438,6 @@ class Printed(State):
         self.tell(f"{wrong.message}: this round is {said}, {many}", hint, wrong.token.span)
         draft.gap(self.source, head, many, span, count.span if count is not None else head.span)
         draft.sure = count is not None
-
-
-def is_first(body: Body, stitches: dict[str, Stitch]) -> bool:
-    """Whether a body begins a piece of its own."""
-    founded = any(is_start(i, stitches) and not (isinstance(i, Action) and i.name == "ch" and i.times <= _LIFT) for i in body.items)
-    return bool(body.hook) or body.pending or founded
 
 
 def _ends_line(tokens: list[Token], k: int) -> bool:

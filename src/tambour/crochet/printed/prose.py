@@ -322,7 +322,11 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         return False
     if body.moved is not None and draft is not None and not body.left and not any(map(makes, body.items)):
         p.moved = body.moved
-        p.lead += [Line((i,), Span(tokens[0].start, tokens[-1].end), False) for i in body.items if isinstance(i, Action) and i.name == "color"]
+        p.lead += [
+            Line((i,), Span(tokens[0].start, tokens[-1].end), False)
+            for i in body.items
+            if isinstance(i, Action) and i.name == "color"
+        ]
         return True
     if body.moved is not None:
         return _along(p, body, tokens)
@@ -341,7 +345,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         p.lead.append(Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False))
         return True
     span = Span(tokens[0].start, tokens[-1].end)
-    starts = any((isinstance(i, Action) and i.name in ("mr", "ch")) or _ring(i) for i in body.items)
+    starts = body.curled or any((isinstance(i, Action) and i.name in ("mr", "ch")) or _ring(i) for i in body.items)
     if draft is None and not starts:
         return False
     if starts and (draft is None or p.heading is not None):

@@ -8,7 +8,9 @@ from typing import Final
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.tokens import Token
 
-_WHO: Final = frozenset(("he", "she", "they", "you'll", "you're", "we", "i", "these", "those", "each", "it'll", "they're", "our", "my"))
+_WHO: Final = frozenset(
+    ("he", "she", "they", "you'll", "you're", "we", "i", "these", "those", "each", "it'll", "they're", "our", "my")
+)
 _IS: Final = frozenset(
     ("is", "are", "was", "were", "will", "can", "could", "may", "might", "would", "should", "has", "have", "measures", "loves", "likes", "causes", "form", "forms", "look", "looks")
 )  # fmt: skip
@@ -31,7 +33,9 @@ def remark(text: str, tokens: list[Token]) -> bool:
     if not tokens or any(t.kind == "key" and t.value == "repeat" for t in tokens):
         return False
     counted = any(
-        t.kind == "number" and k + 1 < len(tokens) and (tokens[k + 1].kind == "stitch" or tokens[k + 1].word in ("st", "sts"))
+        t.kind == "number"
+        and k + 1 < len(tokens)
+        and (tokens[k + 1].kind == "stitch" or tokens[k + 1].word in ("st", "sts"))
         for k, t in enumerate(tokens)
     )
     first = tokens[0]

@@ -25,7 +25,9 @@ from tambour.crochet.printed.tokens import Token
 _REMARKED: Final = frozenset(("inc'd", "dec'd", "increased", "decreased", "made", "worked", "group", "groups"))
 
 
-_REMARKS: Final = frozenset(("top", "including", "center", "first", "last", "about", "approx", "see", "for", "longest", "formerly"))
+_REMARKS: Final = frozenset(
+    ("top", "including", "center", "first", "last", "about", "approx", "see", "for", "longest", "formerly")
+)
 
 
 def bracket(r: Reader, found: list[Item], token: Token) -> None:

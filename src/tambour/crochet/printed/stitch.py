@@ -10,6 +10,7 @@ from tambour.crochet.language.stitches import BUMPS, STANDING, Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import Where, where
 from tambour.crochet.printed.counts import makes, multiplier
+from tambour.crochet.printed.curls import curl
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
@@ -33,6 +34,9 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         found.append(Action("join", token.span))
         return
     place = r.before or where(c, name == "skip")
+    if place is not None and place.kind in ("hook", "same") and curl(r, found, name, place):
+        r.before = None
+        return
     if place is not None and place.kind == "hook":
         r.body.hook, r.body.fresh = place.ordinal, len(found)
         if place.ordinal - 1 in _STANDING:

@@ -156,7 +156,10 @@ class Vocabulary:
             for word in words[1:]:
                 # "sl-st", "sl. st."
                 if (end + 1 < len(tokens) and tokens[end].word in _JOINS and tokens[end].glued) or (
-                    end + 1 < len(tokens) and tokens[end].word in _ARTICLES and word != tokens[end].word
+                    end + 1 < len(tokens)
+                    and tokens[end].word in _ARTICLES
+                    and word != tokens[end].word
+                    and tokens[end].value != "A"  # the yarn A
                 ):
                     end += 1
                 if end >= len(tokens) or tokens[end].word != word:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from tambour.crochet.language.stitches import BUMPS, CHAINS, MOST
+from tambour.crochet.language.stitches import BUMPS, CHAINS, MOST, PICOTS
 
 Spellings = dict[str, tuple[str, ...]]
 
@@ -14,6 +14,7 @@ def stitches(file: Mapping[str, Any]) -> Spellings:
     """Standard name of a stitch → its spellings, of a language's file."""
     return {
         **{name: tuple(said) for name, said in file["stitches"].items()},
+        **{f"picot{n}": tuple(f"{s}{n}" for s in file["stitches"]["picot"]) for n in PICOTS if n != 3},
         **_families(_kinds(file), file["increase"], file["decrease"]),
         **_bumps(file["bumps"]),
         **_standing(file["kinds"], file["standing"]),
@@ -34,6 +35,7 @@ def meanings(file: Mapping[str, Any]) -> dict[str, str]:
         for n in range(2, MOST + 1):
             made[_bump(kind, n)] = say["bump"].format(k=said[-1], n=n)
     made |= {name: said[0] for name, said in _standing(file["kinds"], say["standing"]).items()}
+    made |= {f"picot{n}": file["meaning"]["picot"].replace("3", str(n)) for n in PICOTS if n != 3}
     return made | dict(file["meaning"])
 
 

@@ -1,0 +1,119 @@
+"""Printed patterns, courses: clauses that say where the work goes on: joined, along an edge, through both layers, round the other side."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.tree import Action, Item
+from tambour.crochet.printed.counts import makes
+from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.moved import Moved, moved
+from tambour.crochet.printed.reader import Reader
+from tambour.crochet.printed.tokens import Token
+
+_ALONG: Final = frozenset(
+    ("behind", "along", "from", "using", "across", "through", "down", "inside", "into", "right", "left")
+)
+_PIECES: Final = frozenset(
+    ("pieces", "halves", "both pieces", "front", "inner", "outer", "sleeve", "cuff", "motifs", "first", "second")
+)
+
+
+class Courses(Reader):
+    """Reads these clauses."""
+
+    def along(self, found: list[Item]) -> bool:
+        """Words that say along which edge stitches go that were just read ("8 sc evenly up right side of Ear"), or that come before
+        them ("behind petals, into free loops of Rnd 1"); whether the clause at the cursor is such."""
+        c, begin = self.c, self.c.at
+        first = c.tokens[begin]
+        led_by = first.word in _ALONG
+        self.to_separator()
+        clause = c.tokens[begin : c.at]
+        found_at = moved(clause)
+        before = c.tokens[begin - 1] if begin else None
+        tail = before is not None and (
+            before.kind == "stitch" or before.value in ("around", "in", "next", "each", "stitch", "over")
+        )
+        fits = found_at is not None or (tail and first.capital)
+        if (
+            not fits
+            or not (led_by or (tail and found))
+            or any(t.kind == "stitch" and t.value != "ch" for t in clause[1:])
+        ):
+            c.at = begin
+            return False
+        if any(map(makes, found)):
+            self.edging = True
+        if self.body.moved is None:
+            self.body.moved = found_at or Moved(Span(clause[0].start, clause[-1].end))
+        return True
+
+    def elsewhere(self, found: list[Item]) -> bool:
+        """Goes past "in unused loops of rnd before last", said before stitches; whether that stands at the cursor."""
+        c, begin = self.c, self.c.at
+        self.to_separator()
+        clause = c.tokens[begin : c.at]
+        place = moved(clause) if c.look() is not None else None
+        plain = any(t.kind == "stitch" and t.value != "ch" for t in clause) or any(
+            t.kind == "key" and t.value == "side" for t in clause
+        )
+        if (
+            place is None
+            or plain
+            or not (place.number or place.before or place.free or c.tokens[begin - 1].word in ("along", "across"))
+        ):
+            c.at = begin
+            return False
+        self.body.moved = self.body.moved or place
+        if place.loops:
+            found.append(Action(place.loops, place.span))
+        return True
+
+    def folding(self, found: list[Item], token: Token) -> None:
+        """Stitches go through both layers of the edge, which lies flat: they close it."""
+        if any(t.word in _PIECES for t in self.c.tokens):
+            raise NotUnderstood(token, "two pieces are not joined here", "say how many stitches the round has")
+        found.append(Action("fold", token.span))
+        while self.c.look() is not None and not self.c.mark(",", ".", ";") and not self.c.kind("stitch"):
+            self.c.at += 1
+
+    def side_ahead(self) -> bool:
+        """Whether the clause at the cursor speaks of the other side: "turn to work along opposite side of chain"."""
+        ahead = 0
+        while self.c.look(ahead) is not None and not self.c.mark(",", ".", ";", "(", "[", ahead=ahead):
+            if self.c.key("side", ahead=ahead):
+                return True
+            ahead += 1
+        return False
+
+    def other_side(self, found: list[Item]) -> None:
+        """The work goes on along the other side of the foundation chain."""
+        self.body.sides, self.body.turned = True, len(found)
+        self.to_separator()
+
+    def joining(self, found: list[Item], token: Token) -> None:
+        """``join``, ``join with sl st in first sc``, ``join B with sl st``; without stitches before it, yarn that is joined."""
+        c = self.c
+        c.skip_key("with", "color", "yarn")
+        shade = self.palette.color(c) or self.palette.letter(c, c.at)
+        worked = any(not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "turn") for i in found)
+        if shade is not None:
+            span = Span(c.tokens[c.at].start, c.tokens[c.at + shade[1] - 1].end)
+            c.at += shade[1]
+            begin = c.at
+            self.to_separator("turn", "fasten off", "and", "form")
+            tied = any(t.kind == "stitch" and t.value in ("slst", "sc") for t in c.tokens[begin : c.at])
+            if not worked:
+                self.body.moved = self.body.moved or moved(c.tokens[begin : c.at])
+            if worked and tied:
+                found.append(Action("join", token.span))
+            found.append(Action("color", span, numbers=shade[0]))
+            return
+        begin = c.at
+        self.to_separator("turn", "fasten off", "and", "form")
+        if not worked and (elsewhere := moved(c.tokens[begin : c.at])) is not None:
+            self.body.moved = self.body.moved or elsewhere
+            return
+        found.append(Action("join", token.span))

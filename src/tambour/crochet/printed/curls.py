@@ -1,0 +1,93 @@
+"""Printed patterns, curls: chains that the hook works back along to where they began ("ch 5, sl st in 2nd ch from hook and in next 3 ch"):
+toes, spines, strands of hair, petals. They stand off the fabric as a picot does, and are drawn as a loop of chains."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tambour.crochet.language.stitches import PICOTS
+from tambour.crochet.language.tree import Action, Group, Item
+from tambour.crochet.printed.clauses import Where, where
+from tambour.crochet.printed.reader import Reader
+
+_IDLE: Final = ("color", "flo", "blo", "bl")
+
+
+def curl(r: Reader, found: list[Item], name: str, place: Where) -> bool:
+    """Puts a curl in place of the chains just read, where the stitch at the cursor, into ``place``, goes back along them; whether it does."""
+    last = found[-1] if found else None
+    if not isinstance(last, Action) or last.name != "ch":
+        return False
+    many = last.times
+    if place.kind == "same":
+        behind = any(not isinstance(i, Action) or i.name not in (*_IDLE, "ch", "join", "turn") for i in found[:-1])
+        if not (name == "slst" and behind and many in PICOTS):
+            return False
+        found[-1] = Action(f"picot{many}" if many != 3 else "picot", last.span)
+        return True
+    if place.kind != "hook":
+        return False
+    whole = place.ordinal >= many > 2
+    inside = r.depth > 0 or any(_worked(i) for i in found[:-1])
+    if not inside and not whole:
+        return False  # the chain that the piece begins with
+    left = 0 if whole else max(0, many - place.ordinal)
+    left = _further(r, left)
+    size = many - left
+    if size not in PICOTS:
+        return False
+    found.pop()
+    if left:
+        found.append(Action("ch", last.span, left, last.times_span))
+    found.append(Action("picot" if size == 3 else f"picot{size}", last.span))
+    r.body.curled = True
+    return True
+
+
+def _worked(item: Item) -> bool:
+    """Whether an item works stitches or slip stitches."""
+    return isinstance(item, Group) or item.name not in (*_IDLE, "ch", "turn", "join", "mr", "mark", "goto")
+
+
+def _further(r: Reader, left: int) -> int:
+    """Goes past what else is worked into the chains ("and in next 3 ch, sc in last ch") and gives how many are left over."""
+    c = r.c
+    while left > 0:
+        begin = c.at
+        while c.mark(",", ".") or c.key("and"):
+            c.at += 1
+        if c.whole() is not None and c.kind("stitch", 1):
+            c.at += 1
+        if c.kind("stitch") and c.look().value not in ("ch", "skip"):  # type: ignore[union-attr]
+            c.at += 1
+        at = c.at
+        place = where(c, inside=c.key("next", "each", "last"))
+        said = c.tokens[at : c.at]
+        chained = any(t.kind == "stitch" and t.value == "ch" for t in said) or any(
+            t.kind == "key" and t.value == "foundation" for t in said
+        )
+        if place is None or not chained or place.kind == "hook":
+            c.at = begin
+            return left
+        left = (
+            0
+            if place.kind == "around"
+            or (place.each and place.count == 1 and any(t.value in ("rest", "around") for t in said))
+            else max(0, left - place.count)
+        )
+    return left
+
+
+def rooted(items: list[Item]) -> list[Item]:
+    """Curls that a piece begins with, on a chain: a link before each."""
+    made: list[Item] = []
+    for item in items:
+        if isinstance(item, Group):
+            chained = any(isinstance(i, Action) and i.name == "ch" for i in item.items)
+            inner = item.items if chained else (Action("ch", item.span), *item.items)
+            made.append(Group(inner, item.times or 1, item.span))
+        elif item.name.startswith("picot") and not (made and isinstance(made[-1], Action) and made[-1].name == "ch"):
+            made += [Action("ch", item.span), item]
+        else:
+            made.append(item)
+    return made
