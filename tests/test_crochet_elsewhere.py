@@ -27,11 +27,11 @@ def made(more: str, before: str = BALL) -> tuple[list[int], list[str], list[str]
     return [w.made for w in built.worked if w.line.in_round], unread, [p.message for p in built.warnings]
 
 
-@pytest.mark.parametrize("slip", ["nex", "nxet", "nextt", "nect"[:2] + "xt"])
+@pytest.mark.parametrize("slip", ["nex", "nxet", "nextt", "nnext"])
 def test_a_slip_of_the_pen_is_read_and_told(slip):
     counts, unread, doubts = made(f"5th rnd: Ch 1. *Sc2tog. 1 sc in {slip} sc. Rep from * around. Join. 12 sts.\n")
     assert counts[4] == 12 and not unread
-    assert slip == "next" or any("is read as" in d for d in doubts)
+    assert any('is read as "next"' in d for d in doubts)
 
 
 @pytest.mark.parametrize("slip", ["arund", "aroud", "arounnd"])
@@ -64,7 +64,7 @@ def test_the_hook_goes_back_to_the_loops_that_were_left(frill, on):
     [
         ("Work 8 sc evenly up right side of Ear to corner. Work 8 sc evenly down left side of Ear.", 16),
         ("Working along straight edge of Wing, work 6 sc evenly across.", 6),
-        ("Join B with sl st to bottom right corner of Flap. 5 sc along side edge. 5 sc along other edge.", 10),
+        ("Join B with sl st to bottom right corner of Flap. 10 sc evenly along side edge.", 10),
     ],
 )
 def test_an_edge_that_is_no_rounds_is_worked_on_a_chain_and_told(words, many):
