@@ -1,16 +1,20 @@
 """The hook: faces that close, edges, rounds, mistakes where they are made."""
 
 from collections import Counter
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from tambour.core.digest import digest
 from tambour.core.errors import TambourError, Text
 from tambour.core.graph import ROOT, SEWN, THROUGH, TIP, YARN
+from tambour.crochet.graph import hook
 from tambour.crochet.graph.build import build
 from tambour.crochet.language.parse import parse
+from tambour.crochet.printed.choose import read
 
 
 def made(text, **options):
@@ -319,3 +323,18 @@ def test_whatever_is_drawn_together_is_closed(ring, lines, turning):
         if min(this.count for this in built.rounds if this.whole) >= 4:
             assert closed(built.graph.faces[built.shell]) == (2, 0), whole
         return
+
+
+def test_what_reading_has_worked_is_not_worked_again(root, monkeypatch):
+    pattern = read(Text((root / "examples" / "crochet" / "bear.txt").read_text(), "bear.txt"))
+    whole = build(replace(pattern, built=None), stitch=(4.2, 4.9))
+    other = replace(pattern, parts=(replace(pattern.parts[0], lines=pattern.parts[0].lines[:3]), *pattern.parts[1:]))
+    assert len(build(other).graph) < len(whole.graph)  # its rounds are others: it is worked
+    monkeypatch.setattr(hook.Hook, "stitch", None)  # what would work it fails
+    again = build(pattern, stitch=(4.2, 4.9))
+    for field in fields(whole):
+        if field.name not in ("hook", "pattern"):
+            assert digest(getattr(again, field.name)) == digest(getattr(whole, field.name)), field.name
+    assert again.pattern == pattern and again.pattern.built is None
+    with pytest.raises(TypeError):
+        build(pattern, strict=True)

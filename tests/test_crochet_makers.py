@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import TambourError, Text
-from tambour.crochet.graph.build import Built, build
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.check import tech_edit
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed
 from tambour.crochet.language.parse import parse

@@ -16,7 +16,7 @@ from tambour.crochet.piece import Plush, not_empty
 if TYPE_CHECKING:
     from tambour.core.graph import StitchGraph
     from tambour.core.mesh import Mesh
-    from tambour.crochet.graph.build import Built
+    from tambour.crochet.graph.built import Built
 
 
 def live(piece: Plush) -> Packed:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from tambour.core.strands import Strands
     from tambour.crochet.finish.joining import Joining
     from tambour.crochet.finish.shape import Shape
-    from tambour.crochet.graph.build import Built
+    from tambour.crochet.graph.built import Built
     from tambour.crochet.params import CrochetParams
     from tambour.crochet.yarns import Gauge
 

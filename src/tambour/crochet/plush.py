@@ -13,7 +13,7 @@ from tambour.crochet.piece import Plush
 if TYPE_CHECKING:
     from tambour.crochet.finish.joining import Joining
     from tambour.crochet.finish.shape import Look
-    from tambour.crochet.graph.build import Built
+    from tambour.crochet.graph.built import Built
     from tambour.crochet.yarns import Gauge
 
 

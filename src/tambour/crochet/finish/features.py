@@ -16,7 +16,7 @@ from tambour.core.paths import Paths
 from tambour.core.rgb import hexed
 from tambour.core.strands import Strands
 from tambour.crochet.finish.placing import Frames, frames
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Hair, Spot
 from tambour.geometry.motion import length

@@ -14,7 +14,7 @@ from tambour.core.graph import SEWN, StitchGraph
 from tambour.crochet.finish import sewing
 from tambour.crochet.finish.placing import Frames, frames, level, standing
 from tambour.crochet.graph.assemble import SEWN_SHORT
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, Spot
 from tambour.geometry.motion import dot, length, turned

@@ -9,7 +9,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import Part
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Spot
 from tambour.geometry.motion import dot

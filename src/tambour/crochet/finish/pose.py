@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from tambour.core.errors import Problem, TambourError, did_you_mean
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import KINDS, Placed
 
 ANGLES = ("tilt", "towards", "across")

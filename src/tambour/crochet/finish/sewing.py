@@ -10,7 +10,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP, StitchGraph
 from tambour.crochet.finish.placing import Frames
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots, edge, sewn_rim
 from tambour.crochet.language.finishes import Placed
 from tambour.geometry.motion import dot, length, turned

@@ -6,7 +6,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.errors import Problem
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 
 FEW = 4
 """A seam of fewer marks than this has no order that could be mirrored."""

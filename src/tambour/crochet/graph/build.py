@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
-from tambour.core.check import Array
 from tambour.core.errors import Problem, Span, TambourError
-from tambour.core.graph import BACK, BOTH, FRONT, ROOT, TIP, Part, StitchGraph
+from tambour.core.graph import BACK, BOTH, FRONT, ROOT, TIP, Part
 from tambour.crochet.graph.assemble import assemble
 from tambour.crochet.graph.attach import attach
+from tambour.crochet.graph.built import Built, Done, PartFacts, Worked
 from tambour.crochet.graph.hook import Hook, HookError
 from tambour.crochet.graph.layers import fold, through_both
-from tambour.crochet.graph.moment import Round
 from tambour.crochet.graph.spaces import into_space, spaces_ahead
 from tambour.crochet.graph.starts import foundation_row, leave_spare, oval, ring
 from tambour.crochet.language.stitches import MOST, RULES, STITCHES, Stitch
@@ -26,79 +25,6 @@ _IDLE = 4
 _ELSEWHERE = {"mr", "goto", "attach", "turn", "fo", "oval", "fsc"}
 
 
-@dataclass(frozen=True, slots=True)
-class PartFacts:
-    """What a part's text asks for; None where it says nothing. ``section``: which part of the text it is, ``copy`` from 1."""
-
-    name: str
-    section: int
-    copy: int
-    centroids: int | None
-    stuffing: float | None
-    initializer: str | None
-
-
-@dataclass(frozen=True, slots=True)
-class Done:
-    """One thing the hook did, for writing the pattern back: ``what`` is a stitch or a key of RULES; "part" (section, copy)
-    begins a part, "round" or "line" a line, and "end" ends it, with the stitches on its edge as ``times``; "again" stands
-    before the rounds (``times``) that are worked as others are written, "note" is a sentence that makes no stitch."""
-
-    what: str
-    times: int = 1
-    numbers: tuple[int, ...] = ()
-    labels: tuple[str, ...] = ()
-    span: Span | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Worked:
-    """What one working of a line did. below : stitches ahead when it began; left : of these, not worked into when it ended
-    (negative: worked past); made : stitches; edge : stitches on the edge after it; ring : in rounds, and on one edge all along."""
-
-    line: Line
-    part: int
-    below: int
-    left: int
-    made: int
-    edge: int
-    ring: bool
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Built:
-    """A pattern worked.
-
-    graph : StitchGraph; its ``round`` indexes ``rounds``
-    warnings : doubts, those of the text among them
-    sewn : (S, 2) int32 pairs of nodes sewn together, as the pattern says them
-    rounds : the rounds (seed: round_spans); a node's ring root and tip count to the round beside them
-    marks : label → node
-    parts : what each part's text asks for, as many as graph.parts
-    shell : (F,) bool, the faces that bound the outside: of two stretches worked on one edge (goto), one
-    initializer : how the pattern wants to begin ("rounds", "one-by-one", None)
-    up : the end of the work that is on top ("start", "end")
-    counts : stitch or action as written → how often it was worked
-    log : what the hook did, in order
-    worked : what each line did, as often as it was worked
-    pattern : where it comes from
-    """
-
-    graph: StitchGraph
-    warnings: tuple[Problem, ...]
-    sewn: Array
-    rounds: tuple[Round, ...]
-    marks: Mapping[str, int]
-    parts: tuple[PartFacts, ...]
-    shell: Array
-    initializer: str | None
-    up: str
-    counts: Mapping[str, int]
-    log: tuple[Done, ...]
-    worked: tuple[Worked, ...]
-    pattern: Pattern
-
-
 def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict: bool = False) -> Built:
     """Work ``pattern`` with the hook.
 
@@ -108,16 +34,18 @@ def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict:
 
     Raises TambourError with the first fault of every part.
     """
+    if not strict and isinstance(pattern.built, Built) and _alike(pattern, pattern.built.pattern):
+        return _resized(pattern.built, pattern, stitch)
     worker = _Worker(pattern, strict)
     worker.work()
     if any(not p.warning for p in worker.problems):
         # Doubts are told too: a count that disagrees is often where the fault began.
-        raise TambourError(sorted((*pattern.warnings, *worker.problems), key=lambda p: p.span.start if p.span else 0))
+        raise TambourError(sorted((*pattern.warnings, *worker.problems), key=_place))
     hook = worker.hook
     graph, shell = assemble(hook, worker.parts, worker.sewn, stitch)
     return Built(
         graph,
-        tuple(sorted((*pattern.warnings, *worker.problems), key=lambda p: p.span.start if p.span else 0)),
+        tuple(sorted((*pattern.warnings, *worker.problems), key=_place)),
         np.array(worker.sewn, np.int32).reshape(-1, 2),
         tuple(hook.rounds),
         dict(hook.marks),
@@ -129,7 +57,43 @@ def build(pattern: Pattern, *, stitch: tuple[float, float] = (5.0, 5.0), strict:
         tuple(worker.log),
         tuple(worker.worked),
         pattern,
+        hook,
     )
+
+
+def _alike(one: Pattern, other: Pattern) -> bool:
+    """Whether the hook does the same for both."""
+    pairs = zip(one.parts, other.parts)
+    return len(one.parts) == len(other.parts) and all(a.lines is b.lines and a.copies == b.copies for a, b in pairs)
+
+
+def _resized(built: Built, pattern: Pattern, stitch: tuple[float, float]) -> Built:
+    """What was worked when the pattern was read, with all that is known of it since."""
+    facts = [
+        replace(f, centroids=s.centroids, stuffing=s.stuffing, initializer=s.initializer)
+        for f in built.parts
+        for s in (pattern.parts[f.section],)
+    ]
+    parts = [replace(p, stuffing=_stuffing(f.stuffing)) for p, f in zip(built.graph.parts, facts)]
+    graph, shell = assemble(built.hook, parts, [(a, b) for a, b in built.sewn.tolist()], stitch)
+    return replace(
+        built,
+        graph=graph,
+        warnings=tuple(sorted((*pattern.warnings, *built.warnings), key=_place)),
+        parts=tuple(facts),
+        shell=shell,
+        initializer=next((f.initializer for f in facts if f.initializer), None),
+        up=next((p.up for p in pattern.parts if p.up), "end"),
+        pattern=replace(pattern, built=None),
+    )
+
+
+def _stuffing(said: float | None) -> float:
+    return 1.0 if said is None else said
+
+
+def _place(problem: Problem) -> int:
+    return problem.span.start if problem.span else 0
 
 
 class _Worker:
@@ -190,7 +154,7 @@ class _Worker:
             self.problems.append(error.problem)
             fine, self.broken = False, True
         hook.end_part()
-        self.parts.append(Part(name, start, len(hook), 1.0 if section.stuffing is None else section.stuffing))
+        self.parts.append(Part(name, start, len(hook), _stuffing(section.stuffing)))
         return fine
 
     def _line(self, line: Line) -> None:

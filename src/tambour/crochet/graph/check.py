@@ -10,7 +10,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.errors import Problem, Span
-from tambour.crochet.graph.build import Built, Worked
+from tambour.crochet.graph.built import Built, Worked
 from tambour.crochet.language.finishes import GUESSED, Eye, Placed
 from tambour.crochet.language.tree import Group, Item
 

@@ -83,9 +83,10 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     for k, (a, b) in enumerate(zip(starts.tolist(), ends.tolist())):
         part = int(graph.part[a])
         nodes = np.arange(a, b)
-        below = [graph.anchors[graph.anchor_offsets[i] : graph.anchor_offsets[i + 1]] for i in nodes]
-        below = [q[(q < a)] for q in below]
-        under = np.unique(np.concatenate(below)) if below else np.zeros(0, int)
+        anchors = graph.anchors[graph.anchor_offsets[a] : graph.anchor_offsets[b]]
+        over = np.repeat(np.arange(b - a), np.diff(graph.anchor_offsets[a : b + 1]))  # which node is worked into each
+        over, anchors = over[anchors < a], anchors[anchors < a]
+        under = np.unique(anchors)
         if not len(under):
             on = ovals.base(graph, a, b) if half[part] < 0.0 else 0
             if on:
@@ -100,7 +101,9 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
             continue
         centre = x[under].mean(0)
         h = float(heights[nodes].mean())
-        stand = np.array([x[q].mean(0) if len(q) else centre for q in below])
+        many = np.bincount(over, minlength=b - a)[:, None]
+        stand = np.column_stack([np.bincount(over, x[anchors, axis], b - a) for axis in range(3)])
+        stand = np.where(many > 0, stand / np.maximum(many, 1), centre)
         if flat[part]:
             x[nodes, 0] = stand[:, 0].mean() + graph.direction[nodes] * (np.arange(b - a) - 0.5 * (b - a - 1))
             x[nodes, 1] = centre[1] + h

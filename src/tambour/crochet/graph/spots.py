@@ -13,7 +13,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import Problem
 from tambour.core.graph import ROOT, TIP
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.lids import lids
 from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Spot
 

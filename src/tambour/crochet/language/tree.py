@@ -174,6 +174,7 @@ class Pattern:
     passed : stretches of the text that are no instructions and were passed over
     unread : what was not understood: gaps in the tree that took their counts, and sentences; left_out : rounds of them
         that are no part of the tree
+    built : the same parts worked already (:class:`tambour.crochet.graph.build.Built`), where reading them took that
     """
 
     text: Text
@@ -188,3 +189,4 @@ class Pattern:
     passed: tuple[Span, ...] = ()
     unread: tuple[Problem, ...] = ()
     left_out: tuple[Span, ...] = ()
+    built: object = field(default=None, compare=False, repr=False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Problem, Text
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.check import size_edit, tech_edit
 from tambour.crochet.language.finishes import GUESSED
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from tambour.core.graph import ROOT, TIP
 from tambour.crochet.graph import ovals
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.moment import Round
 
 # A stitch's least room along its round, in cells.

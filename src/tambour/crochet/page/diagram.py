@@ -8,7 +8,7 @@ from pathlib import PurePath
 from tambour.core.drawing import Drawing
 from tambour.core.graph import BACK, FRONT, JOIN
 from tambour.crochet.graph import ovals
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.language.stitches import BUMPS, KINDS
 from tambour.crochet.page.chart import Cell, Chart, charts
 from tambour.crochet.page.symbols import BARS, NAMES, Line, loop_mark, post, ring_mark, solid, strokes

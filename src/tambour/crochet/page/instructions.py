@@ -11,7 +11,8 @@ from tambour.color import family
 from tambour.core.errors import TambourError, Text
 from tambour.core.graph import TIP
 from tambour.core.rgb import RGB, hexed
-from tambour.crochet.graph.build import Built, Done, build
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.finishes import Embroidery, Hair
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section

@@ -10,7 +10,8 @@ from typing import Any, Final
 
 from tambour.core.errors import Text
 from tambour.core.rgb import hexed
-from tambour.crochet.graph.build import Built, Done, build
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.language.stitches import RULES, SPELT, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section

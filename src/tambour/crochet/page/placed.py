@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from itertools import groupby
 
 from tambour.crochet.finish.placing import frames
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.words.phrases import Phrases

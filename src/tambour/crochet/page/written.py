@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from tambour.crochet.graph.build import Built, Done
+from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.stitches import RULES
 from tambour.crochet.language.tree import Section
 

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 
 from tambour.core.errors import Span
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.places.faces import Facer
 from tambour.crochet.places.hear import Copy, Feature, Heard, Put, Sentence

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from tambour.core.errors import Span
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots, sewn_rim
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.places.hear import Copy

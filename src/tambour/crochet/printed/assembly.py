@@ -8,7 +8,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.assemble import Assembly

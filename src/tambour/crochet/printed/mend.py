@@ -7,7 +7,8 @@ from dataclasses import dataclass, field, replace
 from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError
-from tambour.crochet.graph.build import Built, build
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.built import Built
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import MOST
@@ -84,6 +84,7 @@ class Printed(State):
             terms=self.language.code,
             stated=self.stated,
         )
+        built = None
         if all(p.warning for p in source.problems):
             found = Found()
             pattern, built = mended(pattern, found)
@@ -109,6 +110,7 @@ class Printed(State):
             passed=tuple(self.passed),
             unread=tuple(sorted(self.unread, key=_place)),
             left_out=tuple(self.left_out),
+            built=built,
         )
 
     def _not_read(self) -> list[Span]:
