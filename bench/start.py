@@ -32,7 +32,7 @@ BOOKLET = [("crochet, bear.txt as a booklet", "crochet {examples}/crochet/bear.t
 RUNS = 5
 DISC = '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40"><circle cx="20" cy="20" r="18" fill="#c33"/></svg>'
 # What only some commands have a use for; found in sys.modules afterwards, it is printed.
-HEAVY = "numba llvmlite scipy scipy.optimize scipy.ndimage skia PIL shapely lark rich pystitch"
+HEAVY = "numba llvmlite scipy scipy.optimize scipy.ndimage skia PIL shapely rich pystitch"
 WATCH = """
 import atexit, os, sys
 def told():

@@ -16,7 +16,7 @@ import tambour as package
 from tambour.core.kernels import signature
 from tambour.run import CRAFTS
 
-HEAVY = {"numpy", "numba", "scipy", "shapely", "skia", "PIL", "pydantic", "lark", "rich", "pystitch", "fontTools"}
+HEAVY = {"numpy", "numba", "scipy", "shapely", "skia", "PIL", "pydantic", "rich", "pystitch", "fontTools"}
 
 
 def loaded(code: str) -> set[str]:

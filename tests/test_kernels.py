@@ -207,18 +207,17 @@ def test_kernels_as_plain_functions() -> None:
 
 
 COMMANDS = {
-    "crochet examples/crochet/heart.acl --check": {"scipy", "shapely", "skia", "pystitch"},
-    "crochet examples/crochet/y.acl -o {out}/y.glb": {"scipy", "shapely", "skia", "pystitch"},
-    "crochet examples/crochet/bear.txt --check": {"scipy", "shapely", "skia", "pystitch", "lark"},
+    "crochet examples/crochet/heart.acl --check": {"scipy", "shapely", "skia", "pystitch", "PIL"},
+    "crochet examples/crochet/y.acl -o {out}/y.glb": {"scipy", "shapely", "skia", "pystitch", "PIL"},
+    "crochet examples/crochet/bear.txt --check": {"scipy", "shapely", "skia", "pystitch", "PIL"},
     "knit examples/knit/rose.png --stitches 30 -o {out}/k.png": {
         "scipy.optimize",
         "shapely",
         "skia",
         "pystitch",
-        "lark",
     },
-    "ink --seed 7 --span 200 -o {out}/i.svg": {"scipy", "shapely", "skia", "pystitch", "lark"},
-    "embroidery examples/embroidery/heart.svg -o {out}/e.dst": {"scipy.optimize", "skia", "lark"},
+    "ink --seed 7 --span 200 -o {out}/i.svg": {"scipy", "shapely", "skia", "pystitch"},
+    "embroidery examples/embroidery/heart.svg -o {out}/e.dst": {"scipy.optimize", "skia"},
 }
 """Small commands, and what they have no use for."""
 

@@ -3,14 +3,9 @@
 from __future__ import annotations
 
 import re
-from functools import lru_cache
-from importlib.resources import files
-from typing import TYPE_CHECKING, Any
 
 from tambour.core.errors import Problem, Span, Text
-
-if TYPE_CHECKING:
-    from lark import Lark, Tree
+from tambour.crochet.language.lalr import END, DoesNotFit, Tree, grammar
 
 DEEPEST = 24  # brackets within brackets
 LONGEST = 9  # digits of a number
@@ -41,15 +36,6 @@ _SAID = {
 }
 
 
-@lru_cache(maxsize=1)
-def grammar() -> Lark:
-    """The parser of pattern.lark, made once."""
-    from lark import Lark
-
-    source = files("tambour.crochet.language").joinpath("pattern.lark").read_text(encoding="utf-8")
-    return Lark(source, parser="lalr", lexer="contextual", start="line", maybe_placeholders=False)
-
-
 def without_comment(line: str) -> str:
     """The line up to its comment; ``#`` before a colour's hex digits, as in ``color(#ff8800)``, begins none."""
     at = line.find("#")
@@ -63,13 +49,11 @@ def without_comment(line: str) -> str:
     return line if at < 0 else line[:at]
 
 
-def read_line(line: str, start: int, text: Text) -> tuple[Tree[Any] | None, list[Problem]]:
+def read_line(line: str, start: int, text: Text) -> tuple[Tree | None, list[Problem]]:
     """The tree of one line (no comment in it) that begins at offset ``start`` of ``text``, and what is wrong.
 
     The tree is None when an error is among the problems; a trailing comma is only a warning.
     """
-    from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken
-
     problems: list[Problem] = []
 
     def report(message: str, hint: str, begin: int, end: int, warning: bool = False) -> None:
@@ -91,19 +75,13 @@ def read_line(line: str, start: int, text: Text) -> tuple[Tree[Any] | None, list
         return None, problems
     try:
         return grammar().parse(line), problems
-    except UnexpectedToken as error:
-        wanted, token = error.expected, error.token
-        if token.type == "$END":
+    except DoesNotFit as error:
+        token, wanted = error.token, _wanted(error.wanted)
+        if token.type == END:
             begin = len(line.rstrip())
-            report("the line ends too early", _wanted(wanted), begin, begin + 1)
+            report("the line ends too early", wanted, begin, begin + 1)
         else:
-            begin = token.start_pos or 0
-            report(f'"{token}" does not fit here', _wanted(wanted), begin, begin + len(token))
-    except UnexpectedCharacters as error:
-        begin = int(error.pos_in_stream or 0)
-        report(f'"{line[begin]}" does not fit here', _wanted(error.allowed or set()), begin, begin + 1)
-    except UnexpectedInput as error:  # pragma: no cover - lark has no third kind for LALR
-        report("this line is not understood", "", error.pos_in_stream or 0, len(line))
+            report(f'"{token}" does not fit here', wanted, token.start_pos, token.end_pos)
     return None, problems
 
 

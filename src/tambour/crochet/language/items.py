@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any, Final, Literal
 
 from tambour.core.errors import Span, did_you_mean
+from tambour.core.rgb import colored, css_colors
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import RULES, Stitch, into_one, standard
 from tambour.crochet.language.tree import Action, Group, Item
@@ -182,7 +183,7 @@ def _flat(source: Source, item: Item, times: int, made: list[tuple[Stitch, int]]
 
 def _ends(tree: Any) -> tuple[Any, Any]:
     """The first and the last token of a tree."""
-    tokens = list(tree.scan_values(lambda t: True))
+    tokens = list(tree.tokens())
     return tokens[0], tokens[-1]
 
 
@@ -267,13 +268,11 @@ def _color(source: Source, values: list[tuple[str, Span]]) -> tuple[int, ...] | 
             else:
                 found.append(int(value))
         return tuple(found) if len(found) == 3 else None
-    from PIL import ImageColor
-
     value, at = values[0]
     try:
-        return ImageColor.getrgb(value)[:3]
+        return colored(value)
     except ValueError:
-        near = did_you_mean(value.lower(), ImageColor.colormap)
+        near = did_you_mean(value.lower(), css_colors())
         source.error(f'there is no colour "{value}"', near or RULES["color"].usage, at)
         return None
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from functools import lru_cache
 from typing import Final
 
-from tambour.core.rgb import RGB
+from tambour.core.rgb import RGB, css_colors
 
 YARNS: Final[dict[str, RGB]] = {
     "amethyst": (140, 98, 170),
@@ -277,15 +276,15 @@ def dyed(name: str) -> RGB | None:
 def said(name: str) -> RGB | None:
     """The colour that ``name`` means in any sentence: as tambour's own language has it, else a yarn's; None where it means
     none, or may mean a thing."""
-    return None if name in _THINGS else css().get(name.replace(" ", "")) or shade(name)
+    return None if name in _THINGS else css_colors().get(name.replace(" ", "")) or shade(name)
 
 
 def shade(name: str) -> RGB | None:
     """The colour of a yarn of this name; None where no colour is known by it."""
     words = name.lower().replace("-", " ").split()
     whole = " ".join(words)
-    if whole in YARNS or whole.replace(" ", "") in css():
-        return YARNS.get(whole) or css()[whole.replace(" ", "")]
+    if whole in YARNS or whole.replace(" ", "") in css_colors():
+        return YARNS.get(whole) or css_colors()[whole.replace(" ", "")]
     if len(words) < 2 or words[0] not in {**_LIGHTER, **_DARKER}:
         return None
     base = shade(" ".join(words[1:]))
@@ -294,11 +293,3 @@ def shade(name: str) -> RGB | None:
     white, black = _LIGHTER.get(words[0], 0.0), _DARKER.get(words[0], 0.0)
     red, green, blue = (round((c + (255 - c) * white) * (1 - black)) for c in base)
     return red, green, blue
-
-
-@lru_cache(maxsize=1)
-def css() -> dict[str, RGB]:
-    """The named colours of screens."""
-    from PIL import ImageColor
-
-    return {name: ImageColor.getrgb(name)[:3] for name in ImageColor.colormap}

@@ -14,7 +14,7 @@ from functools import cached_property, lru_cache
 from typing import Any, Final
 
 from tambour.core.errors import Span
-from tambour.core.rgb import RGB, hexed
+from tambour.core.rgb import RGB, colored, hexed
 from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.words.table import SENTENCES, Terms
 
@@ -95,11 +95,9 @@ class Phrases:
 
     @cached_property
     def _shades(self) -> dict[RGB, str]:
-        from PIL import ImageColor
-
         made = {hue: self.say("shade", letter=letter) for letter, hue in self.legend.items()}
         for css, spellings in self.terms.colors.items():
-            made[ImageColor.getrgb(css)[:3]] = spellings[0]
+            made[colored(css)] = spellings[0]
         return made
 
     def shade(self, color: tuple[int, ...]) -> str:
@@ -109,17 +107,15 @@ class Phrases:
 
     def color(self, words: str) -> RGB | None:
         """The colour that ``words`` say; None where they say none."""
-        from PIL import ImageColor
-
         said = " ".join(words.split()).lower()
         for hue, spoken in self._shades.items():
             if said == spoken.lower():
                 return hue
         for css, spellings in self.terms.colors.items():
             if said in (s.lower() for s in spellings):
-                return ImageColor.getrgb(css)[:3]
+                return colored(css)
         try:
-            return ImageColor.getrgb(said)[:3]
+            return colored(said)
         except ValueError:
             return None
 

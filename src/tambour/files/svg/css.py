@@ -7,6 +7,8 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from tambour.core.rgb import css_colors
+
 INHERITED = frozenset(
     [
         "fill",
@@ -204,11 +206,8 @@ def color(text: str) -> tuple[int, int, int, int] | None:
                 rgb = list(colorsys.hls_to_rgb(hue, _share(parts[2]), _share(parts[1])))
             r, g, b, a = (round(255 * min(1.0, max(0.0, c))) for c in (*rgb, alpha))
             return r, g, b, a
-    from PIL import ImageColor
-
-    if word in ImageColor.colormap:
-        r, g, b = ImageColor.getrgb(word)[:3]
-        return r, g, b, 255
+    if word in css_colors():
+        return *css_colors()[word], 255
     raise ValueError(f"{text[:40]!r} is no colour")
 
 
