@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tambour.core.errors import TambourError, Text
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed
 from tambour.crochet.moved import moved

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 
 from tambour.core.errors import Span, TambourError, Text
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Finish, Placed, Spot
 from tambour.crochet.params import CrochetParams
