@@ -20,7 +20,7 @@ from tambour.core.progress import Progress
 from tambour.files.svg import write as svg
 from tambour.ink.brush import press
 from tambour.ink.brush.desk import Desk
-from tambour.ink.brush.stroke import COLUMNS, END, KIND
+from tambour.ink.brush.stroke import COLUMNS, END, KIND, Brush
 from tambour.ink.elements import trees
 from tambour.ink.ground import codes
 from tambour.ink.ground.marks import BLOB, STROKE
@@ -152,8 +152,9 @@ def junipers() -> None:
         desk.pts, desk.marks = np.empty((TREES * 50, 2)), np.empty((TREES * 12, COLUMNS))
         desk.elems = np.empty((TREES + 1, 4))
         rng = np.array([1, 0], np.uint64)
+        brush = Brush(desk.table, rng, desk.pts, desk.marks, desk.elems, desk.n)
         for k in range(TREES):
-            trees.juniper(desk.table, rng, desk.pts, desk.marks, desk.elems, desk.n, 9.0 * k, 0.0, 60.0, 3.0, 0.5)
+            trees.juniper(brush, 9.0 * k, 0.0, 60.0, 3.0, 0.5)
         notes = desk.marks[: desk.n[1]]
         ends = press.sizes(desk.pts, notes)
         out = np.empty((ends[-1], 2))

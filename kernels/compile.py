@@ -31,7 +31,9 @@ def cache() -> Path:
 
 def modules() -> list[str]:
     """The modules that hold kernels."""
-    paths = [p for p in (SOURCE / "tambour").rglob("*.py") if re.search(r"^@kernel$", p.read_text("utf-8"), re.M)]
+    paths = [
+        p for p in (SOURCE / "tambour").rglob("*.py") if re.search(r"^@(kernel|inner)$", p.read_text("utf-8"), re.M)
+    ]
     return sorted(".".join(p.relative_to(SOURCE).with_suffix("").parts) for p in paths)
 
 
@@ -82,11 +84,23 @@ def compiled(kernel: Any) -> tuple[bytes, dict[str, Any]]:
     passes.run(code, llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options()))
     returned = result.signature.return_type
     parts = list(returned) if hasattr(returned, "types") else [] if str(returned) == "none" else [returned]
+    arguments: list[str] = []
+    kinds: list[tuple[str, int]] = []
+    records: list[tuple[int, int]] = []
+    for name, (what, how) in zip(kernel.function.__code__.co_varnames, signature(kernel) or ()):
+        if isinstance(what, type):  # a record is handed over field by field
+            records.append((len(kinds), len(how)))
+            arguments += [f"{name}.{field}" for field in what._fields]
+            kinds += how
+        else:
+            arguments.append(name)
+            kinds.append((what, how))
     told = {
         "name": kernel.name,
         "symbol": symbol,
-        "arguments": list(kernel.function.__code__.co_varnames[: len(signature(kernel) or ())]),
-        "kinds": signature(kernel),
+        "arguments": arguments,
+        "kinds": kinds,
+        "records": records,
         "result": [(str(p.dtype), p.ndim) if hasattr(p, "ndim") else (str(p), 0) for p in parts],
         "single": not hasattr(returned, "types"),
     }

@@ -16,13 +16,17 @@ GIVE = {"float64": "PyFloat_FromDouble", "float32": "PyFloat_FromDouble", "bool"
 
 @dataclass(frozen=True)
 class Entry:
-    """A kernel that Python calls: ``kinds`` and ``result`` are (element type, axes), a result () for nothing, or many."""
+    """A kernel that Python calls: ``kinds`` and ``result`` are (element type, axes), a result () for nothing, or many.
+
+    The arguments are those of the native function; ``records`` tells which of them Python gives in one tuple: (first, how many).
+    """
 
     name: str
     symbol: str
     digest: str
     arguments: list[str]
     kinds: list[tuple[str, int]]
+    records: list[tuple[int, int]]
     result: list[tuple[str, int]]
     single: bool  # the result is one value, not a tuple of them
 
@@ -69,10 +73,12 @@ def _function(k: int, entry: Entry) -> str:
         passed += [f"b[{b}].shape[{d}]" for d in range(axes)]
         passed += [" * ".join([size, *(f"b[{b}].shape[{e}]" for e in range(d + 1, axes))]) for d in range(axes)]
     slots = " ".join(_slot(kind, f"r{j}") for j, kind in enumerate(entry.result)) or "void *nothing;"
+    n, given = _given(entry)
     lines = [
         f"\nextern int32_t {entry.symbol}({', '.join(types)});\n",
         f"static PyObject *call_{k}(PyObject *self, PyObject *const *args, Py_ssize_t n) {{",
-        f'    if (n != {len(entry.kinds)}) return count("{entry.name}", {len(entry.kinds)}, n);',
+        f'    if (n != {n}) return count("{entry.name}", {n}, n);',
+        *given,
         f"    Py_buffer b[{max(1, len(many))}];",
         "    PyObject *made = NULL;",
         "    void *error = NULL;",
@@ -95,6 +101,22 @@ def _function(k: int, entry: Entry) -> str:
         "}",
     ]
     return "\n".join(lines)
+
+
+def _given(entry: Entry) -> tuple[int, list[str]]:
+    """How many arguments Python gives, and the lines that spread the records among them."""
+    if not entry.records:
+        return len(entry.kinds), []
+    records, lines, i, n = dict(entry.records), [f"    PyObject *all[{len(entry.kinds)}];"], 0, 0
+    while i < len(entry.kinds):
+        fields = records.get(i, 0)
+        name = entry.arguments[i].partition(".")[0]
+        if fields:
+            lines.append(f'    if (spread(all + {i}, args[{n}], {fields}, "{entry.name}", "{name}")) return NULL;')
+        else:
+            lines.append(f"    all[{i}] = args[{n}];")
+        i, n = i + max(1, fields), n + 1
+    return n, [*lines, "    args = all;"]
 
 
 def _result(entry: Entry) -> list[str]:

@@ -42,6 +42,8 @@ PyObject *PyErr_Occurred(void), *PyErr_NoMemory(void), *PyErr_Format(PyObject *,
 PyObject *PyImport_ImportModule(const char *), *PyObject_GetAttrString(PyObject *, const char *);
 PyObject *PyObject_CallFunctionObjArgs(PyObject *, ...), *PyNumber_Index(PyObject *), *_PyObject_New(PyTypeObject *);
 PyObject *PyFloat_FromDouble(double), *PyBool_FromLong(long), *PyTuple_Pack(Py_ssize_t, ...);
+PyObject *PyTuple_GetItem(PyObject *, Py_ssize_t);
+Py_ssize_t PyTuple_Size(PyObject *);
 PyObject *PyLong_FromLongLong(long long), *PyLong_FromUnsignedLongLong(unsigned long long);
 PyObject *PyType_FromSpec(PyType_Spec *), *PyModule_Create2(PyModuleDef *, int);
 double PyFloat_AsDouble(PyObject *);

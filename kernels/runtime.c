@@ -213,6 +213,12 @@ static int take_truth(uint8_t *out, PyObject *given, const char *kernel, const c
     return truth < 0 ? wrong(kernel, name, "a truth value", given) : 0;
 }
 
+static int spread(PyObject **out, PyObject *given, Py_ssize_t fields, const char *kernel, const char *name) {
+    if (PyTuple_Size(given) != fields) return wrong(kernel, name, "a record as the kernel declares it", given);
+    for (Py_ssize_t k = 0; k < fields; k++) out[k] = PyTuple_GetItem(given, k);
+    return 0;
+}
+
 static PyObject *count(const char *kernel, Py_ssize_t wanted, Py_ssize_t given) {
     return PyErr_Format(PyExc_TypeError, "%s: takes %zd arguments, not %zd", kernel, wanted, given);
 }

@@ -15,7 +15,8 @@ KINDS = """
 from __future__ import annotations
 import numpy as np
 from tambour.core.arrays import B1x1, F4x1, F4x2, F8x1, F8x2, F8x3, I1x1, I4x2, I8x1, I8x2, U1x1, U8x1
-from tambour.core.kernels import kernel
+from typing import NamedTuple
+from tambour.core.kernels import inner, kernel
 from tambour.knit.solve.lanes import butterfly
 
 SCALE = 3.0
@@ -52,6 +53,20 @@ def one(n: int) -> I8x2:
 def nothing(a: F8x1) -> None:
     a[:] = np.sqrt(a)
 
+class Sheet(NamedTuple):
+    a: F8x1
+    k: I8x1
+    scale: float
+
+@inner
+def under(sheet: Sheet, by: float) -> float:
+    return sheet.scale * by
+
+@kernel
+def record(x: float, sheet: Sheet, i: int) -> float:
+    sheet.k[0] += i
+    return under(sheet, x) + sheet.a.sum()
+
 @kernel
 def step(V: F4x1, W: F4x1, P: U1x1, U: F4x1, Z: F4x1, i: int, j: int, o: int, x: int, p: int, s: np.float32, t: np.float32) -> None:
     butterfly(V, W, P, U, Z, i, j, o, x, p, s, t)
@@ -87,6 +102,16 @@ for n in (0, 3, 400):
     both(kinds.results, n)
     both(kinds.one, n)
 both(kinds.nothing, np.arange(4.0))
+kinds.under.run = kinds.under.function
+sheet = kinds.Sheet(np.arange(3.0), np.arange(2), 2)
+assert kinds.record(1.5, sheet, 4) == 6.0 and sheet.k[0] == 4
+for bad in (sheet[:2], list(sheet), None, (sheet.a, sheet.a, 2.0)):
+    try:
+        kinds.record(1.5, bad, 4)
+    except TypeError as error:
+        assert "sheet" in str(error), error
+    else:
+        raise AssertionError(bad)
 # What is written out for the processor by hand, against its plain twin.
 kinds.butterfly.run = kinds.butterfly.function
 rng = np.random.default_rng(1)
@@ -112,7 +137,7 @@ for words in ((frozen,), (), (frozen, 1)):
         continue
     raise AssertionError(words)
 from tambour.core.kernels import RAN
-assert set(RAN.values()) == {"native"} and len(RAN) == 6, RAN
+assert set(RAN.values()) == {"native"} and len(RAN) == 7, RAN
 """
 
 BUILD = """
@@ -127,7 +152,7 @@ from kernels.glue import Entry
 from tambour.core import kernels
 kernels.OPTIONS |= compile.BARE
 entries = []
-for made in (kinds.arrays, kinds.numbers, kinds.results, kinds.one, kinds.nothing, kinds.step):
+for made in (kinds.arrays, kinds.numbers, kinds.results, kinds.one, kinds.nothing, kinds.record, kinds.step):
     code, told = compile.compiled(made)
     entries.append((compile.keep(made, code, told), Entry(digest=kernels.fingerprint(made), **told)))
 build._link(entries, folder / "_native.abi3.so")
@@ -176,7 +201,7 @@ def test_every_kind_of_argument_and_result(built: Path) -> None:
 def test_two_builds_give_the_same_bytes(built: Path, root: Path, tmp_path: Path) -> None:
     again = _built(root, tmp_path)
     objects = [sorted((folder / "tambour" / "kernels").glob("*.o")) for folder in (built, again)]
-    assert [o.name for o in objects[0]] == [o.name for o in objects[1]] and len(objects[0]) == 6
+    assert [o.name for o in objects[0]] == [o.name for o in objects[1]] and len(objects[0]) == 7
     for one, other in zip(*objects):
         assert one.read_bytes() == other.read_bytes(), one.name
     assert (built / "_native.abi3.so").read_bytes() == (again / "_native.abi3.so").read_bytes()
@@ -198,6 +223,15 @@ def test_what_is_stale_never_runs(built: Path, tmp_path: Path, old: str, new: st
     )
     code += "\nassert kernels.RAN == {'kinds.nothing': 'native', 'kinds.numbers': 'numba'}, kernels.RAN"
     assert _tried(tmp_path, code, TAMBOUR_KERNELS="") == ""
+
+
+@pytest.mark.slow
+def test_a_record_of_other_fields_makes_another_kernel(built: Path, tmp_path: Path) -> None:
+    (tmp_path / "kinds.py").write_text(KINDS.replace("    a: F8x1\n    k: I8x1", "    k: I8x1\n    a: F8x1"))
+    (tmp_path / "_native.abi3.so").symlink_to(built / "_native.abi3.so")
+    code = "import kinds\nkinds.record(1.0, None, 1)"
+    said = _tried(tmp_path, code, TAMBOUR_KERNELS="native")
+    assert "kinds.record was built from another source: run `make kernels`" in said
 
 
 def test_kernels_as_plain_functions() -> None:

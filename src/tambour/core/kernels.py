@@ -23,6 +23,7 @@ import numpy as np
 
 F = TypeVar("F", bound=Callable[..., Any])
 Kind = tuple[str, int]  # an argument's element type and its number of axes, 0 for a plain number
+Argument = Kind | tuple[type, tuple[Kind, ...]]  # or a record of several (a NamedTuple), and its fields
 
 WAY = os.environ.get("TAMBOUR_KERNELS", "")
 OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "cache": True}
@@ -36,12 +37,17 @@ if WAY == "python":
 def kernel(function: F) -> F:
     """A function that runs compiled.
 
-    Kernels take arrays and scalars, never records; many things are shared by threads from outside
+    Kernels take arrays and scalars, or a NamedTuple of them; many things are shared by threads from outside
     (:func:`tambour.core.threads.share`). A kernel that Python calls declares every argument (``F8x2``, ``int``): it is
     compiled for these types alone, arrays lie row by row (C order) and are writable, and whole numbers are taken where
     floats are wanted.
     """
     return function if WAY == "python" else cast(F, Kernel(function))
+
+
+def inner(function: F) -> F:
+    """A kernel that only kernels call: it is compiled into them, and not for Python, whatever its arguments declare."""
+    return function if WAY == "python" else cast(F, Kernel(function, inner=True))
 
 
 def by_hand(place: str) -> Callable[[F], F]:
@@ -59,9 +65,9 @@ def by_hand(place: str) -> Callable[[F], F]:
 class Kernel:
     """A function and, from its first call on, what runs in its place."""
 
-    def __init__(self, function: Callable[..., Any], place: str = "") -> None:
+    def __init__(self, function: Callable[..., Any], place: str = "", inner: bool = False) -> None:
         update_wrapper(self, function)
-        self.function, self.place = function, place
+        self.function, self.place, self.inner = function, place, inner
         self.name = f"{function.__module__}.{function.__qualname__}"
         self.run: Callable[..., Any] = self._first
         self._twin: Any = None
@@ -115,13 +121,26 @@ def ways() -> dict[str, int]:
     return {way: list(RAN.values()).count(way) for way in sorted(set(RAN.values()))}
 
 
-def signature(function: Callable[..., Any]) -> tuple[Kind, ...] | None:
+def signature(function: Callable[..., Any]) -> tuple[Argument, ...] | None:
     """The kinds of all arguments as annotations tell them; None where one is not told (kernels that kernels call)."""
+    if getattr(function, "inner", False):
+        return None
     function = getattr(function, "function", function)
     hints = get_type_hints(function, include_extras=True)
     code = function.__code__
-    kinds = [_kind(hints.get(name)) for name in code.co_varnames[: code.co_argcount]]
+    kinds = [_argument(hints.get(name)) for name in code.co_varnames[: code.co_argcount]]
     return None if None in kinds else tuple(k for k in kinds if k is not None)
+
+
+def _argument(hint: Any) -> Argument | None:
+    if _is_record(hint):
+        fields = [_kind(kind) for kind in get_type_hints(hint, include_extras=True).values()]
+        return None if None in fields else (hint, tuple(k for k in fields if k is not None))
+    return _kind(hint)
+
+
+def _is_record(hint: Any) -> bool:
+    return isinstance(hint, type) and issubclass(hint, tuple) and hasattr(hint, "_fields")
 
 
 def _kind(hint: Any) -> Kind | None:
@@ -167,6 +186,9 @@ def _own(given: Kernel) -> str:
     made = hashlib.sha256(f"{given.name}\n{_text(given.function.__code__)}".encode())
     if given.place and (found := importlib.util.find_spec(given.place.partition(":")[0])) and found.origin:
         made.update(Path(found.origin).read_bytes())
+    for told in sorted(set(map(str, given.function.__annotations__.values()))):
+        if _is_record(record := given.function.__globals__.get(told)):
+            made.update(repr(record.__annotations__).encode())
     for value in _named(given):
         if isinstance(value, np.ndarray):
             made.update(f"{value.dtype}{value.shape}".encode() + value.tobytes())
@@ -271,5 +293,12 @@ def numba_types(function: Callable[..., Any]) -> tuple[Any, ...]:
     if kinds is None:
         name = f"{function.__module__}.{function.__qualname__}"
         raise TypeError(f"{name}: Python calls this kernel, so each of its arguments must declare its type")
-    made = [(from_dtype(np.dtype(element)), axes) for element, axes in kinds]
-    return tuple(types.Array(element, axes, "C") if axes else element for element, axes in made)
+
+    def made(kind: Any) -> Any:
+        what, how = kind
+        if isinstance(what, type):
+            return types.NamedTuple([made(field) for field in how], what)
+        element = from_dtype(np.dtype(what))
+        return types.Array(element, how, "C") if how else element
+
+    return tuple(map(made, kinds))

@@ -29,7 +29,7 @@ def _lattice(*names: str | int) -> Array:
 
 @dataclass(slots=True)
 class Desk:
-    """The six arrays of :mod:`tambour.ink.brush.stroke`, and the ids of the wholes drawn so far.
+    """The pages of a :class:`~tambour.ink.brush.stroke.Brush`, and the ids of the wholes drawn so far.
 
     begin, end : what lies outside this stretch of the scroll is not kept
 
@@ -63,7 +63,7 @@ class Desk:
         while True:
             rng = np.array([key(*stream), 0], np.uint64)
             n = self.n.copy()
-            element(self.table, rng, self.pts, self.marks, self.elems, n, *how)
+            element(brush.Brush(self.table, rng, self.pts, self.marks, self.elems, n), *how)
             if not n[brush.FULL]:
                 x = self.pts[self.n[brush.POINTS] : n[brush.POINTS], 0]
                 if x.size and x.max() >= self.begin - REACH and x.min() < self.end + REACH:

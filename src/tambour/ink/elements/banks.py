@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 
-from tambour.core.arrays import F8x1, F8x2, F8x3, I8x1, U8x1
+from tambour.core.arrays import F8x1, F8x2, F8x3
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import OPEN, PI, SINE, at, bell, between, body, lattice, part, pick, rnd, stroke
+from tambour.ink.brush.stroke import OPEN, PI, SINE, Brush, at, bell, between, body, lattice, part, pick, rnd, stroke
 from tambour.ink.elements.bushes import bush, grass, reed
 from tambour.ink.elements.cun import SHOULDERS, slope, wrinkles
 from tambour.ink.elements.houses import hut
@@ -79,12 +79,7 @@ def terrace(
 
 
 def bank(
-    table: Array,
-    rng: Array,
-    pts: Array,
-    marks: Array,
-    elems: Array,
-    n: Array,
+    brush: Brush,
     x: float,
     y: float,
     height: float,
@@ -103,43 +98,30 @@ def bank(
 
     Two kernels one after the other: one that held both would be compiled, with all trees in it, twice.
     """
-    before, flat = n[OPEN], np.zeros(4)
-    ground(table, rng, pts, marks, elems, n, x, y, height, width, cut, flat)
+    before, flat = brush.n[OPEN], np.zeros(4)
+    ground(brush, x, y, height, width, cut, flat)
     left, high, wide, deep = flat.tolist()
     if wide > 0.0:
-        group(table, rng, pts, marks, elems, n, left, high, wide, deep, planted, bloom, hutted, people, forms, loops)
-    n[OPEN] = before
+        group(brush, left, high, wide, deep, planted, bloom, hutted, people, forms, loops)
+    brush.n[OPEN] = before
 
 
 @kernel
-def ground(
-    table: F8x1,
-    rng: U8x1,
-    pts: F8x2,
-    marks: F8x2,
-    elems: F8x2,
-    n: I8x1,
-    x: float,
-    y: float,
-    height: float,
-    width: float,
-    cut: float,
-    flat: F8x1,
-) -> None:
+def ground(brush: Brush, x: float, y: float, height: float, width: float, cut: float, flat: F8x1) -> None:
     """Open a bank and draw its ground; ``flat`` (4,) becomes left, top, width and depth of its flat, 0 where it has none."""
-    part(elems, n, BANK, x, y)
-    own = lattice(rng)
+    part(brush, BANK, x, y)
+    own = lattice(brush.rng)
     grid, top = np.empty((LAYERS, COLUMNS, 2)), np.empty((10 * (LAYERS + 6), 2))
-    edge = terrace(own, rng, grid, top, 0.0, y, height, width, cut)
-    slope(rng, pts, marks, n, grid, x, y, 20.0)
-    wrinkles(own, rng, pts, marks, n, grid, x, y, 80, 2.0, 0.2, SHOULDERS, 100.0, 0.3, 0.0, 30.0)
+    edge = terrace(own, brush.rng, grid, top, 0.0, y, height, width, cut)
+    slope(brush, grid, x, y, 20.0)
+    wrinkles(brush, own, grid, x, y, 80, 2.0, 0.2, SHOULDERS, 100.0, 0.3, 0.0, 30.0)
     if edge > 0:
         for i in range(edge):
-            at(pts, n, top[i, 0] + x, top[i, 1] + y)
-        body(marks, n)
+            at(brush, top[i, 0] + x, top[i, 1] + y)
+        body(brush)
         for i in range(edge):
-            at(pts, n, top[i, 0] + x, top[i, 1] + y)
-        stroke(rng, marks, n, 100.0, 0.2, 3.0, 0.5, SINE, 1.0)
+            at(brush, top[i, 0] + x, top[i, 1] + y)
+        stroke(brush, 100.0, 0.2, 3.0, 0.5, SINE, 1.0)
         left, high, right, low = 1e9, 1e9, -1e9, -1e9
         for i in range(edge):
             left, right = min(left, top[i, 0]), max(right, top[i, 0])
@@ -155,12 +137,7 @@ def along(rng: Array, low: float, size: float) -> float:
 
 @kernel
 def group(
-    table: F8x1,
-    rng: U8x1,
-    pts: F8x2,
-    marks: F8x2,
-    elems: F8x2,
-    n: I8x1,
+    brush: Brush,
     left: float,
     high: float,
     width: float,
@@ -174,94 +151,72 @@ def group(
 ) -> None:
     """What stands on a flat top that spans (left, high) and ``width`` × ``depth``: dossier 1.8, flatDec."""
     middle = high + 0.5 * depth
-    kind = pick(rng, 6)
+    kind = pick(brush.rng, 6)
     kind = STONES if kind == BUSHES and hutted > 0.0 else kind
-    if rnd(rng) >= planted:
+    if rnd(brush.rng) >= planted:
         kind = NOTHING
-    for _ in range(pick(rng, 6)):
-        a, b = along(rng, left, width), middle + 10.0 * bell(rng) + 10.0
-        rock(table, rng, pts, marks, elems, n, a, b, between(rng, 10.0, 30.0), between(rng, 10.0, 30.0), 40, 2.0)
-    for _ in range(max(0, pick(rng, 4) - 1) if planted > 0.0 else 0):
-        a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
-        for _ in range(2 + pick(rng, 4)):
-            c = min(max(a + 30.0 * bell(rng), left), left + width)
-            reed(table, rng, pts, marks, elems, n, c, b, between(rng, 60.0, 100.0), 1.0)
+    for _ in range(pick(brush.rng, 6)):
+        a, b = along(brush.rng, left, width), middle + 10.0 * bell(brush.rng) + 10.0
+        rock(brush, a, b, between(brush.rng, 10.0, 30.0), between(brush.rng, 10.0, 30.0), 40, 2.0)
+    for _ in range(max(0, pick(brush.rng, 4) - 1) if planted > 0.0 else 0):
+        a, b = along(brush.rng, left, width), middle + 5.0 * bell(brush.rng) + 20.0
+        for _ in range(2 + pick(brush.rng, 4)):
+            c = min(max(a + 30.0 * bell(brush.rng), left), left + width)
+            reed(brush, c, b, between(brush.rng, 60.0, 100.0), 1.0)
     if kind == STONES:
-        for _ in range(pick(rng, 4)):
-            a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
-            rock(table, rng, pts, marks, elems, n, a, b, between(rng, 40.0, 60.0), between(rng, 50.0, 70.0), 40, 5.0)
+        for _ in range(pick(brush.rng, 4)):
+            a, b = along(brush.rng, left, width), middle + 5.0 * bell(brush.rng) + 20.0
+            rock(brush, a, b, between(brush.rng, 40.0, 60.0), between(brush.rng, 50.0, 70.0), 40, 5.0)
     elif kind == CEDARS:
-        first, last = 0.5 * rnd(rng), between(rng, 0.5, 1.0)
+        first, last = 0.5 * rnd(brush.rng), between(brush.rng, 0.5, 1.0)
         a = left + width * first
         while a < left + width * last:
-            tx, ty = a + 20.0 * bell(rng), middle + 10.0 * bell(rng) + 10.0
-            cedar(table, rng, pts, marks, elems, n, tx, ty, between(rng, 100.0, 300.0), 5.0)
+            tx, ty = a + 20.0 * bell(brush.rng), middle + 10.0 * bell(brush.rng) + 10.0
+            cedar(brush, tx, ty, between(brush.rng, 100.0, 300.0), 5.0)
             a += 30.0
-        for _ in range(pick(rng, 5)):
-            a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
-            rock(table, rng, pts, marks, elems, n, a, b, between(rng, 40.0, 60.0), between(rng, 50.0, 70.0), 40, 5.0)
+        for _ in range(pick(brush.rng, 5)):
+            a, b = along(brush.rng, left, width), middle + 5.0 * bell(brush.rng) + 20.0
+            rock(brush, a, b, between(brush.rng, 40.0, 60.0), between(brush.rng, 50.0, 70.0), 40, 5.0)
     elif kind == PINES:
-        for _ in range(max(1, pick(rng, 7) - 3)):
-            a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
-            pine(table, rng, pts, marks, elems, n, a, b, 300.0, 6.0)
-            for _ in range(pick(rng, 3)):
-                c = max(left, min(left + width, a + 50.0 * bell(rng)))
+        for _ in range(max(1, pick(brush.rng, 7) - 3)):
+            a, b = along(brush.rng, left, width), middle + 5.0 * bell(brush.rng) + 20.0
+            pine(brush, a, b, 300.0, 6.0)
+            for _ in range(pick(brush.rng, 3)):
+                c = max(left, min(left + width, a + 50.0 * bell(brush.rng)))
                 rock(
-                    table, rng, pts, marks, elems, n, c, b + 10.0 + 5.0 * bell(rng),
-                    between(rng, 40.0, 60.0), between(rng, 50.0, 70.0), 40, 5.0,
-                )  # fmt: skip
-    elif kind == PLUMS:
-        for _ in range(max(1, pick(rng, 7) - 3)):
-            a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
-            plum(table, rng, pts, marks, elems, n, a, b, between(rng, 60.0, 120.0), 6.0, bloom)
-    elif kind == WILLOWS:
-        for _ in range(1 + pick(rng, 3)):
-            a, b = along(rng, left, width), middle + 5.0 * bell(rng) + 20.0
-            willow(table, rng, pts, marks, elems, n, a, b, between(rng, 120.0, 190.0), 3.0)
-            for _ in range(pick(rng, 3)):
-                c = max(left, min(left + width, a + 40.0 * bell(rng)))
-                rock(
-                    table,
-                    rng,
-                    pts,
-                    marks,
-                    elems,
-                    n,
+                    brush,
                     c,
-                    b + 12.0,
-                    between(rng, 20.0, 40.0),
-                    between(rng, 25.0, 50.0),
+                    b + 10.0 + 5.0 * bell(brush.rng),
+                    between(brush.rng, 40.0, 60.0),
+                    between(brush.rng, 50.0, 70.0),
                     40,
                     5.0,
                 )
+    elif kind == PLUMS:
+        for _ in range(max(1, pick(brush.rng, 7) - 3)):
+            a, b = along(brush.rng, left, width), middle + 5.0 * bell(brush.rng) + 20.0
+            plum(brush, a, b, between(brush.rng, 60.0, 120.0), 6.0, bloom)
+    elif kind == WILLOWS:
+        for _ in range(1 + pick(brush.rng, 3)):
+            a, b = along(brush.rng, left, width), middle + 5.0 * bell(brush.rng) + 20.0
+            willow(brush, a, b, between(brush.rng, 120.0, 190.0), 3.0)
+            for _ in range(pick(brush.rng, 3)):
+                c = max(left, min(left + width, a + 40.0 * bell(brush.rng)))
+                rock(brush, c, b + 12.0, between(brush.rng, 20.0, 40.0), between(brush.rng, 25.0, 50.0), 40, 5.0)
     elif kind == BUSHES:
-        first, last = 0.5 * rnd(rng), between(rng, 0.5, 1.0)
-        a, tone = left + width * first, math.floor(4096.0 * rnd(rng)) + 0.5
+        first, last = 0.5 * rnd(brush.rng), between(brush.rng, 0.5, 1.0)
+        a, tone = left + width * first, math.floor(4096.0 * rnd(brush.rng)) + 0.5
         while a < left + width * last:
-            tx, ty = a + 20.0 * bell(rng), middle + 5.0 * bell(rng) + 23.0
-            bush(table, rng, pts, marks, elems, n, tx, ty, 60.0, 4.0, tone, forms, loops)
+            tx, ty = a + 20.0 * bell(brush.rng), middle + 5.0 * bell(brush.rng) + 23.0
+            bush(brush, tx, ty, 60.0, 4.0, tone, forms, loops)
             a += 20.0
-    for _ in range(int(9.0 * rnd(rng) * planted)):
+    for _ in range(int(9.0 * rnd(brush.rng) * planted)):
         # Grass stands in clumps on the edge of the flat.
-        a, b = along(rng, left, width), middle + 16.0 * bell(rng) + 12.0
-        for _ in range(1 + pick(rng, 5)):
-            grass(rng, pts, marks, n, a + 16.0 * bell(rng), b + 4.0 * bell(rng), between(rng, 5.0, 12.0))
+        a, b = along(brush.rng, left, width), middle + 16.0 * bell(brush.rng) + 12.0
+        for _ in range(1 + pick(brush.rng, 5)):
+            grass(brush, a + 16.0 * bell(brush.rng), b + 4.0 * bell(brush.rng), between(brush.rng, 5.0, 12.0))
     if hutted > 0.0:
-        count = pick(rng, 3) if rnd(rng) < people else 0
+        count = pick(brush.rng, 3) if rnd(brush.rng) < people else 0
         # To one side of the flat: what grows on it stands beside the hut, not on its roof.
-        a, b = left + width * (0.14 if rnd(rng) < 0.5 else 0.86), middle + 15.0
-        hut(
-            table,
-            rng,
-            pts,
-            marks,
-            elems,
-            n,
-            a,
-            b,
-            between(rng, 70.0, 80.0),
-            between(rng, 160.0, 200.0),
-            rnd(rng),
-            4.0,
-            count,
-        )
+        a, b = left + width * (0.14 if rnd(brush.rng) < 0.5 else 0.86), middle + 15.0
+        hut(brush, a, b, between(brush.rng, 70.0, 80.0), between(brush.rng, 160.0, 200.0), rnd(brush.rng), 4.0, count)

@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
-from tambour.core.arrays import F8x1, F8x2, F8x3, I8x1, U8x1
+from tambour.core.arrays import F8x2, F8x3
 from tambour.core.check import Array
-from tambour.core.kernels import kernel
+from tambour.core.kernels import inner, kernel
 from tambour.ink.brush.press import TOUCH, touch
-from tambour.ink.brush.stroke import FADE, HUE, OPEN, PI, PUFF, at, bell, between, part, rnd, side, stroke, wash
+from tambour.ink.brush.stroke import FADE, HUE, OPEN, PI, PUFF, Brush, at, bell, between, part, rnd, side, stroke, wash
 from tambour.ink.ground.codes import BUSH, REED
 from tambour.ink.ground.marks import INK, LEAF
 from tambour.noise import value
@@ -20,12 +20,9 @@ GRAIN = 0.02
 """Cells of the field of tones in a unit."""
 
 
-@kernel
+@inner
 def shatter(
-    table: Array,
-    pts: Array,
-    marks: Array,
-    n: Array,
+    brush: Brush,
     ring: Array,
     largest: float,
     grain: float,
@@ -62,12 +59,12 @@ def shatter(
                 if area < 0.01:
                     continue
                 mx, my = (ax + bx + cx) / 3.0, (ay + by + cy) / 3.0
-                at(pts, n, ax, ay)
-                at(pts, n, bx, by)
-                at(pts, n, cx, cy)
-                at(pts, n, ax, ay)
-                grey = math.floor(low + range_ * value(table, grain * mx, grain * my, phase))
-                wash(marks, n, grey, alpha, seam)
+                at(brush, ax, ay)
+                at(brush, bx, by)
+                at(brush, cx, cy)
+                at(brush, ax, ay)
+                grey = math.floor(low + range_ * value(brush.table, grain * mx, grain * my, phase))
+                wash(brush, grey, alpha, seam)
                 continue
             ab, bc = (bx - ax) ** 2 + (by - ay) ** 2, (cx - bx) ** 2 + (cy - by) ** 2
             ca = (ax - cx) ** 2 + (ay - cy) ** 2
@@ -83,32 +80,18 @@ def shatter(
 
 
 @kernel
-def bush(
-    table: F8x1,
-    rng: U8x1,
-    pts: F8x2,
-    marks: F8x2,
-    elems: F8x2,
-    n: I8x1,
-    x: float,
-    y: float,
-    height: float,
-    width: float,
-    tone: float,
-    forms: F8x3,
-    loops: F8x2,
-) -> None:
+def bush(brush: Brush, x: float, y: float, height: float, width: float, tone: float, forms: F8x3, loops: F8x2) -> None:
     """A bush of slanting washes on a thin stem that leans: tree07; forms and loops are the press's tools.
 
     tone : where the field of tones begins. The field lies over the whole scroll, so that bushes which are given the same
     tone run together to one mass, dark and light in slow drifts, whose strokes show only at its rim.
     """
-    before = part(elems, n, BUSH, x, y)
-    phase = 64.0 * rnd(rng)
+    before = part(brush, BUSH, x, y)
+    phase = 64.0 * rnd(brush.rng)
     stem = np.empty((2 * LEVELS + 1, 2))
     for i in range(LEVELS):
         for s in range(2):
-            drift = (value(table, 0.5 * i, phase + 0.5 * s, 0.0) - 0.5) * width + (s - 0.5) * width
+            drift = (value(brush.table, 0.5 * i, phase + 0.5 * s, 0.0) - 0.5) * width + (s - 0.5) * width
             k = i if s == 0 else 2 * LEVELS - 1 - i
             stem[k, 0] = x + 20.0 * math.sqrt(i / LEVELS) + drift
             stem[k, 1] = y + 0.08 * height - i * height / LEVELS
@@ -117,87 +100,80 @@ def bush(
     for i in range(LEVELS - 1):
         rung[0], rung[1], rung[2] = stem[i], stem[i + 1], stem[2 * LEVELS - 2 - i]
         rung[3], rung[4] = stem[2 * LEVELS - 1 - i], stem[i]
-        shatter(table, pts, marks, n, rung, 50.0, GRAIN, tone, 80.0, 205.0, 0.8, 0.0)
-    n[HUE] = LEAF
+        shatter(brush, rung, 50.0, GRAIN, tone, 80.0, 205.0, 0.8, 0.0)
+    brush.n[HUE] = LEAF
     axis, ring = np.empty((2, 2)), np.empty((TOUCH, 2))
     for i in range(1, LEVELS):
         # Down to the ground: rows of bare stems would look like legs.
-        length, breadth = between(rng, 20.0, 70.0) * (0.6 if i < 3 else 1.0), between(rng, 11.0, 23.0)
-        angle = -rnd(rng) * PI / 6.0
-        cx = x + 20.0 * math.sqrt(i / LEVELS) + between(rng, -0.3, 0.3) * width * (LEVELS - i)
-        cy = y - 0.07 * height - i * height / LEVELS + between(rng, -0.25, 0.25) * width
+        length, breadth = between(brush.rng, 20.0, 70.0) * (0.6 if i < 3 else 1.0), between(brush.rng, 11.0, 23.0)
+        angle = -rnd(brush.rng) * PI / 6.0
+        cx = x + 20.0 * math.sqrt(i / LEVELS) + between(brush.rng, -0.3, 0.3) * width * (LEVELS - i)
+        cy = y - 0.07 * height - i * height / LEVELS + between(brush.rng, -0.25, 0.25) * width
         dx, dy = 0.5 * length * math.cos(angle), 0.5 * length * math.sin(angle)
         axis[0, 0], axis[0, 1], axis[1, 0], axis[1, 1] = cx - dx, cy - dy, cx + dx, cy + dy
-        touch(axis, breadth, 0.5, forms[PUFF], loops[int(rnd(rng) * len(loops))], ring)
-        shatter(table, pts, marks, n, ring, 50.0, GRAIN, tone, 80.0, 205.0, 0.8, 0.0)
-    n[HUE] = INK
-    n[OPEN] = before
+        touch(axis, breadth, 0.5, forms[PUFF], loops[int(rnd(brush.rng) * len(loops))], ring)
+        shatter(brush, ring, 50.0, GRAIN, tone, 80.0, 205.0, 0.8, 0.0)
+    brush.n[HUE] = INK
+    brush.n[OPEN] = before
 
 
-@kernel
-def grass(rng: Array, pts: Array, marks: Array, n: Array, x: float, y: float, height: float) -> None:
+@inner
+def grass(brush: Brush, x: float, y: float, height: float) -> None:
     """A tuft: a few short blades that fan out from (x, y)."""
-    for _ in range(3 + int(4.0 * rnd(rng))):
-        turn, long = 0.75 * bell(rng), height * between(rng, 0.5, 1.0)
+    for _ in range(3 + int(4.0 * rnd(brush.rng))):
+        turn, long = 0.75 * bell(brush.rng), height * between(brush.rng, 0.5, 1.0)
         for i in range(6):
             p = i / 5.0
-            at(pts, n, x + long * p * (turn + 0.5 * turn * p), y - long * p * (1.0 - 0.2 * p))
-        stroke(rng, marks, n, 100.0, between(rng, 0.35, 0.7), 0.07 * height, 0.4, FADE, 0.0)
+            at(brush, x + long * p * (turn + 0.5 * turn * p), y - long * p * (1.0 - 0.2 * p))
+        stroke(brush, 100.0, between(brush.rng, 0.35, 0.7), 0.07 * height, 0.4, FADE, 0.0)
 
 
 @kernel
-def reed(
-    table: F8x1,
-    rng: U8x1,
-    pts: F8x2,
-    marks: F8x2,
-    elems: F8x2,
-    n: I8x1,
-    x: float,
-    y: float,
-    height: float,
-    width: float,
-) -> None:
+def reed(brush: Brush, x: float, y: float, height: float, width: float) -> None:
     """A dry thorny fan: a leaning stem, with sprays of forked curved strokes along it (tree08)."""
-    before = part(elems, n, REED, x, y)
+    before = part(brush, REED, x, y)
     stem = np.empty((16, 2))
-    lean = between(rng, -0.2, 0.2) * PI
+    lean = between(brush.rng, -0.2, 0.2) * PI
     heading, a, b = -0.5 * PI + lean, x, y
     for i in range(16):
         stem[i, 0], stem[i, 1] = a, b
-        heading += 0.35 * bell(rng) + 0.1 * (-0.5 * PI + lean - heading)
+        heading += 0.35 * bell(brush.rng) + 0.1 * (-0.5 * PI + lean - heading)
         a, b = a + math.cos(heading) * height / 15.0, b + math.sin(heading) * height / 15.0
     for i in range(16):
-        at(pts, n, stem[i, 0], stem[i, 1])
-    stroke(rng, marks, n, 100.0, 0.75, 1.7 * width, 0.4, FADE, 1.0)
+        at(brush, stem[i, 0], stem[i, 1])
+    stroke(brush, 100.0, 0.75, 1.7 * width, 0.4, FADE, 1.0)
     todo = np.empty((16, 6))
     for i in range(1, 16):
-        if rnd(rng) > 0.35 and i < 15:
+        if rnd(brush.rng) > 0.35 and i < 15:
             continue
         t = todo[0]
-        t[0], t[1], t[2] = stem[i, 0], stem[i, 1], 1.0 + math.floor(3.0 * rnd(rng))
-        t[3], t[4], t[5] = -0.5 * PI + lean * rnd(rng) + side(rng) * between(rng, 0.2, 0.8), 0.2 * height, 1.0
+        t[0], t[1], t[2] = stem[i, 0], stem[i, 1], 1.0 + math.floor(3.0 * rnd(brush.rng))
+        t[3], t[4], t[5] = (
+            -0.5 * PI + lean * rnd(brush.rng) + side(brush.rng) * between(brush.rng, 0.2, 0.8),
+            0.2 * height,
+            1.0,
+        )
         left = 1
         while left > 0:
             left -= 1
             t = todo[left]
             sx, sy, depth, angle, size, thick = t[0], t[1], t[2], t[3], t[4], t[5]
-            bow = side(rng) * between(rng, 0.05, 0.2) * size
+            bow = side(brush.rng) * between(brush.rng, 0.05, 0.2) * size
             c, s = math.cos(angle), math.sin(angle)
             for k in range(11):
                 p = 0.1 * k
                 off = bow * math.sin(PI * p)
-                at(pts, n, sx + c * size * p - s * off, sy + s * size * p + c * off)
-            stroke(rng, marks, n, 100.0, 0.7, 1.2 * width * thick, 0.5, FADE, 0.9)
+                at(brush, sx + c * size * p - s * off, sy + s * size * p + c * off)
+            stroke(brush, 100.0, 0.7, 1.2 * width * thick, 0.5, FADE, 0.9)
             if depth > 0 and left < 13:
                 ex, ey = sx + c * size, sy + s * size
-                fork = 2 if rnd(rng) < 0.5 else 1
+                fork = 2 if rnd(brush.rng) < 0.5 else 1
                 for f in range(fork):
                     t = todo[left]
-                    spread = (2.0 * f - 1.0) * between(rng, 0.2, 0.6) if fork == 2 else 0.35 * bell(rng)
+                    spread = (2.0 * f - 1.0) * between(brush.rng, 0.2, 0.6) if fork == 2 else 0.35 * bell(brush.rng)
                     # Sprays turn upwards as they go.
                     turn = angle + spread + 0.15 * (-0.5 * PI - angle)
                     t[0], t[1], t[2], t[3] = ex, ey, depth - 1.0, turn
-                    t[4], t[5] = size * between(rng, 0.75, 0.95), 0.75 * thick
+                    t[4], t[5] = size * between(brush.rng, 0.75, 0.95), 0.75 * thick
                     left += 1
-    n[OPEN] = before
+    brush.n[OPEN] = before

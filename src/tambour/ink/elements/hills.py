@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 
-from tambour.core.arrays import F8x1, F8x2, F8x3, I8x1, U8x1
+from tambour.core.arrays import F8x1, F8x3, U8x1
 from tambour.core.check import Array
-from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import OPEN, PI, between, lattice, part, pick, rnd
+from tambour.core.kernels import inner, kernel
+from tambour.ink.brush.stroke import OPEN, PI, Brush, between, lattice, part, pick, rnd
 from tambour.ink.elements.cun import HEMP, crest, foot, model, moss, slope, wash_flank
 from tambour.ink.elements.houses import house, pagoda, pavilion, pylon
 from tambour.ink.elements.rocks import rock
@@ -89,10 +89,20 @@ def skyline(contour: Array, x: float) -> float:
 
 @kernel
 def hill(
-    table: F8x1, rng: U8x1, pts: F8x2, marks: F8x2, elems: F8x2, n: I8x1,
-    x: float, y: float, height: float, width: float, form: int, lean: float, family: int, wrinkled: int, scale: float,
-    planted: float, housed: float, falls: float,
-) -> None:  # fmt: skip
+    brush: Brush,
+    x: float,
+    y: float,
+    height: float,
+    width: float,
+    form: int,
+    lean: float,
+    family: int,
+    wrinkled: int,
+    scale: float,
+    planted: float,
+    housed: float,
+    falls: float,
+) -> None:
     """A hill with its foot at (x, y) and its crest ``height`` above it.
 
     width : units ; form, lean : of its skyline ; family : of its wrinkles (see :mod:`tambour.ink.elements.cun`)
@@ -102,55 +112,44 @@ def hill(
     Dossier 1.8, in its order: saplings behind the crest, body, outline, foot, wrinkles, saplings on the crest, groves of
     juniper, firs at the foot, buildings, rocks.
     """
-    before = part(elems, n, HILL, x, y)
-    own = lattice(rng)
+    before = part(brush, HILL, x, y)
+    own = lattice(brush.rng)
     grid = np.empty((LAYERS, COLUMNS, 2))
-    ridge(own, rng, grid, height, width, form, lean)
-    crowd = max(0.0, between(rng, -1.0, 1.0))
-    fringe(table, own, rng, pts, marks, elems, n, grid, x, y, height, scale, planted, crowd)
-    slope(rng, pts, marks, n, grid, x, y, 40.0)
-    wash_flank(own, rng, pts, marks, n, grid, x, y, height)
-    crest(own, rng, pts, marks, n, grid, x, y, height)
-    foot(own, rng, pts, marks, n, grid, x, y)
-    model(own, rng, pts, marks, n, grid, x, y, wrinkled, family)
+    ridge(own, brush.rng, grid, height, width, form, lean)
+    crowd = max(0.0, between(brush.rng, -1.0, 1.0))
+    fringe(brush, own, grid, x, y, height, scale, planted, crowd)
+    slope(brush, grid, x, y, 40.0)
+    wash_flank(brush, own, grid, x, y, height)
+    crest(brush, own, grid, x, y, height)
+    foot(brush, own, grid, x, y)
+    model(brush, own, grid, x, y, wrinkled, family)
     if height > 120.0:
-        moss(own, rng, pts, marks, n, grid, x, y, height, planted)
-    chance, across, down = rnd(rng), between(rng, 0.36, 0.64), between(rng, 0.3, 0.55)
+        moss(brush, own, grid, x, y, height, planted)
+    chance, across, down = rnd(brush.rng), between(brush.rng, 0.36, 0.64), between(brush.rng, 0.3, 0.55)
     if chance < falls and height > 165.0 and family == HEMP:
         i, j = int(down * LAYERS), int(across * COLUMNS)
         a, b = grid[i, j, 0], grid[i, j, 1]
-        waterfall(table, rng, pts, marks, elems, n, x + a, y - 4.0, max(60.0, -b - 4.0), between(rng, 7.0, 13.0))
-    crown(table, own, rng, pts, marks, elems, n, grid, x, y, height, scale, planted, crowd)
-    grove(table, own, rng, pts, marks, elems, n, grid, x, y, height, scale, planted)
+        waterfall(brush, x + a, y - 4.0, max(60.0, -b - 4.0), between(brush.rng, 7.0, 13.0))
+    crown(brush, own, grid, x, y, height, scale, planted, crowd)
+    grove(brush, own, grid, x, y, height, scale, planted)
     for i in range(LAYERS):
         for s in range(2):
             j = s * (COLUMNS - 1)
             if value(own, 0.2 * i, 0.05 * j + 31.0, 0.0) ** 4 < 0.008 * planted:
-                tall = (1.0 + 0.55 * grid[i, j, 1] / height) * 120.0 * scale * between(rng, 0.5, 1.0)
-                bend = 0.1 * rnd(rng)
+                tall = (1.0 + 0.55 * grid[i, j, 1] / height) * 120.0 * scale * between(brush.rng, 0.5, 1.0)
+                bend = 0.1 * rnd(brush.rng)
                 a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
-                fir(table, rng, pts, marks, elems, n, a, b, tall, 5.0 * scale, bend, leaf(table, a, b))
-    settle(table, own, rng, pts, marks, elems, n, grid, x, y, height, scale, housed)
+                fir(brush, a, b, tall, 5.0 * scale, bend, leaf(brush.table, a, b))
+    settle(brush, own, grid, x, y, height, scale, housed)
     for i in range(LAYERS):
         for s in range(2):
-            if rnd(rng) < 0.1:
+            if rnd(brush.rng) < 0.1:
                 j = s * (COLUMNS - 1)
                 a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
                 rock(
-                    table,
-                    rng,
-                    pts,
-                    marks,
-                    elems,
-                    n,
-                    a,
-                    b,
-                    scale * between(rng, 18.0, 38.0),
-                    scale * between(rng, 20.0, 42.0),
-                    40,
-                    2.0,
+                    brush, a, b, scale * between(brush.rng, 18.0, 38.0), scale * between(brush.rng, 20.0, 42.0), 40, 2.0
                 )
-    n[OPEN] = before
+    brush.n[OPEN] = before
 
 
 @kernel
@@ -159,54 +158,47 @@ def leaf(table: Array, x: float, y: float) -> float:
     return 0.3 + 0.15 * value(table, 0.02 * x, 0.02 * y, 0.0)
 
 
-@kernel
+@inner
 def fringe(
-    table: Array, own: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    grid: Array, x: float, y: float, height: float, scale: float, planted: float, crowd: float,
-) -> None:  # fmt: skip
+    brush: Brush, own: Array, grid: Array, x: float, y: float, height: float, scale: float, planted: float, crowd: float
+) -> None:
     """Saplings that look over the skyline from behind: in stretches, bare between them, and crowded on some summits."""
     for j in range(COLUMNS - 1):
         up = -grid[0, j, 1] / height
         summit = crowd * max(0.0, (up - 0.8) / 0.2)
         bare = value(own, 0.08 * j, 905.0, 0.0) ** 3 / 0.1
         if bare < (0.7 + summit) * planted and up > 0.36:
-            cluster = int(max(0.0, 2.2 * (1.0 - bare)) + 3.0 * summit + 0.1 + rnd(rng))
+            cluster = int(max(0.0, 2.2 * (1.0 - bare)) + 3.0 * summit + 0.1 + rnd(brush.rng))
             if cluster > 0:
-                p = rnd(rng)
+                p = rnd(brush.rng)
                 a = grid[0, j, 0] + p * (grid[0, j + 1, 0] - grid[0, j, 0]) + x
                 b = grid[0, j, 1] + p * (grid[0, j + 1, 1] - grid[0, j, 1]) + y - 5.0
-                sapling(
-                    table, rng, pts, marks, elems, n, a, b, 16.0 * scale, 8.0 * scale, cluster, 0.2 + leaf(table, a, b)
-                )
+                sapling(brush, a, b, 16.0 * scale, 8.0 * scale, cluster, 0.2 + leaf(brush.table, a, b))
 
 
-@kernel
+@inner
 def crown(
-    table: Array, own: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    grid: Array, x: float, y: float, height: float, scale: float, planted: float, crowd: float,
-) -> None:  # fmt: skip
+    brush: Brush, own: Array, grid: Array, x: float, y: float, height: float, scale: float, planted: float, crowd: float
+) -> None:
     """Saplings that crowd on the summits and thin out below them; none stand alone on the face."""
     for i in range(LAYERS - 1):
         for j in range(COLUMNS):
             summit = max(0.0, (-grid[0, j, 1] / height - 0.75) / 0.25)
             often = (0.03 + 0.12 * crowd * summit) * planted
             if -grid[i, j, 1] > 0.8 * height and value(own, 0.1 * i, 0.08 * j, 702.0) ** 3 < often:
-                p = rnd(rng)
+                p = rnd(brush.rng)
                 a = grid[i, j, 0] + p * (grid[i + 1, j, 0] - grid[i, j, 0])
                 b = grid[i, j, 1] + p * (grid[i + 1, j, 1] - grid[i, j, 1])
                 below = b - skyline(grid[0], a)
-                if rnd(rng) < 1.15 - below / 35.0:
+                if rnd(brush.rng) < 1.15 - below / 35.0:
                     a, b = a + x, b + y
-                    sapling(
-                        table, rng, pts, marks, elems, n, a, b, 16.0 * scale, 8.0 * scale, 5, 0.2 + leaf(table, a, b)
-                    )
+                    sapling(brush, a, b, 16.0 * scale, 8.0 * scale, 5, 0.2 + leaf(brush.table, a, b))
 
 
-@kernel
+@inner
 def grove(
-    table: Array, own: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    grid: Array, x: float, y: float, height: float, scale: float, planted: float,
-) -> None:  # fmt: skip
+    brush: Brush, own: Array, grid: Array, x: float, y: float, height: float, scale: float, planted: float
+) -> None:
     """Junipers low on the flanks where the noise is low, but none that would stand alone, and no more than the eye can part."""
     spots = np.empty((LAYERS * COLUMNS, 2))
     k = 0
@@ -223,39 +215,36 @@ def grove(
                 near += 1
                 taken = taken or (b < a and dx * dx + 4.0 * dy * dy < 90.0)
         if near > 2 and not taken:
-            tall = (1.0 + 0.55 * spots[a, 1] / height) * 70.0 * scale * between(rng, 0.3, 1.0)
+            tall = (1.0 + 0.55 * spots[a, 1] / height) * 70.0 * scale * between(brush.rng, 0.3, 1.0)
             tx, ty = spots[a, 0] + x, spots[a, 1] + y
-            juniper(table, rng, pts, marks, elems, n, tx, ty, tall, between(rng, 1.0, 4.0), leaf(table, tx, ty))
+            juniper(brush, tx, ty, tall, between(brush.rng, 1.0, 4.0), leaf(brush.table, tx, ty))
 
 
-@kernel
+@inner
 def settle(
-    table: Array, own: Array, rng: Array, pts: Array, marks: Array, elems: Array, n: Array,
-    grid: Array, x: float, y: float, height: float, scale: float, housed: float,
-) -> None:  # fmt: skip
+    brush: Brush, own: Array, grid: Array, x: float, y: float, height: float, scale: float, housed: float
+) -> None:
     """Houses and pavilions at the feet of a hill, a pagoda on its crest, a pylon, where their noises are low (1.8)."""
     for i in range(1, LAYERS):
         for s in range(2):
             j = 1 + s * (COLUMNS - 3)
             a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
             if value(own, 0.2 * i, 0.05 * j, 210.0) ** 4 < 0.005 * housed:
-                choice, storeys, style = pick(rng, 6), 1 + pick(rng, 3), 1 + pick(rng, 3)
-                wide, turn = scale * between(rng, 40.0, 70.0), rnd(rng)
+                choice, storeys, style = pick(brush.rng, 6), 1 + pick(brush.rng, 3), 1 + pick(brush.rng, 3)
+                wide, turn = scale * between(brush.rng, 40.0, 70.0), rnd(brush.rng)
                 if 2 <= choice <= 4:
-                    railed = rnd(rng) < 0.5
-                    house(table, rng, pts, marks, elems, n, a, b, 10.0 * scale, wide, turn, 3.0, storeys, style, railed)
+                    railed = rnd(brush.rng) < 0.5
+                    house(brush, a, b, 10.0 * scale, wide, turn, 3.0, storeys, style, railed)
                 elif choice == 5:
-                    pavilion(table, rng, pts, marks, elems, n, a, b, 15.0 * scale, 0.8 * wide, 1 + pick(rng, 2))
-    if rnd(rng) < 0.03 * housed and height > 90.0:
+                    pavilion(brush, a, b, 15.0 * scale, 0.8 * wide, 1 + pick(brush.rng, 2))
+    if rnd(brush.rng) < 0.03 * housed and height > 90.0:
         top = 0
         for j in range(COLUMNS):
             top = j if grid[1, j, 1] < grid[1, top, 1] else top
         a, b = grid[1, top, 0] + x, grid[1, top, 1] + y
-        pagoda(
-            table, rng, pts, marks, elems, n, a, b, 10.0 * scale, scale * between(rng, 40.0, 60.0), 5 + 2 * pick(rng, 2)
-        )
-    if rnd(rng) < 0.005 * housed:
-        i, s = 2 * pick(rng, LAYERS // 2), pick(rng, 2)
+        pagoda(brush, a, b, 10.0 * scale, scale * between(brush.rng, 40.0, 60.0), 5 + 2 * pick(brush.rng, 2))
+    if rnd(brush.rng) < 0.005 * housed:
+        i, s = 2 * pick(brush.rng, LAYERS // 2), pick(brush.rng, 2)
         j = 1 + s * (COLUMNS - 3)
         a, b = grid[i, j, 0] + x, grid[i, j, 1] + y
-        pylon(table, rng, pts, marks, elems, n, a, b, 100.0 * scale, 20.0 * scale)
+        pylon(brush, a, b, 100.0 * scale, 20.0 * scale)

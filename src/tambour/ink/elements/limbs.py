@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import FADE, HUE, LENS, PI, SINE, at, bell, between, blob, ring, rnd, side, stroke
+from tambour.core.kernels import inner, kernel
+from tambour.ink.brush.stroke import FADE, HUE, LENS, PI, SINE, Brush, at, bell, between, blob, ring, rnd, side, stroke
 from tambour.ink.ground.marks import INK, LEAF
 from tambour.noise import value
 
@@ -64,70 +64,57 @@ def branch(
         limb[SIDES - 1 - i, 0], limb[SIDES - 1 - i, 1] = px - nx * down, py - ny * down
 
 
-@kernel
-def scales(
-    table: Array, rng: Array, pts: Array, marks: Array, n: Array, limb: Array, size: float, often: float
-) -> None:
+@inner
+def scales(brush: Brush, limb: Array, size: float, often: float) -> None:
     """The bark of a branch: knots and rings across it, moss at its sides, and broken second lines along them (1.7).
 
     size : of all of it, 1 on a trunk 12 units thick; often : 0…1, how many nodes have a ring or a knot
     """
     for i in range(1, NODES - 1):
-        if rnd(rng) > often:
+        if rnd(brush.rng) > often:
             continue
         lx, ly = limb[i, 0], limb[i, 1]
         rx, ry = limb[SIDES - 1 - i, 0], limb[SIDES - 1 - i, 1]
         along = math.atan2(limb[i, 1] - limb[i - 1, 1], limb[i, 0] - limb[i - 1, 0])
-        p = rnd(rng)
+        p = rnd(brush.rng)
         x, y = lx + p * (rx - lx), ly + p * (ry - ly)
-        if rnd(rng) < 0.2:
+        if rnd(brush.rng) < 0.2:
             breadth = size * (6.0 - 10.0 * abs(p - 0.5))
-            blob(rng, pts, marks, n, x, y, 15.0 * size, breadth, along, 100.0, 0.6, 0.9, LENS)
+            blob(brush, x, y, 15.0 * size, breadth, along, 100.0, 0.6, 0.9, LENS)
         else:
             breadth = size * (7.0 - 10.0 * abs(p - 0.5))
-            length = size * between(rng, 11.0, 22.0)
-            ring(rng, pts, marks, n, x, y, length, breadth, along, 100.0, 0.55, 0.9)
-        if rnd(rng) < 0.05:
-            edge = rnd(rng) < 0.5
+            length = size * between(brush.rng, 11.0, 22.0)
+            ring(brush, x, y, length, breadth, along, 100.0, 0.55, 0.9)
+        if rnd(brush.rng) < 0.05:
+            edge = rnd(brush.rng) < 0.5
             x, y = (lx, ly) if edge else (rx, ry)
-            count = int(between(rng, 2.0, 4.0))
+            count = int(between(brush.rng, 2.0, 4.0))
             for k in range(count):
                 shift = (k - 0.5 * count) * 4.0
                 a, b = x + math.cos(along) * shift, y + math.sin(along) * shift
-                length, breadth = size * between(rng, 4.0, 10.0), size * between(rng, 4.0, 8.0)
-                blob(rng, pts, marks, n, a, b, length, breadth, along + 0.5 * PI, 100.0, 0.6, 0.5, LENS)
+                length, breadth = size * between(brush.rng, 4.0, 10.0), size * between(brush.rng, 4.0, 8.0)
+                blob(brush, a, b, length, breadth, along + 0.5 * PI, 100.0, 0.6, 0.5, LENS)
     fine = 4 if size > 0.6 else 2
     for s in range(2):
         first = 0
         for i in range(1, NODES):
-            if i == NODES - 1 or rnd(rng) < 0.06 + 0.44 * size * often:
-                phase, loose = 4096.0 * rnd(rng), size * (10.0 + 5.0 * bell(rng))
+            if i == NODES - 1 or rnd(brush.rng) < 0.06 + 0.44 * size * often:
+                phase, loose = 4096.0 * rnd(brush.rng), size * (10.0 + 5.0 * bell(brush.rng))
                 for k in range(fine * (i - first) + 1):
                     j, p = first + k // fine, (k % fine) / fine
                     a, b = (j, min(j + 1, i)) if s == 0 else (SIDES - 1 - j, SIDES - 1 - min(j + 1, i))
                     x = limb[a, 0] + p * (limb[b, 0] - limb[a, 0])
                     y = limb[a, 1] + p * (limb[b, 1] - limb[a, 1])
-                    x += (value(table, 0.4 * k / fine, phase, 0.0) - 0.5) * loose
-                    y += (value(table, 0.4 * k / fine, phase, 0.5) - 0.5) * loose
-                    at(pts, n, x, y)
-                stroke(rng, marks, n, 100.0, 0.5, 0.4 + 0.7 * size, 0.5, SINE, 0.0)
+                    x += (value(brush.table, 0.4 * k / fine, phase, 0.0) - 0.5) * loose
+                    y += (value(brush.table, 0.4 * k / fine, phase, 0.5) - 0.5) * loose
+                    at(brush, x, y)
+                stroke(brush, 100.0, 0.5, 0.4 + 0.7 * size, 0.5, SINE, 0.0)
                 first = i
 
 
-@kernel
+@inner
 def twig(
-    rng: Array,
-    pts: Array,
-    marks: Array,
-    n: Array,
-    x: float,
-    y: float,
-    depth: int,
-    scale: float,
-    angle: float,
-    right: float,
-    needles: float,
-    lift: float,
+    brush: Brush, x: float, y: float, depth: int, scale: float, angle: float, right: float, needles: float, lift: float
 ) -> None:
     """A twig that leaves sideways and turns up, with smaller ones on it down to ``depth``, and needles at the tips.
 
@@ -142,27 +129,27 @@ def twig(
     while left > 0:
         left -= 1
         sx, sy, level, size, way_out = todo[left, 0], todo[left, 1], todo[left, 2], todo[left, 3], todo[left, 4]
-        turn = (rnd(rng) - 0.1) * PI / 5.0 * way_out + angle
+        turn = (rnd(brush.rng) - 0.1) * PI / 5.0 * way_out + angle
         c, s = math.cos(turn), math.sin(turn)
-        stretch, rise, bow = between(rng, 0.45, 1.0), between(rng, 3.5, 5.5), between(rng, 2.5, 6.0)
+        stretch, rise, bow = between(brush.rng, 0.45, 1.0), between(brush.rng, 3.5, 5.5), between(brush.rng, 2.5, 6.0)
         for i in range(10):
             a = way_out * (1.0 - (1.0 + 0.1 * i) ** -bow) * 50.0 * size * stretch
             b = -rise * i * size
             way[i, 0], way[i, 1] = sx + c * a - s * b, sy + s * a + c * b
             if (i == 3 or i == 6) and level > 0 and left < 30:
                 t = todo[left]
-                t[0], t[1], t[2], t[3], t[4] = way[i, 0], way[i, 1], level - 1, 0.8 * size, way_out * side(rng)
+                t[0], t[1], t[2], t[3], t[4] = way[i, 0], way[i, 1], level - 1, 0.8 * size, way_out * side(brush.rng)
                 left += 1
-            at(pts, n, way[i, 0], way[i, 1])
-        stroke(rng, marks, n, 100.0, 0.5, 1.0, 0.5, FADE, 1.0)
+            at(brush, way[i, 0], way[i, 1])
+        stroke(brush, 100.0, 0.5, 1.0, 0.5, FADE, 1.0)
         if needles > 0.0:
-            n[HUE] = LEAF
+            brush.n[HUE] = LEAF
             # A wheel of needles over the tip: the upper half of one, its middle the longest.
-            cx, cy = way[9, 0] + needles * 4.0 * bell(rng), way[9, 1] - 0.35 * lift / (level + 1.0)
-            alpha = 0.4 + 0.14 * level + 0.16 * rnd(rng)
+            cx, cy = way[9, 0] + needles * 4.0 * bell(brush.rng), way[9, 1] - 0.35 * lift / (level + 1.0)
+            alpha = 0.4 + 0.14 * level + 0.16 * rnd(brush.rng)
             for k in range(9):
-                turn = angle * 0.5 - 0.5 * PI + (k / 8.0 - 0.5) * 1.15 * PI + 0.16 * bell(rng)
-                length = needles * between(rng, 15.0, 23.0) * (1.0 - 0.25 * abs(k / 4.0 - 1.0))
+                turn = angle * 0.5 - 0.5 * PI + (k / 8.0 - 0.5) * 1.15 * PI + 0.16 * bell(brush.rng)
+                length = needles * between(brush.rng, 15.0, 23.0) * (1.0 - 0.25 * abs(k / 4.0 - 1.0))
                 a, b = cx + 0.5 * length * math.cos(turn), cy + 0.5 * length * math.sin(turn)
-                blob(rng, pts, marks, n, a, b, length, needles * between(rng, 2.4, 3.8), turn, 100.0, alpha, 0.4, LENS)
-            n[HUE] = INK
+                blob(brush, a, b, length, needles * between(brush.rng, 2.4, 3.8), turn, 100.0, alpha, 0.4, LENS)
+            brush.n[HUE] = INK

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 
-from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import HUE, OPEN, lattice, part, rnd, wash
+from tambour.ink.brush.stroke import HUE, OPEN, Brush, lattice, part, rnd, wash
 from tambour.ink.brush.stroke import at as to
 from tambour.ink.ground.codes import RANGE
 from tambour.ink.ground.marks import FAR, INK
@@ -42,28 +41,16 @@ def cloud(table: Array, x: float, y: float) -> float:
 
 
 @kernel
-def distant(
-    table: F8x1,
-    rng: U8x1,
-    pts: F8x2,
-    marks: F8x2,
-    elems: F8x2,
-    n: I8x1,
-    x: float,
-    y: float,
-    height: float,
-    length: float,
-    pale: float,
-) -> None:
+def distant(brush: Brush, x: float, y: float, height: float, length: float, pale: float) -> None:
     """A range from (x, y) to the right, ``length`` long, its crest at about half of ``height``; ``pale`` 0…1: how far off.
 
     Uneven columns of uneven facets, each of one tone: grey 205 + 40 c of its middle (200 + 55 N, with finer clouds, in the original:
     dossier 1.8), c two octaves of blended lattice; and towards the foot paler, here more and there less, as the mist lies.
     """
-    before = part(elems, n, RANGE, x, y)
-    n[HUE] = FAR
-    own, seed = lattice(rng), 0.0
-    phase = math.floor(4096.0 * rnd(rng))
+    before = part(brush, RANGE, x, y)
+    brush.n[HUE] = FAR
+    own, seed = lattice(brush.rng), 0.0
+    phase = math.floor(4096.0 * rnd(brush.rng))
     count = max(2, int(length / STEP))
     a, lean = x, 0.0
     left, under = rise(own, 0.0, count, seed), foot(own, 0.0, count, seed)
@@ -72,15 +59,15 @@ def distant(
         la, lb, ra, rb = y - height * left, y + under, y - height * right, y + below
         b, slant = x + length * (i + 1) / count, 0.0
         if i < count - 1:
-            b += 0.4 * STEP * (table[(phase + i) & 4095] - 0.5)
-            slant = 1.2 * STEP * (table[(phase + i + 977) & 4095] - 0.5)
+            b += 0.4 * STEP * (brush.table[(phase + i) & 4095] - 0.5)
+            slant = 1.2 * STEP * (brush.table[(phase + i + 977) & 4095] - 0.5)
         rows = max(1, int((lb - la + rb - ra) / (2.0 * FACET)))
         p, q = 0.0, 0.0
         for r in range(rows):
             c, d = 1.0, 1.0
             if r < rows - 1:
-                c = (r + 0.75 + 0.5 * table[(phase + 31 * i + r) & 4095]) / rows
-                d = (r + 0.75 + 0.5 * table[(phase + 31 * i + 31 + r) & 4095]) / rows
+                c = (r + 0.75 + 0.5 * brush.table[(phase + 31 * i + r) & 4095]) / rows
+                d = (r + 0.75 + 0.5 * brush.table[(phase + 31 * i + 31 + r) & 4095]) / rows
             low = 0.25 * (p + q + c + d)
             mx, my = 0.5 * (a + b) + 37.0 * phase, 0.5 * (la + ra + low * (lb - la + rb - ra))
             # The lattice lies slanted, so that its cells do not show as upright blocks.
@@ -88,16 +75,16 @@ def distant(
             grey = 205.0 + 40.0 * (0.65 * cloud(own, mx / 90.0, my / 60.0) + 0.35 * cloud(own, mx / 37.0, my / 30.0))
             mist = 1.5 * cloud(own, mx / 170.0, my / 90.0) - 0.45
             grey += (255.0 - grey) * min(1.0, pale + max(0.0, mist) * (0.1 + 0.9 * low * low))
-            to(pts, n, a + lean * p, la + p * (lb - la))
-            to(pts, n, b + slant * q, ra + q * (rb - ra))
-            to(pts, n, b + slant * d, ra + d * (rb - ra))
-            to(pts, n, a + lean * c, la + c * (lb - la))
-            to(pts, n, a + lean * p, la + p * (lb - la))
-            wash(marks, n, math.floor(grey), 1.0, 1.0)
+            to(brush, a + lean * p, la + p * (lb - la))
+            to(brush, b + slant * q, ra + q * (rb - ra))
+            to(brush, b + slant * d, ra + d * (rb - ra))
+            to(brush, a + lean * c, la + c * (lb - la))
+            to(brush, a + lean * p, la + p * (lb - la))
+            wash(brush, math.floor(grey), 1.0, 1.0)
             p, q = c, d
         a, lean, left, under = b, slant, right, below
-    n[HUE] = INK
-    n[OPEN] = before
+    brush.n[HUE] = INK
+    brush.n[OPEN] = before
 
 
 @kernel

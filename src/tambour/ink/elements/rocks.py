@@ -6,9 +6,8 @@ import math
 
 import numpy as np
 
-from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.kernels import kernel
-from tambour.ink.brush.stroke import EVEN, OPEN, PI, at, part, rnd, stroke
+from tambour.ink.brush.stroke import EVEN, OPEN, PI, Brush, at, part, rnd, stroke
 from tambour.ink.elements.cun import SIDES, slope, wrinkles
 from tambour.ink.ground.codes import ROCK
 from tambour.noise import close, value
@@ -17,28 +16,15 @@ LAYERS, COLUMNS = 10, 50
 
 
 @kernel
-def rock(
-    table: F8x1,
-    rng: U8x1,
-    pts: F8x2,
-    marks: F8x2,
-    elems: F8x2,
-    n: I8x1,
-    x: float,
-    y: float,
-    height: float,
-    width: float,
-    wrinkled: int,
-    shade: float,
-) -> None:
+def rock(brush: Brush, x: float, y: float, height: float, width: float, wrinkled: int, shade: float) -> None:
     """A rock about (x, y): ``width`` to either side, ``height`` above, a fifth of it below (dossier 1.8)."""
-    before = part(elems, n, ROCK, x, y)
-    seed = 4096.0 * rnd(rng)
+    before = part(brush, ROCK, x, y)
+    seed = 4096.0 * rnd(brush.rng)
     grid = np.empty((LAYERS, COLUMNS, 2))
     ring = np.empty(COLUMNS)
     for i in range(LAYERS):
         for j in range(COLUMNS):
-            ring[j] = value(table, i + 0.0, 0.2 * j + seed, 0.0)
+            ring[j] = value(brush.table, i + 0.0, 0.2 * j + seed, 0.0)
         close(ring)
         for j in range(COLUMNS):
             angle = 2.0 * PI * j / COLUMNS - 0.5 * PI
@@ -48,9 +34,9 @@ def rock(
             up = reach * b
             grid[i, j, 0] = reach * a
             grid[i, j, 1] = -up * (0.2 if up < 0.0 else 1.0) + 0.2 * height * i / LAYERS
-    slope(rng, pts, marks, n, grid, x, y, 0.0)
+    slope(brush, grid, x, y, 0.0)
     for j in range(COLUMNS):
-        at(pts, n, grid[0, j, 0] + x, grid[0, j, 1] + y)
-    stroke(rng, marks, n, 100.0, 0.25, 0.8, 0.8, EVEN, 0.8)
-    wrinkles(table, rng, pts, marks, n, grid, x, y, wrinkled, 3.0, 0.2, SIDES, 140.0, 0.3, shade, 30.0)
-    n[OPEN] = before
+        at(brush, grid[0, j, 0] + x, grid[0, j, 1] + y)
+    stroke(brush, 100.0, 0.25, 0.8, 0.8, EVEN, 0.8)
+    wrinkles(brush, brush.table, grid, x, y, wrinkled, 3.0, 0.2, SIDES, 140.0, 0.3, shade, 30.0)
+    brush.n[OPEN] = before

@@ -8,13 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from tambour.core.arrays import F8x1, F8x2, I8x1, U8x1
 from tambour.core.check import Array
 from tambour.core.drawing import Label
 from tambour.core.kernels import kernel
 from tambour.ink.brush import press
 from tambour.ink.brush.desk import Desk
-from tambour.ink.brush.stroke import OPEN, PI, at, bell, between, body, part, ring, rnd
+from tambour.ink.brush.stroke import OPEN, PI, Brush, at, bell, between, body, part, ring, rnd
 from tambour.ink.elements import (
     banks,
     bushes,
@@ -143,92 +142,55 @@ def sheet(seed: str, edition: int = 1) -> tuple[Marks, tuple[Label, ...], Array]
 
 
 @kernel
-def copse(
-    table: F8x1, rng: U8x1, pts: F8x2, marks: F8x2, elems: F8x2, n: I8x1, x: float, y: float, width: float
-) -> None:
+def copse(brush: Brush, x: float, y: float, width: float) -> None:
     """A copse of the three small trees, as in the seed diary."""
-    before = part(elems, n, codes.COPSE, x, y)
+    before = part(brush, codes.COPSE, x, y)
     for k in range(14):
-        a = x + width * ((k + 0.5) / 14.0 - 0.5) + 6.0 * bell(rng)
-        b = y - 12.0 * rnd(rng)
-        what = rnd(rng)
+        a = x + width * ((k + 0.5) / 14.0 - 0.5) + 6.0 * bell(brush.rng)
+        b = y - 12.0 * rnd(brush.rng)
+        what = rnd(brush.rng)
         if what < 0.5:
-            trees.juniper(table, rng, pts, marks, elems, n, a, b, between(rng, 30.0, 70.0), between(rng, 1.0, 4.0), 0.5)
+            trees.juniper(brush, a, b, between(brush.rng, 30.0, 70.0), between(brush.rng, 1.0, 4.0), 0.5)
         elif what < 0.75:
-            trees.fir(table, rng, pts, marks, elems, n, a, b, between(rng, 60.0, 110.0), 5.0, 0.05 * rnd(rng), 0.5)
+            trees.fir(brush, a, b, between(brush.rng, 60.0, 110.0), 5.0, 0.05 * rnd(brush.rng), 0.5)
         else:
-            trees.sapling(table, rng, pts, marks, elems, n, a, b, 16.0, 8.0, 5, 0.55)
-    n[OPEN] = before
+            trees.sapling(brush, a, b, 16.0, 8.0, 5, 0.55)
+    brush.n[OPEN] = before
 
 
 @kernel
-def veiled(
-    table: F8x1,
-    rng: U8x1,
-    pts: F8x2,
-    marks: F8x2,
-    elems: F8x2,
-    n: I8x1,
-    x: float,
-    y: float,
-    thickness: float,
-    width: float,
-) -> None:
+def veiled(brush: Brush, x: float, y: float, thickness: float, width: float) -> None:
     """Mist, and a range behind it: mist alone is paper."""
-    before = part(elems, n, codes.MIST, x, y)
-    ranges.distant(table, rng, pts, marks, elems, n, x - 0.75 * width, y, 150.0, 1.5 * width, 0.0)
-    sky.mist(table, rng, pts, marks, elems, n, x, y, thickness, width)
-    n[OPEN] = before
+    before = part(brush, codes.MIST, x, y)
+    ranges.distant(brush, x - 0.75 * width, y, 150.0, 1.5 * width, 0.0)
+    sky.mist(brush, x, y, thickness, width)
+    brush.n[OPEN] = before
 
 
 @kernel
-def branch(
-    table: F8x1,
-    rng: U8x1,
-    pts: F8x2,
-    marks: F8x2,
-    elems: F8x2,
-    n: I8x1,
-    x: float,
-    y: float,
-    length: float,
-    width: float,
-) -> None:
+def branch(brush: Brush, x: float, y: float, length: float, width: float) -> None:
     """A branch by itself, lying almost level, with its bark."""
-    before = part(elems, n, codes.BRANCH, x, y)
+    before = part(brush, codes.BRANCH, x, y)
     limb = np.empty((SIDES, 2))
-    limbs.branch(table, rng, limb, x, y, length, width, -0.12 * PI, 0.2 * PI)
+    limbs.branch(brush.table, brush.rng, limb, x, y, length, width, -0.12 * PI, 0.2 * PI)
     for i in range(SIDES):
-        at(pts, n, limb[i, 0], limb[i, 1])
-    body(marks, n)
-    limbs.scales(table, rng, pts, marks, n, limb, 1.0, 1.0)
-    n[OPEN] = before
+        at(brush, limb[i, 0], limb[i, 1])
+    body(brush)
+    limbs.scales(brush, limb, 1.0, 1.0)
+    brush.n[OPEN] = before
 
 
 @kernel
-def twig(
-    table: F8x1, rng: U8x1, pts: F8x2, marks: F8x2, elems: F8x2, n: I8x1, x: float, y: float, scale: float
-) -> None:
+def twig(brush: Brush, x: float, y: float, scale: float) -> None:
     """A twig with smaller twigs on it and needles."""
-    before = part(elems, n, codes.TWIG, x, y)
-    limbs.twig(rng, pts, marks, n, x, y, 2, scale, 0.0, 1.0, 1.0, 12.0)
-    n[OPEN] = before
+    before = part(brush, codes.TWIG, x, y)
+    limbs.twig(brush, x, y, 2, scale, 0.0, 1.0, 1.0, 12.0)
+    brush.n[OPEN] = before
 
 
 @kernel
-def bark(
-    table: F8x1,
-    rng: U8x1,
-    pts: F8x2,
-    marks: F8x2,
-    elems: F8x2,
-    n: I8x1,
-    x: float,
-    y: float,
-    length: float,
-    breadth: float,
-) -> None:
+def bark(brush: Brush, x: float, y: float, length: float, breadth: float) -> None:
     """One scale of bark, large."""
-    before = part(elems, n, codes.BARK, x, y)
-    ring(rng, pts, marks, n, x, y - 0.5 * length, length, breadth, -0.5 * PI, 100.0, 0.6, 1.6)
-    n[OPEN] = before
+    before = part(brush, codes.BARK, x, y)
+    ring(brush, x, y - 0.5 * length, length, breadth, -0.5 * PI, 100.0, 0.6, 1.6)
+    brush.n[OPEN] = before

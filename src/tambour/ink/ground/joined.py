@@ -42,6 +42,16 @@ def join(parts: Sequence[Marks]) -> Marks:
     )
     element = np.concatenate([p.element + f for p, f in zip(parts, first)])
     return Marks(
-        put("coords"), ends("offsets", points), put("spine"), ends("spines", spines), put("kind"), put("fill"),
-        put("stroke"), put("edge"), put("breadth"), put("tint"), element, elements,
-    )  # fmt: skip
+        put("coords"),
+        ends("offsets", points),
+        put("spine"),
+        ends("spines", spines),
+        put("kind"),
+        put("fill"),
+        put("stroke"),
+        put("edge"),
+        put("breadth"),
+        put("tint"),
+        element,
+        elements,
+    )

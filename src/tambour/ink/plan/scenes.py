@@ -74,9 +74,16 @@ class Stage:
         return float(low + (high - low) * self.chance.random())
 
     def put(
-        self, kind: int, x: float, y: float, depth: float, how: tuple[Any, ...], left: float, right: float,
+        self,
+        kind: int,
+        x: float,
+        y: float,
+        depth: float,
+        how: tuple[Any, ...],
+        left: float,
+        right: float,
         ink: float | None = None,
-    ) -> Planned:  # fmt: skip
+    ) -> Planned:
         """Stand something."""
         number = self.counts.get(kind, 0)
         self.counts[kind] = number + 1
@@ -85,9 +92,16 @@ class Stage:
         return p
 
     def hill(
-        self, x: float, near: float, height: float, width: float, form: int, lean: float = 0.0, wet: float = 0.0,
+        self,
+        x: float,
+        near: float,
+        height: float,
+        width: float,
+        form: int,
+        lean: float = 0.0,
+        wet: float = 0.0,
         misty: float = 0.7,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """A hill at depth ``near`` (0 far … 1 near), with water at its foot by the chance ``wet`` and mist by ``misty``."""
         y = FARTHEST + (NEAREST - FARTHEST) * near
         height *= self.rules.height
@@ -147,15 +161,36 @@ def _high(stage: Stage) -> None:
     _guests(stage, x, near, height, stage.often(11), 640.0)
     for _ in range(stage.often(4)):
         tall = height * stage.u(0.3, 0.46)
-        stage.hill(x + stage.u(-620.0, 620.0), stage.u(0.0, 0.12), tall, tall * 2.2 + 120.0,
-                   _some(stage, forms.CONE, forms.SPIRE, forms.RIDGE), stage.u(-0.4, 0.4))  # fmt: skip
+        stage.hill(
+            x + stage.u(-620.0, 620.0),
+            stage.u(0.0, 0.12),
+            tall,
+            tall * 2.2 + 120.0,
+            _some(stage, forms.CONE, forms.SPIRE, forms.RIDGE),
+            stage.u(-0.4, 0.4),
+        )
     for _ in range(stage.often(5)):
-        stage.hill(x + stage.u(-560.0, 560.0), stage.u(0.66, 0.98), stage.u(45.0, 95.0), stage.u(300.0, 520.0),
-                   _some(stage, forms.DOME, forms.RIDGE, forms.CONE), stage.u(-0.5, 0.5), wet=0.8, misty=0.35)  # fmt: skip
+        stage.hill(
+            x + stage.u(-560.0, 560.0),
+            stage.u(0.66, 0.98),
+            stage.u(45.0, 95.0),
+            stage.u(300.0, 520.0),
+            _some(stage, forms.DOME, forms.RIDGE, forms.CONE),
+            stage.u(-0.5, 0.5),
+            wet=0.8,
+            misty=0.35,
+        )
     for _ in range(stage.often(3)):
         tall = stage.u(70.0, 130.0)
-        stage.hill(stage.x(stage.u(0.14, 0.26)), stage.u(0.2, 0.6), tall, tall * 2.4 + 130.0,
-                   _some(stage, forms.DOME, forms.LEANING, forms.RIDGE), stage.u(-0.6, 0.6), wet=0.8)  # fmt: skip
+        stage.hill(
+            stage.x(stage.u(0.14, 0.26)),
+            stage.u(0.2, 0.6),
+            tall,
+            tall * 2.4 + 130.0,
+            _some(stage, forms.DOME, forms.LEANING, forms.RIDGE),
+            stage.u(-0.6, 0.6),
+            wet=0.8,
+        )
     _hamlet(stage, s + (0.26 if s < 0.52 else -0.26), 0.8)
     _banks(stage, [stage.u(0.84, 0.97), s + stage.u(-0.16, 0.16)] + [stage.u(0.05, 0.2)] * (stage.u() < 0.5))
     _ranges(stage, 1, 0.0, 0.6)
@@ -171,9 +206,16 @@ def _deep(stage: Stage) -> None:
     for k, side in enumerate(sides if stage.rules.density > 0.0 else ()):
         height = tall if k == host else tall / stage.u(1.6, 2.0)
         x = valley + side * stage.u(400.0, 520.0)
-        stage.hill(x, stage.u(0.42, 0.58), height, height * 1.5 + 120.0,
-                   _some(stage, forms.CONE, forms.CLIFF, forms.LEANING, forms.SPIRE), -side * stage.u(0.2, 0.7),
-                   wet=0.3, misty=0.9)  # fmt: skip
+        stage.hill(
+            x,
+            stage.u(0.42, 0.58),
+            height,
+            height * 1.5 + 120.0,
+            _some(stage, forms.CONE, forms.CLIFF, forms.LEANING, forms.SPIRE),
+            -side * stage.u(0.2, 0.7),
+            wet=0.3,
+            misty=0.9,
+        )
     planes = 6
     for k in range(planes):
         near = 0.02 + 0.8 * k / planes
@@ -181,13 +223,26 @@ def _deep(stage: Stage) -> None:
             for _ in range(stage.often(1.35)):
                 height = (stage.u(120.0, 185.0) if near < 0.2 else stage.u(70.0, 150.0)) * (1.0 if near < 0.7 else 0.6)
                 x = valley + side * (130.0 + 640.0 * near**0.7 + stage.u(-90.0, 170.0))
-                stage.hill(x, near + stage.u(0.0, 0.1), height, height * stage.u(1.8, 2.6) + 120.0,
-                           _some(stage, forms.CONE, forms.DOME, forms.LEANING, forms.RIDGE, forms.TWIN, forms.SPIRE),
-                           -side * stage.u(0.1, 0.7), wet=0.3 + 0.4 * near)  # fmt: skip
+                stage.hill(
+                    x,
+                    near + stage.u(0.0, 0.1),
+                    height,
+                    height * stage.u(1.8, 2.6) + 120.0,
+                    _some(stage, forms.CONE, forms.DOME, forms.LEANING, forms.RIDGE, forms.TWIN, forms.SPIRE),
+                    -side * stage.u(0.1, 0.7),
+                    wet=0.3 + 0.4 * near,
+                )
     for _ in range(stage.often(2)):
         height = stage.u(150.0, 205.0)
-        stage.hill(valley + stage.u(-220.0, 220.0), 0.0, height, height * 1.9 + 100.0,
-                   _some(stage, forms.SPIRE, forms.CONE, forms.TWIN), stage.u(-0.5, 0.5), misty=1.0)  # fmt: skip
+        stage.hill(
+            valley + stage.u(-220.0, 220.0),
+            0.0,
+            height,
+            height * 1.9 + 100.0,
+            _some(stage, forms.SPIRE, forms.CONE, forms.TWIN),
+            stage.u(-0.5, 0.5),
+            misty=1.0,
+        )
     _hamlet(stage, s, 0.9)
     _banks(stage, [stage.u(0.03, 0.14) if stage.u() < 0.6 else stage.u(0.86, 0.97), s + stage.u(-0.3, 0.3)])
     _ranges(stage, 1, 0.0, 1.0)
@@ -198,11 +253,26 @@ def _level(stage: Stage) -> None:
     """One looks across: wide water, a low far shore, an islet or two, a near bank with great trees, a boat."""
     for _ in range(stage.often(4)):
         tall = stage.u(28.0, 70.0)
-        stage.hill(stage.x(stage.u(0.3, 1.0)), stage.u(0.05, 0.42), tall, stage.u(320.0, 680.0),
-                   _some(stage, forms.DOME, forms.RIDGE, forms.CONE), stage.u(-0.5, 0.5), wet=0.9, misty=0.8)  # fmt: skip
+        stage.hill(
+            stage.x(stage.u(0.3, 1.0)),
+            stage.u(0.05, 0.42),
+            tall,
+            stage.u(320.0, 680.0),
+            _some(stage, forms.DOME, forms.RIDGE, forms.CONE),
+            stage.u(-0.5, 0.5),
+            wet=0.9,
+            misty=0.8,
+        )
     if stage.u() < 0.6 * min(1.0, stage.rules.density):
-        stage.hill(stage.x(stage.u(0.62, 0.9)), stage.u(0.5, 0.75), stage.u(60.0, 110.0), stage.u(330.0, 460.0),
-                   _some(stage, forms.LEANING, forms.DOME, forms.CLIFF), stage.u(-0.6, 0.6), wet=1.0)  # fmt: skip
+        stage.hill(
+            stage.x(stage.u(0.62, 0.9)),
+            stage.u(0.5, 0.75),
+            stage.u(60.0, 110.0),
+            stage.u(330.0, 460.0),
+            _some(stage, forms.LEANING, forms.DOME, forms.CLIFF),
+            stage.u(-0.6, 0.6),
+            wet=1.0,
+        )
     _banks(stage, [stage.u(0.12, 0.4)] + [stage.u(0.7, 0.95)] * (stage.u() < 0.55))
     if stage.u() < 0.35:
         _hamlet(stage, stage.u(0.66, 0.85), 1.0)

@@ -72,9 +72,17 @@ class Scroll:
 def rules(params: Ink) -> Rules:
     """What of the params the plan depends on."""
     return Rules(
-        params.seed, params.edition, params.density, params.height, params.mist, params.boats, params.birds,
-        SKIES[params.time], params.season == "winter", params.reading,
-    )  # fmt: skip
+        params.seed,
+        params.edition,
+        params.density,
+        params.height,
+        params.mist,
+        params.boats,
+        params.birds,
+        SKIES[params.time],
+        params.season == "winter",
+        params.reading,
+    )
 
 
 def manner(params: Ink) -> Manner:

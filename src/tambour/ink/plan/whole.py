@@ -70,9 +70,18 @@ class Planned:
 
 
 def place(
-    rules: Rules, kind: int, m: int, number: int, x: float, y: float, depth: float, how: tuple[Any, ...],
-    left: float, right: float, ink: float | None = None,
-) -> Planned:  # fmt: skip
+    rules: Rules,
+    kind: int,
+    m: int,
+    number: int,
+    x: float,
+    y: float,
+    depth: float,
+    how: tuple[Any, ...],
+    left: float,
+    right: float,
+    ink: float | None = None,
+) -> Planned:
     """A whole with the id and the stream of chance that belong to number ``number`` of its kind in stretch ``m``."""
     name = kinds.NAMES[kind]
     names = ("ink", rules.seed, rules.edition, name, m, number)

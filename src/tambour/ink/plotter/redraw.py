@@ -29,7 +29,7 @@ from tambour.ink.ground.codes import (
     PYLON,
     RANGE,
     SAPLING,
-)  # fmt: skip
+)
 from tambour.ink.ground.marks import BLOB, BODY, LINE, RING, SEAL, STROKE, VEIL, WASH, Marks
 from tambour.ink.plotter.hand import contours, dabs, passes, pressed, zigzags
 from tambour.ink.plotter.hatch import areas, hatched
