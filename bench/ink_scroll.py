@@ -158,21 +158,43 @@ def tones(folder: Path | None) -> tuple[float, float, float]:
                     drawn = flat.picture(scroll.whole(scroll.make(None, told, Progress())), width=1500).rgba
                     pictures.append(drawn[..., :3].mean(2))
                     continue
-                high, svg, png = round(1500 * 700 / SCREEN), f"{room}/a.svg", f"{room}/a.png"
-                job = {"seed": seed, "windows": [{"from": start, "span": SCREEN, "px": 1500, "out": svg}]}
-                script = str(Path(__file__).with_name("original.js"))
-                subprocess.run(["node", script, str(folder), json.dumps(job)], check=True, stdout=subprocess.DEVNULL)
-                subprocess.run(
-                    [
-                        "chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
-                        f"--user-data-dir={room}/user", f"--window-size=1500,{high}", f"--screenshot={png}",
-                        f"file://{svg}",
-                    ],
-                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                )  # fmt: skip
-                pictures.append(np.asarray(Image.open(png).convert("L"), float))
+                job = {"seed": seed, "windows": [{"from": start, "span": SCREEN}]}
+                pictures.append(theirs(folder, job, room, 1500, round(1500 * 700 / SCREEN)))
     all_ = np.concatenate([p.ravel() for p in pictures])
     return float((all_ < 30).mean()), float((all_ > 250).mean()), float(np.quantile(all_, 0.001))
+
+
+def theirs(folder: Path, job: dict[str, object], room: str, px: int, high: int) -> np.ndarray:
+    """A window of the original as greys, drawn by node and chromium."""
+    svg, png = f"{room}/a.svg", f"{room}/a.png"
+    script = str(Path(__file__).with_name("original.js"))
+    told = json.dumps(job | {"windows": [w | {"px": px, "out": svg} for w in job["windows"]]})  # type: ignore[attr-defined]
+    subprocess.run(["node", script, str(folder), told], check=True, stdout=subprocess.DEVNULL)
+    browser = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"]
+    browser += [f"--user-data-dir={room}/user", f"--window-size={px},{high}", f"--screenshot={png}", f"file://{svg}"]
+    subprocess.run(browser, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return np.asarray(Image.open(png).convert("L"), float)
+
+
+def bare(folder: Path | None, many: int) -> float:
+    """Of windows of 300 units drawn by hash, the share of which less than 0.3 % is darker than 200."""
+    from tambour.render import flat
+
+    count = 0
+    with tempfile.TemporaryDirectory() as room:
+        for k in range(many):
+            h = hashlib.sha256(f"near blank {k}".encode()).digest()
+            seed, at = (
+                str(int.from_bytes(h[:3], "little") % 9000 + 100),
+                float(int.from_bytes(h[3:6], "little") % 20000),
+            )
+            if folder is None:
+                told = Ink(seed=seed, from_=at, span=300.0, paper=False)
+                grey = flat.picture(scroll.whole(scroll.make(None, told, Progress())), width=150).rgba[..., :3].mean(2)
+            else:
+                grey = theirs(folder, {"seed": seed, "windows": [{"from": at, "span": 300}]}, room, 150, 350)
+            count += (grey < 200).mean() < 0.003
+    return count / many
 
 
 def plotted() -> None:
@@ -226,6 +248,8 @@ def main() -> None:
         seen = [tones(None), *([tones(folder)] if folder else [])]
         for k, what in enumerate(("below 30 of 255", "above 250 (blank)", "darkest thousandth")):
             print(f"{what:>34}" + "".join(f"{t[k]:9.4f}" for t in seen))
+        shares = [bare(None, 120), *([bare(folder, 40)] if folder else [])]
+        print(f"{'300 units all but bare':>34}" + "".join(f"{share:9.3f}" for share in shares))
 
 
 if __name__ == "__main__":

@@ -114,7 +114,9 @@ def _called(root: Path) -> dict[str, set[str]]:
     trees = {name.removesuffix(".__init__"): ast.parse(p.read_text()) for p, name in paths.items()}
 
     def marked(node: ast.AST) -> bool:
-        return isinstance(node, ast.FunctionDef) and any(ast.unparse(d) == "kernel" for d in node.decorator_list)
+        return isinstance(node, ast.FunctionDef) and any(
+            ast.unparse(d) in ("kernel", "inner") for d in node.decorator_list
+        )
 
     kernels = {
         f"{m}.{n.name}" for m, t in trees.items() for n in t.body if marked(n) and isinstance(n, ast.FunctionDef)

@@ -15,9 +15,11 @@ from tambour.core.kernels import kernel
 from tambour.ink.brush import press
 from tambour.ink.brush import stroke as brush
 from tambour.ink.ground.kinds import NAMES
-from tambour.ink.ground.marks import Elements, Marks
+from tambour.ink.ground.marks import BLOB, WASH, Elements, Marks
 from tambour.noise import key, lattice
 
+BLACKEST = 19.0
+"""The grey of the thickest ink: it is still ink on paper."""
 REACH = 12.0
 """How far the edge of a mark may lie from the way of the brush, units (a blob's half breadth)."""
 
@@ -103,13 +105,17 @@ class Desk:
 def dip(marks: F8x2, ink: float) -> None:
     """Thicken or thin the ink of noted marks: 0 far and pale, 1/2 as noted, 1 near and black. What is paper stays paper."""
     thin = 1.0 - 0.66 * max(0.0, 1.0 - 2.0 * ink)
-    black = min(1.0, 1.6 * max(0.0, 2.0 * ink - 1.0))
+    black = min(1.0, 1.9 * max(0.0, 2.0 * ink - 1.0))
     for m in marks:
+        # Touches and washes stay translucent: many of one tone over each other would be a black block.
+        thick = 0.55 if m[brush.KIND] == BLOB or m[brush.KIND] == WASH else 1.1
         for c in (brush.FILL, brush.EDGE):
             if m[c] < 250.0:
                 # Pale tones darken least: a wash stays lighter than the line in it.
-                m[c] *= 1.0 - 0.95 * black * (1.0 - (m[c] / 255.0) ** 2)
-                m[c + 1] = min(1.0, m[c + 1] * thin * (1.0 + 1.1 * black))
+                pale = min(1.0, max(0.0, (m[c] - 100.0) / 120.0))
+                dark = m[c] * (1.0 - 0.93 * black * (1.0 - (m[c] / 255.0) ** 2) * (1.0 - 0.6 * pale))
+                m[c] = max(dark, min(m[c], BLACKEST))
+                m[c + 1] = min(1.0, m[c + 1] * thin * (1.0 + thick * black))
 
 
 def _tone(notes: Array, column: int) -> Array:

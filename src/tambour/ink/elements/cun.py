@@ -264,15 +264,16 @@ def foot(brush: Brush, own: Array, grid: Array, x: float, y: float) -> None:
                     j = edge + inward * k
                     shift = 10.0 * inward * value(own, 0.1 * k, i + phase, 0.0)
                     at(brush, grid[i, j, 0] + shift + x, grid[i, j, 1] + y)
+                if wet == 1:
+                    # Down to the ground and gone: the hem itself has no line.
+                    tone = 0.14 + 0.14 * value(own, 7.3 * i + s + phase, 0.5, 0.0)
+                    stroke(brush, 100.0, tone, 1.0, 0.5, SINE, 1.0)
+                    continue
                 for k in range(10):
                     p = k / 10.0
                     a = grid[i, edge, 0] * (1.0 - p) + grid[above, edge, 0] * p
                     b = grid[i, edge, 1] * (1.0 - p) + grid[above, edge, 1] * p
                     b += 8.5 * (1.0 - p) * p**0.2 + 5.0 * value(own, 0.05 * (y + b) + phase, i * 1.0, 0.0)
                     at(brush, a + x, b + y)
-                if wet == 0:
-                    body(brush)
-                else:
-                    tone = 0.1 + 0.1 * value(own, 7.3 * i + s + phase, 0.5, 0.0)
-                    stroke(brush, 100.0, tone, 1.0, 0.5, SINE, 1.0)
+                body(brush)
             i = above

@@ -77,16 +77,16 @@ def box(
     open_: bool,
     style: int,
 ) -> None:
-    """A storey: three uprights, the edges of its foot and head; paper walls unless ``open_``."""
+    """A storey: three uprights, the edges of its foot and head; doors and windows unless ``open_``. It hides what is behind."""
     left, right, front = x - 0.5 * width, x + 0.5 * width, x + (turn - 0.5) * width
     low = y + depth
+    at(brush, left, y - height)
+    at(brush, right, y - height)
+    at(brush, right, y)
+    at(brush, front, low)
+    at(brush, left, y)
+    body(brush)
     if not open_:
-        at(brush, left, y - height)
-        at(brush, right, y - height)
-        at(brush, right, y)
-        at(brush, front, low)
-        at(brush, left, y)
-        body(brush)
         lattice_face(brush, left, y, front, low, height, style)
         lattice_face(brush, front, low, right, y, height, style)
     run(brush, left, y - height, left, y, breadth, 0.4)

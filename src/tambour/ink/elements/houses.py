@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tambour.core.kernels import kernel
 from tambour.ink.brush.stroke import OPEN, Brush, between, part, pick, rnd, side
-from tambour.ink.elements.frames import LATTICE, PLAIN, box, rail, roof, run, sign, spire, thatch
+from tambour.ink.elements.frames import LATTICE, PLAIN, box, quad, rail, roof, run, sign, spire, thatch
 from tambour.ink.elements.people import BUN, SITS, STANDS, figure
 from tambour.ink.ground.codes import HOUSE, HUT, PAGODA, PAVILION, PYLON, numbers
 
@@ -17,9 +17,12 @@ def hut(brush: Brush, x: float, y: float, height: float, width: float, turn: flo
     """A thatched shelter on four posts over a deck with its railing, and ``people`` in it (1.9 arch01)."""
     before = part(brush, HUT, x, y)
     eaves, rails = 0.52 * height, 0.15 * height
+    # Its shade: no line of what stands behind shows between the posts.
+    wide, top = 0.335 * width, y - eaves - 0.1 * height
+    quad(brush, x - wide, top, x + wide, top, x + wide, y, x - wide, y)
     for k in range(4):
         post = x + width * (0.22 * k - 0.33 + 0.08 * (turn - 0.5) * (1 if k in (1, 2) else 0))
-        run(brush, post, y - eaves - 0.1 * height, post, y, 1.6, 0.4)
+        run(brush, post, top, post, y, 2.0, 0.45)
     run(brush, x - 0.48 * width, y - rails - 2.0, x + 0.48 * width, y - rails - 2.0, 1.0, 0.45)
     for k in range(people):
         where = x + (k - 0.5 * (people - 1)) * 0.42 * width + between(brush.rng, -0.1, 0.1) * width

@@ -16,6 +16,9 @@ NODES = 31
 """Points on one side of a branch: three runs of ten, and the tip."""
 SIDES = 2 * NODES
 
+NEEDLES = 10
+"""Needles of a wheel."""
+
 
 @kernel
 def branch(
@@ -144,12 +147,12 @@ def twig(
         stroke(brush, 100.0, 0.5, 1.0, 0.5, FADE, 1.0)
         if needles > 0.0:
             brush.n[HUE] = LEAF
-            # A wheel of needles over the tip: the upper half of one, its middle the longest.
+            # A wheel of needles over the tip: the upper half of one, its middle the longest, each as thin as a needle.
             cx, cy = way[9, 0] + needles * 4.0 * bell(brush.rng), way[9, 1] - 0.35 * lift / (level + 1.0)
             alpha = 0.4 + 0.14 * level + 0.16 * rnd(brush.rng)
-            for k in range(9):
-                turn = angle * 0.5 - 0.5 * PI + (k / 8.0 - 0.5) * 1.15 * PI + 0.16 * bell(brush.rng)
-                length = needles * between(brush.rng, 15.0, 23.0) * (1.0 - 0.25 * abs(k / 4.0 - 1.0))
+            for k in range(NEEDLES):
+                turn = angle * 0.5 - 0.5 * PI + (k / (NEEDLES - 1.0) - 0.5) * 1.2 * PI + 0.2 * bell(brush.rng)
+                length = needles * between(brush.rng, 14.0, 22.0) * (1.0 - 0.25 * abs(2.0 * k / (NEEDLES - 1.0) - 1.0))
                 a, b = cx + 0.5 * length * math.cos(turn), cy + 0.5 * length * math.sin(turn)
-                blob(brush, a, b, length, needles * between(brush.rng, 2.4, 3.8), turn, 100.0, alpha, 0.4, LENS)
+                blob(brush, a, b, length, needles * between(brush.rng, 1.5, 2.6), turn, 100.0, alpha, 0.4, LENS)
             brush.n[HUE] = INK

@@ -176,7 +176,7 @@ def cedar(brush: Brush, x: float, y: float, height: float, width: float) -> None
         angle = lean[k] if right else lean[k] + PI
         # Tufts stand on the outer half, and one nearer in now and then: between them the bough is seen.
         for i in range(NODES - 1, 0, -9):
-            if i < NODES // 2 and rnd(brush.rng) < 0.55:
+            if i < NODES // 2 and rnd(brush.rng) < 0.68:
                 continue
             px, py = limbs[k, i, 0], limbs[k, i, 1]
             twig(brush, px, py, 0, 0.25 * height / 300.0, angle, 1.0 if right else -1.0, leaf, 6.0 * leaf)

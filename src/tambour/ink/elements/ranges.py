@@ -16,6 +16,8 @@ STEP = 10.0
 """Width of a column of facets, units."""
 FACET = 11.0
 """About how high a facet is."""
+LOST = 0.16
+"""The part of a range over which it comes out of the mist at each end: a sharp tail would look like a wedge of paper."""
 THIN = 0.3
 """The part of a range over which it rises from each end."""
 
@@ -61,6 +63,8 @@ def distant(brush: Brush, x: float, y: float, height: float, length: float, pale
         if i < count - 1:
             b += 0.4 * STEP * (brush.table[(phase + i) & 4095] - 0.5)
             slant = 1.2 * STEP * (brush.table[(phase + i + 977) & 4095] - 0.5)
+        edge = min(i + 0.5, count - i - 0.5) / (LOST * count)
+        lost = 1.0 - ease(edge) if edge < 1.0 else 0.0
         rows = max(1, int((lb - la + rb - ra) / (2.0 * FACET)))
         p, q = 0.0, 0.0
         for r in range(rows):
@@ -75,6 +79,7 @@ def distant(brush: Brush, x: float, y: float, height: float, length: float, pale
             grey = 205.0 + 40.0 * (0.65 * cloud(own, mx / 90.0, my / 60.0) + 0.35 * cloud(own, mx / 37.0, my / 30.0))
             mist = 1.5 * cloud(own, mx / 170.0, my / 90.0) - 0.45
             grey += (255.0 - grey) * min(1.0, pale + max(0.0, mist) * (0.1 + 0.9 * low * low))
+            grey += (255.0 - grey) * lost
             to(brush, a + lean * p, la + p * (lb - la))
             to(brush, b + slant * q, ra + q * (rb - ra))
             to(brush, b + slant * d, ra + d * (rb - ra))

@@ -38,5 +38,5 @@ def rock(brush: Brush, x: float, y: float, height: float, width: float, wrinkled
     for j in range(COLUMNS):
         at(brush, grid[0, j, 0] + x, grid[0, j, 1] + y)
     stroke(brush, 100.0, 0.25, 0.8, 0.8, EVEN, 0.8)
-    wrinkles(brush, brush.table, grid, x, y, wrinkled, 3.0, 0.2, SIDES, 140.0, 0.3, shade, 30.0)
+    wrinkles(brush, brush.table, grid, x, y, wrinkled, 3.0, 0.2, SIDES, 125.0, 0.38, shade, 30.0)
     brush.n[OPEN] = before

@@ -51,6 +51,10 @@ def families(rules: Rules) -> list[int]:
     return [int(f) for k, f in enumerate((HEMP, AXE, RAIN)) if k != left_out]
 
 
+BARE = 200.0
+"""Units that may lie bare."""
+
+
 @dataclass(slots=True)
 class Stage:
     """A scene being set: where it lies, its stream of chance, and what stands in it so far."""
@@ -130,6 +134,7 @@ def scene(rules: Rules, m: int) -> tuple[Planned, ...]:
     chance = stream("ink", rules.seed, rules.edition, "scene", m)
     stage = Stage(rules, m, border(rules, m), border(rules, m + 1), chance, two[int(2 * chance.random())])
     (_high, _deep, _level)[distance(rules, m)](stage)
+    _quiet(stage)
     # What is left out was planned all the same, so that nothing else moves.
     return tuple(p for p in stage.made if rules.boats or p.kind != codes.BOAT)
 
@@ -318,6 +323,28 @@ def _ranges(stage: Stage, count: int, lower: float, chance: float) -> None:
             long = stage.u(1000.0, 1900.0)
             x, y = stage.begin + stage.u(-0.1, 0.75) * (stage.end - stage.begin), 288.0 + shift - stage.u(0.0, 26.0)
             stage.put(codes.RANGE, x - 300.0, y - lower, y, (height * stage.u(0.75, 1.1), long, pale), 5.0, long + 5.0)
+
+
+def _quiet(stage: Stage) -> None:
+    """Where nothing would meet the eye for a third of a screen: ripples, and a low far shore, so that blank is water."""
+    span, rtl = stage.end - stage.begin, stage.rules.reading == "rtl"
+    rooms = []
+    for p in stage.made:
+        if p.kind not in (codes.RANGE, codes.BIRDS) and (room := p.room):
+            left, right = room[0] - stage.begin, room[2] - stage.begin
+            rooms.append((span - right, span - left) if rtl else (left, right))  # from where the reader begins
+    at, end = -0.4 * BARE, span + 0.4 * BARE
+    for first, last in [*sorted(rooms), (end, end)]:
+        while first - at > BARE:
+            s = min(1.0, max(0.0, (at + stage.u(0.35, 0.65) * min(first - at, 1.6 * BARE)) / span))
+            if stage.u() < stage.rules.density:
+                y, long = 340.0 + 150.0 * stage.u(), stage.u(130.0, 240.0)
+                stage.put(codes.WATER, stage.x(s), y, y - 10_000.0, (1.6, long, 3), long + 5.0, long + 5.0, 0.16)
+                near, tall, wide = stage.u(0.0, 0.16), stage.u(24.0, 56.0), stage.u(260.0, 420.0)
+                form = _some(stage, forms.DOME, forms.RIDGE)
+                stage.hill(stage.x(s), near, tall, wide, form, wet=0.6, misty=0.5)
+            at += 1.4 * BARE
+        at = max(at, last)
 
 
 def _boats(stage: Stage, places: list[float]) -> None:
