@@ -28,7 +28,7 @@ from tambour.core.chart import Gauge
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
-from tambour.knit.picture import tone
+from tambour.knit.picture import tone, usual
 from tambour.knit.picture.resample import resample
 from tambour.knit.piece import Piece
 from tambour.knit.solve import exact, measure, percept, stages
@@ -90,7 +90,10 @@ def ours(**params: object) -> Callable[[np.ndarray, int], np.ndarray]:
         piece = make(Picture(rgba), KnitParams(stitches=stitches, gauge="24x32", max_float="4", **params), Progress())  # type: ignore[arg-type]
         assert piece.figures["violations"] == 0 or piece.params.method in ("none", "gsat")
         if piece.textured is not None:
-            ALONE.setdefault(str(params), []).append(measure.facts(piece)["alone"])
+            # Of pixel art the lone stitches are the designer's own.
+            told = measure.facts(piece)
+            ALONE.setdefault(str(params) + (", pixel art" if usual.taken(rgb) else ""), []).append(told["alone"])
+            BORDERS.setdefault(str(params), []).append(told["borders"])
         return piece.chart.cells
 
     return chart
@@ -127,6 +130,7 @@ def peer(cost: str) -> Callable[[np.ndarray, int], np.ndarray]:
 
 
 ALONE: dict[str, list[float]] = {}
+BORDERS: dict[str, list[float]] = {}
 METHODS: dict[str, Callable[[np.ndarray, int], np.ndarray]] = {
     "auto": ours(),
     "graphic": ours(style="graphic"),
@@ -214,6 +218,9 @@ def main(small: bool) -> None:
     print("\nstitches alone in their colour outside declared textures, percent: mean, worst")
     for name, alone in ALONE.items():
         print(f"{name:60} {np.mean(alone):5.2f} {np.max(alone):5.2f}")
+    print("\nstitches at a border between two regions that kept their colour, percent: mean, least")
+    for name, kept in BORDERS.items():
+        print(f"{name:60} {np.mean(kept):5.2f} {np.min(kept):5.2f}")
 
 
 if __name__ == "__main__":

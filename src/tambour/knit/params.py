@@ -152,8 +152,9 @@ class KnitParams(Params):
     pieces. Plain: no preparation. Auto chooses by picture and size, and says why."""
     tones: int | None = Field(default=None, ge=2, le=4)
     """Graphic and texture: how many tones the picture is cut into; without it two or three, and four for texture."""
-    ground: Literal["lice", "diagonal", "brick", "stripe"] = "lice"
-    """Graphic and texture: how the stitches that hold floats stand in plain areas."""
+    ground: Literal["auto", "lice", "diagonal", "brick", "stripe"] = "auto"
+    """Graphic and texture: how the stitches that hold floats stand in plain areas. Auto: lice in the largest, and in each
+    other what none of its neighbours has."""
     use: Literal["garment", "mitten", "child", "blanket"] = "garment"
     """What it is for: sets {--max-float} (shorter for mittens and children), {--seen-from} (a blanket from 4 m) and {--stitches}."""
     seen_from: Distance | None = Field(default=None, json_schema_extra={"metavar": "LENGTH"})

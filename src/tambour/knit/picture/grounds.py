@@ -1,8 +1,8 @@
 """Grounds: regular knit textures for the regions of a picture: where a float must be caught by a stitch, it stands in order.
 
 A dark or a light region is plain but for lice, single stitches of the other yarn, one in every f + 1 of a row; middle
-tones are checks, twills and bird's eye. All lie on lattices that run through the whole piece, so a ground goes on with the
-same phase on the other side of a motif. Borders are not textured: the solver is told how little it likes a louse there.
+tones are checks, twills and bird's eye. Regions that touch differ in their ground. All grounds lie on lattices that run
+through the whole piece, so one goes on with the same phase on the other side of a motif. Borders are not textured: the solver is told how little it likes a louse there.
 """
 
 from __future__ import annotations
@@ -14,9 +14,11 @@ import numpy as np
 
 from tambour.core.check import Array
 
-Ground = Literal["lice", "diagonal", "brick", "stripe"]
+Ground = Literal["auto", "lice", "diagonal", "brick", "stripe"]
 
 ASIDE = 0.8  # what a louse off its lattice costs more than one on it
+NEAR = 2  # stitches within which two regions are neighbours
+BROAD = 4  # lice below which a region has the ground of the piece
 BORDER = 2.0  # what a flip beside a border costs more
 INSIDE = 3.0  # what a flip inside a middle tone costs more
 
@@ -59,6 +61,40 @@ def middle(shape: tuple[int, int], light: Fraction) -> Array:
     return (texture if light < Fraction(1, 2) else ~texture).astype(np.uint8)
 
 
+def places(found: Array, tones: int, period: int, squash: float, ground: Ground) -> Array:
+    """(R, C) bool: where the lice of the plain regions of ``found`` stand: each region's own lattice, all of one phase.
+
+    auto : the largest region has lice, and every other a ground that none of its larger neighbours has, while there are
+    any: lice that lean the other way come last, as they look alike
+    """
+    from scipy.ndimage import binary_dilation, find_objects, label
+
+    shape = found.shape
+    first = shift(period, squash, "lice" if ground == "auto" else ground)
+    out = lattice(shape, period, first)
+    if ground != "auto" or period < 3:
+        return out
+    moves = list(dict.fromkeys([first, 1, period - 1, (period - first) % period]))
+    numbers = np.zeros(shape, np.int32)
+    for tone in (0, tones - 1):
+        island, count = label(found == tone, np.ones((3, 3)))
+        numbers[island > 0] = island[island > 0] + numbers.max()
+    size = np.bincount(numbers.ravel())
+    chosen: dict[int, int] = {}
+    boxes = find_objects(numbers)
+    for k in np.argsort(-size[1:], kind="stable") + 1:
+        if size[k] < BROAD * period:
+            break  # too small to show what it stands in
+        box = tuple(slice(max(0, b.start - NEAR), b.stop + NEAR) for b in boxes[k - 1])
+        mine = numbers[box] == k
+        near = set(np.unique(numbers[box][binary_dilation(mine, iterations=NEAR)]).tolist()) - {0, k}
+        taken = {chosen[j] for j in near if j in chosen}
+        chosen[k] = next((m for m in moves if m not in taken), first)
+        if chosen[k] != first:
+            out[box][mine] = lattice(shape, period, chosen[k])[box][mine]
+    return out
+
+
 SHARES: dict[int, tuple[Fraction, ...]] = {
     2: (),
     3: (Fraction(1, 2),),
@@ -78,10 +114,8 @@ def laid(found: Array, tones: int, limit: int, squash: float, ground: Ground) ->
     for k, share in enumerate(SHARES[tones], 1):
         mine = found == k
         start[mine] = middle(found.shape, share)[mine]
-    period = limit + 1
-    move = shift(period, squash, ground)
     weights = np.full(found.shape, 1 + ASIDE, np.float32)
-    weights[lattice(found.shape, period, move)] = 1.0
+    weights[places(found, tones, limit + 1, squash, ground)] = 1.0
     around = np.pad(found, 1, mode="edge")
     for dy, dx in ((0, 1), (2, 1), (1, 0), (1, 2)):
         there = around[dy : dy + found.shape[0], dx : dx + found.shape[1]]

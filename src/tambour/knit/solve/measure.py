@@ -63,6 +63,18 @@ def lone(cells: Array) -> Array:
     return found
 
 
+def kept(start: Array, changed: Array, plain: Array) -> float:
+    """Percent of the ``plain`` stitches of ``start`` (R, C) at a border, beside or above another colour, that are not
+    ``changed``: 100 where every border is closed."""
+    edge = np.zeros(start.shape, np.bool_)
+    for axis in (0, 1):
+        apart = np.diff(start.astype(np.int16), axis=axis) != 0
+        for side in ((0, 1), (1, 0)):
+            edge |= np.pad(apart, [side if k == axis else (0, 0) for k in (0, 1)])
+    edge &= plain
+    return 100.0 * float((~changed[edge]).mean()) if edge.any() else 100.0
+
+
 def blurred_error(cells: Array, tone: Array, sigma: float) -> float:
     """Mean squared difference of ``cells`` and ``tone`` (R, C) after a Gaussian blur of ``sigma`` stitches each."""
     from scipy.ndimage import gaussian_filter
@@ -144,6 +156,7 @@ def facts(piece: Piece) -> dict[str, Any]:
     out["upright"] = round(float(np.mean([upright(chart.cells[b]) for b in bands(*chart.cells.shape)])), 2)
     if piece.textured is not None:
         plain = ~piece.textured & ~flips
+        out["borders"] = round(kept(piece.start, flips, ~piece.textured), 2)
         out["alone"] = round(100.0 * float((lone(chart.cells) & plain).sum()) / max(1, chart.cells.size), 2)
     if len(chart.palette) == 2:
         out["likeness"] = likenesses(piece)
