@@ -77,7 +77,7 @@ def places(found: Array, tones: int, period: int, squash: float, ground: Ground)
     moves = list(dict.fromkeys([first, 1, period - 1, (period - first) % period]))
     numbers = np.zeros(shape, np.int32)
     for tone in (0, tones - 1):
-        island, count = label(found == tone, np.ones((3, 3)))
+        island, _ = label(found == tone, np.ones((3, 3)))
         numbers[island > 0] = island[island > 0] + numbers.max()
     size = np.bincount(numbers.ravel())
     chosen: dict[int, int] = {}
