@@ -43,7 +43,7 @@ class Gauge:
 
 Technique = Literal["stranded", "intarsia", "jacquard"]
 TECHNIQUES: tuple[Technique, ...] = ("stranded", "intarsia", "jacquard")
-Backing = Literal["birdseye", "stripes"]
+Backing = Literal["birdseye", "stripes", "picture"]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -57,7 +57,9 @@ class Chart:
     circular : knitted in the round (rows wrap)
     gauge : Gauge or None
     technique : stranded (the idle yarn floats behind), intarsia (a bobbin for each area), jacquard (on two beds)
-    backing : of jacquard, what the back bed knits: birdseye (the colours by turns) or stripes (each colour a whole row)
+    backing : of jacquard, what the back bed knits: birdseye (the colours by turns), stripes (each colour a whole row) or
+        picture, which is ``behind``
+    behind : (R, C) uint8 → palette, or None: what the back bed knits, columns as for ``cells``
     """
 
     cells: Array
@@ -69,10 +71,15 @@ class Chart:
     gauge: Gauge | None = None
     technique: Technique = "stranded"
     backing: Backing = "birdseye"
+    behind: Array | None = None
 
     def __post_init__(self) -> None:
-        if self.technique not in TECHNIQUES or self.backing not in ("birdseye", "stripes"):
+        if self.technique not in TECHNIQUES or self.backing not in ("birdseye", "stripes", "picture"):
             raise LawError(f"Chart.technique: {self.technique!r} with a back of {self.backing!r} is not known")
+        if (self.backing == "picture") != (self.behind is not None) or (
+            self.behind is not None and self.technique != "jacquard"
+        ):
+            raise LawError("Chart.behind: a back of its own is for jacquard whose backing is picture")
         cells = array("Chart.cells", self.cells, np.uint8, (None, None))
         within("Chart.cells", cells, 0, len(self.palette))
         masks = {
@@ -87,7 +94,10 @@ class Chart:
                     raise LawError(
                         f"Chart.cells: row {r} holds {len(np.unique(knitted))} colours, at most 2 can be knitted"
                     )
-        put(self, cells=cells, **masks)
+        behind = None if self.behind is None else array("Chart.behind", self.behind, np.uint8, cells.shape)
+        if behind is not None:
+            within("Chart.behind", behind, 0, len(self.palette))
+        put(self, cells=cells, behind=behind, **masks)
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -114,11 +124,15 @@ class Chart:
                 {"rgb": hexed(rgb), "name": name, "code": code}
                 for rgb, name, code in zip(self.palette.rgb.tolist(), self.palette.names, self.palette.codes)
             ],
-            "cells": {
-                str(r + 1): "".join(DIGITS[v] for v in self.cells[r])
-                if len(self.palette) <= len(DIGITS)
-                else self.cells[r].tolist()
-                for r in order
+            **{
+                name: {
+                    str(r + 1): "".join(DIGITS[v] for v in cells[r])
+                    if len(self.palette) <= len(DIGITS)
+                    else cells[r].tolist()
+                    for r in order
+                }
+                for name, cells in (("cells", self.cells), ("behind", self.behind))
+                if cells is not None
             },
             **masks,
         }
@@ -145,6 +159,10 @@ class Chart:
             if len(told["cells"]) != rows:
                 raise ValueError(f'"cells" holds {len(told["cells"])} rows, wanted {rows}')
             _fill(cells, "cells", told["cells"])
+            behind = None
+            if "behind" in told:
+                behind = np.zeros((rows, stitches), np.uint8)
+                _fill(behind, "behind", told["behind"])
             masks: dict[str, Array] = {}
             for name in ("no_stitch", "relaxed", "locked"):
                 if name in told:
@@ -159,6 +177,7 @@ class Chart:
                 gauge=gauge,
                 technique=told.get("technique", "stranded"),
                 backing=told.get("backing", "birdseye"),
+                behind=behind,
                 **masks,
             )
         except KeyError as error:

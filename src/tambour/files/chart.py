@@ -48,6 +48,8 @@ def write_png(value: Chart, sink: Sink) -> None:
         for k, v in value.plain().items()
         if k in ("format", "circular", "gauge", "technique", "backing", "palette")
     }
+    if value.behind is not None:
+        told["backing"] = "birdseye"  # a picture holds the front alone
     note = PngImagePlugin.PngInfo()
     note.add_text("tambour", json.dumps(told, ensure_ascii=True))
     made = io.BytesIO()

@@ -100,7 +100,7 @@ class KnitParams(Params):
 
     groups: ClassVar = {
         "Size": "stitches rows gauge crop rotate direction repeat arrange border edge_stitches round edges edge_run shape",
-        "Look": "technique back style tones ground use seen_from floats",
+        "Look": "technique back behind use_within cross_within style tones ground use seen_from floats",
         "Tones": "brightness contrast detail sharpen tone light",
         "First version": "start threshold patches patch_from",
         "Floats": "max_float soft catch relax lock weights focus method keep tidy",
@@ -124,7 +124,7 @@ class KnitParams(Params):
             for name in ("walk_sample", "walk_stop", "walk_gain", "walk_steps")
         },
         **{name: {"yarns": (None, *range(3, YARNS + 1))} for name in ("switch", "max_switches")},
-        "back": {"technique": ("jacquard",)},
+        **{name: {"technique": ("auto", "jacquard")} for name in ("back", "behind", "use_within", "cross_within")},
     }
 
     # --- from the picture to stitches
@@ -147,6 +147,12 @@ class KnitParams(Params):
     several colours, unless something is asked for that only stranded knitting has; else stranded."""
     back: Literal["birdseye", "stripes"] = "birdseye"
     """Jacquard: what the back bed knits: the yarns by turns (birdseye), or a whole row of each (stripes)."""
+    behind: Any = file("Picture", "Jacquard: a second picture, for the back of the same cloth, seen from behind.")
+    use_within: int | None = Field(default=None, ge=2, le=17)
+    """Two pictures: in so many stitches of a row, both faces counted by turns, every yarn is used. Without it two more than
+    there are yarns."""
+    cross_within: int = Field(default=24, ge=4, le=1000)
+    """Two pictures: in so many stitches of a row, both faces counted, some yarn is used on both, and holds them together."""
     style: Literal["auto", "graphic", "texture", "tonal", "plain"] = "auto"
     """Graphic: areas with clean borders. Texture: four tones of knit textures. Tonal: tones by single stitches, for large
     pieces. Plain: no preparation. Auto chooses by picture and size, and says why."""
@@ -308,6 +314,10 @@ class KnitParams(Params):
             raise ValueError("{--repeat} closes upon itself: it does not go with {--edges} free")
         if self.round and self.edge_stitches:
             raise ValueError("{--round} has no edges for {--edge-stitches}")
+        if self.behind is not None and self.technique not in ("auto", "jacquard"):
+            raise ValueError(f"{{--behind}} is for {{--technique}} jacquard, not for {self.technique}")
+        if self.behind is not None and (self.repeat or self.shape is not None or self.border or self.edge_stitches):
+            raise ValueError("{--behind} does not go with {--repeat}, {--shape}, {--border} and {--edge-stitches}")
         if self.technique not in ("auto", "stranded"):
             self._of_areas()
         if len(self.colors) == 1:

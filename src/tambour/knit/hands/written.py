@@ -188,7 +188,11 @@ def how_to_read(chart: Chart) -> list[str]:
     return said
 
 
-BACKS = {"birdseye": "the yarns by turns (bird's eye)", "stripes": "a whole row of each yarn (stripes)"}
+BACKS = {
+    "birdseye": "the yarns by turns (bird's eye)",
+    "stripes": "a whole row of each yarn (stripes)",
+    "picture": "the second picture, needle by needle",
+}
 
 
 def bobbin_list(chart: Chart, weight: str = "dk") -> list[str]:

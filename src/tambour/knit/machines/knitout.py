@@ -174,7 +174,8 @@ def _jacquard(chart: Chart, yarns: list[int], dialect: Dialect) -> list[str]:
                 for s in stops
                 if (chart.cells[r, s.column] == color if s.needle[0] == "f" else (behind[:, s.column] == color).any())
             ]
-            out += _over(stops, here, "knit", k)
+            if here:
+                out += _over(stops, here, "knit", k)
             if r == 0 and k > 1:
                 out += _release(dialect, k)
     out += [_out(dialect, k) for k in range(1, len(yarns) + 1)]

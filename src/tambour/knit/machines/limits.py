@@ -62,6 +62,11 @@ def check(chart: Chart, name: str) -> list[Problem]:
     yarns = np.count_nonzero(tally(chart))
     if chart.technique == "intarsia":
         say("intarsia is laid in by hand, no pattern is read", "leave {--machine} out, or {--technique} jacquard")
+    elif chart.behind is not None and model.brand != "two-bed":
+        say(
+            "its ribber selects no needles, two pictures need two beds that do",
+            "leave {--behind} out, or {--machine} kniterate",
+        )
     elif chart.technique == "jacquard" and yarns > model.yarns:
         say(f"{yarns} yarns, its double bed takes {model.yarns}", f"{{--yarns}} {model.yarns}")
     elif chart.technique == "stranded" and yarns > 2 and model.brand != "two-bed":

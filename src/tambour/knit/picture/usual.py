@@ -146,6 +146,8 @@ def coloured(picture: Array, kind: Kind, params: KnitParams) -> KnitParams:
     Two colours, or greys, are stranded, in the picture's own colours where they are no greys. More colours are intarsia,
     unless something was said that belongs to stranded knitting.
     """
+    if params.behind is not None:
+        return params.model_copy(update={"technique": "jacquard"})
     stranded = params.technique == "stranded" or (params.technique == "auto" and of_stranded(params))
     own = params.yarns is None and not params.colors and params.card == "none" and params.stash is None
     found = shades.few(picture, YARNS) if kind != "photograph" else []

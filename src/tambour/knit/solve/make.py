@@ -23,7 +23,7 @@ from tambour.knit.picture.style import Style, chosen, of_plain, recognised, sett
 from tambour.knit.picture.usual import coloured
 from tambour.knit.piece import Piece
 from tambour.knit.solve import coloured as areas
-from tambour.knit.solve import floats, yarns
+from tambour.knit.solve import faces, floats, yarns
 from tambour.knit.solve.assemble import State, assemble
 from tambour.knit.solve.stages import advise, mirrored, solved, squash_of, task_of
 from tambour.knit.task import NONE, PLAIN, Task
@@ -55,6 +55,8 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
         exact = params.technique == "auto" and kind != "photograph" and layout.pixels
         params = coloured(layout.picture, kind, params)
         style = chosen(kind, luma.shape, params)
+    if params.behind is not None:
+        return faces.make(layout, style, params, progress)
     if params.technique != "stranded":
         return areas.make(layout, style, params, exact, progress)
     if params.count > 2:
