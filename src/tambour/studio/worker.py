@@ -91,7 +91,7 @@ class Desk:
 
         told = self.make(job, progress)
         report = json.loads(dumps(write(self.made, (), progress=progress)))
-        return {"report": {**report, "problems": told["problems"]}}
+        return {"report": {**report, "problems": told["problems"], "named": _named(report)}}
 
     def thumb(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """A small picture of the piece."""
@@ -137,6 +137,20 @@ class Desk:
         file = Path(job["to"]) / "tile.pack"
         file.write_bytes(packed(tile(params, job["k"])))
         return {"file": str(file)}
+
+
+def _named(report: dict[str, Any]) -> dict[str, str]:
+    """What people call every colour that a report speaks of: ``#ece0c8`` → "cream"."""
+    import re
+
+    import numpy as np
+
+    from tambour.color import plain_name
+    from tambour.core.rgb import hexed, unhexed
+
+    found = set(re.findall(r"#[0-9a-f]{6}\b", json.dumps(report)))
+    found |= {hexed(t["rgb"]) for t in report.get("threads", ()) if "rgb" in t}
+    return {color: plain_name(np.array(unhexed(color), np.uint8)) for color in sorted(found)[:500]}
 
 
 def _archive(to: Path, folder: Path, found: list[Path]) -> None:

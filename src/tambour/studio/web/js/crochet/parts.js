@@ -17,7 +17,7 @@ export function facts(piece, { part, go, checked }) {
   return html`
     ${report?.size_mm ? html`<h2 class="head">Size</h2><p class="big">${report.size_mm.map(cm).join(" × ")} cm</p>
       <p class="quiet">${[report.size?.measured, report.size_in?.map((/** @type {number} */ v) => v.toFixed(1)).join(" × ") + " in"].filter(Boolean).join(" · ")}</p>` : ""}
-    ${yarns.length ? html`<h2 class="head">Yarn</h2><ul class="facts">${yarns.map((/** @type {any} */ y) => html`<li><span><i class="swatch" ${ref(dyed(y.color))}></i> ${y.name || y.color}</span>
+    ${yarns.length ? html`<h2 class="head">Yarn</h2><ul class="facts">${yarns.map((/** @type {any} */ y) => html`<li><span><i class="swatch" ${ref(dyed(y.color))}></i> ${y.name || report.named?.[y.color] || y.color}</span>
       <span class="number">${y.metres.toFixed(1)} m${y.grams ? html` <span class="quiet">${Math.ceil(y.grams)} g</span>` : ""}</span></li>`)}</ul>` : ""}
     ${pack ? html`<h2 class="head">Parts</h2><ul>${pack.facts.parts.map((/** @type {any} */ p, /** @type {number} */ k) => html`<li>
       <button class="rowbutton" aria-pressed=${part.value === k} @click=${() => (part.value = part.value === k ? -1 : k)}>

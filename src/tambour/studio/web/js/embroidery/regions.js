@@ -1,7 +1,7 @@
 // The regions of an embroidery as a list: colour, stitch, order; the chosen one shows how it is sewn, and is changed there.
 import { fields, speller } from "../forms.js";
 import { list, told } from "../problems.js";
-import { counted, dyed, html, live, number, ref } from "../view.js";
+import { counted, dyed, hex, html, live, number, ref } from "../view.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
@@ -60,7 +60,7 @@ const shown = (/** @type {any} */ v) => (v === null || v === undefined ? "" : ty
 /** @param {Piece} piece */
 function threads(piece) {
   const all = piece.report.value?.threads ?? [];
-  return all.length ? html`<h2 class="head">Threads</h2><ul class="facts">${all.map((/** @type {any} */ t) => html`<li><span><i class="swatch" ${ref(dyed(t.rgb))}></i> ${t.name || t.pes?.name || ""} <span class="quiet">${t.code || t.pes?.code || ""}</span></span>
+  return all.length ? html`<h2 class="head">Threads</h2><ul class="facts">${all.map((/** @type {any} */ t) => html`<li><span><i class="swatch" ${ref(dyed(t.rgb))}></i> ${t.name || piece.report.value?.named?.[hex(t.rgb)] || t.pes?.name || ""} <span class="quiet">${t.code || t.pes?.code || ""}</span></span>
     <span class="number">${t.metres.toFixed(1)} m</span></li>`)}</ul>` : "";
 }
 
@@ -75,7 +75,7 @@ export function facts(piece) {
       <li><span>Time</span><span class="number">${minutes(report.machine_seconds)}</span></li><li><span>Thread</span><span class="number">${report.thread_m.toFixed(1)} m</span></li>
       <li><span>Colour changes</span><span class="number">${report.color_changes}</span></li><li><span>Cuts</span><span class="number">${report.trims}</span></li>
       <li><span>Longest stitch</span><span class="number">${report.longest_mm.toFixed(1)} mm</span></li></ul>
-      <h2 class="head">Stops</h2><ol class="facts">${steps.map((s) => html`<li><button class="link" @click=${() => (piece.at.value = s.first)}>${colored(s.stop || s.label)}</button><span class="number quiet">${number(s.count)}</span></li>`)}</ol>` : ""}
+      <h2 class="head">Stops</h2><ol class="facts">${steps.map((s) => html`<li><button class="link" @click=${() => (piece.at.value = s.first)}>${colored(s.stop || s.label, report.named ?? {})}</button><span class="number quiet">${number(s.count)}</span></li>`)}</ol>` : ""}
     <h2 class="head">Checks</h2>${problems.length ? list(problems, { spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ nothing doubtful to sew</p>` : ""}
     ${craft ? html`<h2 class="head">How it is sewn</h2>${fields(craft.form, piece.params.value, { set, problems })}` : ""}
     ${report ? html`<p class="quiet">${counted(report.points, "needle point")}</p>` : ""}`;
@@ -84,5 +84,5 @@ export function facts(piece) {
 /** @param {number} s */
 export const minutes = (s) => (s < 60 ? `${Math.round(s)} s` : `${Math.floor(s / 60)} min ${Math.round(s % 60)} s`);
 
-/** Colours in a text as what they look like. @param {string} text */
-const colored = (text) => text.split(/(#[0-9a-f]{6})/i).map((word) => (/^#/.test(word) ? html`<i class="swatch" ${ref(dyed(word))}></i> <span class="quiet">${word}</span>` : word));
+/** Colours in a text as what they look like, and are called. @param {string} text @param {Record<string, string>} named */
+export const colored = (text, named) => text.split(/(#[0-9a-f]{6})/i).map((word) => (/^#/.test(word) ? html`<i class="swatch" ${ref(dyed(word))}></i> ${named[word] ?? html`<span class="quiet">${word}</span>`}` : word));

@@ -104,7 +104,7 @@ void main() {
   float bed = mix(.42, 1., smoothstep(0., .85, facing));      // strands lie close: their flanks see little light
   vec3 light = sky * .72 + vec3(1.12, 1.06, .98) * lit * lit * .86;
   vec3 base = color.rgb * (1. + .10 * fibre * hair);
-  vec3 c = base * light * groove * bed;
+  vec3 c = base * light * groove * bed * mix(1.55, 1., sheen); // what hollows take is given back: yarn looks its own colour
   vec3 half_ = normalize(key + eye), ply = normalize(axis - round_ * 6.2832 / pitch);
   float th = dot(ply, half_), silk = pow(sqrt(max(0., 1. - th * th)), 48.) * max(0., dot(n, key) * .6 + .4);
   c += (base * .7 + .12) * silk * sheen * groove;

@@ -16,7 +16,7 @@ export function yarns(piece, yarn) {
   };
   return html`<h2 class="head">Yarns</h2><ul>${Array.from({ length: n }, (_, k) => {
     const color = hex(p.subarray(3 * k, 3 * k + 3)), name = pack.facts.names[k], told = used.find((/** @type {any} */ y) => y.name === name);
-    return html`<li class="yarnrow"><button class="rowbutton" aria-pressed=${yarn.value === k} @click=${() => (yarn.value = k)}><i class="swatch" ${ref(dyed(color))}></i> ${name || color}
+    return html`<li class="yarnrow"><button class="rowbutton" aria-pressed=${yarn.value === k} @click=${() => (yarn.value = k)}><i class="swatch" ${ref(dyed(color))}></i> ${name || piece.report.value?.named?.[color] || color}
       <span class="number">${told ? `${told.metres.toFixed(1)} m` : ""}</span></button>
       <input type="color" aria-label="colour of ${name || color}" .value=${live(color)} @change=${(/** @type {any} */ e) => recolor(k, e.target.value)}></li>`;
   })}</ul>`;
