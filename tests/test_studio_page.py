@@ -288,6 +288,34 @@ def test_ink(page, tmp_path):
     assert got.read_bytes() == (tmp_path / "plum.json").read_bytes()
 
 
+def test_pictures_of_each_step_and_a_film_come_from_the_scrub(page, tmp_path):
+    import io
+    import zipfile
+
+    from PIL import Image
+
+    new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    made(page)
+    page.keyboard.press("Control+s")
+    with page.expect_download() as waiting:
+        page.click("text=Step by step")
+    assert waiting.value.suggested_filename == "ball steps.zip"
+    waiting.value.save_as(tmp_path / "steps.zip")
+    with zipfile.ZipFile(tmp_path / "steps.zip") as archive:
+        assert archive.testzip() is None and len(archive.namelist()) == 4
+        assert archive.namelist()[1] == "2 piece Rnd 2.jpg"
+        pictures = [Image.open(io.BytesIO(archive.read(n))).convert("L") for n in archive.namelist()]
+    ground = pictures[0].getpixel((5, 5))
+    yarn = [sum(abs(v - ground) > 40 for v in p.resize((150, 150)).getdata()) for p in pictures]
+    assert yarn[0] < yarn[1] < yarn[2] and yarn[0] > 100  # it grows
+    page.keyboard.press("Control+s")
+    with page.expect_download() as waiting:
+        page.click("text=Upright film")
+    waiting.value.save_as(tmp_path / "film")
+    raw = (tmp_path / "film").read_bytes()
+    assert len(raw) > 20_000 and (raw[4:8] == b"ftyp" or raw[:4] == b"\x1aE\xdf\xa3")
+
+
 def test_without_webgl_there_is_a_word_and_a_still_picture(page):
     page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
     new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})

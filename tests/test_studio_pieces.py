@@ -320,6 +320,41 @@ def test_a_page_hears_how_its_piece_is_made(ours: TestClient) -> None:
         assert socket.receive_json() == {"type": "revision", "piece": piece["id"], "revision": after}
 
 
+def test_a_hand_pulls_at_a_toy_and_it_is_worked_one_by_one(ours: TestClient) -> None:
+    """States come while it is held; nothing of it is kept; what is no word of the hand is told."""
+    from studio import LIVE
+
+    piece, revision = new(ours, source={"text": BALL})
+    number = revision["id"]
+    with ours.websocket_connect(LIVE) as socket:
+
+        def state() -> Any:
+            while not (raw := socket.receive().get("bytes")):
+                pass
+            assert int.from_bytes(raw[:4], "little") == number
+            return unpacked(raw[8:]).arrays["positions"]
+
+        socket.send_json({"type": "hold", "revision": number, "node": 10, "x": 50.0, "y": 5.0, "z": 0.0})
+        while abs(state()[10, 0] - 50.0) > 0.01:
+            pass
+        socket.send_json({"type": "release", "revision": number})
+        while abs(state()[10, 0]) > 20:
+            pass
+        socket.send_json({"type": "step", "revision": number, "count": 4})
+        while len(state()) < 5:
+            pass
+        for wrong in (
+            {"type": "hold", "revision": number, "node": 1},
+            {"type": "pin"},
+            {"type": "play", "revision": "x"},
+        ):
+            socket.send_json(wrong)
+            while (message := socket.receive()).get("bytes"):
+                pass
+            assert json.loads(message["text"])["status"] == 422
+    assert ours.get(f"/api/pieces/{piece['id']}").json()["piece"]["head"] == number
+
+
 def test_pictures_for_the_shelf_and_examples(ours: TestClient) -> None:
     _, revision = new(ours, **SMALL["crochet"])
     picture = ours.get(f"/api/revisions/{revision['id']}/thumb.webp")

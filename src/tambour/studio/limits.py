@@ -40,6 +40,11 @@ MESSAGE: Final = 64_000
 FRAMES: Final = 60
 """States a second that a page can ask for."""
 
+WORDS: Final = 200
+"""Words of a hand on a piece that wait to be heard."""
+QUIET: Final = 60.0
+"""Seconds after its last word that a hand is taken from a piece."""
+
 QUEUE: Final = 16
 """Jobs that wait for a worker."""
 MAKE_SECONDS: Final = 600.0

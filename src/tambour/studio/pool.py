@@ -106,14 +106,20 @@ class Pool:
         seconds: float = limits.MAKE_SECONDS,
         tell: Tell = lambda told: None,
         frame: Frame = lambda raw: None,
+        words: asyncio.Queue[dict[str, Any]] | None = None,
     ) -> dict[str, Any]:
-        """Do a job, of a piece where there is a ``spec``; gives its end. Raises Failed."""
+        """Do a job, of a piece where there is a ``spec``; gives its end. ``words``: said to it while it goes on. Raises Failed."""
         hand = await self._lend(job.get("lane", ""), spec)
+        saying = None
         try:
             if spec is not None:
                 job = {**job, **await self._lay(hand, spec)}
+            if words is not None:
+                saying = asyncio.create_task(_said(hand, words))
             told = await hand.do(job, seconds, tell, frame)
         finally:
+            if saying is not None:
+                saying.cancel()
             # By itself: whoever is cancelled, twice perhaps, must not keep a worker.
             self._later(self._back(hand))
         if told["is"] == "stopped":
@@ -188,6 +194,11 @@ class Pool:
             with suppress(AttributeError):  # one that was never started
                 await hand.close()
         await asyncio.to_thread(shutil.rmtree, self.folder, True)
+
+
+async def _said(hand: Hand, words: asyncio.Queue[dict[str, Any]]) -> None:
+    while True:
+        await hand.word(await words.get())
 
 
 def _laid(home: Path, folder: Path, blobs: dict[str, bytes]) -> None:

@@ -21,6 +21,13 @@ if TYPE_CHECKING:
     from tambour.studio.context import Studio
 
 
+SCENES = {
+    **dict.fromkeys(("hold", "pin", "release", "loose"), "held"),
+    **dict.fromkeys(("play", "pause", "step", "restart"), "worked"),
+}
+"""A word of the hand → what it plays with: a finished toy, or one that is worked stitch by stitch."""
+
+
 class Hub:
     """The pages that are open, and the pieces that they look at."""
 
@@ -57,6 +64,9 @@ class Page:
         self.count = 0
         self.news = asyncio.Event()
         self.watching: asyncio.Task[None] | None = None
+        self.playing: asyncio.Task[None] | None = None
+        self.scene = ("", 0)
+        self.words: asyncio.Queue[dict[str, Any]] = asyncio.Queue(limits.WORDS)
 
     def tell(self, told: dict[str, Any]) -> None:
         """Send soon; of what tells how far a thing is, the latest alone."""
@@ -75,7 +85,7 @@ class Page:
                 await self._hear(message.get("text"))
         finally:
             self.studio.hub.pages.discard(self)
-            for task in (teller, self.watching):
+            for task in (teller, self.watching, self.playing):
                 if task is not None:
                     task.cancel()
                     with suppress(asyncio.CancelledError, Exception):
@@ -104,6 +114,8 @@ class Page:
                     raise ValueError
                 await self._stop()
                 self.watching = asyncio.create_task(self._watch(revision, rate))
+            elif kind in SCENES:
+                await self._play(SCENES[kind], told)
             elif kind == "cancel":
                 await self._stop()
             else:
@@ -114,11 +126,57 @@ class Page:
             )
 
     async def _stop(self) -> None:
-        if self.watching is not None:
-            self.watching.cancel()
-            with suppress(asyncio.CancelledError, Exception):
-                await self.watching
-            self.watching = None
+        for task in (self.watching, self.playing):
+            if task is not None:
+                task.cancel()
+                with suppress(asyncio.CancelledError, Exception):
+                    await task
+        self.watching = self.playing = None
+
+    async def _play(self, scene: str, told: dict[str, Any]) -> None:
+        """Say a word of the hand to the piece that is being played with; begin to play with it where that is new."""
+        number = int(told["revision"])
+        word: dict[str, Any] = {"type": told["type"]}
+        for name in ("x", "y", "z"):
+            if name in told:
+                word[name] = max(-1e6, min(1e6, float(told[name])))
+        for name in ("node", "count"):
+            if name in told:
+                word[name] = max(-1, min(2**31, int(told[name])))
+        if not 0 < number < 2**53 or (word["type"] == "hold" and len(word) < 5):
+            raise ValueError
+        if self.playing is None or self.playing.done() or self.scene != (scene, number):
+            if self.playing is not None:
+                self.playing.cancel()
+            self.words = asyncio.Queue(limits.WORDS)
+            self.scene = (scene, number)
+            self.playing = asyncio.create_task(self._played(scene, number, self.words))
+        with suppress(asyncio.QueueFull):
+            self.words.put_nowait(word)
+
+    def _show(self, number: int, raw: bytes) -> None:
+        """Send a state of a revision soon."""
+        self.count += 1
+        self.frame = struct.pack("<II", number & 0xFFFFFFFF, self.count) + raw
+        self.news.set()
+
+    async def _played(self, scene: str, number: int, words: asyncio.Queue[dict[str, Any]]) -> None:
+        """Play with a revision: show its states while words are said to it."""
+        studio = self.studio
+        job = {"do": "play", "scene": scene, "rate": 30}
+        try:
+            revision = await studio.library.do(studio.library.revision, number)
+            piece = await studio.library.do(studio.library.piece, revision.piece)
+            if piece.craft != "crochet":
+                raise Failed.of(422, "there is nothing to pull at in this piece")
+            spec = await studio.making.spec(piece.craft, revision.content)
+            await studio.pool.run(job, spec, frame=lambda raw: self._show(number, raw), words=words)
+        except Missing:
+            self.tell({"type": "played", "revision": number, "problems": [said("there is no such revision")]})
+        except Failed as failed:
+            self.tell({"type": "played", "revision": number, "problems": failed.problems})
+        else:
+            self.tell({"type": "played", "revision": number, "problems": []})
 
     async def _watch(self, number: int, rate: int) -> None:
         """Make a revision, telling how it goes and showing its states."""
@@ -129,9 +187,7 @@ class Page:
             self.tell({"type": "progress", "revision": number, **kept})
 
         def frame(raw: bytes) -> None:
-            self.count += 1
-            self.frame = struct.pack("<II", number & 0xFFFFFFFF, self.count) + raw
-            self.news.set()
+            self._show(number, raw)
 
         try:
             revision = await studio.library.do(studio.library.revision, number)

@@ -13,6 +13,7 @@ from tambour.studio.guard import SANDBOX
 from tambour.studio.library import Content, Piece, Revision
 from tambour.studio.making import Output, file_name, key_of, tag
 from tambour.studio.pieces import EXAMPLES, example, plain_revision
+from tambour.studio.pool import Failed
 
 if TYPE_CHECKING:
     from starlette.requests import Request
@@ -144,7 +145,12 @@ async def thumb(studio: Studio, request: Request) -> Response:
         spec = await studio.making.spec(name, found.content)
         return await studio.pool.run({"do": "thumb", "to": str(to)}, spec)
 
-    made = await until_left(request, studio.making.get(f"{key_of(name, found.content)}/thumb", make))
+    try:
+        made = await until_left(request, studio.making.get(f"{key_of(name, found.content)}/thumb", make))
+    except Failed as failed:
+        if failed.status != 422:
+            raise
+        return Response(status_code=204, headers={"cache-control": ASKED})  # what cannot be made has no picture
     raw = made.path.read_bytes()
     piece = await studio.library.do(studio.library.piece, found.piece)
     if piece.head == found.id:

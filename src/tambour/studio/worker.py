@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import json
 import os
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
+from tambour.studio import limits
 from tambour.studio.problems import plains, said
+
+LAST = 0.05
+"""Seconds after which a state is shown whatever was shown before."""
 
 
 class Desk:
@@ -32,6 +37,7 @@ class Desk:
             "tile": self.tile,
             "read": self.read,
             "place": self.place,
+            "play": self.play,
         }
         return works[job["do"]](job, progress)
 
@@ -126,6 +132,29 @@ class Desk:
         params = craft("crochet").params.of({**job["params"], **job["files"]})
         made = moved(files.read(job["source"], ("Text",)), params, job["part"], job["onto"])
         return {"text": made.text, "sentence": made.sentence}
+
+    def play(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
+        """A toy under the hand: moves by what is heard, shows its states, and ends when nobody asks anything of it."""
+        from tambour.crochet.played import Held, Worked
+
+        self.make(job, progress)
+        scene: Held | Worked = Held(self.made.piece) if job["scene"] == "held" else Worked(self.made.piece)
+        quiet = time.monotonic()
+        while time.monotonic() - quiet < limits.QUIET:
+            for word in job["hear"](0.0 if scene.moving else 1.0):
+                scene.hear(word)
+                quiet = time.monotonic()
+                progress.look(scene.seen)
+            progress.step(1, 1)  # raises Stopped when its page left
+            if scene.moving:
+                wait = scene.move()
+                progress.look(scene.seen)
+                if wait:
+                    time.sleep(wait)
+                if not scene.moving:
+                    time.sleep(LAST)  # the last state is always seen
+                    progress.look(scene.seen)
+        return {}
 
     def tile(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """A tile of a scroll, as a pack."""

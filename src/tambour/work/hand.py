@@ -136,6 +136,11 @@ class Hand:
         finally:
             self._tell, self._frame = (lambda told: None), (lambda raw: None)
 
+    async def word(self, told: dict[str, Any]) -> None:
+        """Say something to the job that goes on."""
+        if self._end is not None and not self._end.done() and not self.dead:
+            await self._say({"do": "word", "job": self.job, "word": told})
+
     async def stop(self) -> None:
         """See that no job goes on: ask it to end, and kill it when it does not."""
         end = self._end

@@ -27,7 +27,10 @@ class Desk(Protocol):
     """What a worker can do; it may keep what it made last."""
 
     def do(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
-        """One job: what it gives, as plain values. Bytes under "frames", a list, are sent before it."""
+        """One job: what it gives, as plain values. Bytes under "frames", a list, are sent before it.
+
+        job["hear"](seconds) gives what is said to the job meanwhile.
+        """
 
     def failed(self, job: dict[str, Any], error: Exception) -> dict[str, Any]:
         """What is told of a job that raised."""
@@ -39,6 +42,7 @@ class Worker:
     def __init__(self, words: BinaryIO, answers: BinaryIO, kind: Callable[[], Desk]) -> None:
         self.words, self.answers, self.kind = words, answers, kind
         self.jobs: queue.Queue[dict[str, Any] | None] = queue.Queue()
+        self.heard: queue.Queue[tuple[int, dict[str, Any]]] = queue.Queue()
         self.stopped: set[int] = set()
         self.over = False
         self.job: dict[str, Any] = {}
@@ -52,6 +56,8 @@ class Worker:
             told = json.loads(self.words.read(size))
             if told["do"] == "stop":
                 self.stopped.add(told["job"])
+            elif told["do"] == "word":
+                self.heard.put((told["job"], told["word"]))
             else:
                 self.jobs.put(told)
         self.over = True
@@ -71,7 +77,7 @@ class Worker:
 
     def _done(self, job: dict[str, Any]) -> dict[str, Any]:
         try:
-            return {"is": "done", **self.desk.do(job, Progress(self.show, self.look))}
+            return {"is": "done", **self.desk.do({**job, "hear": self.hear}, Progress(self.show, self.look))}
         except Stopped:
             return {"is": "stopped"}
         except Exception as error:  # noqa: BLE001 - told, and the worker goes on
@@ -82,6 +88,17 @@ class Worker:
 
                 traceback.print_exc()
             return {"is": "failed", **self.desk.failed(job, error)}
+
+    def hear(self, wait: float) -> list[dict[str, Any]]:
+        """What was said to this job since it was asked last; where nothing was, it waits so many seconds for it."""
+        words: list[dict[str, Any]] = []
+        try:
+            while True:
+                number, word = self.heard.get(timeout=wait) if wait and not words else self.heard.get_nowait()
+                if number == self.job["job"]:
+                    words.append(word)
+        except queue.Empty:
+            return words
 
     def say(self, told: dict[str, Any]) -> None:
         """Send an event of the job."""

@@ -18,6 +18,12 @@ export class Hand {
     this.mode = mode;
     this.dropped = dropped;
     this.leaned = leaned;
+    /** Stitches that are pinned; how many. @type {Set<number>} */
+    this.pins = new Set();
+    this.pinned = signal(0);
+    this.due = 0;
+    /** @type {({type: string} & Record<string, any>)|null} */
+    this.wanted = null;
     /** What the hand is doing, in words. */
     this.word = signal("");
     /** @type {any} */
@@ -57,6 +63,22 @@ export class Hand {
     });
   }
 
+  /** A word of the hand to the piece as it stands. @param {{type: string} & Record<string, any>} word */
+  say(word) {
+    this.piece.wire.say({ revision: this.piece.revision.value.id, ...word });
+  }
+
+  /** Let all pins go. */
+  loose() {
+    this.pins.clear();
+    this.told();
+    this.say({ type: "loose" });
+  }
+
+  told() {
+    this.pinned.value = this.pins.size;
+  }
+
   /** What the report says of the part that a stitch is of. @param {number} unit @returns {any} */
   sewn(unit) {
     const name = this.called(unit);
@@ -81,8 +103,12 @@ export class Hand {
     const { kind, unit, from } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
     const to = this.stage.camera.under(x, y, from);
     if (kind === "stitch") {
-      this.piece.wire.say({ type: "hold", node: unit, x: to[0], y: to[1], z: to[2] });
-      this.word.value = "Let go, and it finds its shape again";
+      this.wanted = { type: "hold", node: unit, x: to[0], y: to[1], z: to[2] };
+      this.due ||= requestAnimationFrame(() => {
+        this.due = 0;
+        if (this.held && this.wanted) this.say(this.wanted);
+      });
+      this.word.value = "Let go, and it finds its shape again; Alt and a click pins a stitch";
       return;
     }
     if (kind === "lean") {
@@ -104,7 +130,12 @@ export class Hand {
     this.word.value = "";
     if (lean) return this.leaned(this.called(unit), lean.tilt, lean.towards);
     if (kind === "lean") return undefined;
-    if (kind === "stitch") return this.piece.wire.say({ type: "release" });
+    if (kind === "stitch" && still) {
+      if (!this.pins.delete(unit)) this.pins.add(unit);
+      this.told();
+      return this.say({ type: "pin", node: unit });
+    }
+    if (kind === "stitch") return this.say({ type: "release" });
     if (still) return this.stage.move(null);
     // What lies under it: the toy as it was before this part was worked.
     const { start } = this.pack.facts.parts[this.pack.arrays.part[unit]], count = this.stage.count;

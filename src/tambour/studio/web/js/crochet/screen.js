@@ -7,7 +7,7 @@ import { unpack } from "../pack.js";
 import { list, told } from "../problems.js";
 import { night } from "../theme.js";
 import { Timeline, bare } from "../timeline.js";
-import { counted, dyed, effect, html, later, ref, show, signal, untracked } from "../view.js";
+import { counted, dyed, effect, html, later, number, ref, show, signal, untracked } from "../view.js";
 import { ask } from "../wire.js";
 import { Hand } from "./drag.js";
 import { Editor } from "./editor.js";
@@ -21,6 +21,8 @@ export function screen(root, piece, { over }) {
   const at = frame(root, { left: "Words", words: true, right: "Facts", view: "Toy" });
   const mode = signal("yarn"), part = signal(-1), spot = signal(/** @type {[number, number]|null} */ (null)), chosen = signal(-1);
   const checked = signal(/** @type {{problems: any[], steps: any[]}|null} */ (null));
+  /** It is worked one by one while it moves: how many stitches there are. */
+  const building = signal(false), worked = signal(0), running = signal(false);
   const stage = new Stage(at.canvas);
   const timeline = new Timeline(at.making, piece);
   /** @type {(() => void)[]} */
@@ -107,6 +109,9 @@ export function screen(root, piece, { over }) {
     const first = !shown;
     shown = pack;
     hand.pack = pack;
+    hand.pins.clear();
+    hand.told();
+    building.value = false;
     stage.move(null);
     stage.set(pack, first);
     untracked(() => stage.scrub(piece.at.value));
@@ -133,6 +138,13 @@ export function screen(root, piece, { over }) {
   piece.onframe = ({ buffer, at: from }) => {
     const state = unpack(buffer, from), x = /** @type {Float32Array} */ (state.arrays.positions), pack = piece.live.value;
     if (!x?.length) return;
+    if (building.value) {
+      worked.value = x.length / 3;
+      const by = cord(x, pack?.facts.radius ?? 2);
+      stage.set(by, worked.value < 3);
+      if (x.length > 6) stage.camera.fit(by.facts.box, false);
+      return;
+    }
     if (pack && x.length === pack.arrays.positions.length && !piece.unsent.value) {
       if (stage.pack !== pack) {
         stage.set(pack, false);
@@ -148,6 +160,22 @@ export function screen(root, piece, { over }) {
     }
   };
 
+  const build = (/** @type {"play"|"pause"|"step"|"restart"} */ what, count = 1) => {
+    if (!building.value) shown = null; // the toy comes back when this ends
+    building.value = true;
+    running.value = what === "play";
+    hand.say({ type: what, count });
+  };
+  const built = () => {
+    building.value = false;
+    running.value = false;
+    piece.wire.say({ type: "cancel" });
+    const pack = piece.live.value;
+    if (!pack) return;
+    shown = pack;
+    stage.set(pack);
+    stage.scrub(piece.at.value);
+  };
   hand.listen(at.canvas, (unit) => choose(unit, true));
   const choose = (/** @type {number} */ unit, jump = false) => {
     const pack = piece.live.value;
@@ -166,7 +194,11 @@ export function screen(root, piece, { over }) {
       ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert">${pack ? "This is how it was: " : ""}the words cannot be made yet; see ${counted(told(piece.failed.value).length, "place")} in them.</div>` : ""}
       ${pack && step ? html`<div class="said" role="status"><b>${step.label}</b>, stitch ${i - step.first + 1} of ${step.end - step.first}
         · ${pack.facts.kinds[pack.arrays.kind[i]]}${pack.arrays.tension[i] > 0.08 ? html` · stretched ${Math.round(100 * pack.arrays.tension[i])} %` : ""}<br><span class="quiet">${bare(step.words)}</span></div>` : ""}
-      ${hand.word.value ? html`<div class="said">${hand.word.value}</div>` : ""}`;
+      ${hand.word.value ? html`<div class="said">${hand.word.value}</div>` : ""}
+      ${hand.pinned.value ? html`<div class="said">${counted(hand.pinned.value, "stitch", "stitches")} pinned <button class="link" @click=${() => hand.loose()}>Let go</button></div>` : ""}
+      ${building.value && pack ? html`<div class="said" role="group" aria-label="worked one by one"><b>${number(worked.value)}</b> of ${number(pack.arrays.positions.length / 3)} stitches
+        <button class="button" @click=${() => build(running.value ? "pause" : "play")}>${running.value ? "Pause" : "Play"}</button> <button class="button" @click=${() => build("step")}>One stitch</button>
+        <button class="button" @click=${() => build("restart")}>Begin anew</button> <button class="button" @click=${built}>Done</button></div>` : ""}`;
   }));
   stop.push(show(at.bottom, () => {
     const pack = piece.live.value, legend = pack ? looks(pack, mode.value, { part: part.value }).legend : [];
@@ -180,6 +212,8 @@ export function screen(root, piece, { over }) {
     ...MODES.map(([name, label], k) => ({ name: `Colours: ${label.toLowerCase()}`, key: String(k + 1), do: () => void (mode.value = name) })),
     { name: "From the front", do: () => stage.fit() },
     { name: "From behind", do: () => (stage.fit(), stage.camera.turn(Math.PI / 0.008, 0)) },
+    { name: "Work it one by one, while it moves", do: () => (build("restart"), build("play")) },
+    { name: "Let all pins go", do: () => hand.loose() },
     { name: "To the words", key: "e", do: () => editor.view.focus() },
     ...(piece.live.value?.facts.parts ?? []).map((/** @type {any} */ p, /** @type {number} */ k) => ({ name: `Part: ${p.name}`, do: () => void ((part.value = k), (mode.value = "parts")) })),
   ], (event) => {
