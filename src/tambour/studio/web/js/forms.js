@@ -35,9 +35,9 @@ export function fields(form, params, { set, file, problems = [], only = () => tr
     else groups.set(field.group, [...(groups.get(field.group) ?? []), [name, field]]);
   }
   const one = (/** @type {any} */ [name, field]) =>
-    input(name, field, values[name], name in params, { set, file, spell, wrong: problems.filter((p) => p.fields?.includes(name)) });
+    input(name, field, values[name], name in params, { set, file, spell, wrong: problems.filter((p) => !p.warning && p.fields?.includes(name)) });
   return html`<div class="form">${first.map(one)}</div>
-    ${[...groups].map(([group, all]) => html`<details class="group" ?open=${open || all.some(([name]) => problems.some((p) => p.fields?.includes(name)))}>
+    ${[...groups].map(([group, all]) => html`<details class="group" ?open=${open || all.some(([name]) => problems.some((p) => !p.warning && p.fields?.includes(name)))}>
       <summary>${group}</summary><div class="form">${all.map(one)}</div></details>`)}`;
 }
 

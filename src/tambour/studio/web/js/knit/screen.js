@@ -8,7 +8,7 @@ import { counted, effect, hex, html, number, show, signal, untracked } from "../
 import { LAYERS, marks } from "./layers.js";
 import { Ruler } from "./ruler.js";
 import { TOOLS, area, between, cut, laid, mirrored, painted, repeated, told } from "./paint.js";
-import { facts, yarns } from "./yarns.js";
+import { facts, usual, yarns } from "./yarns.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 /** @typedef {import("./paint.js").Put} Put */
@@ -225,7 +225,7 @@ export function screen(root, piece) {
   stop.push(show(at.right, () => facts(piece)));
   stop.push(show(at.top, () => {
     const [x, y] = spot.value, pack = piece.live.value;
-    return html`${working(piece.going.value)}
+    return html`${working(piece.going.value)}${usual(piece)}
       ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert"><b>${piece.failed.value[0].message}</b><br>${piece.failed.value[0].hint ?? ""}</div>` : ""}
       ${x >= 0 && pack && chart.data ? html`<div class="said">row <b>${y + 1}</b> · stitch <b>${chart.columns - x}</b> · ${pack.facts.names[chart.data[y * chart.columns + x]] ?? ""}</div>` : ""}`;
   }));

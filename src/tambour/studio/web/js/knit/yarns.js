@@ -22,10 +22,22 @@ export function yarns(piece, yarn) {
   })}</ul>`;
 }
 
+const chose = (/** @type {Piece} */ piece) => piece.problems.value.find((p) => p.warning && p.message.startsWith("taken as"));
+
+/** What was chosen for a picture, and why, as one says it at once. @param {Piece} piece */
+export function usual(piece) {
+  const form = piece.craft.value?.form, said = chose(piece);
+  if (!form || !said || piece.params.value.stitches || piece.going.value) return "";
+  const all = /(\d+) a stitch for each pixel/.exec(said.hint ?? "")?.[1], why = piece.report.value?.suggested ?? piece.report.value?.why;
+  const set = (/** @type {number} */ stitches) => piece.change({ params: { stitches }, said: "another width" });
+  return html`<div class="said" role="status">${said.message[0].toUpperCase() + said.message.slice(1)}.${why ? html`<br><span class="quiet">${why[0].toUpperCase() + why.slice(1)}.</span>` : ""}
+    <br>${[40, 60, 120].map((n) => html`<button class="link" @click=${() => set(n)}>${n} stitches</button> · `)}${all ? html`<button class="link" @click=${() => set(Number(all))}>a stitch for each pixel (${all})</button>` : "or another width at the right"}</div>`;
+}
+
 /** Facts of a chart. @param {Piece} piece */
 export function facts(piece) {
   const report = piece.report.value, pack = piece.live.value, craft = piece.craft.value;
-  const problems = told(piece.failed.value.length ? piece.failed.value : piece.problems.value);
+  const problems = told(piece.failed.value.length ? piece.failed.value : piece.problems.value.filter((p) => p !== chose(piece)));
   const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value }, said: name });
   const gauge = pack?.facts.gauge, cm = gauge && report ? [(report.width / gauge[0]) * 10, (report.rows / gauge[1]) * 10] : null;
   const like = report?.likeness?.["4"] ?? report?.likeness?.["2"];
