@@ -1,6 +1,6 @@
 """The studio in CPU seconds and bytes: a warm worker, first views, checks while typing, tiles, states over the socket.
 
-Run: python bench/studio.py [worker view check tile stream edit]
+Run: python bench/studio.py [worker view check tile stream edit hand scroll]; the last needs Chromium and the page built
 """
 
 from __future__ import annotations
@@ -10,7 +10,9 @@ import io
 import resource
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
@@ -98,21 +100,125 @@ def edit() -> None:
     from tambour.core.palette import Palette
 
     what, wool = craft("knit"), Palette(np.array([[20, 30, 90], [240, 230, 210]], np.uint8))
-    for side in (100, 316, 1000):
+    for side in (100, 316, 1000, 4000):
         cells = (np.indices((side, side)).sum(0) // 3 % 2).astype(np.uint8)
         made = make(what, Chart(cells, wool), what.params.of({})).piece
+        taller = what.changes["rows"].after
+        assert taller is not None
+        begun = spent()
+        taller(made, [what.changes["rows"].params.of({"at": 5, "count": 2})], Progress())
+        print(f"rows in → chart, {side} x {side}: {spent() - begun:.4f} CPU s")
         after = what.changes["stitch"].after
         assert after is not None
         values = [what.changes["stitch"].params.of({"row": side // 2, "stitch": side // 2, "yarn": "2"})]
         after(made, values, Progress())
         begun = spent()
-        for _ in range(3):
+        for _ in range(3 if side < 4000 else 1):
             after(made, values, Progress())
         print(f"edit → chart, {side} x {side}: {(spent() - begun) / 3:.4f} CPU s")
 
 
+def hand() -> None:
+    """A stitch pulled about: what one place of the hand costs until all has followed."""
+    import numpy as np
+
+    from tambour.crochet.played import Held
+
+    what = craft("crochet")
+    for name in ("mushroom.acl", "frog.acl"):
+        held = Held(make(what, EXAMPLES / "crochet" / name, what.params.of({})).piece)
+        node, begun, moves = len(held.body) // 3, spent(), 0
+        for k in range(1, 6):
+            x, y, z = held.rest[node] * held.width + np.array([3.0 * k, 0, 0])
+            held.hear({"type": "hold", "node": node, "x": x, "y": y, "z": z})
+            while held.moving:
+                held.move()
+                moves += 1
+        print(
+            f"a stitch pulled, {name}, {len(held.body)} stitches: {(spent() - begun) / 5:.3f} CPU s, {moves / 5:.0f} moves a place"
+        )
+
+
+def _page(flags: dict[str, Any]) -> Any:
+    """A page of a studio of its own, in Chromium; its context, and its process, are at ``.context`` and in the list."""
+    import contextlib
+    import shutil
+    import subprocess
+    import tempfile
+
+    from playwright.sync_api import sync_playwright
+
+    @contextlib.contextmanager
+    def opened() -> Iterator[Any]:
+        with tempfile.TemporaryDirectory() as folder:
+            words = [
+                sys.executable,
+                "-m",
+                "tambour",
+                "studio",
+                "--no-open",
+                "--port",
+                "0",
+                "--library",
+                f"{folder}/library.db",
+            ]
+            with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as started, sync_playwright() as it:
+                assert started.stdout is not None
+                address = started.stdout.readline().strip()
+                given = [
+                    "--headless",
+                    "--no-sandbox",
+                    "--use-gl=angle",
+                    "--use-angle=swiftshader",
+                    "--enable-unsafe-swiftshader",
+                ]
+                browser = it.chromium.launch(executable_path=shutil.which("chromium"), args=given)
+                page = browser.new_page(viewport={"width": 1000, "height": 600}, **flags)
+                page.set_default_timeout(180_000)
+                page.route("**/api/examples/**", lambda route: route.fulfill(body=b""))
+                page.goto(address)
+                page.wait_for_selector(".cardx")
+                yield page, started.pid
+                browser.close()
+                started.terminate()
+
+    return opened()
+
+
+NEW = """async body => {
+    const told = await (await fetch('/api/pieces', {method: 'POST', body: JSON.stringify(body), headers: {'Content-Type': 'application/json'}})).json();
+    location.hash = `#/piece/${told.piece.id}`;
+}"""
+
+
+def _resident(pid: int) -> float:
+    """MB of a process and all that it started."""
+    children = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+    own = int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * resource.getpagesize() / 1e6
+    return own + sum(_resident(int(c)) for c in children)
+
+
+def scroll() -> None:
+    """As many tiles as ten minutes of drifting show, ten times over: what the page and the server hold meanwhile."""
+    with _page({"reduced_motion": "reduce"}) as (page, pid):
+        page.evaluate(NEW, {"craft": "ink", "seed": "plum"})
+        page.wait_for_selector(".seal")
+        page.focus(".scroll canvas")
+        session = page.context.new_cdp_session(page)
+        print("units scrolled; page's heap MB, server and workers MB")
+        for k in range(61):
+            if k % 10 == 0:
+                session.send("HeapProfiler.collectGarbage")
+                heap = page.evaluate("performance.memory.usedJSHeapSize") / 1e6
+                print(f"  {k * 600:7} {heap:6.1f} {_resident(pid):7.0f}")
+            page.keyboard.press("PageDown")
+            page.wait_for_timeout(700)
+
+
 if __name__ == "__main__":
-    every = {"worker": worker, "view": view, "check": check, "tile": tile, "stream": stream, "edit": edit}
+    every = {
+        "worker": worker, "view": view, "check": check, "tile": tile, "stream": stream, "edit": edit, "hand": hand, "scroll": scroll,
+    }  # fmt: skip
     sys.stdout = io.TextIOWrapper(sys.stdout.buffer, line_buffering=True)
     for name in sys.argv[1:] or every:
         every[name]()
