@@ -24,6 +24,7 @@ FLOORS = [
     "examples",
     "work",
     "sweep",
+    "tiles",
     "studio",
     "cli",
 ]

@@ -75,9 +75,10 @@ def test_a_command_of_the_docs_is_one(command: str, workplace: Path, monkeypatch
     if words[0] == "studio":  # it would serve until somebody closes it
         assert tambour.commands["studio"].make_context("studio", words[1:]).params
         return
-    if words[0] == "sweep":  # its pieces would be made in other processes: all is judged, nothing is made
+    if words[0] in ("sweep", "tiles"):  # its pieces would be made in other processes: all is judged, nothing is made
         monkeypatch.setattr("tambour.sweep.course.pool", lambda *given: None)
-        monkeypatch.setattr("tambour.sweep.course.course", lambda *given: iter(()))
+        for place in ("sweep.course.course", "tiles.leave.into_folder", "tiles.leave.into_zip"):
+            monkeypatch.setattr(f"tambour.{place}", lambda *given: iter(()))
     known = run.craft
 
     def stopped(name: str) -> object:

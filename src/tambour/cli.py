@@ -28,6 +28,7 @@ from tambour.core.errors import Problem, TambourError, did_you_mean, shown, spel
 from tambour.core.progress import Stopped  # noqa: E402
 from tambour.run import CRAFTS  # noqa: E402
 from tambour.sweep import command as sweep  # noqa: E402
+from tambour.tiles import command as tiles  # noqa: E402
 
 ISSUES = "please report it, with the command, the input and the lines above"
 
@@ -329,6 +330,7 @@ def studio(
 
 
 tambour.add_command(sweep.command)
+tambour.add_command(tiles.command)
 
 
 def _opened() -> None:

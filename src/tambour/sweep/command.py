@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import click
 
 if TYPE_CHECKING:
+    from tambour.core.errors import Problem
     from tambour.sweep.course import Result
 
 LINE_SECONDS = 30.0
@@ -56,19 +58,11 @@ def command(
     the files, reports/ with a report each, index.csv made from them, and a contact sheet (sheet.png, sheet.html). What
     is finished there is not made again. One failure stops nothing: it is listed, and the command leaves with 1.
     """
-    from tambour.core.errors import Problem, TambourError
+    from tambour.core.errors import TambourError
     from tambour.files.text import read_edits
     from tambour.sweep.course import course, planned, pool
 
-    folders = [o for o in outs if not o.startswith(".") or "/" in o or o in (".", "..")]
-    kinds = [o for o in outs if o not in folders]
-    problems: list[Problem] = []
-    if len(folders) != 1:
-        told = "name one folder" if folders else "a folder is wanted for the pieces"
-        problems.append(Problem(told, "such as -o out/", where="-o"))
-    where = [w for w, given in (("--jobs", jobs), ("--scheduler", scheduler), ("--cluster", cluster)) if given]
-    if len(where) > 1:
-        problems.append(Problem(f"{' and '.join(where)} say two things", "one of them is enough", where=where[-1]))
+    folders, kinds, problems = divided(outs, jobs, scheduler, cluster)
     try:
         changed = [*(read_edits(edits) if edits else ()), *edit]
         plan, limited, count, doubts = planned(craft, sources, axes, kinds, changed, limit, not no_sheet)
@@ -83,6 +77,24 @@ def command(
         tally.count(made)
     tally.end(folders[0])
     return 1 if tally.failed else 0
+
+
+def divided(
+    outs: Sequence[str], jobs: int | None, scheduler: str, cluster: int | None
+) -> tuple[list[str], list[str], list[Problem]]:
+    """What -o names: places (one is wanted), and kinds of files; and what is wrong with that, and with who shall make it."""
+    from tambour.core.errors import Problem as Told
+
+    places = [o for o in outs if not o.startswith(".") or "/" in o or o in (".", "..")]
+    kinds = list(dict.fromkeys(o for o in outs if o not in places))
+    problems = []
+    if len(places) != 1:
+        told = "name one folder" if places else "a folder is wanted for the pieces"
+        problems.append(Told(told, "such as -o out/", where="-o"))
+    where = [w for w, given in (("--jobs", jobs), ("--scheduler", scheduler), ("--cluster", cluster)) if given]
+    if len(where) > 1:
+        problems.append(Told(f"{' and '.join(where)} say two things", "one of them is enough", where=where[-1]))
+    return places, kinds, problems
 
 
 class Tally:

@@ -41,7 +41,7 @@ class Result:
 
     status : "made", "kept" (it was finished before) or "failed" (``reason`` says why)
     chosen : what was set for it ; seconds : spent on it, of the worker ; files : names in the folder
-    report : what was measured (empty where it was kept) ; data : the files' bytes, where there is no folder
+    report : what was measured (empty where it was kept) ; data, thumb : the files' bytes and a small picture, where there is no folder
     """
 
     key: str
@@ -54,6 +54,7 @@ class Result:
     files: tuple[str, ...] = ()
     report: Mapping[str, Any] = field(default_factory=dict, repr=False)
     data: Mapping[str, bytes] = field(default_factory=dict, repr=False)
+    thumb: bytes = field(default=b"", repr=False)
 
 
 def sweep(
@@ -113,6 +114,7 @@ def planned(
     from tambour.sweep.axes import judged
     from tambour.sweep.plan import plan
     from tambour.work.limit import Limit as Limited
+    from tambour.work.thumbs import SIDE
 
     what = named(craft)
     problems: list[Problem] = []
@@ -128,7 +130,7 @@ def planned(
     except TambourError as error:
         problems += error.problems
     try:
-        made, left = plan(what, list(map(str, sources)), found, files, edits, thumbs)
+        made, left = plan(what, list(map(str, sources)), found, files, edits, SIDE if thumbs else 0)
         doubts = [*doubts, *left]
     except TambourError as error:
         problems += error.problems
@@ -153,7 +155,20 @@ def pool(jobs: int | None = None, limit: Limit | None = None, scheduler: str = "
     return Local(jobs, limit)
 
 
-def course(plan: Plan, out: str | Path | None, pool: Pool, again: bool = False, sheet: bool = True) -> Iterator[Result]:
+class Pieces(Protocol):
+    """What is to be made: every piece, and the kinds of files wanted of each."""
+
+    @property
+    def out(self) -> Sequence[str]:
+        """Suffixes, with or without a view."""
+
+    def pieces(self) -> Iterator[Piece]:
+        """Every piece, one after the other."""
+
+
+def course(
+    plan: Pieces, out: str | Path | None, pool: Pool, again: bool = False, sheet: bool = True
+) -> Iterator[Result]:
     """The results of a plan. The pool is closed in the end."""
     from tambour.core.errors import Problem, TambourError
     from tambour.sweep.folder import Folder as Kept
@@ -183,7 +198,7 @@ def course(plan: Plan, out: str | Path | None, pool: Pool, again: bool = False, 
             contact(folder, rows)
 
 
-def _left(plan: Plan, folder: Folder, again: bool) -> Iterator[Piece | Result]:
+def _left(plan: Pieces, folder: Folder, again: bool) -> Iterator[Piece | Result]:
     """The pieces that are to be made; of those that are finished, the result."""
     known = {} if again else {row.key: row for row in folder.rows() if row.status == "made"}
     for piece in plan.pieces():
@@ -246,4 +261,5 @@ def _result(piece: Piece, done: Done, folder: Folder | None) -> Result:
         tuple(done.files),
         done.report,
         {} if folder is not None else done.files,
+        b"" if folder is not None else done.thumb,
     )

@@ -16,6 +16,7 @@ from tambour.core.errors import Problem, TambourError, unspeakable
 from tambour.craft import Craft, plain_edit
 from tambour.sweep.axes import Axes, combinations
 from tambour.work.piece import Job
+from tambour.work.thumbs import SIDE
 
 LONGEST = 120
 """Bytes of a piece's name: room is left for suffixes on every disk."""
@@ -35,7 +36,7 @@ class Plan:
     axes: Axes
     out: Sequence[str]
     edits: Sequence[Mapping[str, Any]]
-    thumbs: bool
+    thumbs: int
 
     def pieces(self) -> Iterator[Piece]:
         """Every piece, source by source; a source is read when its first piece is asked for."""
@@ -104,12 +105,13 @@ def key(job: Job) -> str:
         {name: content(str(v)) if name in job.files else v for name, v in job.params.items()},
         None if job.source is None else content(job.source),
         job.edits,
+        job.how,
     ]
     return hashlib.sha256(json.dumps(made_of, sort_keys=True, ensure_ascii=False).encode()).hexdigest()
 
 
 def plan(
-    craft: Craft, given: Sequence[str], found: Axes, out: Sequence[str], edits: Sequence[Any], thumbs: bool = True
+    craft: Craft, given: Sequence[str], found: Axes, out: Sequence[str], edits: Sequence[Any], thumbs: int = SIDE
 ) -> tuple[Plan, list[Problem]]:
     """The plan of a sweep, and warnings: what is left out. TambourError with all that cannot be."""
     problems: list[Problem] = []

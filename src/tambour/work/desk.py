@@ -1,8 +1,9 @@
-"""Desk: what a worker that makes pieces can do: grow warm, and :func:`tambour.work.piece.make`."""
+"""Desk: what a worker that makes pieces can do: grow warm, and make pieces, by the function that each names."""
 
 from __future__ import annotations
 
 import traceback
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -15,14 +16,18 @@ class Pieces:
 
     def do(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """Nothing, where it shall grow warm for ``job["craft"]``; else the piece of ``job["piece"]``: its report, the names of its files, and in "frames" their bytes."""
-        from tambour.work.piece import Job, make
+        from tambour.work.piece import Job
         from tambour.work.warm import warm
 
         if job["do"] == "warm":
             warm([job["craft"]])
             return {}
 
-        done = make(Job(**job["piece"]), {name: Path(at) for name, at in job["laid"].items()}, progress)
+        made = Job(**job["piece"])
+        module, _, name = made.how.partition(":")
+        done = getattr(import_module(module), name)(
+            made, {name: Path(at) for name, at in job["laid"].items()}, progress
+        )
         frames = [*done.files.values(), done.thumb]
         return {"report": done.report, "names": list(done.files), "frames": frames}
 

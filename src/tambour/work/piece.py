@@ -6,10 +6,13 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tambour.core.errors import Problem, TambourError, Text
 from tambour.core.progress import Progress
+
+if TYPE_CHECKING:
+    from tambour.craft import Craft
 
 PICTURES = (".png", ".jpg", ".jpeg", ".webp")
 """Suffixes of files that a small picture is made from."""
@@ -21,8 +24,9 @@ class Job:
 
     params : plain values ; files : the fields that name files → a name in ``blobs``
     source : a name in ``blobs``, or None ; edits : as data
-    out : the names of the files wanted, each with its suffix ; thumb : whether a small picture is wanted too
+    out : the names of the files wanted, each with its suffix ; thumb : pixels of a small picture's longer side, or 0
     blobs : name, as its owner gave it → content
+    how : the function that makes it, as "module:name": it takes the job, where its blobs lie, and a Progress
     """
 
     craft: str
@@ -31,8 +35,9 @@ class Job:
     source: str | None = None
     files: Mapping[str, str] = field(default_factory=dict)
     edits: Sequence[Any] = ()
-    thumb: bool = False
+    thumb: int = 0
     blobs: Mapping[str, bytes] = field(default_factory=dict, repr=False)
+    how: str = "tambour.work.piece:make"
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,10 +55,11 @@ class Done:
     fault: str = ""
 
 
-def make(job: Job, laid: Mapping[str, Path], progress: Progress | None = None) -> Done:
+def make(job: Job, laid: Mapping[str, Path], progress: Progress | None = None, what: Craft | None = None) -> Done:
     """Make the piece; TambourError for what cannot be used.
 
     laid : where the job's blobs lie, each under its own last name; what is told and written has the given names
+    what : the craft, where it is not simply the one that the job names
     """
     from tambour import files
     from tambour.files.sink import Kept
@@ -61,7 +67,7 @@ def make(job: Job, laid: Mapping[str, Path], progress: Progress | None = None) -
     from tambour.run import craft, write
     from tambour.run import make as make_piece
 
-    what, progress = craft(job.craft), progress or Progress()
+    what, progress = what or craft(job.craft), progress or Progress()
     try:
         params = what.params.of({**job.params, **{name: str(laid[blob]) for name, blob in job.files.items()}})
         source = None
@@ -73,7 +79,7 @@ def make(job: Job, laid: Mapping[str, Path], progress: Progress | None = None) -
         made = make_piece(what, source, params, job.edits, progress)
         kept = Kept()
         report = write(made, job.out, into=kept)
-        thumb = _thumb(made, kept.files) if job.thumb else b""
+        thumb = _thumb(made, kept.files, job.thumb) if job.thumb else b""
     except TambourError as error:
         raise TambourError([_renamed(p, laid) for p in error.problems]) from None
     told = dumps(report)
@@ -93,11 +99,11 @@ def _renamed(problem: Problem, laid: Mapping[str, Path]) -> Problem:
     return replace(problem, where=where, message=message, hint=hint)
 
 
-def _thumb(made: Any, kept: Mapping[str, bytes]) -> bytes:
+def _thumb(made: Any, kept: Mapping[str, bytes], side: int) -> bytes:
     """From the first picture that was made, else of the piece itself."""
     from tambour.work.thumbs import shrunk, thumb
 
     for name, raw in kept.items():
         if name.lower().endswith(PICTURES):
-            return shrunk(raw)
-    return thumb(made.craft.name, made.piece)
+            return shrunk(raw, side)
+    return thumb(made.craft.name, made.piece, side)

@@ -6,33 +6,33 @@ import io
 from typing import Any
 
 SIDE = 320
-"""Pixels of its longer side."""
+"""Pixels of its longer side, usually."""
 PLAIN, FAR = 32, 125
 """A chart of so few stitches is shown as cloth; of larger ones, what is finer than the FARth part is blurred."""
 
 
-def thumb(craft: str, piece: Any) -> bytes:
+def thumb(craft: str, piece: Any, side: int = SIDE) -> bytes:
     """A small picture of a piece, as WebP."""
     from PIL import Image
 
     rgba = {"crochet": _crochet, "knit": _knit, "ink": _ink, "embroidery": _embroidery}[craft](piece)
-    return _small(Image.fromarray(rgba))
+    return _small(Image.fromarray(rgba), side)
 
 
-def shrunk(raw: bytes) -> bytes:
+def shrunk(raw: bytes, side: int = SIDE) -> bytes:
     """A picture's file, as :func:`thumb` would give it."""
     from PIL import Image
 
     picture = Image.open(io.BytesIO(raw))
-    picture.draft("RGB", (2 * SIDE, 2 * SIDE))  # a JPEG is decoded no finer than is needed
-    return _small(picture.convert("RGBA"))
+    picture.draft("RGB", (2 * side, 2 * side))  # a JPEG is decoded no finer than is needed
+    return _small(picture.convert("RGBA"), side)
 
 
-def _small(picture: Any) -> bytes:
+def _small(picture: Any, side: int) -> bytes:
     from PIL import Image
 
     # Whole pixels are averaged first: a tenth of the time, and no difference that one sees.
-    picture.thumbnail((SIDE, SIDE), Image.Resampling.LANCZOS, reducing_gap=2.0)
+    picture.thumbnail((side, side), Image.Resampling.LANCZOS, reducing_gap=2.0)
     raw = io.BytesIO()
     picture.save(raw, "WEBP", quality=80, method=4)
     return raw.getvalue()
