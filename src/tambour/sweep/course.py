@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, wait
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack, closing, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 INDEX_SECONDS = 2.0
 """Time between two makings of the index while a sweep goes on; and twenty times as long as the last took."""
+WRITERS = 4
+"""Threads that leave files."""
 
 
 class Pool(Protocol):
@@ -213,29 +215,42 @@ def _left(plan: Pieces, folder: Folder, again: bool) -> Iterator[Piece | Result]
 
 
 def _made(pieces: Iterator[Piece | Result] | Iterator[Piece], pool: Pool, folder: Folder | None) -> Iterator[Result]:
-    """Results as they come. A few more than are made at once wait, so that no worker does."""
+    """Results as they come. A few more than are made at once wait, so that no worker does.
+
+    Files are left by threads: a disk takes many at once in about the time of one, and they are whole in the end.
+    """
     waiting: dict[Future[Done], Piece] = {}
+    leaving: set[Future[Result]] = set()
     indexed, pause = time.monotonic(), INDEX_SECONDS
     more = True
-    while more or waiting:
-        while more and len(waiting) < 2 * pool.width + 1:
-            one = next(pieces, None)
-            if one is None:
-                more = False
-            elif isinstance(one, Result):
-                yield one
-            elif one.reason:
-                yield _result(one, _refusal(one.reason), folder)
-            else:
-                waiting[pool.submit(one.job)] = one
-        for future in wait(waiting, return_when=FIRST_COMPLETED).done:
-            piece = waiting.pop(future)
-            yield _result(piece, future.result(), folder)
-        if folder is not None and time.monotonic() - indexed > pause:
-            began = time.monotonic()
-            folder.index()
-            indexed = time.monotonic()
-            pause = max(INDEX_SECONDS, 20 * (indexed - began))
+    with ThreadPoolExecutor(WRITERS) as writers:
+
+        def ended(piece: Piece, done: Done) -> None:
+            leaving.add(writers.submit(_result, piece, done, folder))
+
+        while more or waiting or leaving:
+            while more and len(waiting) < 2 * pool.width + 1 and len(leaving) < 2 * WRITERS:
+                one = next(pieces, None)
+                if one is None:
+                    more = False
+                elif isinstance(one, Result):
+                    yield one
+                elif one.reason:
+                    ended(one, _refusal(one.reason))
+                else:
+                    waiting[pool.submit(one.job)] = one
+            running: list[Future[Any]] = [*waiting, *leaving]
+            for future in wait(running, return_when=FIRST_COMPLETED).done:
+                if future in leaving:
+                    leaving.discard(future)
+                    yield future.result()
+                else:
+                    ended(waiting.pop(future), future.result())
+            if folder is not None and time.monotonic() - indexed > pause:
+                began = time.monotonic()
+                folder.index()
+                indexed = time.monotonic()
+                pause = max(INDEX_SECONDS, 20 * (indexed - began))
 
 
 def _refusal(reason: str) -> Done:

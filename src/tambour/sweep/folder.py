@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import csv
 import io
+import itertools
 import json
 import os
 import re
+import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -70,6 +72,8 @@ class Folder:
     def __init__(self, path: Path) -> None:
         self.path = path
         self._seen: dict[str, tuple[tuple[int, int, int], Row]] = {}
+        self._number = itertools.count()
+        self._alone = threading.Lock()
         with refused(path):
             if path.exists() and not path.is_dir():
                 raise TambourError("this is a file: name a folder", where=str(path))
@@ -131,9 +135,9 @@ class Folder:
         new[place] = dumps(told).encode()
         made: list[tuple[Path, Path]] = []
         try:
-            for number, (at, raw) in enumerate(new.items()):
+            for at, raw in new.items():
                 with refused(at):
-                    aside = self._room.folder / "new" / str(number)
+                    aside = self._room.folder / "new" / str(next(self._number))
                     made.append((aside, at))
                     with Stream(aside) as out:
                         out.write(raw)
@@ -142,13 +146,13 @@ class Folder:
                     place.unlink()  # it tells of files that go now
                 for aside, at in made:
                     os.replace(aside, at)
+                now = place.stat()
+                row = Row.of(piece.name, told)
+                self._seen[piece.name] = ((now.st_mtime_ns, now.st_size, now.st_ino), row)
         except BaseException:
             for aside, _ in made:
                 aside.unlink(missing_ok=True)
             raise
-        row = Row.of(piece.name, told)
-        now = place.stat()
-        self._seen[piece.name] = ((now.st_mtime_ns, now.st_size, now.st_ino), row)
         return row
 
     def index(self) -> list[Row]:
@@ -177,18 +181,19 @@ class Folder:
 
     @contextmanager
     def _locked(self) -> Iterator[None]:
-        """Nobody else moves anything in the folder meanwhile, where systems know locks."""
-        try:
-            import fcntl
-        except ImportError:
-            yield
-            return
-        number = os.open(self.path / LOCK, os.O_RDWR | os.O_CREAT, 0o666)
-        try:
-            fcntl.flock(number, fcntl.LOCK_EX)
-            yield
-        finally:
-            os.close(number)
+        """Nobody else moves anything in the folder meanwhile: no other thread, and no process where systems know locks."""
+        with self._alone:
+            try:
+                import fcntl
+            except ImportError:
+                yield
+                return
+            number = os.open(self.path / LOCK, os.O_RDWR | os.O_CREAT, 0o666)
+            try:
+                fcntl.flock(number, fcntl.LOCK_EX)
+                yield
+            finally:
+                os.close(number)
 
 
 def report(piece: Piece, done: Done) -> dict[str, Any]:
