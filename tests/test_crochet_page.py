@@ -220,3 +220,89 @@ def test_a_light_that_parts_came_into_one_by_one_is_that_in_which_they_came_toge
         np.testing.assert_array_equal(lights.direction, anew.direction)
         seen.add(lights.depth.tobytes())
     assert len(seen) == len(orders)
+
+
+HERS = """Whale
+
+BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (17)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-10: sc around (24)
+Rnd 11: (2 sc, dec) x 6 (18)
+Rnd 12: (sc, dec) x 6 (12)
+Rnd 13: dec x 6 (6)
+Stuff firmly. Fasten off and close.
+
+TAIL
+Rnd 1: 6 sc in MR (6)
+Rnds 2-7: sc around (6)
+Fasten off.
+
+Assembly
+Put 8 mm safety eyes between rounds 6 and 7, 8 stitches apart. Sew tail to body.
+"""
+
+
+def _photo(shade: int) -> bytes:
+    from io import BytesIO
+
+    from PIL import Image
+
+    data = BytesIO()
+    Image.new("RGB", (300, 400), (shade, 10, 10)).save(data, "PNG")
+    return data.getvalue()
+
+
+@cache
+def hers(**given: object) -> Plush:
+    photos = ((7, _photo(200)), (HERS.index("TAIL") + 5, _photo(100)), (HERS.index("TAIL") + 6, b"no picture"))
+    return make(Text(HERS, "whale.txt", photos), CrochetParams(detail="low", **given), Progress())  # type: ignore[arg-type]
+
+
+def test_eyes_and_stuffing_stand_where_hands_still_reach_and_her_count_stays_hers() -> None:
+    """In the written pattern: before the last rounds are drawn together; her count with the doubt beside it."""
+    from tambour.crochet.page.instructions import plain
+
+    lines = plain(hers()).text.splitlines()
+    eyes, stuff, last = (
+        next(k for k, line in enumerate(lines) if word in line) for word in ("eyes now", "Stuff firmly", "Rnd 13")
+    )
+    assert eyes < last and stuff < last
+    assert sum("eyes" in line for line in lines) == 1
+    assert "Rnd 3: [sc, inc] x 6 [as written it makes 18] (17)" in lines
+
+
+def test_a_text_file_holds_no_markdown() -> None:
+    from tambour.crochet.page.instructions import plain, unmarked
+
+    text = plain(hers()).text
+    assert not re.search(r"^#|\*\*|^\*\S| $", text, re.MULTILINE)
+    assert re.search(r"^TAIL\n----$", text, re.MULTILINE)
+    assert unmarked("## A  \n*say it*\n**Gauge:** 3  ") == "A\n-\nsay it\nGauge: 3\n"
+
+
+def test_her_photo_leads_the_cover_and_ours_says_that_it_is_computed() -> None:
+    cover, *inside = pages(hers())
+    assert any(label.text == "computed from this pattern" for label in cover.labels)
+    first = cover.images[0]
+    assert tuple(first.picture.rgba[0, 0, :3]) == (200, 10, 10) and first.width == 210.0
+    assert cover.images[1].width < 0.3 * first.width
+    shown = [tuple(i.picture.rgba[0, 0, :3]) for sheet in inside for i in sheet.images]
+    assert shown.count((100, 10, 10)) == 1  # the other stands with its part, and what is no picture nowhere
+
+
+def test_little_ink_has_white_grounds_and_large_print_the_same_paper() -> None:
+    full, low, large = booklet(), booklet(ink="low"), booklet(large_print=True)
+    assert {tuple(sheet.size) for sheet in (*full, *low, *large)} == {(210.0, 297.0)}
+    assert tuple(low[0].images[0].picture.rgba[0, 0, :3]) == (255, 255, 255)
+
+    def printed(sheets: tuple[Drawing, ...]) -> float:
+        return sum(i.width * i.height for sheet in sheets for i in sheet.images)
+
+    assert printed(low) < 0.4 * printed(full)
+    sizes = [max(sheet.labels, key=lambda label: label.size).size for sheet in (full[0], large[0])]
+    assert sizes[1] > 1.2 * sizes[0]
+    words_of = [sorted(" ".join(label.text for s in sheets for label in s.labels).split()) for sheets in (full, large)]
+    assert set(words_of[0]) - set(words_of[1]) <= {"continued", *(w for w in words_of[0] if not w.isalpha())}

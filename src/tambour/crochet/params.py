@@ -99,6 +99,10 @@ class CrochetParams(Params):
 
     page: Literal["a4", "letter"] = "a4"
     """Paper of the booklet (.pdf)."""
+    ink: Literal["full", "low"] = "full"
+    """Ink of the booklet: low has white grounds, a small cover picture, and no pictures of single parts or of the sides."""
+    large_print: bool = False
+    """The booklet in type 1.4 times as large, in one column."""
     title: str | None = Field(default=None, max_length=200)
     """Title of the booklet (else the pattern's own, else the file's name)."""
     designer: str | None = Field(default=None, max_length=200)

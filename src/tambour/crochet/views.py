@@ -59,8 +59,9 @@ VIEWS: dict[str, View] = {
         Lazy("tambour.crochet.page.instructions:view"),
         "Text",
         "the pattern as makers print it, in the words of {--terms}",
-        (".txt", ".md"),
+        (".md",),
     ),
+    "plain": View(Lazy("tambour.crochet.page.instructions:plain"), "Text", "the same as plain text", (".txt",)),
     "annotated": View(
         Lazy("tambour.crochet.page.annotated:view"),
         "Text",

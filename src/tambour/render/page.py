@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -186,6 +187,10 @@ class Page:
             self.labels.append(
                 Label(label.text, px, py, label.size * scale, label.anchor, label.angle, label.color, label.bold)
             )
+
+        for seen in drawing.images:
+            px, py = (np.array([seen.x, seen.y]) - drawing.origin) * scale + corner
+            self.images.append(replace(seen, x=px, y=py, width=seen.width * scale, height=seen.height * scale))
 
     @property
     def lowest(self) -> float:

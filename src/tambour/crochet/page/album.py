@@ -11,11 +11,13 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.mesh import Mesh
 from tambour.core.paths import Paths
+from tambour.core.rgb import RGB
 from tambour.core.strands import Strands
 from tambour.core.threads import WORKERS
 from tambour.crochet.finish.features import joined, meshes
 from tambour.crochet.language.finishes import Eye, Finish, Placed
 from tambour.crochet.maker.size import skin
+from tambour.crochet.page.type import BACKDROP
 from tambour.crochet.yarn.fabric import mesh
 from tambour.crochet.yarn.loops import RATIO
 from tambour.crochet.yarn.spline import thin
@@ -38,10 +40,12 @@ class Album:
     """The parts of a piece as small pictures show them, any of them at a time.
 
     ``parts`` and ``face`` everywhere: numbers of the parts that are there, and the pattern's lines of the face that are.
+    ``backdrop``: what stands behind them, white where ink is dear.
     """
 
     def __init__(self, piece: Plush) -> None:
         self.piece = piece
+        self.backdrop: RGB = BACKDROP
         self.all = [k for k, part in enumerate(piece.built.graph.parts) if part.end > part.start]
         self.face = tuple(f for f in piece.built.pattern.finish if not isinstance(f, Placed))
         self._yarn = _thinned(piece.yarn, 0.3 * RATIO * piece.built.graph.stitch_width)

@@ -9,6 +9,8 @@ import numpy as np
 
 from tambour.color import linear
 from tambour.core.check import Array
+from tambour.core.errors import Text
+from tambour.core.picture import Picture
 from tambour.core.rgb import RGB
 from tambour.crochet.maker.size import Size
 from tambour.crochet.page.album import Album
@@ -16,7 +18,7 @@ from tambour.crochet.page.flow import Frame
 from tambour.crochet.page.hers import hers
 from tambour.crochet.page.instructions import Words, words
 from tambour.crochet.page.placed import Spoken
-from tambour.crochet.page.type import HAIR, INK, LEAD, wrap
+from tambour.crochet.page.type import BACKDROP, HAIR, INK, LEAD, wrap
 from tambour.crochet.yarns import WEIGHTS
 from tambour.render.page import PAPERS, Page
 
@@ -26,12 +28,51 @@ if TYPE_CHECKING:
 MARGIN, TOP, FOOT, GUTTER = 18.0, 24.0, 20.0, 9.0
 
 
+LARGE = 1.4
+"""How much larger large print is."""
+WHITE: RGB = (255, 255, 255)
+_LEAST = 200
+"""Pixels of a photo's shorter side; what is smaller is an ornament."""
+
+
+def photos(text: Text) -> list[tuple[int, Picture]]:
+    """The photos that stand in a text: where, and as pictures; those that are none are left out."""
+    from io import BytesIO
+
+    from PIL import Image
+
+    found = []
+    for at, data in sorted(text.photos, key=lambda one: one[0]):
+        try:
+            with Image.open(BytesIO(data)) as image:
+                image.draft("RGB", (1600, 1600))
+                seen = image.convert("RGBA")
+        except (OSError, ValueError, Image.DecompressionBombError):
+            continue
+        if min(seen.size) >= _LEAST:
+            seen.thumbnail((1600, 1600))
+            found.append((at, Picture(np.asarray(seen).copy())))
+    return found
+
+
+def cropped(picture: Picture, shape: float) -> Picture:
+    """The middle of a picture, of a shape (width by height)."""
+    high, wide = picture.rgba.shape[:2]
+    if wide > shape * high:
+        cut_ = max(1, round(shape * high))
+        return Picture(picture.rgba[:, (wide - cut_) // 2 : (wide - cut_) // 2 + cut_].copy())
+    cut_ = max(1, round(wide / shape))
+    return Picture(picture.rgba[(high - cut_) // 2 : (high - cut_) // 2 + cut_].copy())
+
+
 class Book:
     """What all pages of a booklet share, and the pages so far.
 
     piece, said : the plush and its words; album : what its small pictures share; own : the page's own words
     hers : the designer's own sentences, None where they are ours; spoken : says where parts go; code : of the terms
     accent : a colour for headings, the main yarn's, dark enough to read
+    photos : the designer's own, (where in her text, picture), the first for the cover; low : little ink is used
+    scale : how much larger than they are set its pages are printed
     """
 
     def __init__(self, piece: Plush) -> None:
@@ -47,14 +88,21 @@ class Book:
         title = params.title or stated.get("title", ("",))[0] or self.said.title or stem
         self.title = " ".join(title.split()) or self.own["pattern"]
         self.designer = " ".join((params.designer or stated.get("designer", ("",))[0]).split())
-        self.size = PAPERS[params.page]
+        self.scale = LARGE if params.large_print else 1.0
+        wide, high = PAPERS[params.page]
+        self.paper, self.size = (wide, high), (wide / self.scale, high / self.scale)
+        self.low = params.ink == "low"
+        self.album.backdrop = WHITE if self.low else BACKDROP
+        self.photos = photos(piece.built.pattern.text)
         self.pages: list[Page] = []
         self.used: list[RGB] = [(int(r), int(g), int(b)) for r, g, b in _in_order(piece.yarn.color)]
         self.accent = _readable(_main(piece))
 
     @property
     def frame(self) -> Frame:
-        """Two columns."""
+        """Two columns; one in large print."""
+        if self.scale > 1.0:
+            return Frame((MARGIN,), self.size[0] - 2 * MARGIN, TOP, self.size[1] - FOOT)
         width = (self.size[0] - 2 * MARGIN - GUTTER) / 2
         return Frame((MARGIN, MARGIN + width + GUTTER), width, TOP, self.size[1] - FOOT)
 

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tambour.core.drawing import Drawing
+from tambour.core.picture import Picture
 from tambour.crochet.maker.size import skin, whole_size
 from tambour.crochet.page.begin import begin, heading, paragraph
-from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, cut, short, weight_name
+from tambour.crochet.page.book import FOOT, MARGIN, TOP, WHITE, Book, cropped, cut, short, weight_name
 from tambour.crochet.page.flow import flow, together
 from tambour.crochet.page.parts import assembly, charts, rounds, sides
 from tambour.crochet.page.pictures import whole
@@ -45,7 +46,8 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
         head = heading(book, name, book.size[0] - 2 * MARGIN)[0]
         flow(steps, book.frame, lambda: book.page(short(book, name)), again, book.below, head)
     _care(book)
-    sides(book, before)
+    if not book.low:
+        sides(book, before)
     total = len(book.pages)
     foot = book.title if not book.designer else f"{book.title} · {book.designer}"
     for k, sheet in enumerate(book.pages):
@@ -55,17 +57,32 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
             sheet.text(cut(foot, SMALL, room), MARGIN, y, SMALL, color=SOFT)
             sheet.text(f"{k + 1} / {total}", book.size[0] - MARGIN, y, SMALL, color=SOFT, anchor="end")
     about = {"title": book.title, **({"author": book.designer} if book.designer else {})}
-    return tuple(sheet.drawing(**about) for sheet in book.pages)
+    return tuple(_printed(book, sheet).drawing(**about) for sheet in book.pages)
+
+
+def _printed(book: Book, sheet: Page) -> Page:
+    """A page on its paper, as large as it is printed."""
+    if book.scale == 1.0:
+        return sheet
+    made = Page(*book.paper, sheet.background, INK)
+    made.place(sheet.drawing(), 0.0, 0.0, book.scale)
+    return made
 
 
 def _cover(book: Book) -> None:
     """A large picture, the title, and what a buyer asks first."""
     wide, high = book.size
-    sheet = Page(wide, high, PAPER, INK)
+    sheet = Page(wide, high, WHITE if book.low else PAPER, INK)
     book.pages.append(sheet)
-    tall = high - 93.0
-    sheet.image(whole(book.album, round(wide * 8.2), round(tall * 8.2)), 0.0, 0.0, wide, tall, photo=True)
-    room = wide - 2 * MARGIN
+    tall, room = high - 93.0, wide - 2 * MARGIN
+    if book.photos:
+        _hers(book, sheet, tall)
+    elif book.low:
+        side = min(0.5 * wide, tall - 2 * MARGIN)
+        picture = whole(book.album, round(side * 8.2), round(side * 8.2))
+        sheet.image(picture, 0.5 * (wide - side), 0.5 * (tall - side), side, side, photo=True)
+    else:
+        sheet.image(whole(book.album, round(wide * 8.2), round(tall * 8.2)), 0.0, 0.0, wide, tall, photo=True)
     size = COVER
     while len(wrap(book.title, size, room, True)) > (1 if size > 8.0 else 2) and size > 5.5:
         size *= 0.94
@@ -100,6 +117,25 @@ def _cover(book: Book) -> None:
         sheet.circles([(wide - MARGIN - 2.4 - 6.4 * (len(dots) - 1 - k), high - 12.5)], 2.4, color, HAIR)
 
 
+def _hers(book: Book, sheet: Page, tall: float) -> None:
+    """Her own photo leads the cover; the picture that is computed stands small in its corner, and says what it is."""
+    wide = book.size[0]
+    x, y, w, h = (0.0, 0.0, wide, tall) if not book.low else (MARGIN, MARGIN, wide - 2 * MARGIN, 0.6 * tall)
+    sheet.image(cropped(book.photos[0][1], w / h), x, y, w, h, photo=True)
+    side = 0.24 * wide
+    left, top = x + w - side - 6.0, y + h - side - 10.0
+    sheet.image(whole(book.album, round(side * 8.2), round(side * 8.2)), left, top, side, side, photo=True)
+    sheet.box(left, top, side, side + 5.6, None, HAIR, 0.3)
+    for k, line in enumerate(wrap(book.own["computed"], SMALL, side)[:1]):
+        sheet.image(_white(), left, top + side, side, 5.6)
+        sheet.text(line, left + 0.5 * side, top + side + 3.8 + k * SMALL, SMALL, color=SOFT, anchor="middle")
+
+
+def _white() -> Picture:
+    """A white ground for words on a photo."""
+    return Picture(np.full((2, 2, 4), 255, np.uint8))
+
+
 def _care(book: Book) -> None:
     """Care, on the last page that has room, else on one of its own."""
     own = book.own
@@ -114,7 +150,7 @@ def _care(book: Book) -> None:
         sheet, y = book.page(short(book, own["care"])), TOP
     else:
         y = high - FOOT - tall
-    sheet.box(MARGIN, y, wide - 2 * MARGIN, tall, PAPER, None, 0.0, 2.0)
+    sheet.box(MARGIN, y, wide - 2 * MARGIN, tall, None if book.low else PAPER, HAIR if book.low else None, 0.2, 2.0)
     sheet.text(own["care"], MARGIN + 6.0, y + 8.0, LEAD, True, book.accent)
     y = sheet.paragraph(text, MARGIN + 6.0, y + 14.0, BODY)
     sheet.paragraph(small, MARGIN + 6.0, y + 1.0, SMALL, color=SOFT)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import Final
@@ -13,7 +14,7 @@ from tambour.core.graph import TIP
 from tambour.core.rgb import RGB, hexed
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built, Done
-from tambour.crochet.language.finishes import Embroidery, Hair
+from tambour.crochet.language.finishes import Embroidery, Eye, Hair
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section
 from tambour.crochet.page.written import Written, sections
@@ -25,6 +26,8 @@ from tambour.crochet.words.table import TERMS, Terms
 _LETTERS: Final = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 _PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring"}
 _TERMS_SAID: Final = re.compile(r"\s*\((?:US|UK|American|British)\b[^)]*\)", re.IGNORECASE)
+_CLOSED: Final = 8
+"""A part whose last rounds have so few stitches is closed by them."""
 _STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
 
 
@@ -116,6 +119,29 @@ def view(piece: Plush) -> Text:
     return instructions(piece.built, piece.params.terms, exact=not by_people(piece.built.pattern))
 
 
+def plain(piece: Plush) -> Text:
+    """The same without the marks of Markdown, where people wrote it; ours keeps them, to be read again by the letter."""
+    text = view(piece)
+    return Text(unmarked(text.text), text.name) if by_people(piece.built.pattern) else text
+
+
+def unmarked(text: str) -> str:
+    r"""Markdown as plain text: headings underlined, no asterisks, no blanks at the ends of lines.
+
+    >>> print(unmarked("# Bear  \n**Gauge:** 20 sc"), end="")
+    Bear
+    ====
+    Gauge: 20 sc
+    """
+    made = []
+    for line in text.rstrip("\n").split("\n"):
+        level = len(line) - len(line.lstrip("#"))
+        words = re.sub(r"\*\*(.+?)\*\*", r"\1", line.rstrip()).lstrip("#").lstrip() if level else line.rstrip()
+        words = re.sub(r"^\*(\S.*\S)\*$", r"\1", re.sub(r"\*\*(.+?)\*\*", r"\1", words))
+        made += [words, ("=" if level == 1 else "-") * len(words)] if level else [words]
+    return "\n".join(made) + "\n"
+
+
 def instructions(piece: Built | Pattern, terms: str | None = None, *, exact: bool = True) -> Text:
     """The pattern as a printed text, Markdown that is good to read as it is.
 
@@ -125,6 +151,8 @@ def instructions(piece: Built | Pattern, terms: str | None = None, *, exact: boo
         finishing; else as a person says them, without the guesses
     """
     made = words(piece, terms, exact=exact)
+    if not exact:
+        made = _with_eyes(made, build(piece) if isinstance(piece, Pattern) else piece)
     word = made.terms.word
     lines = [f"# {made.title}", ""] if made.title else []
     if made.materials or made.colors:
@@ -148,6 +176,37 @@ def instructions(piece: Built | Pattern, terms: str | None = None, *, exact: boo
         lines += [f"## {word('assembly')}", "", *(f"- {said}" for said in (*made.seams, *made.finish)), ""]
     name = piece.text.name if isinstance(piece, Pattern) else piece.pattern.text.name
     return Text("\n".join(lines).rstrip("\n") + "\n", name)
+
+
+def reach(rounds: Sequence[tuple[int, bool]]) -> int:
+    """After which of the rounds (count, whether it is one) hands still reach inside: the last with half of the most stitches."""
+    most = max((count for count, _ in rounds), default=0)
+    return max((k for k, (count, makes) in enumerate(rounds) if makes and most and 2 * count >= most), default=-1)
+
+
+def _with_eyes(made: Words, built: Built) -> Words:
+    """The words with the eyes where they are put in, and no more at the end."""
+    from tambour.crochet.page.placed import Spoken
+
+    spoken, finish = Spoken(built, made.terms), built.pattern.finish
+    parts, done = [], list[str]()
+    for part in made.parts:
+        name = built.pattern.parts[part.section].name
+        eyes = [r for r in finish if isinstance(r, Eye) and r.spot.part in (name, f"{name}.1")]
+        if not eyes:
+            parts.append(part)
+            continue
+        level = max(r.spot.round for r in eyes)
+        rows = list(part.lines)
+        inside = reach([(row.count, bool(row.label)) for row in rows])
+        worked = max((k for k, row in enumerate(rows) if row.label and row.number >= level), default=inside)
+        first = next((k for k, row in enumerate(rows) if row.label and row.number >= level), worked)
+        at = min(max(first, 0), inside) if inside >= 0 else len(rows) - 1
+        said = spoken(eyes)
+        done += said
+        words = f"{made.terms.page['eyes now']}: {' '.join(said)}"
+        parts.append(replace(part, lines=(*rows[: at + 1], Row("", words), *rows[at + 1 :])))
+    return replace(made, parts=tuple(parts), finish=tuple(s for s in made.finish if s not in done))
 
 
 def by_people(pattern: Pattern) -> bool:
@@ -348,10 +407,15 @@ class _Writer:
         if color is not None and not _takes_color(written):
             done = Done("color", 1, color)
             lines.append(Row("", self._sentence(self._done(done, closing)), colors=_hues([done])))
-        for line in written:
+        closes = closing or (bool(written) and 0 < min(line.count or 99 for line in written[-2:]) <= _CLOSED)
+        reached = reach([(line.count, line.makes) for line in written]) if closes and not self.exact else -1
+        for k, line in enumerate(written):
             said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
             if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):
                 lines, stuffing = [*lines, *(Row("", words) for words in stuffing)], []
+            if stuffing and k == reached:
+                lines, stuffing = [*lines, *said, *(Row("", words) for words in stuffing)], []
+                said = []
             lines += [*said, *(Row("", f"*{' '.join(note.split()).strip('*')}*") for note in line.notes)]
         name = self._heading(section.name) if section.name else self.terms.word("instructions")
         copies = self.phrases.say("copies", count=section.copies) if section.copies > 1 else ""
@@ -386,7 +450,10 @@ class _Writer:
         first, last = line.number, line.number + line.times - 1
         number = f"{first}" if line.times == 1 else f"{first}-{last}"
         head = word + number if len(word) == 1 else f"{word} {number}"
-        return Row(head, self._items(line, closing), line.count, last, _hues(_all(line)))
+        words, count = self._items(line, closing), line.count
+        if line.said and not self.exact:  # her count stays hers, with the doubt beside it
+            words, count = f"{words} [{self.terms.page['makes'].format(n=count)}]", line.said
+        return Row(head, words, count, last, _hues(_all(line)))
 
     def _items(self, line: Written, closing: bool) -> str:
         said = []

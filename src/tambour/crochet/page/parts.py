@@ -9,16 +9,18 @@ from tambour.core.check import Array
 from tambour.core.picture import Picture
 from tambour.crochet.language.finishes import Eye
 from tambour.crochet.page.begin import heading, paragraph
-from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
+from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, cropped, short
 from tambour.crochet.page.diagram import plates, symbols
 from tambour.crochet.page.flow import Atom, Chunk, together
-from tambour.crochet.page.instructions import PartText, Row
+from tambour.crochet.page.instructions import PartText, Row, reach
 from tambour.crochet.page.pictures import Step, from_side, lies, of_parts, of_step, steps
 from tambour.crochet.page.type import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.render.page import Page
 
 _DOTS = 7.6  # pixels a mm of the small pictures
 _THUMB = 30.0
+_OWN = 52.0
+"""How high pictures of a part are, and the designer's own photos, mm."""
 _TICK = 2.5
 _WITH = re.compile(r"(?:with|using|use|in|start|begin)\b.{0,60}$", re.IGNORECASE)
 _LARGEST = 0.55
@@ -33,11 +35,27 @@ def rounds(book: Book) -> list[Chunk]:
     parts = piece.built.graph.parts
     for block in said.blocks:
         heads = heading(book, block.title, width)
-        if len(said.blocks) > 1 and block.part >= 0 and parts[block.part].end - parts[block.part].start > 2:
+        heads += [_photo(cropped(photo, width / _OWN), width, _OWN) for photo in _hers_of(book, block)]
+        if (
+            not book.low
+            and len(said.blocks) > 1
+            and block.part >= 0
+            and parts[block.part].end - parts[block.part].start > 2
+        ):
             picture = of_parts(book.album, [block.part], round(width * _DOTS), round(_THUMB * _DOTS))
             heads.append(_photo(picture, width, _THUMB))
         chunks += together(heads, _rows(book, block, width), block.title)
     return chunks
+
+
+def _hers_of(book: Book, block: PartText) -> list[Picture]:
+    """The designer's photos that stand with a part in her text; the first of all is on the cover."""
+    starts = [section.span.start for section in book.piece.built.pattern.parts]
+    if not 0 <= block.section < len(starts):
+        return []
+    begin = starts[block.section]
+    end = min((at for at in starts if at > begin), default=1 << 60)
+    return [photo for at, photo in book.photos[1:] if begin <= at < end]
 
 
 def _photo(picture: Picture, width: float, high: float) -> Atom:
@@ -233,6 +251,9 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
         rows[0], said = replace(rows[0], words=said[0][1]), said[1:]  # the colour in her words
     for after, words, _ in reversed(said):
         at = next((k + 1 for k, row in enumerate(rows) if row.number >= after > 0), 0 if after == 0 else len(rows))
+        if words.split()[0].lower() in _said(book, "stuff"):
+            inside = reach([(row.count, bool(row.label)) for row in rows])
+            at = min(at, inside + 1) if inside >= 0 else at  # a closed piece takes no stuffing
         rows.insert(at, Row("", words))
     eyes = _eyes_here(book, block)
     if eyes and not any("eye" in words.lower() for _, words, _ in said):

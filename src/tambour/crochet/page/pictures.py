@@ -18,6 +18,7 @@ from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, 
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.album import FEW, MANY, Album
 from tambour.crochet.page.type import BACKDROP
+from tambour.render.raster import film
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
@@ -110,7 +111,7 @@ def lies(piece: Plush) -> bool:
 def whole(album: Album, width: int, height: int) -> Picture:
     """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
     from tambour.crochet.looks import in_sight, toy
-    from tambour.render.raster import film, picture, shown
+    from tambour.render.raster import picture, shown
 
     made = toy(album.piece)
     points = shown(made)
@@ -125,11 +126,11 @@ def whole(album: Album, width: int, height: int) -> Picture:
         height=height,
         azimuth=_VIEW[0],
         elevation=elevation,
-        background=BACKDROP,
+        background=album.backdrop,
         frame=room,
         lit=album.light(in_sight(album.piece) or album.all, album.face, _VIEW[0], MANY),
     )
-    paper = np.round(coded(film(linear(np.array(BACKDROP) / 255.0))) * 255).astype(np.float32)
+    paper = np.round(coded(film(linear(np.array(album.backdrop) / 255.0))) * 255).astype(np.float32)
     y = np.linspace(0.0, 1.0, height, dtype=np.float32)
     x = np.linspace(0.0, 1.0, width, dtype=np.float32)
     down = np.clip(np.minimum((1 - y) / 0.16, y / 0.05 + 0.2), 0, 1)
@@ -138,6 +139,16 @@ def whole(album: Album, width: int, height: int) -> Picture:
     rgba = seen.rgba.copy()
     for c in range(3):
         rgba[..., c] = np.round(paper[c] + keep * (rgba[..., c] - paper[c]))
+    return _on_paper(album, Picture(rgba))
+
+
+def _on_paper(album: Album, seen: Picture) -> Picture:
+    """A picture whose ground is the paper itself, where ink is dear: as much lighter as makes its backdrop white."""
+    if album.backdrop == BACKDROP:
+        return seen
+    ground = np.maximum(coded(film(linear(np.array(album.backdrop) / 255.0))) * 255.0, 1.0)
+    rgba = seen.rgba.copy()
+    rgba[..., :3] = np.minimum(np.ceil(rgba[..., :3] * (255.0 / ground)), 255.0)
     return Picture(rgba)
 
 
@@ -145,15 +156,18 @@ def of_parts(album: Album, parts: Sequence[int], width: int, height: int) -> Pic
     """Some parts by themselves."""
     from tambour.render.raster import picture
 
-    return picture(
-        album.partial(parts),
-        width=width,
-        height=height,
-        azimuth=_VIEW[0],
-        elevation=_VIEW[1],
-        ground=False,
-        background=BACKDROP,
-        lights=sum(FEW),
+    return _on_paper(
+        album,
+        picture(
+            album.partial(parts),
+            width=width,
+            height=height,
+            azimuth=_VIEW[0],
+            elevation=_VIEW[1],
+            ground=False,
+            background=album.backdrop,
+            lights=sum(FEW),
+        ),
     )
 
 
@@ -173,16 +187,19 @@ def from_side(album: Album, side: str, width: int, height: int) -> Picture:
         np.column_stack([middle[0] + reach * np.cos(turn), np.full(25, y), middle[2] + reach * np.sin(turn)])
         for y in (points[:, 1].min(), points[:, 1].max())
     ]
-    return picture(
-        album.partial(album.all, album.face),
-        width=width,
-        height=height,
-        azimuth=azimuth,
-        elevation=elevation,
-        ground=False,
-        background=BACKDROP,
-        frame=np.concatenate(drum),
-        lit=album.light(album.all, album.face, azimuth),
+    return _on_paper(
+        album,
+        picture(
+            album.partial(album.all, album.face),
+            width=width,
+            height=height,
+            azimuth=azimuth,
+            elevation=elevation,
+            ground=False,
+            background=album.backdrop,
+            frame=np.concatenate(drum),
+            lit=album.light(album.all, album.face, azimuth),
+        ),
     )
 
 
@@ -201,14 +218,17 @@ def of_step(album: Album, step: Step, frame: Array, width: int, height: int) -> 
         low = x[np.isin(part, part[sorted(hosts)]), 1].min()
         near = np.isin(part, [k for k in step.parts if x[part == k, 1].min(initial=np.inf) >= low])
         frame, view = skin(piece, np.flatnonzero(near)), _NEAR
-    return picture(
-        album.partial(step.parts, step.finishes, fresh),
-        width=width,
-        height=height,
-        azimuth=view[0],
-        elevation=view[1],
-        ground=False,
-        background=BACKDROP,
-        frame=frame,
-        lit=album.light(step.parts, step.finishes, view[0]),
+    return _on_paper(
+        album,
+        picture(
+            album.partial(step.parts, step.finishes, fresh),
+            width=width,
+            height=height,
+            azimuth=view[0],
+            elevation=view[1],
+            ground=False,
+            background=album.backdrop,
+            frame=frame,
+            lit=album.light(step.parts, step.finishes, view[0]),
+        ),
     )

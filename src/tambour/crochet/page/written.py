@@ -24,7 +24,7 @@ class Written:
 
     number : of its round; 0 for a line outside rounds, and for a chain that a part begins with; times : rounds like it
     makes : it is a round, or begins one; count : stitches on its edge afterwards, 0 for none
-    notes : sentences that stand with it
+    notes : sentences that stand with it; said : the count that the text states where that is another, 0 where it is not
     """
 
     number: int
@@ -33,6 +33,7 @@ class Written:
     pieces: tuple[Piece, ...]
     count: int
     notes: tuple[str, ...] = ()
+    said: int = 0
 
 
 def sections(built: Built) -> Iterator[tuple[Section, int, list[Written]]]:
@@ -54,6 +55,7 @@ def sections(built: Built) -> Iterator[tuple[Section, int, list[Written]]]:
 
 def _lines(section: Section, log: list[Done], numbered: dict[str, dict[int, Written]]) -> list[Written]:
     numbers = [None if line.number is None else line.number + k for line in section.lines for k in range(line.times)]
+    stated = [line.stated or 0 for line in section.lines for _ in range(line.times)]
     made: list[Written] = []
     own = numbered.setdefault(section.name, {})
     line: list[Done] = []
@@ -76,7 +78,7 @@ def _lines(section: Section, log: list[Done], numbered: dict[str, dict[int, Writ
         elif done.what != "end":
             line.append(done)
         else:
-            number, at = numbers[at], at + 1
+            number, said, at = numbers[at], stated[at], at + 1
             makes = in_round or any(d.what in _MAKES for d in line)
             if not line and not again:
                 continue
@@ -86,7 +88,9 @@ def _lines(section: Section, log: list[Done], numbered: dict[str, dict[int, Writ
                 number = last
             else:
                 number = 0
-            written = Written(number, 1, makes, tuple(brackets(line)), done.times if makes else 0, tuple(notes))
+            count = done.times if makes else 0
+            hers = said if count and said != count else 0
+            written = Written(number, 1, makes, tuple(brackets(line)), count, tuple(notes), hers)
             before = made[-1] if made else None
             if number:
                 own[number] = written
@@ -137,7 +141,7 @@ def _follows(before: Written, written: Written) -> bool:
         and before.pieces != ()
         and before.pieces[-1][0][0].what != "again"
         and before.number + before.times == written.number
-        and before.count == written.count
+        and (before.count, before.said) == (written.count, written.said)
         and [(list(map(_key, unit)), n) for unit, n in before.pieces]
         == [(list(map(_key, unit)), n) for unit, n in written.pieces]
     )
