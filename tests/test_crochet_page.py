@@ -275,7 +275,8 @@ def test_eyes_and_stuffing_stand_where_hands_still_reach_and_her_count_stays_her
 
 
 def test_a_text_file_holds_no_markdown() -> None:
-    from tambour.crochet.page.instructions import plain, unmarked
+    from tambour.crochet.page.instructions import plain
+    from tambour.crochet.page.plain import unmarked
 
     text = plain(hers()).text
     assert not re.search(r"^#|\*\*|^\*\S| $", text, re.MULTILINE)

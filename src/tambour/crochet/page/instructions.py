@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import Final
@@ -14,9 +13,10 @@ from tambour.core.graph import TIP
 from tambour.core.rgb import RGB, hexed
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built, Done
-from tambour.crochet.language.finishes import Embroidery, Eye, Hair
+from tambour.crochet.language.finishes import Embroidery, Hair
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section
+from tambour.crochet.page.plain import reach, unmarked, with_eyes
 from tambour.crochet.page.written import Written, sections
 from tambour.crochet.piece import Plush
 from tambour.crochet.words.phrases import Phrases
@@ -125,23 +125,6 @@ def plain(piece: Plush) -> Text:
     return Text(unmarked(text.text), text.name) if by_people(piece.built.pattern) else text
 
 
-def unmarked(text: str) -> str:
-    r"""Markdown as plain text: headings underlined, no asterisks, no blanks at the ends of lines.
-
-    >>> print(unmarked("# Bear  \n**Gauge:** 20 sc"), end="")
-    Bear
-    ====
-    Gauge: 20 sc
-    """
-    made = []
-    for line in text.rstrip("\n").split("\n"):
-        level = len(line) - len(line.lstrip("#"))
-        words = re.sub(r"\*\*(.+?)\*\*", r"\1", line.rstrip()).lstrip("#").lstrip() if level else line.rstrip()
-        words = re.sub(r"^\*(\S.*\S)\*$", r"\1", re.sub(r"\*\*(.+?)\*\*", r"\1", words))
-        made += [words, ("=" if level == 1 else "-") * len(words)] if level else [words]
-    return "\n".join(made) + "\n"
-
-
 def instructions(piece: Built | Pattern, terms: str | None = None, *, exact: bool = True) -> Text:
     """The pattern as a printed text, Markdown that is good to read as it is.
 
@@ -152,7 +135,7 @@ def instructions(piece: Built | Pattern, terms: str | None = None, *, exact: boo
     """
     made = words(piece, terms, exact=exact)
     if not exact:
-        made = _with_eyes(made, build(piece) if isinstance(piece, Pattern) else piece)
+        made = with_eyes(made, build(piece) if isinstance(piece, Pattern) else piece)
     word = made.terms.word
     lines = [f"# {made.title}", ""] if made.title else []
     if made.materials or made.colors:
@@ -176,37 +159,6 @@ def instructions(piece: Built | Pattern, terms: str | None = None, *, exact: boo
         lines += [f"## {word('assembly')}", "", *(f"- {said}" for said in (*made.seams, *made.finish)), ""]
     name = piece.text.name if isinstance(piece, Pattern) else piece.pattern.text.name
     return Text("\n".join(lines).rstrip("\n") + "\n", name)
-
-
-def reach(rounds: Sequence[tuple[int, bool]]) -> int:
-    """After which of the rounds (count, whether it is one) hands still reach inside: the last with half of the most stitches."""
-    most = max((count for count, _ in rounds), default=0)
-    return max((k for k, (count, makes) in enumerate(rounds) if makes and most and 2 * count >= most), default=-1)
-
-
-def _with_eyes(made: Words, built: Built) -> Words:
-    """The words with the eyes where they are put in, and no more at the end."""
-    from tambour.crochet.page.placed import Spoken
-
-    spoken, finish = Spoken(built, made.terms), built.pattern.finish
-    parts, done = [], list[str]()
-    for part in made.parts:
-        name = built.pattern.parts[part.section].name
-        eyes = [r for r in finish if isinstance(r, Eye) and r.spot.part in (name, f"{name}.1")]
-        if not eyes:
-            parts.append(part)
-            continue
-        level = max(r.spot.round for r in eyes)
-        rows = list(part.lines)
-        inside = reach([(row.count, bool(row.label)) for row in rows])
-        worked = max((k for k, row in enumerate(rows) if row.label and row.number >= level), default=inside)
-        first = next((k for k, row in enumerate(rows) if row.label and row.number >= level), worked)
-        at = min(max(first, 0), inside) if inside >= 0 else len(rows) - 1
-        said = spoken(eyes)
-        done += said
-        words = f"{made.terms.page['eyes now']}: {' '.join(said)}"
-        parts.append(replace(part, lines=(*rows[: at + 1], Row("", words), *rows[at + 1 :])))
-    return replace(made, parts=tuple(parts), finish=tuple(s for s in made.finish if s not in done))
 
 
 def by_people(pattern: Pattern) -> bool:

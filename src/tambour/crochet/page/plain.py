@@ -1,0 +1,63 @@
+"""Plain: a written pattern without the marks of Markdown, and what is put into a piece while hands still reach inside."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from tambour.crochet.graph.build import Built
+from tambour.crochet.language.finishes import Eye
+from tambour.crochet.page.placed import Spoken
+
+if TYPE_CHECKING:
+    from tambour.crochet.page.instructions import Words
+
+
+def unmarked(text: str) -> str:
+    r"""Markdown as plain text: headings underlined, no asterisks, no blanks at the ends of lines.
+
+    >>> print(unmarked("# Bear  \n**Gauge:** 20 sc"), end="")
+    Bear
+    ====
+    Gauge: 20 sc
+    """
+    made = []
+    for line in text.rstrip("\n").split("\n"):
+        level = len(line) - len(line.lstrip("#"))
+        words = re.sub(r"\*\*(.+?)\*\*", r"\1", line.rstrip()).lstrip("#").lstrip() if level else line.rstrip()
+        words = re.sub(r"^\*(\S.*\S)\*$", r"\1", re.sub(r"\*\*(.+?)\*\*", r"\1", words))
+        made += [words, ("=" if level == 1 else "-") * len(words)] if level else [words]
+    return "\n".join(made) + "\n"
+
+
+def reach(rounds: Sequence[tuple[int, bool]]) -> int:
+    """After which of the rounds (count, whether it is one) hands still reach inside: the last with half of the most stitches."""
+    most = max((count for count, _ in rounds), default=0)
+    return max((k for k, (count, makes) in enumerate(rounds) if makes and most and 2 * count >= most), default=-1)
+
+
+def with_eyes(made: Words, built: Built) -> Words:
+    """The words with the eyes where they are put in, and no more at the end."""
+    from tambour.crochet.page.instructions import Row
+
+    spoken, finish = Spoken(built, made.terms), built.pattern.finish
+    parts, done = [], list[str]()
+    for part in made.parts:
+        name = built.pattern.parts[part.section].name
+        eyes = [r for r in finish if isinstance(r, Eye) and r.spot.part in (name, f"{name}.1")]
+        if not eyes:
+            parts.append(part)
+            continue
+        level = max(r.spot.round for r in eyes)
+        rows = list(part.lines)
+        inside = reach([(row.count, bool(row.label)) for row in rows])
+        worked = max((k for k, row in enumerate(rows) if row.label and row.number >= level), default=inside)
+        first = next((k for k, row in enumerate(rows) if row.label and row.number >= level), worked)
+        at = min(max(first, 0), inside) if inside >= 0 else len(rows) - 1
+        said = spoken(eyes)
+        done += said
+        words = f"{made.terms.page['eyes now']}: {' '.join(said)}"
+        parts.append(replace(part, lines=(*rows[: at + 1], Row("", words), *rows[at + 1 :])))
+    return replace(made, parts=tuple(parts), finish=tuple(s for s in made.finish if s not in done))
