@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from tambour.crochet.graph.build import Built
+from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Eye
 from tambour.crochet.page.placed import Spoken
 
