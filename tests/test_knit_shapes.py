@@ -108,3 +108,60 @@ def test_a_yoke_from_above_has_its_rounds_in_order():
     assert picture.rgba[SIDE // 2, SIDE // 2, :3].tolist() == [231, 228, 222]
     with pytest.raises(TambourError, match="knitted round"):
         CRAFT.views["worn"].make(made())
+
+
+def test_a_steek_is_a_check_about_the_beginning_of_the_round():
+    for steek in (5, 6):
+        piece = made(stitches=40, round=True, steek=steek, max_float="4", rows=30)
+        cells, left = piece.chart.cells, steek // 2
+        edge = np.concatenate([cells[:, 40 - (steek - left) :], cells[:, :left]], axis=1)
+        assert edge.shape == (30, steek) and (np.diff(edge.astype(int), axis=1) != 0).all()
+        assert (np.diff(edge.astype(int), axis=0) != 0).all() and piece.figures["violations"] == 0
+        assert not any(c * 5 in row for row in rings(piece.chart) for c in "01")
+        text = CRAFT.views["written"].make(piece).text
+        assert f"the first {steek - left} and the last {left} stitches" in " ".join(text.split())
+    with pytest.raises(ValueError, match="round"):
+        KnitParams(steek=5)
+    with pytest.raises(TambourError, match="none of 6 for the picture"):
+        made(stitches=6, round=True, steek=6)
+
+
+@pytest.mark.parametrize(("stitches", "wide"), [(30, 5), (40, 9), (48, 9), (60, 13)])
+def test_a_mitten_has_a_thumb(stitches, wide):
+    assert shapes.widest(stitches) == wide
+    piece = made(stitches=stitches, rows=60, shape="mitten", round=True, max_float="4", gauge="26x32")
+    assert piece.chart.shape == (60, stitches + wide) and piece.figures["violations"] == 0
+    gusset = (~piece.chart.no_stitch)[:, stitches:]
+    count = gusset.sum(1)
+    first, last = np.flatnonzero(count)[[0, -1]]
+    assert (first, last) == (7, 24) and count[first] == 1 and count[last] == wide
+    assert set(np.diff(count[first : last + 1]).tolist()) <= {0, 2}
+    text = " ".join(CRAFT.views["written"].make(piece).text.split())
+    assert (
+        f"first {wide} stitches of the chart, rounds 8 to 25" in text and f"put its {wide} stitches on a thread" in text
+    )
+    bare = made(stitches=stitches, rows=60, shape="mitten", round=True, max_float="4", gauge="26x32", gusset=0)
+    assert bare.chart.shape == (60, stitches) and "Thumb" not in CRAFT.views["written"].make(bare).text
+    tiled = made(stitches=48, rows=60, repeat="12", shape="mitten", round=True, max_float="4")
+    assert tiled.repeat is None and (tiled.picture[5, :12] == tiled.picture[5, 36:48]).all()
+
+
+def test_a_motif_is_shown_on_hat_mitten_and_yoke():
+    """Upright bars of the motif stay upright on the hat and the mitten, and become rays of the yoke."""
+    bars = np.zeros((20, 12), np.uint8)
+    bars[:, 6:] = 1
+    chart = Chart(bars, WOOL, gauge=Gauge(24, 30))
+    from tambour.knit.sheets.tiled import garments
+
+    seen = garments(chart, 12, "dk").rgba[..., :3].astype(int).sum(2)
+    assert seen.shape == (800, garments(chart, None, "dk").rgba.shape[1])
+
+    def changes(line):
+        line = line[np.abs(line - 690) > 3]  # the ground is 231 + 228 + 222 = 681 … off it: the cloth
+        return int((np.abs(np.diff((line > 330).astype(int)))).sum())
+
+    hat, yoke = seen[500, :560], seen[:, -800:]
+    assert changes(hat) >= 8
+    at = np.linspace(0, 2 * np.pi, 4000)
+    ring = yoke[(400 + 330 * np.sin(at)).astype(int), (400 + 330 * np.cos(at)).astype(int)]
+    assert 2 * 20 <= changes(ring) <= 2 * 30  # about 24 repeats of 12 round a yoke of 120 cm

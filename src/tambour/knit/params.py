@@ -99,7 +99,7 @@ class KnitParams(Params):
     """Parameters of the knit craft."""
 
     groups: ClassVar = {
-        "Size": "stitches rows gauge crop rotate direction repeat arrange border edge_stitches round edges edge_run shape",
+        "Size": "stitches rows gauge crop rotate direction repeat arrange border edge_stitches round steek edges edge_run shape gusset",
         "Look": "technique back behind use_within cross_within style tones ground use seen_from floats",
         "Tones": "brightness contrast detail sharpen tone light",
         "First version": "start threshold patches patch_from",
@@ -117,6 +117,7 @@ class KnitParams(Params):
         "patches": {"start": ("patches",)},
         "patch_from": {"start": ("patches",), "patches": ("marked",)},
         "edge_run": {"edges": ("free",)},
+        "gusset": {"shape": ("mitten",)},
         "keep": {"method": ("perceptual", None)},
         "tidy": {"method": ("exact", None)},
         **{
@@ -206,6 +207,10 @@ class KnitParams(Params):
     """Set the motif beside itself: mirrored, dropped by half its rows, or turned by half a turn. Two make the repeat."""
     border: int = Field(default=0, ge=0, le=200)
     """A frame of so many stitches in a check of both yarns."""
+    steek: int = Field(default=0, ge=0, le=20)
+    """In the round: so many stitches more, in a check of both yarns, about the beginning of the round: it is cut open there."""
+    gusset: int | None = Field(default=None, ge=0, le=41)
+    """Mitten: stitches of the thumb's gusset at its widest, beside the hand's; without it a fifth of the round, 0 for none."""
     edge_stitches: int = Field(default=0, ge=0, le=50)
     """Stitches at either end of each row knitted in the dark yarn."""
     shape: Any = file(
@@ -312,6 +317,10 @@ class KnitParams(Params):
             raise ValueError("{--repeat} does not go with {--border} or {--edge-stitches}")
         if self.repeat and self.edges == "free":
             raise ValueError("{--repeat} closes upon itself: it does not go with {--edges} free")
+        if self.steek and not self.round:
+            raise ValueError("{--steek} is cut open: it needs {--round}")
+        if self.steek and (self.repeat or self.shape is not None):
+            raise ValueError("{--steek} does not go with {--repeat} and {--shape}")
         if self.round and self.edge_stitches:
             raise ValueError("{--round} has no edges for {--edge-stitches}")
         if self.behind is not None and self.technique not in ("auto", "jacquard"):

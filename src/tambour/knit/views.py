@@ -77,11 +77,15 @@ def chart(piece: Piece) -> Drawing:
 
 def pattern(piece: Piece) -> tuple[Drawing, ...]:
     """The printed pattern; with ``swatch``, its page follows the cover."""
+    from textwrap import wrap
+
+    from tambour.knit.hands.openings import notes
     from tambour.knit.sheets.fabric import aspect_of, front, pixels
     from tambour.knit.sheets.pages import Words, booklet
 
     p = piece.params
-    words = Words(title(piece), piece.limit, piece.figures["longest_float"], p.yarn_weight, anchored(piece))
+    told = tuple(line for note in notes(piece.chart, p) for line in ("", *wrap(note, 52)))
+    words = Words(title(piece), piece.limit, piece.figures["longest_float"], p.yarn_weight, anchored(piece), told)
     # The cover's picture is small: a quarter of the usual pixels will do.
     shown = front(piece.chart, max(1, pixels(piece.chart, aspect_of(piece.chart)) // 2))
     return booklet(piece.chart, look(piece), words, yarn(piece), shown, p.page, p.large_cells, p.swatch)
@@ -98,6 +102,7 @@ def swatch(piece: Piece) -> Drawing:
 
 def written(piece: Piece) -> Text:
     """Written rows."""
+    from tambour.knit.hands.openings import notes
     from tambour.knit.hands.written import pattern as told
 
     p = piece.params
@@ -111,6 +116,7 @@ def written(piece: Piece) -> Text:
         dominant(piece),
         piece.repeat[0] if piece.repeat else None,
         p.catch,
+        notes(piece.chart, p),
     )
 
 
@@ -143,6 +149,13 @@ def worn(piece: Piece) -> Picture:
     else:
         round_ = 10 * GARMENTS[kind][2][1]
     return from_above(piece.chart, round_, piece.params.yarn_weight, kind == "yoke")
+
+
+def tiled(piece: Piece) -> Picture:
+    """The motif as a hat, a mitten and a yoke would have it, tiled about each."""
+    from tambour.knit.sheets.tiled import garments
+
+    return garments(piece.chart, piece.repeat[0] if piece.repeat else None, piece.params.yarn_weight)
 
 
 def distance(piece: Piece) -> Drawing:
@@ -231,6 +244,7 @@ VIEWS: dict[str, View] = {
     "fabric": View(fabric, "Picture", "the knitted right side", (".jpg", ".jpeg", ".webp")),
     "back": View(back, "Picture", "the wrong side with its floats"),
     "worn": View(worn, "Picture", "a yoke or a hat from above, the rounds laid about the neck"),
+    "tiled": View(tiled, "Picture", "the motif tiled on a hat, a mitten and a yoke"),
     "distance": View(distance, "Drawing", "source and knitting side by side, as seen from afar"),
     "floats": View(floats, "Drawing", "the floats marked on the chart"),
     "swatch": View(swatch, "Drawing", "two windows to knit first, and the card to measure them"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from textwrap import wrap
 
 from tambour.color import plain_name
@@ -115,10 +116,12 @@ def pattern(
     dominant: int | None = None,
     repeat: int | None = None,
     catch: int | None = None,
+    notes: Sequence[str] = (),
 ) -> Text:
     """The whole pattern as text: materials, gauge, how to read, the rows, the floats to catch, the ladders.
 
-    limit : longest float of the chart in stitches; catch : longest float that is left free (default: limit)
+    limit : longest float of the chart in stitches; catch : longest float that is left free (default: limit); notes : more
+    to know before the first row
     """
     names, catch = roles(chart), catch or limit
     gauge = gauge_of(chart, weight)
@@ -146,6 +149,7 @@ def pattern(
         )
     out += ["", "Notes"]
     out += [f"  {line}" for line in how_to_read(chart)]
+    out += [f"  {line}" for note in notes for line in wrap(note, 100)]
     if chart.technique != "stranded":
         out += ["", f"{word.capitalize()}s"]
         for line in rows(chart, repeat):

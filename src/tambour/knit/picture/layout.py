@@ -59,7 +59,7 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
     whole, params = usual.sized(resample.upright(source, params, progress), params, progress)
     height, width = whole.shape[:2]
     edge, border = params.edge_stitches, params.border
-    sides = 2 * (edge + border)
+    sides = 2 * (edge + border) + params.steek
     repeat, copies = None, 1
     twice = 1 if params.arrange == "plain" else 2
     if params.repeat == "auto":
@@ -88,8 +88,8 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
     elif sides and params.stitches is not None:
         if params.stitches <= sides:
             raise TambourError(
-                f"a frame of {edge + border} stitches on either side leaves none of {params.stitches} for the picture",
-                where="{--border}" if border else "{--edge-stitches}",
+                f"a frame of {sides} stitches in all leaves none of {params.stitches} for the picture",
+                where="{--border}" if border else "{--edge-stitches}" if edge else "{--steek}",
             )
         within = {"stitches": params.stitches - sides, "rows": params.rows and max(1, params.rows - 2 * border)}
         rows, stitches = resample.size(params.model_copy(update=within), width, height)
@@ -98,13 +98,22 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
     picture = resample.resample(whole, rows, stitches)[::-1]
     if twice == 2:
         picture, stitches = shapes.arranged(picture, params.arrange), 2 * stitches
-    worn = None
+    worn, thumb = None, 0
     if isinstance(params.shape, str):
+        over = params.shape == "mitten" and repeat is not None
+        if over and repeat is not None:
+            # A mitten is not made of wedges: the motif goes on over hand and palm, and its top is cut.
+            picture = np.concatenate([picture] * copies + [picture[:, : repeat[1]]], axis=1)
+            stitches, repeat, copies = picture.shape[1], None, 1
         worn = shapes.TEMPLATES[params.shape](rows, stitches)
-        picture = shapes.drawn_in(picture, worn)
-    inner = (border, border, edge + border, edge + border)
-    full = (rows + 2 * border, stitches + sides)
-    frame, pattern = framed(full, edge, border)
+        picture = picture if over else shapes.drawn_in(picture, worn)
+        if params.shape == "mitten":
+            thumb = shapes.widest(stitches) if params.gusset is None else params.gusset
+            worn = np.concatenate([worn, shapes.gusset(rows, thumb)], axis=1)
+    half = params.steek // 2
+    inner = (border, border, edge + border + half, edge + border + params.steek - half + thumb)
+    full = (rows + 2 * border, stitches + sides + thumb)
+    frame, pattern = framed(full, inner, edge, bool(params.steek))
     if frame.size:
         blank = np.full((*full, 3), 255, np.uint8)
         blank[inside(inner)] = picture
@@ -164,14 +173,18 @@ def multiple(stitches: int | None, repeat: tuple[int, int]) -> int:
     return copies
 
 
-def framed(shape: tuple[int, int], edge: int, border: int) -> tuple[Array, Array]:
-    """(where, colour) of edge stitches (dark) and of a border in a check of both yarns; both empty without any."""
-    if not edge and not border:
+def framed(shape: tuple[int, int], inner: tuple[int, int, int, int], edge: int, seam: bool) -> tuple[Array, Array]:
+    """(where, colour) of what stands about the picture ``inner``: edge stitches (dark), and a border, a steek or a gusset in
+    a check of both yarns, which with ``seam`` goes on over the beginning of the round; both empty without any."""
+    if not any(inner):
         return NONE, np.zeros((0, 0), np.uint8)
     rows, stitches = shape
     frame = np.ones(shape, np.bool_)
-    frame[border : rows - border, edge + border : stitches - edge - border] = False
-    pattern = ((np.arange(rows)[:, None] + np.arange(stitches)[None]) % 2).astype(np.uint8)
+    frame[inside(inner)] = False
+    across = np.arange(stitches)
+    if seam:
+        across[stitches - inner[3] :] -= stitches
+    pattern = ((np.arange(rows)[:, None] + across[None]) % 2).astype(np.uint8)
     pattern[:, :edge] = 0
     pattern[:, stitches - edge :] = 0
     return frame, pattern

@@ -52,6 +52,26 @@ def mitten(rows: int, wide: int) -> Array:
     return out
 
 
+THUMB = (0.12, 0.42)
+"""Of a mitten's rows, where its thumb's gusset begins and where its stitches are put on a thread."""
+
+
+def widest(stitches: int) -> int:
+    """Stitches of a thumb's gusset for a hand of so many round: the odd number nearest to a fifth."""
+    return max(3, 2 * round((stitches / 5 - 1) / 2) + 1)
+
+
+def gusset(rows: int, wide: int) -> Array:
+    """(rows, wide) bool: the gusset of a mitten's thumb, from one stitch (two) by two more at even steps; then none, as
+    they wait on a thread for the thumb."""
+    out = np.zeros((rows, wide), np.bool_)
+    low, high = round(THUMB[0] * rows), round(THUMB[1] * rows)
+    widths = list(range(2 - wide % 2, wide + 1, 2))
+    for k in range(low, high if widths else low):
+        out[k] = _centred(wide, widths[min(len(widths) - 1, (k - low) * len(widths) // max(1, high - low - 1))])
+    return out
+
+
 TEMPLATES: dict[str, Callable[[int, int], Array]] = {"yoke": yoke, "hat": hat, "mitten": mitten}
 
 

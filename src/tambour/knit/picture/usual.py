@@ -196,6 +196,7 @@ def of_stranded(params: KnitParams) -> bool:
         "round",
         "repeat",
         "arrange",
+        "steek",
         "border",
         "edge_stitches",
         "edges",
