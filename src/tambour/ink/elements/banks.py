@@ -121,7 +121,7 @@ def ground(brush: Brush, x: float, y: float, height: float, width: float, cut: f
         body(brush)
         for i in range(edge):
             at(brush, top[i, 0] + x, top[i, 1] + y)
-        stroke(brush, 100.0, 0.2, 3.0, 0.5, SINE, 1.0)
+        stroke(brush, 100.0, 0.2, 1.4, 0.7, SINE, 1.0)
         left, high, right, low = 1e9, 1e9, -1e9, -1e9
         for i in range(edge):
             left, right = min(left, top[i, 0]), max(right, top[i, 0])

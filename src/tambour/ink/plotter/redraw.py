@@ -26,9 +26,12 @@ from tambour.ink.ground.codes import (
     JUNIPER,
     PAGODA,
     PAVILION,
+    PLUM,
     PYLON,
     RANGE,
+    REED,
     SAPLING,
+    WILLOW,
 )
 from tambour.ink.ground.marks import BLOB, BODY, LINE, RING, SEAL, STROKE, VEIL, WASH, Marks
 from tambour.ink.plotter.hand import contours, dabs, passes, pressed, zigzags
@@ -43,8 +46,9 @@ FINEST = 1.6
 """Distance of the closest hatch lines, in nibs."""
 SHARE = 0.6
 """Mean width of a brush stroke as a part of its greatest."""
-WEIGHT = 1.5
-"""How much a stroke's breadth is told by the pen's passes, against its ink: a few firm lines carry a sheet."""
+WEIGHT, SLIGHT = 1.5, 0.7
+"""How much a stroke's breadth is told by the pen's passes, against its ink: a few firm lines carry a sheet. The strokes of
+a bare tree lie so close that as much would clog it."""
 SPARE = 0.42
 """How much of a far range's ink its lines lay down: what is far is told by few."""
 MADE = [HUT, HOUSE, PAGODA, PAVILION, PYLON, BOAT, FIGURE]
@@ -242,7 +246,8 @@ class Hand:
         cut = belongs(marks, [HILL]) & (self.around < 60.0) & ~rim
         firm &= ~cut | (self.bunch * 0.8 * self.nib < width)
         chosen = np.flatnonzero(stroke & firm & self.shown)
-        tone = np.where(rim, 0.0, WEIGHT * tone)
+        bare = belongs(marks, [PLUM, WILLOW, REED])
+        tone = np.where(rim, 0.0, np.where(bare, SLIGHT, WEIGHT) * tone)
         coords, ends = ragged(marks.coords, marks.offsets, chosen)
         if self.heights:
             coords, ends, source, press = pressed(coords, ends, tone[chosen], self.nib, self.heights)
