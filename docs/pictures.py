@@ -5,6 +5,7 @@ Each line of PICTURES is a picture, the command that makes it, and its width in 
 
 from __future__ import annotations
 
+import hashlib
 import shlex
 import subprocess
 import sys
@@ -121,6 +122,23 @@ def rows(made: list[list[Image.Image]], width: int, gap: int = 10) -> Image.Imag
     return page
 
 
+def ink_windows() -> None:
+    """Our sides of pairs that blind judges saw: two windows of 6,000 units, four of 1,500 and eight of 300, drawn by hash."""
+
+    def window(span: int, k: int, width: int) -> Image.Image:
+        h = hashlib.sha256(f"tambour ink pairs 2 ours {span} {k}".encode()).digest()
+        seed, at = int.from_bytes(h[:3], "little") % 9000 + 100, int.from_bytes(h[3:6], "little") % 20000
+        return picture(f"ink --seed {seed} --from {at} --span {span} --pixels {width} -o {{out}}.png")
+
+    wide, middle = [window(6000, k, 1500) for k in range(2)], [window(1500, k, 745) for k in range(4)]
+    narrow = [window(300, k, 180) for k in range(8)]
+    made = [rows([[one] for one in wide], 1500), rows([middle[:2], middle[2:]], 745), rows([narrow], 178)]
+    page = Image.new("RGB", (1500, sum(one.height + 10 for one in made) - 10), "white")
+    for k, one in enumerate(made):
+        page.paste(one, (0, sum(other.height + 10 for other in made[:k])))
+    page.save(HERE / "pictures" / "ink-windows.jpg", quality=82, optimize=True)
+
+
 STRIPS = [
     ("ink-seeds.jpg", [f"ink --seed {seed} --span 2627 --pixels 1500 -o {{out}}.png" for seed in (1, 2, 3, 4, 5)]),
     (
@@ -159,12 +177,13 @@ if __name__ == "__main__":
     for entry in PICTURES:
         if not wanted or entry[0] in wanted:
             make(*entry)
-    knitted = {
+    pages = {
         "knit-examples.jpg": knit_examples,
         "knit-styles.jpg": knit_styles,
         "knit-techniques.jpg": knit_techniques,
+        "ink-windows.jpg": ink_windows,
     }
-    for name, draw in knitted.items():
+    for name, draw in pages.items():
         if not wanted or name in wanted:
             draw()
     for name, commands in STRIPS:

@@ -193,8 +193,9 @@ def sheet(scroll: Scroll, marks: Marks, last: bool = True) -> Drawing:
 
 
 def rooms(scroll: Scroll) -> Array:
-    """(K, 4) what the wholes of the window cover, about: left, top, right, lower edge."""
-    return np.array([p.room for p in scroll.planned if p.room]).reshape(-1, 4)
+    """(K, 4) what the wholes of the window cover, about, with the trees at their sides: left, top, right, lower edge."""
+    found = np.array([p.room for p in scroll.planned if p.room]).reshape(-1, 4)
+    return found + np.array([-30.0, 0.0, 30.0, 0.0])
 
 
 def whole(scroll: Scroll) -> Drawing:
