@@ -34,7 +34,7 @@ from tambour.embroidery.piece import FILL, TRAVEL
 from tambour.embroidery.plan.facts import full_cells, steps
 from tambour.embroidery.plan.make import make
 from tambour.embroidery.plan.sequence import Layout
-from tambour.embroidery.regions.read import to_shapely
+from tambour.geometry.areas import to_shapely
 
 SAMPLER = Path(__file__).resolve().parent.parent / "examples" / "embroidery" / "sampler.svg"
 ANGLE = math.radians(30)

@@ -134,7 +134,7 @@ def test_a_fill_goes_on_below_what_is_sewn_over_its_edge():
     import shapely
 
     from tambour.embroidery.plan.overlap import UNDER
-    from tambour.embroidery.regions.read import to_shapely
+    from tambour.geometry.areas import to_shapely
 
     shapes = [
         BAR + np.array(at) for at in ((0, 0), (30.1, 0), (31.5, 40))

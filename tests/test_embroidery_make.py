@@ -98,7 +98,9 @@ def test_a_hoop_takes_what_it_says_would_fit(tmp_path):
 def test_thread_lies_in_sewing_order(tmp_path):
     """A later stitch lies above every earlier one of another layer that it crosses, but for where they dive."""
     (tmp_path / "in.svg").write_text(STROKES.format(6).replace('fill="none"', 'fill="#c33"'))
-    piece = make(files.read(tmp_path / "in.svg", ("Drawing",)), EmbroideryParams(width=30.0), Progress())
+    piece = make(
+        files.read(tmp_path / "in.svg", ("Drawing",)), EmbroideryParams(width=30.0, keep_hidden=True), Progress()
+    )
     xy, end = steps(piece)
     size = np.hypot(xy[:, 2] - xy[:, 0], xy[:, 3] - xy[:, 1])
     xy, end, size = xy[size > 1], end[size > 1], size[size > 1]

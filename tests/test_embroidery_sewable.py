@@ -34,7 +34,7 @@ def test_a_plain_design_passes_in_silence(tmp_path):
 def test_many_layers_are_told_with_their_place(tmp_path):
     spot = '<path d="M30 30h8v8h-8z" fill="#{:06x}"/>'
     many = "".join(spot.format(k * 4000) for k in range(30))
-    _, said = piece(tmp_path, SQUARE.format("red") + many)
+    _, said = piece(tmp_path, SQUARE.format("red") + many, keep_hidden=True)
     points = next(s for s in said if "needle points" in s)
     covers = next(s for s in said if "covers" in s)
     threads = next(s for s in said if "threads" in s)
@@ -42,8 +42,10 @@ def test_many_layers_are_told_with_their_place(tmp_path):
     assert 0 <= x <= 8 and 0 <= y <= 8
     assert int(points.split()[0]) > 100 and threads.startswith("31 threads")
     with pytest.raises(TambourError) as caught:
-        piece(tmp_path, SQUARE.format("red") + many, check=True)
+        piece(tmp_path, SQUARE.format("red") + many, keep_hidden=True, check=True)
     assert len(caught.value.problems) == len(said) >= 3
+    made, said = piece(tmp_path, SQUARE.format("red") + many)
+    assert len(made.plan.threads) == 2 and said == ["29 shape(s) lie hidden below others and were left out"]
 
 
 def test_a_design_of_a_few_millimetres_is_told(tmp_path):

@@ -185,7 +185,8 @@ def test_style_comes_from_sheet_attribute_and_inheritance(tmp_path):
         '<rect fill="none" width="1" height="1"/><rect display="none" width="1" height="1"/>',
     )
     styles = made.styles.fill[made.style].tolist()
-    assert styles == [[255, 0, 0, 255], [0, 128, 0, 255], [0, 0, 255, 255], [255, 255, 0, 128]]
+    # What is translucent shows no fill below its stroke: two shapes.
+    assert styles == [[255, 0, 0, 255], [0, 128, 0, 255], [0, 0, 255, 255], [255, 255, 0, 128], [0, 0, 0, 0]]
     assert made.styles.stroke[made.style][0].tolist() == [0, 0, 255, 255]
     assert made.styles.width[made.style][0] == 2
 
@@ -257,13 +258,6 @@ BOMB = '<?xml version="1.0"?><!DOCTYPE svg [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "
         (BOMB, "entity"),
         ('<!DOCTYPE svg [<!ENTITY x SYSTEM "file:///etc/passwd">]><svg>&x;</svg>', "outside the file"),
         ("<svg>" + "<g>" * 5000 + "</g>" * 5000 + "</svg>", "nested"),
-        (HEAD + '<path d="M0 0 L 5"/></svg>', ":1: "),
-        (HEAD + '<path d="M0 0 L nan 5"/></svg>', "no path command"),
-        (HEAD + '<g id="a"><use href="#a"/></g></svg>', "itself"),
-        (HEAD + '<rect width="1e30" height="1"/></svg>', "large"),
-        (HEAD + '<rect width="5" height="5" transform="scale(1e200) scale(1e200)"/></svg>', "large"),
-        (HEAD + '<rect width="x" height="1"/><circle r="1" fill="blurple"/></svg>', "blurple"),
-        (HEAD.replace('viewBox="0 0 100 50"', 'viewBox="0 0 0 0"') + "</svg>", "no area"),
     ],
 )
 def test_hostile_files_get_one_clear_word(tmp_path, text, word):
@@ -274,10 +268,134 @@ def test_hostile_files_get_one_clear_word(tmp_path, text, word):
     assert word in str(error.value)
 
 
-def test_all_problems_at_once_with_their_lines(tmp_path):
-    with pytest.raises(TambourError) as error:
-        read(tmp_path, '\n<rect width="q" height="1"/>\n<path d="M1"/>\n<circle r="1" fill="no-such"/>')
-    assert [p.where.rsplit(":", 1)[1] for p in error.value.problems] == ["2", "3", "4"]
+@pytest.mark.parametrize(
+    ("bad", "word"),
+    [
+        ('<path d="M0 0 L 5"/>', "breaks off"),
+        ('<path d="M0 0 L nan 5"/>', "no path command"),
+        ('<path d="M0 0 A 5 5 0 2 0 9 9"/>', "flag"),
+        ('<g id="a"><use href="#a"/></g>', "itself"),
+        ('<use href="#none"/>', "not there"),
+        ('<rect width="1e30" height="1"/>', "large"),
+        ('<rect width="5" height="5" transform="scale(1e200) scale(1e200)"/>', "large"),
+        ('<rect width="x" height="1"/>', "no length"),
+        ('<circle r="1" fill="blurple"/>', "blurple"),
+        ('<polyline points="0,0 4,0 4"/>', "pairs"),
+        ('<circle r="1" transform="turn(4)"/>', "transform"),
+        ('<svg viewBox="0 0 0 0" width="1" height="1"/>', "no area"),
+        ('<circle r="1" opacity="half"/>', "opacity"),
+    ],
+)
+def test_one_bad_value_never_refuses_the_rest_and_is_told_with_its_line(tmp_path, bad, word):
+    made = read(tmp_path, f'\n<rect x="50" width="10" height="10"/>\n{bad}')
+    assert np.allclose(areas(made)[0], 100)
+    assert made.about["doubts"].startswith("line 3: ") and word in made.about["doubts"]
+
+
+def test_what_comes_before_a_fault_of_a_path_is_drawn(tmp_path):
+    made = read(tmp_path, '<path d="M0 0h10v10h-10z M20 0 h4 v oops"/>')
+    assert np.isclose(areas(made)[0], 100)
+
+
+@pytest.mark.parametrize(
+    ("defs", "how", "left"),
+    [
+        ('<clipPath id="c"><rect width="5" height="10"/></clipPath>', 'clip-path="url(#c)"', 50),
+        ('<clipPath id="c" clipPathUnits="objectBoundingBox"><rect width=".3" height="1"/></clipPath>', 'clip-path="url(#c)"', 30),
+        ('<clipPath id="c"><rect width="5" height="10"/><rect width="10" height="2"/></clipPath>', 'style="clip-path:url(#c)"', 60),
+        ('<mask id="c" maskUnits="userSpaceOnUse" x="0" y="0" width="99" height="99"><rect width="5" height="10" fill="white"/><rect width="5" height="2"/></mask>', 'mask="url(#c)"', 40),
+    ],
+)  # fmt: skip
+def test_clips_and_masks_cut(tmp_path, defs, how, left):
+    for body in (f'<rect width="10" height="10" {how}/>', f'<g {how}><rect width="10" height="10"/></g>'):
+        assert sum(areas(read(tmp_path, defs + body))) == pytest.approx(left)
+
+
+def test_a_faint_mask_lets_colours_through_by_as_much(tmp_path):
+    made = read(
+        tmp_path,
+        '<mask id="m"><rect width="10" height="10" fill="#fff" opacity=".5"/></mask><rect width="10" height="10" mask="url(#m)"/>',
+    )
+    assert made.styles.fill[made.style, 3].tolist() == [128]
+
+
+def test_gradients_become_bands_whose_colours_are_theirs(tmp_path):
+    made = read(
+        tmp_path,
+        '<linearGradient id="g" gradientTransform="rotate(90)"><stop stop-color="#000"/><stop offset="1" stop-color="#fff"/></linearGradient>'
+        '<rect width="10" height="20" fill="url(#g)"/>',
+    )
+    assert 5 <= len(made) <= 12 and sum(areas(made)) == pytest.approx(200, rel=1e-6)
+    ends = [made.paths[int(made.paths.parts[m])][:, 1].mean() for m in range(len(made))]
+    shown = made.styles.fill[made.style, 0].astype(float)
+    assert np.abs(shown - 255 * np.array(ends) / 20).max() < 20  # each band is what the gradient is in its middle
+    assert "gradients" in made.about["ignored"]
+    flat = read(
+        tmp_path,
+        '<radialGradient id="g"><stop stop-color="#102030"/></radialGradient><rect width="9" height="9" fill="url(#g)"/>',
+    )
+    assert flat.styles.fill[flat.style].tolist() == [[16, 32, 48, 255]]
+
+
+def test_dashes_markers_ends_and_paint_order(tmp_path):
+    line = '<path d="M0 10h20" fill="none" stroke="red" stroke-width="2" '
+    made = read(tmp_path, line + 'stroke-dasharray="4 2" stroke-dashoffset="1"/>')
+    ends = sorted(tuple(np.round(made.paths[i][:, 0], 6)) for i in range(len(made.paths)))
+    assert ends == [(0.0, 3.0), (5.0, 9.0), (11.0, 15.0), (17.0, 20.0)]
+    made = read(tmp_path, line + 'stroke-linecap="square" stroke-linejoin="bevel"/>')
+    assert made.styles.cap.tolist() == [2] and made.styles.join.tolist() == [2]
+    marker = '<marker id="m" refX="1" refY="1" markerWidth="2" markerHeight="2" orient="auto"><rect width="2" height="2"/></marker>'
+    made = read(tmp_path, marker + line + 'marker-end="url(#m)"/>')
+    low, high = made.paths[1].min(0), made.paths[1].max(0)
+    assert np.allclose([*low, *high], [18, 8, 22, 12])
+    made = read(tmp_path, '<rect width="9" height="9" stroke="red" fill="blue" paint-order="stroke"/>')
+    assert made.styles.stroke[made.style, 0].tolist() == [255, 0] and made.styles.fill[made.style, 2].tolist() == [
+        0,
+        255,
+    ]
+
+
+def test_a_stroke_that_is_skewed_is_an_area(tmp_path):
+    made = read(tmp_path, '<path d="M0 1h10" stroke="red" stroke-width="2" transform="scale(1 4)"/>')
+    assert areas(made) == pytest.approx([80])
+
+
+def test_pictures_inside_lie_in_their_place(tmp_path):
+    import base64
+    import io
+
+    from PIL import Image
+
+    out = io.BytesIO()
+    Image.new("RGB", (4, 2), (200, 10, 10)).save(out, "PNG")
+    data = base64.b64encode(out.getvalue()).decode()
+    made = read(tmp_path, f'<image x="10" y="5" width="20" height="20" href="data:image/png;base64,{data}"/>')
+    (held,) = made.images
+    assert (held.x, held.y, held.width, held.height) == pytest.approx((10, 10, 20, 10))
+    assert held.picture.rgba.shape == (2, 4, 4)
+    told = read(tmp_path, f'<image width="9" height="9" transform="rotate(3)" href="data:image/png;base64,{data}"/>')
+    assert not told.images and "turned" in told.about["ignored"]
+
+
+def test_attribute_selectors_and_importance(tmp_path):
+    sheet = '<style>rect[class~="b"]{fill:#010101} [data-x]{fill:#020202!important} rect{fill:#030303}</style>'
+    made = read(
+        tmp_path,
+        sheet
+        + "".join(f'<rect {a} width="1" height="1"/>' for a in ('class="a b"', 'data-x="1" style="fill:red"', "")),
+    )
+    assert made.styles.fill[made.style, 0].tolist() == [1, 2, 3]
+
+
+def test_text_follows_a_path_with_kerning(tmp_path):
+    way = '<defs><path id="w" d="M0 40h90"/></defs>'
+    made = read(tmp_path, way + '<text font-size="10"><textPath href="#w" startOffset="20">AV</textPath></text>')
+    plain = read(tmp_path, '<text font-size="10" x="20" y="40">AV</text>')
+    assert np.allclose(made.paths.coords, plain.paths.coords, atol=0.2)
+    from tambour.geometry.glyphs import kerned
+    from tambour.render.type import font_bytes
+
+    assert kerned(font_bytes(False), "A", "V") < -0.01 and kerned(font_bytes(False), "H", "H") == 0
 
 
 def test_entities_of_illustrator_and_packed_files_are_read(tmp_path):
@@ -291,7 +409,8 @@ def test_what_is_left_out_is_named(tmp_path):
         tmp_path,
         '<script>x()</script><image href="http://x/y.png"/><use href="other.svg#a"/><rect width="1" height="1" clip-path="url(#c)"/>',
     )
-    assert {"script", "image", "clip-path"} <= set(made.about["ignored"].replace(",", "").split())
+    assert "script" in made.about["ignored"] and "an image outside the file" in made.about["ignored"]
+    assert "clip-path: url(#c) is not there" in made.about["doubts"]
 
 
 def test_many_copies_stop_soon(tmp_path):
@@ -300,10 +419,10 @@ def test_many_copies_stop_soon(tmp_path):
         "".join(f'<g id="g{k}">' + f'<use href="#g{k - 1}"/>' * 10 + "</g>" for k in range(1, 9))
         + '</defs><use href="#g8"/>'
     )
-    begin = time.perf_counter()
+    begin = time.process_time()
     with pytest.raises(TambourError):
         read(tmp_path, body)
-    assert time.perf_counter() - begin < 20
+    assert time.process_time() - begin < 20
 
 
 def test_a_drawing_survives_writing_and_reading(tmp_path):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Final, Literal
 
 import numpy as np
 
@@ -12,6 +12,9 @@ from tambour.core.check import Array, array, put, within
 from tambour.core.errors import LawError
 from tambour.core.paths import Paths
 from tambour.core.picture import Picture
+
+CAPS: Final = ("round", "butt", "square")
+JOINS: Final = ("round", "miter", "bevel")
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -21,12 +24,17 @@ class Styles:
     fill, stroke : (S, 4) uint8 sRGB with alpha; alpha 0 means none
     width : (S,) float64, width of the stroke in the drawing's units
     evenodd : (S,) bool, fill rule (False: non-zero)
+    cap, join : (S,) uint8 → CAPS, JOINS: how strokes end and turn; left empty, all round
+    miter : (S,) float64, how many widths a mitre may be long; left empty, 4
     """
 
     fill: Array
     stroke: Array
     width: Array
     evenodd: Array
+    cap: Array = field(default_factory=lambda: np.zeros(0, np.uint8))
+    join: Array = field(default_factory=lambda: np.zeros(0, np.uint8))
+    miter: Array = field(default_factory=lambda: np.zeros(0))
 
     def __post_init__(self) -> None:
         fill = array("Styles.fill", self.fill, np.uint8, (None, 4))
@@ -37,7 +45,12 @@ class Styles:
             stroke=array("Styles.stroke", self.stroke, np.uint8, (n, 4)),
             width=array("Styles.width", self.width, np.float64, (n,)),
             evenodd=array("Styles.evenodd", self.evenodd, np.bool_, (n,)),
+            cap=array("Styles.cap", self.cap if len(self.cap) else np.zeros(n, np.uint8), np.uint8, (n,)),
+            join=array("Styles.join", self.join if len(self.join) else np.zeros(n, np.uint8), np.uint8, (n,)),
+            miter=array("Styles.miter", self.miter if len(self.miter) else np.full(n, 4.0), np.float64, (n,)),
         )
+        within("Styles.cap", self.cap, 0, len(CAPS))
+        within("Styles.join", self.join, 0, len(JOINS))
 
     def __len__(self) -> int:
         return len(self.fill)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tambour.craft import Craft, Lazy
 from tambour.embroidery.edits import ORDER, REGION
+from tambour.embroidery.needle import NEEDLE
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.views import VIEWS
 
@@ -16,5 +17,5 @@ CRAFT = Craft(
     views=VIEWS,
     facts=Lazy("tambour.embroidery.plan.facts:facts"),
     optional_source=True,
-    changes={"region": REGION, "order": ORDER},
+    changes={"region": REGION, "order": ORDER, "needle": NEEDLE},
 )

@@ -11,6 +11,7 @@ from pydantic import BeforeValidator, Field, field_validator, model_validator
 
 from tambour.core.params import Degrees, Length, Params, Unit, file, length
 from tambour.embroidery.fabric import FABRICS, MOST, Fabric, calibrated
+from tambour.embroidery.machines import MACHINES
 
 Stitch = Literal[
     "tatami",
@@ -48,12 +49,12 @@ class EmbroideryParams(Params):
 
     groups: ClassVar = {
         "Stitches": "stitch angle row_spacing row_spacing_end length min_length stagger jitter seed motif motif_size repeats",
-        "Satin and lines": "satin_from split jagged",
+        "Satin and lines": "satin_from line_below split border jagged",
         "Fabric": "fabric pull pull_percent push test_card measured underlay knockdown",
         "Thread": "thread travel locks trim catalogue",
-        "Design": "width hoop order colors text font text_size applique baste",
+        "Design": "width hoop order colors keep_hidden text font text_size applique baste",
         "Cloth": "cloth ground frames ends theta place place_at place_offset place_rotate place_scale place_group",
-        "Machine": "pes jef_trims check",
+        "Machine": "machine pes jef_trims check",
     }
     first: ClassVar = "fabric stitch angle row_spacing width hoop text colors cloth"
     rare: ClassVar = "edition min_length stagger jitter seed jagged theta ends place_group jef_trims"
@@ -119,6 +120,12 @@ class EmbroideryParams(Params):
     split: Length = Field(default=7.0, ge=1, le=12)
     """Satin stitches longer than this are split."""
 
+    line_below: Length = Field(default=0.8, ge=0, le=12)
+    """Limbs of satin areas that are narrower than this are a line, sewn there and back."""
+
+    border: Length = Field(default=0.0, ge=0, le=12)
+    """Fills get a satin border of this width along their edges, inside them, in the same thread."""
+
     jagged: Length = Field(default=0.0, ge=0, le=10)
     """Satin ends draw back by up to this much, at random, for a feathered edge."""
 
@@ -161,11 +168,17 @@ class EmbroideryParams(Params):
     hoop: str | None = None
     """The hoop's field, such as 100x100 (mm), or Brother's 4x4, 5x7, 6x10: the design must fit."""
 
+    machine: str | None = None
+    """The machine, such as brother-pe800: the design must fit its largest field, and its needles are counted."""
+
     check: bool = False
     """What is doubtful to sew (crowded needle points, short stitches, too many threads) is an error, not a warning."""
 
     colors: int | None = Field(default=None, ge=2, le=24)
     """Colours that a picture (6 when not given) or a drawing (all it has) is reduced to."""
+
+    keep_hidden: bool = False
+    """What lies below other shapes is sewn too, and equal neighbours stay apart."""
 
     text: str | None = Field(default=None, max_length=500)
     """Letters to embroider, instead of a drawing or below it."""
@@ -268,6 +281,13 @@ class EmbroideryParams(Params):
         if not re.fullmatch(r"#[0-9a-fA-F]{6}", value.strip()):
             raise ValueError(f"{value!r} is not a colour such as #ece7dc")
         return value.strip().lower()
+
+    @field_validator("machine")
+    @classmethod
+    def _machine(cls, value: str | None) -> str | None:
+        if value is not None and value.strip().lower() not in MACHINES:
+            raise ValueError(f"{value!r} is not one of {', '.join(MACHINES)}; give {{--hoop}} for another")
+        return value and value.strip().lower()
 
     @field_validator("hoop")
     @classmethod

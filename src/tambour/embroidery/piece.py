@@ -45,7 +45,9 @@ class Region:
     width : width of a line, mm (0 for areas)
     guide : lines that guided, flow and ripple stitches follow, or None
     start, end : places asked for by the source (command symbols), or None
-    flags : "trim" and "stop": what is done after it
+    flags : "trim" and "stop": what is done after it; "whole": laid out by hand, and not to be cut or joined
+    cap : of lines, how they end, as in Styles
+    alpha : how much of its colour covers what is below, 0 … 1; 1 for all once the drawing is flat
     rank : its place in the order of sewing among those that have one, or None
     """
 
@@ -61,6 +63,8 @@ class Region:
     end: tuple[float, float] | None = None
     flags: frozenset[str] = frozenset()
     rank: int | None = None
+    cap: int = 1
+    alpha: float = 1.0
 
     @property
     def turn(self) -> float:

@@ -32,6 +32,7 @@ VIEWS: dict[str, View] = {
         (".glb", ".usdc", ".usda", ".usd", ".obj", ".npz"),
         "bind",
     ),
+    "check": View(Lazy("tambour.embroidery.looks.scene:check"), "Picture", "the preview, red where it is too full"),
     "density": View(Lazy("tambour.embroidery.looks.scene:density"), "Picture", "how much thread lies where"),
     "simulate": View(Lazy("tambour.embroidery.looks.scene:simulate"), "Pictures", "the needle at work", (".gif",)),
     "stitches": View(

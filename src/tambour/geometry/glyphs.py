@@ -110,3 +110,53 @@ def outlines(
             found.append((letter, [r * size + np.array([x, 0.0]) for r in drawn.rings]))
         x += drawn.advance * size + spacing
     return found, x, missing
+
+
+@lru_cache(maxsize=4096)
+def kerned(data: bytes, left: str, right: str) -> float:
+    """How much farther (in em) the second of two letters stands than their advances say; 0 where the font is silent."""
+    font, _, cmap, em, _ = _font(data)
+    a, b = cmap.get(ord(left)), cmap.get(ord(right))
+    if a is None or b is None:
+        return 0.0
+    try:
+        for pairs in _pairs(data):
+            found = _pair(pairs, a, b)
+            if found is not None:
+                return found / em
+        for table in getattr(font.get("kern", None), "kernTables", ()):
+            if (a, b) in getattr(table, "kernTable", {}):
+                return float(table.kernTable[a, b]) / em
+    except Exception as error:  # noqa: BLE001 - fontTools raises many kinds for a broken file
+        raise TambourError(f"the font's kerning is broken ({type(error).__name__})") from None
+    return 0.0
+
+
+@lru_cache(maxsize=8)
+def _pairs(data: bytes) -> tuple[Any, ...]:
+    """The subtables of the font's ``kern`` feature that place pairs of glyphs."""
+    font = _font(data)[0]
+    table = font["GPOS"].table if "GPOS" in font else None
+    if table is None or table.FeatureList is None:
+        return ()
+    lookups = {k for f in table.FeatureList.FeatureRecord if f.FeatureTag == "kern" for k in f.Feature.LookupListIndex}
+    found = []
+    for k in sorted(lookups):
+        for sub in table.LookupList.Lookup[k].SubTable:
+            pairs = sub.ExtSubTable if sub.LookupType == 9 else sub
+            if pairs.LookupType == 2:
+                found.append(pairs)
+    return tuple(found)
+
+
+def _pair(pairs: Any, a: str, b: str) -> float | None:
+    """What one subtable says of two glyphs, in the font's units; None for nothing."""
+    if a not in pairs.Coverage.glyphs:
+        return None
+    if pairs.Format == 1:
+        for record in pairs.PairSet[pairs.Coverage.glyphs.index(a)].PairValueRecord:
+            if record.SecondGlyph == b:
+                return float(getattr(record.Value1, "XAdvance", 0) or 0)
+        return None
+    record = pairs.Class1Record[pairs.ClassDef1.classDefs.get(a, 0)].Class2Record[pairs.ClassDef2.classDefs.get(b, 0)]
+    return float(getattr(record.Value1, "XAdvance", 0) or 0)

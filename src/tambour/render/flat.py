@@ -144,24 +144,28 @@ def _shapes(canvas: Any, drawing: Drawing) -> None:
         skia.Paint(Color=_argb(f), AntiAlias=True, Style=skia.Paint.kFill_Style) if f[3] else None
         for f in styles.fill.tolist()
     ]
+    caps = (skia.Paint.kRound_Cap, skia.Paint.kButt_Cap, skia.Paint.kSquare_Cap)  # as CAPS and JOINS
+    joins = (skia.Paint.kRound_Join, skia.Paint.kMiter_Join, skia.Paint.kBevel_Join)
+    ends = (styles.cap, styles.join, styles.miter)
     strokes = [
         skia.Paint(
             Color=_argb(s),
             AntiAlias=True,
             Style=skia.Paint.kStroke_Style,
             StrokeWidth=w,
-            StrokeJoin=skia.Paint.kRound_Join,
-            StrokeCap=skia.Paint.kRound_Cap,
+            StrokeJoin=joins[join],
+            StrokeCap=caps[cap],
+            StrokeMiter=miter,
         )
         if s[3] and w > 0
         else None
-        for s, w in zip(styles.stroke.tolist(), styles.width.tolist())
+        for s, w, cap, join, miter in zip(*(a.tolist() for a in (styles.stroke, styles.width, *ends)))
     ]
     parts = np.arange(len(paths.offsets)) if paths.parts is None else paths.parts
     data, begins = packed(paths.coords, paths.offsets, parts, styles.evenodd[drawing.style])
     view, path = memoryview(data.data), skia.Path()
-    ends = begins.tolist()
-    for first, last, style in zip(ends, ends[1:], drawing.style.tolist()):
+    bounds = begins.tolist()
+    for first, last, style in zip(bounds, bounds[1:], drawing.style.tolist()):
         if last - first == HEAD:
             continue
         if not path.readFromMemory(view[first:last]):

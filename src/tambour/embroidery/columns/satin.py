@@ -18,10 +18,10 @@ from tambour.embroidery.piece import RUNNING, SATIN, TRAVEL, UNDERLAY
 from tambour.embroidery.stitches import Stitches, chain, line_stitches
 from tambour.noise import key, uniform
 
-CROWDED = 0.25  # mm: needle points closer than this on the inner side are drawn in, every other one
-DRAWN = 0.15  # share of the width that they are drawn in
+CROWDED = 0.25  # mm: where stitches of a bend come closer than this, some of them end before the inner side
+DRAWN = 0.45  # share of the width that they may end before it
 EDGE_INSET = 0.4  # mm that underlay keeps from a column's edges
-LINE = 0.8  # mm: narrower limbs are a line, sewn there and back
+SHARP = math.radians(105)  # a corner that turns by more leaves no room for a mitre
 STEP = 0.1  # mm between samples of a column
 
 
@@ -125,8 +125,35 @@ def from_stroke(line: Array, width: float) -> list[Column]:
     for piece in pieces:
         column = _swept(piece, width / 2, closed and len(pieces) == 1)
         begin, at = at, at + len(piece) - 1
-        column = _mitred(column, width / 2, turn.get(at, 0.0))
-        made.append(_mitred(column.reversed(), width / 2, -turn.get(begin, 0.0)).reversed())
+        column = _cornered(column, width / 2, turn.get(at, 0.0))
+        made.append(_cornered(column.reversed(), width / 2, -turn.get(begin, 0.0)).reversed())
+    return made
+
+
+def _cornered(column: Column, half: float, turn: float) -> Column:
+    """The column with its end made to meet the next one after a turn: slanted, or at a sharp corner rounded over it."""
+    if abs(turn) > SHARP:
+        return ended([column], half, 0, starts=False)[0]
+    return _mitred(column, half, turn)
+
+
+def ended(columns: list[Column], half: float, cap: int, starts: bool = True) -> list[Column]:
+    """Columns of an open line with its ends as its caps say (as in Styles): longer by half the width, and rounded or not;
+    its start only if ``starts``."""
+    if cap == 1 or not columns:
+        return columns
+    made = list(columns)
+    for last in (True, False) if starts else (True,):
+        column = made[-1] if last else made[0].reversed()
+        step = column.middle[-1] - column.middle[max(0, len(column.left) - 4)]
+        ahead = step / max(1e-9, float(np.hypot(*step)))
+        s = np.linspace(0, 1, max(3, math.ceil(half / STEP) + 1))[1:, None]
+        wide = np.maximum(0.3, np.sqrt(np.maximum(0.0, 1 - s**2))) if cap == 0 else np.ones_like(s)
+        middle, side = column.middle[-1] + half * s * ahead, (column.left[-1] - column.right[-1]) / 2
+        column = Column(
+            np.concatenate([column.left, middle + wide * side]), np.concatenate([column.right, middle - wide * side])
+        )
+        made[-1 if last else 0] = column if last else column.reversed()
     return made
 
 
@@ -190,8 +217,9 @@ def zigzag(
 ) -> F8x2:
     """Needle points from side to side: (n, 2), the longer of both sides going on by ``spacing`` from pair to pair.
 
-    Points that come closer than ``crowded`` to the one before on their side are drawn in by a share of the width,
-    every other one. ``pull`` mm and a ``share`` of the width, together at most ``MOST``, widen on each side; ``jagged``
+    Where the points of one side come closer than ``crowded`` and fan out to the other, stitches end, by up to ``drawn`` of
+    the width, where those that go on stand that far apart: each eighth of them at its own depth, neighbours far from
+    each other. ``pull`` mm and a ``share`` of the width, together at most ``MOST``, widen on each side; ``jagged``
     draws ends back at random (mm).
     """
     n = len(left)
@@ -210,7 +238,8 @@ def zigzag(
     here = 0.0
     last = np.zeros((2, 2))
     have = np.zeros(2, np.bool_)
-    was_drawn = np.zeros(2, np.bool_)
+    beyond = np.zeros((2, 2))  # the other end of the last stitch of each side
+    turn = np.zeros(2, np.int64)
     while m <= 2 * pairs:
         target = m * step
         while i < n - 2:
@@ -233,12 +262,16 @@ def zigzag(
         x, y, ox, oy = (lx, ly, rx, ry) if side == 0 else (rx, ry, lx, ly)
         wide = math.hypot(ox - x, oy - y)
         back = -min(MOST, pull + share * wide)
-        near = have[side] and math.hypot(x - last[side, 0], y - last[side, 1]) < crowded
-        if near and not was_drawn[side]:
-            back += drawn * wide
-            was_drawn[side] = True
+        near = math.hypot(x - last[side, 0], y - last[side, 1])
+        far = math.hypot(ox - beyond[side, 0], oy - beyond[side, 1])
+        if have[side] and near < crowded and far > near + 1e-6:
+            c = turn[side] % 8
+            depth = ((c & 1) * 4 + (c & 2) + c // 4) / 8.0  # 0, 4, 2, 6, 1, 5, 3, 7 of eight
+            back += wide * min(drawn, max(0.0, (depth * crowded - near) / (far - near)))
+            turn[side] += 1
         else:
-            was_drawn[side] = False
+            turn[side] = 0
+        beyond[side, 0], beyond[side, 1] = ox, oy
         if jagged > 0:
             back += min(jagged, 0.4 * wide) * uniform(np.uint64(key), np.uint64(m))
         last[side, 0], last[side, 1] = x, y
@@ -355,7 +388,7 @@ def there_and_back(column: Column, params: EmbroideryParams, name: str) -> tuple
     """A limb of a branched satin: underlay that ends at its far end, and the satin that comes back over it."""
     words = underlays(column, params.underlay)
     parts = edge_walk(column, params) if "edge" in words else []
-    if float(np.median(np.hypot(*(column.left - column.right).T))) < LINE:
+    if float(np.median(np.hypot(*(column.left - column.right).T))) < params.line_below:
         line = line_stitches(column.middle, min(params.length, 2.0), RUNNING, 0.1)
         return line, line.reversed()
     there = (

@@ -50,7 +50,7 @@ def knockdown(regions: tuple[Region, ...], p: EmbroideryParams) -> list[Stitches
     """Thin rows, 45° from the fills', under the whole design and 2 mm round it."""
     import shapely
 
-    from tambour.embroidery.regions.read import of_shapely, to_shapely
+    from tambour.geometry.areas import of_shapely, to_shapely
 
     shapes = [a for r in regions if r.role == "area" for a in to_shapely(r.paths)]
     shapes += [

@@ -11,7 +11,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.paths import Paths
 from tambour.embroidery.columns.branch import branched
-from tambour.embroidery.columns.satin import column_stitches, drawn_back, from_rails, from_stroke
+from tambour.embroidery.columns.satin import column_stitches, drawn_back, ended, from_rails, from_stroke
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines import curves, grids
 from tambour.embroidery.lines.fill import Rings, from_rows, polygon_of, rings
@@ -53,6 +53,7 @@ def line_family(region: Region, start: Place) -> list[Stitches]:
         if region.stitch == "satin":
             columns = from_stroke(line, region.width)
             if columns and (line[0] != line[-1]).any():
+                columns = ended(columns, region.width / 2, region.cap)
                 columns[0] = drawn_back(columns[0], p.push, 0.0)
                 columns[-1] = drawn_back(columns[-1], 0.0, p.push)
             threads = [column_stitches(c, p, region.id, here if i == 0 else None) for i, c in enumerate(columns)]
@@ -79,7 +80,19 @@ def area_stitches(region: Region, start: Place, end: Place) -> list[Stitches]:
         made.append(polygon_stitches(region, polygons.pop(k), here, region.end or end))
         if len(made[-1]):
             here = (float(made[-1].xy[-1, 0]), float(made[-1].xy[-1, 1]))
-    return made
+    return [*made, *bordered(region, here)]
+
+
+def bordered(region: Region, here: Place) -> list[Stitches]:
+    """The satin border of a fill, along the inside of its edges; none where it is too narrow for one."""
+    p = region.params
+    if p.border <= 0 or region.stitch not in COVERED or region.stitch == "satin":
+        return []
+    inner = grown(region.paths, -p.border / 2, empty=True)
+    made = []
+    for ring in [] if inner is None else inner:
+        made += [column_stitches(c, p, region.id, here) for c in from_stroke(from_nearest(ring, here), p.border)]
+    return [m for m in made if len(m)]
 
 
 def compensated(region: Region) -> Paths:
@@ -93,7 +106,7 @@ def compensated(region: Region) -> Paths:
     import shapely
     from shapely.affinity import translate
 
-    from tambour.embroidery.regions.read import of_shapely, to_shapely
+    from tambour.geometry.areas import of_shapely, to_shapely
 
     along = from_rows(np.array([[1.0, 0.0], [0.0, 1.0]]), region.turn)
     made = []
@@ -169,7 +182,7 @@ def _ending(made: Stitches, end: tuple[float, float], again: Callable[[Place], S
 
 def _rest(left: Any, region: Region, below: list[Stitches], satin: list[Stitches]) -> list[Stitches]:
     """What satin leaves of an area, as tatami below it; the whole area's underlay only when it is all tatami."""
-    from tambour.embroidery.regions.read import of_shapely, to_shapely
+    from tambour.geometry.areas import of_shapely, to_shapely
 
     rest = None if left.is_empty else of_shapely(left)
     if rest is None:
@@ -308,7 +321,7 @@ def grown(area: Paths, by: float, empty: bool = False) -> Any:
         return area
     import shapely
 
-    from tambour.embroidery.regions.read import of_shapely, to_shapely
+    from tambour.geometry.areas import of_shapely, to_shapely
 
     made = of_shapely(shapely.union_all([a.buffer(by, join_style="mitre", mitre_limit=2) for a in to_shapely(area)]))
     return (None if empty else area) if made is None else made

@@ -11,7 +11,7 @@ import numpy as np
 
 from tambour.embroidery.lines.angle import angle
 from tambour.embroidery.piece import AUTO, Region
-from tambour.embroidery.regions.read import of_shapely, to_shapely
+from tambour.geometry.areas import of_shapely, to_shapely
 
 SATIN = 7.0  # mm: limbs up to this width are satin
 SPLIT = 12.1  # mm: up to this satin that is split, above it tatami

@@ -17,7 +17,8 @@ from tambour.core.scene import Scene
 from tambour.core.thread import STITCH, ThreadPlan
 from tambour.embroidery.cloth.place import lay, place
 from tambour.embroidery.cloth.sheets import CLOTHS, cloth
-from tambour.embroidery.looks.preview import developed, field, paint, picture, stitches
+from tambour.embroidery.looks.preview import MARGIN, developed, field, paint, picture, stitches
+from tambour.embroidery.looks.preview import extent as plan_bounds
 from tambour.embroidery.params import numbers
 from tambour.embroidery.piece import Piece
 
@@ -37,6 +38,29 @@ def machine(piece: Piece) -> ThreadPlan:
 def preview(piece: Piece) -> Picture:
     """Thread on cloth, from above."""
     return picture(piece.plan, piece.elevation, thread=piece.params.thread, ground=unhexed(piece.params.ground))
+
+
+RED = np.array([225.0, 20.0, 30.0])
+"""What is too full is shown in this, half of it."""
+
+
+def check(piece: Piece) -> Picture:
+    """The preview with a red layer where needle points or covers of thread are too many, and where a stitch lies bare."""
+    from tambour.embroidery.plan.facts import outside
+    from tambour.embroidery.plan.sewable import crowded
+
+    made = preview(piece)
+    low, high = plan_bounds(piece.plan)
+    rgba = made.rgba.copy()
+    scale = np.array(rgba.shape[1::-1]) / (high - low + 2 * MARGIN)
+    corners, _ = crowded(piece)
+    spots = np.concatenate([corners, piece.plan.xy[outside(piece)] - 0.5])
+    red = np.zeros(rgba.shape[:2], np.bool_)
+    for x, y in (spots - (low - MARGIN)).tolist():
+        (i, j), (k, m) = np.floor(np.array([[x, y], [x + 1, y + 1]]) * scale).astype(int).tolist()
+        red[max(0, j) : max(0, m), max(0, i) : max(0, k)] = True
+    rgba[red, :3] = (0.4 * rgba[red, :3] + 0.6 * RED).round()
+    return Picture(rgba, made.pixel)
 
 
 def extent(plan: ThreadPlan) -> tuple[Array, Array]:

@@ -44,7 +44,7 @@ def outside(piece: Piece, slack: float = SLACK) -> Array:
     stitch (locks left aside): indices of the needle points that they end at."""
     import shapely
 
-    from tambour.embroidery.regions.read import to_shapely
+    from tambour.geometry.areas import to_shapely
 
     xy, end = steps(piece)
     region, kind = piece.region[end], piece.kind[end]
@@ -66,7 +66,7 @@ def outside(piece: Piece, slack: float = SLACK) -> Array:
 
 def facts(piece: Piece) -> dict[str, Any]:
     """The report's facts of a piece (issue 5, 9)."""
-    from tambour.embroidery.regions.read import to_shapely
+    from tambour.geometry.areas import to_shapely
 
     plan = piece.plan
     xy, end = steps(piece)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.core.drawing import Drawing
 from tambour.core.errors import Problem, TambourError
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
@@ -22,13 +23,14 @@ from tambour.embroidery.plan.layers import elevation, layers
 from tambour.embroidery.plan.order import order, ranked, upside_down
 from tambour.embroidery.plan.overlap import overlapped
 from tambour.embroidery.plan.sequence import Layout
-from tambour.embroidery.plan.sewable import doubts
+from tambour.embroidery.plan.sewable import COLORS, doubts
 from tambour.embroidery.regions.card import card
 from tambour.embroidery.regions.catalogue import with_catalogue
+from tambour.embroidery.regions.flat import joined, mixed, uncovered
 from tambour.embroidery.regions.lettering import lettered
 from tambour.embroidery.regions.palette import reduced
 from tambour.embroidery.regions.read import extent, regions
-from tambour.embroidery.regions.trace import traced
+from tambour.embroidery.regions.trace import traced, with_images
 from tambour.embroidery.stitches import Stitches
 
 ASTRAY = 4.0  # mm that a region may begin or end beside where it was asked to without a word
@@ -46,6 +48,8 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if isinstance(drawing, Picture):
             drawing = traced(drawing, params)
             params = params.model_copy(update={"width": None})
+        if drawing is not None and drawing.images:
+            drawing = with_images(drawing, params)
         if params.text is not None:
             drawing = lettered(drawing, params.text, params.text_size, params.font, progress)
         if drawing is None and params.test_card:
@@ -53,10 +57,12 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if drawing is None:
             raise TambourError("there is nothing to embroider", hint="give a drawing, or {--text}")
         if drawing.about.get("ignored"):
-            progress.warn(f"left out of the drawing: {drawing.about['ignored']}")
+            progress.warn(f"left out of the drawing, or changed: {drawing.about['ignored']}")
+        for line in drawing.about.get("doubts", "").splitlines():
+            progress.warn(line, where="the drawing")
         found = regions(drawing, params, progress)
-        if params.colors is not None and not isinstance(source, Picture):
-            found = reduced(found, params.colors)
+        if not isinstance(source, Picture):
+            found = _flat(drawing, found, params, progress)
         found = overlapped(decided(found))
     how = params.order
     if len(found) > MOST and how == "auto":
@@ -131,6 +137,34 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         for what, remedy in said:
             progress.warn(what, hint=remedy)
     return made
+
+
+def _flat(
+    drawing: Drawing, found: tuple[Region, ...], params: EmbroideryParams, progress: Progress
+) -> tuple[Region, ...]:
+    """The regions in few whole colours, without what is hidden."""
+    flat = mixed(found)
+    if flat.faint:
+        progress.warn(f"{flat.faint} shape(s) are too faint to be seen and were left out")
+    found, many = flat.regions, len({r.color for r in flat.regions})
+    shades = "gradients" in drawing.about.get("ignored", "") or any(r.alpha < 1 for r in found)
+    if params.colors is not None:
+        found = reduced(found, params.colors)
+    elif many > COLORS and shades:
+        found = reduced(found, COLORS)
+        progress.warn(
+            f"gradients and translucent shapes have {many} shades; {COLORS} threads take them",
+            hint="{--colors} says how many",
+        )
+    if params.keep_hidden:
+        return found
+    one = joined(found)
+    seen = uncovered(one.regions)
+    if seen.hidden:
+        progress.warn(
+            f"{seen.hidden} shape(s) lie hidden below others and were left out", hint="{--keep-hidden} sews them"
+        )
+    return seen.regions
 
 
 def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:

@@ -167,7 +167,7 @@ def _waits(regions: Sequence[Region], boxes: Array) -> list[set[int]]:
 def _shape(region: Region) -> object:
     import shapely
 
-    from tambour.embroidery.regions.read import to_shapely
+    from tambour.geometry.areas import to_shapely
 
     if region.role == "area":
         return shapely.union_all(to_shapely(region.paths)).buffer(max(region.params.pull, 0) + 0.1)

@@ -23,7 +23,7 @@ def overlapped(found: Sequence[Region]) -> tuple[Region, ...]:
         return tuple(found)
     import shapely
 
-    from tambour.embroidery.regions.read import of_shapely, to_shapely
+    from tambour.geometry.areas import of_shapely, to_shapely
 
     shapes = [_shape(r) for r in found]
     tree = shapely.STRtree(shapes)
@@ -53,7 +53,7 @@ def _polygons(shape: Any) -> list[Any]:
 def _shape(region: Region) -> Any:
     import shapely
 
-    from tambour.embroidery.regions.read import to_shapely
+    from tambour.geometry.areas import to_shapely
 
     if region.role == "area":
         return shapely.union_all(to_shapely(region.paths))

@@ -10,10 +10,25 @@ from tambour.core.errors import TambourError
 from tambour.core.font import Font
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
+from tambour.embroidery.regions.stack import stacked
 from tambour.geometry.glyphs import capital_height, outlines
 from tambour.render.type import font_bytes
 
 LEADING = 1.6  # line distance in capital heights
+THIN = 0.5  # mm: letters whose strokes are thinner, in the mean, are lines
+
+
+def how_sewn(rings: list[Array], size: float) -> dict[str, str]:
+    """Letters of one size are sewn one way: all columns, or all lines where their strokes are too thin; below 5 mm without
+    underlay, up to 10 mm with a line below the middle (Wilcom's rules for small letters)."""
+    area = abs(sum(float((r[:-1, 0] * np.diff(r[:, 1]) - r[:-1, 1] * np.diff(r[:, 0])).sum()) / 2 for r in rings))
+    edge = sum(float(np.hypot(*np.diff(r, axis=0).T).sum()) for r in rings)
+    stroke = 2 * area / max(edge, 1e-9)
+    made = {"tambour-stitch": "satin"}
+    if size <= 10:
+        made["tambour-underlay"] = "none" if size < 5 else "center"
+        made["tambour-line-below"] = "0" if stroke >= THIN else "12"
+    return made
 
 
 def lettered(drawing: Drawing | None, text: str, size: float, font: Font | None, progress: Progress) -> Drawing:
@@ -44,12 +59,13 @@ def lettered(drawing: Drawing | None, text: str, size: float, font: Font | None,
     if not rings:
         raise TambourError("there is no letter to embroider in this text", where="{--text}")
     made = Paths.of(rings)
+    how = how_sewn(rings, size)
     letters_of = Groups(
         tuple(ids),
         tuple(ids),
         np.full(len(ids), -1),
         np.zeros(len(ids), bool),
-        tuple({"tambour-stitch": "satin"} for _ in ids),
+        tuple(how for _ in ids),
     )
     text_drawing = Drawing(
         Paths(made.coords, made.offsets, np.array(parts)),
@@ -60,40 +76,4 @@ def lettered(drawing: Drawing | None, text: str, size: float, font: Font | None,
         letters_of,
         origin=made.coords.min(0),
     )
-    return text_drawing if drawing is None else _stacked(drawing, text_drawing)
-
-
-def _stacked(a: Drawing, b: Drawing) -> Drawing:
-    """Two drawings as one in mm, the second on top; their ids are kept apart."""
-    pa = np.arange(len(a.paths) + 1) if a.paths.parts is None else a.paths.parts
-    pb = np.arange(len(b.paths) + 1) if b.paths.parts is None else b.paths.parts
-    coords = np.concatenate([a.paths.coords * a.unit, b.paths.coords * b.unit])
-    offsets = np.r_[a.paths.offsets, b.paths.offsets[1:] + len(a.paths.coords)]
-    styles = Styles(
-        np.concatenate([a.styles.fill, b.styles.fill]),
-        np.concatenate([a.styles.stroke, b.styles.stroke]),
-        np.r_[a.styles.width * a.unit, b.styles.width * b.unit],
-        np.r_[a.styles.evenodd, b.styles.evenodd],
-    )
-    n = len(a.groups)
-    known = set(a.groups.ids)
-    ids = tuple(i if i not in known else f"{i} (text)" for i in b.groups.ids)
-    groups = Groups(
-        a.groups.ids + ids,
-        a.groups.names + b.groups.names,
-        np.r_[a.groups.parent, np.where(b.groups.parent < 0, -1, b.groups.parent + n)],
-        np.r_[a.groups.layer, b.groups.layer],
-        (tuple(a.groups.data) or tuple({} for _ in range(n))) + tuple(b.groups.data),
-    )
-    low = np.minimum(a.origin * a.unit, b.origin * b.unit)
-    high = np.maximum((a.origin + a.size) * a.unit, (b.origin + b.size) * b.unit)
-    return Drawing(
-        Paths(coords, offsets, np.r_[pa, pb[1:] + len(a.paths)]),
-        np.r_[a.style, b.style + len(a.styles)],
-        styles,
-        high - low,
-        np.r_[a.group, np.where(b.group < 0, -1, b.group + n)],
-        groups,
-        origin=low,
-        about=a.about,
-    )
+    return text_drawing if drawing is None else stacked(drawing, text_drawing)

@@ -15,12 +15,13 @@ from tambour.core.params import Params
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.embroidery.fabric import FABRICS
+from tambour.embroidery.machines import MACHINES
 from tambour.embroidery.params import EmbroideryParams, hoop_size
 from tambour.embroidery.piece import AUTO, Region
 from tambour.embroidery.regions.inkstitch import flags as inkstitch_flags
 from tambour.embroidery.regions.inkstitch import is_satin, overrides
+from tambour.geometry.areas import polygons
 
-SMALLEST = 0.05  # mm²: areas below are not stitched
 LINES = ("running", "bean", "motif")
 LARGEST = 4_000_000.0  # mm² of design
 REACH = 100_000.0  # mm from the hoop's centre
@@ -55,7 +56,8 @@ def extent(found: Sequence[Region], sewn: bool = False) -> tuple[Array, Array]:
         if r.role == "line" and r.stitch == "satin":
             lines = [shapely.LineString(line) for line in r.paths]
             half = r.width / 2 + sewn * max(0.0, r.params.pull)
-            wide = shapely.buffer(lines, half, cap_style="flat", join_style="mitre", mitre_limit=1.5)
+            cap = ("square", "flat", "square")[r.cap]
+            wide = shapely.buffer(lines, half, cap_style=cap, join_style="mitre", mitre_limit=1.5)
             box = np.array(shapely.total_bounds(wide))
             low, high = np.fmin(low, box[:2]), np.fmax(high, box[2:])
         elif r.role == "area":
@@ -71,6 +73,15 @@ def _fits(size: Array, params: EmbroideryParams) -> None:
             f"the design is {size[0]:.0f} x {size[1]:.0f} mm, more than any machine sews",
             hint="give its size: {--width} 100mm",
         )
+    if params.hoop is None and params.machine is not None:
+        field = MACHINES[params.machine].field
+        if min(size) > min(field) + 0.05 or max(size) > max(field) + 0.05:
+            fits = min(min(field) / min(size), max(field) / max(size)) * size[0]
+            raise TambourError(
+                f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the field of {params.machine} {field[0]:g} x {field[1]:g} mm",
+                hint=f"{{--width}} {math.floor(fits * 10) / 10:g}mm would fit",
+                where="{--machine}",
+            )
     if params.hoop is None:
         return
     hoop = hoop_size(params.hoop)
@@ -145,7 +156,8 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
             "guide": guides.get(int(drawing.groups.parent[group]) if group >= 0 else -1),
             "start": _point(data, ("inkstitch-command-starting_point", "inkstitch-command-fill_start"), scale, shift),
             "end": _point(data, ("inkstitch-command-ending_point", "inkstitch-command-fill_end"), scale, shift),
-            "flags": inkstitch_flags(data),
+            "flags": inkstitch_flags(data)
+            | ({"whole"} if any(key.startswith("inkstitch-") for key in data) else set()),
         }
         name = name or f"shape {m + 1}"
         common |= _by_hand(data, name, common, problems)
@@ -164,7 +176,8 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
                 role = "line" if family in LINES else "area"
                 made = area if role == "area" else Paths(area.coords, area.offsets)
                 rgb = tuple(int(c) for c in fill[style, :3])
-                found.append(Region(name, made, family, rgb, own, role, **common))  # type: ignore[arg-type]
+                alpha = float(fill[style, 3]) / 255
+                found.append(Region(name, made, family, rgb, own, role, alpha=alpha, **common))  # type: ignore[arg-type]
         width = float(drawing.styles.width[style]) * scale
         if (stroke[style, 3] and width > 0) or is_satin(data):
             rgb = tuple(int(c) for c in (stroke if stroke[style, 3] else fill)[style, :3])
@@ -177,7 +190,8 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
                 family = "satin" if satin else "running"
             made = Paths.of([line for line in lines if len(line) > 1])
             if len(made):
-                found.append(Region(name, made, family, rgb, own, role, width, **common))  # type: ignore[arg-type]
+                cap, alpha = int(drawing.styles.cap[style]), float(stroke[style, 3]) / 255 or 1.0
+                found.append(Region(name, made, family, rgb, own, role, width, cap=cap, alpha=alpha, **common))  # type: ignore[arg-type]
     if problems:
         raise TambourError(problems)
     if not found:
@@ -287,64 +301,3 @@ def _point(data: Mapping[str, str], names: tuple[str, ...], scale: float, shift:
             x, y = (float(v) for v in data[name].split())
             return x * scale + float(shift[0]), y * scale + float(shift[1])
     return None
-
-
-def polygons(lines: list[Array], evenodd: bool) -> Paths | None:
-    """Valid polygons (``parts`` given) of the area that rings enclose by a fill rule; None when there is none.
-
-    Open lines are closed. Where rings cross themselves or each other the plane is cut into faces along all of them,
-    and each face judged by its winding number.
-    """
-    import shapely
-
-    closed = [line for line in lines if len(line) >= 3]
-    if not closed:
-        return None
-    if len(closed) == 1 or not evenodd:
-        simple = shapely.polygons(closed[0])
-        if len(closed) == 1 and shapely.is_valid(simple):
-            return of_shapely(simple)
-    rings = [np.concatenate([c, c[:1]]) if (c[0] != c[-1]).any() else c for c in closed]
-    noded = shapely.unary_union(shapely.MultiLineString(rings))
-    faces = shapely.get_parts(shapely.polygonize([noded]))
-    if not len(faces):
-        return None
-    inside = shapely.get_coordinates(shapely.point_on_surface(faces))
-    winding = np.zeros(len(faces), np.int64)
-    for ring in rings:
-        a, b = ring[:-1], ring[1:]
-        for k in range(0, len(faces), 256):
-            x, y = inside[k : k + 256, 0, None], inside[k : k + 256, 1, None]
-            up, down = (a[:, 1] <= y) & (b[:, 1] > y), (a[:, 1] > y) & (b[:, 1] <= y)
-            left = (b[:, 0] - a[:, 0]) * (y - a[:, 1]) - (x - a[:, 0]) * (b[:, 1] - a[:, 1])
-            winding[k : k + 256] += (up & (left > 0)).sum(1) - (down & (left < 0)).sum(1)
-    keep = winding % 2 == 1 if evenodd else winding != 0
-    return of_shapely(shapely.union_all(faces[keep]))
-
-
-def of_shapely(area: Any) -> Paths | None:
-    """Polygons of a shapely area as Paths with parts, slivers left out; None when nothing stays."""
-    import shapely
-
-    rings, parts = [], [0]
-    for polygon in shapely.get_parts(area):
-        if polygon.geom_type != "Polygon" or polygon.area < SMALLEST:
-            continue
-        outline = [polygon.exterior, *(h for h in polygon.interiors if shapely.Polygon(h).area >= SMALLEST)]
-        rings += [shapely.get_coordinates(r) for r in outline]
-        parts.append(len(rings))
-    if not rings:
-        return None
-    made = Paths.of(rings)
-    return Paths(made.coords, made.offsets, np.array(parts))
-
-
-def to_shapely(area: Paths) -> list[Any]:
-    """Each polygon of an area as a shapely Polygon."""
-    import shapely
-
-    assert area.parts is not None
-    return [
-        shapely.Polygon(area[int(a)], [area[i] for i in range(int(a) + 1, int(b))])
-        for a, b in zip(area.parts[:-1], area.parts[1:])
-    ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from tambour.core.drawing import Drawing, Groups, Styles
 from tambour.core.paths import Paths
 from tambour.core.picture import Picture
 from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.regions.stack import stacked
 from tambour.noise import stream
 
 COLORS = 6
@@ -50,6 +52,23 @@ def traced(picture: Picture, params: EmbroideryParams) -> Drawing:
     areas = [k for k in range(len(centers)) if (label == k).any()]
     areas.sort(key=lambda k: -int((label == k).sum()))
     return _drawing([(label == k, tuple(int(c) for c in colors[k])) for k in areas], pixel, small.shape)
+
+
+def with_images(drawing: Drawing, params: EmbroideryParams) -> Drawing:
+    """A drawing whose pictures are traced, each in its place below the shapes."""
+    unit, size = drawing.unit, drawing.size
+    for placed in reversed(drawing.images):
+        if placed.glaze or placed.repeat is not None:
+            continue
+        scale = 1.0 if params.width is None else params.width / float(size[0] * unit)
+        wide = placed.width * unit
+        made = traced(placed.picture, params.model_copy(update={"width": wide * scale}))
+        # Traced at the size at which it is sewn, and laid where it was.
+        coords = (made.paths.coords / scale / unit + np.array([placed.x, placed.y])) if len(made) else None
+        if coords is not None:
+            below = replace(made, paths=Paths(coords, made.paths.offsets, made.paths.parts), unit=unit, size=size)
+            drawing = stacked(below, replace(drawing, images=()), "drawing")
+    return replace(drawing, images=())
 
 
 def _shrunk(rgba: Array, columns: int, rows: int) -> Array:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import colorsys
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from tambour.core.rgb import css_colors
 
@@ -24,25 +25,57 @@ INHERITED = frozenset(
         "font-weight",
         "text-anchor",
         "letter-spacing",
+        "clip-rule",
+        "stroke-linecap",
+        "stroke-linejoin",
+        "stroke-miterlimit",
+        "stroke-dasharray",
+        "stroke-dashoffset",
+        "paint-order",
+        "marker-start",
+        "marker-mid",
+        "marker-end",
     ]
 )
-PRESENTED = INHERITED | {"opacity", "display", "stop-color", "stop-opacity", "transform"}
+PRESENTED = INHERITED | frozenset(
+    [
+        "opacity",
+        "display",
+        "stop-color",
+        "stop-opacity",
+        "transform",
+        "transform-origin",
+        "clip-path",
+        "mask",
+        "mask-type",
+        "filter",
+        "overflow",
+        "vector-effect",
+        "mix-blend-mode",
+    ]
+)
 PX = {"px": 1.0, "": 1.0, "mm": 96 / 25.4, "cm": 960 / 25.4, "in": 96.0, "pt": 96 / 72, "pc": 16.0, "q": 24 / 25.4}
-_LENGTH = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(px|mm|cm|in|pt|pc|q|em|ex|rem|%)?\s*$", re.I)
+_LENGTH = re.compile(
+    r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(px|mm|cm|in|pt|pc|q|em|ex|ch|rem|vw|vh|vmin|vmax|%)?\s*$", re.I
+)
 
 
-def length(text: str, whole: float = 0.0, em: float = 16.0) -> float:
-    """A length in px (1/96 in); ``whole`` is what 100% means. ValueError when it is none."""
+def length(text: str, whole: float = 0.0, em: float = 16.0, view: tuple[float, float] = (100.0, 100.0)) -> float:
+    """A length in px (1/96 in); ``whole`` is what 100% means, ``view`` what vw and vh do. ValueError when it is none."""
     found = _LENGTH.match(text)
     if not found:
         raise ValueError(f"{text[:40]!r} is no length")
     value, unit = float(found[1]), (found[2] or "").lower()
     if unit == "%":
         value *= whole / 100
-    elif unit in ("em", "rem"):
+    elif unit == "em":
         value *= em
-    elif unit == "ex":
+    elif unit == "rem":
+        value *= 16.0
+    elif unit in ("ex", "ch"):
         value *= em / 2
+    elif unit[:1] == "v":
+        value *= {"vw": view[0], "vh": view[1], "vmin": min(view), "vmax": max(view)}[unit] / 100
     else:
         value *= PX[unit]
     if not abs(value) < 1e9:
@@ -52,11 +85,22 @@ def length(text: str, whole: float = 0.0, em: float = 16.0) -> float:
 
 def declarations(text: str) -> dict[str, str]:
     """``name: value; …`` as a mapping; what is not of that form is left out, as browsers do."""
-    found = {}
+    plain, important = weighed(text)
+    return {**plain, **important}
+
+
+def weighed(text: str) -> tuple[dict[str, str], dict[str, str]]:
+    """The declarations of a text: the plain ones, and those marked ``!important``."""
+    found: tuple[dict[str, str], dict[str, str]] = ({}, {})
     for part in _bare(text).split(";"):
         name, colon, value = part.partition(":")
         if colon:
-            found[name.strip().lower()] = re.sub(r"!\s*important$", "", value.strip()).rstrip()
+            bare = re.sub(r"!\s*important$", "", value.strip()).rstrip()
+            where = found[bare != value.strip()]
+            if name.strip().lower() == "marker":
+                where.update({f"marker-{k}": bare for k in ("start", "mid", "end")})
+            else:
+                where[name.strip().lower()] = bare
     return found
 
 
@@ -71,21 +115,57 @@ def _bare(text: str) -> str:
     return kept
 
 
+Test = tuple[str, str, str]  # of an attribute: its name, how it is compared ("" for being there), with what
+
+
+@dataclass(frozen=True, slots=True)
+class Compound:
+    """What one element must be: its name ("*" for any), id, classes, attributes; ``before`` joins it to what stands before."""
+
+    name: str
+    id: str
+    classes: frozenset[str]
+    tests: tuple[Test, ...]
+    before: str
+
+    def fits(self, element: str, its_id: str, classes: frozenset[str], attributes: Mapping[str, str]) -> bool:
+        """Whether an element is so."""
+        return (
+            self.name in ("*", element)
+            and self.id in ("", its_id)
+            and self.classes <= classes
+            and all(name in attributes and _COMPARE[how](attributes[name], value) for name, how, value in self.tests)
+        )
+
+
+_COMPARE: dict[str, Callable[[str, str], bool]] = {
+    "": lambda has, value: True,
+    "=": lambda has, value: has == value,
+    "~=": lambda has, value: value in has.split(),
+    "|=": lambda has, value: has == value or has.startswith(f"{value}-"),
+    "^=": lambda has, value: value != "" and has.startswith(value),
+    "$=": lambda has, value: value != "" and has.endswith(value),
+    "*=": lambda has, value: value != "" and value in has,
+}
+
+
 @dataclass(frozen=True, slots=True)
 class Rule:
     """A selector (compounds joined by descendant " " or child ">") and what it declares."""
 
-    compounds: tuple[tuple[str, str, frozenset[str], str], ...]  # (element, id, classes, combinator before)
+    compounds: tuple[Compound, ...]
     weight: tuple[int, int, int]
     declares: Mapping[str, str]
+    important: Mapping[str, str]
 
 
-_COMPOUND = re.compile(r"([\w-]+|\*)?((?:[#.][\w-]+)*)")
+_COMPOUND = re.compile(r"([\w-]+|\*)?((?:[#.][\w-]+|\[[^\]]*\])*)")
+_MARK = re.compile(r"([#.])([\w-]+)|\[\s*([\w:-]+)\s*(?:([~|^$*]?=)\s*(?:\"([^\"]*)\"|'([^']*)'|([^\]]*?))\s*)?\]")
 _BITS = 64  # compounds in a selector
 
 
-def sheet(text: str) -> list[Rule]:
-    """The rules of a style sheet; at-rules and selectors beyond type, class, id, descendant and child are left out."""
+def sheet(text: str, leave: Callable[[str], None] = lambda what: None) -> list[Rule]:
+    """The rules of a style sheet; ``leave`` is told of selectors beyond type, class, id, attribute, descendant, child."""
     rules: list[Rule] = []
     depth, prelude, body = 0, "", ""
     for piece in re.split(r"([{};])", _bare(text).replace("<!--", "").replace("-->", "")):
@@ -93,13 +173,18 @@ def sheet(text: str) -> list[Rule]:
             depth += 1
         elif piece == "}":
             if depth == 1 and not prelude.lstrip().startswith("@"):
-                declares = declarations(body)
-                rules += filter(None, (_selector(one.strip(), declares) for one in prelude.split(",")))
+                declares = weighed(body)
+                for one in prelude.split(","):
+                    rule = _selector(one.strip(), declares)
+                    if rule is not None:
+                        rules.append(rule)
+                    elif one.strip():
+                        leave("a style rule whose selector is not known")
             if depth <= 1:
                 prelude = body = ""
             depth = max(0, depth - 1)
         elif depth:
-            body += piece if depth == 1 else ""
+            body += (";" if piece == ";" else piece) if depth == 1 else ""
         elif piece == ";":
             prelude = ""
         else:
@@ -107,11 +192,11 @@ def sheet(text: str) -> list[Rule]:
     return rules
 
 
-def _selector(text: str, declares: Mapping[str, str]) -> Rule | None:
-    compounds: list[tuple[str, str, frozenset[str], str]] = []
+def _selector(text: str, declares: tuple[Mapping[str, str], Mapping[str, str]]) -> Rule | None:
+    compounds: list[Compound] = []
     ids = classes = types = 0
     combinator = ""
-    for word in text.replace(">", " > ").split():
+    for word in re.findall(r"(?:\[[^\]]*\]|[^\s\[])+", re.sub(r">(?![^\[]*\])", " > ", text)):
         if word == ">":
             combinator = ">"
             continue
@@ -119,13 +204,16 @@ def _selector(text: str, declares: Mapping[str, str]) -> Rule | None:
         if not found or len(compounds) == _BITS:
             return None
         name = found[1] or "*"
-        marks = re.findall(r"([#.])([\w-]+)", found[2])
-        named = [m for k, m in marks if k == "#"]
-        classed = frozenset(m for k, m in marks if k == ".")
-        compounds.append((name, named[0] if named else "", classed, combinator or " "))
+        marks = list(_MARK.finditer(found[2]))
+        if "".join(m[0] for m in marks) != found[2]:
+            return None
+        named = [m[2] for m in marks if m[1] == "#"]
+        classed = frozenset(m[2] for m in marks if m[1] == ".")
+        tests = tuple((m[3], m[4] or "", m[5] or m[6] or m[7] or "") for m in marks if m[3])
+        compounds.append(Compound(name, named[0] if named else "", classed, tests, combinator or " "))
         combinator = ""
-        ids, classes, types = ids + len(named), classes + len(classed), types + (name != "*")
-    return Rule(tuple(compounds), (ids, classes, types), declares) if compounds else None
+        ids, classes, types = ids + len(named), classes + len(classed) + len(tests), types + (name != "*")
+    return Rule(tuple(compounds), (ids, classes, types), *declares) if compounds else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,37 +241,44 @@ class Rules:
         self.rules = sorted(rules, key=lambda r: r.weight)
         self.by_mark: dict[str, list[tuple[int, int]]] = {}
         for r, rule in enumerate(self.rules):
-            for k, (name, named, classed, _) in enumerate(rule.compounds):
-                mark = f"#{named}" if named else f".{min(classed)}" if classed else name
+            for k, it in enumerate(rule.compounds):
+                mark = f"#{it.id}" if it.id else f".{min(it.classes)}" if it.classes else it.name
                 self.by_mark.setdefault(mark, []).append((r, k))
 
-    def meet(self, above: Met, element: str, its_id: str, classes: frozenset[str]) -> Met:
+    def meet(
+        self,
+        above: Met,
+        element: str,
+        its_id: str,
+        classes: frozenset[str],
+        attributes: Mapping[str, str] = MappingProxyType({}),
+    ) -> Met:
         """What an element meets below one that met ``above``."""
         here: dict[int, int] = {}
         for mark in ("*", element, f"#{its_id}", *(f".{c}" for c in classes)):
             for r, k in self.by_mark.get(mark, ()):
-                name, named, classed, combinator = self.rules[r].compounds[k]
-                if name not in ("*", element) or (named and named != its_id) or not classed <= classes:
+                compound = self.rules[r].compounds[k]
+                if not compound.fits(element, its_id, classes, attributes):
                     continue
-                way = above.here if combinator == ">" else above.above
+                way = above.here if compound.before == ">" else above.above
                 if k == 0 or way.get(r, 0) >> (k - 1) & 1:
                     here[r] = here.get(r, 0) | 1 << k
         if all(above.above.get(r, 0) | bits == above.above.get(r, 0) for r, bits in here.items()):
             return Met(here, above.above)
         return Met(here, {**above.above, **{r: above.above.get(r, 0) | bits for r, bits in here.items()}})
 
-    def declared(self, met: Met) -> dict[str, str]:
-        """What the rules declare that select the element."""
+    def declared(self, met: Met, important: bool = False) -> dict[str, str]:
+        """What the rules declare that select the element, plainly or as important."""
         made: dict[str, str] = {}
         for r in sorted(met.here):
             if met.here[r] >> (len(self.rules[r].compounds) - 1) & 1:
-                made.update(self.rules[r].declares)
+                made.update(self.rules[r].important if important else self.rules[r].declares)
         return made
 
 
 def color(text: str) -> tuple[int, int, int, int] | None:
     """RGBA of a CSS colour, None for ``none``; ValueError for what is no colour (``url(…)`` is the caller's)."""
-    word = text.strip().lower()
+    word = re.sub(r"(?<=\S)\s+(icc-color|device-\w+)\(.*$", "", text.strip().lower())
     if word in ("none", "transparent"):
         return None
     found = re.fullmatch(r"#([0-9a-f]{3,8})", word)
@@ -198,12 +293,13 @@ def color(text: str) -> tuple[int, int, int, int] | None:
     if found:
         parts = [p for p in re.split(r"[\s,/]+", found[2].strip()) if p]
         if len(parts) in (3, 4):
-            alpha = _share(parts[3]) if len(parts) == 4 else 1.0
+            alpha = share(parts[3]) if len(parts) == 4 else 1.0
             if found[1] == "rgb":
-                rgb = [_share(p) if p.endswith("%") else float(p) / 255 for p in parts[:3]]
+                rgb = [share(p) if p.endswith("%") else float(p) / 255 for p in parts[:3]]
             else:
-                hue = float(parts[0].removesuffix("deg")) / 360 % 1
-                rgb = list(colorsys.hls_to_rgb(hue, _share(parts[2]), _share(parts[1])))
+                hue = _degrees(parts[0]) / 360 % 1
+                light, full = (min(1.0, max(0.0, share(p))) for p in (parts[2], parts[1]))
+                rgb = list(colorsys.hls_to_rgb(hue, light, full))
             r, g, b, a = (round(255 * min(1.0, max(0.0, c))) for c in (*rgb, alpha))
             return r, g, b, a
     if word in css_colors():
@@ -211,7 +307,17 @@ def color(text: str) -> tuple[int, int, int, int] | None:
     raise ValueError(f"{text[:40]!r} is no colour")
 
 
-def _share(text: str) -> float:
+def _degrees(text: str) -> float:
+    """An angle in degrees: 120, 120deg, 2.1rad, .5turn, 100grad."""
+    found = re.fullmatch(r"([-+\d.]+(?:e[-+]?\d+)?)(deg|rad|turn|grad)?", text)
+    if not found:
+        raise ValueError(f"{text!r} is no angle")
+    return float(found[1]) * {"rad": 57.29577951308232, "turn": 360.0, "grad": 0.9}.get(found[2] or "", 1.0)
+
+
+def share(text: str) -> float:
+    """A number or per cent, such as an opacity."""
+    text = text.strip()
     value = float(text.removesuffix("%")) / 100 if text.endswith("%") else float(text)
     if not abs(value) < 1e6:
         raise ValueError(f"{text!r} is too large")

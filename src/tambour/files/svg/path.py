@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.files.svg.css import PX
 
 Line = list[tuple[float, float]]
 _TOKEN = re.compile(r"([MmLlHhVvCcSsQqTtAaZz])|([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)|([\s,]+)|(.)", re.S)
@@ -16,7 +17,9 @@ _COUNT = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7
 
 
 class PathError(ValueError):
-    """Path data that breaks off; the message says where."""
+    """Path data that breaks off; the message says where. ``made`` : the lines before that place, as ``flatten`` gives them."""
+
+    made: list[tuple[Array, bool]] = []  # noqa: RUF012 - never changed in place
 
 
 def _arguments(data: str) -> Iterator[tuple[str, list[float]]]:
@@ -42,6 +45,8 @@ def _arguments(data: str) -> Iterator[tuple[str, list[float]]]:
                 yield command, []
                 drawn = True
         elif found[2]:
+            if command and command in "Aa" and len(numbers) % 7 in (3, 4):
+                raise PathError(f"{found[2]!r} at character {found.start() + 1} is no flag of an arc (0 or 1)")
             if not command or command in "Zz":
                 raise PathError(f"a number without a command at character {found.start() + 1}")
             value = float(found[2])
@@ -56,25 +61,40 @@ def _arguments(data: str) -> Iterator[tuple[str, list[float]]]:
         raise PathError(f"the path breaks off in the middle of {command!r}")
 
 
-def flatten(data: str, tolerance: float) -> list[tuple[Array, bool]]:
+def flatten(data: str, tolerance: float, vertices: list[Array] | None = None) -> list[tuple[Array, bool]]:
     """The subpaths of path data as ((n, 2) points, closed); curves stay within ``tolerance`` (units of the data).
 
-    Raises PathError for data that is not a path.
+    vertices : if given, gets for each subpath the indices of those points that its commands name
+    Raises PathError for data that is not a path; what comes before the fault is in its ``made``.
     """
     found: list[tuple[Array, bool]] = []
+    try:
+        _flattened(data, tolerance, found, [] if vertices is None else vertices)
+    except PathError as error:
+        error.made = found
+        raise
+    return found
+
+
+def _flattened(data: str, tolerance: float, found: list[tuple[Array, bool]], vertices: list[Array]) -> None:
+    """Add to ``found`` and ``vertices`` what path data draws, up to its first fault."""
     line: Line = []
     x = y = sx = sy = 0.0
     handle: tuple[float, float] | None = None  # the last control point, for S and T
     last = ""
+    named: list[int] = []
 
     def finish(closed: bool) -> None:
-        nonlocal line
+        nonlocal line, named
         if len(line) > 1 or (closed and line):
             found.append((np.array(line, np.float64), closed))
-        line = []
+            vertices.append(np.array(named, np.int64))
+        line, named = [], []
 
-    for command, v in _arguments(data):
+    for command, v in _until_broken(data, finish):
         upper = command.upper()
+        if line and not named:
+            named = [0]
         if not last and upper != "M":
             raise PathError("a path must begin with M")
         ox, oy = (x, y) if command.islower() else (0.0, 0.0)
@@ -124,9 +144,19 @@ def flatten(data: str, tolerance: float) -> list[tuple[Array, bool]]:
                 x, y = end
         if upper not in "CSQT":
             handle = None
+        if upper not in "MZ" and line:
+            named = [*(named or [0]), len(line) - 1]
         last = upper
     finish(False)
-    return found
+
+
+def _until_broken(data: str, finish: Callable[[bool], None]) -> Iterator[tuple[str, list[float]]]:
+    """The commands of path data; at a fault the line so far is finished before it is raised."""
+    try:
+        yield from _arguments(data)
+    except PathError:
+        finish(False)
+        raise
 
 
 def _third(end: tuple[float, float], control: tuple[float, float]) -> tuple[float, float]:
@@ -235,17 +265,32 @@ def transform(text: str) -> Array:
         if not found:
             raise ValueError(f"{text[at : at + 30]!r} is no transform")
         at = found.end()
-        v = [float(n) for n in re.split(r"[\s,]+", found[2].strip()) if n]
+        v = [_plain(n, found[1]) for n in re.split(r"[\s,]+", found[2].strip()) if n]
         made = after(made, _single(found[1], v))
     if not np.isfinite(made).all():
         raise ValueError(f"{text[:30]!r} holds a number that is too large")
     return made
 
 
+_MEASURE = re.compile(r"([-+\d.]+(?:[eE][-+]?\d+)?)(px|deg|rad|turn|grad|mm|cm|in|pt|pc)?", re.I)
+_TIMES = {"rad": 180 / math.pi, "turn": 360.0, "grad": 0.9}
+
+
+def _plain(text: str, name: str) -> float:
+    """A number of a transform; CSS writes units: px and mm for ways, deg and turn for angles."""
+    found = _MEASURE.fullmatch(text)
+    if not found:
+        raise ValueError(f"{text[:30]!r} in {name}() is no number")
+    unit = (found[2] or "").lower()
+    return float(found[1]) * _TIMES.get(unit, PX.get(unit, 1.0))
+
+
 def after(a: Array, b: Array) -> Array:
     """The transform that does ``b`` first, then ``a``."""
     with np.errstate(over="ignore", invalid="ignore"):  # the callers look at what comes out
-        return np.c_[a[:, :2] @ b[:, :2], a[:, :2] @ b[:, 2] + a[:, 2]]
+        made = a[:, :2] @ b
+        made[:, 2] += a[:, 2]
+    return made
 
 
 def apply(matrix: Array, points: Array) -> Array:
@@ -280,6 +325,10 @@ def _single(name: str, v: list[float]) -> Array:
         c, s = math.cos(math.radians(v[0])), math.sin(math.radians(v[0]))
         x, y = (v[1], v[2]) if n == 3 else (0.0, 0.0)
         return np.array([[c, -s, x - c * x + s * y], [s, c, y - s * x - c * y]])
+    if name in ("translateX", "translateY") and n == 1:
+        return np.array([[1, 0, v[0] * (name[-1] == "X")], [0, 1, v[0] * (name[-1] == "Y")]], np.float64)
+    if name in ("scaleX", "scaleY") and n == 1:
+        return np.array([[v[0] if name[-1] == "X" else 1, 0, 0], [0, v[0] if name[-1] == "Y" else 1, 0]], np.float64)
     if name == "skewX" and n == 1:
         return np.array([[1, math.tan(math.radians(v[0])), 0], [0, 1, 0]])
     if name == "skewY" and n == 1:

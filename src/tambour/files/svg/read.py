@@ -1,72 +1,41 @@
-"""SVG, read: shapes, curves, transforms, groups, CSS, units, strokes, text and Ink/Stitch's notes, as a Drawing in mm."""
+"""SVG, read: a file's elements, walked in painter's order, as a Drawing in mm."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.drawing import Drawing, Groups, Styles
-from tambour.core.errors import Problem, TambourError
-from tambour.core.paths import Paths
+from tambour.core.drawing import Drawing, Groups, Placed
+from tambour.core.errors import TambourError
 from tambour.files.svg import css
-from tambour.files.svg.path import (
-    IDENTITY,
-    PathError,
-    after,
-    apply,
-    fitted,
-    flatten,
-    transform,
-)
+from tambour.files.svg.canvas import Canvas
+from tambour.files.svg.frames import framed
+from tambour.files.svg.images import placed
+from tambour.files.svg.looks import Look, properties
+from tambour.files.svg.path import IDENTITY, PathError, after, apply, fitted, flatten, transform
+from tambour.files.svg.servers import gradient
 from tambour.files.svg.shapes import SHAPES, outline
-from tambour.files.svg.text import measure, outlined
+from tambour.files.svg.stroked import Shape, painted
+from tambour.files.svg.text import outlined
 from tambour.files.svg.tree import Node, parse
+from tambour.files.svg.windows import clipped, ring
 
 MM = 25.4 / 96  # per px
 CLOSE = 0.01  # mm that a chord may leave its curve
 LARGEST = 20_000.0  # mm: a place farther out is a mistake, and would be embroidered for years
 POINTS = 4_000_000
 COPIES = 20_000
-_HIDDEN = frozenset(
-    [
-        "defs",
-        "symbol",
-        "clipPath",
-        "mask",
-        "marker",
-        "pattern",
-        "linearGradient",
-        "radialGradient",
-        "metadata",
-        "title",
-        "desc",
-        "style",
-        "script",
-        "filter",
-        "foreignObject",
-        "sodipodi:namedview",
-    ]
-)
-_EMPTY = frozenset(
-    [
-        "image",
-        "script",
-        "foreignObject",
-        "animate",
-        "animateTransform",
-        "animateMotion",
-        "set",
-        "video",
-        "audio",
-        "iframe",
-    ]
-)
+SAID = 30
+"""Doubts that are told one by one."""
+CONTAINERS = ("svg", "g", "a", "switch")
+_EMPTY = frozenset("script foreignObject animate animateTransform animateMotion set video audio iframe".split())
 
 
 def read_drawing(path: Path) -> Drawing:
@@ -74,29 +43,27 @@ def read_drawing(path: Path) -> Drawing:
 
     Every element with an id, a name or ``data-…`` / ``inkstitch:…`` attributes becomes a group of its own, whose data
     hold those (``data-`` left out, ``inkstitch:angle`` as ``inkstitch-angle``). Text is turned to outlines of the
-    shipped typeface. What cannot be read is an error; what a drawing in mm has no place for (pictures, filters, clips,
-    scripts) is left out and named in ``about["ignored"]``.
+    shipped typeface, clips and masks are cut, gradients become bands, dashes, markers and paint order shapes; pictures
+    lie below all shapes. A value that means nothing counts as not given, as browsers do, and is named with its line in
+    ``about["doubts"]`` (one a line); what a drawing in mm has no place for (filters, scripts, what lies outside the
+    file) is named in ``about["ignored"]``.
 
-    Raises TambourError with all that is wrong, each with its line.
+    Raises TambourError for a file that is not SVG, has no size, or would fill the machine.
     """
-    root = parse(path)
-    return _Reader(path).drawing(root)
+    return Reader(path).drawing(parse(path))
 
 
-class _Reader:
+class Reader:
     """One reading: the tables that grow while the tree is walked."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self.problems: list[Problem] = []
+        self.doubts: list[str] = []
         self.ignored: dict[str, int] = {}
         self.rules = css.Rules()
         self.by_id: dict[str, Node] = {}
-        self.lines: list[Array] = []
-        self.parts = [0]
-        self.style: list[int] = []
-        self.styles: dict[tuple[Any, ...], int] = {}
-        self.group: list[int] = []
+        self.canvas = Canvas()
+        self.images: list[Placed] = []
         self.ids: list[str] = []
         self.known: dict[str, int] = {}  # id → how often it was met
         self.names: list[str] = []
@@ -108,46 +75,38 @@ class _Reader:
         self.symbols: dict[str, tuple[str, float, float]] = {}  # id of a command's use → name, place
         self.links: list[tuple[str, str]] = []
 
-    def wrong(self, node: Node, message: str, hint: str = "") -> None:
-        """Note something that cannot be read."""
+    def doubt(self, node: Node, message: str) -> None:
+        """Note a value that means nothing."""
         what = f'<{node.name} id="{node.attributes["id"]}">' if "id" in node.attributes else f"<{node.name}>"
-        self.problems.append(Problem(f"{what}: {message}", hint, where=f"{self.path}:{node.line}"))
+        said = f"line {node.line}: {what}: {message}"
+        if said not in self.doubts[-50:]:
+            self.doubts.append(said)
 
     def leave(self, what: str) -> None:
         """Note something that is left out."""
         self.ignored[what] = self.ignored.get(what, 0) + 1
 
     def drawing(self, root: Node) -> Drawing:
-        """Walk the tree; all problems are raised together."""
+        """Walk the tree."""
         stack = [root]
         rules: list[css.Rule] = []
         while stack:
             node = stack.pop()
             if "id" in node.attributes:
                 self.by_id.setdefault(node.attributes["id"], node)
-            if node.name == "style":
-                rules += css.sheet(node.text + "".join(c.tail for c in node.children))
+            if node.name == "style" and node.attributes.get("type", "text/css").strip() in ("", "text/css"):
+                rules += css.sheet(node.text + "".join(c.tail for c in node.children), self.leave)
             stack += reversed(node.children)
         self.rules = css.Rules(rules)
-        matrix, size = self.viewport(root)
-        self.walk(root, matrix, {}, css.NOTHING, -1, 0, size)
-        if self.problems:
-            more = len(self.problems) - 30
-            if more > 0:
-                self.problems = [*self.problems[:30], Problem(f"and {more} more", where=str(self.path))]
-            raise TambourError(self.problems)
+        matrix, size, view = self.viewport(root)
+        self.walk(root, Look(matrix, view=view))
         self.commands()
         about = {"title": t} if (t := _title(root)) else {}
         if self.ignored:
             about["ignored"] = ", ".join(f"{k} ({n})" if n > 1 else k for k, n in sorted(self.ignored.items()))
-        keys = list(self.styles)
-        styles = Styles(
-            np.array([k[0] for k in keys], np.uint8).reshape(-1, 4),
-            np.array([k[1] for k in keys], np.uint8).reshape(-1, 4),
-            np.array([k[2] for k in keys], np.float64),
-            np.array([k[3] for k in keys], np.bool_),
-        )
-        paths = Paths.of(self.lines)
+        if self.doubts:
+            more = len(self.doubts) - SAID
+            about["doubts"] = "\n".join([*self.doubts[:SAID], *([f"and {more} more"] if more > 0 else [])])
         groups = Groups(
             tuple(self.ids),
             tuple(self.names),
@@ -155,31 +114,22 @@ class _Reader:
             np.array(self.layer, np.bool_),
             tuple(self.data),
         )
+        canvas = self.canvas
         return Drawing(
-            Paths(paths.coords, paths.offsets, np.array(self.parts)),
-            np.array(self.style, np.int32),
-            styles,
+            canvas.paths(),
+            np.array(canvas.style, np.int32),
+            canvas.table(),
             np.array(size) * MM,
-            np.array(self.group, np.int32),
+            np.array(canvas.group, np.int32),
             groups,
+            images=tuple(self.images),
             about=about,
         )
 
-    def viewport(self, root: Node) -> tuple[Array, tuple[float, float]]:
-        """The matrix from user units to mm, and the sheet's size in px."""
+    def viewport(self, root: Node) -> tuple[Array, tuple[float, float], tuple[float, float]]:
+        """The matrix from user units to mm, the sheet's size in px, and what per cent are of."""
         a = root.attributes
-        box = None
-        if a.get("viewBox", "").strip():
-            try:
-                box = [float(v) for v in re.split(r"[\s,]+", a["viewBox"].strip())]
-                if len(box) != 4 or not all(math.isfinite(v) for v in box):
-                    raise ValueError
-            except ValueError:
-                self.wrong(root, f"viewBox={a['viewBox'][:40]!r} is not four numbers")
-                box = None
-            if box and (box[2] <= 0 or box[3] <= 0):
-                self.wrong(root, "the viewBox has no area")
-                box = None
+        box = self.box_of(root)
         size = [0.0, 0.0]
         for k, name in enumerate(("width", "height")):
             whole = box[2 + k] if box else (100.0, 100.0)[k]
@@ -187,154 +137,189 @@ class _Reader:
             try:
                 size[k] = css.length("100%" if text.strip() in ("", "auto") else text, whole)
             except ValueError as error:
-                self.wrong(root, f"{name}: {error}")
+                self.doubt(root, f"{name}: {error}")
                 size[k] = whole
             if size[k] <= 0:
-                self.wrong(root, f"{name}={text!r}: the sheet has no area")
+                self.doubt(root, f"{name}={text!r}: the sheet has no area")
                 size[k] = whole
+            elif box and name not in a and ("width", "height")[1 - k] in a:
+                size[k] = 0.0  # follows from the other, by the box
+        if box and 0.0 in size:
+            k = size.index(0.0)
+            size[k] = size[1 - k] * box[2 + k] / box[3 - k]
         if max(size) * MM > LARGEST * 10:
-            self.wrong(root, f"the sheet is {max(size) * MM:.0f} mm wide", "give width and height in mm")
+            hint = "give width and height in mm"
+            raise TambourError(
+                f"the sheet is {max(size) * MM:.0f} mm wide", hint=hint, where=f"{self.path}:{root.line}"
+            )
         matrix = IDENTITY * MM
         if box:
             matrix = after(matrix, fitted(box, 0, 0, size[0], size[1], a.get("preserveAspectRatio", "")))
-        return matrix, (size[0], size[1])
+        return matrix, (size[0], size[1]), (box[2], box[3]) if box else (size[0], size[1])
 
-    def styled(self, node: Node, met: css.Met, inherited: dict[str, str]) -> dict[str, str]:
-        """The properties of an element: what it inherits, its attributes, the rules, its ``style``."""
-        props = {k: v for k, v in inherited.items() if k in css.INHERITED}
-        props["opacity"] = "1"
-        own = {k: v for k, v in node.attributes.items() if k in css.PRESENTED and k != "transform"}
-        own.update(self.rules.declared(met))
-        own.update(css.declarations(node.attributes.get("style", "")))
-        for name, value in own.items():
-            if value == "inherit":
-                if name in inherited:
-                    props[name] = inherited[name]
-            elif value:
-                props[name] = value
+    def box_of(self, node: Node) -> list[float] | None:
+        """The viewBox of an element, if it has one with an area."""
+        text = node.attributes.get("viewBox", "").strip()
+        if not text:
+            return None
         try:
-            share = css._share(props.pop("opacity")) * float(inherited.get("shown", "1"))
+            box = [float(v) for v in re.split(r"[\s,]+", text)]
         except ValueError:
-            self.wrong(node, "its opacity is no number")
-            share = 1.0
-        props["shown"] = repr(share)
-        return props
+            box = []
+        if len(box) != 4 or not all(math.isfinite(v) for v in box):
+            self.doubt(node, f"viewBox={text[:40]!r} is not four numbers")
+            return None
+        if box[2] <= 0 or box[3] <= 0:
+            self.doubt(node, "the viewBox has no area")
+            return None
+        return box
 
-    def walk(
-        self,
-        node: Node,
-        matrix: Array,
-        inherited: dict[str, str],
-        met: css.Met,
-        group: int,
-        depth: int,
-        view: Any,
-    ) -> None:
-        """An element and all below it."""
+    def look(self, node: Node, above: Look) -> Look | None:
+        """How an element below another looks, but for its transform; None where it is not drawn."""
         a = node.attributes
-        if node.name in _HIDDEN or ":" in node.name:
+        met = self.rules.meet(above.met, node.name, a.get("id", ""), frozenset(a.get("class", "").split()), a)
+        props = properties(node, self.rules, met, above.props, lambda message: self.doubt(node, message))
+        if props.get("display", "").strip() == "none":
+            return None
+        return replace(above, props=props, met=met)
+
+    def moved(self, node: Node, look: Look) -> Look | None:
+        """With the element's own transform about its own origin; None where that is none, or too large."""
+        text = look.props.get("transform", "")
+        text = text if "(" in text else node.attributes.get("transform", "")
+        if not text:
+            return look
+        try:
+            turned = transform(text)
+            if "transform-origin" in look.props and text:
+                at = _origin(look.props["transform-origin"], look.view)
+                turned = after(after(np.c_[np.eye(2), at], turned), np.c_[np.eye(2), -at])
+        except ValueError as error:
+            self.doubt(node, f"transform: {error}")
+            turned = IDENTITY
+        matrix = after(look.matrix, turned)
+        if not np.isfinite(matrix).all() or np.abs(matrix).max(initial=0) > 1e9:
+            self.doubt(node, "its transforms make it too large")
+            return None
+        return replace(look, matrix=matrix)
+
+    def walk(self, node: Node, above: Look, sizes: tuple[str | None, str | None] = (None, None)) -> None:
+        """An element and all below it; ``sizes`` : width and height that a copy gives it."""
+        if node.name not in (*CONTAINERS, *SHAPES, "path", "text", "use", "image"):
             if node.name in _EMPTY:
                 self.leave(node.name)
             return
-        if node.name in _EMPTY:
-            self.leave(node.name)
+        look = self.look(node, above)
+        look = look and self.moved(node, look)
+        if look is None:
             return
-        met = self.rules.meet(met, node.name, a.get("id", ""), frozenset(a.get("class", "").split()))
-        props = self.styled(node, met, inherited)
-        if props.get("display", "").strip() == "none":
-            return
-        for name in ("clip-path", "mask", "filter"):
-            if a.get(name, props.get(name, "none")) != "none":
+        if look.depth > 0 or node.name != "svg":
+            look = replace(look, group=self.enter(node, look.group))
+        for name in ("filter", "mix-blend-mode"):
+            if look.props.get(name, "none") not in ("none", "normal"):
                 self.leave(name)
-        try:
-            turned = transform(
-                props["transform"] if "transform" in props and "(" in props["transform"] else a.get("transform", "")
-            )
-        except ValueError as error:
-            self.wrong(node, f"transform: {error}")
+        share = 1.0 if look.clip else _opacity(look)
+        if share == 0.0:
             return
-        matrix = after(matrix, turned)
-        if not np.isfinite(matrix).all() or np.abs(matrix).max(initial=0) > 1e9:
-            self.wrong(node, "its transforms make it too large")
-            return
-        if depth > 0 or node.name != "svg":
-            group = self.enter(node, group)
         try:
-            self.element(node, matrix, props, met, group, depth, view)
-        except (PathError, ValueError, OverflowError) as error:
-            self.wrong(node, str(error))
+            look = framed(self, node, look)
+            if look is None:
+                return
+            if node.name in (*CONTAINERS, "use") and share < 1:
+                first = len(self.canvas)
+                self.element(node, look, sizes)
+                if len(self.canvas) > first:
+                    self.canvas.fade(first, share)
+            else:
+                self.element(node, replace(look, shown=look.shown * share), sizes)
+        except (ValueError, OverflowError) as error:
+            self.doubt(node, str(error))
 
-    def element(
-        self,
-        node: Node,
-        matrix: Array,
-        props: dict[str, str],
-        met: css.Met,
-        group: int,
-        depth: int,
-        view: Any,
-    ) -> None:
+    def element(self, node: Node, look: Look, sizes: tuple[str | None, str | None]) -> None:
         """What an element draws; ValueError for what cannot be read."""
-        a = node.attributes
-        em = measure(props.get("font-size", "16"), 16.0)
-        close = CLOSE / max(1e-9, math.sqrt(abs(np.linalg.det(matrix[:, :2]))))
+        a, view = node.attributes, look.view
+        em = float(look.props["font-size"])
+        close = CLOSE / max(1e-9, look.scale)
 
         def size(name: str, default: str = "0", whole: float = view[0]) -> float:
-            return css.length(a.get(name, default), whole, em)
+            text = a.get(name, default)
+            try:
+                return css.length(text, whole, em, view)
+            except ValueError as error:
+                self.doubt(node, f"{name}: {error}")
+                return css.length(default, whole, em, view)
 
-        diagonal = math.hypot(*view) / math.sqrt(2)
         made: list[tuple[Array, bool]] = []
+        vertices: list[Array] = []
         if node.name == "path":
             if "inkscape:connection-start" in a and "inkscape:connection-end" in a:
-                self.links.append(
-                    (a["inkscape:connection-start"].lstrip("#"), a["inkscape:connection-end"].lstrip("#"))
-                )
+                ends = (a["inkscape:connection-start"].lstrip("#"), a["inkscape:connection-end"].lstrip("#"))
+                self.links.append(ends)
                 return
-            made = flatten(a.get("d", ""), close)
+            try:
+                made = flatten(a.get("d", ""), close, vertices)
+            except PathError as error:
+                self.doubt(node, str(error))
+                made = error.made
         elif node.name in SHAPES:
-            made = outline(node, size, view, diagonal, em, close)
+            made = outline(node, size, view, close, lambda message: self.doubt(node, message))
+            vertices = [np.arange(len(points)) for points, _ in made]
         elif node.name == "text":
-            made = outlined(node, props, em, view, self.leave)
+            for its, letters in outlined(node, look, view, self.look, self.way, self.leave):
+                self.shape(node, Shape(letters, [np.zeros(0, np.int64) for _ in letters]), its)
         elif node.name == "use":
-            self.use(node, matrix, props, met, group, depth, view, size)
-        elif node.name in ("svg", "g", "a", "switch"):
-            if node.name == "svg" and depth > 0:
-                matrix, view = self.nested(
-                    node, matrix, size("x"), size("y"), size("width", "100%"), size("height", "100%", view[1])
+            self.use(node, look, size)
+        elif node.name == "image":
+            found = placed(node, look, size, self.leave)
+            if found is not None:
+                if len(self.canvas):
+                    self.leave("what lies below a picture (pictures come first)")
+                self.images.append(found)
+        else:
+            if node.name == "svg" and look.depth > 0:
+                w, h = (
+                    size(k, "100%", v) if s is None else css.length(s, v, em)
+                    for k, v, s in zip(("width", "height"), view, sizes)
                 )
+                look = self.nested(node, look, size("x"), size("y", whole=view[1]), w, h)
             children = node.children
             if node.name == "switch":
-                children = [c for c in children if "systemLanguage" not in c.attributes][:1]
+                children = next(([c] for c in children if _understood(c)), [])
             for child in children:
-                self.walk(child, matrix, props, met, group, depth + 1, view)
+                self.walk(child, replace(look, depth=look.depth + 1))
         if made:
-            self.shape(node, made, matrix, props, group, em, diagonal)
+            self.shape(node, Shape(made, vertices), look)
 
-    def nested(self, node: Node, matrix: Array, x: float, y: float, w: float, h: float) -> tuple[Array, Any]:
-        """The view of an inner ``<svg>`` or a used symbol."""
-        a = node.attributes
-        box = [float(v) for v in re.split(r"[\s,]+", a.get("viewBox", "").strip()) if v]
-        if len(box) == 4 and min(box[2:]) > 0 and min(w, h) > 0 and all(map(math.isfinite, box)):
-            return after(matrix, fitted(box, x, y, w, h, a.get("preserveAspectRatio", ""))), (box[2], box[3])
-        return after(matrix, np.array([[1, 0, x], [0, 1, y]], np.float64)), (w, h)
+    def shape(self, node: Node, shape: Shape, look: Look) -> None:
+        """Lay a shape down as it looks."""
+        self.points += sum(len(points) for points, _ in shape.lines)
+        if self.points > POINTS:
+            raise TambourError(f"the drawing has more than {POINTS:,} points", hint="simplify it", where=str(self.path))
+        for points, _ in shape.lines:
+            there = apply(look.matrix, points)
+            if not np.isfinite(there).all() or np.abs(there).max(initial=0) > LARGEST:
+                raise ValueError(f"it reaches farther than {LARGEST / 1000:.0f} m: too large")
+        painted(self, node, shape, look)
 
-    def use(
-        self,
-        node: Node,
-        matrix: Array,
-        props: dict[str, str],
-        met: css.Met,
-        group: int,
-        depth: int,
-        view: Any,
-        size: Any,
-    ) -> None:
+    def nested(self, node: Node, look: Look, x: float, y: float, w: float, h: float) -> Look:
+        """The view of an inner ``<svg>``, a used symbol or a marker; what leaves it is cut unless it may overflow."""
+        box = self.box_of(node)
+        inner = np.array([[1, 0, x], [0, 1, y]], np.float64)
+        view = (w, h)
+        if box and min(w, h) > 0:
+            inner, view = fitted(box, x, y, w, h, node.attributes.get("preserveAspectRatio", "")), (box[2], box[3])
+        window = look.window
+        if look.props.get("overflow", "hidden") not in ("visible", "auto") and min(w, h) > 0:
+            window = clipped(window, ring(look.matrix, x, y, w, h))
+        return replace(look, matrix=after(look.matrix, inner), view=view, window=window)
+
+    def use(self, node: Node, look: Look, size: Any) -> None:
         """``<use>``: what it names, drawn again; Ink/Stitch's command symbols are notes, not shapes."""
         a = node.attributes
         name = a.get("href", a.get("xlink:href", "")).strip()
-        x, y = size("x"), size("y", "0", view[1])
+        x, y = size("x"), size("y", "0", look.view[1])
         if name.startswith("#inkstitch_"):
-            place = apply(matrix, np.array([[x, y]]))[0]
+            place = apply(look.matrix, np.array([[x, y]]))[0]
             self.symbols[a.get("id", f"#{len(self.symbols)}")] = (name[11:], float(place[0]), float(place[1]))
             return
         if not name.startswith("#"):
@@ -346,19 +331,54 @@ class _Reader:
         self.copies += 1
         if self.copies > COPIES:
             raise TambourError(f"more than {COPIES:,} copies by <use>", where=f"{self.path}:{node.line}")
-        if depth > 60:
+        if name in look.using or len(look.using) > 50:
             raise ValueError(f"{name!r} uses itself, or copies are nested too deep")
-        inner = after(matrix, np.array([[1, 0, x], [0, 1, y]], np.float64))
+        inner = after(look.matrix, np.array([[1, 0, x], [0, 1, y]], np.float64))
+        look = replace(look, matrix=inner, using=look.using | {name}, depth=look.depth + 1)
         if target.name == "symbol":
-            w, h = (
-                size("width", target.attributes.get("width", "100%")),
-                size("height", target.attributes.get("height", "100%"), view[1]),
-            )
-            inner, view = self.nested(target, inner, 0, 0, w, h)
-            for child in target.children:
-                self.walk(child, inner, props, met, group, depth + 20, view)
+            drawn = self.look(target, look)
+            drawn = drawn and self.moved(target, drawn)
+            if drawn is not None:
+                w, h = size("width", "100%"), size("height", "100%", look.view[1])
+                first, drawn = len(self.canvas), self.nested(target, drawn, 0, 0, w, h)
+                for child in target.children:
+                    self.walk(child, drawn)
+                if _opacity(drawn) < 1 and not drawn.clip and len(self.canvas) > first:
+                    self.canvas.fade(first, _opacity(drawn))
         else:
-            self.walk(target, inner, props, met, group, depth + 20, view)
+            self.walk(target, look, (a.get("width"), a.get("height")))
+
+    def way(self, name: str) -> Array | None:
+        """The first line of the shape or path of an id, in the units around it."""
+        node = self.by_id.get(name.strip().lstrip("#"))
+        if node is None or node.name != "path":
+            return None
+        try:
+            made = flatten(node.attributes.get("d", ""), 0.01)
+            turned = transform(node.attributes.get("transform", ""))
+        except ValueError:
+            return None
+        return (
+            apply(turned, np.concatenate([made[0][0], made[0][0][:1]]) if made[0][1] else made[0][0]) if made else None
+        )
+
+    def gradient(self, name: str) -> Any:
+        """The gradient of an id, or None."""
+        return gradient(name, self.by_id, self.rules, self.doubt)
+
+    def drawn(self, nodes: list[Node], look: Look) -> Canvas:
+        """What elements draw, on a canvas of its own, with no notes of theirs."""
+        kept, self.canvas = self.canvas, Canvas()
+        tables = (self.ids, self.names, self.parent, self.layer, self.data)
+        sizes, known = len(self.ids), dict(self.known)
+        try:
+            for node in nodes:
+                self.walk(node, look)
+            return self.canvas
+        finally:
+            self.canvas, self.known = kept, known
+            for table in tables:
+                del table[sizes:]
 
     def enter(self, node: Node, group: int) -> int:
         """The group of an element: a new one when it has a name or notes of its own."""
@@ -386,88 +406,6 @@ class _Reader:
         self.data.append(data)
         return len(self.ids) - 1
 
-    def shape(
-        self,
-        node: Node,
-        made: list[tuple[Array, bool]],
-        matrix: Array,
-        props: dict[str, str],
-        group: int,
-        em: float,
-        diagonal: float,
-    ) -> None:
-        """Add a shape with its style; an invisible one is left out."""
-        if props.get("visibility", "visible").strip() in ("hidden", "collapse"):
-            return
-        shown = float(props["shown"])
-        fill = self.paint(props.get("fill", "black"), props, "fill-opacity", shown)
-        stroke = self.paint(props.get("stroke", "none"), props, "stroke-opacity", shown)
-        width = css.length(props.get("stroke-width", "1"), diagonal, em)
-        width *= math.sqrt(abs(np.linalg.det(matrix[:, :2])))
-        if width <= 0:
-            stroke = (0, 0, 0, 0)
-        if not fill[3] and not stroke[3]:
-            return
-        lines = []
-        for points, closed in made:
-            placed = apply(matrix, points)
-            if not np.isfinite(placed).all() or np.abs(placed).max(initial=0) > LARGEST:
-                raise ValueError(f"it reaches farther than {LARGEST / 1000:.0f} m")
-            if closed:
-                placed = np.concatenate([placed, placed[:1]])
-            keep = np.r_[True, (np.diff(placed, axis=0) != 0).any(1)]
-            if keep.sum() > 1:
-                lines.append(placed[keep])
-        if not lines:
-            return
-        self.points += sum(map(len, lines))
-        if self.points > POINTS:
-            raise TambourError(f"the drawing has more than {POINTS:,} points", hint="simplify it", where=str(self.path))
-        key = (fill, stroke, round(width * 1e6) / 1e6, props.get("fill-rule", "nonzero").strip() == "evenodd")
-        self.lines += lines
-        self.parts.append(len(self.lines))
-        self.style.append(self.styles.setdefault(key, len(self.styles)))
-        self.group.append(group)
-
-    def paint(self, text: str, props: dict[str, str], opacity: str, shown: float) -> tuple[int, int, int, int]:
-        """RGBA of a fill or stroke; gradients count as the mean of their stops."""
-        word = text.strip()
-        if word.lower() == "currentcolor":
-            word = props.get("color", "black")
-        found = re.match(r"url\(\s*['\"]?#([^)'\"]+)['\"]?\s*\)\s*(.*)$", word)
-        if found:
-            rgba = self.gradient(found[1], 0)
-            if rgba is None:
-                rgba = css.color(found[2]) if found[2].strip() else None
-                if rgba is None:
-                    self.leave("a pattern as paint")
-        elif word.startswith(("context-", "var(", "url(")):
-            self.leave("a paint from outside")
-            rgba = (0, 0, 0, 255)
-        else:
-            rgba = css.color(word)
-        if rgba is None:
-            return 0, 0, 0, 0
-        share = css._share(props.get(opacity, "1")) * shown
-        return (*rgba[:3], round(rgba[3] * min(1.0, max(0.0, share))))
-
-    def gradient(self, name: str, depth: int) -> tuple[int, int, int, int] | None:
-        node = self.by_id.get(name)
-        if node is None or depth > 8 or not node.name.endswith("Gradient"):
-            return None
-        stops = [c for c in node.children if c.name == "stop"]
-        if not stops:
-            return self.gradient(
-                node.attributes.get("href", node.attributes.get("xlink:href", "")).lstrip("#"), depth + 1
-            )
-        colors = []
-        for stop in stops:
-            own = {**stop.attributes, **css.declarations(stop.attributes.get("style", ""))}
-            rgba = css.color(own.get("stop-color", "black").replace("currentColor", "black")) or (0, 0, 0, 0)
-            colors.append((*rgba[:3], rgba[3] * css._share(own.get("stop-opacity", "1"))))
-        r, g, b, a = np.mean(colors, axis=0).round().clip(0, 255).astype(int).tolist()
-        return r, g, b, a
-
     def commands(self) -> None:
         """Put Ink/Stitch's command symbols on the groups of the objects they are tied to."""
         index = {name: k for k, name in enumerate(self.ids)}
@@ -481,6 +419,29 @@ class _Reader:
         for use, (name, x, y) in self.symbols.items():
             if use not in tied and self.data:
                 self.data[0].setdefault(f"inkstitch-command-{name}", f"{x:.6f} {y:.6f}")
+
+
+def _opacity(look: Look) -> float:
+    return min(1.0, max(0.0, css.share(look.props.get("opacity", "1"))))
+
+
+def _origin(text: str, view: tuple[float, float]) -> Array:
+    """The point of a ``transform-origin``, in the units around."""
+    words = text.replace(",", " ").split()
+    if words and words[0] in ("top", "bottom"):
+        words = [words[1] if len(words) > 1 else "center", words[0]]
+    words = [*words, "center"][:2] if len(words) == 1 else words[:2]
+    share = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
+    return np.array([css.length(share.get(w, w), view[k]) for k, w in enumerate(words)] or [0.0, 0.0])
+
+
+def _understood(node: Node) -> bool:
+    """Whether a child of a ``<switch>`` is the one to draw: its language is English, or not said."""
+    a = node.attributes
+    languages = [w.strip().lower() for w in a["systemLanguage"].split(",")] if "systemLanguage" in a else None
+    if "requiredExtensions" in a or node.name not in (*CONTAINERS, *SHAPES, "path", "text", "use", "image"):
+        return False
+    return languages is None or any(w == "en" or w.startswith("en-") for w in languages)
 
 
 def _title(root: Node) -> str:

@@ -4,47 +4,70 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.files.svg import css
 from tambour.files.svg.path import ellipse, rectangle
 from tambour.files.svg.tree import Node
 
 SHAPES = frozenset({"rect", "circle", "ellipse", "line", "polyline", "polygon"})
+_NUMBER = re.compile(r"\s*,?\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)")
 
 
-def outline(node: Node, size: Any, view: Any, diagonal: float, em: float, close: float) -> list[tuple[Array, bool]]:
+def outline(
+    node: Node, size: Any, view: tuple[float, float], close: float, doubt: Callable[[str], None]
+) -> list[tuple[Array, bool]]:
     """The shape's lines (n, 2) in user units, each with whether it is closed; none where it has no size.
 
-    size : ``size(attribute, default, whole)`` in user units; view, diagonal, em : what percentages and ems are of
-    close : how far a chord may leave its curve. Raises ValueError for numbers that are none.
+    size : ``size(attribute, default, whole)`` in user units; view : what percentages are of
+    close : how far a chord may leave its curve; ``doubt`` is told of numbers that are none.
     """
     a = node.attributes
+    high = view[1]
+    diagonal = math.hypot(*view) / math.sqrt(2)
     made: list[tuple[Array, bool]] = []
     if node.name == "rect":
-        w, h = size("width"), size("height", whole=view[1])
-        rx, ry = a.get("rx", "auto"), a.get("ry", "auto")
-        rx, ry = (ry if rx == "auto" else rx), (rx if ry == "auto" else ry)
+        w, h = size("width"), size("height", whole=high)
+        rx, ry = _radii(a, size, high)
         if w > 0 and h > 0:
-            round_x = 0.0 if rx == "auto" else css.length(rx, view[0], em)
-            round_y = 0.0 if ry == "auto" else css.length(ry, view[1], em)
-            made = [(rectangle(size("x"), size("y", whole=view[1]), w, h, round_x, round_y, close), True)]
+            made = [(rectangle(size("x"), size("y", whole=high), w, h, rx, ry, close), True)]
     elif node.name in ("circle", "ellipse"):
-        across = size("r", whole=diagonal) if node.name == "circle" else size("rx")
-        down = across if node.name == "circle" else size("ry", whole=view[1])
+        across, down = (size("r", whole=diagonal),) * 2 if node.name == "circle" else _radii(a, size, high)
         if across > 0 and down > 0:
-            turn = ellipse(size("cx"), size("cy", whole=view[1]), across, down, 0, 2 * math.pi, close)
+            turn = ellipse(size("cx"), size("cy", whole=high), across, down, 0, 2 * math.pi, close)
             made = [(np.array(turn[:-1]), True)]
     elif node.name == "line":
         x1, x2 = size("x1"), size("x2")
-        made = [(np.array([[x1, size("y1", whole=view[1])], [x2, size("y2", whole=view[1])]]), False)]
-    elif node.name in ("polyline", "polygon"):
-        numbers = [float(v) for v in re.split(r"[\s,]+", a.get("points", "").strip()) if v]
-        if len(numbers) % 2 or not all(map(math.isfinite, numbers)):
-            raise ValueError("its points are not pairs of numbers")
+        made = [(np.array([[x1, size("y1", whole=high)], [x2, size("y2", whole=high)]]), False)]
+    else:
+        numbers = _numbers(a.get("points", ""), doubt)
+        if len(numbers) % 2:
+            doubt("its points are not pairs of numbers; the last is left out")
         if len(numbers) >= 4:
-            made = [(np.array(numbers).reshape(-1, 2), node.name == "polygon")]
+            made = [(np.array(numbers[: len(numbers) // 2 * 2]).reshape(-1, 2), node.name == "polygon")]
+    return made
+
+
+def _radii(a: dict[str, str], size: Any, high: float) -> tuple[float, float]:
+    """rx and ry; one that is not given, or below nothing, is as the other."""
+    rx = size("rx") if a.get("rx", "auto").strip() != "auto" else -1.0
+    ry = size("ry", whole=high) if a.get("ry", "auto").strip() != "auto" else -1.0
+    rx, ry = (ry if rx < 0 else rx), (rx if ry < 0 else ry)
+    return max(0.0, rx), max(0.0, ry)
+
+
+def _numbers(text: str, doubt: Callable[[str], None]) -> list[float]:
+    """The numbers of a list, up to what is none."""
+    made, at = [], 0
+    while found := _NUMBER.match(text, at):
+        at = found.end()
+        made.append(float(found[1]))
+        if not abs(made[-1]) < 1e9:
+            doubt(f"{found[1][:40]!r} is too large")
+            return made[:-1]
+    if text[at:].strip():
+        doubt(f"{text[at:].strip()[:30]!r} is no number")
     return made

@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape, quoteattr
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.drawing import Drawing, Groups, Placed
+from tambour.core.drawing import CAPS, JOINS, Drawing, Groups, Placed
 from tambour.core.picture import Picture
 from tambour.files.sink import Sink
 from tambour.files.svg import spell
@@ -98,12 +98,13 @@ def paint(name: str, rgba: Iterable[int]) -> str:
 def _style(drawing: Drawing) -> list[str]:
     styles = drawing.styles
     made = []
-    for fill, stroke, width, evenodd in zip(
-        styles.fill.tolist(), styles.stroke.tolist(), styles.width.tolist(), styles.evenodd.tolist()
-    ):
+    columns = (styles.fill, styles.stroke, styles.width, styles.evenodd, styles.cap, styles.join, styles.miter)
+    for fill, stroke, width, evenodd, cap, join, miter in zip(*(c.tolist() for c in columns)):
         text = paint("fill", fill)
         if stroke[3] and width > 0:
             text += paint("stroke", stroke) + f' stroke-width="{number(width)}"'
+            text += f' stroke-linecap="{CAPS[cap]}"' * (cap > 0) + f' stroke-linejoin="{JOINS[join]}"' * (join > 0)
+            text += f' stroke-miterlimit="{number(miter)}"' * (JOINS[join] == "miter" and miter != 4)
         if evenodd and fill[3]:
             text += ' fill-rule="evenodd"'
         made.append(text)
