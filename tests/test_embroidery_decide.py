@@ -87,6 +87,8 @@ def test_rows_run_along_a_long_shape(turn):
 
 
 def test_neighbours_lie_in_other_directions():
-    made = make(drawn(shapely.box(0, 0, 20, 20), shapely.box(20, 0, 40, 20)), EmbroideryParams(keep_hidden=True), Progress())
+    made = make(
+        drawn(shapely.box(0, 0, 20, 20), shapely.box(20, 0, 40, 20)), EmbroideryParams(keep_hidden=True), Progress()
+    )
     a, b = (r.params.angle for r in made.regions)
     assert min(abs(a - b) % 180, 180 - abs(a - b) % 180) >= 30
