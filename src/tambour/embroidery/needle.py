@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
 from pydantic import Field
 
 from tambour.core.errors import Problem, TambourError
 from tambour.core.params import Params, length
 from tambour.core.progress import Progress
-from tambour.core.thread import STITCH
 from tambour.craft import Change
 
 FARTHEST = 1000.0
@@ -34,6 +33,9 @@ _PLACE = re.compile(r"(\+?)\(?\s*([-\d.eE]+\s*(?:mm|cm|in)?)\s*,\s*([-\d.eE]+\s*
 
 def _needled(piece: Any, edits: Sequence[Needle], progress: Progress) -> Any:
     """The piece with its needle points changed; what lies over what is found anew."""
+    import numpy as np
+
+    from tambour.core.thread import STITCH
     from tambour.embroidery.plan.layers import elevation, layers
 
     plan = piece.plan
@@ -51,9 +53,9 @@ def _needled(piece: Any, edits: Sequence[Needle], progress: Progress) -> Any:
             continue
         found = _PLACE.fullmatch(edit.to.strip())
         try:
-            x, y = (float(length(found[k])) for k in (2, 3)) if found else (np.inf, np.inf)
+            x, y = (float(length(found[k])) for k in (2, 3)) if found else (math.inf, math.inf)
         except ValueError:
-            x = y = np.inf
+            x = y = math.inf
         if not max(abs(x), abs(y)) <= FARTHEST:
             problems.append(Problem(f"{edit.to!r} is no place", "X,Y in mm, +X,Y or none", where=where))
         elif found and found[1]:
@@ -80,6 +82,10 @@ def _needled(piece: Any, edits: Sequence[Needle], progress: Progress) -> Any:
 
 
 def _doubted(plan: Any, progress: Progress) -> None:
+    import numpy as np
+
+    from tambour.core.thread import STITCH
+
     step = np.hypot(*np.diff(plan.xy, axis=0).T)
     sewn = (plan.command[1:] == STITCH) & (plan.command[:-1] == STITCH)
     long = np.flatnonzero(sewn & (step > 12.1))
