@@ -239,7 +239,7 @@ def zigzag(
     last = np.zeros((2, 2))
     have = np.zeros(2, np.bool_)
     beyond = np.zeros((2, 2))  # the other end of the last stitch of each side
-    turn = np.zeros(2, np.int64)
+    turn = np.ones(2, np.int64)
     while m <= 2 * pairs:
         target = m * step
         while i < n - 2:
@@ -267,10 +267,11 @@ def zigzag(
         if have[side] and near < crowded and far > near + 1e-6:
             c = turn[side] % 8
             depth = ((c & 1) * 4 + (c & 2) + c // 4) / 8.0  # 0, 4, 2, 6, 1, 5, 3, 7 of eight
-            back += wide * min(drawn, max(0.0, (depth * crowded - near) / (far - near)))
+            least = 0.15 if c & 1 else 0.0  # every other one at least so far: holes in one line would cut the cloth
+            back += wide * min(drawn, max(least, (depth * crowded - near) / (far - near)))
             turn[side] += 1
         else:
-            turn[side] = 0
+            turn[side] = 1  # the first that is too near ends early
         beyond[side, 0], beyond[side, 1] = ox, oy
         if jagged > 0:
             back += min(jagged, 0.4 * wide) * uniform(np.uint64(key), np.uint64(m))
