@@ -13,12 +13,13 @@ from tambour.core.strands import Strands
 class Scene:
     """Named surfaces and strands; those that move have equally many frames.
 
-    meshes, strands : tuples; ``names`` : one for each, meshes first
+    meshes, strands : tuples; ``names`` : one for each, meshes first; ``root`` : what files call all of it
     """
 
     meshes: tuple[Mesh, ...]
     strands: tuple[Strands, ...]
     names: tuple[str, ...]
+    root: str = "embroidery"
 
     def __post_init__(self) -> None:
         if len(self.names) != len(self.meshes) + len(self.strands) or len(set(self.names)) != len(self.names):

@@ -12,6 +12,13 @@ VIEWS: dict[str, View] = {
         (".glb", ".obj", ".ply", ".stl"),
         "fabric",
     ),
+    "curves": View(
+        Lazy("tambour.crochet.curves:curves"),
+        "Scene",
+        "the yarn as curves, for look development",
+        (".usdc", ".usda", ".usd"),
+        "fabric",
+    ),
     "toy": View(
         Lazy("tambour.crochet.page.portrait:whole"),
         "Picture",

@@ -46,7 +46,7 @@ def write_scene(value: Scene, sink: Sink) -> None:
     stage = usd.Stage.CreateInMemory(f"scene{sink.suffix}")
     geom.SetStageUpAxis(stage, geom.Tokens.y)
     geom.SetStageMetersPerUnit(stage, 0.001)
-    root = geom.Xform.Define(stage, "/embroidery")
+    root = geom.Xform.Define(stage, f"/{value.root}")
     stage.SetDefaultPrim(root.GetPrim())
     moving = value.frame_count > 1
     if moving:
@@ -56,7 +56,7 @@ def write_scene(value: Scene, sink: Sink) -> None:
         stage.SetStartTimeCode(0)
         stage.SetEndTimeCode(value.frame_count - 1)
     for name, thing in zip(value.names, value.things):
-        place = f"/embroidery/{name}"
+        place = f"/{value.root}/{name}"
         if isinstance(thing, Mesh):
             prim = geom.Mesh.Define(stage, place)
             prim.CreateFaceVertexCountsAttr(vt.IntArray.FromNumpy(np.full(len(thing.faces), 3, np.int32)))
@@ -72,7 +72,7 @@ def write_scene(value: Scene, sink: Sink) -> None:
         else:
             prim = _curves(pxr, stage, place, thing)
         _points(pxr, prim, thing)
-        _material(pxr, stage, prim, f"/embroidery/materials/{name}", isinstance(thing, Strands))
+        _material(pxr, stage, prim, f"/{value.root}/materials/{name}", isinstance(thing, Strands))
     with sink.folder() as folder:
         _export(pxr, stage.GetRootLayer(), folder / f"scene{sink.suffix}")
         sink.put((folder / f"scene{sink.suffix}").read_bytes())
@@ -136,6 +136,8 @@ def _attribute(pxr: Any, prim: Any, name: str, values: Array, kind: str) -> None
         spec, made = types.IntArray, vt.IntArray.FromNumpy(values.astype(np.int32))
     elif values.ndim == 2 and values.shape[1] == 3:
         spec, made = types.Point3fArray, vt.Vec3fArray.FromNumpy(values.astype(np.float32))
+    elif values.ndim == 2 and values.shape[1] == 2:
+        spec, made = types.TexCoord2fArray, vt.Vec2fArray.FromNumpy(values.astype(np.float32))
     else:
         spec, made = types.FloatArray, vt.FloatArray.FromNumpy(values.astype(np.float32))
     pxr.UsdGeom.PrimvarsAPI(prim).CreatePrimvar(name, spec, kind).Set(made)

@@ -255,6 +255,12 @@ VIEWS: dict[str, View] = {
     "knitout": View(knitout, "Text", "knitout, in the dialect of {--machine}", (".k", ".knitout")),
     "silverknit": View(silverknit, "Text", "text for SilverKnit"),
     "dak": View(dak, "Text", "text for DesignaKnit and Kniterate"),
+    "curves": View(
+        Lazy("tambour.knit.curves:curves"),
+        "Scene",
+        "the stitches as loops of yarn in space, for look development",
+        (".usdc", ".usda", ".usd"),
+    ),
     "live": View(Lazy("tambour.knit.live:live"), "Packed", "the chart and its masks, for screens", (".pack",)),
     "steps": View(Lazy("tambour.knit.live:steps"), "dict", "the rows in the order of work, as data"),
 }

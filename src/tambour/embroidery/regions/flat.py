@@ -16,7 +16,7 @@ FAINT = 0.06
 """What covers less than this share is left out."""
 UNDER = 0.3
 """mm that a part goes on below what hides it: the cloth draws in. Fills reach farther, by `plan/overlap`."""
-BRIDGED = 5.0
+BRIDGED = 8.0
 """mm: what is narrower lies on a fill without a hole in it, so that rows need not end there; two of them cut the hole."""
 BARE = 0.25
 """mm² of an area that must show for it to be sewn."""
