@@ -9,7 +9,7 @@ import numpy as np
 from tambour.core.arrays import F8x1, F8x3, U8x1
 from tambour.core.check import Array
 from tambour.core.kernels import inner, kernel
-from tambour.ink.brush.stroke import OPEN, PI, Brush, between, lattice, part, pick, rnd
+from tambour.ink.brush.stroke import EVEN, OPEN, PI, Brush, at, between, body, lattice, part, pick, rnd, stroke
 from tambour.ink.elements.cun import HEMP, crest, foot, model, moss, slope, wash_flank
 from tambour.ink.elements.houses import house, pagoda, pavilion, pylon
 from tambour.ink.elements.rocks import rock
@@ -19,6 +19,8 @@ from tambour.ink.ground.codes import HILL, numbers
 from tambour.noise import value
 
 LAYERS, COLUMNS = 10, 64
+CLIMBED, TREADS = 0.3, 160
+"""How many of the high hills have stairs; places along them."""
 
 CONE, DOME, SPIRE, CLIFF, LEANING, TWIN, RIDGE = numbers(7)
 """Forms of a skyline: the seed's cone; a round dome; a steep spire; a plateau between cliffs; a peak that leans; two
@@ -130,6 +132,8 @@ def hill(
         i, j = int(down * LAYERS), int(across * COLUMNS)
         a, b = grid[i, j, 0], grid[i, j, 1]
         waterfall(brush, x + a, y - 4.0, max(60.0, -b - 4.0), between(brush.rng, 7.0, 13.0))
+    elif height > 150.0 and own[77] < CLIMBED * housed:
+        stairs(brush, own, grid, x, y, scale)
     crown(brush, own, grid, x, y, height, scale, planted, crowd)
     grove(brush, own, grid, x, y, height, scale, planted)
     for i in range(LAYERS):
@@ -150,6 +154,39 @@ def hill(
                     brush, a, b, scale * between(brush.rng, 18.0, 38.0), scale * between(brush.rng, 20.0, 42.0), 40, 2.0
                 )
     brush.n[OPEN] = before
+
+
+@inner
+def stairs(brush: Brush, own: Array, grid: Array, x: float, y: float, scale: float) -> None:
+    """Steps from the foot of a hill up its slope in bends, ever narrower, and the pavilion where they end."""
+    layers, columns = grid.shape[0], grid.shape[1]
+    begin, sway = 0.5 + 0.2 * (own[78] - 0.5), 0.05 + 0.05 * own[79]
+    way = np.empty((TREADS, 3))
+    for k in range(TREADS):
+        p = k / (TREADS - 1.0)
+        v = (layers - 1.0) * (1.0 - 0.62 * p)
+        i, j = min(int(v), layers - 2), int((begin + sway * math.sin(7.0 * p + 6.0 * own[80])) * columns)
+        q, f = v - i, (begin + sway * math.sin(7.0 * p + 6.0 * own[80])) * columns - j
+        for d in range(2):
+            upper = grid[i, j, d] + f * (grid[i, j + 1, d] - grid[i, j, d])
+            lower = grid[i + 1, j, d] + f * (grid[i + 1, j + 1, d] - grid[i + 1, j, d])
+            way[k, d] = (1.0 - q) * upper + q * lower + (x if d == 0 else y)
+        way[k, 2] = scale * (8.0 - 4.4 * p)
+    for s in range(2):
+        for k in range(TREADS):
+            t = way[k if s == 0 else TREADS - 1 - k]
+            at(brush, t[0] + (t[2] if s else -t[2]), t[1])
+    body(brush)
+    last = 1e9
+    for k in range(TREADS):
+        a, b, half = way[k, 0], way[k, 1], way[k, 2]
+        if b < last - 0.55 * half:
+            last = b
+            at(brush, a - half, b)
+            at(brush, a, b - 0.2)
+            at(brush, a + half, b)
+            stroke(brush, 90.0, 0.9, 0.16 * half + 0.25, 0.5, EVEN, 0.0)
+    pavilion(brush, way[TREADS - 1, 0], last, 10.0 * scale, 26.0 * scale, 1)
 
 
 @kernel
