@@ -435,3 +435,45 @@ def test_a_yarn_is_dyed_as_any_word_of_its_name_tells(name: str, near: tuple[int
     found = dyed(name)
     assert found is not None and max(abs(a - b) for a, b in zip(found, near)) <= 12
     assert dyed("Calliope") is None
+
+
+SHOP = Path(__file__).parent / "data" / "shop"
+
+
+@pytest.mark.parametrize("name", ["whale", "cat", "mushroom-house"])
+def test_a_text_as_for_a_shop_is_placed_whole_or_told(name: str) -> None:
+    """Every sentence of the assembly puts something somewhere, every part is on the toy, and the toy stands on its feet."""
+    text = Text((SHOP / f"{name}.txt").read_text(encoding="utf-8"), f"{name}.txt")
+    pattern = read_printed(text)
+    assert not pattern.unread
+    assert not [w for w in pattern.warnings if "where this goes" in w.message or "stand beside" in w.message]
+    sentences = [line for line in text.text.split("ASSEMBLY\n")[1].splitlines() if line.strip()]
+    begin = text.text.index("ASSEMBLY\n")
+    told = {text.place(s.start)[0] for r in pattern.finish if (s := r.span).start > begin}
+    guessed = " ".join(w.message for w in pattern.warnings)
+    assert len(told) >= len(sentences) - guessed.count(" on ") - 1
+    built = build(pattern)
+    placed = {r.part for r in pattern.finish if isinstance(r, Placed)}
+    copies = [p.name if p.copies == 1 else f"{p.name}.{k}" for p in pattern.parts for k in range(1, p.copies + 1)]
+    assert len(set(copies) - placed) == 1  # but the one that they are put on
+    assert not any(part.up == "side" for part in pattern.parts)
+    assert len(built.graph) > 500
+
+
+def test_a_mouth_in_earlier_rounds_than_the_eyes_says_what_is_below() -> None:
+    for eyes, mouth, up in ((7, 5, None), (5, 7, "start")):
+        said = f"Put safety eyes between rounds {eyes} and {eyes + 1}. Embroider a smile over round {mouth}. Sew tail to body."
+        text = f"Toy\n\nBODY\n{CLOSED}\nTAIL\n{TUBE}\nAssembly\n{said}\n"
+        assert read_printed(Text(text, "toy.txt")).parts[0].up == up
+
+
+def test_ears_of_dogs_hang_and_eyes_near_a_snout_are_on_the_head() -> None:
+    rest = f"HEAD AND BODY\n{CLOSED}\nSNOUT\n{CUP}\nEARS (make 2)\n{TUBE}\nAssembly\nSew snout to head between rounds 5 and 7. "
+    said = "Add safety eyes between rounds 8 and 9, 6 sts apart and centered over snout. Sew ears to head."
+    for title, hang in (("Puppy", True), ("Rabbit", False)):
+        pattern = read_printed(Text(f"{title}\n\n{rest}{said}\n", "toy.txt"))
+        assert {r.spot.part for r in pattern.finish if isinstance(r, Eye)} == {"HEAD AND BODY"}
+        ears = [r for r in pattern.finish if isinstance(r, Placed) and r.part.startswith("EARS")]
+        assert all((90.0 < r.towards < 270.0) == hang for r in ears if r.tilt > 20.0) and (
+            not hang or ears[0].tilt > 20.0
+        )

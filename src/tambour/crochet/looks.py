@@ -82,6 +82,8 @@ def in_sight(piece: Plush) -> list[int] | None:
     bare = [k for k in filled if not of[k].worn] or filled
     main = at[max(bare, key=lambda k: (of[k].kind in ("head", "body"), graph.parts[k].end - graph.parts[k].start))]
     toys = {main, *(at[k] for k in filled if k not in aside and list(at.values()).count(at[k]) > 1)}
+    if sum(c == main for c in at.values()) > 2:
+        aside = set(filled)  # a toy is there: what is sewn to nothing is no part of it
     kept = [k for k in filled if k not in aside or at[k] in toys]
     return kept if len(kept) < len(filled) else None
 

@@ -23,6 +23,8 @@ _TOP: Final = re.compile(
 )
 _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
+_HIND: Final = 0.75
+"""A tail before this part of a piece's rounds says that they are not its hind end."""
 _NO_GUESS: Final = Where(shown=True)
 FLAT: Final = frozenset(
     "ear wing fin fluke leaf hat spot cheek eye tuft collar bow spike inner door tooth face beard worn".split()
@@ -48,6 +50,7 @@ class Assembly(Toy):
         self.heard = Heard(self.parts, sentences)
         self.made.lost = self.heard.lost
         self.text = built.pattern.text.text.lower()
+        self.dog = re.search(r"\b(?:dog|puppy|pup|hound|dachshund|spaniel|poodle)\b", self.text[:200]) is not None
         if self.parts:
             self.main = self._main()
 
@@ -188,10 +191,18 @@ class Assembly(Toy):
             and p.copies[0][0].kind in ("eye", "muzzle", "nose", "beak")
         ]
         early = bool(faces) and (np.mean(faces) - low + 1) / (high - low + 1) < _LOW
-        if (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
+        mine = [p for p in self.heard.puts if p.host is not None and p.host[0] == main]
+        tails = [p.where.rounds for p in mine if p.kind in ("tail", "fluke") and p.where.rounds]
+        # What goes on four legs is worked from its nose or its neck to its tail, and its head is not on top.
+        stands = any((0.5 * (a + b) - low + 1) / (high - low + 1) < _HIND for a, b, _ in tails) or (
+            self.open(f"{main.name}.1") > 8 and any(p.kind == "head" and "top" in p.where.words for p in mine)
+        )
+        if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
             return "side"
         if head is not None and head != main:
             return "end"
+        if (below := self._mouth_below(main)) is not None:
+            return "end" if below else "start"
         if main.kind == "hat":
             return "start"
         if main.kind == "head" and "body" not in main.kinds and legs:
@@ -212,6 +223,17 @@ class Assembly(Toy):
             "start"
             if wide >= 12 and not self.spots.in_rows[part] and (hung or main.kind in ("hat", "head", ""))
             else "end"
+        )
+
+    def _mouth_below(self, main: Made) -> bool | None:
+        """Whether the mouth is in earlier rounds than the eyes, so that the first rounds are below; None where it is not said."""
+        at: dict[bool, list[float]] = {True: [], False: []}
+        for f in self.heard.features:
+            if f.where.rounds and self._is_on(f, main) and f.what.split()[-1] in ("eyes", "mouth", "smile"):
+                at[f.what.split()[-1] == "eyes"].append(0.5 * (f.where.rounds[0] + f.where.rounds[1]))
+        eyes, mouth = at[True], at[False]
+        return (
+            None if not eyes or not mouth or np.mean(eyes) == np.mean(mouth) else bool(np.mean(mouth) < np.mean(eyes))
         )
 
     def _named_top(self, main: Made) -> bool:
@@ -320,5 +342,5 @@ class Assembly(Toy):
         listed = re.search(r"\b(?:safety|plastic|toy|doll) eyes?\b|\beyes?:|\bbeads? for (?:the )?eyes", self.text)
         if usual and not every and not there and listed:
             return [Feature("safety eyes", None, "", _NO_GUESS, Span(0, 0), 10_000, None, "eyes", True)]
-        said = [f for f in every if f.where.says] or every[:1]
+        said = [f for f in every if f.where.rounds] or [f for f in every if f.where.says] or every[:1]
         return [f for f in said if f.what == "safety eyes"]

@@ -65,7 +65,7 @@ class Facer(Putter):
     def _faced(self, f: Feature, what: str) -> Host:
         """What a face is on: what is named, else a muzzle for noses and mouths, else the head."""
         work = self.work
-        if f.host is not None:
+        if f.host is not None and not (what == "eye" and self._too_small(f)):
             two = {"head", "body"} <= set(work.main.kinds)
             region = (f.region if two else "head") if f.host[0] == work.main else ""
             return work.host((f.host[0], max(1, f.host[1])), "" if what in ("navel", "claws") and not two else region)
@@ -80,6 +80,14 @@ class Facer(Putter):
             return work.host((muzzle, 1))
         head = work.of_kind("head")
         return work.host((head, 1)) if head is not None and head != work.main else work.host((work.main, 1), "head")
+
+    def _too_small(self, f: Feature) -> bool:
+        """Whether eyes are only near the part that is named: a snout bears none, nor a part without that round."""
+        assert f.host is not None
+        if f.host[0].kind in ("muzzle", "nose", "beak"):
+            return True
+        high = self.work.host((f.host[0], max(1, f.host[1]))).high
+        return f.where.rounds is not None and f.where.rounds[0] > high
 
     def feature(self, f: Feature) -> list[Finish]:
         """Something that is embroidered, or cheeks of felt."""

@@ -70,6 +70,8 @@ class Putter(Beside):
         )
         if made.copies == 4 and len(put.copies) == 2:
             wanted |= {"front"} if put.copies[0][1] == 1 else {"hind"}
+        if kind == "ear" and work.dog and "upwards" not in put.where.words:
+            wanted |= {"floppy"}
         ways = usual(kind, len(put.copies), lying=lies, long=self._long(put.copies[0]), words=wanted)
         # The same noun on several parts ("left ear", "right ear"), or one copy of several.
         if len(put.copies) == 1 and (made.copies == 2 or {"left", "right"} & set(made.words)):

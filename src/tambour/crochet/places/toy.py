@@ -54,6 +54,7 @@ class Toy:
         self.up = {p.name: p.up for p in built.pattern.parts}
         self.out: list[tuple[int, Finish]] = []
         self.made = Assembled()
+        self.dog = False  # ears of dogs hang
 
     def size(self, made: Made) -> int:
         """How many stitches one copy of a part has."""
