@@ -11,6 +11,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from kernels.compile import NUMBA, SOURCE, cache
@@ -18,6 +21,8 @@ from kernels.glue import Entry, source
 
 BUILT = SOURCE / "tambour" / "core" / "_native.abi3.so"
 COMPILE = Path(__file__).with_name("compile.py")
+LONG = 30 * 24 * 3600
+"""Seconds without use after which what lies in the cache goes."""
 
 
 def here() -> bool:
@@ -27,8 +32,11 @@ def here() -> bool:
 
 def needs() -> list[str]:
     """What must be installed to build: nothing when this very source was built before."""
-    if not here() or _library().exists():
+    if not here():
         return []
+    with _cache_held():
+        if _used(_library()):
+            return []
     return [NUMBA, "numpy>=2.0,<3", "pydantic>=2.9", *([] if shutil.which("cc") else ["ziglang"])]
 
 
@@ -37,14 +45,45 @@ def build() -> None:
     if not here():
         print("kernels are built on Linux x86-64 alone; here Numba compiles them on their first call")
         return
-    library = _library()
-    if not library.exists():
-        cache().mkdir(parents=True, exist_ok=True)
-        _compile()
-        _link(_entries(), library)
-    half = BUILT.with_suffix(".half")
-    shutil.copyfile(library, half)
-    half.replace(BUILT)
+    with _cache_held():
+        library = _library()
+        if not _used(library):
+            _compile()
+            _link(_entries(), library)
+        half = BUILT.with_suffix(".half")
+        shutil.copyfile(library, half)
+        half.replace(BUILT)
+    sweep()
+
+
+def sweep() -> None:
+    """Take out of the cache what was not used for long, unless another process is building: the next one does it then."""
+    with _cache_held(alone=True) as alone:
+        for path in cache().iterdir() if alone else ():
+            if path.name != "lock" and path.stat().st_mtime < time.time() - LONG:
+                shutil.rmtree(path) if path.is_dir() else path.unlink()
+
+
+@contextmanager
+def _cache_held(alone: bool = False) -> Iterator[bool]:
+    """Hold the cache, that nothing is swept out of it meanwhile; or ``alone``, if no other process does. Gives whether it is held."""
+    import fcntl  # not on every system, but where kernels are built
+
+    cache().mkdir(parents=True, exist_ok=True)
+    with (cache() / "lock").open("a") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB if alone else fcntl.LOCK_SH)
+        except BlockingIOError:
+            yield False
+        else:
+            yield True
+
+
+def _used(path: Path) -> bool:
+    """Whether something lies in the cache; it is used from now."""
+    if path.exists():
+        os.utime(path)
+    return path.exists()
 
 
 def _library() -> Path:
@@ -75,6 +114,8 @@ def _entries() -> list[tuple[str, Entry]]:
     said = subprocess.run([sys.executable, str(COMPILE), "keys"], check=True, capture_output=True, text=True).stdout
     found = []
     for key, digest in json.loads(said):
+        _used(cache() / f"{key}.o")
+        _used(cache() / f"{key}.json")
         told = json.loads((cache() / f"{key}.json").read_text())
         found.append((key, Entry(digest=digest, **told)))
     return found

@@ -130,12 +130,33 @@ for bad in (np.arange(4), np.ones((2, 2)), np.arange(8.0)[::2], np.arange(4.0, d
         raise AssertionError(bad)
 frozen = np.arange(4.0)
 frozen.setflags(write=False)
-for words in ((frozen,), (), (frozen, 1)):
+for words, told in (((frozen,), "a must be an array of float64 with 1 axis, in C order and writable"), ((), "takes 1 arguments, not 0"),
+                    ((frozen, 1), "takes 1 arguments, not 2")):
     try:
         kinds.nothing(*words)
-    except TypeError:
+    except TypeError as error:
+        assert "kinds.nothing: " + told in str(error), error
         continue
     raise AssertionError(words)
+# Each array: its type, its axes, its order in memory; each number: its kind. The error names it.
+names = "abcdefghij"
+for at, name in enumerate(names):
+    for wrong in (given[at].astype(np.complex64), given[at][None], given[at][..., ::2], given[at].tolist()):
+        if isinstance(wrong, np.ndarray) and wrong.ndim == given[at].ndim and wrong.flags.c_contiguous and wrong.dtype == given[at].dtype:
+            continue  # a step over one element
+        try:
+            kinds.arrays(*[wrong if k == at else x for k, x in enumerate(given)])
+        except TypeError as error:
+            assert f"kinds.arrays: {name} must be an array of {given[at].dtype}" in str(error), error
+        else:
+            raise AssertionError((name, wrong))
+for at, (name, wrong) in enumerate((("x", "one"), ("i", 0.5), ("k", -1), ("t", np.zeros(2)), ("s", None))):
+    try:
+        kinds.numbers(*[wrong if k == at else x for k, x in enumerate((2.0, 1, 1, True, 0.5))])
+    except TypeError as error:
+        assert f"kinds.numbers: {name} must be a " in str(error), error
+    else:
+        raise AssertionError(name)
 from tambour.core.kernels import RAN
 assert set(RAN.values()) == {"native"} and len(RAN) == 7, RAN
 """
@@ -301,3 +322,30 @@ def test_one_thread_at_a_time_looks_for_what_was_built() -> None:
         print(max(most), len(most))
     """
     assert _python(textwrap.dedent(code)).stdout.split() == ["1", "1"]
+
+
+def test_what_was_not_used_for_long_leaves_the_cache(root: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "tambour" / "kernels"
+    (folder / "tmp-left").mkdir(parents=True)
+    (folder / "tmp-left" / "native.c").write_text("")
+    for name in ("native-old.so", "a.b-old.o", "native-new.so", "a.b-new.o"):
+        (folder / name).write_text("")
+    for path in (folder / "native-old.so", folder / "a.b-old.o", folder / "tmp-left"):
+        os.utime(path, (1e9, 1e9))
+    before = sorted(os.listdir(folder))
+    code = f"""
+        import sys; sys.path.insert(0, {str(root)!r})
+        from kernels import build
+    """
+    held = "with build._cache_held(): build.sweep()"  # as if another process were building
+    for more, left in ((held, [*before, "lock"]), ("build.sweep()", ["a.b-new.o", "lock", "native-new.so"])):
+        ran = _python(textwrap.dedent(code) + more, XDG_CACHE_HOME=str(tmp_path))
+        assert ran.returncode == 0, ran.stderr
+        assert sorted(os.listdir(folder)) == sorted(left)
+    # What is used stays.
+    os.utime(folder / "native-new.so", (1e9, 1e9))
+    again = (
+        "assert build._used(build.cache() / 'native-new.so') and not build._used(build.cache() / 'gone'); build.sweep()"
+    )
+    assert _python(textwrap.dedent(code) + again, XDG_CACHE_HOME=str(tmp_path)).returncode == 0
+    assert (folder / "native-new.so").exists()

@@ -1,8 +1,10 @@
 """Kernels: functions on arrays and numbers that run as machine code, compiled when Tambour was built or by Numba here.
 
-A kernel is one Python function. Its compiled twin does IEEE arithmetic without shortcuts (no fastmath), so the bytes
-are the same in all three ways: ``native`` (built beforehand: the folder ``kernels`` beside the package), ``numba``
-(compiled on the first call, where Numba is installed), ``python`` (the function itself: a debugger steps through it).
+A kernel is one Python function, and runs in one of three ways: ``native`` (built beforehand: the folder ``kernels`` beside
+the package), ``numba`` (compiled on the first call, where Numba is installed), ``python`` (the function itself: a debugger
+steps through it). Compiled twins do IEEE arithmetic without shortcuts (no fastmath): the bytes are the same both ways. So
+are those of plain Python, but where single precision meets whole numbers (knit's perceptual rows): there Numba counts in
+double and Python does not, and what was a tie may fall otherwise.
 """
 
 from __future__ import annotations
@@ -12,6 +14,7 @@ import importlib
 import importlib.util
 import os
 import re
+import warnings
 from collections.abc import Callable, Iterator
 from functools import cache, update_wrapper
 from pathlib import Path
@@ -31,7 +34,7 @@ LOADING = Lock()
 RAN: dict[str, str] = {}  # kernels that Python has called, and the way each ran
 
 if WAY == "python":
-    np.seterr(over="ignore")  # hashes wrap around
+    warnings.filterwarnings("ignore", "overflow encountered", RuntimeWarning)  # hashes wrap around, in every thread
 
 
 def kernel(function: F) -> F:

@@ -107,7 +107,7 @@ def _paint(
 @kernel
 def _hash(i: int, j: int) -> float:
     """A value in 0…1 for a pair of whole numbers."""
-    z = np.uint64(i * 73856093 ^ j * 19349663)
+    z = np.uint64(np.int64(i * 73856093 ^ j * 19349663))
     z = (z ^ (z >> np.uint64(15))) * np.uint64(0x9E3779B97F4A7C15)
     z = (z ^ (z >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
     return float(z >> np.uint64(40)) / 16777216.0

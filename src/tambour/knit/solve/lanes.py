@@ -229,5 +229,5 @@ def trace(
                 for k in range(x):
                     out[k * 8 + lane] = 1
                 return
-        pick = (P[x * states + h] >> lane) & 1
+        pick = (int(P[x * states + h]) >> lane) & 1
         h = (h >> 1) | (pick << (bits - 1))
