@@ -385,3 +385,31 @@ def test_a_part_is_put_elsewhere_by_its_sentence(ours: TestClient) -> None:
     scroll, drawn = new(ours, seed="plum")
     other = ours.post(f"/api/pieces/{scroll['id']}/place-part", json={"base": drawn["id"], "part": "Nose", "onto": 1})
     assert other.status_code == 422
+
+
+def test_an_edit_is_made_on_the_chart_that_is_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The picture is solved once; edits, in any order, give what making all anew gives, warnings too."""
+    import numpy as np
+    from PIL import Image
+
+    from tambour.core.progress import Progress
+    from tambour.studio.worker import Desk
+
+    grey = np.tile(np.linspace(0, 255, 60), (50, 1)).astype(np.uint8)
+    Image.fromarray(grey).save(tmp_path / "grey.png")
+    monkeypatch.chdir(tmp_path)
+    params = {"stitches": 30, "technique": "stranded"}
+    job = {"craft": "knit", "base": "b", "source": "grey.png", "params": params, "files": {}, "folder": str(tmp_path)}
+    desk, paint = Desk(), {"edit": "run", "row": 3, "stitch": 4, "count": 2, "yarn": "1"}
+    rows, dye = {"edit": "rows", "at": 2, "count": 1}, {"edit": "yarn", "yarn": "1", "colour": "#204080"}
+    first = None
+    for edits in ([], [paint], [paint, rows], [paint, rows, dye, {**paint, "row": 9}], [dye], []):
+        told = desk.make({**job, "edits": edits, "key": json.dumps(edits)}, Progress())
+        first = first or desk.base
+        assert desk.base is first
+        anew = make("knit", tmp_path / "grey.png", craft("knit").params.of(params), edits)
+        assert (desk.made.piece.chart.cells == anew.piece.chart.cells).all()
+        assert (desk.made.piece.chart.palette.rgb == anew.piece.chart.palette.rgb).all()
+        assert len(told["problems"]) == len(anew.progress.warnings) and list(desk.made.edits) == list(anew.edits)
+    desk.make({**job, "params": {**params, "max_float": 3}, "base": "c", "edits": [], "key": "other"}, Progress())
+    assert desk.base is not first

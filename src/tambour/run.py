@@ -188,11 +188,21 @@ def make(
         if (before := what.changes[kind].before) is not None:
             source, full = before(source, full, values)
     piece = what.make(source, full, progress)
+    return edited(Made(what, piece, given, (), origin or None, stem, progress), edits, progress)
+
+
+def edited(made: Made, edits: Sequence[Edit | str], progress: Progress | None = None) -> Made:
+    """A piece with all of ``edits``: those of kinds that come before the making it was made with; the others are made on it.
+
+    Raises TambourError for edits that cannot be made.
+    """
+    what, progress = made.craft, progress or made.progress
+    changed, piece = what.edits(edits), made.piece
     for kind, values in _runs(changed):
         if (after := what.changes[kind].after) is not None:
             piece = after(piece, values, progress)
     told = [plain_edit(kind, edit) for kind, edit in changed]
-    return Made(what, piece, given, told, origin or None, stem, progress)
+    return replace(made, piece=piece, edits=told, progress=progress)
 
 
 def _runs(edits: Sequence[tuple[str, Params]]) -> Iterator[tuple[str, list[Params]]]:

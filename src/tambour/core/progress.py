@@ -59,6 +59,12 @@ class Progress:
             self._watch(make())
             self._looked = time.perf_counter()
 
+    def copy(self) -> Progress:
+        """Another one for the same caller, with what was told so far: where work goes on from a state that is kept."""
+        made = Progress(self._show, self._watch)
+        made.warnings, made.seconds = list(self.warnings), dict(self.seconds)
+        return made
+
     def warn(self, problem: Problem | str, hint: str = "", where: str = "") -> None:
         """Note a doubt; it is printed, and stands in the report, but stops nothing."""
         if isinstance(problem, str):

@@ -9,7 +9,7 @@ import shutil
 from collections import OrderedDict
 from collections.abc import Awaitable, Callable
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -102,7 +102,8 @@ class Making:
             files[field] = place
             blobs[place] = await self.library.do(self.library.blob, it["sha256"])
         key = key_of(name, content)
-        return Spec(key, name, dict(content.params), list(content.edits), source, files, blobs)
+        base = key_of(name, replace(content, edits=()))
+        return Spec(key, base, name, dict(content.params), list(content.edits), source, files, blobs)
 
     async def view(self, name: str, content: Content, view: str, suffix: str, title: str = "") -> Output:
         """A view's file, as the command line writes it."""

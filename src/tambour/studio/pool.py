@@ -36,12 +36,13 @@ class Failed(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Spec:
-    """What a piece is made of, for a worker: equal keys are equal pieces.
+    """What a piece is made of, for a worker: equal keys are equal pieces, of equal bases but for their edits.
 
     source, files : names in ``blobs`` (name → bytes), which are laid into the worker's folder
     """
 
     key: str
+    base: str
     craft: str
     params: dict[str, Any]
     edits: list[Any]
@@ -154,7 +155,17 @@ class Pool:
             self._grow()
         free = [h for h in self.hands if not h.busy]
         key = "" if spec is None else spec.key
-        ranks = [(bool(key) and h.key == key, bool(lane) and h.name == lane, not h.key, -h.used) for h in free]
+        base = "" if spec is None else spec.base
+        ranks = [
+            (
+                bool(key) and h.key == key,
+                bool(base) and h.base == base,
+                bool(lane) and h.name == lane,
+                not h.key,
+                -h.used,
+            )
+            for h in free
+        ]
         return free[ranks.index(max(ranks))] if free else None
 
     async def _lay(self, hand: Hand, spec: Spec) -> dict[str, Any]:
@@ -162,10 +173,11 @@ class Pool:
         folder = hand.folder / spec.key[:32]
         if hand.key != spec.key:
             await asyncio.to_thread(_laid, hand.folder, folder, spec.blobs)
-            hand.key = spec.key
+            hand.key, hand.base = spec.key, spec.base
         return {
             "craft": spec.craft,
             "key": spec.key,
+            "base": spec.base,
             "params": spec.params,
             "edits": spec.edits,
             "source": spec.source,

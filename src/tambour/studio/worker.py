@@ -22,8 +22,9 @@ class Desk:
     """What a worker can do; it holds the piece that it made last."""
 
     def __init__(self) -> None:
-        self.key = ""
+        self.key = self.base_key = ""
         self.made: Any = None
+        self.base: Any = None
 
     def do(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """One job: what it gives, as plain values; files are left where the job says."""
@@ -62,15 +63,21 @@ class Desk:
         return {}
 
     def make(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
-        """Make the piece, or take the one at hand."""
-        from tambour.run import craft, make
+        """Make the piece, or take the one at hand; or that without what is changed on the made piece, and change that."""
+        from tambour.run import craft, edited, make
 
         what = craft(job["craft"])
         if self.key != job["key"]:
             self.key, self.made = "", None
             os.chdir(job["folder"])
-            params = what.params.of({**job["params"], **job["files"]})
-            self.made = make(what, job["source"], params, job["edits"], progress)
+            kinds = [kind for kind, _ in what.edits(job["edits"])]
+            early = [e for kind, e in zip(kinds, job["edits"]) if what.changes[kind].before is not None]
+            base = json.dumps([job["base"], early], sort_keys=True)
+            if self.base_key != base:
+                self.base_key, self.base = "", None
+                params = what.params.of({**job["params"], **job["files"]})
+                self.base, self.base_key = make(what, job["source"], params, early, progress), base
+            self.made = edited(self.base, job["edits"], self.base.progress.copy())
             self.key = job["key"]
         seconds = sum(self.made.progress.seconds.values())
         return {"seconds": round(seconds, 3), "problems": plains(self.made.progress.warnings, what)}

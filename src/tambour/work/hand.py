@@ -32,12 +32,12 @@ class Hand:
 
     folder : made for it, and cleared in the end ; log : where its words go ; threads : how many it uses
     desk : what it can do, as "module:name" ; memory : bytes that it may take
-    key, name : what it holds, and what it is for: its owner's words
+    key, base, name : what it holds, what that was begun from, and what it is for: its owner's words
     """
 
     def __init__(self, folder: Path, log: Any, threads: int, desk: str, memory: int) -> None:
         self.folder, self.log, self.threads, self.desk, self.memory = folder, log, threads, desk, memory
-        self.key = self.name = ""
+        self.key = self.base = self.name = ""
         self.busy = True
         self.used = time.monotonic()
         self.job = 0
