@@ -8,7 +8,7 @@ import numpy as np
 
 from tambour.core.packed import Packed
 from tambour.core.steps import Step, told
-from tambour.knit.hands.working import floats, wrong_side
+from tambour.knit.hands.working import floats, roles, wrong_side
 from tambour.knit.hands.written import sentence
 from tambour.knit.piece import Piece
 
@@ -59,11 +59,12 @@ def steps(piece: Piece) -> dict[str, Any]:
     chart = piece.chart
     rows, stitches = chart.shape
     repeat = piece.repeat[0] if piece.repeat else None
+    names = roles(chart)
     absent = np.zeros(rows, int) if chart.no_stitch is None else chart.no_stitch.sum(1)
     made = [
         Step(
             f"{'Rnd' if chart.circular else 'Row'} {r + 1}",
-            sentence(chart, r, repeat),
+            sentence(chart, r, repeat, names),
             r * stitches,
             (r + 1) * stitches,
             stitches - int(absent[r]),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from textwrap import wrap
 
 from tambour.color import plain_name
@@ -43,12 +43,13 @@ def groups(row: list[Run]) -> list[tuple[list[Run], int]]:
     return made
 
 
-def sentence(chart: Chart, row: int, repeat: int | None = None) -> str:
+def sentence(chart: Chart, row: int, repeat: int | None = None, names: Mapping[int, str] | None = None) -> str:
     """The row in words: ``k3 MC, (k1 CC, k2 MC) 5 times, k1 CC``; ``p`` on the wrong side.
 
     repeat : stitches after which the chart repeats; a row that does is told as ``*…; rep from *``.
+    names : the :func:`roles` of the chart, where they are known already
     """
-    sign, names = "p" if wrong_side(chart, row) else "k", roles(chart)
+    sign, names = "p" if wrong_side(chart, row) else "k", names or roles(chart)
 
     def plain(part: list[Run]) -> str:
         return ", ".join(f"{sign}{count} {names[color]}" for color, count in part)
@@ -84,8 +85,9 @@ def rows(chart: Chart, repeat: int | None = None) -> list[str]:
     """All rows, equal neighbours of a round together, a row that was told before by its number."""
     word = "Rnd" if chart.circular else "Row"
     told: list[tuple[int, int, str]] = []
+    names = roles(chart)
     for r in range(chart.shape[0]):
-        text = sentence(chart, r, repeat)
+        text = sentence(chart, r, repeat, names)
         if chart.circular and told and told[-1][2] == text:
             told[-1] = (told[-1][0], r, text)
         else:
