@@ -288,6 +288,86 @@ def test_ink(page, tmp_path):
     assert got.read_bytes() == (tmp_path / "plum.json").read_bytes()
 
 
+def downloaded(page: Any, tmp_path: Path) -> Path:
+    """What the first button of Take away gives, by keys alone."""
+    page.keyboard.press("Control+s")
+    page.wait_for_selector("dialog[open] .first")
+    page.keyboard.press("Tab")
+    with page.expect_download() as waiting:
+        page.keyboard.press("Enter")
+    to = tmp_path / "got" / waiting.value.suggested_filename
+    to.parent.mkdir(exist_ok=True)
+    waiting.value.save_as(to)
+    page.keyboard.press("Escape")
+    return to
+
+
+def test_embroidery_by_keys_alone(page, tmp_path):
+    """A region is chosen, sewn another way and in another place of the order, and taken to the machine."""
+    two = HEART.replace("<script>", '<path id="moon" d="M5 23h16v5h-16z" fill="#3030b0"/><script>')
+    new(page, {"craft": "embroidery", "source": kept(page, "square.svg", two), "title": "square"})
+    made(page)
+    page.keyboard.press("Control+k")
+    page.keyboard.type("region square")
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".regions select")
+    page.focus(".regions button[aria-pressed=true]")
+    page.keyboard.press("Tab")
+    page.keyboard.type("fill")  # the choice that begins so
+    until(page, "document.querySelector('.saved').textContent === 'saved'")
+    made(page)
+    first = page.inner_text(".regions li:first-child .rowbutton")
+    page.focus("text=Sew later" if first.startswith("square") else "text=Sew earlier")
+    page.keyboard.press("Enter")
+    until(page, f"document.querySelector('.regions li:first-child .rowbutton')?.innerText !== {first!r}")
+    edits = page.evaluate(
+        "async () => (await (await fetch(`/api/pieces/${location.hash.split('/').pop()}`)).json()).revision.edits"
+    )
+    assert {e["edit"] for e in edits} == {"region", "order"}
+    got = downloaded(page, tmp_path)
+    (tmp_path / "square.svg").write_text(two)
+    run.run("embroidery", tmp_path / "square.svg", out=[tmp_path / "square.dst"], edits=edits)
+    assert got.name == "square.dst" and got.read_bytes() == (tmp_path / "square.dst").read_bytes()
+
+
+def test_ink_by_keys_alone(page, tmp_path):
+    new(page, {"craft": "ink", "seed": "plum", "title": "plum"})
+    page.wait_for_selector(".seal")
+    page.keyboard.press("r")  # another seed
+    until(page, "document.querySelector('.saved').textContent === 'saved'")
+    page.keyboard.press("PageDown")
+    until(page, "location.href.includes('?x=')")
+    got = downloaded(page, tmp_path)
+    seen = page.evaluate(
+        "async () => (await (await fetch(`/api/pieces/${location.hash.split('/').pop().split('?')[0]}`)).json()).revision.params"
+    )
+    assert seen["seed"] != "plum" and seen["from_"] > 0
+    run.run("ink", params=run.craft("ink").params.of(seen), out=[tmp_path / "plum.png"])
+    assert got.name == "plum.png" and got.read_bytes() == (tmp_path / "plum.png").read_bytes()
+
+
+def test_the_page_for_a_shop_shows_the_piece_without_a_server(page, tmp_path):
+    new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    made(page)
+    page.keyboard.press("Control+s")
+    with page.expect_download() as waiting:
+        page.click("text=For your shop")
+    waiting.value.save_as(tmp_path / "ball.html")
+    shop = page.context.browser.new_page(viewport={"width": 500, "height": 400})
+    asked: list[str] = []
+    shop.on("request", lambda r: asked.append(r.url))
+    shop.goto((tmp_path / "ball.html").as_uri())
+    shop.wait_for_selector("canvas")
+    whole = shop.locator("canvas").screenshot()
+    shop.evaluate(
+        "() => {const r = document.querySelector('input'); r.value = r.max / 2; r.dispatchEvent(new Event('input'))}"
+    )
+    until(shop, "document.querySelector('span').textContent.includes('Rnd')")
+    assert shop.locator("canvas").screenshot() != whole
+    assert len(asked) == 1
+    shop.close()
+
+
 def test_pictures_of_each_step_and_a_film_come_from_the_scrub(page, tmp_path):
     import io
     import zipfile

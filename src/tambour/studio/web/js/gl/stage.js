@@ -239,7 +239,9 @@ export class Stage {
     this.strands.draw({ view, project, height, to, stride, night });
     if (this.glow && k < units && k >= 0) {
       const glowing = this.night ? GROUNDS.ember : GROUNDS.red;
-      this.strands.draw({ view, project, height, from: to, to: this.strands.ends[k], glow: 0.94, glowing });
+      let next = k; // what has no yarn of its own, as a ring before its first stitch, glows with the stitch after it
+      while (next < units - 1 && this.strands.ends[next] <= to) next++;
+      this.strands.draw({ view, project, height, from: to, to: this.strands.ends[next], glow: 0.94, glowing });
     }
     gl.disable(gl.DEPTH_TEST);
 
