@@ -2,7 +2,7 @@
 
 /** @typedef {import("../pack.js").Pack} Pack */
 
-export const MODES = [["thread", "Thread"], ["lines", "Lines"], ["stitches", "Stitches"], ["density", "Density"]];
+export const MODES = [["thread", "Thread"], ["lines", "Lines"], ["stitches", "Stitches"], ["density", "Density"], ["cloth", "Cloth"]];
 
 const KINDS = [[94, 146, 176], [196, 122, 88], [120, 150, 92], [150, 140, 124], [200, 168, 70], [168, 120, 168]];
 const RAMP = [[70, 120, 170], [126, 168, 120], [228, 196, 92], [206, 110, 50], [168, 34, 28]];

@@ -4,7 +4,8 @@ import { Stage } from "../gl/stage.js";
 import { offer } from "../keys.js";
 import { night } from "../theme.js";
 import { Timeline } from "../timeline.js";
-import { dyed, effect, html, number, ref, show, signal, untracked } from "../view.js";
+import { computed, dyed, effect, html, number, ref, show, signal, untracked } from "../view.js";
+import { flies, sheet } from "./cloth.js";
 import { MODES, looks } from "./density.js";
 import { Overlay } from "./overlay.js";
 import { called, colored, facts, minutes, regions } from "./regions.js";
@@ -54,7 +55,8 @@ export function screen(root, piece) {
     stage.touch();
   }));
   stage.resize();
-  let first = true;
+  let first = true, shown = /** @type {any} */ (null), land = () => {};
+  const flying = computed(() => mode.value === "cloth");
   stop.push(effect(() => {
     const pack = piece.live.value;
     if (!pack) return;
@@ -62,15 +64,26 @@ export function screen(root, piece) {
     overlay.pack = pack;
     const hoop = /^(\d+(?:\.\d+)?)\s*x\s*(\d+(?:\.\d+)?)$/.exec(String(untracked(() => piece.params.value.hoop) ?? ""));
     overlay.hoop = hoop ? [Number(hoop[1]), Number(hoop[2])] : null;
-    stage.set(pack, first);
+    land();
+    shown = flying.value ? sheet(pack, stage.ground ?? [0.93, 0.91, 0.86]) : pack;
+    if (flying.value) stage.cloth = 0;
+    stage.set(shown, first);
+    if (!first && flying.value !== (stage.camera.pitch < 1)) {
+      stage.camera.pitch = flying.value ? 0.62 : Math.PI / 2;
+      stage.camera.yaw = flying.value ? -0.25 : 0;
+      stage.camera.fit(pack.facts.box, false);
+    }
     first = false;
+    if (flying.value) land = flies(stage, pack);
     untracked(() => stage.scrub(piece.at.value));
   }));
+  stop.push(() => land());
   stop.push(effect(() => {
     const pack = piece.live.value;
-    if (!pack || stage.pack !== pack) return;
+    if (!pack || stage.pack !== shown) return;
     stage.paint(looks(pack, mode.value, chosen.value).tint);
     stage.thick(mode.value === "lines" ? 0.3 : 1);
+    overlay.host.hidden = flying.value; // lines lie on flat cloth
     overlay.region = chosen.value;
     overlay.cuts = mode.value === "lines";
   }));

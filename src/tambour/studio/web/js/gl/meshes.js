@@ -34,7 +34,7 @@ export class Meshes {
   constructor(gl) {
     this.gl = gl;
     this.program = new Program(gl, VERTEX, FRAGMENT);
-    /** @type {{name: string, array: WebGLVertexArrayObject|null, buffers: (WebGLBuffer|null)[], birth: Uint32Array, count: number, follow: Uint32Array|null}[]} */
+    /** @type {{name: string, array: WebGLVertexArrayObject|null, buffers: (WebGLBuffer|null)[], birth: Uint32Array, count: number, follow: Uint32Array|null, place: Float32Array}[]} */
     this.all = [];
     this.moved = false;
   }
@@ -60,7 +60,7 @@ export class Meshes {
       gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, part("faces"), gl.STATIC_DRAW);
       gl.bindVertexArray(null);
       const birth = /** @type {Uint32Array} */ (part("birth")), follow = /** @type {Uint32Array} */ (part("stitch") ?? null);
-      this.all.push({ name, array, buffers: [...buffers, faces], birth, count: birth.length, follow });
+      this.all.push({ name, array, buffers: [...buffers, faces], birth, count: birth.length, follow, place: /** @type {Float32Array} */ (part("vertices")) });
     }
     this.moved = false;
   }
@@ -79,6 +79,17 @@ export class Meshes {
     }
   }
 
+  /** Bend the meshes; null: back. @param {((at: Float32Array, i: number) => void)|null} by as for strands */
+  bend(by) {
+    const gl = this.gl;
+    for (const { place, buffers } of this.all) {
+      const now = new Float32Array(place);
+      if (by) for (let i = 0; i < now.length; i += 3) by(now, i);
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffers[0]);
+      gl.bufferData(gl.ARRAY_BUFFER, now, gl.DYNAMIC_DRAW);
+    }
+  }
+
   /** @param {{view: Float32Array, project: Float32Array, units: number, night?: number, only?: string}} how units: that are worked */
   draw({ view, project, units, night = 0, only }) {
     const gl = this.gl;
@@ -86,7 +97,7 @@ export class Meshes {
       if (only && name !== only) continue;
       const faces = atMost(birth, units);
       if (!faces || (this.moved && !follow)) continue;
-      this.program.use({ view, project, dull: name === "lining" ? 1 : 0, moved: this.moved ? 1 : 0, night });
+      this.program.use({ view, project, dull: name === "lining" ? 1 : name === "cloth" ? 0.35 : 0, moved: this.moved ? 1 : 0, night });
       gl.bindVertexArray(array);
       gl.drawElements(gl.TRIANGLES, faces * 3, gl.UNSIGNED_INT, 0);
     }

@@ -155,6 +155,13 @@ export class Stage {
     this.touch(true);
   }
 
+  /** Bend all that is drawn; null: back. @param {((at: Float32Array, i: number) => void)|null} by changes the three numbers from ``i`` on */
+  bend(by) {
+    this.strands?.bend(by);
+    this.meshes?.bend(by);
+    this.touch(by !== null);
+  }
+
   /** @param {Uint8Array} tint (units × 4) */
   paint(tint) {
     this.strands?.paint(tint);

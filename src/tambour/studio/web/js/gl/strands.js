@@ -170,6 +170,14 @@ export class Strands {
     this.textures.tint = table(this.gl, "rgba8", tint, this.textures.tint);
   }
 
+  /** Bend all points, from where the pack has them; null: back. @param {((at: Float32Array, i: number) => void)|null} by changes the three numbers from ``i`` on */
+  bend(by) {
+    if (!this.place) return;
+    const now = by ? new Float32Array(this.place) : this.place;
+    if (by) for (let i = 0; i < now.length; i += 4) by(now, i);
+    this.textures.place = table(this.gl, "rgba32f", now, this.textures.place);
+  }
+
   /** Carry every unit by a displacement, or none. @param {Float32Array|null} by (units × 3) mm */
   move(by) {
     this.moved = by !== null;
