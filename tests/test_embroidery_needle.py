@@ -124,3 +124,26 @@ def test_a_sharp_corner_of_a_line_has_no_fork():
     for column in columns:
         points = np.concatenate([column.left, column.right])
         assert np.hypot(*(points - line[1]).T)[points[:, 0] > 20].max() < 1.8
+
+
+def test_the_e_stitch_has_its_prongs_on_one_side(tmp_path):
+    line = '<path d="M20 20h40" fill="none" stroke="#000" stroke-width=".5"/>'
+    piece, _ = sewn(tmp_path, line, stitch="motif", motif="e", motif_size=4.0)
+    at = piece.plan.xy[(piece.plan.command == STITCH) & (piece.kind == RUNNING)]
+    prongs = np.unique(at[np.abs(at[:, 1] - at[:, 1].min()) < 0.01][:, 0].round(3))
+    assert (
+        np.ptp(at[:, 1]) == pytest.approx(2, abs=0.05)
+        and len(prongs) == 10
+        and np.allclose(np.diff(prongs), 4, atol=0.05)
+    )
+
+
+def test_letters_of_text_are_kerned():
+    wide = {
+        t: facts(make(None, EmbroideryParams(text=t, text_size=20.0), Progress()))["width_mm"] for t in ("AV", "A", "V")
+    }
+    from tambour.geometry.glyphs import glyph
+    from tambour.render.type import font_bytes
+
+    em = 20.0 / 0.727
+    assert wide["AV"] < wide["A"] + wide["V"] - 0.5 and glyph(font_bytes(True), "A").advance * em > wide["A"] - 2

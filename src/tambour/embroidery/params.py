@@ -132,8 +132,8 @@ class EmbroideryParams(Params):
     satin_from: Length = Field(default=1.0, ge=0, le=50)
     """Lines of this width and more are stitched as satin columns, thinner ones as running stitch."""
 
-    motif: Literal["zigzag", "wave", "diamond", "cross", "leaf", "star"] = "diamond"
-    """The figure that motif stitch repeats along a line."""
+    motif: Literal["zigzag", "wave", "diamond", "cross", "e", "leaf", "star"] = "diamond"
+    """The figure that motif stitch repeats along a line; e is the E-stitch of blankets and patches, its prongs half of {--motif-size} long."""
 
     motif_size: Length = Field(default=4.0, ge=0.5, le=100)
     """Length of one figure of motif stitch, one cell of cross stitch (half of it), and the lanes of a meander."""

@@ -97,15 +97,17 @@ def _bezier(control: list[Array]) -> list[Array]:
 def outlines(
     text: str, data: bytes, size: float, spacing: float = 0.0
 ) -> tuple[list[tuple[str, list[Array]]], float, str]:
-    """A line of text: ([(letter, rings in size units, moved to their place)], its width, letters the font lacks)."""
+    """A line of text with its kerning: ([(letter, rings in size units, moved to their place)], its width, letters the font lacks)."""
     x = 0.0
     found: list[tuple[str, list[Array]]] = []
-    missing = ""
+    missing = before = ""
     for letter in text:
         drawn = glyph(data, letter)
         if drawn is None:
             missing += letter
             continue
+        x += kerned(data, before, letter) * size if before else 0.0
+        before = letter
         if drawn.rings:
             found.append((letter, [r * size + np.array([x, 0.0]) for r in drawn.rings]))
         x += drawn.advance * size + spacing
