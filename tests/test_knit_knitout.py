@@ -332,3 +332,33 @@ def test_a_rack_that_is_no_number_is_told(word: str, tmp_path: Path) -> None:
     (tmp_path / "a.k").write_text(f";!knitout-2\n;;Carriers: 1 2\nrack {word}\n")
     with pytest.raises(TambourError, match='"rack" wants one number'):
         files.read(tmp_path / "a.k", ("Chart",))
+
+
+def test_intarsia_of_others_is_read_and_their_yarns_first_loops_are_not(tmp_path: Path) -> None:
+    lines = [";!knitout-2", ";;Carriers: 1 2 3"]
+    for yarn in (1, 2, 3):  # a tag beside the piece, knitted once and dropped
+        lines += [
+            f"inhook {yarn}",
+            *(f"tuck - f{n} {yarn}" for n in (21, 20)),
+            *(f"knit - f{n} {yarn}" for n in (21, 20)),
+        ]
+        if yarn == 1:
+            lines += [f"tuck - f{n} 1" for n in range(11, -1, -1)]
+        lines += [f"releasehook {yarn}", "drop f21", "drop f20"]
+    cells = [[1 if x < 4 + r % 2 else 2 if x < 8 else 3 for x in range(12)] for r in range(6)]
+    for r, row in enumerate(cells):
+        order = range(12) if r % 2 == 0 else range(11, -1, -1)
+        lines += [f"knit {'+' if r % 2 == 0 else '-'} f{x} {row[x]}" for x in order]
+    lines += [f"outhook {k}" for k in (1, 2, 3)] + [f"drop f{x}" for x in range(12)]
+    path = tmp_path / "a.k"
+    path.write_text("\n".join(lines) + "\n")
+    chart = files.read(path, ("Chart",))
+    assert chart.technique == "intarsia" and (chart.cells + 1).tolist() == cells
+
+
+def test_a_refusal_is_one_problem(tmp_path: Path) -> None:
+    path = tmp_path / "rib.k"
+    path.write_text(";!knitout-2\n" + "tuck - f1 1\n" + "xfer f1 b1\n" * 60)
+    with pytest.raises(TambourError) as error:
+        files.read(path, ("Chart",))
+    assert len(error.value.problems) == 1

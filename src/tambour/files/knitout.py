@@ -26,7 +26,8 @@ def read(path: Path) -> Chart:
     """A chart from a knitout file of the plain kind: knits of one carrier each, as a sheet or as a tube.
 
     A needle's n-th knit over a loop is its stitch of row n; tucks (cast-on, caught floats), misses, hooks and
-    extensions make no stitch. Raises TambourError, with the place, for files that do more: transfers, ribs, shaping.
+    extensions make no stitch, and what is dropped while the work goes on (a yarn's first loops beside it) is no part of it.
+    Three yarns and more in a row are intarsia. Raises TambourError, with the place, for files that do more: transfers, ribs, shaping.
     """
     source = read_text(path)
     text = source.text
@@ -35,6 +36,7 @@ def read(path: Path) -> Chart:
         raise TambourError('a knitout file begins with ";!knitout-2"', span=Span(0, max(1, len(head))), source=source)
     loops: set[str] = set()
     stitches: dict[str, list[str]] = {}
+    waste: dict[str, list[str]] = {}
     ways: set[tuple[str, str]] = set()
     yarns: dict[str, str] = {}
     problems: list[Problem] = []
@@ -47,12 +49,20 @@ def read(path: Path) -> Chart:
         if found:
             word, arguments = found[1], found[2].split()
             span = Span(offset + found.start(1), offset + len(found[0].rstrip()))
+            if word == "drop" and arguments and arguments[0] in stitches:
+                waste.setdefault(arguments[0], []).extend(stitches.pop(arguments[0]))
             message = _step(word, arguments, loops, stitches, ways)
-            if message and len(problems) < 20:
+            if message and message not in {p.message for p in problems}:
                 problems.append(Problem(message, span=span, source=source))
+            if message.endswith("plain knitting"):
+                break  # another kind of knitting: one line says so
         offset += len(line) + 1
     if problems:
         raise TambourError(problems)
+    # What is dropped at the end is the piece; what was dropped before it is not.
+    if not stitches:
+        rows = max((len(c) for c in waste.values()), default=0)
+        stitches = {n: c for n, c in waste.items() if 2 * len(c) > rows}
     return _chart(stitches, ways, yarns, source)
 
 
@@ -112,6 +122,8 @@ def _chart(stitches: dict[str, list[str]], ways: set[tuple[str, str]], yarns: di
         rgb.append(unhexed(told[1]) if told else shade)
         names.append(told[2] if told else yarns.get(c, f"carrier {c}"))
     try:
-        return Chart(cells, Palette(np.array(rgb, np.uint8), tuple(names)), circular=tube)
+        several = not tube and any(len(set(row)) > 2 for row in cells.tolist())
+        palette = Palette(np.array(rgb, np.uint8), tuple(names))
+        return Chart(cells, palette, circular=tube, technique="intarsia" if several else "stranded")
     except LawError as error:
         raise TambourError(f"the file is not stranded knitting: {error}", where=source.name) from None
