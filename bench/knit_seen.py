@@ -2,8 +2,7 @@
 
     python bench/knit_seen.py [--small]
 
-KNIT_DITHER names the Co-Dithering tool (textiles-lab/knit-dithering, 2025), built with diffusion to the next column instead of the next but one,
-for one face: then its two costs are in the table too.
+Co-dithering (2025) is our own reference of it for one face, ``codither.py``.
 
 Thirty pictures: those that scikit-image bundles, and the sources of the knitting examples. Charts at 24 x 32 stitches in 10 cm, floats of
 at most 4 except where the method has no law. The measure is the correlation of what Mannos and Sakrison's contrast sensitivity (1974) passes
@@ -12,10 +11,7 @@ on of the chart and of the picture at chart size, unprepared, in code values (``
 
 from __future__ import annotations
 
-import os
-import subprocess
 import sys
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -24,6 +20,7 @@ from PIL import Image
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "src"))
 
+from tambour import color
 from tambour.core.chart import Gauge
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
@@ -114,17 +111,13 @@ def free(rgb: np.ndarray, stitches: int) -> np.ndarray:
 
 
 def peer(cost: str) -> Callable[[np.ndarray, int], np.ndarray]:
-    """Co-dithering of one face in two yarns: every window of five stitches holds both, so floats are at most four."""
+    """Co-dithering of one face in two yarns, by the reference beside this script: floats of at most four."""
+    import codither
 
     def chart(rgb: np.ndarray, stitches: int) -> np.ndarray:
         rows = max(1, round(stitches * rgb.shape[0] / rgb.shape[1] * 32 / 24))
-        with tempfile.TemporaryDirectory() as folder:
-            source, yarns, out = (str(Path(folder) / f"{name}.png") for name in ("in", "yarns", "out"))
-            Image.fromarray(resample(rgb, rows, stitches)).convert("L").convert("RGB").save(source)
-            Image.fromarray(np.array([[[0] * 3, [255] * 3]], np.uint8)).save(yarns)
-            words = ["--in", source, "--yarns", yarns, "--out", out, "--use-within", "5", "--cross-within", "0"]
-            subprocess.run([os.environ["KNIT_DITHER"], *words, "--cost", cost], check=True, capture_output=True)
-            return (np.asarray(Image.open(out).convert("L")) > 127).astype(np.uint8)[::-1]
+        aim = color.linear(tone.brightness(resample(rgb, rows, stitches)[::-1], "code")).astype(np.float32)
+        return codither.chart(np.ascontiguousarray(aim), 4, cost == "oklab")
 
     return chart
 
@@ -145,9 +138,9 @@ METHODS: dict[str, Callable[[np.ndarray, int], np.ndarray]] = {
     "GSAT after Floyd-Steinberg (2013)": ours(method="gsat", start="floyd-steinberg", tone="raw"),
     "Floyd-Steinberg, no law": free,
     "AYAB's two levels, no law": quantised,
+    "co-dithering, oklab cost": peer("oklab"),
+    "co-dithering, linear cost": peer("linear"),
 }
-if os.environ.get("KNIT_DITHER"):
-    METHODS |= {f"co-dithering, {cost} cost": peer(cost) for cost in ("oklab", "linear")}
 
 
 def filtered(error: np.ndarray, eye: percept.Eye) -> np.ndarray:
