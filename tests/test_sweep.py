@@ -321,6 +321,33 @@ def test_a_report_makes_its_piece_again(photos: Path, tmp_path: Path, tambour: C
     assert (tmp_path / "again.png").read_bytes() == (out / made.files[0]).read_bytes()
 
 
+def test_pieces_of_several_files_are_finished_too(tmp_path: Path) -> None:
+    for status in ("made", "kept"):
+        axes = {"plotter": [True], "sheets": ["0..1"], "page": ["a5"]}
+        (made,) = sweep("ink", axes=axes, out=tmp_path, files=[".svg"], sheet=False)
+        assert made.status == status and [Path(f).stem[-2:] for f in made.files] == ["-1", "-2"]
+
+
+def test_pieces_do_not_lie_among_their_sources(photos: Path, tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to(photos)
+    before = {p.name: p.read_bytes() for p in photos.iterdir()}
+    for out in (photos, tmp_path / "link"):
+        with pytest.raises(TambourError, match="among their sources"):
+            list(sweep("knit", [photos / "a.png"], out=out, files=[".png"]))
+    assert {p.name: p.read_bytes() for p in photos.iterdir()} == before
+
+
+def test_how_far_it_is_and_how_long_it_takes() -> None:
+    from tambour.sweep.command import Tally
+    from tambour.sweep.course import Result
+
+    tally = Tally(103, True)
+    for k in range(21):
+        tally.count(Result(f"{k}", f"{k}", "", "made" if k else "kept", {}))
+    tally.first = 0.0
+    assert tally.line(9.5) == "21 of 103, 1 finished before · 2 pieces a second · 41 s left"
+
+
 def test_a_folder_that_is_a_file_is_refused(tmp_path: Path) -> None:
     (tmp_path / "out").write_text("")
     with pytest.raises(TambourError, match="this is a file"):

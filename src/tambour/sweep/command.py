@@ -65,7 +65,9 @@ def command(
     folders, kinds, problems = divided(outs, jobs, scheduler, cluster)
     try:
         changed = [*(read_edits(edits) if edits else ()), *edit]
-        plan, limited, count, doubts = planned(craft, sources, axes, kinds, changed, limit, not no_sheet)
+        plan, limited, count, doubts = planned(
+            craft, sources, axes, kinds, changed, limit, not no_sheet, folders[0] if folders else None
+        )
     except TambourError as error:
         problems += error.problems
     if problems:
@@ -136,7 +138,7 @@ class Tally:
         text += f", {self.kept:,} finished before" if self.kept else ""
         text += f", {len(self.failed):,} failed" if self.failed else ""
         # The first piece waits for its worker to start; it says nothing of those that follow.
-        spent = now - (self.first or now)
+        spent = now - (now if self.first is None else self.first)
         if worked > 1 and spent > 0:
             rate = (worked - 1) / spent
             text += f" · {rate:.3g} pieces a second · {_time((self.total - done) / rate)} left"

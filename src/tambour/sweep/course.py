@@ -95,7 +95,7 @@ def sweep(
     ...     print(made.name, made.status)  # doctest: +SKIP
     ink-seed=0-span=300 made
     """
-    made, limited, _, _ = planned(craft, sources, axes, files, edits, limit, sheet and out is not None)
+    made, limited, _, _ = planned(craft, sources, axes, files, edits, limit, sheet and out is not None, out)
     return course(made, out, pool(jobs, limited, scheduler, cluster), again, sheet)
 
 
@@ -107,8 +107,10 @@ def planned(
     edits: Sequence[Any],
     limit: str,
     thumbs: bool,
+    out: str | Path | None = None,
 ) -> tuple[Plan, Limit, int, list[Problem]]:
     """The plan, the limit, how many pieces there are, and warnings. TambourError with all that is wrong at once."""
+    from tambour.core.errors import Problem as Told
     from tambour.core.errors import TambourError
     from tambour.run import craft as named
     from tambour.run import outputs
@@ -140,6 +142,12 @@ def planned(
         outputs(what, [f"piece{kind}" for kind in files if kind.startswith(".")], "")
     except TambourError as error:
         problems += error.problems
+    if made is not None and out is not None:
+        home = Path(out).resolve()
+        among = [path for path, _ in made.sources if path is not None and Path(path).resolve().parent == home]
+        if among:
+            told = "the pieces would lie among their sources"
+            problems.append(Told(told, f"name another folder: {among[0]} is in this one", where=str(out)))
     if problems or made is None:
         raise TambourError(problems)
     count, more = judged(what, found, files)

@@ -30,7 +30,7 @@ REPORTS, THUMBS, INDEX, LOCK = "reports", "thumbs", "index.csv", ".tambour-lock"
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """What the index says of a piece, and its ``name``; ``sizes`` are the bytes of its ``files``."""
+    """What the index says of a piece, and its ``name``; ``sizes`` are the bytes of its ``files``, ``kinds`` what was asked for."""
 
     name: str
     key: str
@@ -42,6 +42,7 @@ class Row:
     seconds: float
     files: tuple[str, ...]
     sizes: tuple[int, ...]
+    kinds: tuple[str, ...]
 
     @classmethod
     def of(cls, name: str, told: Mapping[str, Any]) -> Row:
@@ -58,6 +59,7 @@ class Row:
             round(sum(spent.values()), 6),
             tuple(map(str, told.get("files", ()))),
             tuple(map(int, told.get("sizes", ()))),
+            tuple(map(str, told.get("kinds", ()))),
         )
 
     def told(self) -> list[Any]:
@@ -116,7 +118,7 @@ class Folder:
 
     def finished(self, row: Row | None, wanted: Sequence[str]) -> bool:
         """Whether a piece was made, with all the kinds of files that are wanted, and they are still there whole."""
-        if row is None or row.status != "made" or any(row.name + kind not in row.files for kind in wanted):
+        if row is None or row.status != "made" or not set(wanted) <= set(row.kinds):
             return False
         try:
             return all((self.path / f).stat().st_size == size for f, size in zip(row.files, row.sizes, strict=True))
@@ -197,12 +199,13 @@ class Folder:
 
 
 def report(piece: Piece, done: Done) -> dict[str, Any]:
-    """The report of a piece: what was measured, its key, what was set, how it ended; sizes are bytes of the files."""
+    """The report of a piece: what was measured, its key, what was set, how it ended; sizes are bytes of the files, kinds those asked for."""
     from tambour import __version__
 
     head = {"key": piece.key, "status": "failed" if done.reason else "made", "set": dict(piece.chosen)}
     if not done.reason:
-        return {**head, **done.report, "sizes": [len(raw) for raw in done.files.values()]}
+        kinds = [name.removeprefix(piece.name) for name in piece.job.out]
+        return {**head, **done.report, "sizes": [len(raw) for raw in done.files.values()], "kinds": kinds}
     job = piece.job
     source = None if job.source is None else {"path": job.source}
     made_of = {"version": __version__, "params": dict(job.params), "source": source, "edits": list(job.edits)}

@@ -22,6 +22,13 @@ from tambour.work.piece import Done, Job
 SECONDS = 20.0
 """How long a scheduler is waited for."""
 
+# A cluster of our own sits idle beside the work: it need not watch itself, which takes as long as small pieces do.
+CALM = {
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "500ms",
+    "distributed.admin.system-monitor.interval": "10s",
+}
+
 _POOLS: dict[Limit, Local] = {}
 _LOCK = Lock()
 
@@ -48,19 +55,16 @@ class Cluster:
     def __init__(self, address: str = "", workers: int = 0, limit: Limit | None = None) -> None:
         if not find_spec("distributed"):
             raise TambourError("Dask is not there", hint="pip install 'tambour[cluster]'", where="{--cluster}")
+        import dask
         from distributed import Client, LocalCluster
 
         self.limit = limit or Limit()
         self.own: Any = None
         try:
             if not address:
-                self.own = LocalCluster(
-                    n_workers=workers,
-                    threads_per_worker=1,
-                    processes=True,
-                    dashboard_address="127.0.0.1:0",
-                    silence_logs=50,
-                )
+                quiet: dict[str, Any] = {"dashboard_address": "127.0.0.1:0", "silence_logs": 50}
+                with dask.config.set(CALM):
+                    self.own = LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, **quiet)
             self.client: Any = Client(address or self.own, timeout=SECONDS, set_as_default=False)
         except (TimeoutError, OSError, ValueError) as error:
             self.close()
