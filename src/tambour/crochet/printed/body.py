@@ -124,7 +124,12 @@ class Walk(Courses):
             self.to_separator()
             return True
         after = c.look(1)
-        if token.kind == "key" and token.value == "with" and after is not None and after.word in _FACING:
+        if (
+            token.kind == "key"
+            and token.value == "with"
+            and after is not None
+            and (after.word in _FACING or self.held())
+        ):
             self.to_separator()  # "with right side facing"
             return True
         if token.kind == "mark" and token.word in BETWEEN:
@@ -161,6 +166,17 @@ class Walk(Courses):
                 stitch(self, found, None)
         elif token.kind == "key":
             self.key(found, token)
+        elif token.word in ("attach", "draw", "add") and not any(map(makes, found)) and self.yarn_ahead():
+            c.at += 1
+            while c.look() is not None and c.look().word in ("loop", "up"):  # type: ignore[union-attr]
+                c.at += 1
+            self.joining(found, token)  # "Attach A in first free loop", "draw up a loop of B in same st"
+        elif token.word == "rotate":
+            chained = any(t.value in ("ch", "foundation", "side") for t in c.tokens[c.at : c.at + 14])
+            if chained:
+                self.other_side(found)
+            else:
+                self.to_separator()
         elif token.word in _FLAT:
             while c.look() is not None and not c.mark(",", ".", ";") and not c.key("thicknesses"):
                 c.at += 1  # "flatten piece and work through both thicknesses"
@@ -179,6 +195,8 @@ class Walk(Courses):
         """``rep from * around, end sc``: stitches that the repeat before them leaves room for."""
         c = self.c
         c.at += 1
+        if c.key("last") and c.key("repeat", ahead=1):
+            c.at += 2  # "ending last rep with 1 sc in each of last 8 sc"
         c.skip_key("with", "in")
         inner: list[Item] = []
         while (token := c.look()) is not None and not c.mark(".", ";", "(", "[", "-", "=", "*", "**"):
@@ -269,6 +287,8 @@ class Walk(Courses):
                 c.at += 1
         elif word in ("in", "over", "with", "from", "around") and not any(map(makes, found)) and self.elsewhere(found):
             pass
+        elif word in ("in", "over") and (after := c.look()) is not None and after.word in ("these", "those"):
+            self.to_separator()  # "Working in these 33 sts only"
         elif word in ("in", "over") and (
             c.key("bumps", "foundation")
             or (after := c.look()) is None
@@ -286,6 +306,9 @@ class Walk(Courses):
             if place is None:
                 raise NotUnderstood(token, f'"{token.word}" is not understood here', "say into which stitches")
             if place.kind == "loops":
+                if c.key("in", "same", "round", "row") and not any(c.whole(k) for k in range(3)):
+                    while c.key("in", "same", "round", "row"):
+                        c.at += 1  # "in back loops on this rnd only"
                 loop = Action(place.loops, place.span)
                 after = c.look()
                 whole = after is None or (after.kind == "mark" and after.word in (".", "(", "[", "{", "=", "-", ";"))

@@ -36,6 +36,8 @@ class Where:
 
 LOOPS: Final = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
 _JOINED: Final = frozenset(("join", "slst", "first", "beginning"))
+_CORNERS: Final = frozenset(("corner", "corners", "tip"))
+_STOPS: Final = frozenset(("evenly",))
 _CLAUSE: Final = (",", ".", ";", "(", ")", "[", "]", "*", "**", "-")
 
 
@@ -125,6 +127,17 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
             if token.value == "ch" and c.key("space", "loop", ahead=ahead):  # "ch-2 sp"
                 kind, spaces = kind if each else "space", True
                 c.at += ahead
+        elif token.word in _CORNERS and inside and not placed:
+            placed = True  # "3 sc in corner", "1 sl st in end of Arm"
+            c.at += 1
+            while (
+                (more := c.look()) is not None
+                and (more.capital or more.kind == "word")
+                and more.kind == "word"
+                and more.word not in _STOPS
+            ):
+                c.at += 1
+            break
         elif token.word == "top" and inside and not placed and (ahead := _standing_chain(c)):
             placed = True  # "in top of beginning ch-3": the chains stand for the stitch there
             c.at += ahead - 1

@@ -7,7 +7,6 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Item
 from tambour.crochet.printed.counts import makes
-from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.moved import Moved, moved
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
@@ -17,6 +16,24 @@ _ALONG: Final = frozenset(
 )
 _PIECES: Final = frozenset(
     ("pieces", "halves", "both pieces", "front", "inner", "outer", "sleeve", "cuff", "motifs", "first", "second")
+)
+
+
+_HELD: Final = frozenset(
+    (
+        "attached",
+        "matching",
+        "facing",
+        "together",
+        "tog",
+        "aligned",
+        "tail",
+        "held",
+        "remaining",
+        "outside",
+        "outwards",
+        "top",
+    )
 )
 
 
@@ -71,10 +88,35 @@ class Courses(Reader):
             found.append(Action(place.loops, place.span))
         return True
 
+    def held(self) -> bool:
+        """Whether the clause at the cursor only says how pieces are held: "With yarn still attached to base", "with sts matching"."""
+        c, ahead, said = self.c, 1, False
+        while (token := c.look(ahead)) is not None and not (token.kind == "mark" and token.word in ",.;:(["):
+            if token.kind in ("stitch", "number"):
+                return False
+            said = said or token.word in _HELD
+            ahead += 1
+        return said
+
+    def yarn_ahead(self) -> bool:
+        """Whether the clause at the cursor brings in yarn: "Attach A in …", "draw up a loop of B"."""
+        c = self.c
+        ahead = 1
+        while c.look(ahead) is not None and c.look(ahead).word in ("loop", "up", "new"):  # type: ignore[union-attr]
+            ahead += 1
+        return (
+            self.palette.letter(c, c.at + ahead) is not None
+            or self.palette.color(c, c.at + ahead) is not None
+            or c.key("yarn", ahead=ahead)
+            or c.key("next", ahead=ahead)
+        )
+
     def folding(self, found: list[Item], token: Token) -> None:
         """Stitches go through both layers of the edge, which lies flat: they close it."""
         if any(t.word in _PIECES for t in self.c.tokens):
-            raise NotUnderstood(token, "two pieces are not joined here", "say how many stitches the round has")
+            self.body.both = True
+            self.to_separator()
+            return
         found.append(Action("fold", token.span))
         while self.c.look() is not None and not self.c.mark(",", ".", ";") and not self.c.kind("stitch"):
             self.c.at += 1
@@ -96,7 +138,14 @@ class Courses(Reader):
     def joining(self, found: list[Item], token: Token) -> None:
         """``join``, ``join with sl st in first sc``, ``join B with sl st``; without stitches before it, yarn that is joined."""
         c = self.c
+        by = next((k for k in range(14) if c.look(k) is not None and c.look(k).word == "by"), None)  # type: ignore[union-attr]
+        if by is not None and not any(c.mark(".", ";", ahead=k) for k in range(by)) and c.kind("stitch", by + 1):
+            c.at += by + 1  # "join Top and Stem by working a sc through each st"
+            self.body.both = True
+            return
         c.skip_key("with", "color", "yarn")
+        if c.key("next") and c.look(1) is not None and c.look(1).word in ("color", "colour"):  # type: ignore[union-attr]
+            c.at += 2
         shade = self.palette.color(c) or self.palette.letter(c, c.at)
         worked = any(not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "turn") for i in found)
         if shade is not None:

@@ -19,7 +19,7 @@ def curl(r: Reader, found: list[Item], name: str, place: Where) -> bool:
     if not isinstance(last, Action) or last.name != "ch":
         return False
     many = last.times
-    if place.kind == "same":
+    if place.kind in ("same", "joined"):
         behind = any(not isinstance(i, Action) or i.name not in (*_IDLE, "ch", "join", "turn") for i in found[:-1])
         if not (name == "slst" and behind and many in PICOTS):
             return False

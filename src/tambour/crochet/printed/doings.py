@@ -146,7 +146,8 @@ _TIGHT: Final = frozenset(
     ["tight", "tightly", "close", "closed", "remaining", "rem", "final", "last", "secure", "gather"]
 )
 _DONE: Final = ("marker", "stuff", "eyes")
-_NOT: Final = ("join", "turn", "stuff", "color", "marker", "begin")
+_NOT: Final = ("join", "turn", "stuff", "color", "marker", "begin", "fasten off")
+_YARN: Final = frozenset(("break", "carry", "drop", "cut"))
 
 
 def doing(c: Cursor) -> bool:
@@ -161,6 +162,8 @@ def doing(c: Cursor) -> bool:
         return False
     if c.key(*_DONE) or (c.key("not") and c.key(*_NOT, ahead=1)):
         return True
+    if c.key("not") and (after := c.look(1)) is not None and after.word in _YARN:
+        return True  # "Do not carry or break C"
     if c.key("begin", "leave", "close") and c.key("stuff", ahead=1):
         return True
     if first.kind != "word" or first.word not in _DOING:
@@ -175,8 +178,13 @@ def by_hand(tokens: list[Token]) -> bool:
         at += 1
     if at < len(tokens) and _beginning(tokens[at]):  # "Using a strand of D, tie …", "With wrong sides facing, fold …"
         at = next((k + 1 for k in range(at, len(tokens)) if tokens[k].word in (",", ":")), len(tokens))
+    headed = next((k for k, t in enumerate(tokens[:5]) if t.word == ":"), 0)
+    if at == 0 and headed and headed + 1 < len(tokens) and tokens[0].capital and tokens[headed + 1].kind == "word":
+        at = headed + 1  # "Finishing Body: Fold last row in half"
     if at >= len(tokens) or len(tokens) < 2:
         return False
+    if tokens[at].word in _YARN and not any(t.kind == "key" and t.value == "join" for t in tokens):
+        return not any(works(tokens, k) for k in range(at, len(tokens)))  # "Break A"
     first = tokens[at]
     if _pulls(first, tokens[at + 1] if at + 1 < len(tokens) else None):
         return False

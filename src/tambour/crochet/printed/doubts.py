@@ -175,6 +175,9 @@ def decided(
         if body.asked and begun < 2:
             body = _second(read, body, begun, fit) or body
     body.fit = fit(body) if body.refers is None else 2
+    if body.both:
+        said = "another piece is joined here: it is worked on the one at the hook"
+        source.doubt(said, "the pieces stand beside each other", Span(tokens[0].start, tokens[-1].end))
     if body.curled:
         span = Span(tokens[0].start, tokens[-1].end)
         source.doubt("what is worked back along chains is drawn as a loop of them", "nothing is amiss", span)

@@ -173,6 +173,14 @@ def list_of_ordinals(c: Cursor, numbers: list[int]) -> bool:
         while at < len(c.tokens) and c.tokens[at].word == "." and c.tokens[at].glued:
             at += 1
         ahead = at - c.at
+        named = c.look(ahead)
+        if (
+            named is not None
+            and (named.word in _NAMED or c.key("join", ahead=ahead))
+            and c.key("round", "row", ahead=ahead + 1)
+        ):
+            at += 1  # "1st joining rnd"
+            ahead += 1
         if c.key("round", "row", ahead=ahead):
             break
         other = ahead + c.key("and", "next", ahead=ahead)

@@ -111,8 +111,10 @@ def _fair(
     for line in reversed(section.lines[:at]):
         if any(line.span.start <= one.start < line.span.end for one in unread) or line.gap:
             return False
-        if line.stated is not None:
-            return line.stated_span in told or any(isinstance(i, Action) and i.name == "gap" for i in line.items)
+        if line.stated_span in told or any(isinstance(i, Action) and i.name == "gap" for i in line.items):
+            return True
+        if line.stated is not None and line.span.start not in sound:
+            return False
     return False
 
 
@@ -197,6 +199,7 @@ _EASED: Final = {
         ("flo", "blo"),
         "a single loop needs two rounds below it: both loops are taken",
     ),
+    "there is no edge to fold": (("fold",), "what is folded here is flat: the seam is not drawn"),
     "rows have no opening to fold": (("fold",), "what is folded here is flat: the seam is not drawn"),
     "FO needs at least two stitches": (("fo",), "so few stitches are not drawn together"),
 }
@@ -234,6 +237,9 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found) -> tuple[Section,
             if eased is not None:
                 told.doubts.append(replace(problem, message=eased[1], warning=True))
                 lines += [eased[0]] if eased[0].items else []
+                continue
+            if any(problem.message.startswith(m) and m.startswith("FO") for m in _EASED) and line.in_round:
+                lines.append(line)  # the end of it does without
                 continue
             count = line.stated or next((one.stated for one in reversed(lines) if one.stated), None)
             at = line.stated_span or line.span

@@ -118,11 +118,21 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
 
 def _unseen(tokens: list[Token]) -> list[Token]:
     """``tokens`` without "(see diagram on page 3)"."""
-    begin = next((k for k, t in enumerate(tokens[:-1]) if t.word in ("(", "[") and tokens[k + 1].word == "see"), None)
+    begin = next((k for k, t in enumerate(tokens[:-1]) if t.word in ("(", "[") and _aside(tokens[k + 1 : k + 24])), None)
     if begin is None:
         return tokens
     end = next((k for k in range(begin, len(tokens)) if tokens[k].word in (")", "]")), len(tokens) - 1)
     return [*tokens[:begin], *tokens[end + 1 :]]
+
+
+def _aside(tokens: list[Token]) -> bool:
+    """Whether words behind a bracket say no copies: "(see page 3)", "(Make with A for Bear, with B for Puppy)"."""
+    if tokens[0].word == "see":
+        return True
+    end = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), len(tokens))
+    inner = tokens[:end]
+    plain = not any(t.kind in ("number", "stitch", "ordinal") for t in inner)
+    return inner[:1] != [] and inner[0].value == "make" and plain and len(inner) > 2
 
 
 def copies_alone(tokens: list[Token]) -> tuple[int, Span] | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -13,11 +14,12 @@ from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counts import makes
-from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
+from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood, Refers
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
-from tambour.crochet.printed.heads import STARS
+from tambour.crochet.printed.heads import STARS, heads
 from tambour.crochet.printed.items import bare_count
+from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.notes import (
     BELOW,
     MODES,
@@ -284,7 +286,10 @@ def _held(tokens: list[Token]) -> set[int]:
 def _sentence(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds; whether it was understood."""
     handed, p.handed = p.handed, True
-    if (more := copies_said(tokens)) is not None:
+    if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value == "notes" and tokens[1].word in (":", "-"):
+        tokens = tokens[2:]
+    alone = copies_alone(tokens)
+    if (more := copies_said(tokens) or (None if alone is None else (*alone, False))) is not None:
         return _more_copies(p, more)
     if finishing(p, tokens):
         return True
@@ -310,6 +315,8 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         if stuffing >= 0:
             draft.stuffing = stuffing
         return True
+    if draft is not None and draft.chain is not None and [t.value for t in tokens] == ["turn"]:
+        return True  # "ch 6; turn"
     if p.mode in ("materials", "abbreviations", "notes", "assembly"):
         if not (founding(tokens) and founds(p)):
             return False
@@ -408,6 +415,7 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
     """A sentence between the rounds that works rounds once more: "Rep last rnd 3 times more."."""
     span = Span(tokens[0].start, tokens[-1].end)
     assert body.refers is not None
+    body.refers = _unmarked(p, body.refers)
     if p.heading is not None and (body.refers.part or body.refers.numbers):
         p.begin(True, span)
     draft = p.parts[-1]
@@ -418,6 +426,45 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
                 p.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
         return True
     return False
+
+
+def _unmarked(p: State, refers: Refers) -> Refers:
+    """A reference to asterisks ("from ** to ** as given for Left Wing") that are not both there: what stands for them, which is told."""
+    if refers.marks is None or any(draft.between(refers.marks) is not None for draft in p.parts):
+        return refers
+    at = named([draft.name for draft in p.parts], refers.part) if refers.part else len(p.parts) - 1
+    origin = p.parts[at] if at is not None and 0 <= at < len(p.parts) else None
+    if origin is None:
+        return refers
+    pairs = [(a, b) for (a, _), (b, _) in pairwise(origin.marks)]
+    begun = next((k for k, (stars, _) in enumerate(origin.marks) if stars == refers.marks[0]), None)
+    if begun is not None and begun + 1 < len(origin.marks):
+        found = replace(refers, marks=(refers.marks[0], origin.marks[begun + 1][0]))
+    elif len(pairs) == 1 and begun is None:
+        found = replace(refers, marks=pairs[0])
+    elif begun is not None:
+        first = origin.lines[origin.marks[begun][1]].number if origin.marks[begun][1] < len(origin.lines) else None
+        if first is None:
+            return refers
+        found = replace(refers, marks=None, numbers=tuple(range(first, origin.last + 1)))
+    elif refers.part:
+        after = _next_number(p)
+        found = replace(
+            refers, marks=None, through=after - 1 if after and 1 < after <= origin.last + 1 else origin.last
+        )
+    else:
+        return refers
+    p.source.doubt("these asterisks are not both there: what seems meant is taken", "name the rounds", refers.span)
+    return found
+
+
+def _next_number(p: State) -> int:
+    """The number of the round that comes next, 0 where none does."""
+    for row in p.rows[p.row_at + 1 : p.row_at + 6]:
+        if row.tokens:
+            found = heads(p.vocabulary.read(row.tokens))
+            return found[0][1].numbers[0] if found and found[0][1].numbers else 0
+    return 0
 
 
 def stuffed(tokens: list[Token]) -> float | None:

@@ -39,6 +39,7 @@ class Body:
     spread : increases or decreases are spread over the stitches of the round below, and over no others
     loose : its count names other things too ("22 sc and 2 ears"), which may or may not be among it
     curled : it has chains that the hook works back along
+    both : it is worked through another piece as well
     moved : it is worked elsewhere than where the hook is; edged : sentences that work along an edge after the round
     pending : a magic ring still wants its stitches
     fit : 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit
@@ -67,6 +68,7 @@ class Body:
     spread: bool = False
     loose: bool = False
     curled: bool = False
+    both: bool = False
     moved: Moved | None = None
     edged: list[Span] = field(default_factory=list)
     fit: int = 2

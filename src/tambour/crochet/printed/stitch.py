@@ -34,7 +34,11 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         found.append(Action("join", token.span))
         return
     place = r.before or where(c, name == "skip")
-    if place is not None and place.kind in ("hook", "same") and curl(r, found, name, place):
+    if name == "skip" and place is not None and place.kind in ("joined", "same") and not any(map(makes, found)):
+        if not (found and _stands(found[-1])):  # chains that stand for a stitch stand there
+            found.append(Action("skip", token.span))
+        return
+    if place is not None and place.kind in ("hook", "same", "joined") and curl(r, found, name, place):
         r.before = None
         return
     if place is not None and place.kind == "hook":
