@@ -361,6 +361,8 @@ class Walk(Courses):
         elif word == "for" and c.whole() is not None:
             self.body.rounds = (c.whole() or 0, c.take().span)
             c.at += 1
+        elif word == "to" and c.key("color"):
+            self.to_separator()  # "and continue to change color every other row"
         elif word == "to" and (c.key("close", "join", "form") or (c.look() is not None and c.look().word in _ENDED_SO)):  # type: ignore[union-attr]
             self.to_separator()  # "to close lower edge", "to seam"
         elif word == "count" or (word == "not" and c.key("count")):

@@ -68,6 +68,11 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
                 kind = "next"
             elif token.value == "next" and spaces:
                 pass  # "dans l'arceau suivant"
+            elif token.value == "last" and placed and c.key("round", "row", ahead=1):
+                c.at += 1  # "in each st of last round"
+                kind = kind or ("around" if each else "")
+            elif token.value == "thicknesses" and placed:
+                pass  # "of both layers"
             elif token.value == "last" and placed and each and c.whole(1) is not None and not counted:
                 # "1 sc in each sc of last 19 sc"
                 count, counted, final = c.whole(1) or 1, True, True
@@ -127,7 +132,11 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
             if token.value == "ch" and c.key("space", "loop", ahead=ahead):  # "ch-2 sp"
                 kind, spaces = kind if each else "space", True
                 c.at += ahead
-        elif token.word in _CORNERS and inside and not placed:
+        elif (
+            inside
+            and not placed
+            and (token.word in _CORNERS or (token.word == "end" and (end := c.look(1)) is not None and end.capital))
+        ):
             placed = True  # "3 sc in corner", "1 sl st in end of Arm"
             c.at += 1
             while (

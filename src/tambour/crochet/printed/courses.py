@@ -113,7 +113,7 @@ class Courses(Reader):
 
     def folding(self, found: list[Item], token: Token) -> None:
         """Stitches go through both layers of the edge, which lies flat: they close it."""
-        if any(t.word in _PIECES for t in self.c.tokens):
+        if self.edge is None or any(t.word in _PIECES for t in self.c.tokens):
             self.body.both = True
             self.to_separator()
             return
@@ -146,6 +146,9 @@ class Courses(Reader):
         c.skip_key("with", "color", "yarn")
         if c.key("next") and c.look(1) is not None and c.look(1).word in ("color", "colour"):  # type: ignore[union-attr]
             c.at += 2
+        if c.whole() is not None and c.look(-1) is not None and c.look(-1).word in ("color", "colour"):  # type: ignore[union-attr]
+            c.at -= 1  # "Join Color 1"
+            c.tokens[c.at] = Token("word", "color", c.tokens[c.at].start, c.tokens[c.at].end)
         shade = self.palette.color(c) or self.palette.letter(c, c.at)
         worked = any(not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "turn") for i in found)
         if shade is not None:

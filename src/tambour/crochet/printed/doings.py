@@ -183,6 +183,8 @@ def by_hand(tokens: list[Token]) -> bool:
         at = headed + 1  # "Finishing Body: Fold last row in half"
     if at >= len(tokens) or len(tokens) < 2:
         return False
+    if any(t.word == "cut" for t in tokens) and not any(works(tokens, k) for k in range(len(tokens))):
+        return True  # "White - Cut 2"
     if tokens[at].word in _YARN and not any(t.kind == "key" and t.value == "join" for t in tokens):
         return not any(works(tokens, k) for k in range(at, len(tokens)))  # "Break A"
     first = tokens[at]

@@ -31,6 +31,7 @@ class Found:
     """What is told of a pattern while it is mended: ``unread`` of its gaps, ``doubts`` of what was understood and cannot be worked as it
     is said."""
 
+    sound: set[int] = field(default_factory=set)
     unread: list[Problem] = field(default_factory=list)
     doubts: list[Problem] = field(default_factory=list)
 
@@ -199,6 +200,7 @@ _EASED: Final = {
         ("flo", "blo"),
         "a single loop needs two rounds below it: both loops are taken",
     ),
+    "the round has no stitch to join to": (("join",), "a round of chains and slip stitches alone is not joined"),
     "there is no edge to fold": (("fold",), "what is folded here is flat: the seam is not drawn"),
     "rows have no opening to fold": (("fold",), "what is folded here is flat: the seam is not drawn"),
     "FO needs at least two stitches": (("fo",), "so few stitches are not drawn together"),
@@ -245,7 +247,7 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found) -> tuple[Section,
             at = line.stated_span or line.span
             if line.gap or not count or not line.in_round:
                 said = f"{problem.message}: this round is left out"
-            elif problem.message.startswith("the pattern makes more than"):
+            elif problem.message.startswith("the pattern makes more than") or _misled(lines, line, told.sound):
                 said = f"{problem.message}: this round is taken to have {count}"
                 lines.append(replace(line, items=_gap(line, at, count, True), again=None))
                 told.doubts.append(replace(problem, message=said, warning=True))
@@ -256,6 +258,14 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found) -> tuple[Section,
             told.unread.append(replace(problem, message=said, warning=True))
         parts.append(replace(section, lines=tuple(lines)))
     return tuple(parts)
+
+
+def _misled(before: list[Line], line: Line, sound: set[int]) -> bool:
+    """Whether a round's words make its count, but on a count below it that the words there do not make."""
+    if line.span.start not in sound or any(one.gap for one in before):
+        return False
+    stated = [one for one in before if one.stated is not None and one.again is None]
+    return any(one.span.start not in sound for one in stated)
 
 
 def _gap(line: Line, at: Span, count: int, fair: bool = False) -> tuple[Item, ...]:

@@ -86,6 +86,17 @@ def moved(tokens: list[Token]) -> Moved | None:
     return None
 
 
+def along_edge(tokens: list[Token]) -> bool:
+    """Whether a sentence speaks of an edge as a whole, and of no round: "6 sc evenly up side of Ear to corner"."""
+    named = sum(t.word in _EDGES or (t.kind == "key" and t.value in ("side", "thicknesses")) for t in tokens)
+    if any(
+        t.kind == "key" and t.value in ("round", "repeat", "as", "ring", "hook") and t.word not in ("in rnd",)
+        for t in tokens
+    ):
+        return False
+    return bool(named) and not any(t.word in ("sew", "attach", "embroider") for t in tokens)
+
+
 def _of_chain(tokens: list[Token]) -> bool:
     """Whether "top of" goes on with chains, which stand for a stitch: "in top of beginning ch-3"."""
     return any(t.kind == "stitch" and t.value == "ch" for t in tokens[:4]) or any(

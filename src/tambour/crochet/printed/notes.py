@@ -118,7 +118,9 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
 
 def _unseen(tokens: list[Token]) -> list[Token]:
     """``tokens`` without "(see diagram on page 3)"."""
-    begin = next((k for k, t in enumerate(tokens[:-1]) if t.word in ("(", "[") and _aside(tokens[k + 1 : k + 24])), None)
+    begin = next(
+        (k for k, t in enumerate(tokens[:-1]) if t.word in ("(", "[") and _aside(tokens[k + 1 : k + 24])), None
+    )
     if begin is None:
         return tokens
     end = next((k for k in range(begin, len(tokens)) if tokens[k].word in (")", "]")), len(tokens) - 1)

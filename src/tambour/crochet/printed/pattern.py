@@ -86,7 +86,7 @@ class Printed(State):
         )
         built = None
         if all(p.warning for p in source.problems):
-            found = Found()
+            found = Found(self.sound)
             pattern, built = mended(pattern, found)
             if built is not None:
                 pattern, built = agreed(pattern, built, self.sound, self._not_read(), found)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Final
+
 from tambour.crochet.printed.tokens import Token
 
 
@@ -11,6 +14,10 @@ def shortened(tokens: list[Token]) -> list[Token]:
     made: list[Token] = []
     at = 0
     while at < len(tokens):
+        if (spelled := _spelled(tokens, at)) is not None:
+            made.append(replace(tokens[spelled - 1], start=tokens[at].start))
+            at = spelled + 1
+            continue
         drawn = _drawn(tokens, at)
         if drawn is not None:
             many, end = drawn
@@ -24,6 +31,32 @@ def shortened(tokens: list[Token]) -> list[Token]:
         made.append(tokens[at])
         at += 4 if _shown(tokens, at) else 1
     return made
+
+
+_OPENS: Final = frozenset(("(", "[", "draw", "insert"))
+_LONGEST: Final = 45  # tokens of a stitch that is spelled out
+
+
+def _spelled(tokens: list[Token], at: int) -> int | None:
+    """Where "made" stands that ends a stitch spelled out at ``at``: "(Yoh and draw up a loop) 3 times in next st. … - bobble made";
+    None where none is."""
+    if tokens[at].word not in _OPENS or not any(t.word in ("draw", "insert") for t in tokens[at : at + 4]):
+        return None
+    for end in range(at + 5, min(at + _LONGEST, len(tokens))):
+        token = tokens[end]
+        if token.word in ("made", "completed", "complete"):
+            return end if tokens[end - 1].kind == "stitch" and tokens[end - 1].value not in ("ch", "slst") else None
+        if token.word == "*" or (token.kind == "key" and token.value == "repeat"):
+            return None
+        if (
+            token.kind == "stitch"
+            and token.value != "ch"
+            and not (end + 1 < len(tokens) and tokens[end + 1].word in ("made", "completed"))
+        ):
+            named = tokens[end - 1].kind == "number" or tokens[end - 1].value in ("next", "in", "same", "each", "first")
+            if not named:
+                return None
+    return None
 
 
 def _shown(tokens: list[Token], at: int) -> bool:

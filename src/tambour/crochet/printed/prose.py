@@ -19,6 +19,7 @@ from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import STARS, heads
 from tambour.crochet.printed.items import bare_count
+from tambour.crochet.printed.moved import along_edge
 from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.notes import (
     BELOW,
@@ -326,7 +327,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     try:
         body = decided(p.source, tokens, p.palette, draft.edge if draft else None, p.phrases)
     except NotUnderstood:
-        return False
+        return _edging(p, tokens)
     if body.moved is not None and draft is not None and not body.left and not any(map(makes, body.items)):
         p.moved = body.moved
         p.lead += [
@@ -335,7 +336,12 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
             if isinstance(i, Action) and i.name == "color"
         ]
         return True
-    if body.moved is not None:
+    if body.left and _edging(p, tokens):
+        return True
+    if body.curled and p.moved is not None and draft is not None and not body.left:
+        p.heading = p.heading or Heading(f"{draft.name or 'piece'} edging", p.moved.span)
+        p.moved = None
+    elif body.moved is not None:
         return _along(p, body, tokens)
     if body.refers is not None and draft is not None:
         return _referred(p, body, tokens)
@@ -369,6 +375,15 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
 def _along(p: State, body: Body, tokens: list[Token]) -> bool:
     """A sentence that works along an edge ("Work 1 row of sc up right side of Ear"): read, and told as not drawn."""
     if body.left or not p.parts:
+        return False
+    p.source.doubt(EDGED, "give it a round of its own", Span(tokens[0].start, tokens[-1].end))
+    return True
+
+
+def _edging(p: State, tokens: list[Token]) -> bool:
+    """Whether a sentence between the rounds works along an edge that is no round's, in whatever words: that is told as not drawn."""
+    stitches = sum(t.kind == "stitch" and t.value not in ("ch", "slst", "skip") for t in tokens)
+    if not p.parts or not stitches or not along_edge(tokens):
         return False
     p.source.doubt(EDGED, "give it a round of its own", Span(tokens[0].start, tokens[-1].end))
     return True
@@ -432,7 +447,8 @@ def _unmarked(p: State, refers: Refers) -> Refers:
     """A reference to asterisks ("from ** to ** as given for Left Wing") that are not both there: what stands for them, which is told."""
     if refers.marks is None or any(draft.between(refers.marks) is not None for draft in p.parts):
         return refers
-    at = named([draft.name for draft in p.parts], refers.part) if refers.part else len(p.parts) - 1
+    here = [k for k, draft in enumerate(p.parts) if any(stars == refers.marks[0] for stars, _ in draft.marks)]
+    at = named([draft.name for draft in p.parts], refers.part) if refers.part else (here or [len(p.parts) - 1])[-1]
     origin = p.parts[at] if at is not None and 0 <= at < len(p.parts) else None
     if origin is None:
         return refers

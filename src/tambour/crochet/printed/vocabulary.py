@@ -13,7 +13,9 @@ from tambour.crochet.words.table import TERMS, Heard
 
 _SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
 _JOINS: Final = frozenset("-.'/")
-_YARNS: Final = frozenset(("with", "to", "color", "colour", "yarn", "in", "join", "."))
+_YARNS: Final = frozenset(
+    ("with", "to", "color", "colour", "yarn", "in", "join", "attach", "add", "drop", "break", "carry", ".")
+)
 _ENDED: Final = frozenset(("=", ":", ",", ".", ";", ")", "and", "or"))  # no article stands before these
 _ARTICLES: Final = frozenset(("the", "a", "your"))
 _SIGNS: Final = frozenset("xX×*")
@@ -65,6 +67,7 @@ class Vocabulary:
                     self._add(
                         [f"{word}{n}tog", f"{word} {n} tog", f"{word}{n} tog", f"{word} {n} together"], "stitch", what
                     )
+                self._add([f"{word}tog", f"{word} tog"], "stitch", f"{prefix}dec")
                 for inc in heard.increases:
                     self._add([f"{word} {inc}", f"{word}{inc}"], "stitch", f"{prefix}inc")
                     self._add([f"{word} {inc} 3", f"{word}{inc}3"], "stitch", f"{prefix}inc3")
