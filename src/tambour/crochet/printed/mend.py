@@ -213,8 +213,15 @@ def _eased(line: Line, problem: Problem) -> tuple[Line, str] | None:
     for message, (names, said) in _EASED.items():
         if problem.message.startswith(message):
             items = tuple(i for i in (_without(i, names) for i in line.items) if i is not None)
-            if items != line.items:
-                return replace(line, items=items), said
+            again = line.again
+            if again is not None:
+                kept = [
+                    replace(one, items=tuple(j for j in (_without(i, names) for i in one.items) if j is not None))
+                    for one in again.lines
+                ]
+                again = replace(again, lines=tuple(kept))
+            if items != line.items or again != line.again:
+                return replace(line, items=items, again=again), said
     return None
 
 
@@ -238,7 +245,7 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found) -> tuple[Section,
             eased = _eased(line, problem)
             if eased is not None:
                 told.doubts.append(replace(problem, message=eased[1], warning=True))
-                lines += [eased[0]] if eased[0].items else []
+                lines += [eased[0]] if eased[0].items or eased[0].again else []
                 continue
             if any(problem.message.startswith(m) and m.startswith("FO") for m in _EASED) and line.in_round:
                 lines.append(line)  # the end of it does without

@@ -107,7 +107,7 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     strong = bool(row.marked) or at is not None or colon or capitals
     if not strong and (len(name) > 4 or not words[0].isupper() or any(t.kind == "number" for t in name[:-1])):
         return None
-    stitches = any(t.kind == "stitch" for t in name)
+    stitches = any(t.kind == "stitch" and not (t.capital and t.value in _NAMING and t is not name[0]) for t in name)
     if stitches and (name[0].kind in ("number", "stitch") or not (at is not None or row.marked)):
         return None
     clean = plain_name(words)
@@ -125,6 +125,9 @@ def _unseen(tokens: list[Token]) -> list[Token]:
         return tokens
     end = next((k for k in range(begin, len(tokens)) if tokens[k].word in (")", "]")), len(tokens) - 1)
     return [*tokens[:begin], *tokens[end + 1 :]]
+
+
+_NAMING: Final = frozenset(("fur", "loopst", "spike", "picot", "cl", "bobble"))  # words of names too: "Facial Fur"
 
 
 def _aside(tokens: list[Token]) -> bool:

@@ -263,6 +263,8 @@ class Printed(State):
         starred = whole[0].word if whole[0].word in STARS else ""
         ended = [t for k, t in enumerate(tokens) if t.word in STARS and _ends_line(tokens, k)]
         tokens = [t for t in tokens if t not in ended]
+        if any(t.kind == "key" and t.value == "join" for t in whole[1:3]) and self.parts:
+            head = replace(head, numbers=())  # "1st joining rnd" goes on with what is there
         head = self._part_of(head, tokens, span)
         draft = self.parts[-1]
         if starred or self.starred:

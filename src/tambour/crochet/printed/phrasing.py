@@ -42,8 +42,14 @@ def _spelled(tokens: list[Token], at: int) -> int | None:
     None where none is."""
     if tokens[at].word not in _OPENS or not any(t.word in ("draw", "insert") for t in tokens[at : at + 4]):
         return None
-    for end in range(at + 5, min(at + _LONGEST, len(tokens))):
+    depth = int(tokens[at].word in "([")
+    for end in range(at + 1, min(at + _LONGEST, len(tokens))):
         token = tokens[end]
+        depth += (token.word in ("(", "[")) - (token.word in (")", "]"))
+        if depth and token.word in ("made", "completed", "complete"):
+            return None  # the bracket holds more than the stitch
+        if end < at + 5:
+            continue
         if token.word in ("made", "completed", "complete"):
             return end if tokens[end - 1].kind == "stitch" and tokens[end - 1].value not in ("ch", "slst") else None
         if token.word == "*" or (token.kind == "key" and token.value == "repeat"):

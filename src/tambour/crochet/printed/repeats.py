@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final, Literal
 
 from tambour.core.errors import Span
+from tambour.crochet.language.stitches import STANDING
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.asides import things
 from tambour.crochet.printed.clauses import to_last, where
@@ -50,7 +51,7 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
             and found[-1].name == "ch"
         ):
             r.standing[found[-1].times] = stands
-        if stands:
+        if stands and not _with_chains(found, words):
             standing(found)
         c.at = end + 1
         return
@@ -73,6 +74,23 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
         found += inner
     elif inner:
         repeated(r, found, inner, Span(token.start, outer[end].end), star=False)
+
+
+def _with_chains(found: list[Item], words: list[Token]) -> bool:
+    """Takes chains that count as a stitch and a space ("counts as dc, ch 1") for these; whether they do."""
+    last = found[-1] if found else None
+    kind = next((t.value for t in words if t.kind == "stitch"), "")
+    chained = next(
+        (k for k, t in enumerate(words[:-1]) if t.value == "ch" and isinstance(words[k + 1].value, int)), None
+    )
+    name = next((name for name, of in STANDING.items() if of == kind), "")
+    if not isinstance(last, Action) or last.name != "ch" or not name or chained is None or kind == "ch":
+        return False
+    many = int(words[chained + 1].value)
+    if int(name[2]) + many != last.times:
+        return False
+    found[-1:] = [Action(name, last.span), Action("ch", last.span, many)]
+    return True
 
 
 def _instructs(words: list[Token]) -> bool:

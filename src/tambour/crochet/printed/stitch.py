@@ -34,7 +34,21 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         found.append(Action("join", token.span))
         return
     place = r.before or where(c, name == "skip")
-    if name == "skip" and place is not None and place.kind in ("joined", "same") and not any(map(makes, found)):
+    if (
+        name == "skip"
+        and place is not None
+        and place.kind == "first"
+        and place.count == 1
+        and found
+        and _standing_last(found)
+    ):
+        return  # the chains stand in it
+    if (
+        name == "skip"
+        and place is not None
+        and place.kind in ("joined", "same")
+        and all(_stands(i) or not makes(i) for i in found)
+    ):
         if not (found and _stands(found[-1])):  # chains that stand for a stitch stand there
             found.append(Action("skip", token.span))
         return
@@ -134,6 +148,13 @@ def bump(token: Token | None, loops: int) -> str:
     """The name of a bobble, popcorn, puff or cluster of so many loops; "" where the token is none."""
     kind = next((kind for kind in BUMPS if token is not None and token.value == kind), "")
     return "" if not kind or not 2 <= loops <= 12 else kind if loops == BUMPS[kind][0] else f"{kind}{loops}"
+
+
+def _standing_last(found: list[Item]) -> bool:
+    """Whether items end with chains that count as a stitch, or as a stitch and chains."""
+    last = found[-1]
+    more = isinstance(last, Action) and last.name == "ch" and len(found) > 1
+    return _stands(last) or (more and _stands(found[-2]))
 
 
 def _stands(item: Item) -> bool:
