@@ -14,6 +14,7 @@ from tambour.crochet.language.tree import Action, Again, Group, Line, Pattern
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.bases import MOST as _MOST
 from tambour.crochet.printed.bases import based, elsewhere, is_first
+from tambour.crochet.printed.beyond import EDGED
 from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import works
@@ -23,7 +24,7 @@ from tambour.crochet.printed.items import works as worked
 from tambour.crochet.printed.mend import Found, agreed, is_start, mended
 from tambour.crochet.printed.opening import founding, opening
 from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.prose import EDGED, NOT_UNDERSTOOD, WRAPPED, finishing, instructs, stuffed, text_line
+from tambour.crochet.printed.prose import NOT_UNDERSTOOD, WRAPPED, finishing, instructs, stuffed, text_line
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.remarks import remark
 from tambour.crochet.printed.state import Height, State, plain_height

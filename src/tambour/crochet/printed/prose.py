@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -11,16 +10,15 @@ from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.hear import assembling
 from tambour.crochet.printed.assembly import Said
+from tambour.crochet.printed.beyond import along, edging, marked, more_copies
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counts import makes
-from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood, Refers
+from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
-from tambour.crochet.printed.heads import STARS, heads
+from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.items import bare_count
-from tambour.crochet.printed.moved import along_edge
-from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.notes import (
     BELOW,
     MODES,
@@ -41,7 +39,6 @@ from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.special import explained
 from tambour.crochet.yarns import hook_of
 
-EDGED: Final = "this goes along an edge that is no round's: it is not drawn"
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
 WRAPPED: Final = 12  # lines of a paragraph
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
@@ -291,7 +288,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         tokens = tokens[2:]
     alone = copies_alone(tokens)
     if (more := copies_said(tokens) or (None if alone is None else (*alone, False))) is not None:
-        return _more_copies(p, more)
+        return more_copies(p, more)
     if finishing(p, tokens):
         return True
     if p.mode not in ("materials", "abbreviations") and (
@@ -327,7 +324,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     try:
         body = decided(p.source, tokens, p.palette, draft.edge if draft else None, p.phrases)
     except NotUnderstood:
-        return _edging(p, tokens)
+        return edging(p, tokens)
     if body.moved is not None and draft is not None and not body.left and not any(map(makes, body.items)):
         p.moved = body.moved
         p.lead += [
@@ -336,13 +333,13 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
             if isinstance(i, Action) and i.name == "color"
         ]
         return True
-    if body.left and _edging(p, tokens):
+    if body.left and edging(p, tokens):
         return True
     if body.curled and p.moved is not None and draft is not None and not body.left:
         p.heading = p.heading or Heading(f"{draft.name or 'piece'} edging", p.moved.span)
         p.moved = None
     elif body.moved is not None:
-        return _along(p, body, tokens)
+        return along(p, body, tokens)
     if body.refers is not None and draft is not None:
         return _referred(p, body, tokens)
     if body.pending:
@@ -370,34 +367,6 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     draft.add(p.source, None, body, span)
     p.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
     return True
-
-
-def _along(p: State, body: Body, tokens: list[Token]) -> bool:
-    """A sentence that works along an edge ("Work 1 row of sc up right side of Ear"): read, and told as not drawn."""
-    if body.left or not p.parts:
-        return False
-    p.source.doubt(EDGED, "give it a round of its own", Span(tokens[0].start, tokens[-1].end))
-    return True
-
-
-def _edging(p: State, tokens: list[Token]) -> bool:
-    """Whether a sentence between the rounds works along an edge that is no round's, in whatever words: that is told as not drawn."""
-    stitches = sum(t.kind == "stitch" and t.value not in ("ch", "slst", "skip") for t in tokens)
-    if not p.parts or not stitches or not along_edge(tokens):
-        return False
-    p.source.doubt(EDGED, "give it a round of its own", Span(tokens[0].start, tokens[-1].end))
-    return True
-
-
-def _more_copies(p: State, more: tuple[int, Span, bool]) -> bool:
-    """Takes "Make 2 with A and 1 with B" for the part that is headed, or else for the one just made; whether there is one."""
-    count, span, added = more
-    if p.heading is not None:
-        p.heading = replace(p.heading, copies=count, copies_span=span, strong=True)
-    elif p.parts:
-        draft = p.parts[-1]
-        draft.copies, draft.copies_span = draft.copies + count if added else max(draft.copies, count), span
-    return p.heading is not None or bool(p.parts)
 
 
 def _once_more(tokens: list[Token]) -> bool:
@@ -430,7 +399,7 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
     """A sentence between the rounds that works rounds once more: "Rep last rnd 3 times more."."""
     span = Span(tokens[0].start, tokens[-1].end)
     assert body.refers is not None
-    body.refers = _unmarked(p, body.refers)
+    body.refers = marked(p, body.refers)
     if p.heading is not None and (body.refers.part or body.refers.numbers):
         p.begin(True, span)
     draft = p.parts[-1]
@@ -441,46 +410,6 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
                 p.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
         return True
     return False
-
-
-def _unmarked(p: State, refers: Refers) -> Refers:
-    """A reference to asterisks ("from ** to ** as given for Left Wing") that are not both there: what stands for them, which is told."""
-    if refers.marks is None or any(draft.between(refers.marks) is not None for draft in p.parts):
-        return refers
-    here = [k for k, draft in enumerate(p.parts) if any(stars == refers.marks[0] for stars, _ in draft.marks)]
-    at = named([draft.name for draft in p.parts], refers.part) if refers.part else (here or [len(p.parts) - 1])[-1]
-    origin = p.parts[at] if at is not None and 0 <= at < len(p.parts) else None
-    if origin is None:
-        return refers
-    pairs = [(a, b) for (a, _), (b, _) in pairwise(origin.marks)]
-    begun = next((k for k, (stars, _) in enumerate(origin.marks) if stars == refers.marks[0]), None)
-    if begun is not None and begun + 1 < len(origin.marks):
-        found = replace(refers, marks=(refers.marks[0], origin.marks[begun + 1][0]))
-    elif len(pairs) == 1 and begun is None:
-        found = replace(refers, marks=pairs[0])
-    elif begun is not None:
-        first = origin.lines[origin.marks[begun][1]].number if origin.marks[begun][1] < len(origin.lines) else None
-        if first is None:
-            return refers
-        found = replace(refers, marks=None, numbers=tuple(range(first, origin.last + 1)))
-    elif refers.part:
-        after = _next_number(p)
-        found = replace(
-            refers, marks=None, through=after - 1 if after and 1 < after <= origin.last + 1 else origin.last
-        )
-    else:
-        return refers
-    p.source.doubt("these asterisks are not both there: what seems meant is taken", "name the rounds", refers.span)
-    return found
-
-
-def _next_number(p: State) -> int:
-    """The number of the round that comes next, 0 where none does."""
-    for row in p.rows[p.row_at + 1 : p.row_at + 6]:
-        if row.tokens:
-            found = heads(p.vocabulary.read(row.tokens))
-            return found[0][1].numbers[0] if found and found[0][1].numbers else 0
-    return 0
 
 
 def stuffed(tokens: list[Token]) -> float | None:

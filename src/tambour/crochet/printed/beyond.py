@@ -1,0 +1,86 @@
+"""Printed patterns, beyond the rounds: sentences that work along an edge, name asterisks that are not there, or add copies."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.printed.cursor import Refers
+from tambour.crochet.printed.heads import heads
+from tambour.crochet.printed.moved import along_edge
+from tambour.crochet.printed.naming import named
+from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Token
+
+EDGED: Final = "this goes along an edge that is no round's: it is not drawn"
+
+
+def marked(p: State, refers: Refers) -> Refers:
+    """A reference to asterisks ("from ** to ** as given for Left Wing") that are not both there: what stands for them, which is told."""
+    if refers.marks is None or any(draft.between(refers.marks) is not None for draft in p.parts):
+        return refers
+    here = [k for k, draft in enumerate(p.parts) if any(stars == refers.marks[0] for stars, _ in draft.marks)]
+    at = named([draft.name for draft in p.parts], refers.part) if refers.part else (here or [len(p.parts) - 1])[-1]
+    origin = p.parts[at] if at is not None and 0 <= at < len(p.parts) else None
+    if origin is None:
+        return refers
+    pairs = [(a, b) for (a, _), (b, _) in pairwise(origin.marks)]
+    begun = next((k for k, (stars, _) in enumerate(origin.marks) if stars == refers.marks[0]), None)
+    if begun is not None and begun + 1 < len(origin.marks):
+        found = replace(refers, marks=(refers.marks[0], origin.marks[begun + 1][0]))
+    elif len(pairs) == 1 and begun is None:
+        found = replace(refers, marks=pairs[0])
+    elif begun is not None:
+        first = origin.lines[origin.marks[begun][1]].number if origin.marks[begun][1] < len(origin.lines) else None
+        if first is None:
+            return refers
+        found = replace(refers, marks=None, numbers=tuple(range(first, origin.last + 1)))
+    elif refers.part:
+        after = _next_number(p)
+        found = replace(
+            refers, marks=None, through=after - 1 if after and 1 < after <= origin.last + 1 else origin.last
+        )
+    else:
+        return refers
+    p.source.doubt("these asterisks are not both there: what seems meant is taken", "name the rounds", refers.span)
+    return found
+
+
+def _next_number(p: State) -> int:
+    """The number of the round that comes next, 0 where none does."""
+    for row in p.rows[p.row_at + 1 : p.row_at + 6]:
+        if row.tokens:
+            found = heads(p.vocabulary.read(row.tokens))
+            return found[0][1].numbers[0] if found and found[0][1].numbers else 0
+    return 0
+
+
+def edging(p: State, tokens: list[Token]) -> bool:
+    """Whether a sentence between the rounds works along an edge that is no round's, in whatever words: that is told as not drawn."""
+    stitches = sum(t.kind == "stitch" and t.value not in ("ch", "slst", "skip") for t in tokens)
+    if not p.parts or not stitches or not along_edge(tokens):
+        return False
+    p.source.doubt(EDGED, "give it a round of its own", Span(tokens[0].start, tokens[-1].end))
+    return True
+
+
+def along(p: State, body: Body, tokens: list[Token]) -> bool:
+    """A sentence that works along an edge ("Work 1 row of sc up right side of Ear"): read, and told as not drawn."""
+    if body.left or not p.parts:
+        return False
+    p.source.doubt(EDGED, "give it a round of its own", Span(tokens[0].start, tokens[-1].end))
+    return True
+
+
+def more_copies(p: State, more: tuple[int, Span, bool]) -> bool:
+    """Takes "Make 2 with A and 1 with B" for the part that is headed, or else for the one just made; whether there is one."""
+    count, span, added = more
+    if p.heading is not None:
+        p.heading = replace(p.heading, copies=count, copies_span=span, strong=True)
+    elif p.parts:
+        draft = p.parts[-1]
+        draft.copies, draft.copies_span = draft.copies + count if added else max(draft.copies, count), span
+    return p.heading is not None or bool(p.parts)
