@@ -99,12 +99,11 @@ def _compile() -> None:
     if importlib.util.find_spec("numba") is None:
         raise SystemExit(f"to build kernels Numba is needed: pip install {NUMBA}")
     # Numba names constants by their hashes.
-    how = {"stdout": subprocess.PIPE, "text": True, "env": os.environ | {"PYTHONHASHSEED": "0"}}
-    shares = [subprocess.Popen([sys.executable, str(COMPILE), "objects", str(k), "2"], **how) for k in range(2)]
-    for share in shares:
-        for line in share.stdout or ():
-            print(f"kernel {line.strip()}", flush=True)
-    codes = [share.wait() for share in shares]
+    env = os.environ | {"PYTHONHASHSEED": "0"}
+    with tempfile.TemporaryDirectory(dir=cache()) as claims:
+        command = [sys.executable, str(COMPILE), "objects"]
+        shares = [subprocess.Popen([*command, str(share), claims], env=env) for share in range(2)]
+        codes = [share.wait() for share in shares]
     if any(codes):
         raise SystemExit("kernels could not be compiled: see above")
 

@@ -1,6 +1,6 @@
 """Compile: every kernel that Python calls becomes an object file, by Numba, for any processor of the kind.
 
-``python kernels/compile.py objects SHARE OF`` compiles the part ``SHARE`` of ``OF`` parts into the cache, and needs Numba;
+``python kernels/compile.py objects SHARE FOLDER`` compiles into the cache what it lacks, beside another share, and needs Numba;
 ``python kernels/compile.py keys`` tells where each kernel lies there, and its fingerprint. How native functions are called
 (see ``runtime.c``) is Numba's own affair, not promised by it: so Numba is pinned, and a test calls a kernel of each kind of
 argument and result. Should it change, ``numba.cfunc`` with ``carray`` is the public way.
@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import hashlib
 import importlib
+import inspect
 import json
 import os
 import re
@@ -54,7 +55,7 @@ def key(kernel: Any) -> str:
     from tambour.core.kernels import fingerprint
 
     made = hashlib.sha256(f"{fingerprint(kernel)} {NUMBA} {PROCESSOR}".encode())
-    made.update(Path(__file__).read_bytes())
+    made.update(f"{BARE}{inspect.getsource(compiled)}".encode())
     return f"{kernel.name}-{made.hexdigest()[:32]}"
 
 
@@ -120,16 +121,22 @@ def keep(kernel: Any, code: bytes, told: dict[str, Any]) -> str:
     return path.name
 
 
-def objects(share: int, of: int) -> None:
-    """Compile this process's part of what the cache lacks."""
+def objects(share: int, claims: Path) -> None:
+    """Compile what the cache lacks: share 0 from the first kernel on, share 1 from the last one back, until they meet.
+
+    claims : a folder that both know, where each puts a file of the kernel's name before it begins
+    """
     from tambour.core import kernels
 
     kernels.OPTIONS |= BARE
     missing = [k for k in entries() if not (cache() / f"{key(k)}.json").exists()]
-    cut = len(missing) * share // of, len(missing) * (share + 1) // of
-    for kernel in missing[slice(*cut)]:
+    for kernel in missing if share == 0 else reversed(missing):
+        try:
+            (claims / kernel.name).touch(exist_ok=False)
+        except FileExistsError:
+            return
         keep(kernel, *compiled(kernel))
-        print(kernel.name, flush=True)
+        print("kernel", kernel.name, flush=True)
 
 
 if __name__ == "__main__":
@@ -141,4 +148,4 @@ if __name__ == "__main__":
 
         print(json.dumps([(key(kernel), fingerprint(kernel)) for kernel in entries()]))
     else:
-        objects(*map(int, sys.argv[2:]))
+        objects(int(sys.argv[2]), Path(sys.argv[3]))
