@@ -15,6 +15,7 @@ from tambour.core.thread import COLOR, COMMANDS, STITCH, STOP, Thread
 from tambour.embroidery.cloth.thread import curves
 from tambour.embroidery.lines.density import density_map
 from tambour.embroidery.looks.preview import stitches
+from tambour.embroidery.params import hoop_size
 from tambour.embroidery.piece import KINDS, Piece
 from tambour.embroidery.plan.facts import EXTRA, SPEED
 
@@ -83,6 +84,7 @@ def live(piece: Piece) -> Packed:
         "threads": [
             {"rgb": list(t.rgb), "name": t.name, "catalogue": t.catalogue, "code": t.code} for t in plan.threads
         ],
+        "hoop": None if piece.params.hoop is None else list(hoop_size(piece.params.hoop)),
         "regions": _regions(piece),
         "size": (high - low).tolist(),
         "minutes": float(arrays["seconds"][-1]) / 60,

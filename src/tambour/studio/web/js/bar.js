@@ -4,7 +4,7 @@ import { help, offer, palette, written } from "./keys.js";
 import { attempt } from "./notes.js";
 import { theme, turnTheme } from "./theme.js";
 import { ask, online, welcome } from "./wire.js";
-import { begin } from "./drop.js";
+import { begin, stitched } from "./drop.js";
 import { takeAway } from "./takeaway.js";
 import { pair } from "./pair.js";
 
@@ -32,7 +32,7 @@ export function bar(element, over, piece, wants = () => {}) {
     takeAway(over, piece, { follow });
   };
   const follow = () => piece && pair(over, piece);
-  const fresh = (/** @type {string} */ craft) => (NEW[craft] ? attempt(() => begin(NEW[craft])) : wants(craft));
+  const fresh = (/** @type {string} */ craft) => (NEW[craft] ? attempt(() => begin(NEW[craft])) : craft === "embroidery" ? stitched(() => wants(craft)) : wants(craft));
   const find = () => palette(over, pieces);
   const commands = () => [
     { name: "Find anything", key: "mod+k", do: find },

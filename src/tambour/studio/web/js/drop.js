@@ -54,6 +54,27 @@ function chosen(name, crafts) {
   });
 }
 
+/** Embroidery begins with letters, or with a file. @param {() => void} file asks for one */
+export function stitched(file) {
+  const box = document.createElement("dialog");
+  box.className = "choice";
+  box.setAttribute("aria-label", "what is to be stitched");
+  const go = (/** @type {SubmitEvent} */ event) => {
+    event.preventDefault();
+    const text = box.querySelector("input")?.value.trim();
+    if (!text) return;
+    box.close();
+    attempt(() => begin({ craft: "embroidery", params: { text }, title: text }));
+  };
+  document.body.append(box);
+  render(html`<form @submit=${go}><p>A name or a word to stitch:</p><p class="pair"><input type="text" aria-label="letters to stitch" maxlength="80" placeholder="Anna"><button class="button act">Stitch it</button></p></form>
+    <p>or <button class="button" @click=${() => (box.close(), file())}>Choose a drawing, a picture or a machine's file</button></p>
+    <button class="icon plain shut" aria-label="nothing, let it be" @click=${() => box.close()}>×</button>`, box);
+  box.addEventListener("close", () => box.remove());
+  box.showModal();
+  box.querySelector("input")?.focus();
+}
+
 /** @param {string} file */
 const titled = (file) => file.replace(/\.[^.]+$/, "").replace(/[-_]+/g, " ").replace(/^./, (c) => c.toUpperCase()).slice(0, 80);
 

@@ -62,8 +62,7 @@ export function screen(root, piece) {
     if (!pack) return;
     stage.cloth = Math.max(0.4, pack.facts.radius * 3);
     overlay.pack = pack;
-    const hoop = /^(\d+(?:\.\d+)?)\s*x\s*(\d+(?:\.\d+)?)$/.exec(String(untracked(() => piece.params.value.hoop) ?? ""));
-    overlay.hoop = hoop ? [Number(hoop[1]), Number(hoop[2])] : null;
+    overlay.hoop = pack.facts.hoop;
     land();
     shown = flying.value ? sheet(pack, stage.ground ?? [0.93, 0.91, 0.86]) : pack;
     if (flying.value) stage.cloth = 0;

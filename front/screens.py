@@ -1,0 +1,104 @@
+"""Screens and the short film of the documents, made by the studio itself. Run ``python front/screens.py`` (Chromium, the page built)."""
+
+from __future__ import annotations
+
+import io
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+TO = Path(__file__).parents[1] / "docs" / "pictures"
+FLAGS = ["--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+NEW = """async body => {
+    const told = await (await fetch('/api/pieces', {method: 'POST', body: JSON.stringify(body), headers: {'Content-Type': 'application/json'}})).json();
+    location.hash = `#/piece/${told.piece.id}`;
+    return told.piece.id;
+}"""
+SCRUB = "v => {const r = document.querySelector('.track input'); r.value = Math.round(r.max * v); r.dispatchEvent(new Event('input'))}"
+FRAMES, SIDE = 40, 400
+
+
+def opened(page: Any, body: dict[str, Any]) -> str:
+    """A piece on the screen, made; its id."""
+    piece = str(page.evaluate(NEW, body))
+    page.wait_for_selector(".track input:not([disabled])" if body.get("craft") != "ink" else ".seal")
+    page.wait_for_timeout(4000)
+    return piece
+
+
+def screen(page: Any, name: str) -> None:
+    """The page as it is, as a picture of the documents."""
+    from PIL import Image
+
+    shot = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+    shot.save(TO / f"studio-{name}.jpg", quality=82, optimize=True)
+
+
+def film(page: Any) -> None:
+    """The making of what is on the screen, as pictures that move."""
+    from PIL import Image
+
+    made = []
+    for k in range(FRAMES + 1):
+        page.evaluate(SCRUB, k / FRAMES)
+        page.wait_for_timeout(900)
+        shot = Image.open(io.BytesIO(page.locator(".view canvas").first.screenshot())).convert("RGB")
+        side = min(shot.size)
+        left, top = (shot.width - side) // 2, (shot.height - side) // 2
+        made.append(shot.crop((left, top, left + side, top + side)).resize((SIDE, SIDE), Image.Resampling.LANCZOS))
+    times = [90] * FRAMES + [1800]
+    made[0].save(
+        TO / "studio-film.webp", save_all=True, append_images=made[1:], duration=times, loop=0, quality=62, method=4
+    )
+
+
+def main() -> None:
+    """All of them, from a studio of its own."""
+    from playwright.sync_api import sync_playwright
+
+    with tempfile.TemporaryDirectory() as folder:
+        words = [sys.executable, "-m", "tambour", "studio", "--no-open", "--port", "0", "--library", f"{folder}/l.db"]
+        with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as started, sync_playwright() as it:
+            assert started.stdout is not None
+            address = started.stdout.readline().strip()
+            browser = it.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+            page = browser.new_page(viewport={"width": 1280, "height": 800}, reduced_motion="reduce")
+            page.set_default_timeout(180_000)
+            page.goto(address)
+            page.wait_for_selector(".cardx canvas[data-moves]")
+            page.wait_for_timeout(9000)
+            screen(page, "shelf")
+            page.route("**/api/examples/**", lambda route: route.fulfill(body=b""))
+            piece = opened(page, {"example": "frog.acl"})
+            page.evaluate(SCRUB, 0.47)
+            page.wait_for_timeout(5000)
+            screen(page, "crochet")
+            film(page)
+            opened(page, {"example": "cat.png"})
+            screen(page, "knit")
+            opened(page, {"craft": "ink", "seed": "plum", "title": "Plum"})
+            page.wait_for_timeout(9000)
+            screen(page, "ink")
+            opened(page, {"example": "botanical.svg"})
+            page.click(".regions li:nth-child(5) button")
+            page.wait_for_timeout(2500)
+            screen(page, "embroidery")
+            page.keyboard.press("5")
+            page.wait_for_timeout(4000)
+            screen(page, "cloth")
+            page.set_viewport_size({"width": 390, "height": 780})
+            page.goto(f"{address.split('/?')[0]}/follow/{piece}")
+            page.wait_for_selector(".hands .on")
+            for _ in range(12):
+                page.click(".hands .on")
+            page.wait_for_timeout(5000)
+            screen(page, "follow")
+            browser.close()
+            started.terminate()
+
+
+if __name__ == "__main__":
+    main()
