@@ -46,8 +46,8 @@ def film(page: Any) -> None:
         page.evaluate(SCRUB, k / FRAMES)
         page.wait_for_timeout(900)
         shot = Image.open(io.BytesIO(page.locator(".view canvas").first.screenshot())).convert("RGB")
-        side = min(shot.size)
-        left, top = (shot.width - side) // 2, (shot.height - side) // 2
+        side = min(shot.width, shot.height - 60)  # without the row of looks at its foot
+        left, top = (shot.width - side) // 2, 0
         made.append(shot.crop((left, top, left + side, top + side)).resize((SIDE, SIDE), Image.Resampling.LANCZOS))
     times = [90] * FRAMES + [1800]
     made[0].save(

@@ -143,6 +143,19 @@ export class Hand {
     const onto = this.stage.pick(x, y);
     this.stage.count = count;
     if (onto < 0) return this.stage.move(null);
-    return this.dropped(this.called(unit), onto);
+    return this.dropped(this.called(unit), this.place(onto));
+  }
+
+  /** The stitch whose place on the fabric is where a stitch's yarn is seen: columns of yarn lean in a spiral, so that these are some stitches apart. @param {number} unit */
+  place(unit) {
+    const at = this.stage.strands?.middle(unit), { positions: x, part } = this.pack.arrays;
+    if (!at) return unit;
+    let best = unit, least = Infinity;
+    for (let i = 0; i < part.length; i++) {
+      if (part[i] !== part[unit]) continue;
+      const d = (x[3 * i] - at[0]) ** 2 + (x[3 * i + 1] - at[1]) ** 2 + (x[3 * i + 2] - at[2]) ** 2;
+      if (d < least) [least, best] = [d, i];
+    }
+    return best;
   }
 }
