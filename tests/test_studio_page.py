@@ -186,7 +186,7 @@ def test_crochet(page, tmp_path):
     until(page, "document.title.startsWith('My')")
     page.keyboard.press("Control+s")
     page.wait_for_selector("dialog[open] .first")
-    assert page.locator("dialog[open] .first .button").count() <= 8 and not page.locator(".way").first.is_visible()
+    assert page.locator("dialog[open] .first .button").count() <= 9 and not page.locator(".way").first.is_visible()
     page.keyboard.press("Escape")
     got = taken(page, tmp_path, "My ball 1 0.acl")
     (tmp_path / "ball.txt").write_text(BALL)
