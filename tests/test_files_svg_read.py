@@ -425,6 +425,30 @@ def test_many_copies_stop_soon(tmp_path):
     assert time.process_time() - begin < 20
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "body",
+    [
+        "".join(
+            f'<pattern id="p{k}" patternUnits="userSpaceOnUse" width="{4.0**-k}" height="{4.0**-k}">'
+            f'<rect width="{4.0**-k}" height="{4.0**-k}" fill="url(#p{k + 1})"/></pattern>'
+            for k in range(9)
+        )
+        + '<rect width="19" height="19" fill="url(#p0)"/>',
+        '<mask id="m">'
+        + '<rect width="9" height="9"/>' * 40
+        + "</mask>"
+        + '<rect width="9" height="9" mask="url(#m)"/>' * 30_000,
+    ],
+    ids=["tiles in tiles", "masks"],
+)
+def test_what_is_drawn_again_and_again_is_refused(tmp_path, body):
+    begin = time.process_time()
+    with pytest.raises(TambourError, match="copies"):
+        read(tmp_path, body)
+    assert time.process_time() - begin < 60
+
+
 def test_a_drawing_survives_writing_and_reading(tmp_path):
     made = read(
         tmp_path,

@@ -18,6 +18,8 @@ UNDER = 0.3
 """mm that a part goes on below what hides it: the cloth draws in. Fills reach farther, by `plan/overlap`."""
 BRIDGED = 8.0
 """mm: what is narrower lies on a fill without a hole in it, so that rows need not end there; two of them cut the hole."""
+TOUCH = 0.02
+"""mm: areas of one colour that are no farther apart are one."""
 BARE = 0.25
 """mm² of an area that must show for it to be sewn."""
 MOST = 1500
@@ -137,7 +139,9 @@ def joined(found: Sequence[Region]) -> Flat:
             id(region.guide),
         )
         names = last.setdefault(_hashed(key), [])
-        for j in [j for j in names if made[j] is not None and shapes[j].distance(shapes[k]) < 0.02]:
+        x0, y0, x1, y1 = shapes[k].bounds
+        near = [j for j in names if made[j] is not None and _meets(shapes[j].bounds, (x0, y0, x1, y1))]
+        for j in [j for j in near if shapes[j].distance(shapes[k]) < TOUCH]:
             between = [m for m in range(j + 1, k) if made[m] is not None and boxes[m].intersects(boxes[j])]
             if any(shape(made[m]).intersects(shapes[j]) for m in between):  # type: ignore[arg-type]
                 continue
@@ -154,6 +158,10 @@ def joined(found: Sequence[Region]) -> Flat:
             count += 1
         names.append(k)
     return Flat(tuple(r for r in made if r is not None), joined=count)
+
+
+def _meets(a: tuple[float, ...], b: tuple[float, ...]) -> bool:
+    return a[0] < b[2] + TOUCH and b[0] < a[2] + TOUCH and a[1] < b[3] + TOUCH and b[1] < a[3] + TOUCH
 
 
 def _hashed(key: tuple[Any, ...]) -> tuple[Any, ...]:

@@ -15,6 +15,8 @@ from tambour.geometry.areas import enclosed
 
 RGBA = tuple[int, int, int, int]
 NONE: RGBA = (0, 0, 0, 0)
+MANY = 1000
+"""Shapes of a translucent group that are no longer cut out of each other."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +76,11 @@ class Canvas:
 
         made: list[tuple[Any, ...]] = []
         above: list[Any] = []
+        if len(self) - first > MANY:  # each by itself: what overlaps shines through
+            for lines, fill, stroke, evenodd, pen, group in self.taken(first):
+                thin, faint = ((*c[:3], round(c[3] * share)) for c in (fill, stroke))
+                self.put(lines, thin, faint, evenodd, pen, group)
+            return
 
         def put(area: Any, lines: list[Array], fill: RGBA, stroke: RGBA, evenodd: bool, pen: Pen, group: int) -> None:
             nonlocal above

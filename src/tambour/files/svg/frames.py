@@ -65,6 +65,7 @@ def _frame(reader: Reader, frame: Node, node: Node, look: Look) -> Window:
     own = framed(reader, frame, replace(own, props={**own.props}))
     if own is None:
         return []
+    reader.copied(frame, max(1, len(frame.children)))
     made = reader.drawn(frame.children, own).areas()
     if not mask:
         import shapely

@@ -82,6 +82,13 @@ class Reader:
         if said not in self.doubts[-50:]:
             self.doubts.append(said)
 
+    def copied(self, node: Node, times: int = 1) -> None:
+        """Count what is drawn again: copies, tiles, markers, frames. TambourError for too many."""
+        self.copies += times
+        if self.copies > COPIES:
+            what = "<use>, patterns, markers, clips and masks"
+            raise TambourError(f"more than {COPIES:,} copies by {what}", where=f"{self.path}:{node.line}")
+
     def leave(self, what: str) -> None:
         """Note something that is left out."""
         self.ignored[what] = self.ignored.get(what, 0) + 1
@@ -328,9 +335,7 @@ class Reader:
         target = self.by_id.get(name[1:])
         if target is None:
             raise ValueError(f"it uses {name!r}, which is not there")
-        self.copies += 1
-        if self.copies > COPIES:
-            raise TambourError(f"more than {COPIES:,} copies by <use>", where=f"{self.path}:{node.line}")
+        self.copied(node)
         if name in look.using or len(look.using) > 50:
             raise ValueError(f"{name!r} uses itself, or copies are nested too deep")
         inner = after(look.matrix, np.array([[1, 0, x], [0, 1, y]], np.float64))

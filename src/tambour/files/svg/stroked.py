@@ -328,6 +328,7 @@ def _tiled(reader: Reader, node: Node, area: Any, look: Look, shape: Shape) -> N
             mean = [round(sum(weight * c[k] for weight, c in weights) / total) for k in range(3)]
             _area(reader, area, (mean[0], mean[1], mean[2], 255), look, shape)
         return
+    reader.copied(content, len(spots) * max(1, len(content.children)))
     for i, j in spots:
         placed = after(matrix, after(np.array([[1.0, 0, i * w], [0, 1.0, j * h]]), inner))
         seen = windows.clipped(window, windows.ring(matrix, x + i * w, y + j * h, w, h))
@@ -377,6 +378,7 @@ def _marked(reader: Reader, node: Node, shape: Shape, look: Look, fill: Paint, s
             continue
         scale = width if a.get("markerUnits", "strokeWidth") != "userSpaceOnUse" else 1.0
         c, s = scale * math.cos(math.radians(turn)), scale * math.sin(math.radians(turn))
+        reader.copied(marker)
         own = reader.look(marker, Look(view=look.view, using=look.using | {name}, group=look.group, window=look.window))
         if own is None:
             continue
