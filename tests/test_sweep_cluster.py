@@ -156,4 +156,4 @@ def test_what_is_no_cluster_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     with empty, pytest.raises(TambourError, match="the cluster has no workers"):
         Cluster(empty.scheduler_address)
     job = next(planned("ink", [], ["span=300"], [], [], "", False)[0].pieces()).job
-    assert "has tambour" in cluster.piece(job, Limit(), "0.0").reason
+    assert "has tambour" in cluster.pieces([job], Limit(), "0.0")[0].reason

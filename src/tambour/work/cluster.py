@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import atexit
 import warnings
+from collections.abc import Sequence
 from concurrent.futures import Future
 from importlib.util import find_spec
-from threading import Lock
+from threading import Lock, Timer
 from typing import Any
 
 from tambour import __version__
@@ -29,27 +30,32 @@ CALM = {
     "distributed.admin.system-monitor.interval": "10s",
 }
 
+TOGETHER, MOST, PATIENCE = 0.2, 8, 0.02
+"""Seconds of work, and pieces, that travel together; and seconds that one waits for company."""
+
 _POOLS: dict[Limit, Local] = {}
 _LOCK = Lock()
 
 
-def piece(job: Job, limit: Limit, version: str) -> Done:
-    """Make a piece where a Dask worker calls this, by the pool of its process."""
+def pieces(jobs: Sequence[Job], limit: Limit, version: str) -> list[Done]:
+    """Make pieces where a Dask worker calls this, by the pool of its process."""
     if version != __version__:
-        return Done(reason=f"a worker of the cluster has tambour {__version__}, and this is {version}")
+        told = f"a worker of the cluster has tambour {__version__}, and this is {version}"
+        return [Done(reason=told) for _ in jobs]
     with _LOCK:
         if limit not in _POOLS:
             from distributed import get_worker
 
             _POOLS[limit] = Local(get_worker().state.nthreads, limit)
             atexit.register(_POOLS[limit].abandon)
-    return _POOLS[limit].submit(job).result()
+    return [made.result() for made in [_POOLS[limit].submit(job) for job in jobs]]
 
 
 class Cluster:
     """Makes pieces on a Dask cluster: that of the scheduler at ``address``, or one of ``workers`` processes here.
 
-    A piece whose Dask worker dies is given to another, three times at the most.
+    A piece whose Dask worker dies is given to another, three times at the most. Small pieces travel together, as many as
+    take TOGETHER seconds: what a journey costs is then shared.
     """
 
     def __init__(self, address: str = "", workers: int = 0, limit: Limit | None = None) -> None:
@@ -60,6 +66,9 @@ class Cluster:
 
         self.limit = limit or Limit()
         self.own: Any = None
+        self._waiting: list[tuple[Job, Future[Done]]] = []
+        self._lock = Lock()
+        self._spent = 0.0
         try:
             if not address:
                 quiet: dict[str, Any] = {"dashboard_address": "127.0.0.1:0", "silence_logs": 50}
@@ -81,22 +90,61 @@ class Cluster:
 
     @property
     def width(self) -> int:
-        """How many pieces are made at once, as things stand."""
-        return max(1, sum(self.client.nthreads().values()))
+        """How many pieces are made, or travel, at once, as things stand."""
+        return max(1, sum(self.client.nthreads().values())) * self._size()
 
     def submit(self, job: Job) -> Future[Done]:
         """What will become of a job."""
         if self.client.status != "running":
             hint = "start it, and run the same again: what is made stands"
             raise TambourError("the cluster's scheduler is gone", hint=hint)
-        with warnings.catch_warnings():
-            warnings.filterwarnings(
-                "ignore", message="Sending large graph"
-            )  # a photo is large, and there is no other way
-            sent = self.executor.submit(piece, job, self.limit, __version__)
         made: Future[Done] = Future()
-        sent.add_done_callback(lambda ended: made.set_result(_ended(ended)))
+        with self._lock:
+            self._waiting.append((job, made))
+            many, first = len(self._waiting) >= self._size(), len(self._waiting) == 1
+        if many:
+            self._leave()
+        elif first:
+            timer = Timer(PATIENCE, self._leave)
+            timer.daemon = True
+            timer.start()
         return made
+
+    def _size(self) -> int:
+        """How many pieces travel together, by how long the last ones took."""
+        return max(1, min(MOST, int(TOGETHER / self._spent))) if self._spent else 1
+
+    def _leave(self) -> None:
+        """Send what waits."""
+        with self._lock:
+            together, self._waiting = self._waiting, []
+        if together:
+            self._send(together)
+
+    def _send(self, together: list[tuple[Job, Future[Done]]]) -> None:
+        try:
+            with warnings.catch_warnings():
+                # A photo is large, and there is no other way.
+                warnings.filterwarnings("ignore", message="Sending large graph")
+                sent = self.executor.submit(pieces, [job for job, _ in together], self.limit, __version__)
+        except Exception as error:  # noqa: BLE001 - the cluster is gone, or going: each of its pieces says so
+            for _, made in together:
+                made.set_result(Done(reason=f"the cluster takes nothing: {type(error).__name__}: {error}"))
+            return
+        sent.add_done_callback(lambda ended: self._arrived(together, ended))
+
+    def _arrived(self, together: list[tuple[Job, Future[Done]]], ended: Any) -> None:
+        reason = _failure(ended)
+        if reason and len(together) > 1:  # one of them may be the cause: each goes by itself
+            for one in together:
+                self._send([one])
+            return
+        for k, (_, made) in enumerate(together):
+            done = Done(reason=reason) if reason else ended.result()[k]
+            spent = sum((done.report.get("seconds") or {}).values())
+            if spent:
+                self._spent = 0.8 * (self._spent or spent) + 0.2 * spent
+            made.set_result(done)
 
     def close(self) -> None:
         """Leave the cluster: what it makes for us is dropped; one of our own is ended."""
@@ -106,14 +154,13 @@ class Cluster:
         self.own = None
 
 
-def _ended(ended: Any) -> Done:
-    """What became of a job, also where its workers died of it, or the cluster is gone."""
+def _failure(ended: Any) -> str:
+    """Why nothing came back: the workers died of it, or the cluster is gone; empty where something did."""
     if ended.cancelled():
-        return Done(reason="the cluster gave it up: its scheduler is gone")
+        return "the cluster gave it up: its scheduler is gone"
     error = ended.exception()
     if error is None:
-        done: Done = ended.result()
-        return done
+        return ""
     if type(error).__name__ == "KilledWorker":
-        return Done(reason="three workers of the cluster ended in the midst of this")
-    return Done(reason=f"the cluster gave nothing: {type(error).__name__}: {error}")
+        return "three workers of the cluster ended in the midst of this"
+    return f"the cluster gave nothing: {type(error).__name__}: {error}"

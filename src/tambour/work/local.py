@@ -90,7 +90,9 @@ class Local:
             frames: list[bytes] = []
             laid = _laid(hand.folder, job.blobs)
             plain = {k: v for k, v in _plain(job).items() if k != "blobs"}
-            told = await hand.do({"do": "piece", "piece": plain, "laid": laid}, self.limit.seconds, _no, frames.append)
+            told = await hand.do(
+                {"do": "piece", "piece": plain, "laid": laid, "mute": True}, self.limit.seconds, _no, frames.append
+            )
             if told["is"] == "lost":
                 await self._drop(hand)
                 hand = None

@@ -112,6 +112,8 @@ class Worker:
         """Tell how far the job is, thirty times a second at the most. Raises Stopped when it is to end."""
         if self.over or self.job["job"] in self.stopped:
             raise Stopped
+        if self.job.get("mute"):  # nobody looks
+            return
         now = time.monotonic()
         if now - self.shown > 1 / 30 or not done:
             self.shown = now
