@@ -82,6 +82,19 @@ def test_two_pictures_keep_both_laws_and_go_through_files(tmp_path):
     assert "behind" not in Chart(chart.cells, chart.palette, technique="jacquard").plain()
 
 
+def test_a_two_faced_piece_can_be_seen_saved_and_opened_again():
+    piece = made(gauge="24x30")
+    for name in ("live", "steps", "written", "back", "fabric", "pattern", "separated", "stitches", "project"):
+        assert CRAFT.views[name].make(piece) is not None
+    assert CRAFT.facts(piece)["violations"] == 0
+    again = CRAFT.make(Chart.of(piece.chart.plain()), KnitParams(), Progress())
+    assert again.chart.plain() == piece.chart.plain()
+    assert (CRAFT.views["live"].make(again).arrays["pairs"] == [0, 1, 2]).all()
+    stitch = CRAFT.changes["stitch"]
+    with pytest.raises(TambourError, match="hold each other"):
+        stitch.after(piece, [stitch.params(row=3, stitch=4, yarn="1")], Progress())
+
+
 def test_each_face_shows_its_picture_from_its_own_side():
     dark, light = np.zeros((40, 40, 3), np.uint8), np.full((40, 40, 3), 255, np.uint8)
     dark[:, :20] = 255  # front: light on the left; behind: light on the left as seen from there

@@ -27,6 +27,12 @@ def resolve(piece: Piece, edits: Iterable[tuple[int, int, int]]) -> Piece:
     rows that see them follow; ``none`` and ``check`` change nothing else. Raises TambourError for an edit outside the
     chart, of a colour that its row does not have, or that leaves no lawful row.
     """
+    if piece.chart.behind is not None:
+        raise TambourError(
+            "stitches of two pictures hold each other: none is set by hand",
+            hint="a yarn's colour can be",
+            where="{--edit}",
+        )
     if piece.chart.technique != "stranded":
         return coloured.edited(piece, list(edits))
     state: State = piece.state

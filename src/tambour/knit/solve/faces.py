@@ -5,6 +5,9 @@ What a row cannot show is handed to the next one, a half to the same stitch and 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 
 from tambour import color
@@ -53,43 +56,71 @@ def make(layout: Layout, style: Style, params: KnitParams, progress: Progress) -
         backing="picture",
         behind=behind,
     )
-    counts = np.bincount(line.ravel(), minlength=len(palette))
-    order = np.argsort(-np.bincount(cells.ravel(), minlength=len(palette)), kind="stable")
-    figures = {
+    told = {
         "style": "tonal",
         "why": "two pictures: both faces are dithered under the laws of their yarns",
-        "technique": "jacquard",
         "seen_from": style.metres,
-        "width": stitches,
-        "rows": rows,
-        "stitches": 2 * cells.size,
         "method": "twofold",
         "kind": style.kind,
-        "yarns": len(palette),
         "use_within": use,
         "cross_within": params.cross_within,
         "rows_proven": proven,
         "violations": broken + uncrossed,
-        "longest_float": 0,
-        "stitches_by_colour": {name_of(palette, k): int(n) for k, n in enumerate(counts)},
     }
-    nearest = np.ascontiguousarray(wools.distances(front, palette).argmin(2), np.uint8)
+    settled = {"technique": "jacquard", "style": "tonal", "seen_from": params.seen_from or f"{style.metres:g}m"}
+    return assembled(chart, front, params.model_copy(update=settled), told)
+
+
+def of_chart(chart: Chart, params: KnitParams) -> Piece:
+    """The Piece of a two-faced chart that was given: as it is."""
+    rgb = np.ascontiguousarray(chart.palette.rgb[chart.cells])
+    told = {"style": "tonal", "why": "a chart is taken as it is", "method": "check", "kind": "chart", "violations": 0}
+    return assembled(chart, rgb, params.model_copy(update={"technique": "jacquard", "style": "tonal"}), told)
+
+
+@dataclass(frozen=True, slots=True)
+class Yarns:
+    """What screens ask of a piece's state: the palette entries that each row may hold, all of them."""
+
+    rows: int
+    count: int
+
+    @property
+    def pairs(self) -> Array:
+        """(R, K) uint8."""
+        return np.tile(np.arange(self.count, dtype=np.uint8), (self.rows, 1))
+
+
+def assembled(chart: Chart, picture: Array, params: KnitParams, told: dict[str, Any]) -> Piece:
+    """The Piece of a two-faced chart; ``told`` is the report's."""
+    behind = chart.cells if chart.behind is None else chart.behind
+    counts = np.bincount(np.concatenate([chart.cells, behind]).ravel(), minlength=len(chart.palette))
+    order = np.argsort(-np.bincount(chart.cells.ravel(), minlength=len(chart.palette)), kind="stable")
+    rows, stitches = chart.shape
+    figures = {
+        **told,
+        "technique": "jacquard",
+        "width": stitches,
+        "rows": rows,
+        "stitches": 2 * rows * stitches,
+        "yarns": len(chart.palette),
+        "longest_float": 0,
+        "stitches_by_colour": {name_of(chart.palette, k): int(n) for k, n in enumerate(counts)},
+    }
     return Piece(
         chart,
-        params.model_copy(
-            update={"technique": "jacquard", "style": "tonal", "seen_from": params.seen_from or f"{style.metres:g}m"}
-        ),
-        np.ascontiguousarray(tone.brightness(front, "code")),
-        nearest,
+        params,
+        np.ascontiguousarray(tone.brightness(picture, "code")),
+        chart.cells,
         stitches,
-        front,
+        picture,
         int(order[1]) if len(order) > 1 else 0,
         int(order[0]),
-        style.kind,
+        told["kind"],
         None,
         None,
         figures,
-        None,
+        Yarns(rows, len(chart.palette)),
     )
 
 

@@ -173,6 +173,8 @@ def given(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pi
     technique = source.technique if isinstance(source, Chart) and source.technique != "stranded" else params.technique
     if technique not in ("auto", "stranded"):
         chart = source if isinstance(source, Chart) else chart_of(source, two=False)
+        if chart.behind is not None:
+            return faces.of_chart(chart, params)
         if chart.technique != technique:
             worked: Technique = "jacquard" if technique == "jacquard" else "intarsia"
             chart = replace(chart, technique=worked, backing=params.back)
