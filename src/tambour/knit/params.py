@@ -150,7 +150,7 @@ class KnitParams(Params):
     """Jacquard: what the back bed knits: the yarns by turns (birdseye), or a whole row of each (stripes)."""
     behind: Any = file("Picture", "Jacquard: a second picture, for the back of the same cloth, seen from behind.")
     use_within: int | None = Field(default=None, ge=2, le=17)
-    """Two pictures: in so many stitches of a row, both faces counted by turns, every yarn is used. Without it two more than
+    """Two pictures: in so many stitches of a row, both faces counted by turns, every yarn is used. Without it four more than
     there are yarns."""
     cross_within: int = Field(default=24, ge=4, le=1000)
     """Two pictures: in so many stitches of a row, both faces counted, some yarn is used on both, and holds them together."""

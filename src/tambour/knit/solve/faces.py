@@ -22,7 +22,7 @@ from tambour.knit.piece import Piece
 from tambour.knit.solve import twofold
 from tambour.knit.solve.assemble import name_of
 
-MORE = 2  # stitches in which every yarn is used, more than there are yarns
+MORE = 4  # stitches in which every yarn is used, more than there are yarns
 HELD = 0.5  # linear light: the most that is handed on, so that what no yarn can show does not pile up
 
 
@@ -41,6 +41,11 @@ def make(layout: Layout, style: Style, params: KnitParams, progress: Progress) -
         light = color.linear(np.arange(256) / 255).astype(np.float32)
         aim = np.stack([light[front], light[back]], 2).reshape(rows, 2 * stitches, 3)
     use = params.use_within or len(palette) + MORE
+    # What no row can show would only be seen through the other picture: both are drawn in to the most that one yarn may
+    # have of a row where both faces want it.
+    middle = light[palette.rgb].mean(0)
+    most = (use - len(palette) + 1) / use
+    aim = np.asarray(middle + (aim - middle) * (1 - tone.amount(params.tone) * (1 - most)), np.float32)
     room = twofold.Room.of(2 * stitches, len(palette), use, params.cross_within)
     with progress.stage("solve"):
         line, proven = dithered(aim, light[palette.rgb], room, progress)
