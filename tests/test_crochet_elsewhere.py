@@ -161,3 +161,14 @@ def test_a_count_that_the_text_gets_wrong_is_told_once_and_the_rest_is_read():
     counts, unread, doubts = made(more)
     assert counts[4] == 24 and not unread
     assert sum("the pattern says" in d for d in doubts) == 1
+
+
+def test_a_gap_that_cannot_be_worked_either_is_left_out_and_the_rest_is_built():
+    more = (
+        "5th rnd: Ch 1. 1 sc in each of next 8 sc. (Sc2tog) 4 times. Join. 20 sc.\n"
+        "6th rnd: Ch 1. Sc6tog. Sc6tog. Join. 2 sc.\n"
+        "7th rnd: Ch 1. 1 sc in each of next 8 sc. (Sc2tog) twice. 1 sc in each of next 8 sc. Join. 40 sc.\n"
+        "8th rnd: Ch 1. 1 sc in each of next 20 sc. (Sc2tog) 10 times. Join. 30 sc.\n"
+    )
+    counts, unread, doubts = made(more)
+    assert counts[:4] == [6, 12, 18, 18] and (unread or doubts)

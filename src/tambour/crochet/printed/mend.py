@@ -252,7 +252,7 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found) -> tuple[Section,
                 continue
             count = line.stated or next((one.stated for one in reversed(lines) if one.stated), None)
             at = line.stated_span or line.span
-            if line.gap or not count or not line.in_round:
+            if "gap" in _names(line.items) or not count or not line.in_round:
                 said = f"{problem.message}: this round is left out"
             elif problem.message.startswith("the pattern makes more than") or _misled(lines, line, told.sound):
                 said = f"{problem.message}: this round is taken to have {count}"
