@@ -26,7 +26,7 @@ class CrochetParams(Params):
     groups: ClassVar = {
         "Pattern": "terms strict check max_stitches",
         "Yarn and gauge": "yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
-        "Pictures and pages": "detail material photo page title designer",
+        "Pictures and pages": "detail material photo page ink large_print title designer",
         "Shape": "stuffing contact solver steps tolerance start link_distance single_loop_force bending",
         "Stuffing": "pressure centroids nodes_per_centroid centroid_force centroid_cap weight_peak weight_width skeleton_force",
         "Contact": "contact_distance contact_near contact_stiffness",
