@@ -1,4 +1,4 @@
-"""Machines: the largest field, the needles and the files of machines that people have, as their makers publish them.
+"""Machines: the largest field, the needles and the files of machines that people have, as commonly given for them.
 
 A figure that matters is better read off one's own manual: hoops are sold separately, and models of one name differ by country.
 """

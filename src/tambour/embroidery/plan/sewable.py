@@ -10,8 +10,8 @@ from tambour.embroidery.lines.density import density_map
 from tambour.embroidery.machines import MACHINES
 from tambour.embroidery.piece import LOCK, Piece
 
-# What fourteen public machine files hold at most (Embroidermodder's and Rust-Embroidery-Catalogue's samples; half of them
-# sold designs, more could not be had): their 95th percentiles are 29 needle points, 8.8 covers and 3.5 % short stitches.
+# What fourteen public machine files hold at most (Embroidermodder's and Rust-Embroidery-Catalogue's samples; about half of them
+# designs of some size, the rest small samples; more could not be had): their 95th percentiles are 29 needle points, 8.8 covers and 3.5 % short stitches.
 POINTS = 29  # needle points in a cell of 1 mm²: more cut the cloth
 COVERS = 9.0  # covers of thread, in the mean of 3 x 3 mm: stiff as a board
 SHORT = 0.4  # mm: stitches below break thread
