@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-import time
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, Literal
 
 import click
@@ -193,14 +193,16 @@ def test_help_tells_units_bounds_and_views() -> None:
     assert "draft the draft (.txt)" in text
 
 
-def test_stages_do_not_count_twice() -> None:
+def test_stages_do_not_count_twice(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [0.0]
+    monkeypatch.setattr("tambour.core.progress.time", SimpleNamespace(perf_counter=lambda: now[0]))
     progress = Progress()
     with progress.stage("outer"):
-        time.sleep(0.01)
+        now[0] += 1.0
         with progress.stage("inner"):
-            time.sleep(0.03)
-    assert progress.seconds["inner"] >= 0.03
-    assert 0.01 <= progress.seconds["outer"] < 0.03
+            now[0] += 3.0
+        now[0] += 0.5
+    assert progress.seconds == {"outer": 1.5, "inner": 3.0}
 
 
 def test_files_in_each_others_way_are_told_before_any_work(tmp_path: Path) -> None:
