@@ -50,7 +50,7 @@ def test_the_option_chooses_the_default_view_of_pictures() -> None:
         names = ["a.png", "a.jpg", "a.glb", "a.photo.png", "a.yarn.png"]
         return [o.view for o in runner.outputs(crochet, names, "", crochet.prefer(crochet.params(photo=photo)))]
 
-    assert views(False) == ["yarn", "yarn", "yarn", "photo", "yarn"]
+    assert views(False) == ["toy", "toy", "yarn", "photo", "yarn"]
     assert views(True) == ["photo", "photo", "yarn", "photo", "yarn"]
 
 
