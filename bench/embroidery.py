@@ -27,8 +27,8 @@ from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines import flow as flows
 from tambour.embroidery.lines.density import density_map
 from tambour.embroidery.lines.field import directions, field
-from tambour.embroidery.lines.fill import rings, rows, to_rows
-from tambour.embroidery.lines.net import polygon_of, weave
+from tambour.embroidery.lines.fill import polygon_of, rings, rows, to_rows
+from tambour.embroidery.lines.net import weave
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import FILL, TRAVEL
 from tambour.embroidery.plan.facts import full_cells, steps

@@ -145,3 +145,17 @@ def test_kernels_that_python_calls_declare_their_types(root: Path) -> None:
         module, _, name = full.rpartition(".")
         made = getattr(importlib.import_module(module), name)
         assert signature(getattr(made, "py_func", made)) is not None, f"{full}, called in {called[full]}"
+
+
+def test_benches_and_examples_name_what_is_there() -> None:
+    gone, root = [], Path(__file__).resolve().parent.parent
+    for path in [*(root / "bench").glob("*.py"), *(root / "examples").rglob("*.py")]:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("tambour"):
+                module = importlib.import_module(str(node.module))
+                gone += [
+                    f"{path.name}:{node.lineno} {node.module}.{a.name}"
+                    for a in node.names
+                    if not hasattr(module, a.name) and importlib.util.find_spec(f"{node.module}.{a.name}") is None
+                ]
+    assert not gone
