@@ -100,7 +100,7 @@ def star_fill() -> None:
 
         def whole(how: str = how):
             made = tatami(rings(closed(lines), ANGLE), ANGLE, 0.4, 3.0, travel=how)
-            layout = Layout(EmbroideryParams())
+            layout = Layout(EmbroideryParams(min_length=0.0))  # every stitch that the rows ask for
             layout.stitches(made, 0)
             return made, layout.plan()
 
