@@ -13,6 +13,7 @@ from tambour.crochet.finish.features import doubts, materials, meshes, placed
 from tambour.crochet.finish.felt import area, outline
 from tambour.crochet.finish.ground import Ground, ground
 from tambour.crochet.finish.placing import frames
+from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import SHAPES
 from tambour.crochet.looks import surface, yarn
 from tambour.crochet.maker.facts import facts
@@ -104,7 +105,7 @@ def test_stitches_lie_on_the_yarn_and_end_in_it() -> None:
     assert inner.sum() > 50 and over[inner].min() > -0.5
     assert over.min() < -1.0
     between = np.linalg.norm(
-        np.diff(frames(piece.built, piece.positions, piece.built.pattern.finish[0].spots).points, axis=0)
+        np.diff(frames(Spots(piece.built), piece.positions, piece.built.pattern.finish[0].spots).points, axis=0)
     )
     assert between < np.ptp(mesh.vertices[:, 0]) < 1.2 * between
 

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import crochet_plain as plain
 import crochet_toys as toys
 from tambour import noise
+from tambour.core.errors import Text
 from tambour.crochet.graph import layout
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import worked
 from tambour.crochet.settle import arrange
+
+EXAMPLES = Path(__file__).parents[1] / "examples" / "crochet"
 
 
 def test_a_round_is_a_ring_above_the_one_before() -> None:
@@ -58,3 +65,35 @@ def test_fit_finds_the_motion() -> None:
     np.testing.assert_allclose(shift, 4.0, atol=1e-12)
     mirrored, _ = arrange.fit(a, -a, np.ones(9))
     assert np.linalg.det(mirrored) > 0.99, "never a reflection"
+
+
+_TYPED = """== A ==
+R1: MR(6) (6)
+R2: {two}
+R3: {three}
+== B (make 2) ==
+R1: MR(6) (6)
+R2: 6 inc (12)
+R3: 12 sc (12)
+"""
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_parts_that_are_remembered_stand_as_if_they_were_laid_out_anew(turned) -> None:
+    """One who types changes a part at a time: whatever was laid out before, a layout is that of its own text."""
+    pairs = [
+        (two, three)
+        for two in ("6 inc (12)", "6 sc (6)", "[sc, inc] x 3 (9)")
+        for three in ("12 sc", "12 hdc", "3 sc, ch 2, 4 sc, turn, 4 sc")
+    ]
+    texts = [_TYPED.format(two=two, three=three) for two, three in pairs]
+    texts += [path.read_text() for path in sorted(EXAMPLES.glob("*.txt")) + sorted(EXAMPLES.glob("*.acl"))]
+    for text in reversed(texts) if turned else texts:
+        graph = worked(Text(text, "t.acl" if text.startswith("==") else "t.txt"), CrochetParams())[0].graph
+        beside = layout.rounds(graph, graph.rest / graph.stitch_width)
+        again = layout.rounds(graph, graph.rest / graph.stitch_width)
+        kept = dict(layout._laid)
+        layout._laid.clear()
+        alone = layout.rounds(graph, graph.rest / graph.stitch_width)
+        layout._laid.update(kept)
+        assert (beside == alone).all() and (again == alone).all()

@@ -8,7 +8,7 @@ import pytest
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.finish.joining import prepare
 from tambour.crochet.graph.build import build
-from tambour.crochet.graph.spots import Spots, sewn_rim
+from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
 from tambour.crochet.page.instructions import instructions
 from tambour.crochet.places.names import Made, mentions
@@ -403,7 +403,7 @@ def test_a_cap_that_narrows_is_sewn_by_its_brim_and_stands_on_an_open_beginning(
     record = next(r for r in pattern.finish if isinstance(r, Placed) and r.part == "HAT")
     built = build(pattern)
     spots = Spots(built)
-    assert len(sewn_rim(built, spots.parts["HAT"])) == 24
+    assert len(spots.sewn_rim(spots.parts["HAT"])) == 24
     assert record.spot.part == "HEAD"
 
 

@@ -69,7 +69,7 @@ def test_frames_lie_on_the_fabric() -> None:
     piece = toy(BALL)
     x = piece.positions
     spots = [Spot("Head", r, None) for r in (3, 5.5, 7, 8.5, 11)] + [Spot("Head", 7, 1), Spot("Head", 0, None)]
-    points, normals, along, up = frames(piece.built, x, spots)
+    points, normals, along, up = frames(Spots(piece.built), x, spots)
     for a, b, dot in ((normals, normals, 1), (along, along, 1), (along, up, 0), (up, normals, 0), (along, normals, 0)):
         assert (a * b).sum(1) == pytest.approx(dot, abs=1e-9)
     assert np.cross(along, up) == pytest.approx(normals)
@@ -80,7 +80,7 @@ def test_frames_lie_on_the_fabric() -> None:
     assert (up[1:4, 1] > 0.7).all() and (along[1:4, 0] > 0.8).all()
     # A part that leans: up leans with it.
     turned = np.array([[1.0, 0.0, 0.0]])
-    assert (frames(piece.built, x, spots[2:3], turned).up[:, 0] > 0.8).all()
+    assert (frames(Spots(piece.built), x, spots[2:3], turned).up[:, 0] > 0.8).all()
 
 
 def test_wrong_spots_are_told_at_their_places() -> None:

@@ -74,7 +74,7 @@ def placed(built: Built, positions: Array, upright: Array | None = None) -> Loca
     records = tuple(f for f in built.pattern.finish if isinstance(f, (Eye, Embroidery, Felt, Hair)))
     known = Spots(built)
     led = [_led(known, r) for r in records]
-    every = frames(built, positions, [s for of in led for s in of], upright)
+    every = frames(known, positions, [s for of in led for s in of], upright)
     ends = np.cumsum([0, *(len(of) for of in led)])
     return Located(records, tuple(Frames(*(v[a:b] for v in every)) for a, b in pairwise(ends)))
 

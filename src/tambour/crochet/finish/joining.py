@@ -128,7 +128,7 @@ def crowded(joining: Joining) -> list[Problem]:
     known: list[tuple[Placed, bool, Array]] = []
     told: set[tuple[object, ...]] = set()
     for f, end in steps:
-        frame = frames(spots.built, spots.layout, [f.spot])
+        frame = frames(spots, spots.layout, [f.spot])
         points = sewing.line(f, end, frame)
         for other, ring, its in known:
             if spots.parts[f.spot.part] != spots.parts[other.spot.part]:
@@ -217,7 +217,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
 def _frame(joining: Joining, x: Array, placed: Placed, end: sewing.End, upright: Array, target: Array) -> Frames:
     """The frame at the spot of ``placed``, level with as much of the fabric (its nodes are ``target``) as its end covers."""
     built = joining.built
-    frame = frames(built, x, [placed.spot], upright)
+    frame = frames(joining.spots, x, [placed.spot], upright)
     if joining.spots.place(placed.spot).opening:
         return frame
     m = len(end.nodes)

@@ -9,7 +9,6 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import Part
-from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Spot
 from tambour.geometry.motion import dot
@@ -40,14 +39,13 @@ def standing(x: Array, up: str) -> Array:
     return x * (-1.0, -1.0, 1.0) if up == "start" else x
 
 
-def frames(built: Built, positions: Array, spots: Sequence[Spot], upright: Array | None = None) -> Frames:
+def frames(known: Spots, positions: Array, spots: Sequence[Spot], upright: Array | None = None) -> Frames:
     """Where ``spots`` are on the fabric and how it lies there.
 
     positions : (N, 3) of the graph's nodes, in any unit, front +z
     upright : (P, 3) which way is up on every part; None: +y on all. Up on a part that leans leans with it
     """
-    known = Spots(built)
-    x = np.ascontiguousarray(positions, np.float64)
+    built, x = known.built, np.ascontiguousarray(positions, np.float64)
     outward = vertex_normals(x, built.graph.faces[built.shell])
     points, normals, tops = np.zeros((len(spots), 3)), np.zeros((len(spots), 3)), np.zeros((len(spots), 3))
     for k, spot in enumerate(spots):

@@ -11,7 +11,7 @@ from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP, StitchGraph
 from tambour.crochet.finish.placing import Frames
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots, edge, sewn_rim
+from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed
 from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.near import assigned, nearest
@@ -59,11 +59,11 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
         assert number is not None
         nodes = spots.stitches(number)
     elif rows:
-        if placed.flat and len(loop := edge(built, part)) > 3:
+        if placed.flat and len(loop := spots.edge(part)) > 3:
             return End(loop, True, none, True)
         nodes = _end_of_rows(built, spots, part)
     else:
-        nodes = sewn_rim(built, part)
+        nodes = spots.sewn_rim(part)
         if not len(nodes):
             nodes = spots.stitches(spots.last(part))
     nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]

@@ -6,6 +6,7 @@ All in stitches, y up. Seen from outside, at the ring that a part begins with, w
 from __future__ import annotations
 
 import math
+from hashlib import blake2b
 
 import numpy as np
 
@@ -25,6 +26,8 @@ WAVE = 0.1
 """How far rows lie off their plane at first, in stitches: what wants to leave it could not begin to otherwise."""
 CLEAR = 1.0
 """Stitches that rings of different branches of one part keep between them."""
+_KEPT, _LARGE = 64, 4000
+"""So many parts are remembered, of so many stitches at the most."""
 
 
 def sections(graph: StitchGraph) -> Array:
@@ -80,8 +83,14 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     np.maximum.at(width, graph.part[starts], (ends - starts) / (2.0 * math.pi))
     begun = np.zeros(len(graph.parts), int)
     forks = Forks()
+    keys = _keys(graph, heights, flat, least, folded)
+    known = {part: made for part, key in keys.items() if (made := _laid.get(key)) is not None}
+    for part, made in known.items():
+        x[graph.parts[part].start : graph.parts[part].end] = made
     for k, (a, b) in enumerate(zip(starts.tolist(), ends.tolist())):
         part = int(graph.part[a])
+        if part in known:
+            continue
         nodes = np.arange(a, b)
         anchors = graph.anchors[graph.anchor_offsets[a] : graph.anchor_offsets[b]]
         over = np.repeat(np.arange(b - a), np.diff(graph.anchor_offsets[a : b + 1]))  # which node is worked into each
@@ -142,7 +151,43 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         if b - a > 1:
             place = forks.clear(k, np.unique(section[under]), place, radius, part)
         x[nodes] = place + np.column_stack([radius * np.cos(angle), np.zeros(b - a), radius * np.sin(angle)])
+    for part, key in keys.items():
+        if part not in known:
+            _laid[key] = x[graph.parts[part].start : graph.parts[part].end].copy()
+            while len(_laid) > _KEPT:
+                _laid.pop(next(iter(_laid)), None)
     return x
+
+
+_laid: dict[bytes, Array] = {}
+"""Parts that were laid out last, by all that it depends on: between two keys of one who types, most parts stay as they are."""
+
+
+def _keys(graph: StitchGraph, heights: Array, flat: Array, least: Array, folded: Array) -> dict[int, bytes]:
+    """Part → digest of all that its layout depends on; of those that no other part is worked into, or joined to."""
+    part, offsets = graph.part, graph.anchor_offsets
+    holder = np.repeat(np.arange(len(graph)), np.diff(offsets))
+    before = np.where(graph.previous < 0, np.arange(len(graph)), graph.previous)
+    crossing = [part[a[m]] for a, b in ((holder, graph.anchors), (np.arange(len(graph)), before), graph.edges.T)
+                for m in [part[a] != part[b]] for a in (a, b)]  # fmt: skip
+    mixed = set(np.concatenate(crossing).tolist())
+    of_edge = part[graph.edges[:, 0]]
+    keys: dict[int, bytes] = {}
+    for k, p in enumerate(graph.parts):
+        if k in mixed or not 0 < p.end - p.start <= _LARGE:
+            continue
+        own = slice(p.start, p.end)
+        held = [
+            graph.round[own] - graph.round[p.start], graph.peculiarity[own], graph.direction[own], heights[own],
+            graph.previous[own] - p.start, graph.parent[own] - p.start, folded[own], np.diff(offsets[p.start : p.end + 1]),
+            graph.anchors[offsets[p.start] : offsets[p.end]] - p.start, graph.edges[of_edge == k] - p.start,
+            np.array([flat[k], least[k] > 0.0]),
+        ]  # fmt: skip
+        digest = blake2b(digest_size=16)
+        for array in held:
+            digest.update(array.tobytes() + b"|")
+        keys[k] = digest.digest()
+    return keys
 
 
 class Forks:

@@ -37,6 +37,8 @@ class Spots:
         self.built = built
         self.numbers = [r.number for r in built.rounds]
         self._at: dict[tuple[int, int], list[int]] = {}
+        self._open: dict[int, list[Array]] = {}
+        self._standing: dict[tuple[int, int], tuple[Array, Array]] = {}
         for k, (round_, number) in enumerate(zip(built.rounds, self.numbers)):
             self._at.setdefault((round_.part, number), []).append(k)
 
@@ -102,7 +104,7 @@ class Spots:
         mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
         if not mine or self.in_rows[part] or number not in (min(mine) - 1, max(mine) + 1):
             return np.zeros(0, int)
-        return rim(self.built, part) if number > max(mine) else begun(self.built, part)
+        return self.rim(part) if number > max(mine) else self.begun(part)
 
     def place(self, spot: Spot) -> Place:
         """Where a spot is; it must be one that :func:`problems` has nothing against."""
@@ -161,6 +163,15 @@ class Spots:
     def _above(self, k: int | None, above: int, index: float | None) -> float:
         """The position in round ``above`` that stands on position ``index`` of round ``k``."""
         assert k is not None and index is not None
+        if (k, above) not in self._standing:
+            self._standing[k, above] = self._stands(k, above)
+        below, over = self._standing[k, above]
+        if not len(below):
+            return (index + 0.5) / len(self.stitches(k)) * len(self.stitches(above)) - 0.5
+        return float(np.interp(index, below, over))
+
+    def _stands(self, k: int, above: int) -> tuple[Array, Array]:
+        """Positions in round ``k``, rising, and those in round ``above`` that stand on them, over three turns."""
         graph, lower, upper = self.built.graph, self.stitches(k), self.stitches(above)
         n, rank = len(lower), {int(node): i for i, node in enumerate(lower)}
         stands: list[tuple[float, int]] = []  # position below, position above
@@ -172,7 +183,7 @@ class Spots:
                 found = [f + n if f < found[0] - n / 2 else f for f in found]
                 stands.append((sum(found) / len(found), j))
         if not stands:
-            return (index + 0.5) / n * len(upper) - 0.5
+            return np.zeros(0), np.zeros(0)
         below = np.unwrap([s for s, _ in stands], period=n)
         over = np.array([j for _, j in stands], float)
         # Stitches of an increase share an anchor: they stand beside each other on it.
@@ -181,9 +192,61 @@ class Spots:
             if len(same) > 1:
                 below[same] += 0.5 * ((np.arange(len(same)) + 0.5) / len(same) - 0.5)
         turns = (-1, 0, 1)
-        every = np.concatenate([below + t * n for t in turns])
-        place = np.interp(index, every, np.concatenate([over + t * len(upper) for t in turns]))
-        return float(place)
+        return np.concatenate([below + t * n for t in turns]), np.concatenate([over + t * len(upper) for t in turns])
+
+    # -- open edges -----------------------------------------------------------------------------------------------
+
+    def _loops(self, part: int) -> list[Array]:
+        """The edges of a part's shell, each all round: nodes in order."""
+        if part not in self._open:
+            graph = self.built.graph
+            faces = graph.faces[self.built.shell]
+            faces = faces[graph.part[faces[:, 0]] == part]
+            found = []
+            if len(faces):
+                _, _, offsets, nodes = lids(faces, np.zeros(len(faces), np.int32), len(graph))
+                found = [nodes[a:b] for a, b in pairwise(offsets)]
+            self._open[part] = found
+        return self._open[part]
+
+    def edge(self, part: int, at: int | None = None) -> Array:
+        """The edge of a part that its last stitch (or node ``at``) is on, all round: nodes in order; empty where none is."""
+        graph = self.built.graph
+        p = graph.parts[part]
+        if at is None and p.end > p.start and graph.peculiarity[p.end - 1] == TIP:
+            return np.zeros(0, int)
+        node = p.end - 1 if at is None else at
+        return np.asarray(next((r for r in self._loops(part) if node in r), np.zeros(0, int)), int)
+
+    def sewn_rim(self, part: int) -> Array:
+        """The edge that a part in rounds is sewn by: that of its last round, else that of its first; empty where both are closed.
+
+        An end of a few stitches is gathered: a cap that narrows to six is sewn by its brim.
+        """
+        last, first = self.rim(part), self.begun(part)
+        return first if not len(last) or (len(last) <= GATHERED and len(first) >= 2 * len(last)) else last
+
+    def begun(self, part: int) -> Array:
+        """The edge of a part that was worked first, where it is open: a chain joined to a ring; empty where it is closed."""
+        p = self.built.graph.parts[part]
+        if p.end <= p.start or (self.built.graph.peculiarity[p.start : p.end] == ROOT).any():
+            return np.zeros(0, int)
+        return self.edge(part, p.start)
+
+    def rim(self, part: int) -> Array:
+        """The edge of a part that was worked last, where it is open: nodes in the order of work; empty where it is closed."""
+        graph, p, loop = self.built.graph, self.built.graph.parts[part], self.edge(part)
+        if not len(loop):
+            return loop
+        last = int(np.flatnonzero(loop == p.end - 1)[0])
+        loop = np.roll(loop, -1 - last)  # the stitch worked last comes last
+        if len(loop) > 2 and loop[0] == p.end - 2:
+            loop = np.append(loop[:-1][::-1], loop[-1])
+        # Where a spiral ends the edge steps down by a stitch that is worked into already: no needle goes there.
+        free = loop[~np.isin(loop, graph.anchors)]
+        return np.asarray(free if len(free) > 2 else loop, int)
+
+    # -- what is wrong ----------------------------------------------------------------------------------------------
 
     def problems(self, finishes: Sequence[Finish]) -> Iterator[Problem]:
         """What is wrong with the spots of ``finishes``: rounds and stitches that are not there."""
@@ -216,48 +279,3 @@ class Spots:
         if spot.stitch is not None and counts and spot.stitch >= max(counts) + 1:
             message = f'round {spot.round:g} of "{spot.part}" has {max(counts)} stitches, not {spot.stitch:g}'
             yield Problem(message, "count from its first stitch, which is 1", spot.span, text)
-
-
-def edge(built: Built, part: int, at: int | None = None) -> Array:
-    """The edge of a part that its last stitch (or node ``at``) is on, all round: nodes in order; empty where none is."""
-    graph = built.graph
-    p = graph.parts[part]
-    faces = graph.faces[built.shell]
-    faces = faces[graph.part[faces[:, 0]] == part]
-    if not len(faces) or (at is None and graph.peculiarity[p.end - 1] == TIP):
-        return np.zeros(0, int)
-    _, _, offsets, found = lids(faces, np.zeros(len(faces), np.int32), len(graph))
-    loops = [found[a:b] for a, b in pairwise(offsets)]
-    node = p.end - 1 if at is None else at
-    return np.asarray(next((r for r in loops if node in r), np.zeros(0, int)), int)
-
-
-def sewn_rim(built: Built, part: int) -> Array:
-    """The edge that a part in rounds is sewn by: that of its last round, else that of its first; empty where both are closed.
-
-    An end of a few stitches is gathered: a cap that narrows to six is sewn by its brim.
-    """
-    last, first = rim(built, part), begun(built, part)
-    return first if not len(last) or (len(last) <= GATHERED and len(first) >= 2 * len(last)) else last
-
-
-def begun(built: Built, part: int) -> Array:
-    """The edge of a part that was worked first, where it is open: a chain joined to a ring; empty where it is closed."""
-    p = built.graph.parts[part]
-    if p.end <= p.start or (built.graph.peculiarity[p.start : p.end] == ROOT).any():
-        return np.zeros(0, int)
-    return edge(built, part, p.start)
-
-
-def rim(built: Built, part: int) -> Array:
-    """The edge of a part that was worked last, where it is open: nodes in the order of work; empty where it is closed."""
-    graph, p, loop = built.graph, built.graph.parts[part], edge(built, part)
-    if not len(loop):
-        return loop
-    last = int(np.flatnonzero(loop == p.end - 1)[0])
-    loop = np.roll(loop, -1 - last)  # the stitch worked last comes last
-    if len(loop) > 2 and loop[0] == p.end - 2:
-        loop = np.append(loop[:-1][::-1], loop[-1])
-    # Where a spiral ends the edge steps down by a stitch that is worked into already: no needle goes there.
-    free = loop[~np.isin(loop, graph.anchors)]
-    return np.asarray(free if len(free) > 2 else loop, int)

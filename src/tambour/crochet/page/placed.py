@@ -96,7 +96,7 @@ class Spoken:
         number = int(spot.round)
         k = self.spots.round_at(part, number)
         if k is None or (spot.stitch is None and number < 1):
-            frame = frames(self.built, self.spots.layout, [spot])
+            frame = frames(self.spots, self.spots.layout, [spot])
             up = self.built.pattern.parts[self.built.parts[part].section].up
             upward = float(frame.normals[0][1]) > 0.0
             placed = any(

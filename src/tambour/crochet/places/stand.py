@@ -12,7 +12,7 @@ from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP
 from tambour.crochet.finish import sewing
 from tambour.crochet.finish.placing import Frames, frames, standing
-from tambour.crochet.graph.spots import Spots, begun, rim
+from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed, Spot
 
 NECK = 0.82
@@ -43,7 +43,7 @@ class Stand:
 
     def frame(self, spot: Spot) -> Frames:
         """How the fabric lies at a spot (K = 1)."""
-        return frames(self.spots.built, self.x, [spot], self.upright)
+        return frames(self.spots, self.x, [spot], self.upright)
 
     def place(self, placed: Placed) -> None:
         """Turn a part as it will be where it is placed."""
@@ -115,11 +115,11 @@ class Host:
         """The middle of an end that looks in ``direction``: the ring, the tip, or the middle of the opening."""
         if float(self.axis @ direction) > 0.9 and self.high == self._ends[1]:
             g, p = self.stand.spots.built.graph, self.stand.spots.built.graph.parts[self.part]
-            if (g.peculiarity[p.start : p.end] == TIP).any() or len(rim(self.stand.spots.built, self.part)):
+            if (g.peculiarity[p.start : p.end] == TIP).any() or len(self.stand.spots.rim(self.part)):
                 return Spot(self.name, float(self.high + 1), None)
         if float(self.axis @ direction) < -0.9 and self.low == self._ends[0]:
             g, p = self.stand.spots.built.graph, self.stand.spots.built.graph.parts[self.part]
-            if (g.peculiarity[p.start : p.end] == ROOT).any() or len(begun(self.stand.spots.built, self.part)):
+            if (g.peculiarity[p.start : p.end] == ROOT).any() or len(self.stand.spots.begun(self.part)):
                 return Spot(self.name, float(self.low - 1), None)
         return None
 
@@ -146,10 +146,11 @@ class Host:
     def near(self, point: Array, fine: float = 0.5) -> Spot:
         """The place nearest to a point: its round and stitch, in halves, or in tenths (``fine`` = 0.1)."""
         rows = bool(self.stand.spots.in_rows[self.part])
-        rings = self.levels if fine >= 0.5 else self._with_poles
-        away = [_on(ring, point, rows) for _, ring in rings]
-        i = min(range(len(rings)), key=lambda k: away[k][0])
-        level, index, best = float(rings[i][0]), away[i][1], away[i][0]
+        rings, (start, way, begins) = (
+            (self.levels, self._threads) if fine >= 0.5 else (self._with_poles, self._threads_with_poles)
+        )
+        i = int(np.minimum.reduceat(_away(start, way, point)[0], begins).argmin())
+        level, (best, index) = float(rings[i][0]), _on(rings[i][1], point, rows)
         if fine >= 0.5:
             # Mirrored things stay mirrored: steps are counted from the middle of the front.
             middle = self.middle(level)
@@ -161,11 +162,22 @@ class Host:
             one, other = rings[k][1], _alike(rings[k + 1][1], len(rings[k][1]))
             if len(one) == 1:
                 one, other = np.repeat(one, len(rings[k + 1][1]), 0), rings[k + 1][1]
-            for s in range(1, 10):
-                near, there = _on((1 - s / 10) * one + s / 10 * other, point, rows)
-                if near < best:
-                    best, level, index = near, rings[k][0] + s / 10, there
+            tenths = np.arange(1, 10)[:, None, None] / 10
+            between = (1 - tenths) * one + tenths * other
+            away, share = _away(*_threads(between, rows), point)
+            s = int(away.min(1).argmin())
+            at = int(away[s].argmin())
+            if away[s, at] < best:
+                best, level, index = float(away[s, at]), rings[k][0] + (s + 1) / 10, at + float(share[s, at])
         return Spot(self.name, round(level, 1), round(index + 1.0, 1))
+
+    @cached_property
+    def _threads(self) -> tuple[Array, Array, Array]:
+        return _all_threads([ring for _, ring in self.levels], bool(self.stand.spots.in_rows[self.part]))
+
+    @cached_property
+    def _threads_with_poles(self) -> tuple[Array, Array, Array]:
+        return _all_threads([ring for _, ring in self._with_poles], bool(self.stand.spots.in_rows[self.part]))
 
     @cached_property
     def _with_poles(self) -> list[tuple[int, Array]]:
@@ -193,16 +205,31 @@ class Host:
 
 def _on(ring: Array, point: Array, rows: bool) -> tuple[float, float]:
     """How near a point comes to a ring of stitches (n, 3), squared, and at which position from 0."""
-    after = ring[1:] if rows or len(ring) < 3 else np.roll(ring, -1, 0)
-    start = ring[: len(after)]
-    if not len(after):
-        return float(((ring[0] - point) ** 2).sum()), 0.0
-    way = after - start
-    share = ((point - start) * way).sum(1) / np.maximum((way**2).sum(1), 1e-12)
-    share = np.clip(share, 0.0, 1.0)
-    off = ((start + share[:, None] * way - point) ** 2).sum(1)
+    off, share = _away(*_threads(ring, rows), point)
     k = int(off.argmin())
     return float(off[k]), k + float(share[k])
+
+
+def _threads(rings: Array, rows: bool) -> tuple[Array, Array]:
+    """From each stitch of rings (…, n, 3) to the next: where it starts and its way, (…, m, 3); of one stitch its place."""
+    n = rings.shape[-2]
+    after = rings if n == 1 else rings[..., 1:, :] if rows or n < 3 else np.roll(rings, -1, -2)
+    start = rings[..., : after.shape[-2], :]
+    return start, after - start
+
+
+def _all_threads(rings: list[Array], rows: bool) -> tuple[Array, Array, Array]:
+    """Those of rings of any size one behind the other, and where each ring's begin."""
+    pairs = [_threads(ring, rows) for ring in rings]
+    begins = np.cumsum([0, *(len(start) for start, _ in pairs[:-1])])
+    return np.concatenate([s for s, _ in pairs]), np.concatenate([w for _, w in pairs]), begins
+
+
+def _away(start: Array, way: Array, point: Array) -> tuple[Array, Array]:
+    """How far a point is from every thread, squared, and at which share of its way it is nearest."""
+    share = ((point - start) * way).sum(-1) / np.maximum((way**2).sum(-1), 1e-12)
+    share = np.clip(share, 0.0, 1.0)
+    return ((start + share[..., None] * way - point) ** 2).sum(-1), share
 
 
 def _alike(ring: Array, n: int) -> Array:

@@ -7,7 +7,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots, sewn_rim
+from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.places.hear import Copy
 from tambour.crochet.places.names import Made
@@ -64,7 +64,7 @@ class Toy:
     def open(self, name: str) -> int:
         """How many stitches the open edge of a part has; 0 where it is closed or worked in rows."""
         part = self.spots.parts[name]
-        return 0 if self.spots.in_rows[part] else len(sewn_rim(self.built, part))
+        return 0 if self.spots.in_rows[part] else len(self.spots.sewn_rim(part))
 
     def of_kind(self, *kinds: str) -> Made | None:
         """The largest part of a kind that is made once."""

@@ -7,7 +7,7 @@ import { unpack } from "../pack.js";
 import { list, told } from "../problems.js";
 import { night } from "../theme.js";
 import { Timeline, bare } from "../timeline.js";
-import { counted, dyed, effect, html, later, number, ref, show, signal, untracked } from "../view.js";
+import { counted, dyed, effect, html, number, ref, show, signal, untracked } from "../view.js";
 import { ask } from "../wire.js";
 import { Hand } from "./drag.js";
 import { Editor } from "./editor.js";
@@ -58,20 +58,25 @@ export function screen(root, piece, { over }) {
     },
   });
   if (source && source.text === null) attempt(async () => editor.set((await ask(`/api/revisions/${piece.revision.value.id}/text`)).text));
-  /** @type {AbortController|undefined} */
-  let asking;
-  const check = later(async (/** @type {string} */ text) => {
-    asking?.abort();
-    asking = new AbortController();
+  /** One question at a time; what was typed meanwhile is asked next, the latest alone. */
+  let asking = false, next = /** @type {string|null} */ (null);
+  const gone = new AbortController();
+  const check = async (/** @type {string} */ text) => {
+    if (asking) return void (next = text);
+    asking = true;
     try {
-      const found = await ask("/api/check/crochet", { body: { text, params: piece.params.value }, signal: asking.signal });
+      const found = await ask("/api/check/crochet", { body: { text, params: piece.params.value }, signal: gone.signal });
       if (text === editor.text) checked.value = found;
     } catch {
-      // a newer key took its place, or the server is away, which the bar says
+      // the page was left, or the server is away, which the bar says
     }
-  }, 90);
+    asking = false;
+    const then = next;
+    next = null;
+    if (then !== null && !gone.signal.aborted) check(then);
+  };
   const commit = (/** @type {string} */ text) => piece.change({ source: { text, name: source?.name?.replace(/\.(pdf|docx|html?)$/i, ".txt") ?? "pattern.txt" }, merge: true }, 600);
-  stop.push(() => (check.stop(), editor.view.destroy()));
+  stop.push(() => (gone.abort(), editor.view.destroy()));
   stop.push(effect(() => {
     const text = piece.revision.value?.source?.text;
     if (typeof text === "string" && untracked(() => piece.saved.value)) editor.set(text);
