@@ -94,6 +94,7 @@ def shell(line: str, folder: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(["bash", "-c", line], cwd=folder, capture_output=True, text=True, timeout=300)
 
 
+@pytest.mark.slow
 def test_streams_that_are_full_or_closed(tmp_path: Path) -> None:
     full = shell("tambour formats > /dev/full", tmp_path)
     assert full.returncode == 2 and full.stderr == "cannot be printed: No space left on device\n"
@@ -104,6 +105,7 @@ def test_streams_that_are_full_or_closed(tmp_path: Path) -> None:
     assert (tmp_path / "a.svg").read_text().startswith("<svg") and (tmp_path / "a.svg").read_text().endswith("</svg>\n")
 
 
+@pytest.mark.slow
 def test_a_process_may_be_copied_after_a_run(tmp_path: Path) -> None:
     """Threads of OpenMP once ended each copy: no pool may outlive its work."""
     code = (
@@ -116,6 +118,7 @@ def test_a_process_may_be_copied_after_a_run(tmp_path: Path) -> None:
     assert len({p.read_bytes() for p in tmp_path.glob("*.svg")}) == 1 and len(list(tmp_path.glob("*.svg"))) == 3
 
 
+@pytest.mark.slow
 def test_a_number_of_threads_that_is_none_is_told(tmp_path: Path) -> None:
     for bad in ("x", "0", "-1", "9" * 5000):
         told = shell(f"TAMBOUR_THREADS={bad} tambour ink --span 300", tmp_path)

@@ -308,6 +308,7 @@ LINE = st.lists(STEP, min_size=1, max_size=8).map(lambda steps: ": " + ", ".join
 
 @settings(max_examples=200, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(st.integers(4, 12), st.lists(LINE, max_size=5), st.booleans())
+@pytest.mark.slow
 def test_whatever_is_drawn_together_is_closed(ring, lines, turning):
     """Any stitches in a spiral, closed at the end: watertight, one orientation, a sphere."""
     text = f": MR({ring})\n: {ring} sc\n: {2 * ring} sc\n" + "\n".join(lines)

@@ -179,6 +179,7 @@ def mutations(draw: st.DrawFn) -> str:
 
 @settings(max_examples=60, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(mutations(), st.sampled_from(["pressure", "centroid", "skeleton"]))
+@pytest.mark.slow
 def test_mutations_give_a_piece_or_a_located_error(text: str, stuffing: str) -> None:
     began = time.perf_counter()
     try:

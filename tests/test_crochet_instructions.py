@@ -251,6 +251,7 @@ def numbered(lines):
 
 @settings(max_examples=250, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(st.integers(3, 12), st.lists(st.one_of(ROUND, ROUND, BETWEEN), max_size=9), st.sampled_from(list(TERMS)))
+@pytest.mark.slow
 def test_whatever_builds_is_read_back(ring, rounds, code):
     text = numbered(["define bump(height 1.5) = 3 pull through, pull over", f": MR({ring})", *rounds])
     try:

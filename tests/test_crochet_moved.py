@@ -42,6 +42,7 @@ def placed(built: Built) -> dict[str, Placed]:
         ("bunny.acl", "Tail", ("Body", 6, 4), "place(Tail, Body, round=6, stitch=4, by=5)"),
     ],
 )
+@pytest.mark.slow
 def test_a_part_is_where_the_hand_put_it_and_nothing_else_moves(name, part, onto, said):
     source = text(name)
     before, _ = worked(source, PARAMS)

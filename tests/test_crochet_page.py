@@ -209,6 +209,7 @@ def test_pictures_hold_the_toy() -> None:
     assert abs(middle[:3].astype(int) - 240).max() > 60
 
 
+@pytest.mark.slow
 def test_a_light_that_parts_came_into_one_by_one_is_that_in_which_they_came_together() -> None:
     piece = toy()
     kept = Album(piece)
@@ -284,6 +285,7 @@ def test_a_text_file_holds_no_markdown() -> None:
     assert unmarked("## A  \n*say it*\n**Gauge:** 3  ") == "A\n-\nsay it\nGauge: 3\n"
 
 
+@pytest.mark.slow
 def test_her_photo_leads_the_cover_and_ours_says_that_it_is_computed() -> None:
     cover, *inside = pages(hers())
     assert any(label.text == "computed from this pattern" for label in cover.labels)
@@ -294,6 +296,7 @@ def test_her_photo_leads_the_cover_and_ours_says_that_it_is_computed() -> None:
     assert shown.count((100, 10, 10)) == 1  # the other stands with its part, and what is no picture nowhere
 
 
+@pytest.mark.slow
 def test_little_ink_has_white_grounds_and_large_print_the_same_paper() -> None:
     full, low, large = booklet(), booklet(ink="low"), booklet(large_print=True)
     assert {tuple(sheet.size) for sheet in (*full, *low, *large)} == {(210.0, 297.0)}

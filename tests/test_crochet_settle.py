@@ -85,6 +85,7 @@ SHAPES = {
 
 
 @pytest.mark.parametrize("name", SHAPES)
+@pytest.mark.slow
 def test_settled_is_settled(name: str) -> None:
     toy = SHAPES[name]()
     made = simulate(task(toy, "pressure"))
@@ -205,6 +206,7 @@ def test_shapes_settle_without_linear_algebra_of_others(monkeypatch: pytest.Monk
     yarn(made)
 
 
+@pytest.mark.slow
 def test_bytes_do_not_depend_on_threads() -> None:
     code = (
         "import crochet_toys as t, hashlib\n"

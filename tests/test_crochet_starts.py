@@ -237,6 +237,7 @@ BEGIN = st.sampled_from(
 
 @settings(max_examples=150, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(BEGIN, st.lists(LINE, max_size=4), st.booleans())
+@pytest.mark.slow
 def test_whatever_is_drawn_together_or_folded_is_closed(begin, lines, folded):
     """Whatever is worked, an opening that is closed at the end leaves a watertight surface of one orientation."""
     text = "\n".join([begin, *lines])

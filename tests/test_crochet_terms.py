@@ -167,6 +167,7 @@ def _made_up(folder, drop=()):
     return "\n".join(rows)
 
 
+@pytest.mark.slow
 def test_a_language_is_one_file(root, tmp_path):
     package = tmp_path / "tambour"
     shutil.copytree(root / "src" / "tambour", package, ignore=shutil.ignore_patterns("__pycache__"))

@@ -71,6 +71,7 @@ ROUND = st.lists(ITEM, min_size=1, max_size=6).flatmap(
 
 @settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(st.integers(3, 12), st.lists(ROUND, max_size=6))
+@pytest.mark.slow
 def test_whatever_builds_is_written_back(ring, rounds):
     text = "\n".join([f": MR({ring})", *rounds])
     try:

@@ -118,6 +118,7 @@ def test_what_is_swept_holds_every_step_of_the_way():
     assert found.symmetric_difference(steps_of).area < 0.02
 
 
+@pytest.mark.slow
 def test_the_card_fits_a_small_hoop_and_is_sewn_as_drawn():
     params = EmbroideryParams(test_card=True, fabric="towel", knockdown=False, hoop="100x100")
     assert (params.pull, params.push) == (0.0, 0.0)

@@ -79,6 +79,7 @@ def test_a_border_is_satin_of_its_width_inside_the_edge(tmp_path):
     ) and piece.plan.command.tolist().count(COLOR) == 0
 
 
+@pytest.mark.slow
 def test_the_red_layer_lies_where_it_is_too_full(tmp_path):
     spot = "".join(f'<path d="M20 20h4v4h-4z" fill="#{k * 7000:06x}"/>' for k in range(1, 12))
     piece, _ = sewn(tmp_path, SQUARE + spot, keep_hidden=True)

@@ -219,6 +219,7 @@ def test_empty_mesh_is_still_a_glb(tmp_path: Path) -> None:
         files.read(tmp_path / "m.glb", ["Mesh"])
 
 
+@pytest.mark.slow
 def test_a_few_bytes_cannot_claim_any_number_of_nodes_or_points(tmp_path: Path) -> None:
     nodes = [{"children": [k + 1, k + 1]} for k in range(60)] + [{}]
     bombs = {

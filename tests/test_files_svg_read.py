@@ -165,6 +165,7 @@ def test_selectors_select_what_they_say(selectors, chain):
     ],
     ids=["many ways", "no rule", "open rules", "open comment", "one id"],
 )
+@pytest.mark.slow
 def test_small_files_do_not_stop_the_machine(tmp_path, body):
     assert len(read(tmp_path, body)) >= 1  # a second or two; without memory, hours
 
@@ -413,6 +414,7 @@ def test_what_is_left_out_is_named(tmp_path):
     assert "clip-path: url(#c) is not there" in made.about["doubts"]
 
 
+@pytest.mark.slow
 def test_many_copies_stop_soon(tmp_path):
     body = '<defs><g id="g0"><rect width="1" height="1"/></g>'
     body += (

@@ -165,6 +165,7 @@ def test_tubes_begin_at_the_needle_hole():
     assert made.strands[0].paths.coords[:, 2].min() == pytest.approx(-0.1)
 
 
+@pytest.mark.slow
 def test_obj_sequence_there_and_back(tmp_path):
     made = scene(3)
     files.write(made, tmp_path / "a.obj")

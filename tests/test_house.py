@@ -12,6 +12,8 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 import tambour as package
 from tambour.core.kernels import signature
 from tambour.run import CRAFTS
@@ -138,6 +140,7 @@ def _called(root: Path) -> dict[str, set[str]]:
     return called
 
 
+@pytest.mark.slow  # every module, test and bench is parsed
 def test_kernels_that_python_calls_declare_their_types(root: Path) -> None:
     called = _called(root)
     assert len(called) > 100

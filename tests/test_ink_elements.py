@@ -141,6 +141,7 @@ def _draw_any(rng: np.random.Generator, k: int) -> tuple[Marks, float, float, fl
     return _drawn(name, k, how, kernel), side, up, down
 
 
+@pytest.mark.slow
 def test_a_thousand_draws_of_parameters_stay_in_bounds() -> None:
     rng = np.random.default_rng(11)
     for k in range(1000):

@@ -146,6 +146,7 @@ def _picture(**given: object) -> np.ndarray:  # type: ignore[type-arg]
     return np.asarray(flat.picture(scroll.whole(made), width=1000).rgba[..., :3], np.float64)
 
 
+@pytest.mark.slow
 def test_blank_paper_and_quiet_colours() -> None:
     blanks = []
     for seed in "12345":

@@ -104,6 +104,7 @@ def winding(points, ring):
     return (up & (side > 0)).sum(1) - (down & (side < 0)).sum(1)
 
 
+@pytest.mark.slow
 def test_hidden_lines_of_a_tile_agree_with_brute_force(tile):
     rng = np.random.default_rng(5)
     drawn = lines(tile, 1.1)
@@ -320,6 +321,7 @@ def test_the_budget_is_kept_and_what_matters_stays():
     assert report["lifts"] < plot.facts(full)["pens"][0]["lifts"]
 
 
+@pytest.mark.slow
 def test_layers_are_numbered_and_other_software_agrees(tmp_path):
     vpype = pytest.importorskip("vpype")
     out = tmp_path / "a.svg"

@@ -61,6 +61,7 @@ def test_window_equals_its_tiles_drawn_alone_in_any_order() -> None:
     assert alone == content
 
 
+@pytest.mark.slow
 def test_another_process_draws_the_same() -> None:
     code = (
         "from tests.test_ink_scroll import _make, _content;"
@@ -108,6 +109,7 @@ def test_a_whole_stands_in_one_tile_only() -> None:
             assert sum(p in tile(rules, j) for j in range(k - 2, k + 3)) == 1
 
 
+@pytest.mark.slow
 def test_scenes_are_never_of_their_neighbours_kind_and_follow_one_another() -> None:
     for seed in range(20):
         rules = Rules(str(seed))
@@ -153,6 +155,7 @@ def test_the_plan_holds_what_the_window_shows() -> None:
     assert [p.id for p in made.planned] == _order(made.marks())
 
 
+@pytest.mark.slow
 def test_people_have_a_reason() -> None:
     """Boats, huts, hamlets and bridges are where people are: about the original's 1.1 in a thousand units."""
     made = [_make(seed=str(seed), from_=0.0, span=20_000.0).elements for seed in range(3)]

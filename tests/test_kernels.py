@@ -214,6 +214,7 @@ kernels._native = lambda: native
     return "" if made.returncode == 0 else made.stderr
 
 
+@pytest.mark.slow
 def test_every_kind_of_argument_and_result(built: Path) -> None:
     assert _tried(built, TRIED, TAMBOUR_KERNELS="native") == ""
 
@@ -255,6 +256,7 @@ def test_a_record_of_other_fields_makes_another_kernel(built: Path, tmp_path: Pa
     assert "kinds.record was built from another source: run `make kernels`" in said
 
 
+@pytest.mark.slow
 def test_kernels_as_plain_functions() -> None:
     code = "from tambour.noise import close, uniform; print(type(close).__name__, uniform(3, 5))"
     plain, compiled = (_python(code, TAMBOUR_KERNELS=way).stdout.split() for way in ("python", "numba"))
@@ -278,6 +280,7 @@ COMMANDS = {
 
 
 @pytest.mark.parametrize("words", COMMANDS, ids=lambda words: words.partition(" -")[0].replace("examples/", ""))
+@pytest.mark.slow
 def test_commands_load_neither_the_compiler_nor_what_they_have_no_use_for(
     words: str, root: Path, tmp_path: Path
 ) -> None:

@@ -112,6 +112,7 @@ def test_no_solver_finds_less(seed):
             assert not (flips & task.locked).any()
 
 
+@pytest.mark.slow
 def test_repeats_are_rounds():
     """A motif of 24 that repeats: the oracle sees three copies bound together, the solver one closed row."""
     from ortools.sat.python import cp_model

@@ -64,6 +64,7 @@ def test_edges_without_stitch_show_the_table() -> None:
     assert picture[:, :12, :3].min() > 200 and picture[:, 50:80, :3].min() < 120
 
 
+@pytest.mark.slow
 def test_pictures_keep_to_a_size_and_their_bytes() -> None:
     assert pixels(chart_of(10, 10), 1.0) == 28
     big = chart_of(500, 500)

@@ -95,6 +95,7 @@ def test_sizes_are_whole_repeats_nearest_to_their_width():
     assert CRAFT.facts(piece)["sizes"]["yoke"]["M"] == 288
 
 
+@pytest.mark.slow
 def test_a_yoke_from_above_has_its_rounds_in_order():
     """Three bands of colour become three rings; the neck stays open."""
     cells = np.repeat(np.array([0, 1, 0], np.uint8), 10)[:, None].repeat(24, axis=1)
@@ -146,6 +147,7 @@ def test_a_mitten_has_a_thumb(stitches, wide):
     assert tiled.repeat is None and (tiled.picture[5, :12] == tiled.picture[5, 36:48]).all()
 
 
+@pytest.mark.slow
 def test_a_motif_is_shown_on_hat_mitten_and_yoke():
     """Upright bars of the motif stay upright on the hat and the mitten, and become rays of the yoke."""
     bars = np.zeros((20, 12), np.uint8)

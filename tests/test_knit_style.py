@@ -194,6 +194,7 @@ def test_the_eye_is_the_one_published():
     assert sight.likeness(chart, chart, None, 4.0) > 0.5
 
 
+@pytest.mark.slow
 def test_sweeps_never_raise_the_energy_of_that_eye():
     rng = np.random.default_rng(3)
     aim = rng.random((20, 26)).astype(np.float32)

@@ -219,5 +219,6 @@ def test_two_hundred_sockets(ours: TestClient) -> None:
         one.__exit__(None, None, None)
 
 
+@pytest.mark.slow
 def test_long_addresses_are_refused(ours: TestClient) -> None:
     assert ours.get("/api/pieces", params={"after": "9" * 9_000}).status_code == 414

@@ -71,6 +71,7 @@ def resident(pid: int) -> int:
     return int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
+@pytest.mark.slow
 def test_gigabyte_upload_is_413_and_memory_flat(process: Any) -> None:
     _, client, running, _ = process
     before = resident(running.pid)
@@ -174,6 +175,7 @@ def workers(ours: TestClient) -> list[Any]:
     return [h for h in gc.get_objects() if isinstance(h, Hand) and h.alive]
 
 
+@pytest.mark.slow
 def test_worker_killed_mid_job_page_says_so_and_goes_on(ours: TestClient) -> None:
     ours.get(f"/api/revisions/{piece(ours)[1]}/steps.json")  # warm
     _, revision = piece(ours, LONG)
@@ -384,6 +386,7 @@ def test_what_was_made_goes_when_it_is_too_much_and_is_made_again(
     assert min(sizes) > 1000 and ours.get(paths[0]).content == first
 
 
+@pytest.mark.slow
 def test_another_library_is_no_cached_one(tmp_path: Path) -> None:
     marks = []
     for text in (BALL, BALL + "# other\n"):

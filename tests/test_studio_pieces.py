@@ -355,6 +355,7 @@ def test_a_hand_pulls_at_a_toy_and_it_is_worked_one_by_one(ours: TestClient) -> 
     assert ours.get(f"/api/pieces/{piece['id']}").json()["piece"]["head"] == number
 
 
+@pytest.mark.slow
 def test_pictures_for_the_shelf_and_examples(ours: TestClient) -> None:
     _, revision = new(ours, **SMALL["crochet"])
     picture = ours.get(f"/api/revisions/{revision['id']}/thumb.webp")
@@ -387,6 +388,7 @@ def test_a_part_is_put_elsewhere_by_its_sentence(ours: TestClient) -> None:
     assert other.status_code == 422
 
 
+@pytest.mark.slow
 def test_an_edit_is_made_on_the_chart_that_is_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The picture is solved once; edits, in any order, give what making all anew gives, warnings too."""
     import numpy as np

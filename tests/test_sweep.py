@@ -141,6 +141,7 @@ def test_a_key_is_all_that_the_piece_is_made_of(photos: Path, monkeypatch: pytes
     assert len({plain[0], *(k[0] for k in others)}) == 1 + len(others)
 
 
+@pytest.mark.slow
 def test_pieces_are_what_the_command_makes_and_are_made_once(photos: Path, tmp_path: Path) -> None:
     out = tmp_path / "new" / "out"
     found = {"stitches": [20, 24], "max_float": [3]}
@@ -178,6 +179,7 @@ def test_pieces_are_what_the_command_makes_and_are_made_once(photos: Path, tmp_p
     assert [r.status for r in again] == ["made"]
 
 
+@pytest.mark.slow
 def test_sheets_show_every_piece_and_ask_no_network(photos: Path, tmp_path: Path) -> None:
     (photos / "<b>bad.png").write_bytes(b"no picture")
     found = list(sweep("knit", [photos], ["stitches=20"], tmp_path / "out", (".json",)))
@@ -188,6 +190,7 @@ def test_sheets_show_every_piece_and_ask_no_network(photos: Path, tmp_path: Path
         assert len(sheet.convert("RGB").getcolors(1 << 24) or ()) > 20
 
 
+@pytest.mark.slow
 def test_a_poisoned_source_is_listed_and_the_rest_stands(
     photos: Path, tmp_path: Path, tambour: Callable[..., Any]
 ) -> None:
@@ -298,6 +301,7 @@ def test_interrupted_it_leaves_whole_files(photos: Path, tmp_path: Path, number:
     whole(out)
 
 
+@pytest.mark.slow
 def test_a_full_disk_is_told_and_the_index_is_true(tmp_path: Path) -> None:
     out = tmp_path / "out"
     words = ["--set", "seed=2,0", "--set", "span=300", "--jobs", "1", "-o", out, "-o", ".svg", "--no-sheet"]
@@ -313,6 +317,7 @@ def test_a_full_disk_is_told_and_the_index_is_true(tmp_path: Path) -> None:
     whole(out)
 
 
+@pytest.mark.slow
 def test_a_report_makes_its_piece_again(photos: Path, tmp_path: Path, tambour: Callable[..., Any]) -> None:
     out = tmp_path / "out"
     (made,) = sweep("knit", [photos / "a.png"], ["stitches=20"], out, (".png",))

@@ -47,6 +47,7 @@ def into(folder: Path, *words: Any, **options: Any) -> Path:
     return folder
 
 
+@pytest.mark.slow
 def test_a_tile_is_a_window_of_the_scroll(tmp_path: Path) -> None:
     into(tmp_path, "7", -2, 5, [".png", ".svg"], ["season=autumn"])
     for k in (-2, 1):
@@ -128,6 +129,7 @@ def test_the_page_asks_for_nothing_else(root: Path) -> None:
     assert "</script><b>" not in text and not re.search(r"https?:|@import|//[a-z]+\.", text)
 
 
+@pytest.mark.slow
 def test_an_archive_holds_what_the_folder_does_and_is_the_same_each_time(tmp_path: Path) -> None:
     folder = into(tmp_path / "folder", "7", 0, 5, [".png"])
     for name in ("a.zip", "b.zip"):
@@ -194,6 +196,7 @@ def edges(number: int) -> dict[int, Any]:
 
 
 @pytest.mark.parametrize("name", ["pystitch", "pyembroidery"])
+@pytest.mark.slow
 def test_hoops_abut(name: str) -> None:
     reader = pytest.importorskip(name)
     plan, _ = tiles("7", 3, 5, [".dst"])
@@ -235,6 +238,7 @@ def test_a_line_is_parted_alike_from_both_sides() -> None:
         assert np.isclose(sum(parts), whole) and min(parts) >= min(hoop.LEAST, whole) - 1e-9
 
 
+@pytest.mark.slow
 def test_all_that_is_wrong_is_told_at_once(tambour: Callable[..., Any], tmp_path: Path) -> None:
     made = tambour("tiles", "--first", 10**10, "-o", ".xyz", "--set", "seesaw=1", "--set", "span=3", "--limit", "1")
     assert made.returncode == 2 and "Traceback" not in made.stderr
