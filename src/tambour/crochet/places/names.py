@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from typing import Final
 
 # Kind → words that name it, singular, English first; then Spanish, German, French, Dutch.
@@ -91,20 +92,20 @@ class Made:
     copies: int
     likely: str = ""
 
-    @property
+    @cached_property
     def words(self) -> list[str]:
         """The words of its name, singular, without small ones and numbers."""
         found = [one(w) for w in _WORD.findall(self.name.lower().replace("_", " "))]
         return [w for w in found if w not in _FILLER and not w.isdigit()]
 
-    @property
+    @cached_property
     def kinds(self) -> list[str]:
         """What its name says that it is, the last noun first; "top of head" is no head."""
         words = [one(w) for w in _WORD.findall(self.name.lower().replace("_", " "))]
         words = words[: next((k for k, w in enumerate(words) if k and w in _OF), None)]
         return list(dict.fromkeys(kind_of(w) for w in reversed(words) if kind_of(w)))
 
-    @property
+    @cached_property
     def kind(self) -> str:
         """What it is by its name; "" unknown. Of several joined by "and" a body or a head, else the last noun."""
         found = self.kinds
@@ -127,6 +128,7 @@ class Made:
         return self.name if self.copies == 1 else f"{self.name}.{k}"
 
 
+@lru_cache(maxsize=4096)
 def one(word: str) -> str:
     """A word as its singular, roughly."""
     word = re.sub(r"['’]s$", "", word)
@@ -139,6 +141,7 @@ def one(word: str) -> str:
     return word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith(("ss", "us")) else word
 
 
+@lru_cache(maxsize=4096)
 def kind_of(word: str) -> str:
     """The kind that a word (singular) names; compounds by their end ("hindleg", "Hinterbein"); "" for none."""
     if word in KINDS:

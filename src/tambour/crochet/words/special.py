@@ -109,9 +109,11 @@ def heard(line: str, known: Mapping[str, Stitch], terms: Terms) -> Stitch | None
 def explained(text: str, known: Mapping[str, Stitch], terms: Terms) -> list[Stitch]:
     """The new stitches that the lines of ``text`` explain; lines that only say what a usual one means are none."""
     made: list[Stitch] = []
-    usual = {s.lower() for spellings in terms.stitches.values() for s in spellings} if "=" in text else set()
-    for line in text.split("\n") if usual else ():
-        new = heard(line.strip(" \t-*•"), {**known, **{s.name: s for s in made}}, terms)
+    lines = [line.strip(" \t-*•") for line in text.split("\n")] if "=" in text else []
+    lines = [line for line in lines if _LINE.match(line.rstrip("."))]
+    usual = {s.lower() for spellings in terms.stitches.values() for s in spellings} if lines else set()
+    for line in lines:
+        new = heard(line, {**known, **{s.name: s for s in made}}, terms)
         if new is None or new.name in BASIC:
             continue
         if new.name not in usual or any(m.kind == new.name for m in new.moves):
