@@ -35,7 +35,7 @@ _AND = r"\s*(?:to|and|-|–|—|,|&|through)\s*"
 HEAD = re.compile(
     rf"(?:^|(?<=[\s.:;)\]*]))(?:"
     rf"(?:rnd|round|row|rd)s?\.?\s*\d+(?:(?:{_AND})(?:(?:rnd|round|row|rd)s?\.?\s*)?\d+)*"
-    rf"|{_ORDINAL}(?:(?:{_AND}){_ORDINAL})*\s*(?:and\s+alt\w*\s+)?(?:rnd|round|row)s?"
+    rf"|{_ORDINAL}(?:(?:{_AND}){_ORDINAL})*\s*(?:and\s+alt\w*\s+)?(?:joining\s+)?(?:rnd|round|row)s?"
     rf"|(?:next|joining|last)\s+(?:\d+\s+)?(?:rnd|round|row)s?"
     rf")\s*(?:[(\[][^)\]\n]{{0,60}}[)\]])?\s*\.?\s*:",
     re.IGNORECASE | re.MULTILINE,

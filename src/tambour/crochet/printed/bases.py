@@ -9,6 +9,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line
+from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.doubts import after, decided, worked
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.mend import is_start
@@ -167,8 +168,9 @@ def based(p: State, draft: Draft, head: Head, read: Body, span: Span, what: tupl
 
 def is_first(body: Body, stitches: dict[str, Stitch]) -> bool:
     """Whether a body begins a piece of its own."""
+    begun = next((k for k, i in enumerate(body.items) if makes(i)), len(body.items))
     founded = any(
-        is_start(i, stitches) and not (isinstance(i, Action) and i.name == "ch" and i.times <= _LIFT)
-        for i in body.items
+        is_start(i, stitches) and not (isinstance(i, Action) and i.name == "ch" and (i.times <= _LIFT or k > begun))
+        for k, i in enumerate(body.items)
     )
     return bool(body.hook) or body.pending or founded

@@ -37,7 +37,7 @@ def marked(p: State, refers: Refers) -> Refers:
         first = origin.lines[origin.marks[begun][1]].number if origin.marks[begun][1] < len(origin.lines) else None
         if first is None:
             return refers
-        found = replace(refers, marks=None, numbers=tuple(range(first, origin.last + 1)))
+        found = replace(refers, marks=None, part=origin.name, numbers=tuple(range(first, origin.last + 1)))
     elif refers.part:
         after = _next_number(p)
         found = replace(

@@ -13,6 +13,7 @@ from tambour.crochet.printed.counts import closing, count, counted_at, ends_with
 from tambour.crochet.printed.courses import Courses
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import BETWEEN, by_hand, doing, drawn_tight
+from tambour.crochet.printed.marked import taken
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.references import even_rounds, refers
 from tambour.crochet.printed.repeats import bracket, led, repeated, star
@@ -54,6 +55,7 @@ class Walk(Courses):
                 c.at = self.end_of_sentence() + 1
                 continue
             before = (body.stated, body.stated_span, body.rounds, body.sides)
+            more = len(body.more)
             self.edging, there = False, body.moved is not None
             try:
                 self.items(body.items, _ENDS)
@@ -65,7 +67,7 @@ class Walk(Courses):
                     raise NotUnderstood(c.tokens[c.at - 1], "what goes in this place is not said", "say which stitches")
             except NotUnderstood as wrong:
                 body.wrong = body.wrong or wrong
-                del body.items[made:]
+                del body.items[made:], body.more[more:]
                 body.stated, body.stated_span, body.rounds, body.sides = before
                 self.depth = self.stars = 0
                 self.before = None
@@ -195,13 +197,21 @@ class Walk(Courses):
         """``rep from * around, end sc``: stitches that the repeat before them leaves room for."""
         c = self.c
         c.at += 1
-        if c.key("last") and c.key("repeat", ahead=1):
-            c.at += 2  # "ending last rep with 1 sc in each of last 8 sc"
+        whole = not (c.key("last") and c.key("repeat", ahead=1))
+        c.at += (
+            0 if whole else 2
+        )  # "ending last rep with 1 sc in each of last 8 sc": in place of the end of that repeat
         c.skip_key("with", "in")
         inner: list[Item] = []
         while (token := c.look()) is not None and not c.mark(".", ";", "(", "[", "-", "=", "*", "**"):
             if not self.between(token):
                 self.clause(inner, token)
+        last = found[-1] if found else None
+        if not whole and isinstance(last, Group) and last.times is None and inner:
+            once, lead = taken(list(last.items), 0, self.stitches), list(last.items[:-1])
+            while lead and taken([*lead, *inner], 0, self.stitches) > once:
+                lead.pop()
+            inner = [*lead, *inner]
         room(self, found, inner)
         found += inner
 

@@ -7,6 +7,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.printed.cursor import Cursor, NotUnderstood
+from tambour.crochet.printed.marked import named
 
 
 @dataclass
@@ -19,6 +20,7 @@ class Where:
     spaces : the places are spaces of chains
     leaves : of "around", how many stitches at the end are left ("to last 2 sts")
     final : they are the last ones of the round; other : every other one only
+    marked : it is the marked stitch, or those up to it
     """
 
     kind: str
@@ -32,6 +34,7 @@ class Where:
     leaves: int = 0
     final: bool = False
     other: bool = False
+    marked: bool = False
 
 
 LOOPS: Final = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
@@ -45,7 +48,7 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
     """The place that is said at the cursor, None when none is; ``inside``: a word such as "in" may be left out."""
     begin = c.at
     kind = loops = ""
-    each = counted = together = placed = spaces = final = other = False
+    each = counted = together = placed = spaces = final = other = marked = False
     count, ordinal, leaves = 1, 0, 0
     while (token := c.look()) is not None:
         if token.kind == "key":
@@ -58,8 +61,8 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
                 inside = True
             elif token.value in LOOPS:
                 loops = LOOPS[token.value]
-            elif token.value == "bumps":
-                pass
+            elif token.value == "bumps" or (token.value == "side" and inside and c.key("each", "next", ahead=1)):
+                pass  # "in opposite side of each of next 4 ch"
             elif token.value == "each" and not placed:
                 each = True
             elif token.value == "other" and each and not placed:
@@ -150,15 +153,17 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
         elif token.word == "top" and inside and not placed and (ahead := _standing_chain(c)):
             placed = True  # "in top of beginning ch-3": the chains stand for the stitch there
             c.at += ahead - 1
-        elif token.word == "marked" and (inside or each) and not placed:
-            raise NotUnderstood(
-                token, "where the marker is, is not known here", "say how many stitches there are to it"
-            )
+        elif (inside or each) and not placed and (many := named(c)):
+            placed = marked = True
+            c.at += many - 1
         else:
             break
         c.at += 1
     if kind == "around" and not leaves and c.key("to"):
         leaves = to_last(c) or 0  # "in each st around to last 2 sts"
+    if placed and each and not (counted or marked) and c.key("to") and (many := named(c, 1)):
+        marked = True  # "in each sc to marked sc"
+        c.at += many + 1
     if c.at == begin:
         return None
     span = Span(c.tokens[begin].start, c.tokens[c.at - 1].end)
@@ -173,7 +178,7 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
         kind = "around"
     if kind == "around" and counted and not (each and count == 1):  # "in each 1 sc around"
         kind = "next"
-    return Where(kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other)
+    return Where(kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other, marked)
 
 
 def _standing_chain(c: Cursor) -> int:

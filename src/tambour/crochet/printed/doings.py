@@ -164,7 +164,8 @@ def doing(c: Cursor) -> bool:
         return True
     if c.key("not") and (after := c.look(1)) is not None and after.word in _YARN:
         return True  # "Do not carry or break C"
-    if c.key("begin", "leave", "close") and c.key("stuff", ahead=1):
+    lead = 1 + ((second := c.look(1)) is not None and second.word in _LEAD)  # "Begin firmly stuffing head"
+    if c.key("begin", "leave", "close") and c.key("stuff", ahead=lead):
         return True
     if first.kind != "word" or first.word not in _DOING:
         return False

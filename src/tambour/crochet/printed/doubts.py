@@ -143,7 +143,7 @@ def decided(
     def read(choices: frozenset[str] = frozenset()) -> Body:
         choices = choices ^ usual
         walk = Walk(list(tokens), source.stitches, palette, choices, phrase)
-        walk.standing, walk.edge = source.standing, edge
+        walk.standing, walk.edge, walk.marked = source.standing, edge, source.marked
         body = walk.read()
         if body.sides and (base := _base(body, chain)) is not None:
             along(body, base, source.stitches)
@@ -175,6 +175,8 @@ def decided(
         if body.asked and begun < 2:
             body = _second(read, body, begun, fit) or body
     body.fit = fit(body) if body.refers is None else 2
+    if body.fit == 2 and body.stated is not None and edge and chain is None:
+        body.items = _without_rest(body.items, edge, source.stitches)
     if body.both:
         said = "another piece is joined here: it is worked on the one at the hook"
         source.doubt(said, "the pieces stand beside each other", Span(tokens[0].start, tokens[-1].end))
@@ -198,6 +200,18 @@ def decided(
                 span,
             )
     return body
+
+
+def _without_rest(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:
+    """``items``, which make their count, without a last "sc in remaining sc" where none remain."""
+    for k in range(len(items) - 1, 0, -1):
+        item = items[k]
+        if isinstance(item, Group):
+            before = worked(items[:k], edge, stitches)
+            if item.times is None and before is not None and before[1] == edge:
+                return [*items[:k], *items[k + 1 :]]
+            break
+    return items
 
 
 def _base(body: Body, chain: int | None) -> int | None:

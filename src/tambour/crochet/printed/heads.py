@@ -137,7 +137,10 @@ def list_of_numbers(c: Cursor, numbers: list[int]) -> bool:
         ahead += named
         last = c.whole(ahead)
         after = c.look(ahead + 1)
-        if last is None or (listed and not named and after is not None and after.kind in ("stitch", "number")):
+        counted = (
+            after is not None and after.kind in ("stitch", "number") and not c.key("times", "more", ahead=ahead + 2)
+        )
+        if last is None or (listed and not named and counted):
             return True
         if ranged and not named and last <= numbers[-1]:
             return True  # "R7 - 6 sc": a dash, then the body

@@ -71,6 +71,11 @@ def goes(item: Item) -> bool:
     return not isinstance(item, Action) or item.name not in ("color", "flo", "blo", "bl", "ch", "mark")
 
 
+def sets_mark(item: Item) -> bool:
+    """Whether an item sets a mark or goes back to one, which is done once."""
+    return isinstance(item, Action) and item.name in ("mark", "goto")
+
+
 _AFTER: Final = ("stitch", "rest", "total", "last", "round", "row", "to")
 
 

@@ -22,11 +22,13 @@ from tambour.crochet.printed.items import (
     founds,
     goes,
     one_more,
+    sets_mark,
     skips,
     slips_only,
     span_of,
     works,
 )
+from tambour.crochet.printed.marked import middle
 from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.tokens import Token
@@ -34,6 +36,7 @@ from tambour.crochet.printed.tokens import Token
 _CLOSED = (
     8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
 )
+_MARKED = 50  # rounds that a marked stitch is followed through
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
 
 
@@ -51,6 +54,7 @@ class Draft:
     edges : rounds → stitches on the edge after them
     others : "11th and alt rows": that row, and its number
     spread : where lines begin that fit the round below them only;
+    marked : which stitch of its last round is marked, from 0; spoken : where lines begin → the words they were read from
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
 
@@ -67,6 +71,8 @@ class Draft:
     flat: bool = False
     looped: bool = False
     spread: set[int] = field(default_factory=set)
+    marked: int | None = None
+    spoken: dict[int, list[Token]] = field(default_factory=dict)
     parted: bool = False
     shrunk: bool = False
     stuffing: float | None = None
@@ -113,6 +119,10 @@ class Draft:
         if items:
             self._line(source, head, body, self._begun(source, head, items), span, notes)
 
+    def ahead(self) -> int | None:
+        """Which stitch is the marked one as the next round meets it: rows are turned."""
+        return self.marked if self.marked is None or not self.flat or self.edge is None else self.edge - 1 - self.marked
+
     def started(self, source: Source) -> bool:
         """Whether the part has what its rounds are worked on."""
         return any(founds(source, item) for line in self.lines for item in line.items) or any(
@@ -130,8 +140,12 @@ class Draft:
         """Takes a sentence that is only a count ("36 sc.") for that of the round before it; whether it is one."""
         last = self.lines[-1] if self.lines else None
         number = bare_count(tokens)
-        if number is None or last is None or not last.in_round or (last.again is None and last.number is None):
-            return False  # where rounds bear no numbers, this may be one
+        if number is None or last is None:
+            return False
+        if not last.in_round or (last.again is None and last.number is None):
+            return all(
+                t.kind != "stitch" for t in tokens
+            )  # where rounds bear no numbers, "36 sc" may be one; "36 sts" is none
         if last.stated is None:
             self.lines[-1] = replace(last, stated=number.value, stated_span=number.span)
             self.other = number.value if self.edge is not None and self.edge != number.value else None
@@ -173,6 +187,9 @@ class Draft:
         if worked:
             self.last = max(numbers) + (times - 1) * alone if numbers else self.last + times
         before = self.edge
+        if worked and self.edge is not None:
+            for _ in range(times if self.marked is not None and times < _MARKED else 1):
+                self.marked = middle(items, self.edge, self.ahead(), source.stitches)
         edge = reached(items, self.edge, source.stitches, times)
         if (
             body.stated is not None
@@ -222,7 +239,7 @@ class Draft:
         lines = origin.referred(refers)
         if not lines or any(line.span.start in origin.spread for line in lines):
             return False
-        lines = tuple(replace(line, items=tuple(i for i in line.items if not _marks(i))) for line in lines)
+        lines = tuple(replace(line, items=tuple(i for i in line.items if not sets_mark(i))) for line in lines)
         numbers = head.numbers if head is not None else ()
         once = sum(line.times for line in lines)
         total = len(numbers) or (head.many if head is not None and head.many > 1 else once * (refers.times or 1))
@@ -246,13 +263,15 @@ class Draft:
         first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
         moves, lines = self._lifted(lines)
         name = "" if origin is self else origin.name
-        lead = (*moves, *(i for i in body.items if isinstance(i, Action) and i.name == "color"))
+        hues = [i for i in body.items if isinstance(i, Action) and i.name == "color"]
+        later = tuple(i for i in hues if i.span.start > refers.span.start)  # "Rep Row 2 changing to B in last sc"
+        lead = (*moves, *(i for i in hues if i not in later))
         again = Again(lines, first_number, last_number, name, refers.span)
         at = head.span if head is not None and numbers else refers.span
         line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
         if numbers and head is not None:
             self._numbered(source, head, True)
-        self.lines.append(line)
+        self.lines += [line, *([Line(later, span, False)] if later else [])]
         self.last = number + total - 1
         before = self.edge
         for one in line.rounds():
@@ -345,7 +364,7 @@ class Draft:
             if turned and len(rest) == 1:
                 return []
         elif all(isinstance(i, Action) and i.name in ("join", "color") for i in items):
-            self.looped = True
+            self.looped = self.looped or any(isinstance(i, Action) and i.name == "join" for i in items)
             return [i for i in items if isinstance(i, Action) and i.name == "color"]
         if not any(works(i) for i in items):
             return [i for i in items if i not in lead or not self.chain] if items else []
@@ -479,8 +498,3 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
-
-
-def _marks(item: Item) -> bool:
-    """Whether an item sets a mark or goes back to one, which is done once."""
-    return isinstance(item, Action) and item.name in ("mark", "goto")

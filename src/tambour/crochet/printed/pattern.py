@@ -11,6 +11,7 @@ from tambour.crochet.language.finishes import GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import MOST
 from tambour.crochet.language.tree import Action, Again, Group, Line, Pattern
+from tambour.crochet.printed.anew import anew
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.bases import MOST as _MOST
 from tambour.crochet.printed.bases import based, elsewhere, is_first
@@ -29,6 +30,7 @@ from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.remarks import remark
 from tambour.crochet.printed.state import Height, State, plain_height
 from tambour.crochet.printed.tokens import Row, Token
+from tambour.crochet.printed.unheaded import unheaded
 from tambour.crochet.words.phrases import Phrases
 
 NOTHING: Final = "this holds no crochet instructions"
@@ -172,7 +174,15 @@ class Printed(State):
                 tokens += self.vocabulary.read(self.rows[end].tokens)
                 row = Row([*row.tokens, *self.rows[end].tokens], row.start, self.rows[end].end, row.marked)
                 end += 1
-            text_line(self, row, tokens)
+            begin = unheaded(self, row, tokens)
+            if begin:
+                self._between(row, tokens[:begin])
+            if begin is None:
+                text_line(self, row, tokens)
+            else:
+                body = tokens[begin:]
+                number = () if self.heading is None else (1,)
+                self._round(Head(number, Span(body[0].start, body[0].end), 0, False, True), body, body)
             return end
         at += 1
         while at < len(self.rows) and (more := self._goes_on(tokens, at)) is not None:
@@ -327,6 +337,7 @@ class Printed(State):
             if draft.chain is not None
             else None
         )
+        self.source.marked = draft.ahead()
         try:
             read = decided(self.source, tokens, self.palette, draft.edge, self.phrases, times, chain)
         except NotUnderstood as wrong:
@@ -370,7 +381,10 @@ class Printed(State):
             if draft.offset and read.refers.numbers and read.refers.numbers[0] + draft.offset <= draft.last:
                 numbers = tuple(n + draft.offset for n in read.refers.numbers)
                 read.refers = replace(read.refers, numbers=numbers)
-            if not draft.again(self.source, head, read, span, self.parts, self.height()):
+            if not (
+                draft.again(self.source, head, read, span, self.parts, self.height())
+                or anew(self, draft, head, read, span)
+            ):
                 at = Token("mark", "", read.refers.span.start, read.refers.span.end)
                 lacking = NotUnderstood(
                     at, "these rounds are not there to be repeated", "name rounds that stand before this"
@@ -386,6 +400,7 @@ class Printed(State):
             return
         else:
             before, edge, last = len(draft.lines), draft.edge, draft.last
+            draft.spoken[span.start] = tokens
             draft.add(self.source, head, read, span, notes)
             if not draft.started(self.source):
                 del draft.lines[before:]
@@ -454,7 +469,13 @@ def _ends_line(tokens: list[Token], k: int) -> bool:
 
 def _starts(tokens: list[Token]) -> bool:
     """Whether words begin a piece of work: in a ring, in a chain, or as another part."""
-    return any(t.kind == "key" and t.value in ("ring", "loop", "hook", "foundation", "as", "same") for t in tokens)
+    yarn = {
+        k + 1 for k, t in enumerate(tokens) if t.kind == "key" and t.value in ("with", "join", "color")
+    }  # "With MC"
+    return any(
+        t.kind == "key" and t.value in ("ring", "loop", "hook", "foundation", "as", "same") and k not in yarn
+        for k, t in enumerate(tokens)
+    )
 
 
 def _place(problem: Problem) -> int:

@@ -44,6 +44,9 @@ WRAPPED: Final = 12  # lines of a paragraph
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
 
+_SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", "divide", "dividing", "separate"))
+
+
 def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     """A line that begins no round."""
     whole = Span(row.start, row.end)
@@ -56,7 +59,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     title = p.title is not None and p.heading is not None and p.heading.span == p.title[1]
     if title and p.heading is not None and p.heading.copies_span is None and tokens[0].word not in OPEN:
         p.heading = None  # what stands over the whole pattern names no part
-    if p.mode not in ("materials", "abbreviations") and (at := _headed(text, row, tokens)):
+    if p.mode not in ("materials", "abbreviations") and (at := headed(text, row, tokens)):
         cut = tokens[at].end
         for part, some in ((tokens[: at + 1], True), (tokens[at + 1 :], False)):
             raw = [t for t in row.tokens if (t.end <= cut) == some]
@@ -108,6 +111,10 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         return
     if found is not None and (found.marked or found.strong or p.mode not in ("materials", "abbreviations", "notes")):
         # A marked heading ends the list that stands before it, and notes end where a part is headed.
+        shaping = found.copies_span is None and p.mode == "" and names[0].word in _SHAPING
+        if shaping and p.parts and p.parts[-1].last and p.parts[-1].off is None:
+            p.passed.append(whole)  # "Shape Face and Head:" is no part
+            return
         alone = found.strong and p.row_at > 0 and not p.rows[p.row_at - 1].tokens
         p.mode = "" if found.marked or p.mode == "notes" or alone else p.mode
         if p.title is None:
@@ -140,7 +147,7 @@ def _below(p: State, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span
     return [("hook", words, span)] if hook and hook_of(words) is not None else []
 
 
-def _headed(text: str, row: Row, tokens: list[Token]) -> int:
+def headed(text: str, row: Row, tokens: list[Token]) -> int:
     """Where the colon stands behind the name of a part that a line begins with and goes on; 0 where it does not."""
     at = next((k for k, t in enumerate(tokens[:12]) if t.word == ":"), 0)
     if (

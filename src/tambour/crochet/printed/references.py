@@ -17,6 +17,7 @@ _FRACTIONS: Final = {"¼": 0.25, "½": 0.5, "¾": 0.75, "⅓": 1 / 3, "⅔": 2 /
 _GIVEN: Final = frozenset(
     ("given", "instructions", "directions", "instructed", "written", "described", "done", "previously")
 )
+_ONE: Final = frozenset(("round", "rnd", "row", "rd"))
 _ENDS: Final = (".", ",", ";", "(", ")", "[", "]", "-", ":", "*", *STARS, "=")
 
 
@@ -45,9 +46,17 @@ def refers(r: Reader) -> Refers | None:
         many = c.whole(1)
         c.at += 2 if many is None else 3
         found = Refers(first.span, latest=1 if many is None else many)
-    elif c.key("round", "row") and c.whole(1) is not None:
+    elif c.key("round", "row") and (only := c.whole(1)) is not None:
         c.at += 1
-        list_of_numbers(c, numbers)
+        if (
+            c.tokens[c.at - 1].word in _ONE
+            and c.mark("-", ahead=1)
+            and (c.kind("stitch", 3) or c.key("stitch", ahead=3))
+        ):
+            c.at += 1
+            numbers.append(only)  # "Repeat Round 8—48 sc"
+        else:
+            list_of_numbers(c, numbers)
         found = Refers(first.span, tuple(numbers))
     elif (c.kind("ordinal") or c.kind("number")) and list_of_ordinals(c, numbers):
         found = Refers(first.span, tuple(numbers))
@@ -60,6 +69,8 @@ def refers(r: Reader) -> Refers | None:
     words: list[str] = []
     through, mirrored = 0, False
     while (token := c.look()) is not None and not (token.kind == "mark" and token.word in _ENDS):
+        if c.key("color") and token.word.startswith("chang"):
+            break
         if (given := multiplier(r)) is not False:
             times = given[0]
             if c.skip_key("more"):
@@ -113,7 +124,7 @@ def _length(c: Cursor) -> tuple[float | None, bool]:
             if part is not None and part.word in _FRACTIONS:
                 value += _FRACTIONS[part.word]
                 ahead += 1
-            elif c.whole(ahead) is not None and c.mark("/", ahead=ahead + 1) and c.whole(ahead + 2):
+            elif c.whole(ahead) is not None and c.mark("/", "⁄", ahead=ahead + 1) and c.whole(ahead + 2):
                 value += (c.whole(ahead) or 0) / (c.whole(ahead + 2) or 1)
                 ahead += 3
             unit = c.look(ahead)
@@ -124,7 +135,16 @@ def _length(c: Cursor) -> tuple[float | None, bool]:
             length = _FRACTIONS[token.word] * _UNITS[unit.word]
         whole = whole and not (token.kind == "key" and token.value == "marker") and token.word != "marked"
         c.at += 1
+        end = _measured(c)
+        c.at = end or c.at
     return length, whole
+
+
+def _measured(c: Cursor) -> int:
+    """Where the bracket at the cursor ends that says a length once more, "[14 cm]"; 0 where none does."""
+    end = next((k for k in range(c.at + 1, min(c.at + 8, len(c.tokens))) if c.tokens[k].word in (")", "]")), 0)
+    inner = c.tokens[c.at + 1 : end]
+    return end + 1 if c.mark("(", "[") and len(inner) > 1 and inner[-1].word in _UNITS else 0
 
 
 def even_rounds(tokens: list[Token]) -> tuple[int, Span] | None:

@@ -141,6 +141,17 @@ def _more_stitches(r: Reader) -> bool:
     return plain and not (c.kind("stitch", 1) and c.look(1).value in ("slst", "ch"))  # type: ignore[union-attr]
 
 
+def _last_count(r: Reader) -> bool:
+    """Whether the sign at the cursor stands before the count of the round, and no word repeats after it."""
+    depth, r.depth = r.depth, r.depth - 1
+    try:
+        return ends_with_number(r, 1) and not any(
+            t.word == "*" or (t.kind == "key" and t.value == "repeat") for t in r.c.tokens[r.c.at :]
+        )
+    finally:
+        r.depth = depth
+
+
 def _starred(r: Reader, inner: list[Item]) -> None:
     """Clauses up to the closing star, the word repeat, or a full stop."""
     c = r.c
@@ -148,6 +159,8 @@ def _starred(r: Reader, inner: list[Item]) -> None:
     r.stars += 1
     try:
         while (token := c.look()) is not None and not c.mark("*", "**", ".") and not c.key("repeat"):
+            if inner and c.mark("-", "=") and _last_count(r):
+                return  # "*1 sc in next 3 sts, 2 sc in next st—15 sts": the repeat is left open
             if not r.between(token):
                 if token.kind == "mark" and token.word in OPEN and counted_at(r, closing(r)):
                     return

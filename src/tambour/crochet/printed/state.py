@@ -105,7 +105,11 @@ class State:
         """Goes on with the part, or begins another."""
         last = self.parts[-1] if self.parts else None
         title = self.heading is not None and self.title is not None and self.heading.span == self.title[1]
-        if last is not None and last.begun() and not (first and (last.last or (self.heading and last.chain is None))):
+        if (
+            last is not None
+            and last.begun()
+            and not (first and (last.last or (self.heading and (last.chain is None or last.off is not None))))
+        ):
             if self.heading is not None and not title:
                 self.passed.append(self.heading.span)
                 self.heading = None

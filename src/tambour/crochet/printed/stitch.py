@@ -12,6 +12,7 @@ from tambour.crochet.printed.clauses import Where, where
 from tambour.crochet.printed.counts import makes, multiplier
 from tambour.crochet.printed.curls import curl
 from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.marked import taken
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
 
@@ -40,7 +41,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         and place.kind == "first"
         and place.count == 1
         and found
-        and _standing_last(found)
+        and (_standing_last(found) or _stood(r, found))
     ):
         return  # the chains stand in it
     if (
@@ -98,6 +99,8 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         r.to_separator()
         found.append(Action("join", token.span))
         return
+    if place is not None and place.marked:
+        _to_marked(r, found, place, token)
     if name != "slst" and len(words := token.word.split(" ")) == 2 and words[1] in _TWO:
         r.ask("pair", token.span)
         if "pair" in r.choices:
@@ -144,10 +147,35 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         found += _lower(r, found, name, before, after, token, place)
 
 
+def _to_marked(r: Reader, found: list[Item], place: Where, token: Token) -> None:
+    """Says of a place at the marked stitch, or up to it, how many stitches it is."""
+    if r.marked is None or r.edge is None or r.depth:
+        raise NotUnderstood(token, "where the marker is, is not known here", "say how many stitches there are to it")
+    many = r.marked - taken(found, r.edge, r.stitches)
+    up_to = place.kind == "around"
+    if many < up_to:
+        raise NotUnderstood(token, "the marked stitch is passed already", "say how many stitches there are to it")
+    place.kind, place.count = "next", many if up_to else 1
+    r.body.spread = True  # it fits this round below only
+
+
 def bump(token: Token | None, loops: int) -> str:
     """The name of a bobble, popcorn, puff or cluster of so many loops; "" where the token is none."""
     kind = next((kind for kind in BUMPS if token is not None and token.value == kind), "")
     return "" if not kind or not 2 <= loops <= 12 else kind if loops == BUMPS[kind][0] else f"{kind}{loops}"
+
+
+def _stood(r: Reader, found: list[Item]) -> bool:
+    """Takes chains at a round's beginning that the first stitch is skipped for as that stitch, where all others are worked: "Ch 2,
+    skip first sc, hdc in each sc around"; whether they are."""
+    last, c = found[-1], r.c
+    said = c.tokens[c.at : next((k for k in range(c.at + 1, len(c.tokens)) if c.tokens[k].word in (".", ";")), None)]
+    if not any(t.kind == "key" and t.value == "each" for t in said[:8]):
+        return False
+    if not (isinstance(last, Action) and last.name == "ch" and last.times in _STANDING) or any(map(makes, found)):
+        return False
+    found[-1] = Action(_STANDING[last.times], last.span)
+    return True
 
 
 def _standing_last(found: list[Item]) -> bool:

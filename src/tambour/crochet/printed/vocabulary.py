@@ -142,7 +142,10 @@ class Vocabulary:
             if end + 1 < n and tokens[end].word == "." and tokens[end].glued and kind == "key" and len(token.word) <= 4:
                 after = tokens[end + 1]
                 if value in ("round", "row"):
-                    ordinal = bool(made) and len(made) > 1 and made[-2].kind == "ordinal"  # "as 3rd rnd. 18 sc."
+                    # "as 3rd rnd. 18 sc.", "rep last rnd. 18 sc."
+                    ordinal = len(made) > 1 and (
+                        made[-2].kind == "ordinal" or made[-2].value in ("last", "each", "same")
+                    )
                     end += (
                         not ordinal
                         and not after.glued

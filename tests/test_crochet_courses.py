@@ -1,0 +1,207 @@
+"""How publishers say where a round goes on: to a marked stitch, by rounds before it, in a repeat that ends otherwise, on another edge;
+our own texts, each with the counts that a hand reading gives, round by round."""
+
+import pytest
+
+from tambour.core.errors import Text
+from tambour.crochet.printed.choose import read
+from test_crochet_phrasings import ROWS, START, THREE, TWO, counts
+
+WEDGE = "Toy\n\nWING\nWith A, ch 8.\n1st row: (RS). 1 sc in 2nd ch from hook. 1 sc in each ch to end of chain. Turn. 7 sc.\n"
+MIDDLE = (
+    WEDGE
+    + "2nd row: Ch 1. 1 sc in each of next 3 sc. 3 sc in next sc. PM on center sc of last group of 3 sc. 1 sc in each of next 3 sc. Turn. 9 sc.\n"
+)
+SPREAD = (
+    START.replace("6 sc", "8 sc") + "2nd rnd: Ch 1. 1 sc in each sc around, inc 4 sts evenly spaced. Join. 12 sc.\n"
+)
+
+MARKED = [
+    "3rd row: Ch 1. 1 sc in each sc to marked sc. 3 sc in marked sc. 1 sc in each sc to end of row. Turn. 11 sc.",
+    "3rd row: Ch 1. 1 sc in each sc to marked st. 3 sc in marked st. PM on center sc as before. 1 sc in each sc to end of row. Turn. 11 sc.",
+    "3rd row: Ch 1, sc in each sc to center st of 3-sc group, 3 sc in center st, sc in remaining sc, turn—11 sc.",
+]
+
+
+@pytest.mark.parametrize("said", MARKED)
+def test_rows_go_to_the_marked_stitch(said):
+    assert counts(MIDDLE + said + "\n") == [7, 9, 11]
+
+
+@pytest.mark.parametrize("said", MARKED)
+@pytest.mark.parametrize(
+    "again",
+    [
+        "4th row: As 3rd row. 13 sc.",
+        "4th and 5th rows: As 3rd row. 15 sc.",
+        "4th to 6th rows: Rep last row 3 times more. 17 sc.",
+    ],
+)
+def test_a_row_to_the_marked_stitch_worked_again_is_read_again(said, again):
+    found = counts(MIDDLE + said + "\n" + again + "\n")
+    assert found == list(range(7, 7 + 2 * len(found), 2))
+    assert found[-1] == int(again.split()[-2])
+
+
+def test_a_marked_stitch_is_carried_through_plain_rows_and_turned_ones():
+    text = (
+        WEDGE
+        + "2nd row: Ch 1. 1 sc in next sc. 3 sc in next sc. PM on center sc of 3-sc group. 1 sc in each of next 5 sc. Turn. 9 sc.\n"
+    )
+    text += "3rd row: Ch 1. 1 sc in each sc to end of row. Turn.\n4th row: Ch 1. 1 sc in each sc to marked sc. 3 sc in marked sc. 1 sc in each sc to end of row. Turn. 11 sc.\n"
+    pattern = read(Text(text, "wing.txt"))
+    assert not pattern.unread
+    _, before, marked, *_ = pattern.parts[0].lines[-1].items
+    assert [(i.name, i.times) for i in (before, marked)] == [
+        ("sc", 2),
+        ("inc3", 1),
+    ]  # turned twice, the third of nine is the third again
+
+
+def test_a_marked_stitch_that_nobody_marked_is_told():
+    text = (
+        WEDGE
+        + "2nd row: Ch 1. 1 sc in each sc to marked sc. 3 sc in marked sc. 1 sc in each sc to end of row. Turn. 9 sc.\n"
+    )
+    (unread,) = read(Text(text, "wing.txt")).unread
+    assert "where the marker is" in unread.message
+
+
+@pytest.mark.parametrize(
+    "again",
+    [
+        "3rd rnd: Rep last rnd. 16 sc.",
+        "3rd rnd: As 2nd rnd. 16 sc.",
+        "3rd and 4th rnds: Rep 2nd rnd. 20 sc.",
+    ],
+)
+def test_increases_spread_evenly_are_spread_anew_when_a_round_is_repeated(again):
+    found = counts(SPREAD + again + "\n")
+    assert found == [8, *range(12, 12 + 4 * (len(found) - 1), 4)]
+
+
+@pytest.mark.parametrize(
+    "said, last",
+    [
+        ("4th rnd: Ch 1. *1 sc in each of next 3 sc. Sc2tog. Rep from * around, ending last rep with 1 sc in each of last 3 sc. Join. 15 sts.", 15),
+        ("4th rnd: Ch 1. *Sc2tog. 1 sc in each of next 3 sc. Rep from * to end of rnd, ending last rep with 1 sc in last sc. Join. 14 sts.", 14),
+        ("4th rnd: *2 sc in next sc. 1 sc in each of next 4 sc. Rep from * around, ending last rep with 1 sc in each of last 2 sc. 22 sc.", 22),
+    ],
+)  # fmt: skip
+def test_a_last_repeat_ends_as_it_is_said(said, last):
+    assert counts(THREE + said + "\n") == [6, 12, 18, last]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        'Rep last rnd until Body measures 1½" [4 cm] from beg.',
+        "Rep last rnd until work from beg measures 1 1/2 ins [4 cm].",
+        "Repeat Round 2 until piece measures about 1½ inches (4 cm) tall.",
+    ],
+)
+def test_a_length_in_brackets_after_a_length_says_nothing_more(said):
+    plain = START + "2nd rnd: Ch 1. 1 sc in each sc around. Join.\n"
+    found = counts(plain + said + "\n")
+    assert set(found) == {6}
+    assert len(found) > 2
+
+
+@pytest.mark.parametrize(
+    "said", ["Round 4: Repeat Round 2—36 sc.", "Round 4: Rep Rnd 2—36 sts.", "4th rnd: Rep Round 2 – 36 sc."]
+)
+def test_a_count_behind_a_dash_is_no_range_of_rounds(said):
+    assert counts(THREE.replace("*1 sc in next sc. 2 sc in next sc. Rep from * around", "*1 sc in next sc. 2 sc in next sc. Rep from * around") + said + "\n") == [6, 12, 18, 36]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Rounds 4-9: Repeat Rounds 2 and 3 three times.",
+        "4th to 9th rnds: Rep 2nd and 3rd rnds 3 times more.",
+        "Rounds 4–9: Rep Rnds 2 and 3 three times more.",
+    ],
+)
+def test_two_rounds_that_are_listed_are_repeated_together(said):
+    text = (
+        START + "2nd rnd: Ch 1. 2 sc in each sc around. Join. 12 sc.\n3rd rnd: Ch 1. (Sc2tog) 6 times. Join. 6 sts.\n"
+    )
+    assert counts(text + said + "\n") == [6, 12, 6, 12, 6, 12, 6, 12, 6]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "3rd rnd: *Sc in next 3 sc, 2 sc in next sc—15 sts.",
+        "Round 3: *Sc in next 3 sts, 2 sc in next st = 15 sc.",
+        "3rd rnd: Ch 1, *sc in next 3 sc, 2 sc in next sc—15 sc.",
+    ],
+)
+def test_a_repeat_left_open_goes_around_and_its_count_is_no_stitches(said):
+    assert counts(TWO + said + "\n") == [6, 12, 15]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "3rd rnd: Ch 1. (1 sc in next sc. 2 sc in next sc) 6 times. 1 sc in each remaining sc. Join. 18 sc.",
+        "Round 3: [Sc in next sc, 2 sc in next sc] 6 times, sc in remaining sc—18 sc.",
+        "3rd rnd: Ch 1. (2 sc in next sc. 1 sc in next sc) 6 times. 1 sc in each rem sc. 18 sc.",
+    ],
+)
+def test_the_rest_of_a_round_may_be_nothing(said):
+    assert counts(TWO + said + "\n") == [6, 12, 18]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "3rd row: Ch 2, skip first sc, hdc in each sc across; turn.",
+        "3rd row: Ch 2. Skip first st. 1 hdc in each st to end of row. Turn.",
+        "3rd row: Ch 3, skip first sc, dc in each sc across, turn.",
+    ],
+)
+def test_chains_that_a_stitch_is_skipped_for_are_that_stitch(said):
+    assert counts(ROWS + "2nd row: Ch 1. 1 sc in each sc to end of row. Turn. 7 sc.\n" + said + "\n") == [7, 7, 7]
+
+
+LEG = "RIGHT LEG\n3rd rnd: Ch 1. 1 sc in each of first 6 sc. Skip last 6 sc. Join. 6 sc.\n**4th rnd: Ch 1. 1 sc in each sc around. Join.\n5th rnd: Ch 1. (Sc2tog) 3 times. Join. 3 sts.\nFasten off.**\n"
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Left Leg: Join A with sl st to first skipped sc in 2nd rnd. Ch 1. 1 sc in same sp as sl st. 1 sc in each of next 5 sc. Ch 2. Join. 8 sts.",
+        "Left Leg: Join B with sl st to first unworked sc of 2nd rnd. Ch 1. 1 sc in same sp as sl st. 1 sc in each of next 5 sc. Ch 2. Join. 8 sts.",
+        "LEFT LEG\nJoin A with sl st to first skipped sc of 2nd rnd. Ch 1. 1 sc in same sc as sl st. 1 sc in each of next 5 sc. Ch 2. Join with sl st to first sc. 8 sts.",
+    ],
+)
+def test_a_round_without_a_number_is_told_by_its_join_and_its_count(said):
+    pattern = read(
+        Text(TWO + LEG + said + "\nNext rnd: Ch 1. (Sc2tog) 4 times. Join. 4 sts.\nFasten off.\n", "toy.txt")
+    )
+    assert not pattern.unread
+    assert [line.stated for line in pattern.parts[-1].lines if line.in_round] == [8, 4]
+
+
+@pytest.mark.parametrize("said", ["Shape Top:", "SHAPE TOP", "Proceed as follows:", "Continue for Neck:"])
+def test_a_heading_that_shapes_is_no_part_though_rounds_begin_at_one_again(said):
+    text = (
+        THREE
+        + said
+        + "\n1st rnd: With MC, 1 sc in each of next 9 sc. With A, 1 sc in each sc to end of rnd.\n2nd rnd: With A, (1 sc in next sc. Sc2tog) 6 times. 12 sts.\n"
+    )
+    pattern = read(Text(text, "toy.txt"))
+    assert not pattern.unread
+    assert len(pattern.parts) == 1
+    assert counts(text) == [6, 12, 18, 18, 12]
+
+
+def test_a_strap_that_is_only_a_chain_is_a_part_of_its_own():
+    text = (
+        START
+        + "Fasten off.\nStrap: With B, ch 20. Fasten off.\nHat\nWith A, ch 2.\n1st rnd: 8 sc in 2nd ch from hook. Join. 8 sc.\n"
+    )
+    pattern = read(Text(text, "toy.txt"))
+    assert [part.name for part in pattern.parts] == ["BODY", "Strap", "Hat"]
+    assert counts(text)[-1] == 8
