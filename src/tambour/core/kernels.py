@@ -3,8 +3,8 @@
 A kernel is one Python function, and runs in one of three ways: ``native`` (built beforehand: the folder ``kernels`` beside
 the package), ``numba`` (compiled on the first call, where Numba is installed), ``python`` (the function itself: a debugger
 steps through it). Compiled twins do IEEE arithmetic without shortcuts (no fastmath): the bytes are the same both ways. So
-are those of plain Python, but where single precision meets whole numbers (knit's perceptual rows): there Numba counts in
-double and Python does not, and what was a tie may fall otherwise.
+are those of plain Python, if a kernel says ``np.float64`` where single precision meets a number of its text: Numba counts
+in double then, and NumPy would not.
 """
 
 from __future__ import annotations

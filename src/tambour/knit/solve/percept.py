@@ -288,7 +288,7 @@ def linear(z: Array, across: Array, columns: Array, n: int, ring: bool, u: Array
                 padded[reach - 1 - k] = z[s, (stitches - 1 - k) % stitches]
                 padded[reach + stitches + k] = z[s, k % stitches]
         for d in range(-reach, reach + 1):
-            c = 2 * across[s, abs(d)]
+            c = np.float64(2) * across[s, abs(d)]  # double: products are rounded once, as they are added
             if c == 0:
                 continue
             moved = padded[reach + d : reach + d + stitches]
@@ -417,7 +417,7 @@ def ring_energy(
 ) -> float:
     """Cost of a short round: its linear and pair terms, and its windows that are too long."""
     n = row.size
-    total = 0.0
+    total = np.float64(0)
     for k in range(n):
         if row[k]:
             total += u[k]
