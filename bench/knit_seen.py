@@ -6,7 +6,7 @@ Co-dithering (2025) is our own reference of it for one face, ``codither.py``.
 
 Thirty pictures: those that scikit-image bundles, and the sources of the knitting examples. Charts at 24 x 32 stitches in 10 cm, floats of
 at most 4 except where the method has no law. The measure is the correlation of what Mannos and Sakrison's contrast sensitivity (1974) passes
-on of the chart and of the picture at chart size, unprepared, in code values (``sight.likeness``). It is one number beside a blind naming, never in its place.
+on of the chart and of the picture at chart size, unprepared, in code values (``sight.likenesses``). It is one number beside a blind naming, never in its place.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from tambour.knit.picture.resample import resample
 from tambour.knit.piece import Piece
 from tambour.knit.solve import exact, measure, percept, stages
 from tambour.knit.solve.make import make
-from tambour.knit.solve.sight import likeness
+from tambour.knit.solve.sight import likenesses
 from tambour.knit.task import Task
 
 BUNDLED = [
@@ -201,7 +201,7 @@ def main(small: bool) -> None:
             for rgb in found.values():
                 cells = method(rgb, stitches)
                 seen = tone.brightness(resample(rgb, *cells.shape)[::-1], "code")
-                rows.append([likeness(cells, seen, GAUGE, m) for m in METRES])
+                rows.append(likenesses(cells, seen, GAUGE, METRES))
             print(f"{name:36}" + " ".join(f"{v:5.2f}" for v in np.mean(rows, axis=0)), flush=True)
     print("\ntonal, 80 stitches: energy above the bound, dB")
     for name in ("camera", "coffee", "chelsea", "astronaut", "horse", "coins"):

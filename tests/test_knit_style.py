@@ -190,8 +190,8 @@ def test_the_eye_is_the_one_published():
     h = 2.6 * (0.0192 + 0.114 * f) * np.exp(-((0.114 * f) ** 1.1))
     h[0, 0] = 0
     x, y = (np.fft.ifft2(np.fft.fft2(v - v.mean()) * h).real for v in (a, b))
-    assert sight.likeness(chart, picture, gauge, 2.0) == pytest.approx(np.corrcoef(x.ravel(), y.ravel())[0, 1])
-    assert sight.likeness(chart, chart, None, 4.0) > 0.5
+    assert sight.likenesses(chart, picture, gauge, [2.0])[0] == pytest.approx(np.corrcoef(x.ravel(), y.ravel())[0, 1])
+    assert sight.likenesses(chart, chart, None, [4.0])[0] > 0.5
 
 
 @pytest.mark.slow

@@ -101,8 +101,7 @@ class Params(BaseModel):
     @classmethod
     def files(cls) -> dict[str, str]:
         """Fields that name a file → the value type they are read as."""
-        extras = {name: f.json_schema_extra for name, f in cls.model_fields.items()}
-        return {name: str(e["file"]) for name, e in extras.items() if isinstance(e, dict) and "file" in e}
+        return dict(_files(cls))
 
     @classmethod
     def words(cls, name: str) -> tuple[str, ...]:
@@ -114,7 +113,7 @@ class Params(BaseModel):
     @field_validator("*", mode="before")
     @classmethod
     def _words(cls, value: Any, info: ValidationInfo) -> Any:
-        if info.field_name in cls.files() and isinstance(value, (bool, int, float, bytes, list, dict, tuple, set)):
+        if info.field_name in _files(cls) and isinstance(value, (bool, int, float, bytes, list, dict, tuple, set)):
             raise ValueError("a file's name is wanted")
         for text in value if isinstance(value, (tuple, list)) else (value,):
             if isinstance(text, (str, Path)) and (why := unspeakable(str(text))):
@@ -213,6 +212,13 @@ class Params(BaseModel):
         from tambour.core.digest import digest
 
         return digest([type(self).__name__, self.plain(), {name: getattr(self, name) for name in self.files()}])
+
+
+@cache
+def _files(cls: type[Params]) -> Mapping[str, str]:
+    """See :meth:`Params.files`; asked for every field of every piece."""
+    extras = {name: f.json_schema_extra for name, f in cls.model_fields.items()}
+    return {name: str(e["file"]) for name, e in extras.items() if isinstance(e, dict) and "file" in e}
 
 
 @cache

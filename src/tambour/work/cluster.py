@@ -46,7 +46,8 @@ def pieces(jobs: Sequence[Job], limit: Limit, version: str) -> list[Done]:
         if limit not in _POOLS:
             from distributed import get_worker
 
-            _POOLS[limit] = Local(get_worker().state.nthreads, limit)
+            # A thread of Dask's stands for a processor; the others here are other Dask workers'.
+            _POOLS[limit] = Local(get_worker().state.nthreads, limit, threads=1)
             atexit.register(_POOLS[limit].abandon)
     return [made.result() for made in [_POOLS[limit].submit(job) for job in jobs]]
 

@@ -23,6 +23,8 @@ WATCH = 0.25
 """Seconds between two looks at a worker's memory."""
 DIED = "the worker ended in the midst of this"
 """Why a job is lost whose worker nobody here has killed."""
+UNWANTED = {"MALLOC_TRIM_THRESHOLD_"}
+"""Settings that a worker does not take over: Dask lets its own give memory back at once, and small pieces take half as long again."""
 PATIENCE = 0.3
 """Seconds that a worker has to stop by itself before it is killed."""
 
@@ -62,7 +64,7 @@ class Hand:
             stdout=asyncio.subprocess.PIPE,
             stderr=self.log,
             cwd=self.folder,
-            env={**os.environ, **settings},
+            env={k: v for k, v in {**os.environ, **settings}.items() if k not in UNWANTED},
             start_new_session=True,
         )
         self._tasks = [asyncio.create_task(self._listen()), asyncio.create_task(self._watch())]

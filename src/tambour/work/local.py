@@ -33,16 +33,16 @@ def processors() -> int:
 
 
 class Local:
-    """Makes pieces in ``width`` processes; ``submit`` may be called from any thread.
+    """Makes pieces in ``width`` processes of ``threads`` each; ``submit`` may be called from any thread.
 
     What dies by itself is tried again, by another worker; what breaks the limit is not. The time of a piece is its own:
     a worker has grown warm before.
     """
 
-    def __init__(self, width: int | None = None, limit: Limit | None = None) -> None:
+    def __init__(self, width: int | None = None, limit: Limit | None = None, threads: int | None = None) -> None:
         self.width = width or processors()
         self.limit = limit or Limit()
-        self.threads = max(1, processors() // self.width)
+        self.threads = threads or max(1, processors() // self.width)
         self._room = Room.beside(Path(tempfile.gettempdir()))
         self._hands: set[Hand] = set()
         self._made = 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -61,7 +62,6 @@ def make(job: Job, laid: Mapping[str, Path], progress: Progress | None = None, w
     laid : where the job's blobs lie, each under its own last name; what is told and written has the given names
     what : the craft, where it is not simply the one that the job names
     """
-    from tambour import files
     from tambour.files.sink import Kept
     from tambour.files.text import dumps
     from tambour.run import craft, write
@@ -73,7 +73,7 @@ def make(job: Job, laid: Mapping[str, Path], progress: Progress | None = None, w
         source = None
         if job.source is not None:
             with progress.stage("read"):
-                source = files.read(laid[job.source], what.reads)
+                source = _source(laid[job.source], laid[job.source].stat().st_mtime_ns, tuple(what.reads))
             if isinstance(source, Text):
                 source = replace(source, name=job.source)
         made = make_piece(what, source, params, job.edits, progress)
@@ -89,6 +89,14 @@ def make(job: Job, laid: Mapping[str, Path], progress: Progress | None = None, w
     if job.source is not None:
         report["source"] = {"path": job.source, **report["source"]}
     return Done(report, kept.files, thumb)
+
+
+@lru_cache(maxsize=1)
+def _source(path: Path, changed: int, kinds: tuple[str, ...]) -> Any:
+    """A source's value: pieces of one source follow each other, and it is read once for them. ``changed`` tells files apart."""
+    from tambour import files
+
+    return files.read(path, kinds)
 
 
 def _renamed(problem: Problem, laid: Mapping[str, Path]) -> Problem:

@@ -181,9 +181,9 @@ DISTANCES = (1.0, 2.0, 4.0, 8.0)
 
 
 def likenesses(piece: Piece) -> dict[str, float]:
-    """How like its picture, before any preparation, the chart looks from 1, 2, 4 and 8 m: see :func:`sight.likeness`."""
+    """How like its picture, before any preparation, the chart looks from 1, 2, 4 and 8 m: see :func:`sight.likenesses`."""
     from tambour.knit.picture.tone import brightness
-    from tambour.knit.solve.sight import likeness
+    from tambour.knit.solve import sight
 
     chart = piece.chart
     first = bands(*chart.cells.shape)[len(bands(*chart.cells.shape)) // 2]
@@ -192,4 +192,5 @@ def likenesses(piece: Piece) -> dict[str, float]:
     cells = light[chart.cells[first]]
     if chart.no_stitch is not None:
         cells, luma = (np.where(chart.no_stitch[first], 0, v) for v in (cells, luma))
-    return {f"{m:g}": round(likeness(cells, luma, chart.gauge, m), 3) for m in DISTANCES}
+    found = sight.likenesses(cells, luma, chart.gauge, DISTANCES)
+    return {f"{m:g}": round(like, 3) for m, like in zip(DISTANCES, found)}

@@ -8,6 +8,8 @@ halftoning always did so. Unheld, the least visible lawful texture is broad upri
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from tambour.core.chart import Gauge
@@ -51,17 +53,22 @@ def eye(limit: int, gauge: Gauge | None, metres: float) -> percept.Eye:
     return percept.Eye(np.ascontiguousarray(right[:terms], np.float32), np.ascontiguousarray(down, np.float32))
 
 
-def likeness(cells: Array, picture: Array, gauge: Gauge | None, metres: float) -> float:
+def likenesses(cells: Array, picture: Array, gauge: Gauge | None, metres: Sequence[float]) -> list[float]:
     """Correlation, -1 to 1, of what an eye passes on of the chart (R, C) of 0…1 and of the picture (R, C) in 0…1, the
-    mean left out, both in code values; each stitch is drawn with four samples a side, two in large charts."""
-    gauge = gauge or SQUARE
-    fine = 4 if cells.size <= 1 << 17 else 2 if cells.size <= 1 << 19 else 1
+    mean left out, both in code values, from each of some distances; each stitch is drawn with four samples a side, two
+    in large charts."""
     from scipy.ndimage import zoom
 
-    a = np.kron(cells.astype(np.float64), np.ones((fine, fine)))
-    b = zoom(picture.astype(np.float64), fine, order=1, grid_mode=True, mode="nearest") if fine > 1 else picture
-    weight = sensitivity(frequencies(a.shape, gauge, metres, fine))
-    weight[0, 0] = 0.0
-    x, y = np.fft.fft2(a) * weight, np.fft.fft2(b) * weight
-    norm = float(np.sqrt((np.abs(x) ** 2).sum() * (np.abs(y) ** 2).sum()))
-    return float((x * y.conj()).real.sum() / norm) if norm > 1e-12 else 0.0
+    gauge = gauge or SQUARE
+    fine = 4 if cells.size <= 1 << 17 else 2 if cells.size <= 1 << 19 else 1
+    a = np.fft.fft2(np.kron(cells.astype(np.float64), np.ones((fine, fine))))
+    b = picture if fine == 1 else zoom(picture.astype(np.float64), fine, order=1, grid_mode=True, mode="nearest")
+    b = np.fft.fft2(b)
+    found = []
+    for far in metres:
+        weight = sensitivity(frequencies(a.shape, gauge, far, fine))
+        weight[0, 0] = 0.0
+        x, y = a * weight, b * weight
+        norm = float(np.sqrt((np.abs(x) ** 2).sum() * (np.abs(y) ** 2).sum()))
+        found.append(float((x * y.conj()).real.sum() / norm) if norm > 1e-12 else 0.0)
+    return found
