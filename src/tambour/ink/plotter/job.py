@@ -19,7 +19,7 @@ from tambour.ink.plan import scroll
 from tambour.ink.plan.wholes import HEIGHT
 from tambour.ink.plotter.hidden import visible
 from tambour.ink.plotter.layers import LIFT, Layer, grey, pens, refilled, title
-from tambour.ink.plotter.lines import Lines, ragged
+from tambour.ink.plotter.lines import Lines, lengths, ragged
 from tambour.ink.plotter.path import cut, simplified, strung, tour
 from tambour.ink.plotter.redraw import hiding, lines
 from tambour.ink.plotter.sheet import Sheet, laid, reach, windowed
@@ -74,8 +74,7 @@ def unhidden(painted: scroll.Scroll, nib: float, heights: int = 0) -> Lines:
     drawn = lines(marks, nib, heights)
     coords, offsets, source = visible(drawn.coords, drawn.offsets, drawn.order, *hiding(marks, nib))
     seen = Lines(coords, offsets, drawn.order[source], drawn.tone[source], drawn.worth[source], drawn.press[source])
-    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))]) if len(coords) else np.zeros(1)
-    return seen.some(np.flatnonzero(along[offsets[1:] - 1] - along[offsets[:-1]] >= CRUMB * nib))
+    return seen.some(np.flatnonzero(lengths(coords, offsets) >= CRUMB * nib))
 
 
 def routed(seen: Lines, sheet: Sheet, params: Ink) -> Page:
@@ -88,8 +87,8 @@ def routed(seen: Lines, sheet: Sheet, params: Ink) -> Page:
     # To the file's own thousandths first, so that a sheet made alone chooses as the same sheet of a booklet does.
     coords, offsets = simplified(np.round(coords, 3), offsets, TOLERANCE)
     which, press = pens(seen.tone[source], params.pens), seen.press[source]
-    step = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))]) if len(coords) else np.zeros(1)
-    long = step[offsets[1:] - 1] - step[offsets[:-1]] >= SPECK if len(source) else np.zeros(0, np.bool_)
+    # Whole lines are measured: what of a long one lies short of the edge is drawn, as the next sheet goes on from there.
+    long = (lengths(seen.coords, seen.offsets)[source] * sheet.scale >= SPECK) & (lengths(coords, offsets) > 0)
     made: list[Layer] = []
     home = (0.0, 0.0)
     for pen in range(params.pens):
@@ -116,10 +115,7 @@ def thinned(
     Lines are given up by their worth for the time they take: a lift costs as much as drawing LIFT · speed mm. How many
     is found by halving, and measured on the finished routes.
     """
-    step = np.hypot(*np.diff(seen.coords, axis=0).T)
-    step[seen.offsets[1:-1] - 1] = 0.0
-    along = np.concatenate([[0.0], np.cumsum(step)])
-    length = (along[seen.offsets[1:] - 1] - along[seen.offsets[:-1]]) * sheets[0].scale
+    length = lengths(seen.coords, seen.offsets) * sheets[0].scale
     by = np.argsort(-seen.worth * length / (length + LIFT * params.speed), kind="stable")
     low, high = 0, len(by)
     best: tuple[Lines, tuple[Page, ...]] | None = None

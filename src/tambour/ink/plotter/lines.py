@@ -39,6 +39,14 @@ def ragged(coords: Array, offsets: Array, chosen: Array) -> tuple[Array, Array]:
     return coords[index], ends
 
 
+def lengths(coords: Array, offsets: Array) -> Array:
+    """(N,) how long the runs of a ragged buffer are."""
+    if not len(coords):
+        return np.zeros(len(offsets) - 1)
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(coords, axis=0).T))])
+    return np.asarray(along[offsets[1:] - 1] - along[offsets[:-1]])
+
+
 def joined(parts: list[Lines]) -> Lines:
     """Lines one after the other."""
     starts = np.cumsum([0, *(len(p.coords) for p in parts)])
