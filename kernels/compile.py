@@ -25,8 +25,8 @@ against v3 in one process each), and nothing else gains: but they are .08 of the
 .01 of .62 s at 120. A second copy, chosen when it is loaded, would save 2 % of a large piece, and is not made."""
 NUMBA = "numba==0.68.1"
 BARE = {"cache": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}  # the native function alone
-TIDY = 16
-"""Kernels after which memory is tidied: some 300 MB a process."""
+TIDY = 24
+"""Kernels after which memory is tidied: some 400 MB a process."""
 SOURCE = Path(__file__).resolve().parent.parent / "src"
 
 
@@ -129,10 +129,13 @@ def objects(share: int, claims: Path) -> None:
 
     claims : a folder that both know, where each puts a file of the kernel's name before it begins
     """
+    from numba.core.codegen import JITCodeLibrary
+
     from tambour.core import kernels
 
     kernels.OPTIONS |= BARE
-    gc.disable()  # a quarter of the time goes into looking for what Numba has left; it is looked for now and then
+    gc.disable()  # a fifth of the time goes into looking for what Numba has left; it is looked for now and then
+    JITCodeLibrary._finalize_specific = lambda library: None  # a seventh into code for this very processor, never run
     missing = [k for k in entries() if not (cache() / f"{key(k)}.json").exists()]
     for number, kernel in enumerate(missing if share == 0 else reversed(missing)):
         try:

@@ -89,6 +89,14 @@ def test_help_names_every_option_and_view(name: str) -> None:
     assert all(what.params.help(name) for name in what.params.model_fields), "every option says what it does"
 
 
+@pytest.mark.parametrize("name", ["sweep", "tiles", "studio", "examples", "formats"])
+def test_help_keeps_the_lines_of_its_examples(name: str) -> None:
+    code, said = call(f"{name} --help")
+    assert code == 0 and "\\b" not in said
+    # Nothing follows an example but another in a line of its own.
+    assert all(line.index("tambour ") == 2 for line in said.splitlines()[1:] if f"tambour {name} " in line)
+
+
 def shell(line: str, folder: Path) -> subprocess.CompletedProcess[str]:
     line = line.replace("tambour", f"{sys.executable} -m tambour")
     return subprocess.run(["bash", "-c", line], cwd=folder, capture_output=True, text=True, timeout=300)

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -26,9 +27,10 @@ from tambour.run import craft, run
 from tambour.sweep import sweep
 from tambour.sweep.axes import axes, combinations, values
 from tambour.sweep.course import Pool, course, planned
-from tambour.sweep.folder import Folder
+from tambour.sweep.folder import Folder, Row
 from tambour.work.limit import Limit
 from tambour.work.local import Local
+from tambour.work.piece import Job
 
 
 @pytest.fixture
@@ -117,6 +119,17 @@ def test_names_are_as_different_as_what_they_name(seeds: list[str]) -> None:
 def test_sources_of_one_name_are_told_apart() -> None:
     labels = [label for _, label in plans._labelled(["x/a.png", "y/a.png", "x/a.jpg", "b.png", "A.PNG"])]
     assert len({label.casefold() for label in labels}) == 5 and labels[3] == "b"
+
+
+def test_no_name_and_no_reason_is_taken_for_a_formula(tmp_path: Path) -> None:
+    for name in (b"=1+1", b"-rf", b"+x", b"@sum", b"\xff"):
+        (tmp_path / f"{os.fsdecode(name)}.png").write_bytes(b"")
+    made, (doubt,) = plans.plan(craft("knit"), [str(tmp_path)], {}, [".csv"], [])
+    names = [piece.name for piece in made.pieces()]
+    assert len(set(names)) == 4 and all(name[0] not in "=+-@" for name in names)
+    assert doubt.message == "1 of 5 files are left out, 1 for their names: one holds bytes that are no text"
+    row = Row("a", "k", "knit", "+s.png", "{}", "failed", "=cmd|' /C calc'!A0", 0.0, ("@a",), (1,), (".csv",))
+    assert [cell for cell in map(str, row.told()) if cell[0] in "=+-@\t\r"] == []
 
 
 def test_a_key_is_all_that_the_piece_is_made_of(photos: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -365,6 +378,16 @@ def test_reports_of_others_are_left_alone(tmp_path: Path) -> None:
         (tmp_path / "reports" / f"strange{k}.json").write_bytes(raw)
     with Folder(tmp_path) as folder:
         assert len(folder.index()) == 1
+
+
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="a process's environment is looked at")
+def test_a_worker_keeps_the_memory_that_it_will_want_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    # Dask tells its own to give it back at once: small pieces took half as long again.
+    monkeypatch.setenv("MALLOC_TRIM_THRESHOLD_", "65536")
+    with closing(Local(1)) as pool:
+        assert pool.submit(Job("ink", {"span": 64.0}, ["a.svg"])).result().reason == ""
+        (hand,) = pool._hands
+        assert b"MALLOC_TRIM" not in Path(f"/proc/{hand.process.pid}/environ").read_bytes()
 
 
 def test_the_local_pool_is_a_pool() -> None:

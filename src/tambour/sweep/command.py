@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 
@@ -17,6 +17,32 @@ LINE_SECONDS = 30.0
 """Time between two lines of progress where there is no terminal."""
 
 
+class Making(NamedTuple):
+    """How the pieces of a command are made, as its options say."""
+
+    jobs: int | None
+    limit: str
+    again: bool
+    scheduler: str
+    cluster: int | None
+    quiet: bool
+
+
+def with_making(command: Callable[..., int]) -> Callable[..., int]:
+    """A command with the options of :class:`Making`."""
+    many = click.IntRange(1, 1024)
+    for option in (
+        click.option("--quiet", is_flag=True, help="No progress, no summary."),
+        click.option("--cluster", type=many, metavar="N", help="On a Dask cluster here, of N workers."),
+        click.option("--scheduler", default="", metavar="tcp://…", help="Make them on this Dask cluster."),
+        click.option("--again", is_flag=True, help="Make what is finished once more."),
+        click.option("--limit", default="", metavar="2GB,60s", help="Memory and time that one may take."),
+        click.option("--jobs", type=many, metavar="N", help="Processes here. [default: the processors]"),
+    ):
+        command = option(command)
+    return command
+
+
 @click.command("sweep", short_help="Make many pieces: every source with every combination of values.")
 @click.argument("craft")
 @click.argument("sources", nargs=-1)
@@ -26,13 +52,8 @@ LINE_SECONDS = 30.0
 @click.option("--set", "axes", multiple=True, metavar="NAME=VALUES", help="What varies: max_float=3,4,5 or seed=0..9.")
 @click.option("--edit", "edit", multiple=True, metavar="KIND:PLACE=VALUE", help="Change every piece by hand.")
 @click.option("--edits", "edits", metavar="FILE", help="A JSON file of edits for every piece; before those of --edit.")
-@click.option("--jobs", type=click.IntRange(1, 1024), metavar="N", help="Processes here. [default: the processors]")
-@click.option("--limit", default="", metavar="2GB,60s", help="Memory and time that a piece may take.")
-@click.option("--again", is_flag=True, help="Make what is finished once more.")
-@click.option("--scheduler", default="", metavar="tcp://…", help="Make the pieces on this Dask cluster.")
-@click.option("--cluster", type=click.IntRange(1, 1024), metavar="N", help="On a Dask cluster here, of N workers.")
 @click.option("--no-sheet", is_flag=True, help="No small pictures and no contact sheet.")
-@click.option("--quiet", is_flag=True, help="No progress, no summary.")
+@with_making
 def command(
     craft: str,
     sources: tuple[str, ...],
@@ -40,15 +61,10 @@ def command(
     axes: tuple[str, ...],
     edit: tuple[str, ...],
     edits: str | None,
-    jobs: int | None,
-    limit: str,
-    again: bool,
-    scheduler: str,
-    cluster: int | None,
     no_sheet: bool,
-    quiet: bool,
+    **making: Any,
 ) -> int:
-    r"""Make every source with every combination of values, each named by them.
+    """Make every source with every combination of values, each named by them.
 
     \b
     tambour sweep knit photos/ --set max_float=3,4,5 --set stitches=60,80 -o out/ -o .png -o .pdf
@@ -57,16 +73,17 @@ def command(
     VALUES are a list (3,4,5), a range (0..9, or 0..1..0.25 in steps) or a JSON list (["a,b", "c"]). The folder gets
     the files, reports/ with a report each, index.csv made from them, and a contact sheet (sheet.png, sheet.html). What
     is finished there is not made again. One failure stops nothing: it is listed, and the command leaves with 1.
-    """
+    """  # noqa: D301 - the sign itself: click keeps the lines below it
     from tambour.core.errors import TambourError
     from tambour.files.text import read_edits
     from tambour.sweep.course import course, planned, pool
 
-    folders, kinds, problems = divided(outs, jobs, scheduler, cluster)
+    how = Making(**making)
+    folders, kinds, problems = divided(outs, how)
     try:
         changed = [*(read_edits(edits) if edits else ()), *edit]
         plan, limited, count, doubts = planned(
-            craft, sources, axes, kinds, changed, limit, not no_sheet, folders[0] if folders else None
+            craft, sources, axes, kinds, changed, how.limit, not no_sheet, folders[0] if folders else None
         )
     except TambourError as error:
         problems += error.problems
@@ -74,16 +91,15 @@ def command(
         raise TambourError(problems)
     for doubt in doubts:
         click.echo(str(doubt), err=True)
-    tally = Tally(count, quiet)
-    for made in course(plan, folders[0], pool(jobs, limited, scheduler, cluster or 0), again, not no_sheet):
+    tally = Tally(count, how.quiet)
+    workers = pool(how.jobs, limited, how.scheduler, how.cluster or 0)
+    for made in course(plan, folders[0], workers, how.again, not no_sheet):
         tally.count(made)
     tally.end(folders[0])
     return 1 if tally.failed else 0
 
 
-def divided(
-    outs: Sequence[str], jobs: int | None, scheduler: str, cluster: int | None
-) -> tuple[list[str], list[str], list[Problem]]:
+def divided(outs: Sequence[str], how: Making) -> tuple[list[str], list[str], list[Problem]]:
     """What -o names: places (one is wanted), and kinds of files; and what is wrong with that, and with who shall make it."""
     from tambour.core.errors import Problem as Told
 
@@ -93,7 +109,9 @@ def divided(
     if len(places) != 1:
         told = "name one folder" if places else "a folder is wanted for the pieces"
         problems.append(Told(told, "such as -o out/", where="-o"))
-    where = [w for w, given in (("--jobs", jobs), ("--scheduler", scheduler), ("--cluster", cluster)) if given]
+    where = [
+        w for w, given in (("--jobs", how.jobs), ("--scheduler", how.scheduler), ("--cluster", how.cluster)) if given
+    ]
     if len(where) > 1:
         problems.append(Told(f"{' and '.join(where)} say two things", "one of them is enough", where=where[-1]))
     return places, kinds, problems

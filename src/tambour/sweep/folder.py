@@ -25,6 +25,7 @@ from tambour.sweep.plan import Piece
 from tambour.work.piece import Done
 
 COLUMNS = ("key", "craft", "source", "params", "status", "reason", "seconds", "files")
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
 REPORTS, THUMBS, INDEX, LOCK = "reports", "thumbs", "index.csv", ".tambour-lock"
 
 
@@ -63,9 +64,10 @@ class Row:
         )
 
     def told(self) -> list[Any]:
-        """The columns of the index."""
-        files = ";".join(self.files)
-        return [self.key, self.craft, self.source, self.params, self.status, self.reason, self.seconds, files]
+        """The columns of the index; a table must not take a text for a formula."""
+        texts = [self.key, self.craft, self.source, self.params, self.status, self.reason, ";".join(self.files)]
+        safe = [f"'{text}" if text[:1] in FORMULA else text for text in texts]
+        return [*safe[:-1], self.seconds, safe[-1]]
 
 
 class Folder:

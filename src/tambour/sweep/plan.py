@@ -20,6 +20,7 @@ from tambour.work.thumbs import SIDE
 
 LONGEST = 120
 """Bytes of a piece's name: room is left for suffixes on every disk."""
+_FORMULA = re.compile(r"^[=+@-]")
 _AWKWARD = re.compile(r"[^\w=+.~ ()-]")
 
 
@@ -142,13 +143,16 @@ def _paths(craft: Craft, given: Sequence[str], problems: list[Problem], doubts: 
             problems.append(Problem(f"the name of a source {why}", where=word[:80]))
         elif Path(word).is_dir():
             inside = sorted(p for p in Path(word).iterdir() if p.is_file() and not p.name.startswith("."))
-            fit = [p for p in inside if p.suffix.lower() in readable]
+            odd = [p for p in inside if unspeakable(p.name)]
+            fit = [p for p in inside if p.suffix.lower() in readable and p not in odd]
             left = len(inside) - len(fit)
             if not fit:
                 can = f"these can be read: {' '.join(sorted(readable))}"
                 problems.append(Problem(f"nothing in this folder is a source of {craft.name}", can, where=word))
             elif left:
-                doubts.append(Problem(f"{left} of {len(inside)} files are left out", where=word, warning=True))
+                told = f"{left} of {len(inside)} files are left out"
+                told += f", {len(odd)} for their names: one {unspeakable(odd[0].name)}" if odd else ""
+                doubts.append(Problem(told, where=word, warning=True))
             found.update(dict.fromkeys(map(str, fit)))
         elif not Path(word).exists():
             problems.append(Problem("there is no such file", where=word))
@@ -166,20 +170,25 @@ def _paths(craft: Craft, given: Sequence[str], problems: list[Problem], doubts: 
 
 def _labelled(paths: Sequence[str]) -> list[tuple[str | None, str]]:
     """Each path with what its pieces' names begin with: its stem, and more where two are alike."""
-    stems = Counter(_plain(Path(p).stem).casefold() for p in paths)
-    names = Counter(_plain(Path(p).name.replace(".", "-")).casefold() for p in paths)
+    stems = Counter(_label(Path(p).stem).casefold() for p in paths)
+    names = Counter(_label(Path(p).name.replace(".", "-")).casefold() for p in paths)
     made: list[tuple[str | None, str]] = []
     for path in paths:
-        stem, name = _plain(Path(path).stem), _plain(Path(path).name.replace(".", "-"))
+        stem, name = _label(Path(path).stem), _label(Path(path).name.replace(".", "-"))
         if stems[stem.casefold()] > 1:
             stem = name if names[name.casefold()] == 1 else f"{name}~{hashlib.sha256(path.encode()).hexdigest()[:6]}"
         made.append((path, stem))
     return made
 
 
-def _plain(text: str) -> str:
+def _label(text: str) -> str:
+    """A text as the beginning of a file's name, which no table takes for a formula, and no command for an option."""
+    return _plain(text, _FORMULA.sub("_", text))
+
+
+def _plain(text: str, made: str = "") -> str:
     """A text as a part of a file's name: what had to be changed keeps a name of its own by six letters of its hash."""
-    made = _AWKWARD.sub("_", text).strip(" .") or "_"
+    made = _AWKWARD.sub("_", made or text).strip(" .") or "_"
     short = made.encode()[:LONGEST].decode(errors="ignore")
     return short if short == text else f"{short[: LONGEST - 30]}~{hashlib.sha256(text.encode()).hexdigest()[:6]}"
 

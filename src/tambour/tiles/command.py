@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import click
+
+from tambour.sweep.command import Making, Tally, divided, with_making
 
 
 @click.command("tiles", short_help="Cut the endless scroll into numbered tiles, plotter sheets or hoops.")
@@ -24,12 +28,7 @@ import click
     "--pixels", type=click.IntRange(16, 8192), default=512, show_default=True, metavar="N", help="Width of a picture."
 )
 @click.option("--set", "sets", multiple=True, metavar="NAME=VALUE", help="What else ink can be told: season=winter.")
-@click.option("--jobs", type=click.IntRange(1, 1024), metavar="N", help="Processes here. [default: the processors]")
-@click.option("--limit", default="", metavar="2GB,60s", help="Memory and time that a tile may take.")
-@click.option("--again", is_flag=True, help="Make what is finished once more.")
-@click.option("--scheduler", default="", metavar="tcp://…", help="Make the tiles on this Dask cluster.")
-@click.option("--cluster", type=click.IntRange(1, 1024), metavar="N", help="On a Dask cluster here, of N workers.")
-@click.option("--quiet", is_flag=True, help="No progress, no summary.")
+@with_making
 def command(
     seed: str,
     first: int,
@@ -37,14 +36,9 @@ def command(
     outs: tuple[str, ...],
     pixels: int,
     sets: tuple[str, ...],
-    jobs: int | None,
-    limit: str,
-    again: bool,
-    scheduler: str,
-    cluster: int | None,
-    quiet: bool,
+    **making: Any,
 ) -> int:
-    r"""Cut the endless scroll into numbered tiles: each is made of the seed and its number alone.
+    """Cut the endless scroll into numbered tiles: each is made of the seed and its number alone.
 
     \b
     tambour tiles --seed 7 --first 0 --count 2000 -o scroll/
@@ -55,20 +49,20 @@ def command(
     Pictures and SVG are 512 units of the scroll wide, and scroll.html beside them shows them all, near and from afar,
     without a server. Plotter sheets have crosses where the next one continues. Hoops are as large as the page, and meet
     stitch for stitch.
-    """
+    """  # noqa: D301 - the sign itself: click keeps the lines below it
     from pathlib import Path
 
     from tambour.core.errors import Problem, TambourError
-    from tambour.sweep.command import Tally, divided
     from tambour.sweep.course import pool
     from tambour.tiles.leave import into_folder, into_zip
     from tambour.tiles.plan import tiles
     from tambour.work.limit import Limit
 
-    places, kinds, problems = divided(outs, jobs, scheduler, cluster)
+    how = Making(**making)
+    places, kinds, problems = divided(outs, how)
     limited = Limit()
     try:
-        limited = Limit.of(limit) if limit else limited
+        limited = Limit.of(how.limit) if how.limit else limited
     except TambourError as error:
         problems += error.problems
     try:
@@ -76,16 +70,16 @@ def command(
     except TambourError as error:
         problems += error.problems
     packed = any(place.lower().endswith(".zip") for place in places)
-    if packed and again:
+    if packed and how.again:
         problems.append(Problem("has no effect on a .zip: it is always made whole", where="{--again}"))
     if problems:
         raise TambourError(problems)
     for doubt in doubts:
         click.echo(str(doubt), err=True)
-    tally = Tally(count, quiet)
+    tally = Tally(count, how.quiet)
     place = Path(places[0])
-    workers = pool(jobs, limited, scheduler, cluster or 0)
-    for made in into_zip(plan, place, workers) if packed else into_folder(plan, place, workers, again):
+    workers = pool(how.jobs, limited, how.scheduler, how.cluster or 0)
+    for made in into_zip(plan, place, workers) if packed else into_folder(plan, place, workers, how.again):
         tally.count(made)
     tally.end(places[0])
     return 1 if tally.failed else 0
