@@ -35,6 +35,13 @@ def placed(built: Built) -> dict[str, Placed]:
     ("name", "part", "onto", "said"),
     [
         ("bear.txt", "Ear.1", ("Head", 5, 15), "over rounds 2 to 8"),
+        (
+            "bear.txt",
+            "Muzzle",
+            ("Head", 12, 28),
+            "between rounds 12 and 13, 3 stitches left of the middle of the front",
+        ),
+        ("bear.txt", "Muzzle", ("Head", 16, 7), "between rounds 16 and 17"),
         ("bear.txt", "Arm.2", ("Body", 15, 21), "between rounds 15 and 16"),
         ("bear.txt", "Leg.1", ("Body", 8, 13), "9 stitches apart, so that the bear sits"),
         ("bear.txt", "Ear.1", ("Body", 10, 15), "Sew Ear 1 to Body, Rnd 10"),
@@ -82,3 +89,18 @@ def test_what_cannot_be_put_there_is_told():
     ):
         with pytest.raises(TambourError, match=why):
             moved(source, PARAMS, part, onto)
+
+
+def test_a_muzzle_goes_wherever_it_is_let_go_and_back():
+    """On the face, beside it, and back: the words that say how far aside it is are written over, not added to."""
+    source = text("bear.txt")
+    before, _ = worked(source, PARAMS)
+    aside = moved(source, PARAMS, "Muzzle", stitch(before, "Head", 13, 20))
+    assert aside.sentence.endswith("between rounds 13 and 14, 5 stitches right of the middle of the front")
+    words = Text(aside.text, "bear.txt")
+    further = moved(words, PARAMS, "Muzzle", stitch(worked(words, PARAMS)[0], "Head", 14, 30))
+    assert further.sentence.endswith("between rounds 14 and 15, 5 stitches left of the middle of the front")
+    words = Text(further.text, "bear.txt")
+    back = moved(words, PARAMS, "Muzzle", stitch(worked(words, PARAMS)[0], "Head", 14, 25))
+    now = placed(worked(Text(back.text, "bear.txt"), PARAMS)[0])["Muzzle"]
+    assert now.spot.round == 14.5 and abs((now.spot.stitch or 0) - 25) <= 1.0 and back.text.count("stitches left") == 0

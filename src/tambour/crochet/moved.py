@@ -7,7 +7,7 @@ not put it there, those that say the stitch do.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
@@ -25,6 +25,7 @@ _ROUNDS = re.compile(
     r"\b(?:rounds?|rnds?|rows?|r)\.?\s*\d+(?:\s*(?:and|to|&|-|–)\s*(?:(?:rounds?|rnds?|rows?|r)\.?\s*)?\d+)?", re.I
 )
 _FAR = re.compile(r",?\s*(?:about\s+)?\d+\s+(?:stitches|stitch|sts|st)\s+apart", re.IGNORECASE)
+_BESIDE = re.compile(r",[^,.;]*?\b(?:of the front|of the back|left side|right side)\b")
 _SEW = re.compile(r"(?:,[ \t]*)?\bsew[ \t]*\([^()\n]*\)", re.IGNORECASE)
 _GONE = "\0"
 _LEFT = re.compile(rf"^([ \t]*){_GONE}[{_GONE} \t]*,[ \t]*")
@@ -217,8 +218,13 @@ def _rewritten(built: Built, params: CrochetParams, wanted: dict[int, Placed]) -
         lambda span, of, apart: _renumbered(
             text.text[span.start : span.end], old, wanted[known.parts[old.part]], apart
         ),
+        lambda span, of, apart: (
+            None
+            if apart is not None
+            else _aside(text.text[span.start : span.end], old, wanted[known.parts[old.part]], built)
+        ),
         lambda span, of, apart: _apart(". ".join(s.rstrip(".") for s in _people(built)(of)), apart),
-        lambda span, of, apart: None if apart is not None else ". ".join(_exactly(built)(of)),
+        lambda span, of, apart: None if apart is not None else ". ".join(_exactly(built, wanted)(of)),
     ]
     for say in ways:
         apart: float | None = None
@@ -249,22 +255,46 @@ def _renumbered(sentence: str, old: Placed, new: Placed, apart: float | None) ->
     """A sentence with the rounds of its part's place, and how far apart it stands, in other numbers."""
     if new.spot.part != old.spot.part:
         return None
-    begin = sentence.lower().find(old.part.rpartition(".")[0].lower() or old.part.lower())
-    found = _ROUNDS.search(sentence, max(0, begin)) or _ROUNDS.search(sentence)
+    found = _round_said(sentence, old.part)
     if found is None:
         return None
     by = round(new.spot.round - old.spot.round)
     said = "".join(str(int(w) + by) if w.isdecimal() else w for w in re.split(r"(\d+)", found[0]))
-    far = "" if apart is None else f", {round(apart)} stitches apart"
+    far = "" if apart is None else _so_far(apart)
     rest = sentence[found.end() :] if apart is None else _FAR.sub("", sentence[found.end() :])
     return sentence[: found.start()] + said + far + rest
+
+
+def _aside(sentence: str, old: Placed, new: Placed, built: Built) -> str | None:
+    """A sentence with its part's place in other numbers, and how far that is from the middle of the front."""
+    from tambour.crochet.page.placed import Spoken
+    from tambour.crochet.words.table import TERMS
+
+    said = _renumbered(sentence, old, new, None)
+    found = None if said is None else _round_said(said, old.part)
+    if said is None or found is None or "," in found[0]:
+        return None
+    words = Spoken(built, TERMS[built.pattern.terms]).where([new.spot])[1:]
+    beside = _BESIDE.match(said, found.end())
+    rest = said[beside.end() if beside else found.end() :]
+    return f"{said[: found.end()]}, {words[0]}{rest}" if words else None
+
+
+def _round_said(sentence: str, part: str) -> re.Match[str] | None:
+    """Where a sentence says the rounds that a part is sewn to."""
+    begin = sentence.lower().find(part.rpartition(".")[0].lower() or part.lower())
+    return _ROUNDS.search(sentence, max(0, begin)) or _ROUNDS.search(sentence)
 
 
 def _apart(sentence: str, apart: float | None) -> str | None:
     """A sentence with another number of stitches apart; None where it says none."""
     if apart is None:
         return sentence
-    return _FAR.sub(f", {round(apart)} stitches apart", sentence) if _FAR.search(sentence) else None
+    return _FAR.sub(_so_far(apart), sentence) if _FAR.search(sentence) else None
+
+
+def _so_far(apart: float) -> str:
+    return f", {round(apart)} {'stitch' if round(apart) == 1 else 'stitches'} apart"
 
 
 def _between(known: Spots, records: Sequence[Placed]) -> float:
@@ -300,16 +330,19 @@ def _people(built: Built) -> Callable[[Sequence[Finish]], list[str]]:
     return Spoken(built, TERMS[built.pattern.terms])
 
 
-def _exactly(built: Built) -> Callable[[Sequence[Finish]], list[str]]:
+def _exactly(built: Built, wanted: Container[int]) -> Callable[[Sequence[Finish]], list[str]]:
+    """What says the stitch of the parts ``wanted``, and of the others what people say."""
     from tambour.crochet.words.phrases import Phrases
     from tambour.crochet.words.table import TERMS
 
     copies = {section.name: section.copies for section in built.pattern.parts}
-    phrases = Phrases(TERMS[built.pattern.terms], copies, {})
+    phrases, people, known = Phrases(TERMS[built.pattern.terms], copies, {}), _people(built), Spots(built)
 
     def say(records: Sequence[Finish]) -> list[str]:
-        said = [phrases.finish(_rounded(r)) for r in records]
-        return [s[:1].upper() + s[1:] for s in said]
+        moved = [r for r in records if isinstance(r, Placed) and known.parts.get(r.part) in wanted]
+        said = [phrases.finish(_rounded(r)) for r in moved]
+        others = people([r for r in records if r not in moved])
+        return [*(s.rstrip(".") for s in others), *(s[:1].upper() + s[1:] for s in said)]
 
     return say
 

@@ -58,12 +58,12 @@ class Spoken:
                 every = self._copies(first.part) == len(placed)
                 names = self._base(first.part) if every else ", ".join(r.part.replace(".", " ") for r in placed)
                 onto = " / ".join(dict.fromkeys(r.spot.part.replace(".", " ") for r in placed))
-                said = [page["put"].format(part=names, onto=onto), *self._where([r.spot for r in placed])]
+                said = [page["put"].format(part=names, onto=onto), *self.where([r.spot for r in placed])]
                 return ", ".join([*said, *self._held(placed)])
             case Eye():
                 many = "put eyes" if len(group) > 1 else "put eye"
                 said = [page[many].format(n=len(group), size=f"{first.size:g}", part=first.spot.part)]
-                return ", ".join([*said, *self._where([r.spot for r in group if isinstance(r, Eye)])])
+                return ", ".join([*said, *self.where([r.spot for r in group if isinstance(r, Eye)])])
             case Embroidery():
                 key = {"eyes": "embroidered eyes"}.get(first.motif, first.motif) or (
                     "lines" if len(first.spots) > 1 else "dots"
@@ -73,7 +73,7 @@ class Spoken:
                 return f"{done}, {self._rounds(min(rounds), max(rounds))}"
             case Felt():
                 done = page["felt on"].format(part=first.spot.part)
-                return ", ".join([done, *self._where([r.spot for r in group if isinstance(r, Felt)])])
+                return ", ".join([done, *self.where([r.spot for r in group if isinstance(r, Felt)])])
             case Hair():
                 rounds = [s.round for r in group if isinstance(r, Hair) for s in r.spots]
                 done = page["hair on"].format(part=first.spots[0].part)
@@ -89,7 +89,7 @@ class Spoken:
             return self.phrases.say("at round", round=max(a, 1), stitch=None, front=None)
         return self.phrases.say("at between", round=max(a, 0), next=b, stitch=None, front=None)
 
-    def _where(self, spots: list[Spot]) -> list[str]:
+    def where(self, spots: list[Spot]) -> list[str]:
         """The round, and where in it: apart, in the middle, at a side."""
         spot, page = spots[0], self.page
         part = self.spots.parts[spot.part]

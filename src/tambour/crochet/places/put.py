@@ -119,6 +119,8 @@ class Putter(Beside):
             level = 0.5 * (at.rounds[0] + at.rounds[1])
             if at.stitch is not None and len(put.copies) == 1:
                 return Spot(host.name, level, at.stitch, put.span), way
+            if at.aside is not None and len(put.copies) == 1:
+                return Spot(host.name, level, host.aside(level, at.aside), put.span), way
             stitch = host.in_round(level, direction)
             if len(put.copies) == 1 and (abs(way.at[0]) > 0.2 or way.at[2] < 0.2):
                 stitch = round(2.0 * stitch) / 2.0

@@ -37,6 +37,9 @@ _APART_MM: Final = re.compile(rf"{_LENGTH}(?:\s*[\[(][^\])]*[\])])?\s+(?:apart|b
 _WIDE: Final = re.compile(
     rf"({_N})\s*{_ST}\s*(?:wide|long|across|in width)|(?:across|over)\s+(?:the\s+)?(?:\w+\s+)?({_N})\s*{_ST}"
 )
+_ASIDE: Final = re.compile(
+    rf"({_N})\s*{_ST}\s+(?:to the )?(left|right) of (?:the )?(?:very )?(?:middle|cent(?:er|re))(?: of the front| front)?\b"
+)
 _STITCH: Final = re.compile(r"\b(?:st|stitch)\s*(?:no\.?|number|#)?\s*(\d+(?:\.\d+)?)\b")
 _BESIDE: Final = r"(eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|neck|beak|cheeks?|horns?|wings?|fins?|tail|belly|hat|head|brim|smile)"
 _AWAY: Final = re.compile(
@@ -89,7 +92,8 @@ _VULGAR: Final = {"½": 0.5, "¼": 0.25, "¾": 0.75, "⅓": 1 / 3, "⅛": 0.125,
 class Where:
     """A place as it was said.
 
-    rounds : (first, last, whether between them); stitch : its number; apart : stitches, apart_mm : or mm
+    rounds : (first, last, whether between them); stitch : its number; aside : stitches to the toy's left of the middle of
+    the front, negative to its right; apart : stitches, apart_mm : or mm
     wide : stitches that a thing is wide; words : of :data:`_WHERE` that were said
     beside : (relation, thing, so many rounds or stitches away or None); angle : degrees of leaning, None unsaid
     shown : a picture is meant to say it
@@ -97,6 +101,7 @@ class Where:
 
     rounds: tuple[float, float, bool] | None = None
     stitch: float | None = None
+    aside: float | None = None
     apart: float | None = None
     apart_mm: float | None = None
     wide: float | None = None
@@ -126,6 +131,8 @@ def where(text: str) -> Where:
     between = apart is not None and "between" in apart[0]
     steps = None if apart is None else max(number(apart[1]), number(apart[2] or apart[1])) + between
     mm = _APART_MM.search(text)
+    aside = _ASIDE.search(text)
+    text = _ASIDE.sub("", text)
     wide, stitch, angle = _WIDE.search(text), _STITCH.search(text), _ANGLE.search(text)
     beside = tuple(
         (m[2], m[3].rstrip("s") if m[3] not in ("eyes",) else "eye", number(m[1]) if m[1] else None)
@@ -136,6 +143,7 @@ def where(text: str) -> Where:
         float(stitch[1])
         if (stitch and found is None) or (stitch and not re.search(r"(?:st|stitch)\s+\d+\s*(?:rnd|round)", text))
         else None,
+        None if aside is None else number(aside[1]) * (1.0 if aside[2] == "left" else -1.0),
         steps,
         length(mm[1], mm[2]) if mm and apart is None else None,
         number(wide[1] or wide[2]) if wide else None,

@@ -111,6 +111,12 @@ class Host:
         k = self.stand.spots.round_at(self.part, int(number))
         return 1.0 if k is None else 1.0 + self.stand.spots.front(k)
 
+    def aside(self, number: float, stitches: float) -> float:
+        """The stitch of a round so many stitches to the toy's left of the middle of its front; negative: to its right."""
+        middle, ring = self.middle(number), next((p for n, p in self.levels if n == int(number)), self.levels[-1][1])
+        after, before = (ring[int(middle - 1 + k) % len(ring), 0] for k in (1, -1))
+        return round(middle + (stitches if after > before else -stitches), 3)
+
     def pole(self, direction: Array) -> Spot | None:
         """The middle of an end that looks in ``direction``: the ring, the tip, or the middle of the opening."""
         if float(self.axis @ direction) > 0.9 and self.high == self._ends[1]:
@@ -150,7 +156,7 @@ class Host:
             (self.levels, self._threads) if fine >= 0.5 else (self._with_poles, self._threads_with_poles)
         )
         i = int(np.minimum.reduceat(_away(start, way, point)[0], begins).argmin())
-        level, (best, index) = float(rings[i][0]), _on(rings[i][1], point, rows)
+        level, (best, index), many = float(rings[i][0]), _on(rings[i][1], point, rows), len(rings[i][1])
         if fine >= 0.5:
             # Mirrored things stay mirrored: steps are counted from the middle of the front.
             middle = self.middle(level)
@@ -169,7 +175,9 @@ class Host:
             at = int(away[s].argmin())
             if away[s, at] < best:
                 best, level, index = float(away[s, at]), rings[k][0] + (s + 1) / 10, at + float(share[s, at])
-        return Spot(self.name, round(level, 1), round(index + 1.0, 1))
+                many = len(one)
+        stitch = round(index + 1.0, 1)
+        return Spot(self.name, round(level, 1), stitch if rows or stitch < many + 1 else 1.0)
 
     @cached_property
     def _threads(self) -> tuple[Array, Array, Array]:

@@ -137,11 +137,7 @@ export class Hand {
     }
     if (kind === "stitch") return this.say({ type: "release" });
     if (still) return this.stage.move(null);
-    // What lies under it: the toy as it was before this part was worked.
-    const { start } = this.pack.facts.parts[this.pack.arrays.part[unit]], count = this.stage.count;
-    this.stage.count = start;
-    const onto = this.stage.pick(x, y);
-    this.stage.count = count;
+    const onto = this.stage.pick(x, y, this.pack.facts.parts[this.pack.arrays.part[unit]]); // what lies under it
     if (onto < 0) return this.stage.move(null);
     return this.dropped(this.called(unit), this.place(onto));
   }

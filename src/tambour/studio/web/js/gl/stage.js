@@ -301,8 +301,8 @@ export class Stage {
     });
   }
 
-  /** The unit at a place on the canvas, or -1. @param {number} x @param {number} y in CSS pixels */
-  pick(x, y) {
+  /** The unit at a place on the canvas, or -1. @param {number} x @param {number} y in CSS pixels @param {{start: number, end: number}} [without] units that are looked through */
+  pick(x, y, without) {
     const gl = this.gl;
     if (!gl || !this.strands || !this.meshes || gl.isContextLost()) return -1;
     this.dot ??= new Target(gl, 1, 1, { depth: true });
@@ -319,8 +319,11 @@ export class Stage {
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
-    const to = k >= look.units ? look.points : k > 0 ? look.ends[k - 1] : 0;
-    look.draw({ view, project: zoomed, height: 1, to, pick: true });
+    const until = (/** @type {number} */ units) => (units >= look.units ? look.points : units > 0 ? look.ends[units - 1] : 0);
+    if (without) {
+      look.draw({ view, project: zoomed, height: 1, to: until(Math.min(k, without.start)), pick: true });
+      if (k > without.end) look.draw({ view, project: zoomed, height: 1, from: until(without.end) + 1, to: until(k), pick: true });
+    } else look.draw({ view, project: zoomed, height: 1, to: until(k), pick: true });
     gl.disable(gl.DEPTH_TEST);
     const pixel = new Uint8Array(4);
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
