@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from tambour.core.arrays import B1x1, F8x2
+from tambour.core.arrays import F8x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.embroidery.piece import RUNNING, TRAVEL
@@ -148,49 +148,6 @@ def walk(line: F8x2, length: float, tolerance: float) -> F8x2:
     return out[:m].copy()
 
 
-@kernel
-def beside(xy: F8x2, k: int, a: int, b: int) -> tuple[float, float]:
-    """How far the point ``k`` lies beside the stitch from point ``a`` to ``b``, and how long that is."""
-    qx, qy = xy[b, 0] - xy[a, 0], xy[b, 1] - xy[a, 1]
-    x, y = xy[k, 0] - xy[a, 0], xy[k, 1] - xy[a, 1]
-    span = qx * qx + qy * qy
-    f = 0.0 if span == 0 else min(1.0, max(0.0, (x * qx + y * qy) / span))
-    return math.hypot(x - f * qx, y - f * qy), math.sqrt(span)
-
-
-@kernel
-def drop_short(xy: F8x2, least: float, slack: float) -> B1x1:
-    """Which needle points stay when stitches shorter than ``least`` are joined with the next: (n,) bool.
-
-    A point goes only when it lies within ``slack`` of the stitch that takes its place, so that outlines keep their
-    shape, and when that stitch is no longer than the longest there was; the first and the last stay.
-    """
-    n = len(xy)
-    most = 0.0
-    for i in range(n - 1):
-        most = max(most, math.hypot(xy[i + 1, 0] - xy[i, 0], xy[i + 1, 1] - xy[i, 1]))
-    keep = np.ones(n, np.bool_)
-    p, before = 0, -1  # the last point kept, and the one before it
-    for i in range(1, n - 1):
-        if math.hypot(xy[i, 0] - xy[p, 0], xy[i, 1] - xy[p, 1]) < least:
-            off, span = beside(xy, i, p, i + 1)
-            other, wide = (np.inf, np.inf) if before < 0 else beside(xy, p, before, i)
-            if off <= slack and span <= most + 1e-9 and (off <= other or wide > most + 1e-9):
-                keep[i] = False
-                continue
-            if other <= slack and wide <= most + 1e-9:
-                keep[p] = False
-                p = i
-                continue
-        before, p = p, i
-    # The last stays where it is: the one before it goes when it is too near.
-    while slack == np.inf and p > 0 and math.hypot(xy[n - 1, 0] - xy[p, 0], xy[n - 1, 1] - xy[p, 1]) < least:
-        keep[p] = False
-        while not keep[p]:
-            p -= 1
-    return keep
-
-
 def chain(parts: Iterable[Stitches], length: float) -> Stitches:
     """Several threads as one, straight ways of stitches no longer than ``length`` between them."""
     made: list[Stitches] = []
@@ -201,18 +158,6 @@ def chain(parts: Iterable[Stitches], length: float) -> Stitches:
         if len(part):
             made.append(part)
     return join(made)
-
-
-def tidy(stitches: Stitches, least: float) -> Stitches:
-    """Without stitches shorter than ``least`` mm: first those that the thread does not need for its shape, then all."""
-    if least <= 0:
-        return stitches
-    for slack in (0.05, math.inf):
-        if len(stitches) < 3:
-            break
-        keep = drop_short(stitches.xy, least, slack)
-        stitches = Stitches(stitches.xy[keep], stitches.kind[keep], stitches.run[keep], stitches.facts)
-    return stitches
 
 
 def line_stitches(line: Array, length: float, kind: int = RUNNING, tolerance: float = 0.1) -> Stitches:

@@ -11,6 +11,7 @@ from tambour.core.paths import Paths
 from tambour.embroidery.columns.satin import column_stitches, from_stroke, zigzag
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines.fill import rings
+from tambour.embroidery.lines.least import tidy
 from tambour.embroidery.lines.run import TOLERANCE
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import RUNNING, UNDERLAY, Region
@@ -37,7 +38,7 @@ def applique(region: Region) -> list[list[Stitches]]:
             tack.append(Stitches.of(xy, RUNNING))
     width = region.width if region.width > 0 else COVER
     cover = [column_stitches(c, p, region.id) for r in outlines for c in from_stroke(r, width)]
-    return [place, tack, cover]
+    return [[tidy(thread, p.min_length) for thread in stage] for stage in (place, tack, cover)]
 
 
 def basting_box(low: Array, high: Array) -> Stitches:
@@ -66,5 +67,6 @@ def knockdown(regions: tuple[Region, ...], p: EmbroideryParams) -> list[Stitches
         angle = math.radians((p.angle or 0.0) + 45)
         for a, b in zip(whole.parts[:-1].tolist(), whole.parts[1:].tolist()):
             area = rings(Paths.of([whole[i] for i in range(a, b)]), angle)
-            made.append(tatami(area, angle, max(1.2, 3 * p.row_spacing), 4.0, kind=UNDERLAY))
+            thin = tatami(area, angle, max(1.2, 3 * p.row_spacing), 4.0, kind=UNDERLAY)
+            made.append(tidy(thin, p.min_length))
     return made

@@ -16,6 +16,7 @@ from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines import curves, grids
 from tambour.embroidery.lines.fill import Rings, from_rows, polygon_of, rings
 from tambour.embroidery.lines.flow import flow
+from tambour.embroidery.lines.least import tidy
 from tambour.embroidery.lines.net import weave
 from tambour.embroidery.lines.run import bean, from_nearest, motif, running
 from tambour.embroidery.lines.ways import nearest_on_outline, way
@@ -37,8 +38,10 @@ def region_stitches(region: Region, start: Place, end: Place) -> list[Stitches]:
         return area_stitches(region, start, end)
     if region.role == "rails":
         column = drawn_back(from_rails(list(region.paths)), region.params.push, region.params.push)
-        return [column_stitches(column, region.params, region.id, region.start or start)]
-    return line_family(region, region.start or start)
+        made = [column_stitches(column, region.params, region.id, region.start or start)]
+    else:
+        made = line_family(region, region.start or start)
+    return [tidy(thread, region.params.min_length) for thread in made]
 
 
 def line_family(region: Region, start: Place) -> list[Stitches]:
@@ -92,7 +95,7 @@ def bordered(region: Region, here: Place) -> list[Stitches]:
     made = []
     for ring in [] if inner is None else inner:
         made += [column_stitches(c, p, region.id, here) for c in from_stroke(from_nearest(ring, here), p.border)]
-    return [m for m in made if len(m)]
+    return [tidy(m, p.min_length) for m in made if len(m)]
 
 
 def compensated(region: Region) -> Paths:
@@ -160,12 +163,12 @@ def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -
     if region.stitch == "satin":
         satin, left = branched(polygon_of(area), p, region.id, start)
         rest = _rest(left, region, parts, satin)
-        return linked([*rest, *satin], area, p.length)
+        return tidy(linked([*rest, *satin], area, p.length), p.min_length)
     made = fill(region, polygon, area, start)
     if region.end is not None:
         made = _ending(made, region.end, lambda begin: fill(region, polygon, area, begin))
     parts.append(made)
-    return linked(parts, area, p.length)
+    return tidy(linked(parts, area, p.length), p.min_length, area)
 
 
 def _ending(made: Stitches, end: tuple[float, float], again: Callable[[Place], Stitches]) -> Stitches:

@@ -11,7 +11,7 @@ from tambour.core.check import Array
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import LOCK, TRAVEL
-from tambour.embroidery.stitches import Stitches, tidy
+from tambour.embroidery.stitches import Stitches
 
 TIE = 0.7  # mm, a stitch of a lock
 
@@ -67,7 +67,6 @@ class Layout:
 
     def stitches(self, made: Stitches, region: int, tie: bool = True) -> None:
         """One unbroken thread: stitched on to where the needle is when that is near, else jumped to, and tied."""
-        made = tidy(made, self.params.min_length)
         n = len(made)
         if n == 0 or (n < 2 and self.here is not None):
             return

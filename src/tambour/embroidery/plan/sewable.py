@@ -14,7 +14,7 @@ from tambour.embroidery.piece import LOCK, Piece
 # designs of some size, the rest small samples; more could not be had): their 95th percentiles are 29 needle points, 8.8 covers and 3.5 % short stitches.
 POINTS = 29  # needle points in a cell of 1 mm²: more cut the cloth
 COVERS = 9.0  # covers of thread, in the mean of 3 x 3 mm: stiff as a board
-SHORT = 0.4  # mm: stitches below break thread
+SHORT = 0.399  # mm: stitches below break thread; rows 0.4 mm apart turn by just that
 SHARE = 0.05  # of all stitches that may be so short
 COLORS = 15  # threads: more than machines have needles
 CHANGES = 40  # changes of thread
@@ -51,7 +51,7 @@ def doubts(piece: Piece) -> list[tuple[str, str]]:
         made.append((f"{most:.0f} covers of thread lie on each other at {_at(at)}", "fewer layers, or no {--underlay}"))
     short = float((size[real] < SHORT).mean()) if real.any() else 0.0
     if short > SHARE:
-        made.append((f"{short:.0%} of the stitches are under {SHORT:g} mm", "a larger {--width}, or simpler shapes"))
+        made.append((f"{short:.0%} of the stitches are under 0.4 mm", "a larger {--width}, or simpler shapes"))
     changes = int((plan.command == COLOR).sum())
     if len(plan.threads) > COLORS or changes > CHANGES:
         made.append((f"{len(plan.threads)} threads and {changes} changes of thread", "{--colors} 8 takes fewer"))
