@@ -4,6 +4,7 @@ our own texts, each with the counts that a hand reading gives, round by round.""
 import pytest
 
 from tambour.core.errors import Text
+from tambour.crochet.graph.build import build
 from tambour.crochet.printed.choose import read
 from test_crochet_phrasings import ROWS, START, THREE, TWO, counts
 
@@ -205,3 +206,103 @@ def test_a_strap_that_is_only_a_chain_is_a_part_of_its_own():
     pattern = read(Text(text, "toy.txt"))
     assert [part.name for part in pattern.parts] == ["BODY", "Strap", "Hat"]
     assert counts(text)[-1] == 8
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Rep last 2 rows to 13 sc.",
+        "Repeat Rows 2 and 3 until there are 13 sc.",
+        "Rep last 2 rows until 13 sts rem.",
+    ],
+)
+def test_rows_are_repeated_until_there_are_so_many_stitches(said):
+    text = ROWS + "2nd row: Ch 1. 2 sc in first sc. 1 sc in each sc to last sc. 2 sc in last sc. Turn. 9 sc.\n"
+    text += "3rd row: Ch 1. 1 sc in each sc to end of row. Turn.\n"
+    assert counts(text + said + "\n") == [7, 9, 9, 11, 11, 13]
+
+
+def test_rows_that_never_come_to_so_many_stitches_are_told():
+    pattern = read(
+        Text(
+            ROWS + "2nd row: Ch 1. 1 sc in each sc to end of row. Turn.\nRep last row until there are 40 sc.\n", "x.txt"
+        )
+    )
+    assert pattern.unread
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "1st row: 1 sc in 2nd ch from hook, and in each ch across. Turn. 7 sc.",
+        "Row 1 (right side): Sc in 2nd ch from hook, and in each ch across; turn – 7 sc.",
+        "Row 1: Hdc in 2nd ch from hook, and in each remaining ch across, turn—7 hdc.",
+    ],
+)
+def test_a_comma_before_and_in_parts_nothing(said):
+    assert counts("Toy\n\nSTRIP\nWith A, ch 8.\n" + said + "\n") == [7]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "4th rnd: Ch 1. 2 sc in first sc. *1 sc in each of next 2 sc. 2 sc in next sc. Rep from * to last st. 1 sc in last sc. Join. 32 sc.",
+        "4th rnd: Ch 1. *2 sc in next sc. 1 sc in each of next 4 sc. Rep from * around. 29 sc.",
+        "Round 4: Sc in first 3 sc, *sc in next 3 sc, 2 sc in next sc; repeat from * around—29 sc.",
+    ],
+)
+def test_a_repeat_that_the_round_is_no_multiple_of_runs_on_where_the_count_says_so(said):
+    text = TWO.replace("2nd rnd", "2nd rnd") + "3rd rnd: Ch 1. 2 sc in each sc around. Join. 24 sc.\n"
+    assert counts(text + said + "\n")[-1] == int(said.replace("—", " ").split()[-2])
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Round 1: Join A with sl st to any sc of first leg. Ch 1. 1 sc in same sp as sl st and in each of next 5 sc. 1 sc in any sc of second leg and in each of next 11 sc. 1 sc in each of rem 6 sc of first leg. 24 sc.",
+        "1st rnd: Join 2 strands of A with sl st to any sc of first leg. Ch 1. 1 sc in each of next 12 sc of first leg. 1 sc in each of next 12 sc of second leg. Join. 24 sc.",
+        "Joining legs: 1st rnd: Join A with sl st to any sc of second leg. Ch 1. 1 sc in each of next 12 sc of second leg. 1 sc in each of next 12 sc of other leg. Join. 24 sc.",
+    ],
+)
+def test_a_round_over_two_legs_has_their_stitches_together(said):
+    legs = TWO.replace("BODY", "LEGS (make 2)") + "Fasten off.\nBODY\n"
+    found = counts(legs + said + "\nNext rnd: Ch 1. 1 sc in each sc around. Join. 24 sc.\n")
+    assert found[-2:] == [24, 24]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "1st row: Ch 1. Working through both thicknesses, 1 sc in each of next 10 sc. Fasten off.",
+        "1st row: Ch 1. Working into back loops only and through both thicknesses, 1 sc in each of next 10 sc.",
+        "Joining row: With A, working through both layers, sc in each of next 10 sc.",
+    ],
+)
+def test_more_stitches_than_pairs_through_both_layers_join_two_pieces(said):
+    pattern = read(Text(TWO + "Fasten off.\nBack Ear: With B, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. Join. 6 sc.\n2nd rnd: Ch 1. 2 sc in each sc around. Join. 12 sc.\n" + said + "\n", "x.txt"))  # fmt: skip
+    assert not pattern.unread
+    assert any("another piece is joined here" in w.message for w in pattern.warnings)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "3rd row: Join B with sc in first sc, sc in remaining 6 sc, turn—7 sc.",
+        "3rd row: Join B with sc in first unworked sc, sc in next 6 unworked sc, turn—7 sc.",
+        "Row 3: Join C with sc in first sc, sc in each sc across—7 sc.",
+    ],
+)
+def test_yarn_joined_with_a_stitch_has_made_the_first(said):
+    text = ROWS + "2nd row: Ch 1. 1 sc in each sc to end of row. Turn. Fasten off.\n"
+    pattern = read(Text(text + said + "\n", "x.txt"))
+    assert not pattern.unread
+    assert not [w for w in build(pattern).warnings if "the pattern says" in w.message]
+
+
+def test_a_count_that_the_first_of_two_rows_makes_is_a_mistake_and_no_gap():
+    text = ROWS + "2nd and 3rd rows: Ch 1. 2 sc in each sc to end of row. Turn. 14 sc.\n"
+    pattern = read(Text(text, "x.txt"))
+    assert not pattern.unread
+    assert [w.message for w in build(pattern).warnings if "the pattern says" in w.message] == [
+        "the pattern says 14 stitches, the round makes 28"
+    ]

@@ -162,7 +162,7 @@ def based(p: State, draft: Draft, head: Head, read: Body, span: Span, what: tupl
     draft.edge, draft.flat = count, head.row
     tokens, times = what
     again = decided(p.source, tokens, p.palette, count, p.phrases, times)
-    again.items = lifted(again.items)
+    again.items = [i for i in lifted(again.items) if not (isinstance(i, Action) and i.name == "fold")]
     return again
 
 

@@ -9,7 +9,7 @@ from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.asides import aside, things
 from tambour.crochet.printed.clauses import where
 from tambour.crochet.printed.colors import LETTERS
-from tambour.crochet.printed.counts import closing, count, counted_at, ends_with_number, makes
+from tambour.crochet.printed.counts import closing, count, counted_at, ends_with_number, makes, slips
 from tambour.crochet.printed.courses import Courses
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import BETWEEN, by_hand, doing, drawn_tight
@@ -77,7 +77,8 @@ class Walk(Courses):
             if c.look() is not None:
                 c.at += 1
         body.pending = self.ring is not None
-        if body.wrong is not None and not any(map(makes, body.items)) and body.refers is None:
+        idle = not any(makes(i) or slips(i) for i in body.items)
+        if body.wrong is not None and idle and body.refers is None:
             raise body.wrong
         return body
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import Cursor, NotUnderstood
 from tambour.crochet.printed.marked import named
 
@@ -39,6 +40,7 @@ class Where:
 
 LOOPS: Final = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
 _JOINED: Final = frozenset(("join", "slst", "first", "beginning"))
+_FREE: Final = frozenset(("unworked", "unused", "skipped", "free"))
 _CORNERS: Final = frozenset(("corner", "corners", "tip"))
 _STOPS: Final = frozenset(("evenly",))
 _CLAUSE: Final = (",", ".", ";", "(", ")", "[", "]", "*", "**", "-")
@@ -97,6 +99,8 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
                     placed = True
                 else:
                     kind, placed, spaces = ("space" if not each else kind), True, True
+            elif token.value == "loop" and (kind in ("same", "next") or counted) and not placed:
+                placed = True  # "in same loop and next 7 loops"
             elif token.value in ("ring", "loop") and inside and not placed:
                 kind, placed = "ring", True
             elif token.value == "around" and c.key("each", "next", "same", "stitch", ahead=1):
@@ -129,6 +133,8 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
             if not count:
                 raise NotUnderstood(token, "nothing goes into no stitches", "a whole number from 1")
         elif token.kind == "stitch" and token.value != "skip" and (inside or each or kind) and not placed:
+            if loops and token.value == "ch" and not (each or kind or counted) and c.kind("number", 1):
+                break  # "in back loops only ch 1"
             placed = True
             ahead = 1 + c.mark("-", ahead=1)
             ahead += c.kind("number", ahead)
@@ -150,6 +156,12 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
             ):
                 c.at += 1
             break
+        elif (token.word == "any" or token.word in _FREE) and inside and not placed and not (loops and c.key("ring")):
+            kind = kind or (
+                "next" if token.word == "any" else ""
+            )  # "in any sc of second leg", "in remaining 6 unworked sc"
+        elif token.word in ("loops", "loop") and (kind in ("same", "next") or counted) and not placed:
+            placed = True  # "in same loop and next 7 loops"
         elif token.word == "top" and inside and not placed and (ahead := _standing_chain(c)):
             placed = True  # "in top of beginning ch-3": the chains stand for the stitch there
             c.at += ahead - 1
@@ -166,6 +178,7 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
         c.at += many + 1
     if c.at == begin:
         return None
+    c.at += _owner(c) if placed else 0
     span = Span(c.tokens[begin].start, c.tokens[c.at - 1].end)
     if kind == "" and not (placed or counted or each):
         if loops:
@@ -179,6 +192,16 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
     if kind == "around" and counted and not (each and count == 1):  # "in each 1 sc around"
         kind = "next"
     return Where(kind or "next", span, count, each, loops, ordinal, together, spaces, leaves, final, other, marked)
+
+
+def _owner(c: Cursor) -> int:
+    """How many tokens name the part whose stitches a place is among: "in each of next 17 sc of second leg"; 0 for none."""
+    ahead = int(c.kind("ordinal") or c.key("other"))
+    word = c.look(ahead)
+    if word is None or word.kind != "word" or word.capital or not kind_of(one(word.word)):
+        return 0
+    after = c.look(ahead + 1)
+    return ahead + 1 if after is None or after.kind != "mark" or after.word in (",", ".", ";") else 0
 
 
 def _standing_chain(c: Cursor) -> int:

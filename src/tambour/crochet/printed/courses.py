@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -143,6 +144,8 @@ class Courses(Reader):
             c.at += by + 1  # "join Top and Stem by working a sc through each st"
             self.body.both = True
             return
+        if c.whole() is not None and (strands := c.look(1)) is not None and strands.word in ("strands", "strand"):
+            c.at += 2  # "Join 2 strands of MC"
         c.skip_key("with", "color", "yarn")
         if c.key("next") and c.look(1) is not None and c.look(1).word in ("color", "colour"):  # type: ignore[union-attr]
             c.at += 2
@@ -162,10 +165,20 @@ class Courses(Reader):
             if worked and tied:
                 found.append(Action("join", token.span))
             found.append(Action("color", span, numbers=shade[0]))
+            found += [] if worked else _joining_stitch(c.tokens[begin : c.at])
             return
         begin = c.at
         self.to_separator("turn", "fasten off", "and", "form")
         if not worked and (elsewhere := moved(c.tokens[begin : c.at])) is not None:
             self.body.moved = self.body.moved or elsewhere
+            found += _joining_stitch(c.tokens[begin : c.at])
             return
         found.append(Action("join", token.span))
+
+
+def _joining_stitch(clause: list[Token]) -> list[Item]:
+    """The stitch that yarn is joined with, "with sc in first unworked sc", which is the first of the round."""
+    for word, stitch in pairwise(clause):
+        if word.kind == "key" and word.value == "with" and stitch.kind == "stitch" and stitch.value == "sc":
+            return [Action("sc", stitch.span)]
+    return []

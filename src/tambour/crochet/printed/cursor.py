@@ -73,7 +73,7 @@ class Refers:
     part : the words that name it, "" for the part under way
     times : how often all of them are worked, None for once or as often as the line has rounds
     length : mm, "until piece measures 3 ins"; whole : that is measured from the beginning, and not from a marker
-    mirrored : sides are reversed
+    mirrored : sides are reversed; until : "to 21 sts": they are worked until there are so many
     """
 
     span: Span
@@ -86,3 +86,4 @@ class Refers:
     length: float | None = None
     whole: bool = True
     mirrored: bool = False
+    until: int = 0

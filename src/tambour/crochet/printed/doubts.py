@@ -11,7 +11,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import Stitch, into_one
-from tambour.crochet.language.tree import Action, Group, Item
+from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.asides import penned
 from tambour.crochet.printed.body import Walk
 from tambour.crochet.printed.colors import Palette
@@ -174,6 +174,18 @@ def decided(
             body.asked["open"] = open_span
         if body.asked and begun < 2:
             body = _second(read, body, begun, fit) or body
+    if edge and any(isinstance(i, Action) and i.name == "fold" for i in body.items):
+        flat = [i for i in body.items if not (isinstance(i, Action) and i.name == "fold")]
+        used = worked(flat, edge, source.stitches)
+        if used is not None and used[1] > (edge + 1) // 2 and not any(isinstance(i, Group) for i in flat):
+            body.items, body.both = flat, True  # more stitches than there are pairs: it is two pieces that lie together
+    if body.refers is None and body.stated is not None and edge and chain is None and fit(body) < 2:
+        run = _run_on(body.items, edge, source.stitches)
+        if run is not None and after(run, edge, source.stitches) == body.stated:
+            body.items = run
+            source.doubt(
+                "the last repeat runs on to where it ends", "say what the last stitches are", body.items[-1].span
+            )
     body.fit = fit(body) if body.refers is None else 2
     if body.fit == 2 and body.stated is not None and edge and chain is None:
         body.items = _without_rest(body.items, edge, source.stitches)
@@ -200,6 +212,27 @@ def decided(
                 span,
             )
     return body
+
+
+def _run_on(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item] | None:
+    """``items`` with the beginning of one more repeat where what goes around leaves too few stitches for the whole of it; None where it
+    leaves none."""
+    for k, group in enumerate(items):
+        if not isinstance(group, Group) or group.times is not None:
+            continue
+        before, once = worked(items[:k], edge, stitches), worked(group.items, edge, stitches)
+        if before is None or once is None or not once[1]:
+            return None
+        left = (edge - before[1] - group.leaves) % once[1]
+        more: list[Item] = []
+        for item in group.items:
+            kind = stitches.get(item.name) if isinstance(item, Action) else None
+            if not left or kind is None or kind.takes != 1 or not isinstance(item, Action):
+                break
+            more.append(replace(item, times=min(left, item.times)))
+            left -= min(left, item.times)
+        return [*items[: k + 1], *more, *items[k + 1 :]] if more and not left else None
+    return None
 
 
 def _without_rest(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:
@@ -281,6 +314,16 @@ def reached(items: list[Item], edge: int | None, stitches: dict[str, Stitch], ti
         if edge is None or edge == before:
             break
     return edge
+
+
+def rounds_until(lines: tuple[Line, ...], edge: int | None, count: int, stitches: dict[str, Stitch]) -> int:
+    """How many rounds, ``lines`` again and again, there are until one makes ``count``; 0 where none does."""
+    once = [line for line in lines for _ in range(line.times)]
+    for k in range(_MOST):
+        edge = after(once[k % len(once)].items, edge, stitches)
+        if edge is None or edge == count:
+            return 0 if edge is None else k + 1
+    return 0
 
 
 def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch], times: int) -> int:

@@ -162,6 +162,9 @@ def _unsure(built: Built, span: Span, alarms: set[Span | None]) -> bool:
         return False
     one = built.worked[at]
     stated = one.line.stated or 1
+    rounds = [w.made for w in built.worked if w.part == one.part and w.line.span == one.line.span]
+    if stated in rounds[:-1]:
+        return False  # "2nd and 3rd rows: … 60 sc": the first of them makes it
     if not any(stated <= _OFF * n and n <= _OFF * stated for n in (one.made, one.edge)):
         return True
     for k in range(at, -1, -1):

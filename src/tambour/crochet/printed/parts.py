@@ -12,7 +12,7 @@ from tambour.crochet.language.stitches import into_one
 from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Section, written
 from tambour.crochet.printed.curls import rooted
 from tambour.crochet.printed.cursor import Refers
-from tambour.crochet.printed.doubts import after, chainless, reached
+from tambour.crochet.printed.doubts import after, chainless, reached, rounds_until
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import (
     STARTS,
@@ -250,10 +250,12 @@ class Draft:
             total = max(once, round(refers.length / height) - done)
             message = f"so many rounds as make {refers.length:.0f} mm: {total}, by the gauge"
             source.doubt(message, "a number of rounds would be sure", refers.span)
+        if refers.until and not (total := rounds_until(lines, self.edge, refers.until, source.stitches)):
+            return False
         if refers.mirrored:
             source.doubt("sides are not reversed here", "write the mirrored rounds out", refers.span)
         if not self.begun() or self.chain is not None:
-            first = next(k for k, line in enumerate(origin.lines) if line.in_round)
+            first = next(k for k, one in enumerate(origin.lines) if one.in_round)
             if lines[0].number == origin.lines[first].number and origin is not self:
                 own = [
                     line for line in self.lines if all(isinstance(i, Action) and i.name == "color" for i in line.items)
@@ -262,18 +264,16 @@ class Draft:
         number = numbers[0] if numbers else self.last + 1
         first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
         moves, lines = self._lifted(lines)
-        name = "" if origin is self else origin.name
         hues = [i for i in body.items if isinstance(i, Action) and i.name == "color"]
         later = tuple(i for i in hues if i.span.start > refers.span.start)  # "Rep Row 2 changing to B in last sc"
         lead = (*moves, *(i for i in hues if i not in later))
-        again = Again(lines, first_number, last_number, name, refers.span)
+        again = Again(lines, first_number, last_number, "" if origin is self else origin.name, refers.span)
         at = head.span if head is not None and numbers else refers.span
         line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
         if numbers and head is not None:
             self._numbered(source, head, True)
         self.lines += [line, *([Line(later, span, False)] if later else [])]
-        self.last = number + total - 1
-        before = self.edge
+        self.last, before = number + total - 1, self.edge
         for one in line.rounds():
             before, self.edge = self.edge, after(one.items, self.edge, source.stitches)
             self.peak = max(self.peak, self.edge or 0)

@@ -363,8 +363,8 @@ class Printed(State):
         elif (
             not draft.started(self.source)
             and read.refers is None
-            and len(self.parts) > 1
-            and sum(map(worked, read.items)) > 1
+            and (len(self.parts) > 1 or first.value == "join")
+            and (read.both or sum(map(worked, read.items)) > 1)
         ):
             read = based(self, draft, head, read, span, (tokens, times)) or read
         unread = []

@@ -17,6 +17,7 @@ _FRACTIONS: Final = {"¼": 0.25, "½": 0.5, "¾": 0.75, "⅓": 1 / 3, "⅔": 2 /
 _GIVEN: Final = frozenset(
     ("given", "instructions", "directions", "instructed", "written", "described", "done", "previously")
 )
+_LEFT: Final = frozenset(("rem", "remain", "remaining", "left", "around", "in"))
 _ONE: Final = frozenset(("round", "rnd", "row", "rd"))
 _ENDS: Final = (".", ",", ";", "(", ")", "[", "]", "-", ":", "*", *STARS, "=")
 
@@ -67,7 +68,7 @@ def refers(r: Reader) -> Refers | None:
         return None
     times, length, whole = None, None, True
     words: list[str] = []
-    through, mirrored = 0, False
+    through, until, mirrored = 0, 0, False
     while (token := c.look()) is not None and not (token.kind == "mark" and token.word in _ENDS):
         if c.key("color") and token.word.startswith("chang"):
             break
@@ -80,6 +81,8 @@ def refers(r: Reader) -> Refers | None:
             times = c.whole()
             c.at += 2
             c.skip_key("times")
+        elif many := _until(c):
+            until = many
         elif c.key("until") or (c.key("to") and c.key("measures", ahead=2)):
             length, whole = _length(c)
         elif (
@@ -110,7 +113,25 @@ def refers(r: Reader) -> Refers | None:
     if len(words) > 5:
         raise NotUnderstood(first, "what is repeated here is not understood", "name the rounds: as Rnds 2-4 of Head")
     span = Span(first.start, c.tokens[c.at - 1].end)
-    return Refers(span, found.numbers, found.latest, found.marks, through, part, times, length, whole, mirrored)
+    return Refers(span, found.numbers, found.latest, found.marks, through, part, times, length, whole, mirrored, until)
+
+
+def _until(c: Cursor) -> int:
+    """Goes past "to 21 sc", "until there are 63 sts", "until 8 sts rem", and gives the number; 0 where something else is said."""
+    begin = c.at
+    if not c.key("until", "to"):
+        return 0
+    c.at += 1
+    while (word := c.look()) is not None and word.word in ("there", "are", "you", "have", "is"):
+        c.at += 1
+    many = c.whole()
+    if many is None or not (c.key("stitch", ahead=1) or c.kind("stitch", 1)):
+        c.at = begin
+        return 0
+    c.at += 2
+    while (word := c.look()) is not None and (word.word in _LEFT or word.value == "rest"):
+        c.at += 1
+    return many
 
 
 def _length(c: Cursor) -> tuple[float | None, bool]:

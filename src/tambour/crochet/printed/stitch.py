@@ -136,10 +136,14 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     while (
         place is not None
         and (c.key("and") or c.mark(","))
-        and (c.key("in", ahead=1) or (c.key("each", "next", "last", ahead=1) and c.key("and")))
+        and (
+            c.key("in", ahead=1)
+            or (c.key("each", "next", "last", ahead=1) and c.key("and"))
+            or (c.mark(",") and c.key("and", ahead=1) and c.key("in", ahead=2))
+        )
     ):
         begin = c.at
-        c.at += 1
+        c.at += 1 + c.key("and", ahead=1)
         place = where(c)
         if place is None or place.kind in ("loops", "ring") or c.kind("stitch") or c.kind("number"):
             c.at = begin
