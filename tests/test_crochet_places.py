@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import TambourError, Text
+from tambour.crochet.finish.ground import Ground
 from tambour.crochet.finish.joining import prepare
+from tambour.crochet.finish.motif import threads
+from tambour.crochet.finish.placing import Frames
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
@@ -14,7 +17,7 @@ from tambour.crochet.page.instructions import instructions
 from tambour.crochet.places.names import Made, mentions
 from tambour.crochet.places.said import clauses, where
 from tambour.crochet.printed.pattern import read_printed
-from tambour.crochet.printed.shades import dyed
+from tambour.crochet.printed.shades import YARNS, dyed, listed
 from tambour.run import craft, run
 
 BALL = """Rnd 1: 6 sc in MR (6)
@@ -477,3 +480,121 @@ def test_ears_of_dogs_hang_and_eyes_near_a_snout_are_on_the_head() -> None:
         assert all((90.0 < r.towards < 270.0) == hang for r in ears if r.tilt > 20.0) and (
             not hang or ears[0].tilt > 20.0
         )
+
+
+def colours(text: str) -> dict[str, tuple[int, int, int]]:
+    """The colour that most stitches of every part have."""
+    pattern = read_printed(Text(text, "toy.txt"))
+    graph = build(pattern).graph
+    found = {}
+    for section, part in zip(pattern.parts, graph.parts):
+        seen = graph.color[part.start : part.end].tolist()
+        found[section.name] = tuple(max(seen, key=seen.count))
+    return found
+
+
+ROUNDS = "ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n3rd rnd: 1 sc in each sc around. 12 sc.\n"
+
+
+@pytest.mark.parametrize(
+    ("materials", "body", "hue"),
+    [
+        ("Contrast A Teal (01133) 1 ball", "With A, ", "teal"),
+        ("Contrast A: (01133) Teal 1 ball", "With A or B, ", "teal"),
+        ("contrast a (01133 Teal) 1 ball", "With A (B) and larger hook, ", "teal"),
+        ("Contrast A Dark teal", "With A, ", "dark teal"),
+        ("Main Color (MC) (00016) Teal 1 ball", "", "teal"),
+        ("Big Yarn™ (10.5 oz/300 g; 220 yds/201 m) Teal (10878) 2 balls", "", "teal"),
+        ("1 ball 9872 Teal", "With A, ", "teal"),
+        ("Contrast A Teal (01133) 1 ball", "With same yarn color as used for legs, ", "teal"),
+    ],
+)
+def test_the_yarn_of_a_part_is_the_one_it_asks_for_else_the_first(materials: str, body: str, hue: str) -> None:
+    said = next(iter(colours(f"Toy\n\nMATERIALS\n{materials}\n\nBODY\n{body}{ROUNDS}").values()))
+    assert said == dyed(hue)
+
+
+def test_a_heading_and_a_line_of_letters_say_the_yarn() -> None:
+    text = f"Toy\n\nMATERIALS\nNice (9126) 1 ball\n\nINSTRUCTIONS\nWhite as A, Coral as B.\nBODY\nWith A, {ROUNDS}"
+    legs = "LEGS (Make 1 with B and 1 with C)\nMake magic ring.\n1st rnd: 6 sc into ring. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n"
+    assert colours(text + legs) == {"BODY": YARNS["white"], "LEGS": YARNS["coral"]}
+    assert listed("Susan Bates® yarn needle") == listed("Size U.S. G/6 (4 mm) crochet hook") == {}
+
+
+def test_parts_of_other_versions_stand_aside_and_right_and_left_do_not() -> None:
+    two = "".join(f"{a} {b}{n}\n{CUP}\n" for a in ("KITTY", "PUPPY") for b, n in (("EARS", " (make 2)"), ("TAIL", "")))
+    said = "Assembly\nSew ears to head. Sew tail to body."
+    pattern = read_printed(Text(f"Pets\n\nHEAD AND BODY\n{CLOSED}\n{two}{said}\n", "toy.txt"))
+    assert {r.part.split(".")[0] for r in pattern.finish if isinstance(r, Placed)} == {"KITTY EARS", "KITTY TAIL"}
+    assert any("PUPPY EARS" in w.message and "stand beside" in w.message for w in pattern.warnings)
+    sides = "".join(f"{a} {b}\n{CUP}\n" for a in ("LEFT", "RIGHT") for b in ("EAR", "ARM"))
+    pattern = read_printed(Text(f"Pet\n\nHEAD AND BODY\n{CLOSED}\n{sides}{said}\n", "toy.txt"))
+    assert len([r for r in pattern.finish if isinstance(r, Placed)]) == 4
+
+
+def test_what_begins_at_its_nose_looks_ahead() -> None:
+    for begin, up in (("Beginning at nose, work in rounds.\n", "side"), ("", None)):
+        text = f"Mouse\n\nBODY\n{begin}{CLOSED}\nTAIL\n{TUBE}\nAssembly\nSew tail to body.\n"
+        assert read_printed(Text(text, "toy.txt")).parts[0].up == up
+
+
+def test_a_full_circle_is_sewn_by_a_piece_of_its_edge() -> None:
+    circle = BALL[: BALL.index("Rnds 5-10")] + "Rnd 5: (3 sc, inc) x 6 (30)\nFasten off.\n"
+    pattern = read_printed(
+        Text(f"Mouse\n\nHEAD\n{CLOSED}\nEARS (make 2)\n{circle}\nAssembly\nSew ears to head.\n", "toy.txt")
+    )
+    joining = prepare(build(pattern))
+    assert joining is not None
+    ends = [end for f, end in joining.steps if f.part.startswith("EARS") and f.flat]
+    assert len(ends) == 2 and all(4 <= len(e.nodes) <= 8 and not e.ring and not len(e.pinched) for e in ends)
+
+
+def test_a_stuffed_body_that_stays_open_is_sewn_shut_from_side_to_side() -> None:
+    for said, pairs in (("Stuff body. Sew tail to body.", 8), ("Sew tail to body.", 0)):
+        text = f"Cat\n\nBODY\n{BALL}Fasten off.\n\nTAIL\n{TUBE}\nAssembly\n{said}\n"
+        joining = prepare(build(read_printed(Text(text, "toy.txt"))))
+        assert joining is not None
+        mine = joining.pinched[(joining.pinched < joining.built.graph.parts[0].end).all(1)]
+        assert len(mine) == pairs
+        if pairs:
+            ends = joining.spots.layout[mine]
+            assert np.abs(ends[:, 0, 0] - ends[:, 1, 0]).max() < 1.6 and (ends[:, 0, 2] * ends[:, 1, 2] < 0.3).all()
+
+
+def plain_ground() -> Ground:
+    """A level sheet that looks ahead, without yarn."""
+    from tambour.geometry.closest import tree
+
+    n = 21
+    u, v = np.meshgrid(np.linspace(-30, 30, n), np.linspace(-30, 30, n))
+    x = np.column_stack([u.ravel(), v.ravel(), np.zeros(n * n)])
+    k = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
+    faces = np.concatenate([np.column_stack([k, k + 1, k + n]), np.column_stack([k + 1, k + n + 1, k + n])]).astype(
+        np.int32
+    )
+    return Ground(tree(x, faces), faces, np.tile([0.0, 0.0, 1.0], (n * n, 1)), np.zeros((0, 4)), 5.0, 1.0)
+
+
+def motif(name: str, flat: list[tuple[float, float]]) -> list[np.ndarray]:
+    points = np.column_stack([np.array(flat), np.zeros(len(flat))])
+    one = np.ones((len(flat), 1))
+    made = threads(plain_ground(), Frames(points, one * [0, 0, 1.0], one * [1.0, 0, 0], one * [0, 1.0, 0]), name, 2.0)
+    assert made is not None
+    return made
+
+
+def test_a_smile_hangs_level_though_the_fabric_leans() -> None:
+    (line,) = motif("smile", [(-9, 2), (-4, -1), (1, -1.5), (5, 1), (9, 4)])
+    low, ends = line[:, 1].min(), (line[0, 1], line[-1, 1])
+    assert abs(ends[0] - ends[1]) < 0.2 and ends[0] - low > 0.2 * np.ptp(line[:, 0])
+    assert abs(line[len(line) // 2, 0]) < 0.5 and np.ptp(line[:, 0]) == pytest.approx(18, abs=0.5)
+
+
+def test_an_eye_is_an_oval_without_gaps() -> None:
+    lines = motif("eyes", [(-3, -4), (-3, 3.5), (0, 4.5), (0, -5), (3, -3), (3.3, 4)])
+    assert len(lines) >= 4
+    at = np.sort([line[:, 0].mean() for line in lines])
+    assert np.diff(at).max() <= 2.0  # threads lie side by side
+    tall = [np.ptp(line[:, 1]) for line in lines]
+    assert tall[len(tall) // 2] == max(tall) and tall[0] < 0.8 * max(tall) and tall[-1] < 0.8 * max(tall)
+    assert all(line[len(line) // 2, 2] > line[0, 2] for line in lines)  # ends go into the fabric

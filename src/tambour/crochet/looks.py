@@ -8,9 +8,13 @@ from typing import TYPE_CHECKING, Any, Final
 from tambour.crochet.piece import Plush, not_empty
 
 if TYPE_CHECKING:
+    from tambour.core.check import Array
+    from tambour.core.graph import StitchGraph
     from tambour.core.mesh import Mesh
     from tambour.core.picture import Picture
 
+SPACE: Final = 3.0
+"""Stitches between toys that stand beside each other in a picture."""
 DOUBT: Final = (206, 42, 38)
 PALE: Final = (228, 224, 216)
 """Colours of the picture of a tech edit: stitches that it doubts, and what the others are mixed with."""
@@ -37,26 +41,63 @@ def toy(piece: Plush) -> Mesh:
     from tambour.crochet.yarn.fabric import mesh
 
     parts = in_sight(piece)
-    if parts is None:
+    if parts is None and not piece.built.pattern.terms:
         return yarn(piece)
+    if parts is None:
+        parts = list(range(len(piece.built.graph.parts)))
     graph, led = piece.built.graph, piece.yarn
     wanted = np.isin(np.arange(len(graph.parts)), parts)
+    shift = gathered(graph, piece.positions, wanted)
+    positions = piece.positions + shift
     ends, stitch = led.paths.offsets, led.point_data["stitch"]
     keep = np.flatnonzero(np.minimum.reduceat(wanted[graph.part[stitch]], ends[:-1]))
     points = np.concatenate([np.arange(ends[k], ends[k + 1]) for k in keep])
     made = replace(
         led,
-        paths=Paths(led.paths.coords[points], np.concatenate([[0], np.cumsum(np.diff(ends)[keep])])),
+        paths=Paths(
+            led.paths.coords[points] + shift[stitch[points]], np.concatenate([[0], np.cumsum(np.diff(ends)[keep])])
+        ),
         radius=led.radius[points],
         color=led.color[keep],
         source=led.source[keep] if led.source is not None and len(led.source) else led.source,
         point_data={name: values[points] for name, values in led.point_data.items()},
     )
     detail = piece.params.detail
-    face, made = meshes(piece.built, piece.positions, made, detail=detail, upright=piece.upright)
+    face, made = meshes(piece.built, positions, made, detail=detail, upright=piece.upright)
     fabric = replace(graph, faces=graph.faces[wanted[graph.part[graph.faces[:, 0]]]])
-    worked = mesh(fabric, piece.positions, detail=detail, made=made)
+    worked = mesh(fabric, positions, detail=detail, made=made)
     return joined([worked, *face]) if face else worked
+
+
+def gathered(graph: StitchGraph, x: Array, wanted: Array) -> Array:
+    """How far (N, 3), mm, to move every node so that the toys in sight stand together as for one photograph.
+
+    Up to three stand in a row, more in two rows. wanted : (P,) which parts are in sight
+    """
+    import numpy as np
+
+    from tambour.crochet.settle.arrange import clusters
+
+    label, shift = clusters(graph), np.zeros_like(x)
+    groups = [np.flatnonzero((label == k) & wanted[graph.part]) for k in range(int(label.max(initial=-1)) + 1)]
+    groups = [nodes for nodes in groups if len(nodes)]
+    if len(groups) < 2:
+        return shift
+    gap, floor = SPACE * graph.stitch_width, float(min(x[nodes, 1].min() for nodes in groups))
+    long = len(groups) if len(groups) <= 3 else (len(groups) + 1) // 2
+    behind = 0.0
+    for begin in range(0, len(groups), long):
+        right, row = 0.0, groups[begin : begin + long]
+        deep = max(float(np.ptp(x[nodes, 2])) for nodes in row)
+        for nodes in row:
+            low, high = x[nodes].min(0), x[nodes].max(0)
+            # Nothing stands before another: the second row is seen between those of the first.
+            shift[nodes] = (right - low[0], floor - low[1], -behind - 0.5 * (low[2] + high[2]))
+            right += high[0] - low[0] + gap
+        for nodes in row:
+            shift[nodes, 0] -= 0.5 * (right - gap)
+        behind -= deep + 2.0 * gap
+    return shift
 
 
 def in_sight(piece: Plush) -> list[int] | None:
@@ -81,7 +122,8 @@ def in_sight(piece: Plush) -> list[int] | None:
     aside = {k for k in filled if of[k].kind or of[k].worn or re.fullmatch(r"(?:part|piece)(?:_\w+)?|", name[k])}
     bare = [k for k in filled if not of[k].worn] or filled
     main = at[max(bare, key=lambda k: (of[k].kind in ("head", "body"), graph.parts[k].end - graph.parts[k].start))]
-    toys = {main, *(at[k] for k in filled if k not in aside and list(at.values()).count(at[k]) > 1)}
+    seated = {k for k in filled if k not in aside or of[k].kind in ("head", "body")}
+    toys = {main, *(at[k] for k in seated if list(at.values()).count(at[k]) > 1)}
     if sum(c == main for c in at.values()) > 2:
         aside = set(filled)  # a toy is there: what is sewn to nothing is no part of it
     kept = [k for k in filled if k not in aside or at[k] in toys]

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,6 +22,8 @@ from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, 
 from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.surface import vertex_normals
 
+GATHER = 8
+"""An edge of fewer stitches closes by itself."""
 APART = 1.0
 """Two seams that come nearer to each other than this, in stitches, are in each other's way."""
 
@@ -35,8 +39,10 @@ class Joining:
 
     @property
     def pinched(self) -> Array:
-        """Pairs (K, 2) of nodes drawn together where an end is pinched."""
-        return np.concatenate([np.zeros((0, 2), int), *(end.pinched for _, end in self.steps)])
+        """Pairs (K, 2) of nodes drawn together where an end is pinched, or sewn shut."""
+        return np.concatenate(
+            [np.zeros((0, 2), int), *(end.pinched for _, end in self.steps), *shut(self.spots, self.steps)]
+        )
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -119,6 +125,35 @@ def prepare_what_stands(built: Built) -> tuple[Built, Joining | None]:
 
 def _spots(finish: Finish) -> tuple[Spot, ...]:
     return finish.spots if isinstance(finish, (Embroidery, Hair)) else (finish.spot,)
+
+
+def shut(spots: Spots, steps: Sequence[tuple[Placed, sewing.End]]) -> list[Array]:
+    """Pairs (K, 2) for every stuffed head or body of a printed toy that stays open: hands sew it shut, flat from side to side."""
+    from tambour.crochet.places.names import Made
+
+    built, found = spots.built, list[Array]()
+    graph, pattern = built.graph, built.pattern
+    if not pattern.terms or not re.search(r"\bstuff|\bfiber\s?fil", pattern.text.text.lower()):
+        return found
+    taken = {spots.parts[f.part] for f, _ in steps}
+    used = [set(place.nodes) for f, _ in steps if (place := spots.place(f.spot)).opening]
+    crossing = graph.edges[graph.part[graph.edges[:, 0]] != graph.part[graph.edges[:, 1]]]
+    for k, fact in enumerate(built.parts):
+        section = pattern.parts[fact.section]
+        if (
+            k in taken
+            or section.stuffing == 0.0
+            or spots.in_rows[k]
+            or Made(section.name, 1).kind not in ("head", "body")
+        ):
+            continue
+        for edge in (spots.rim(k), spots.begun(k)):
+            free = len(edge) >= GATHER and not any(set(edge.tolist()) & nodes for nodes in used)
+            if free and not np.isin(edge, crossing).any():
+                side = int(spots.layout[edge, 0].argmax())
+                ring = np.roll(edge, -side)[1:]
+                found.append(np.column_stack([ring[: len(ring) // 2], ring[::-1][: len(ring) // 2]]))
+    return found
 
 
 def crowded(joining: Joining) -> list[Problem]:

@@ -26,6 +26,8 @@ AGAIN = 0.5
 """What it costs, in square stitches, to sew into a stitch that is sewn into already."""
 STAY = 2.5
 """How far from a seam's middle stays begin on the fabric, in stitches."""
+DISC, GROWS = 24, 5.0
+"""A flat circle has so many stitches or more round its edge, and so many for every round."""
 STRIP = 3
 """A piece in rows is a strip where its last row has so many stitches to a row, or more."""
 REACH = 5.0
@@ -64,6 +66,10 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
         nodes = _end_of_rows(built, spots, part)
     else:
         nodes = spots.sewn_rim(part)
+        if placed.flat and _disc(built, part) and len(nodes) >= DISC:
+            # A full circle is sewn by a piece of its edge: the part of it that is worked last.
+            nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
+            return End(nodes[-max(4, len(nodes) // 5) :], False, none)
         if not len(nodes):
             nodes = spots.stitches(spots.last(part))
     nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
@@ -74,6 +80,12 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
     pinch = placed.flat and not rows
     pairs = np.column_stack([nodes[: m // 2], nodes[::-1][: m // 2]]) if pinch else none
     return End(nodes, not rows and not placed.flat, pairs)
+
+
+def _disc(built: Built, part: int) -> bool:
+    """Whether a part is a flat circle: about six stitches more in every round."""
+    counts = [r.count for r in built.rounds if r.part == part]
+    return len(counts) > 3 and counts[-1] == max(counts) and counts[-1] >= GROWS * len(counts)
 
 
 def _end_of_rows(built: Built, spots: Spots, part: int) -> Array:

@@ -16,10 +16,14 @@ from tambour.crochet.places.hear import Copy, Feature, Heard, Put, Sentence
 from tambour.crochet.places.names import Made
 from tambour.crochet.places.said import Where
 from tambour.crochet.places.stand import numbers_of
-from tambour.crochet.places.toy import Assembled, Toy
+from tambour.crochet.places.toy import Assembled, Toy, versions
 
 _TOP: Final = re.compile(
     r"\b(?:begin|start|work)\w*\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:top|crown)|from (?:the )?top (?:to|down|of)|top[- ]down\b"
+)
+_AHEAD: Final = re.compile(
+    r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?(?:tip of\s+(?:the\s+)?)?"
+    r"(?:nose|snout|muzzle|front|bow|head end|face end)\b(?! (?:leg|paw|loop))"
 )
 _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
@@ -43,13 +47,15 @@ class Assembly(Toy):
         self, built: Built, sentences: list[Sentence], stitch: float, eye: float | None, names: list[str]
     ) -> None:
         super().__init__(built, stitch, eye, names)
+        later = versions(self.parts)
+        self.parts = [p for p in self.parts if p not in later]
+        self.made.apart += [p.name for p in later]
         of = built.graph.part
         self.sewn = {int(k) for a, b in built.sewn.tolist() for k in (of[a], of[b]) if of[a] != of[b]}
         if self.parts:
             self._shaped()
         self.heard = Heard(self.parts, sentences)
         self.made.lost = self.heard.lost
-        self.text = built.pattern.text.text.lower()
         self.dog = re.search(r"\b(?:dog|puppy|pup|hound|dachshund|spaniel|poodle)\b", self.text[:200]) is not None
         if self.parts:
             self.main = self._main()
@@ -197,6 +203,8 @@ class Assembly(Toy):
         stands = any((0.5 * (a + b) - low + 1) / (high - low + 1) < _HIND for a, b, _ in tails) or (
             self.open(f"{main.name}.1") > 8 and any(p.kind == "head" and "top" in p.where.words for p in mine)
         )
+        if self._ahead(main):
+            return "side"
         if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
             return "side"
         if head is not None and head != main:
@@ -224,6 +232,15 @@ class Assembly(Toy):
             if wide >= 12 and not self.spots.in_rows[part] and (hung or main.kind in ("hat", "head", ""))
             else "end"
         )
+
+    def _ahead(self, made: Made) -> bool:
+        """Whether a part is worked from its nose, or from a vehicle's front: its first rounds look ahead."""
+        if made.kind in ("nose", "muzzle") and self.size(made) > 150:
+            return True
+        part = next(p for p in self.built.pattern.parts if p.name == made.name)
+        first = part.lines[0].span.end if part.lines else part.span.end
+        begin = self.text.rfind("\n\n", 0, max(part.span.start, 0)) + 1
+        return _AHEAD.search(self.text[max(begin, part.span.start - 120) : first]) is not None
 
     def _mouth_below(self, main: Made) -> bool | None:
         """Whether the mouth is in earlier rounds than the eyes, so that the first rounds are below; None where it is not said."""
@@ -285,6 +302,12 @@ class Assembly(Toy):
                     else main
                 )
                 p.host = (host, 1)
+            if kind == "wheel":
+                p.host = (main, 1)
+                p.where = replace(p.where, rounds=None, beside=(), words=p.where.words & {"front", "back"})
+                whole = [c for c in p.copies if "half" not in c[0].words or c[1] % 2]
+                self.made.apart += [p.copies[0][0].name] if len(whole) < len(p.copies) else []
+                p.copies = whole  # two halves make one; the inner ones are not seen
             if kind == "head" and p.host[0].kind == "body" and (necks := self.of_kind("neck")) is not None:
                 p.host = (necks, 1)
             if kind == "inner" or "inner" in p.copies[0][0].words:

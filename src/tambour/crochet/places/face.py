@@ -26,7 +26,7 @@ WORDS: Final[dict[str, str]] = {
     "nose": r"\b(?:nose|nostrils?|snout)\b",
     "claws": r"\b(?:claws?|toes|paw details?|fingers)\b",
     "navel": r"\b(?:navel|belly ?button)\b",
-    "eyes": r"\beyes?\b",
+    "eyes": r"\beye(?:s|lids?)?\b",
     "dots": r"\b(?:dots?|spots?|french knots?|seeds?)\b",
 }
 """What is embroidered → how it is called; the first that fits is meant."""
@@ -110,6 +110,8 @@ def strokes(name: str, wide: float) -> list[Stroke]:
         return [[(-0.3, -0.3), (0.3, 0.3)], [(-0.3, 0.3), (0.3, -0.3)]]
     if name == "dots":
         return [[(0.0, 0.0)]]
+    if name == "mouth":
+        return [_arc(w, 0.1, 7)]
     return [[(-0.5 * w, 0.0), (0.5 * w, 0.0)]]
 
 
@@ -150,16 +152,28 @@ USUAL: Final[dict[str, float]] = {
 """How many stitches wide a motif is, unless it is said."""
 _THICK: Final = {"nose": 2.2, "eyes": 2.0, "cheeks": 2.0, "whiskers": 1.2, "lashes": 1.2, "freckles": 1.4}
 
+_YARN: Final = 0.24
+"""How thick thread is at the least for a stitch's width: on thick yarn faces are made in thicker."""
+
 
 def embroidered(
-    host: Host, name: str, point: Array, wide: float, mirror: bool, color: RGB, span: Span, tall: float | None = None
+    host: Host,
+    name: str,
+    point: Array,
+    wide: float,
+    mirror: bool,
+    color: RGB,
+    span: Span,
+    tall: float | None = None,
+    stitch: float = 0.0,
 ) -> list[Embroidery]:
     """A motif about a point of a host, in strokes that lie on its fabric; ``mirror``: the left one of a pair;
-    ``tall``: how many rounds it is high, where that is said."""
+    ``tall``: how many rounds it is high, where that is said; ``stitch``: its width, mm, which thread goes with."""
     spot = host.near(point, 0.1)
     frame = host.stand.frame(spot)
     along, up = frame.along[0], frame.up[0]
     made = []
+    thick = max(_THICK.get(name, 1.8), round(_YARN * stitch, 1))
     drawn = strokes(name, wide)
     heights = [y for stroke in drawn for _, y in stroke]
     high, middle = max(heights) - min(heights), 0.5 * (max(heights) + min(heights))
@@ -171,5 +185,5 @@ def embroidered(
             at = host.near(point + (-x if mirror else x) * along + y * up, 0.1)
             if not places or at != places[-1]:
                 places.append(at)
-        made.append(Embroidery(tuple(places), color, _THICK.get(name, 1.8), span, motif=name))
+        made.append(Embroidery(tuple(places), color, thick, span, motif=name))
     return made

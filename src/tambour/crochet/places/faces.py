@@ -16,6 +16,8 @@ from tambour.crochet.places.said import size
 from tambour.crochet.places.stand import Host
 from tambour.crochet.places.usual import Way, usual
 
+_FACE: Final = 16.0
+"""How many stitches a face is wide for which the usual sizes of motifs are."""
 _OF_A_HEAD: Final = 0.12
 """An eye's size as a share of the width of what it is on, where nothing says it."""
 
@@ -98,7 +100,8 @@ class Facer(Putter):
         tall = None
         if f.where.rounds is not None and not f.where.rounds[2] and f.where.rounds[1] > f.where.rounds[0]:
             tall = f.where.rounds[1] - f.where.rounds[0]
-        wide = min(f.where.wide or face.USUAL[name], 0.6 * host.count(host.levels[len(host.levels) // 2][0]))
+        large = min(2.2, max(0.7, 2.0 * float(host.box[1][0]) / _FACE))
+        wide = min(f.where.wide or large * face.USUAL[name], 0.6 * host.count(host.levels[len(host.levels) // 2][0]))
         color = f.color or (face.PINK if name == "cheeks" else face.DARK)
         self.deep[name.split()[-1]] = 0.35 * wide
         if name == "claws" and f.host is not None and f.host[0].copies > 1:
@@ -113,6 +116,7 @@ class Facer(Putter):
                     False,
                     color,
                     f.span,
+                    stitch=self.work.stitch,
                 )
             return made
         if name in face.PAIRED:
@@ -127,11 +131,11 @@ class Facer(Putter):
             made = []
             for p in points:
                 mirror = bool(p[0] < host.box[0][0])
-                made += face.embroidered(host, name, p, wide, mirror, color, f.span)
+                made += face.embroidered(host, name, p, wide, mirror, color, f.span, stitch=self.work.stitch)
             return made
         point = self._single(f, host, name, wide)
         self.known[{"smile": "mouth"}.get(name, name.split()[-1])] = (host.name, [point])
-        return [*face.embroidered(host, name, point, wide, False, color, f.span, tall)]
+        return [*face.embroidered(host, name, point, wide, False, color, f.span, tall, self.work.stitch)]
 
     def _usual_pair(self, name: str, host: Host, f: Feature) -> Way:
         eyes = self.known.get("eye")

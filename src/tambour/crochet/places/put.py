@@ -30,8 +30,12 @@ _ON_TOP: Final = frozenset(("head", "body", "hat", "neck", "stem", "base", "inne
 
 _BELOW_EYES: Final = {"muzzle": 0.75, "nose": 0.4, "beak": 0.3}
 """How far below the eyes the middle of a thing is, in halves of its width, where nothing says it."""
-_LAID: Final = frozenset(("belly", "spot", "face", "eye", "cheek", "muzzle", "nose", "door", "bow", "inner"))
+_LAID: Final = frozenset(
+    ("belly", "spot", "face", "eye", "cheek", "muzzle", "nose", "door", "bow", "inner", "bumper", "beard")
+)
 """Kinds of pieces that lie on the fabric, sewn all round, where they are worked in rows."""
+_SPREAD: Final = frozenset(("butterfly", "moth", "dragonfly"))
+"""Toys, by their titles, whose wings are spread beside them."""
 _PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
 """Kinds of open pieces that stand on a line, where they are not stuffed."""
 
@@ -47,7 +51,7 @@ class Putter(Beside):
         work, made = self.work, put.copies[0][0]
         kind = put.kind
         if kind == "head" and put.host[0].kind == "neck" and self._lies((work.main, 1)):
-            ways = [Way((0.0, 0.9, 0.4), (0.0, 0.05, 1.0), flat=False)]
+            ways = [Way((0.0, 0.9, 0.4), (0.0, -0.35, 1.0), flat=False)]
             host = work.host(put.host)
             spot, way = self._spotted(put, host, ways[0], 0)
             record = self._placed(put, put.copies[0], spot, way, host)
@@ -64,10 +68,17 @@ class Putter(Beside):
                 own = [c for i, c in enumerate(put.copies) if i * on.copies // many == k]
                 found += self.part(replace(put, copies=own, host=(on, k + 1))) if own else []
             return found
-        lies = self._lies(put.host)
+        onto = put.host
+        lies = self._lies(onto)
         wanted = frozenset(w for c in put.copies for w in c[0].words) | (
             frozenset(put.where.text.split()) - {"front", "fore"}
         )
+        wanted |= frozenset(work.text[:200].split()) & _SPREAD
+        if kind == "leaf" and len(put.copies) > 8:  # they stand in rings, whatever round the first of them is in
+            put = replace(put, where=replace(put.where, rounds=None, beside=(), words=frozenset()))
+        if kind == "ear" and len(put.copies) == 4:  # two layers each: of the inner ones nothing is seen
+            put = replace(put, copies=put.copies[:2])
+            work.made.apart.append(made.name)
         if made.copies == 4 and len(put.copies) == 2:
             wanted |= {"front"} if put.copies[0][1] == 1 else {"hind"}
         if kind == "ear" and work.dog and "upwards" not in put.where.words:
@@ -80,8 +91,8 @@ class Putter(Beside):
             ways = [pair[1] if right else pair[0]]
         # Only of what is head and body in one a sentence says which of the two it means.
         two = {"head", "body"} <= set(work.main.kinds) or put.region == "head"
-        region = (put.region if two else "") or (ways[0].on if put.host[0] == work.main else "")
-        host = work.host(put.host, region)
+        region = (put.region if two else "") or (ways[0].on if onto[0] == work.main else "")
+        host = work.host(onto, region)
         made_of = [
             (c, self._spotted(put, host, self._told(way, put.where, len(put.copies)), k))
             for k, (c, way) in enumerate(zip(put.copies, ways))
@@ -95,10 +106,10 @@ class Putter(Beside):
             self.stand.place(record)
         self._note(made.kind or made.words[-1] if made.words else "", host, [r.spot for r in records])
         if put.guess:
-            where_ = f"{made.name} on {put.host[0].name}"
+            where_ = f"{made.name} on {onto[0].name}"
             self.work.made.guessed.append(where_)
         elif not put.where.says and not (kind in _ON_TOP and len(put.copies) == 1):
-            self.work.made.guessed.append(f"{made.name} on {put.host[0].name}")
+            self.work.made.guessed.append(f"{made.name} on {onto[0].name}")
         return records
 
     def _long(self, copy: Copy) -> bool:
@@ -255,7 +266,20 @@ class Putter(Beside):
             across = way.turn if abs(way.turn) == 180.0 and tilt else 0.0
         name = copy[0].copy(copy[1])
         record = Placed(name, spot, flat, across, tilt, _STEP * round(towards / _STEP) % 360.0, None, put.span)
+        if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
+            return replace(record, flat=False, across=-90.0 if float(n[0]) > 0.05 else 90.0, by=narrow)
         return replace(record, by=self._by(record, host, n)) if not flat else record
+
+    @property
+    def butterfly(self) -> bool:
+        """Whether the toy's wings are spread beside it."""
+        return bool(_SPREAD & set(self.work.text[:200].split()))
+
+    def _narrow(self, copy: Copy) -> float | None:
+        """The first round of a piece that begins much narrower than it becomes."""
+        levels = self.work.host((copy[0], 1)).levels
+        widest = max((len(p) for _, p in levels), default=0)
+        return float(levels[0][0]) if levels and 2 * len(levels[0][1]) < widest else None
 
     def _by(self, placed: Placed, host: Host, n: Array) -> float | None:
         """The round that a wide open part is sewn by, where its rim would hang free about what it is put on."""
@@ -264,6 +288,8 @@ class Putter(Beside):
             return None
         _, half = host.box
         across = float(np.sqrt(max(((half**2) * (1.0 - np.abs(n))).sum(), 0.25)))
+        if placed.spot.stitch is None and (rim := self.work.open(host.name)):
+            across = min(across, rim / (2.0 * math.pi) / 0.9)  # a cap over an open end is sewn where it is as wide
         if edge / (2.0 * math.pi) <= _WIDE * across:
             return None
         own = self.work.host(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -10,9 +11,14 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.places.hear import Copy
-from tambour.crochet.places.names import Made
+from tambour.crochet.places.names import SIDED, Made, kind_of
 from tambour.crochet.places.stand import Host, Stand, neck, numbers_of
 
+_EYES_ON: Final = re.compile(r"\b(?:safety|plastic|toy) eyes?\b|\bembroider\w* (?:the |two )?eyes?\b")
+_PLACES: Final = frozenset(
+    "front back hind fore rear upper lower top bottom inner outer under side large small big little".split()
+)
+"""Words of parts' names that say which of several on one toy is meant."""
 _TALL: Final = 0.6
 """A part with so many rounds to a stitch of its widest is longer than wide."""
 
@@ -55,6 +61,7 @@ class Toy:
         self.out: list[tuple[int, Finish]] = []
         self.made = Assembled()
         self.dog = False  # ears of dogs hang
+        self.text = built.pattern.text.text.lower()
 
     def size(self, made: Made) -> int:
         """How many stitches one copy of a part has."""
@@ -90,11 +97,38 @@ class Toy:
         return (low + high) // 2 if high - low + 1 > _TALL * widest and not self.spots.in_rows[part] else None
 
 
-def toys(built: Built) -> list[list[str]]:
+def versions(parts: list[Made]) -> list[Made]:
+    """Of parts that are there once for every version of a toy ("Kitty ears", "Puppy ears") those of later versions.
+
+    Versions differ by a word of their own that stands in at least two kinds of parts, or in ears and faces alone.
+    """
+    sorts: dict[str, dict[str, list[Made]]] = {}
+    for part in parts:
+        own = [w for w in part.words if not kind_of(w) and w not in SIDED | _PLACES]
+        if part.kind and own and len(part.words) > 1 and not part.worn:
+            sorts.setdefault(part.kind, {}).setdefault(own[0], []).append(part)
+    rival = [set(by) for kind, by in sorts.items() if len(by) > 1]
+    shared = {w for w in set().union(*rival) if sum(w in one for one in rival) > 1} if rival else set()
+    first = next((w for part in parts for w in part.words if w in shared), None)
+    return [p for p in parts if p.kind in sorts and (mine := shared & set(p.words)) and first not in mine]
+
+
+def faced(built: Built, sentences: list[tuple[str, str]]) -> set[str]:
+    """Parts without a known kind in whose own instructions eyes are put, where there are several of them: each is a toy.
+
+    sentences : the part that each stands in, and its words
+    """
+    eyed = {part for part, words in sentences if _EYES_ON.search(words.lower())}
+    made = {p.name: Made(p.name, p.copies) for p in built.pattern.parts}
+    found = {name for name in eyed if name in made and made[name].kind == "" and made[name].copies == 1}
+    return found if len(found) > 1 else set()
+
+
+def toys(built: Built, faces: set[str] | frozenset[str] = frozenset()) -> list[list[str]]:
     """The parts of every toy that a pattern makes, by name.
 
     Another begins where a part has a name that is there already (they are numbered on then), or at another body behind
-    limbs; and only if it has a head or body of its own.
+    limbs; and only if it has a head or body of its own. Or at each of the ``faces``, parts that are a toy for themselves.
     """
     parts = [Made(section.name, section.copies) for section in built.pattern.parts]
     trunk = [part.kind in ("head", "body") for part in parts]
@@ -103,7 +137,8 @@ def toys(built: Built) -> list[list[str]]:
         before = parts[begin:k]
         again = any(part.words == other.words for other in before) and bool(part.kind) and not part.worn
         body = part.kind == "body" and any(other.kind == "body" for other in before) and not trunk[k - 1]
-        if (again or body) and any(trunk[begin:k]) and any(trunk[k:]):
+        own = part.name in faces and any(other.name in faces for other in before)
+        if own or ((again or body) and any(trunk[begin:k]) and any(trunk[k:])):
             starts.append(k)
             begin = k
     return [[part.name for part in parts[a:b]] for a, b in zip(starts, [*starts[1:], len(parts)])]

@@ -67,6 +67,7 @@ _PAIRS: Final[dict[str, Way]] = {
     "leg": Way((0.52, -0.66, 0.60), (0.30, -0.10, 1.0), turn=180.0, flat=False),
     "foot": Way((0.50, -0.86, 0.42), (0.15, -0.25, 1.0), turn=180.0, flat=False),
     "wheel": Way((0.95, -0.65, 0.0), (1.0, 0.0, 0.0), flat=False),
+    "lamp": Way((0.5, 0.0, 1.0), (0.0, 0.0, 1.0), flat=False),
     "tuft": Way((0.92, 0.42, -0.1), (0.6, -0.8, 0.0), _UP, None, on="head"),
     "bow": Way((0.55, 0.8, 0.3), None, flat=False, on="head"),
     "leaf": Way((0.25, 0.97, 0.1), (0.9, 0.5, 0.1), _ALONG, True, on="head"),
@@ -102,6 +103,7 @@ _SINGLE: Final[dict[str, Way]] = {
     "collar": Way(_UP, _UP, flat=False),
     "shell": Way((0.0, 0.1, -1.0), None, flat=False),
     "door": Way((0.0, -0.45, 1.0), None),
+    "bumper": Way((0.0, -0.45, 1.0), None),
     "neck": Way(_UP, _UP, flat=False),
     "base": Way((0.0, -1.0, 0.0), (0.0, -1.0, 0.0), flat=False),
     "tooth": Way((0.0, -0.35, 0.95), (0.0, -1.0, 0.3), _ACROSS, None, on="head"),
@@ -149,6 +151,8 @@ def usual(
         if kind == "leaf" and copies == 1 and words & {"petal"}:
             way = _SINGLE["stem"]
         return [way]
+    if copies == 2 and kind == "bumper":
+        return [_SINGLE["bumper"], Way((0.0, -0.45, -1.0), None)]
     if copies == 2:
         pairs = (_LYING_PAIRS.get(kind) if lying else None) or _PAIRS.get(kind)
         if pairs is None:
@@ -158,24 +162,31 @@ def usual(
             pairs = replace(pairs, at=(0.42, 0.92, 0.0), axis=(0.28, 1.0, 0.0), line=(1.0, -0.28, 0.0))
         if kind == "ear" and words & {"floppy", "hanging", "droopy"}:
             pairs = replace(pairs, at=(0.78, 0.62, 0.0), axis=(0.5, -0.85, 0.1), line=_ALONG)
+        if kind == "wing" and words & {"butterfly", "moth", "dragonfly"}:
+            pairs = replace(pairs, at=(0.55, 0.35, -0.75), axis=(1.0, 0.45, -0.1), line=_UP)
         if kind == "leg" and words & {"front", "fore"}:
             pairs = replace(_LYING_PAIRS["arm"] if lying else _PAIRS["arm"])
         return [pairs, pairs.mirrored()]
     if copies == 4 and kind in ("foot", "arm", "") and not lying:
         # A toy that sits: two are arms, two are legs.
         return [*usual("arm", 2, words=words), *usual("leg", 2, words=words)]
+    if copies == 4 and kind == "ear":  # each of two layers
+        pair = usual("ear", 2, lying=lying, long=long, words=words)
+        return [*pair, *pair]
     if copies == 4 and kind in ("leg", "foot", "wheel"):
         made = []
         for ahead in (0.6, -0.6):
             way = Way((0.62, -0.7, ahead), (0.08, -1.0, 0.0), flat=False)
             if kind == "wheel":
-                way = Way((0.9, -0.6, ahead), _ACROSS, flat=False)
+                way = Way((0.8, -0.75, ahead), _ACROSS, flat=False)
             made += [way, way.mirrored()]
         return made
     if kind == "spike":
         back = np.linspace(0.0, 1.0, copies)
         turn = [math.radians(75.0 - 130.0 * t) for t in back]
         return [Way((0.0, math.sin(t), -math.cos(t)), None, (0.0, math.cos(t), math.sin(t)), True) for t in turn]
+    if kind == "leaf" and copies > 8:
+        return _rosette(copies)
     low, on = (-0.75, "body") if kind in ("tentacle", "leg", "arm", "foot", "base") else (0.35, "body")
     if kind in ("leaf", "bow", "hat", "tuft", "horn"):
         low, on = 0.8, "head"
@@ -188,4 +199,23 @@ def usual(
         axis = None if kind in ("spot", "bow", "door") else (at[0], -0.25 if low < 0.0 else 0.5, at[2])
         line = (math.cos(a), 0.0, -math.sin(a))
         made.append(Way(at, axis, line, True if kind in ("leaf", "tentacle") else None, on=on))
+    return made
+
+
+def _rosette(copies: int) -> list[Way]:
+    """Many leaves on top: in rings, the outer ones level, the inner ones upright, each between two of the ring about it."""
+    made: list[Way] = []
+    shares = (0.4, 0.3, 0.2, 0.1)
+    begin = 0
+    for k, share in enumerate(shares):
+        own = copies - begin if k == len(shares) - 1 else round(share * copies)
+        begin += own
+        rise = math.radians((30.0, 50.0, 68.0, 80.0)[k])
+        for i in range(own):
+            a = 2.0 * math.pi * (i + 0.5 * (k % 2)) / own
+            x, z = math.sin(a), math.cos(a)
+            lean = math.radians((18.0, 42.0, 64.0, 80.0)[k])
+            at = (math.cos(rise) * x, math.sin(rise), math.cos(rise) * z)
+            axis = (math.cos(lean) * x, math.sin(lean), math.cos(lean) * z)
+            made.append(Way(at, axis, (z, 0.0, -x), True, on="head"))
     return made

@@ -14,7 +14,7 @@ from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.assemble import Assembly
 from tambour.crochet.places.hear import Sentence
 from tambour.crochet.places.said import size
-from tambour.crochet.places.toy import Assembled, toys
+from tambour.crochet.places.toy import Assembled, faced, toys
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.tokens import Token
@@ -63,7 +63,7 @@ def assembled(built: Built, said: list[Said], phrases: Phrases, palette: Palette
         part = "" if one.headed else one.part
         sentences.append(Sentence(words, span, part, shades(one.tokens, palette, span.start), exact))
     made = Assembled()
-    groups = toys(built)
+    groups = toys(built, faced(built, [(one.part, heard.text) for one, heard in zip(said, sentences)]))
     own = {name: k for k, names in enumerate(groups) for name in names}
     for k, names in enumerate(groups):
         mine = [heard for one, heard in zip(said, sentences) if own.get(one.part, k) == k]

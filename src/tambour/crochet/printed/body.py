@@ -427,12 +427,25 @@ class Walk(Courses):
             left = left or (c.key("leave") and c.tokens[c.at].word.startswith("leav"))
             c.at += 1
 
+    def _other_yarn(self) -> None:
+        """Passes the yarn of another version: "with A (B)", "with A or B"."""
+        c = self.c
+        words = [t.word if t is not None else "" for t in (c.look(0), c.look(1), c.look(2))]
+        if words[0] == "(" and words[1] in LETTERS and words[2] == ")":
+            c.at += 3
+        elif words[0] == "or" and words[1] in LETTERS:
+            c.at += 2
+
     def color(self, found: list[Item]) -> bool:
         """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
         c = self.c
         at = c.at
         if c.key("join"):
             return False  # "Join B with sl st to first sc": joins the round, if there is one
+        words = [t.word if (t := c.look(k)) is not None else "" for k in range(14)]
+        if words[1] == "same" and {"color", "colour"} & set(words[2:4]) and "," in words:
+            c.at += words.index(",")  # "With same color as for Body, ch 12"
+            return True
         asked = hooked = False
         while at < len(c.tokens) and at - c.at < 8:
             token = c.tokens[at]
@@ -470,6 +483,7 @@ class Walk(Courses):
         rgb, length = shade
         found.append(Action("color", Span(c.tokens[at].start, c.tokens[at + length - 1].end), numbers=rgb))
         c.at = at + length
+        self._other_yarn()
         c.skip_key("yarn")
         while c.key("and") and c.look(1) is not None and (c.look(1).word in _HOOKS):  # type: ignore[union-attr]
             c.at += 2

@@ -46,6 +46,15 @@ class Palette:
             if hue is not None:
                 self.given.setdefault(letter, hue)
 
+    @property
+    def main(self) -> RGB | None:
+        """The yarn of what says none: the main one, the first, or the only one; None where no yarn is named."""
+        return next((self.given[k] for k in ("mc", "a", "") if k in self.given), None)
+
+    def first(self, words: str) -> RGB | None:
+        """The first yarn that a heading asks for by its letter: "Make 1 with B and 1 with C"."""
+        return next((self.given[m[1].lower()] for m in _WITH.finditer(words) if m[1].lower() in self.given), None)
+
     def color(self, c: Cursor, at: int | None = None) -> tuple[RGB, int] | None:
         """The colour that stands at token ``at`` (else at the cursor), and how many tokens it takes."""
         at = c.at if at is None else at
@@ -83,18 +92,27 @@ class Palette:
         if word not in self.given:
             self.told.append(word)
         index = LETTERS.index(word) if word in LETTERS else int(word)
-        return self.given.get(word) or _SHADES[index % len(_SHADES)], length
+        only = self.given.get("") if word in ("a", "mc") else None  # "1 ball 9872 Llama", all its letters in one
+        return self.given.get(word) or only or _SHADES[index % len(_SHADES)], length
 
 
+_WITH: Final = re.compile(r"\b(?:[Ww]ith|[Ii]n|[Uu]sing)\s+(?:[Cc]olou?r\s+)?(MC|CC|[A-K])\b")
 _NUMBERED: Final = re.compile(r"(?:^|[,:]|\band)\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
+
+_AS: Final = re.compile(r"[a-z]\s+as\s+(?:MC|CC|[A-K])\b")
 
 
 def numbered(palette: Palette, line: str) -> bool:
-    """Takes "Purple as Color 1, Blue as Color 2", of several versions of a toy the first; whether a line says such."""
+    """Takes "Purple as Color 1, Blue as Color 2", or "White as A", of several versions of a toy the first; whether a line
+    says such."""
     found = _NUMBERED.findall(line)
     for name, number in found:
         hue = palette.given.get(name.lower()) if len(name) <= 2 else shade(name)
         palette.named.setdefault(number, name)
         if hue is not None:
             palette.given.setdefault(number, hue)
-    return bool(found)
+    lettered = listed(line) if _AS.search(line) else {}
+    for letter, name in lettered.items():
+        if (hue := dyed(name)) is not None:
+            palette.given.setdefault(letter, hue)
+    return bool(found or lettered)

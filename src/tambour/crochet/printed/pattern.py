@@ -77,6 +77,8 @@ class Printed(State):
         if (self.sentences or len(self.parts) > 1) and self.parts and not self.parts[0].name:
             taken = {draft.name.lower() for draft in self.parts}
             self.parts[0].name = "piece" if len(self.parts) == 1 or "body" in taken else "Body"  # sentences want a name
+        for draft in self.parts:
+            draft.dye(self.palette, self.source.text.text)
         sections = tuple(draft.section(source) for draft in self.parts)
         self._colors_told()
         pattern = Pattern(

@@ -178,7 +178,12 @@ _DYED: Final[dict[str, RGB]] = {
     "sky": (150, 196, 232), "snow": (250, 250, 250), "stone": (172, 166, 154), "storm": (104, 112, 122),
     "sunshine": (250, 216, 92), "sunsoaked": (240, 212, 130), "teddy": (156, 110, 70), "terracotta": (196, 108, 82),
     "tickle": (150, 210, 196), "vanilla": (246, 234, 204), "velveteal": (20, 108, 118), "whitey": (250, 249, 245),
-    "wood": (150, 112, 76),
+    "wood": (150, 112, 76), "llama": (232, 214, 184), "monkey": (124, 84, 56), "cactus": (92, 150, 84), "koala": (150, 150, 156),
+    "owl": (150, 116, 84), "robot": (160, 166, 172), "dragon": (92, 160, 110), "unicorn": (248, 246, 240), "pine": (40, 88, 62),
+    "sprout": (150, 190, 90), "peachie": (250, 190, 160), "sunny": (250, 216, 92), "shell": (246, 226, 206), "sushi": (250, 249, 245),
+    "grape": (104, 62, 128), "bubblegum": (244, 150, 186), "robin": (140, 206, 206), "ficus": (76, 120, 76), "ladybug": (200, 40, 44),
+    "aquatic": (62, 140, 160), "melon": (246, 150, 120), "jam": (140, 40, 70),
+    "dogwood": (222, 150, 160), "capri": (70, 176, 190), "latte": (176, 140, 108), "daisy": (244, 206, 70), "buttercup": (248, 220, 110),
 }  # fmt: skip
 """Words of shade cards that name no colour elsewhere."""
 _PALE: Final = frozenset(("mist", "misty", "frosty", "faded", "quiet", "dust", "whisper"))
@@ -237,20 +242,33 @@ _LIGHTER: Final = {"light": 0.4, "lt": 0.4, "pale": 0.5, "soft": 0.35, "baby": 0
 _DARKER: Final = {"dark": 0.35, "dk": 0.35, "deep": 0.3, "bright": 0.0, "hot": 0.0, "medium": 0.0, "med": 0.0, "country": 0.1,
                   "warm": 0.0, "golden": 0.0, "real": 0.0, "heather": 0.0, "weathered": 0.15}  # fmt: skip
 
-# "Contrast A Pewter (1401)", "Main Color (MC) Teal", "Main Color (MC) (01612 Country Yellow)"; "0512 Turqua A, 0672 Spring Green B"
-_NAME: Final = r"((?:[A-Z][A-Za-z’']*[ -]?){1,4}?)"
+# "Contrast A Pewter (1401)", "Main Color (MC) Teal", "Contrast A: (01612 Country Yellow)"; "0512 Turqua A, 0672 Spring Green B"
+_NAME: Final = r"((?:[A-Z][A-Za-zé’'&]*[ -]?){1,4}?|[A-Z][a-z]+ [a-z]+)"
+_NUMBER: Final = r"(?:\(?#?\d{3,6}\)?[\s,]*\(?\s*)?"
 _LED: Final = re.compile(
-    r"\b(?:Main Colou?r|Contrast|Colou?r)\s+\(?(MC|CC|[A-K])\)?[\s:,]+\(?(?:\d{3,6}\s+)?"
+    r"\b(?:(?i:main colou?r|contrast|colou?r))\s*\(?(MC|CC|mc|cc|[A-Ka-k])(?![A-Za-z])\)?[\s:,]*\(?"
+    + _NUMBER
     + _NAME
     + r"\s*(?=[(),.;\d]|$)"
 )
 _ENDED: Final = re.compile(r"(?<![\w./])#?\d{2,6}\s+" + _NAME + r"\s*\(?\b(MC|CC|[A-K])\b\)?(?=[\s,.;)]|$)")
+_AS: Final = re.compile(r"(?:^|[,:.]|\band)\s*" + _NAME + r"\s+as\s+(MC|CC|[A-K])\b")
+# "Dark Dogwood (8820) 3 balls", "1 ball 9872 Llama": one yarn, and no letter
+_ALONE: Final = re.compile(
+    r"(?:^|[)™®\]]\s*)"
+    + _NAME
+    + r"\s*\(\d{3,6}\)\s*(?:\d|$|or\b)|\b(?:balls?|skeins?)\s+(?:of\s+)?\d{3,5}\s+"
+    + _NAME
+    + r"\s*(?=[(,.;]|$)"
+)
 
 
 def listed(line: str) -> dict[str, str]:
-    """The letters that a list of materials gives to yarns → the names of their colours."""
+    """The letters that a list of materials gives to yarns → the names of their colours; "" for a yarn without a letter."""
     found = {m[1].lower(): m[2].strip() for m in _LED.finditer(line)}
-    return {**{m[2].lower(): m[1].strip() for m in _ENDED.finditer(line)}, **found}
+    found = {**{m[2].lower(): m[1].strip() for pattern in (_AS, _ENDED) for m in pattern.finditer(line)}, **found}
+    alone = _ALONE.search(line)
+    return found if found or alone is None else {"": (alone[1] or alone[2]).strip()}
 
 
 def dyed(name: str) -> RGB | None:
