@@ -30,7 +30,7 @@ WORDS: Final[dict[str, str]] = {
     "dots": r"\b(?:dots?|spots?|french knots?|seeds?)\b",
 }
 """What is embroidered → how it is called; the first that fits is meant."""
-PAIRED: Final = frozenset(("whiskers", "lashes", "brows", "cheeks", "freckles", "eyes"))
+PAIRED: Final = frozenset(("whiskers", "lashes", "brows", "cheeks", "freckles", "eyes", "closed eyes"))
 PINK: Final[RGB] = (232, 150, 160)
 DARK: Final[RGB] = (40, 30, 26)
 _SEEN: Final = {name: re.compile(words) for name, words in WORDS.items()}
@@ -102,6 +102,8 @@ def strokes(name: str, wide: float) -> list[Stroke]:
         return [[(0.0, 0.2 * k * w), (w, 0.42 * k * w)] for k in (1, 0, -1)]
     if name == "lashes":
         return [[(0.25 * w * k, 0.0), (0.45 * w * k, 0.4 * w)] for k in (-1, 0, 1)]
+    if name == "lashes down":
+        return [[(0.3 * w * k, -0.1 * w), (0.42 * w * k, -0.5 * w)] for k in (-1, 0, 1)]
     if name == "freckles":
         return [[(-0.4 * w, 0.0)], [(0.4 * w, 0.1 * w)], [(0.0, -0.35 * w)]]
     if name == "claws":
@@ -173,7 +175,7 @@ def embroidered(
     frame = host.stand.frame(spot)
     along, up = frame.along[0], frame.up[0]
     made = []
-    thick = max(_THICK.get(name, 1.8), round(_YARN * stitch, 1))
+    thick = max(_THICK.get(name.removesuffix(" down"), 1.8), round(_YARN * stitch, 1))
     drawn = strokes(name, wide)
     heights = [y for stroke in drawn for _, y in stroke]
     high, middle = max(heights) - min(heights), 0.5 * (max(heights) + min(heights))
@@ -185,5 +187,5 @@ def embroidered(
             at = host.near(point + (-x if mirror else x) * along + y * up, 0.1)
             if not places or at != places[-1]:
                 places.append(at)
-        made.append(Embroidery(tuple(places), color, thick, span, motif=name))
+        made.append(Embroidery(tuple(places), color, thick, span, motif=name.removesuffix(" down")))
     return made

@@ -25,6 +25,8 @@ _OF_A_HEAD: Final = 0.12
 class Facer(Putter):
     """Puts eyes, noses, smiles on a toy's parts."""
 
+    asleep = False  # its lids are down, and its lashes hang
+
     def eyes(self, f: Feature) -> list[Finish]:
         """Safety eyes, one or two."""
         host = self._faced(f, "eye")
@@ -126,12 +128,14 @@ class Facer(Putter):
                 return [Felt(s, "circle", big, big, 0.0, color, f.span) for s in spots]
             points = [self.stand.frame(s).points[0] for s in spots]
             if name in ("eyes", "closed eyes"):
+                self.asleep = name == "closed eyes"
                 self._note("eye", host, spots)
                 self.deep["eye"] = 0.6 * wide
             made = []
             for p in points:
                 mirror = bool(p[0] < host.box[0][0])
-                made += face.embroidered(host, name, p, wide, mirror, color, f.span, stitch=self.work.stitch)
+                drawn = "lashes down" if name == "lashes" and self.asleep else name
+                made += face.embroidered(host, drawn, p, wide, mirror, color, f.span, stitch=self.work.stitch)
             return made
         point = self._single(f, host, name, wide)
         self.known[{"smile": "mouth"}.get(name, name.split()[-1])] = (host.name, [point])
@@ -159,7 +163,7 @@ class Facer(Putter):
             shift = {
                 "cheeks": (0.18, -0.38),
                 "brows": (0.0, 0.36),
-                "lashes": (0.12, 0.05),
+                "lashes": (0.0, -0.06) if self.asleep else (0.12, 0.05),
                 "whiskers": (0.05, -0.4),
                 "freckles": (0.05, -0.34),
             }

@@ -210,11 +210,11 @@ def _rosette(copies: int) -> list[Way]:
     for k, share in enumerate(shares):
         own = copies - begin if k == len(shares) - 1 else round(share * copies)
         begin += own
-        rise = math.radians((30.0, 50.0, 68.0, 80.0)[k])
+        rise = math.radians((42.0, 57.0, 71.0, 83.0)[k])
         for i in range(own):
             a = 2.0 * math.pi * (i + 0.5 * (k % 2)) / own
             x, z = math.sin(a), math.cos(a)
-            lean = math.radians((18.0, 42.0, 64.0, 80.0)[k])
+            lean = math.radians((30.0, 50.0, 68.0, 82.0)[k])
             at = (math.cos(rise) * x, math.sin(rise), math.cos(rise) * z)
             axis = (math.cos(lean) * x, math.sin(lean), math.cos(lean) * z)
             made.append(Way(at, axis, (z, 0.0, -x), True, on="head"))

@@ -301,8 +301,11 @@ def shade(name: str) -> RGB | None:
     """The colour of a yarn of this name; None where no colour is known by it."""
     words = name.lower().replace("-", " ").split()
     whole = " ".join(words)
-    if whole in YARNS or whole.replace(" ", "") in css_colors():
-        return YARNS.get(whole) or css_colors()[whole.replace(" ", "")]
+    if whole in YARNS:
+        return YARNS[whole]
+    mixed = len(words) > 1 and words[0] in {**_LIGHTER, **_DARKER} and shade(" ".join(words[1:])) is not None
+    if not mixed and whole.replace(" ", "") in css_colors():
+        return css_colors()[whole.replace(" ", "")]
     if len(words) < 2 or words[0] not in {**_LIGHTER, **_DARKER}:
         return None
     base = shade(" ".join(words[1:]))
