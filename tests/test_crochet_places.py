@@ -598,3 +598,47 @@ def test_an_eye_is_an_oval_without_gaps() -> None:
     tall = [np.ptp(line[:, 1]) for line in lines]
     assert tall[len(tall) // 2] == max(tall) and tall[0] < 0.8 * max(tall) and tall[-1] < 0.8 * max(tall)
     assert all(line[len(line) // 2, 2] > line[0, 2] for line in lines)  # ends go into the fabric
+
+
+def test_twelve_motifs_of_a_ball_lie_on_a_dodecahedron() -> None:
+    from tambour.crochet.finish.globe import faces
+
+    ways, corners = faces()
+    angles = np.sort(ways @ ways.T, axis=1)[:, ::-1]
+    assert np.allclose(angles[:, 1:6], 5**-0.5) and np.allclose((ways * corners).sum(1), 0.0, atol=1e-12)
+    five = "Rnd 1: 5 sc in MR (5)\nRnd 2: inc x 5 (10)\nRnd 3: 2 dc in each st around (20)\nRnd 4: 2 dc in each st around (40)\nFasten off.\n"
+    for title, ball in (("Blossom ball", True), ("Coasters", False)):
+        built = build(read_printed(Text(f"{title}\n\nMOTIF (make 12)\n{five}\nSew motifs together.\n", "toy.txt")))
+        joining = prepare(built)
+        assert (joining is not None and joining.joins) == ball
+
+
+def test_a_ball_of_motifs_is_as_high_as_it_is_wide() -> None:
+    from tambour.crochet.finish.joining import join
+    from tambour.crochet.settle.arrange import parts
+
+    five = "Rnd 1: 5 sc in MR (5)\nRnd 2: inc x 5 (10)\nRnd 3: 2 dc in each st around (20)\nRnd 4: 2 dc in each st around (40)\nFasten off.\n"
+    built = build(read_printed(Text(f"Ball\n\nMOTIF (make 12)\n{five}", "toy.txt")))
+    joining = prepare(built)
+    assert joining is not None
+    joined = join(joining, joining.spots.layout, parts(built.graph))
+    size = np.ptp(joined.x, axis=0)
+    assert size.max() < 1.15 * size.min()
+    pairs = np.concatenate(joined.seams)
+    owner = built.graph.part[pairs]
+    assert (owner[:, 0] != owner[:, 1]).all() and len(
+        {tuple(sorted(p)) for p in owner.tolist()}
+    ) == 30  # its thirty sides
+
+
+@pytest.mark.parametrize(
+    ("said", "name", "copies"),
+    [
+        ("Sew legs on bottom of body. Place front legs behind round 6 and back legs behind those.", "Legs", 4),
+        ("Sew arms to the sides of body.", "Arms", 2),
+        ("Sew ears to head.", "Body", 1),
+    ],
+)
+def test_a_part_without_a_heading_is_what_is_sewn_on_and_no_heading_names(said: str, name: str, copies: int) -> None:
+    pattern = read_printed(Text(f"Lamb\n\n{TUBE}\nHEAD\n{CLOSED}\nEARS (make 2)\n{CUP}\nAssembly\n{said}\n", "toy.txt"))
+    assert (pattern.parts[0].name, pattern.parts[0].copies) == (name, copies)

@@ -72,7 +72,7 @@ def toy(piece: Plush) -> Mesh:
 def gathered(graph: StitchGraph, x: Array, wanted: Array) -> Array:
     """How far (N, 3), mm, to move every node so that the toys in sight stand together as for one photograph.
 
-    Up to three stand in a row, more in two rows. wanted : (P,) which parts are in sight
+    Up to three stand in a row, more in two rows, the higher ones behind. wanted : (P,) which parts are in sight
     """
     import numpy as np
 
@@ -80,7 +80,7 @@ def gathered(graph: StitchGraph, x: Array, wanted: Array) -> Array:
 
     label, shift = clusters(graph), np.zeros_like(x)
     groups = [np.flatnonzero((label == k) & wanted[graph.part]) for k in range(int(label.max(initial=-1)) + 1)]
-    groups = [nodes for nodes in groups if len(nodes)]
+    groups = sorted((nodes for nodes in groups if len(nodes)), key=lambda nodes: -float(np.ptp(x[nodes, 1])))
     if len(groups) < 2:
         return shift
     gap, floor = SPACE * graph.stitch_width, float(min(x[nodes, 1].min() for nodes in groups))
@@ -91,7 +91,6 @@ def gathered(graph: StitchGraph, x: Array, wanted: Array) -> Array:
         deep = max(float(np.ptp(x[nodes, 2])) for nodes in row)
         for nodes in row:
             low, high = x[nodes].min(0), x[nodes].max(0)
-            # Nothing stands before another: the second row is seen between those of the first.
             shift[nodes] = (right - low[0], floor - low[1], -behind - 0.5 * (low[2] + high[2]))
             right += high[0] - low[0] + gap
         for nodes in row:
@@ -107,12 +106,11 @@ def in_sight(piece: Plush) -> list[int] | None:
     """
     import re
 
-    from tambour.crochet.language.finishes import Placed
     from tambour.crochet.places.names import Made
     from tambour.crochet.settle.arrange import clusters
 
     graph, pattern = piece.built.graph, piece.built.pattern
-    if not pattern.terms or not any(isinstance(f, Placed) for f in pattern.finish):
+    if not pattern.terms or not (piece.joining is not None and piece.joining.joins):
         return None
     label = clusters(graph)
     filled = [k for k, part in enumerate(graph.parts) if part.end > part.start]

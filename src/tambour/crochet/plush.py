@@ -87,7 +87,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     from tambour.crochet.settle.body import centroid_counts
 
     stitch = (known.width, known.height)
-    if joining is not None and joining.steps:
+    if joining is not None and joining.joins:
         built = replace(built, graph=with_seams(built.graph, joining.pinched, stitch[0]))
     start = params.start or built.initializer or "rounds"
     longest = len(built.graph) * params.wait_steps

@@ -14,6 +14,7 @@ from tambour.core.check import Array
 from tambour.core.errors import Problem, TambourError
 from tambour.core.graph import SEWN, StitchGraph
 from tambour.crochet.finish import sewing
+from tambour.crochet.finish.globe import motifs, rolled
 from tambour.crochet.finish.placing import Frames, frames, level, standing
 from tambour.crochet.graph.assemble import SEWN_SHORT
 from tambour.crochet.graph.built import Built
@@ -36,6 +37,12 @@ class Joining:
     spots: Spots
     steps: tuple[tuple[Placed, sewing.End], ...]
     doubts: tuple[Problem, ...]  # of its spots
+    ball: tuple[int, ...] = ()  # parts that make a ball of motifs
+
+    @property
+    def joins(self) -> bool:
+        """Whether anything is sewn on."""
+        return bool(self.steps or self.ball)
 
     @property
     def pinched(self) -> Array:
@@ -72,7 +79,8 @@ def prepare(built: Built) -> Joining | None:
     one another in a circle.
     """
     finishes, text = built.pattern.finish, built.pattern.text
-    if not finishes:
+    ball = tuple(motifs(Spots(built))) if built.pattern.terms else ()
+    if not finishes and not ball:
         return None
     spots = Spots(built)
     problems = list(spots.problems(finishes))
@@ -102,7 +110,7 @@ def prepare(built: Built) -> Joining | None:
         order += [waiting.pop(p) for p in ready]
     if any(not p.warning for p in problems):
         raise TambourError(sorted(problems, key=lambda p: p.span.start if p.span else 0))
-    return Joining(built, spots, tuple((f, sewing.end_of(built, spots, f)) for f in order), tuple(problems))
+    return Joining(built, spots, tuple((f, sewing.end_of(built, spots, f)) for f in order), tuple(problems), ball)
 
 
 def prepare_what_stands(built: Built) -> tuple[Built, Joining | None]:
@@ -238,6 +246,10 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         group[body[other]].extend(group[body[part]])
         for b in group[body[other]]:
             group[b] = group[body[other]]
+    if joining.ball:
+        x, pairs, together = rolled(spots, x, list(joining.ball))
+        seams.append(pairs)
+        held += [(int(a), int(b)) for a, b in together]
     return Joined(
         x,
         upright,
@@ -245,7 +257,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         np.array(held, int).reshape(-1, 2),
         np.concatenate([np.zeros((0, 2), int), *stays]),
         np.concatenate([np.zeros(0), *rest]),
-        np.concatenate([np.zeros((0, 4), int), *(sewing.lying(shell, pairs) for pairs in seams)]),
+        np.concatenate([np.zeros((0, 4), int), *(sewing.lying(shell, pairs) for pairs in seams[: len(joining.steps)])]),
     )
 
 

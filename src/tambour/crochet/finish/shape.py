@@ -106,7 +106,7 @@ def placed(task: Task, x: Array, c: Array) -> tuple[Task, Array, Array, Joined |
     from tambour.crochet.finish.joining import join, with_seams
 
     joined, moved = None, x
-    if task.joining is not None and task.joining.steps:
+    if task.joining is not None and task.joining.joins:
         joined = join(task.joining, x, parts(task.graph))
         moved = joined.x
         task = replace(task, graph=with_seams(task.graph, np.concatenate(joined.seams), task.width))
@@ -165,7 +165,7 @@ def shaping(task: Task) -> Shaping:
             worked = len(work.body)
             work.finish()
             shape = replace(_measured(whole, work.state, worked < n), worked=worked)
-            if task.joining is None or not task.joining.steps:
+            if task.joining is None or not task.joining.joins:
                 return shape
             # Parts are sewn on once they are made: nothing is left to settle them by.
             _, x, c, joined = placed(task, shape.x, shape.c)

@@ -21,6 +21,8 @@ from tambour.crochet.places.toy import Assembled, Toy, versions
 _TOP: Final = re.compile(
     r"\b(?:begin|start|work)\w*\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:top|crown)|from (?:the )?top (?:to|down|of)|top[- ]down\b"
 )
+_CAPPED: Final = re.compile(r"\b(?:mushroom|toadstool|fungi|fungus|acorn)s?\b")
+"""Toys, by their titles, whose caps are full."""
 _AHEAD: Final = re.compile(
     r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?(?:tip of\s+(?:the\s+)?)?"
     r"(?:nose|snout|muzzle|front|bow|head end|face end)\b(?! (?:leg|paw|loop))"
@@ -144,6 +146,8 @@ class Assembly(Toy):
             if re.search(r"\bstuff", text[part.span.start : end]) and not made.worn:
                 continue
             counts = [r.count for r in self.built.rounds if r.part == self.spots.parts[f"{part.name}.1"]]
+            if made.kind == "hat" and _CAPPED.search(text[:200]):
+                continue
             disc = bool(counts) and counts[-1] == max(counts) and counts[-1] > 4 * len(counts)
             if disc or made.worn or made.kind in FLAT:
                 self.made.unstuffed.append(part.name)

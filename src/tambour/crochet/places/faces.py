@@ -58,7 +58,8 @@ class Facer(Putter):
             level = 0.5 * (f.where.rounds[0] + f.where.rounds[1])
             stitch = host.in_round(level, way.direction)
         else:
-            point = self._beside(f.where, host, way, 0.5)
+            aside = tuple(b for b in f.where.beside if "between" not in b[0])  # two are not in the middle of anything
+            point = self._beside(replace(f.where, beside=aside), host, way, 0.5)
             near = host.near(host.towards(way.direction) if point is None else point)
             level, stitch = near.round, near.stitch or 1.0
         middle, count = host.middle(level), host.count(level)

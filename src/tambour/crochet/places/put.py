@@ -194,6 +194,8 @@ class Putter(Beside):
             flat = self._flat(one, way)
             upright = flat and put.where.rounds is not None and abs(put.where.rounds[1] - put.where.rounds[0]) >= 2
             off = 0.5 * apart + (0.0 if upright else edge / 4 if flat else edge / (2.0 * math.pi))
+        if apart is not None and self._lies_name(host) and way.at[1] < -0.3:
+            middle += 0.5 * count  # legs of what lies: from the middle of its underside
         off = round(off, 3)
         low = replace(a, stitch=round(middle - off, 3))
         high = replace(a, stitch=round(middle + off, 3))

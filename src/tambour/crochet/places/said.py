@@ -52,7 +52,7 @@ _WHERE: Final[dict[str, str]] = {
     "top": r"\b(?:tops?|crown|upper part|very top|highest)\b(?! of (?:the )?(?:legs?|arms?|ears?|thighs?|last|first|sts?))",
     "bottom": r"\b(?:bottom|base|underside|beneath the body|under the body|underneath|lower edge|belly side)\b",
     "front": r"\b(?:front|facing forwards?|forehead|face side|chest)\b(?! (?:loops?|post|legs?|paws?|feet|flippers?|hooves|fins?))",
-    "back": r"\b(?:back|rear|backside|behind)\b(?! (?:loops?|post|st|stitch|legs?|paws?|feet|and forth|hooves|fins?))",
+    "back": r"\b(?:back|rear|backside|behind(?! (?:rounds?|rnds?|the \w+ rnd)))\b(?! (?:loops?|post|st|stitch|legs?|paws?|feet|and forth|hooves|fins?))",
     "sides": r"\b(?:sides|either side|each side|both sides|opposite sides?|on the sides?|to the side|each other side|one side|side of)\b",
     "left": r"\bleft\b(?! (?:open|over|long|for))",
     "right": r"\bright\b(?! (?:sides? (?:facing|out|together|of (?:the )?(?:work|fabric))|below|above|under|next|sides))",

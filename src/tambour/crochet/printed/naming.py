@@ -34,6 +34,24 @@ def _one(word: str) -> str:
     return word[:-1] if word.endswith("s") and len(word) > 3 else word
 
 
+def nameless_is(names: list[str], sentences: list[str]) -> tuple[str, int]:
+    """What the first part is that no heading names, and how often it is made: limbs that sentences sew on and that are no
+    other part, where the others are a toy; else its body."""
+    if not names:
+        return "piece", 1
+    kinds = {kind_of(_one(w)) for name in names for w in re.findall(r"[^\W\d_]+", name.lower())}
+    if kinds & {"head", "body"}:
+        for sentence in sentences:
+            for limb in re.finditer(
+                r"\b(?:sew|attach|place|position|pin)\s+(?:the\s+)?(?:(?:front|back|hind)\s+)?(legs|arms|wings)\b",
+                sentence.lower(),
+            ):
+                if kind_of(_one(limb[1])) not in kinds:
+                    both = re.search(r"\bfront\b.*\b(?:back|hind|rear)\b", " ".join(sentences).lower(), re.DOTALL)
+                    return limb[1].capitalize(), 4 if limb[1] == "legs" and both else 2
+    return ("piece" if "body" in {name.lower() for name in names} else "Body"), 1
+
+
 _FAR: Final = 900
 """Characters above a part's first round in which its heading may stand."""
 _TITLE: Final = re.compile(

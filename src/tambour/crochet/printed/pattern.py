@@ -23,6 +23,7 @@ from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import STARS, Head, heads
 from tambour.crochet.printed.items import works as worked
 from tambour.crochet.printed.mend import Found, agreed, is_start, mended
+from tambour.crochet.printed.naming import nameless_is
 from tambour.crochet.printed.opening import founding, opening
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.prose import NOT_UNDERSTOOD, WRAPPED, finishing, instructs, stuffed, text_line
@@ -75,8 +76,10 @@ class Printed(State):
             self.parts[-1].lines += self.lead
         self.parts = [draft for draft in self.parts if draft.begun()]
         if (self.sentences or len(self.parts) > 1) and self.parts and not self.parts[0].name:
-            taken = {draft.name.lower() for draft in self.parts}
-            self.parts[0].name = "piece" if len(self.parts) == 1 or "body" in taken else "Body"  # sentences want a name
+            words = [self.source.text.text[one.span.start : one.span.end] for one in self.sentences]
+            nameless = self.parts[0]  # sentences want a name
+            nameless.name, copies = nameless_is([draft.name for draft in self.parts[1:]], words)
+            nameless.copies = max(nameless.copies, copies)
         for draft in self.parts:
             draft.dye(self.palette, self.source.text.text)
         sections = tuple(draft.section(source) for draft in self.parts)
