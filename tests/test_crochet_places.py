@@ -642,3 +642,30 @@ def test_a_ball_of_motifs_is_as_high_as_it_is_wide() -> None:
 def test_a_part_without_a_heading_is_what_is_sewn_on_and_no_heading_names(said: str, name: str, copies: int) -> None:
     pattern = read_printed(Text(f"Lamb\n\n{TUBE}\nHEAD\n{CLOSED}\nEARS (make 2)\n{CUP}\nAssembly\n{said}\n", "toy.txt"))
     assert (pattern.parts[0].name, pattern.parts[0].copies) == (name, copies)
+
+
+@pytest.mark.parametrize(
+    ("seam", "upright"),
+    [
+        ("Sew edges of first and last rows tog.", True),
+        ("Sew side edges together to form tube.", False),
+        ("Sew first and last rows together, do not fill.", None),
+    ],
+)
+def test_a_stuffed_piece_in_rows_whose_edges_are_sewn_is_a_tube(seam: str, upright: bool | None) -> None:
+    rows = "Ch 13.\nRow 1: sc in 2nd ch from hook and in each ch across, turn (12)\nRows 2-16: ch 1, sc across, turn (12)\nFasten off.\n"
+    stuff = "" if upright is None else " Stuff body."
+    text = f"Cactus\n\nBODY\n{rows}{seam}{stuff}\n\nTAIL\n{TUBE}\nAssembly\nSew tail to body.\n"
+    built = build(read_printed(Text(text, "toy.txt")))
+    body = built.graph.parts[0]
+    x = Spots(built).layout[body.start : body.end]
+    size = np.ptp(x, axis=0)
+    if upright is None:
+        assert not len(built.sewn) and size[2] < 1.0
+        return
+    assert len(built.sewn) >= 12
+    high, round_ = (12, 17) if upright else (17, 12)
+    assert abs(size[1] - high) < 2.5 and abs(size[0] - round_ / np.pi) < 1.2 and abs(size[2] - round_ / np.pi) < 1.2
+    faces = built.graph.faces[(built.graph.faces < body.end).all(1)]
+    a, b, c = (x[faces[:, k]] - x.mean(0) for k in range(3))
+    assert (a * np.cross(b, c)).sum() > 0.0  # its right side is outside

@@ -23,6 +23,8 @@ from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, 
 from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.surface import vertex_normals
 
+TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corps|hoofd|lichaam)\b")
+"""Names of parts that are filled, and closed if nothing is sewn to their end."""
 GATHER = 8
 """An edge of fewer stitches closes by itself."""
 APART = 1.0
@@ -137,8 +139,6 @@ def _spots(finish: Finish) -> tuple[Spot, ...]:
 
 def shut(spots: Spots, steps: Sequence[tuple[Placed, sewing.End]]) -> list[Array]:
     """Pairs (K, 2) for every stuffed head or body of a printed toy that stays open: hands sew it shut, flat from side to side."""
-    from tambour.crochet.places.names import Made
-
     built, found = spots.built, list[Array]()
     graph, pattern = built.graph, built.pattern
     if not pattern.terms or not re.search(r"\bstuff|\bfiber\s?fil", pattern.text.text.lower()):
@@ -148,12 +148,7 @@ def shut(spots: Spots, steps: Sequence[tuple[Placed, sewing.End]]) -> list[Array
     crossing = graph.edges[graph.part[graph.edges[:, 0]] != graph.part[graph.edges[:, 1]]]
     for k, fact in enumerate(built.parts):
         section = pattern.parts[fact.section]
-        if (
-            k in taken
-            or section.stuffing == 0.0
-            or spots.in_rows[k]
-            or Made(section.name, 1).kind not in ("head", "body")
-        ):
+        if k in taken or section.stuffing == 0.0 or spots.in_rows[k] or not TRUNK.search(section.name.lower()):
             continue
         for edge in (spots.rim(k), spots.begun(k)):
             free = len(edge) >= GATHER and not any(set(edge.tolist()) & nodes for nodes in used)

@@ -18,6 +18,10 @@ from tambour.crochet.finish.placing import Frames
 
 _SATIN: Final = frozenset(("eyes", "nose", "cheeks"))
 """Motifs that are filled, thread beside thread."""
+_FORM: Final = {"eyes": 1.25, "nose": 0.64, "cheeks": 0.6}
+"""How high they are for their width."""
+_ODD: Final = 0.6
+"""The share of that by which they may differ, either way."""
 _CURVED: Final = {"smile": 0.24, "mouth": 0.1, "closed eyes": 0.3}
 """Motifs that are arcs, and how deep they hang for their width at the least."""
 _BESIDE: Final = 0.72
@@ -69,6 +73,9 @@ def _satin(flat: Array, name: str, width: float) -> list[Array]:
     """Threads side by side within an oval, or, a nose, within a rounded triangle that stands on its tip."""
     low, high = flat.min(0), flat.max(0)
     half = np.maximum(0.5 * (high - low), 0.9 * width)
+    # Fabric that is stretched one way does not stretch a face: the longer of its sides gives in.
+    form = half[1] / half[0] / _FORM[name]
+    half = half * ((form / _ODD, 1.0) if form < _ODD else (1.0, min(1.0, 1.0 / (_ODD * form))))
     middle = 0.5 * (high + low)
     across = 0 if name == "eyes" else 1  # threads of eyes are upright, of noses and cheeks level
     count = max(3, 2 * round(half[across] / (_BESIDE * width)) // 1 + 1)

@@ -12,7 +12,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import JOIN, ROOT, THROUGH, TIP, StitchGraph
-from tambour.crochet.graph import ovals
+from tambour.crochet.graph import ovals, rolls
 
 LEAST_RISE = 0.3
 """The share of a row's height that a round lies above the one before, however much wider it is; openwork lies flat."""
@@ -64,7 +64,7 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
 
     A round of n stitches is a horizontal ring of radius n / 2π about the middle of the stitches it is worked into,
     turned so that its stitches stand over theirs, and higher than those by √(h² - ΔR²), at least 0.3 h, where ΔR is
-    the change of radius and h the height of its stitches. Rows that are turned and never joined lie flat instead;
+    the change of radius and h the height of its stitches. Rows that are turned and never joined lie flat instead, or are rolled where edges of the piece are sewn to each other;
     rounds about a chain are stadiums, as long as it; an opening closed through both layers is a line.
     """
     n = len(graph)
@@ -151,6 +151,9 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         if b - a > 1:
             place = forks.clear(k, np.unique(section[under]), place, radius, part)
         x[nodes] = place + np.column_stack([radius * np.cos(angle), np.zeros(b - a), radius * np.sin(angle)])
+    for part in np.flatnonzero(in_rows(graph)).tolist():
+        if part not in known:
+            rolls.roll(graph, x, part)
     for part, key in keys.items():
         if part not in known:
             _laid[key] = x[graph.parts[part].start : graph.parts[part].end].copy()
@@ -180,7 +183,7 @@ def _keys(graph: StitchGraph, heights: Array, flat: Array, least: Array, folded:
         held = [
             graph.round[own] - graph.round[p.start], graph.peculiarity[own], graph.direction[own], heights[own],
             graph.previous[own] - p.start, graph.parent[own] - p.start, folded[own], np.diff(offsets[p.start : p.end + 1]),
-            graph.anchors[offsets[p.start] : offsets[p.end]] - p.start, graph.edges[of_edge == k] - p.start,
+            graph.anchors[offsets[p.start] : offsets[p.end]] - p.start, graph.edges[of_edge == k] - p.start, graph.edge_kind[of_edge == k],
             np.array([flat[k], least[k] > 0.0]),
         ]  # fmt: skip
         digest = blake2b(digest_size=16)

@@ -60,7 +60,13 @@ class Facer(Putter):
         else:
             aside = tuple(b for b in f.where.beside if "between" not in b[0])  # two are not in the middle of anything
             point = self._beside(replace(f.where, beside=aside), host, way, 0.5)
-            near = host.near(host.towards(way.direction) if point is None else point)
+            there = host.towards(way.direction) if point is None else point
+            if self.work.spots.in_rows[host.part]:  # its rows may run upwards
+                apart = self._apart(f.where)
+                beside = abs(float(there[0] - host.box[0][0])) if apart is None else 0.5 * apart
+                sides = [host.ahead(float(host.box[0][0]) + s * beside, float(there[1])) for s in (-1.0, 1.0)]
+                return [replace(host.near(p), span=f.span) for p in sides]
+            near = host.near(there)
             level, stitch = near.round, near.stitch or 1.0
         middle, count = host.middle(level), host.count(level)
         apart = self._apart(f.where)

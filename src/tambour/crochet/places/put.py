@@ -183,7 +183,7 @@ class Putter(Beside):
     ) -> list[tuple[Copy, tuple[Spot, Way]]]:
         """Two copies: mirrored about the middle of the front, as far apart as is said; the lower stitch comes first."""
         (one, (a, way)), (other, (b, mirror)) = both
-        if a.stitch is None or b.stitch is None:
+        if a.stitch is None or b.stitch is None or (self.work.spots.in_rows[host.part] and put.where.rounds is None):
             return both
         middle = host.middle(a.round)
         count = host.count(a.round)

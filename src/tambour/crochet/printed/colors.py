@@ -5,10 +5,15 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from tambour.core.errors import Span
 from tambour.core.rgb import RGB, unhexed
+from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.items import works
 from tambour.crochet.printed.shades import dyed, listed, said, shade
 
+_HEADING: Final = 400
+"""Letters of a part's heading that may name its yarn."""
 # Letters without a meaning of their own get these, one after the other.
 LETTERS: Final = ("mc", "cc", "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "ca", "cb", "cd", "ce", "c1", "c2")
 _SHADES: Final[tuple[RGB, ...]] = (
@@ -116,3 +121,13 @@ def numbered(palette: Palette, line: str) -> bool:
         if (hue := dyed(name)) is not None:
             palette.given.setdefault(letter, hue)
     return bool(found or lettered)
+
+
+def dyeing(lines: list[Line], heading: Span, palette: Palette, text: str) -> list[Line]:
+    """The line that gives rounds which name no yarn that of their heading, else the pattern's main one; none where one is named."""
+    first = next((i for n in lines for i in n.items if works(i) or (isinstance(i, Action) and i.name == "color")), None)
+    if isinstance(first, Action) and first.name == "color":
+        return []
+    begin = lines[0].span.start if lines else heading.end
+    hue = palette.first(text[heading.start : max(begin, heading.end)][:_HEADING]) or palette.main
+    return [] if hue is None else [Line((Action("color", heading, numbers=hue),), heading, False)]

@@ -10,7 +10,6 @@ from tambour.crochet.graph.hook import MOST_AT_TIP
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import into_one
 from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Section, written
-from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.curls import rooted
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.doubts import after, chainless, reached, rounds_until
@@ -38,7 +37,6 @@ _CLOSED = (
     8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
 )
 _MARKED = 50  # rounds that a marked stitch is followed through
-_HEADING = 400  # letters of a part's heading that may name its yarn
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
 
 
@@ -470,18 +468,6 @@ class Draft:
             self.off, self.ends = None, ""
 
     # -- the part ---------------------------------------------------------------------------------------------------
-
-    def dye(self, palette: Palette, text: str) -> None:
-        """Rounds that name no yarn are worked in that of their heading, else in the pattern's main one."""
-        first = next(
-            (i for n in self.lines for i in n.items if works(i) or (isinstance(i, Action) and i.name == "color")), None
-        )
-        if isinstance(first, Action) and first.name == "color":
-            return
-        begin = self.lines[0].span.start if self.lines else self.span.end
-        hue = palette.first(text[self.span.start : max(begin, self.span.end)][:_HEADING]) or palette.main
-        if hue is not None:
-            self.lines.insert(0, Line((Action("color", self.span, numbers=hue),), self.span, False))
 
     def section(self, source: Source) -> Section:
         """The part, its end closed or open."""

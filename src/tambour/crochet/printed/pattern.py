@@ -11,11 +11,13 @@ from tambour.crochet.language.finishes import GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import MOST
 from tambour.crochet.language.tree import Action, Again, Group, Line, Pattern
+from tambour.crochet.places.tubes import closed
 from tambour.crochet.printed.anew import anew
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.bases import MOST as _MOST
 from tambour.crochet.printed.bases import based, elsewhere, is_first
 from tambour.crochet.printed.beyond import EDGED
+from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import works
@@ -81,7 +83,7 @@ class Printed(State):
             nameless.name, copies = nameless_is([draft.name for draft in self.parts[1:]], words)
             nameless.copies = max(nameless.copies, copies)
         for draft in self.parts:
-            draft.dye(self.palette, self.source.text.text)
+            draft.lines[:0] = dyeing(draft.lines, draft.span, self.palette, self.source.text.text)
         sections = tuple(draft.section(source) for draft in self.parts)
         self._colors_told()
         pattern = Pattern(
@@ -103,6 +105,7 @@ class Printed(State):
             for problem in found.doubts:
                 source.doubt(problem.message, problem.hint, problem.span or Span(0, 0))
             if built is not None:
+                built = closed(built)
                 pattern = self._assemble(pattern, built, usual)
         errors = [p for p in (*source.problems, *self.unread) if not p.warning]
         if errors:
