@@ -8,6 +8,7 @@ changes, and sweeps over the rows with their pairs fixed end it. Errors are take
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -201,6 +202,22 @@ def masks(task: Task) -> tuple[Array, Array, float]:
     return task.knit, task.relaxed, float(FORBIDDEN) if task.soft is None else task.soft
 
 
+def each_pair(
+    task: Task, aim: Array, space: Array, possible: Array, eye: percept.Eye
+) -> Callable[[int, Array, Array, Array], None]:
+    """What fills ``costs`` (N,) and ``out`` (N, C) of row y: the least error with each of N pairs, and its stitches; all other
+    rows are as ``error`` (R, C, 3) has them: called as (y, error, costs, out)."""
+    table = percept.trellis(eye.across, eye.down)
+    knit, relaxed, soft = masks(task)
+    first, ways = space[possible[:, 0]], space[possible[:, 1]] - space[possible[:, 0]]
+    law = (task.limit, task.free, task.cap)
+
+    def row(y: int, error: Array, costs: Array, out: Array) -> None:
+        pair_rows(y, error, aim, first, ways, knit, relaxed, soft, *law, eye.across, eye.down, table, costs, out)
+
+    return row
+
+
 def first_pass(
     task: Task, aim: Array, space: Array, possible: Array, eye: percept.Eye, price: float, fixed: Array
 ) -> tuple[Array, Array, Array]:
@@ -209,30 +226,11 @@ def first_pass(
     bits = np.zeros((rows, stitches), np.uint8)
     error = np.zeros(aim.shape, np.float32)
     chosen = np.zeros(rows, np.int64)
-    table = percept.trellis(eye.across, eye.down)
-    knit, relaxed, soft = masks(task)
-    ways = space[possible[:, 1]] - space[possible[:, 0]]
+    row = each_pair(task, aim, space, possible, eye)
     for y in range(rows):
         costs = np.zeros(len(possible))
         out = np.zeros((len(possible), stitches), np.uint8)
-        pair_rows(
-            y,
-            error,
-            aim,
-            space[possible[:, 0]],
-            ways,
-            knit,
-            relaxed,
-            soft,
-            task.limit,
-            task.free,
-            task.cap,
-            eye.across,
-            eye.down,
-            table,
-            costs,
-            out,
-        )
+        row(y, error, costs, out)
         if y and price:
             costs[np.arange(len(possible)) != chosen[y - 1]] += price
         k = int(costs.argmin()) if fixed[y] < 0 else int(fixed[y])
@@ -254,29 +252,10 @@ def table_of(
     task: Task, aim: Array, space: Array, possible: Array, eye: percept.Eye, error: Array, costs: Array
 ) -> None:
     """Fill ``costs`` (R, N): the least error of each row with each pair, all other rows as they are."""
-    table = percept.trellis(eye.across, eye.down)
-    knit, relaxed, soft = masks(task)
-    ways = space[possible[:, 1]] - space[possible[:, 0]]
+    row = each_pair(task, aim, space, possible, eye)
     out = np.zeros((len(possible), aim.shape[1]), np.uint8)
     for y in range(len(aim)):
-        pair_rows(
-            y,
-            error,
-            aim,
-            space[possible[:, 0]],
-            ways,
-            knit,
-            relaxed,
-            soft,
-            task.limit,
-            task.free,
-            task.cap,
-            eye.across,
-            eye.down,
-            table,
-            costs[y],
-            out,
-        )
+        row(y, error, costs[y], out)
 
 
 def sweep(task: Task, aim: Array, space: Array, pairs: Array, bits: Array, eye: percept.Eye, sweeps: int) -> Array:
