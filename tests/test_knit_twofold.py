@@ -53,6 +53,44 @@ def test_rows_are_the_best_of_all_rows():
     assert proven >= 0.9 * tried > 30
 
 
+def best_by_every_state(cost, use, cross):
+    """The least cost of a lawful row, by all states there are: last uses of the yarns, and where the last crossing begins."""
+    n, yarns = cost.shape
+    states = {((-1,) * yarns, -1): 0.0}
+    for t in range(n):
+        after = {}
+        for (last, pair), paid in states.items():
+            for k in range(yarns):
+                begun = max(pair, last[k]) if last[k] >= 0 and (t - last[k]) % 2 else pair
+                now = (*last[:k], t, *last[k + 1 :])
+                if min(now) >= t - use + 1 - (t < use - 1) and (t < cross - 1 or begun > t - cross):
+                    after[now, begun] = min(after.get((now, begun), np.inf), paid + cost[t, k])
+        states = after
+    return min(states.values())
+
+
+@pytest.mark.parametrize(
+    "yarns, use, cross, n", [(2, 4, 9, 60), (3, 4, 7, 60), (3, 5, 8, 40), (4, 5, 9, 30), (4, 6, 6, 24)]
+)
+def test_long_rows_with_many_windows_open_are_the_best_by_every_state(yarns, use, cross, n):
+    rng = np.random.default_rng(use)
+    room = twofold.Room.of(n, yarns, use, cross)  # kept from row to row: what a row leaves there is not the next one's
+    for faces_apart in (0.0, 0.6, 3.0):
+        cost = rng.random((n, yarns))
+        cost[::2, : yarns // 2] += faces_apart
+        cost[1::2, yarns // 2 :] += faces_apart
+        row, sure = twofold.solve(cost, room)
+        assert lawful(row, yarns, use, cross) and sure
+        assert cost[np.arange(n), row].sum() == pytest.approx(best_by_every_state(cost, use, cross), abs=1e-3)
+
+
+def test_any_number_of_yarns_has_a_room():
+    for yarns in range(1, 9):
+        use = min(yarns + 4, twofold.widest(yarns))
+        row, sure = twofold.solve(np.random.default_rng(yarns).random((40, yarns)), twofold.Room.of(40, yarns, use, 24))
+        assert lawful(row, yarns, use, 24) and sure
+
+
 def photo(rows, stitches, seed):
     small = np.random.default_rng(seed).integers(0, 256, (7, 7, 3), dtype=np.uint8)
     return np.asarray(Image.fromarray(small).resize((stitches, rows), Image.Resampling.BICUBIC))

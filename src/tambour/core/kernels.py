@@ -300,7 +300,7 @@ def numba_types(function: Callable[..., Any]) -> tuple[Any, ...]:
     def made(kind: Any) -> Any:
         what, how = kind
         if isinstance(what, type):
-            return types.NamedTuple([made(field) for field in how], what)
+            return types.BaseTuple.from_types([made(field) for field in how], what)
         element = from_dtype(np.dtype(what))
         return types.Array(element, how, "C") if how else element
 

@@ -40,7 +40,7 @@ def make(layout: Layout, style: Style, params: KnitParams, progress: Progress) -
         palette = wools.chosen(np.concatenate([front, back]), params, style.flat)
         light = color.linear(np.arange(256) / 255).astype(np.float32)
         aim = np.stack([light[front], light[back]], 2).reshape(rows, 2 * stitches, 3)
-    use = params.use_within or len(palette) + MORE
+    use = params.use_within or min(len(palette) + MORE, twofold.widest(len(palette)))
     # What no row can show would only be seen through the other picture: both are drawn in to the most that one yarn may
     # have of a row where both faces want it.
     middle = light[palette.rgb].mean(0)

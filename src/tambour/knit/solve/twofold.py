@@ -4,41 +4,43 @@ A row's stitches lie in one line, front and back by turns. In every ``use`` of t
 that none floats far; in every ``cross`` some yarn is used on both faces, so that the two cloths hold together. These are
 the rules of co-dithering for jacquard (Xu and McCann 2025); the method is our own.
 
-The first law is a shortest path over (yarn in use, last use of each other yarn). Last uses are told by the slot of their
-time, modulo the ``A`` = use - 1 stitches that count, so that time passes without anything being moved: at each stitch only
-those states change in which the yarn before it was another. The second law is asked for only where it is broken: a
-window without a crossing is added as a flag of the state, and the row is solved again, until no window is broken. What
-is optimal among fewer laws and keeps all of them is optimal.
+The first law is a shortest path (:mod:`uses`). The second is asked for only where it is broken: windows without a crossing
+are added, and the row is solved again from there, until none is broken. What is optimal among fewer laws and keeps all of
+them is optimal.
 """
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from dataclasses import dataclass
+from math import perm
 
 import numpy as np
 
-from tambour.core.arrays import B1x1, I4x1, I4x2, I8x1, U1x1
+from tambour.core.arrays import B1x1, I8x1
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.kernels import kernel
+from tambour.knit.solve.uses import CODE, COSTS, LANES, OPEN, SLOTS, STEP, Ways, solve_row, ways
+from tambour.knit.task import NONE
 
-CODE = 128  # costs are multiples of it: below stand where a value came from, slot + 16 * flags
-INFINITE = 1 << 30
-FLAGS = 3  # windows at most that are open at a time
-ROUNDS = 3  # in which windows are added; then windows enough for all take their place
-LARGEST = 1 << 21  # states of a row
-BY_KIND = 16  # use - 1 at most
+ROUNDS = 8  # in which windows are added; then windows enough for all take their place
+LARGEST = 50_000  # states of a row, the yarn in use not counted
+MEMORY = 1 << 29  # bytes at most of where values came from
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(eq=False, slots=True)
 class Room:
-    """What a row needs to be solved in, kept from row to row; see :func:`solve_row`."""
+    """What a row needs to be solved in, kept from row to row; see :func:`uses.solve_row`."""
 
     stitches: int
     yarns: int
     use: int
     cross: int
-    values: dict[int, tuple[Array, Array, Array, Array]]
+    slots: int
+    ways: Ways
+    levels: int = 0
+    arrays: tuple[Array, Array, Array, Array] = (NONE, NONE, NONE, NONE)
 
     @classmethod
     def of(cls, stitches: int, yarns: int, use: int, cross: int) -> Room:
@@ -47,75 +49,85 @@ class Room:
             raise TambourError(
                 f"{yarns} yarns cannot all be used in {use} stitches", hint=f"at least {yarns}", where="{--use-within}"
             )
-        if use - 1 > BY_KIND or yarns * (use - 1) ** (yarns - 1) > LARGEST:
-            most = max(u for u in range(yarns, BY_KIND + 2) if yarns * (u - 1) ** (yarns - 1) <= LARGEST)
+        if use > widest(yarns):
             raise TambourError(
                 f"{yarns} yarns used within {use} stitches are more than can be solved exactly",
-                hint=f"at most {most} with {yarns} yarns",
+                hint=f"at most {widest(yarns)} with {yarns} yarns",
                 where="{--use-within}",
             )
-        return cls(stitches, yarns, use, cross, {})
+        # A row that is shorter than the law has no window of it: slots enough that no use is ever too long ago.
+        slots = use - 1 if stitches >= use else stitches + yarns - 2
+        return cls(stitches, yarns, use, cross, slots, ways(slots, max(1, yarns - 1)))
 
-    def arrays(self, flags: int) -> tuple[Array, Array, Array, Array]:
-        """Values, minima, where they came from, and what merged, for so many combinations of flags."""
-        if flags not in self.values:
-            a, n = self.use - 1, self.yarns - 1
-            states, rest = self.yarns * a**n, self.yarns * n * a ** max(0, n - 1)
-            self.values[flags] = (
-                np.zeros(flags * states, np.int32),
-                np.zeros(flags * rest, np.int32),
-                np.zeros(self.stitches * flags * rest, np.uint8),
-                np.zeros(self.stitches * flags * states if flags > 1 else 1, np.uint8),
-            )
-        return self.values[flags]
+    def sizes(self) -> tuple[int, int]:
+        """How many values a level has, and how many of them are new at each stitch."""
+        return LANES * perm(self.slots, self.yarns - 1), LANES * (self.ways.went.size // self.slots)
+
+    def open(self) -> int:
+        """How many windows may be open at a time."""
+        return max(2, min(OPEN, MEMORY // (self.stitches * sum(self.sizes())) - 1))
+
+    def grown(self, levels: int) -> bool:
+        """Whether there was no room yet for so many levels: none, one, two ... windows wait."""
+        if levels <= self.levels:
+            return False
+        values, new = self.sizes()
+        self.levels = levels
+        self.arrays = (
+            np.zeros(levels * values, np.int32),
+            np.zeros(levels * self.stitches * new, np.uint8),
+            np.zeros(levels * self.stitches * values if levels > 1 else 1, np.uint8),
+            np.zeros((self.stitches // STEP + 1) * (values + LANES), np.int32),
+        )
+        return True
+
+
+def widest(yarns: int) -> int:
+    """The most stitches within which so many yarns can be asked for."""
+    return max(use for use in range(yarns, SLOTS + 2) if perm(use - 1, yarns - 1) <= LARGEST)
 
 
 def solve(cost: Array, room: Room) -> tuple[Array, bool]:
     """(N,) the yarns of the row of least total ``cost`` (N, K) float under the laws, and whether that is proven.
 
-    It is not where ``ROUNDS`` of windows or ``FLAGS`` open at a time do not suffice: there windows of two thirds, every
-    third, stand for all, which asks a little more than the law.
+    It is not where ``ROUNDS`` of windows, or as many at a time as there is room for, do not suffice: there windows of two thirds, every third,
+    stand for all, which asks a little more than the law.
     """
     n = len(cost)
-    scale = (INFINITE // CODE - 1) / max(1e-9, float(cost.max(axis=1).sum()))
+    if room.yarns == 1:
+        return np.zeros(n, np.int64), True
+    scale = (COSTS // CODE - 1) / max(1e-9, float(cost.max(axis=1).sum()))
     whole = np.ascontiguousarray(np.floor(cost * min(scale, 1e6)) * CODE, np.int32)
     out = np.zeros(n, np.int64)
     starts: list[int] = []
-    span = room.cross
+    span, begin = room.cross, 0
     for turn in range(ROUNDS + 1):
-        bits = _bits(starts, span)
-        if turn == ROUNDS or max(bits, default=0) >= FLAGS:
+        if turn == ROUNDS or most_open(starts, span) > room.open():
             third = max(1, (room.cross + 1) // 3)
-            span = max(2, 2 * third)
+            span, begin = max(2, 2 * third), 0
             starts = list(range(0, max(1, n - room.cross + third + 1), third))
-            bits = [k % 2 for k in range(len(starts))]
-        flags = 1 << (max(bits) + 1 if bits else 0)
-        solve_row(
-            whole,
-            room.use - 1,
-            span,
-            flags,
-            np.array(starts, np.int64),
-            np.array(bits, np.int64),
-            *room.arrays(flags),
-            out,
-        )
+        if room.grown(most_open(starts, span) + 1):
+            begin = 0
+        solve_row(whole, room.slots, span, np.array(starts, np.int64), begin, room.ways, *room.arrays, out)
         if out[0] < 0:
             raise impossible(room)
-        if span != room.cross:
-            break
         broken = np.zeros(n, np.bool_)
         uncrossed(out, room.cross, broken)
-        more = _apart(np.flatnonzero(broken).tolist(), room.cross)
-        if not more:
-            return out, True
-        if set(more) <= set(starts):
+        more = apart(np.flatnonzero(broken).tolist(), max(1, room.cross // 3))
+        if (span != room.cross and more) or set(more) & set(starts):
             raise impossible(room)
+        if not more:
+            break
+        begin = more[0] // STEP * STEP
+        while any(s < begin <= s + span for s in starts):
+            begin -= STEP
         starts = sorted({*starts, *more})
-    uncrossed(out, room.cross, broken := np.zeros(n, np.bool_))
-    if broken.any():
-        raise impossible(room)
-    return out, False
+    return out, span == room.cross
+
+
+def most_open(starts: list[int], span: int) -> int:
+    """How many windows are open at a time, at most; ``starts`` in order."""
+    return max((k + 1 - bisect_right(starts, s - span) for k, s in enumerate(starts)), default=0)
 
 
 def impossible(room: Room) -> TambourError:
@@ -127,23 +139,12 @@ def impossible(room: Room) -> TambourError:
     )
 
 
-def _apart(starts: list[int], span: int) -> list[int]:
-    """Of the windows that begin at ``starts``, the first, and each next that does not overlap the one before."""
+def apart(starts: list[int], span: int) -> list[int]:
+    """Of the windows that begin at ``starts``, the first, and each next that begins ``span`` and more after the one before."""
     out: list[int] = []
     for s in starts:
         if not out or s >= out[-1] + span:
             out.append(s)
-    return out
-
-
-def _bits(starts: list[int], span: int) -> list[int]:
-    """A flag for each window, its own as long as it is open."""
-    until: list[int] = []
-    out = []
-    for s in starts:
-        free = next((k for k, end in enumerate(until) if end <= s), len(until))
-        until[free : free + 1] = [s + span]
-        out.append(free)
     return out
 
 
@@ -160,225 +161,3 @@ def uncrossed(row: I8x1, cross: int, broken: B1x1) -> None:
         last[k] = t
         if t >= cross - 1 and pair < t - cross + 1:
             broken[t - cross + 1] = True
-
-
-@kernel
-def at_or_before(t: int, slot: int, a: int) -> int:
-    """The last time up to ``t`` (-1 and later) whose slot is ``slot``."""
-    return t - (t - slot) % a
-
-
-@kernel
-def opened(since: int, t: int, starts: I8x1, bits: I8x1, cross: int) -> int:
-    """Flags of the windows open at ``t`` that begin at ``since`` or before."""
-    found = 0
-    for k in range(starts.size):
-        if starts[k] <= since and t < starts[k] + cross:
-            found |= 1 << bits[k]
-    return found
-
-
-@kernel
-def least(
-    V: I4x1, M: I4x1, first: int, into: int, pairs: int, a: int, inner: int, rest: int, f: int, gain: I8x1
-) -> None:  # fmt: skip
-    """Minima of ``V`` over the slots of one axis, each to the flags that it gains. Places are unsigned: so Numba need not
-    ask whether they count from the end, and loops become vectors."""
-    wide, slots = np.uint64(inner), np.uint64(a)
-    plain = True
-    for s in range(a):
-        plain &= gain[s] == 0
-    if plain:
-        to = np.uint64(f * pairs + into)
-        code = np.int32(16 * f)
-        for o in range(np.uint64(rest // inner)):
-            v, m = np.uint64(first) + o * slots * wide, to + o * wide
-            if wide == 1:
-                best = V[v]
-                for s in range(np.uint64(1), slots):
-                    best = min(best, V[v + s] + np.int32(s))
-                M[m] = best + code
-                continue
-            for i in range(wide):
-                M[m + i] = V[v + i] + code
-            for s in range(np.uint64(1), slots):
-                part, mark = v + s * wide, np.int32(s) + code
-                for i in range(wide):
-                    M[m + i] = min(M[m + i], V[part + i] + mark)
-        return
-    for s in range(a):
-        to = np.uint64((f | gain[s]) * pairs + into)
-        code = np.int32(s + 16 * f)
-        for o in range(np.uint64(rest // inner)):
-            v, m = np.uint64(first) + (o * slots + np.uint64(s)) * wide, to + o * wide
-            for i in range(wide):
-                M[m + i] = min(M[m + i], V[v + i] + code)
-
-
-@kernel
-def settle(
-    V: I4x1, M: I4x1, P: U1x1, late: B1x1, m: int, w: int, place: int, dropped: int, rest: int, a: int, inner: int, shift: int
-) -> None:  # fmt: skip
-    """The minima at ``m`` become the states at ``place`` whose slot is the stitch before; those too late are none."""
-    many, wide, slots = np.uint64(rest), np.uint64(inner), np.uint64(a)
-    from_, to, at, gone = np.uint64(m), np.uint64(w), np.uint64(place), np.uint64(dropped)
-    move = np.int32(shift)
-    for j in range(many):
-        P[to + j] = np.uint8(M[from_ + j] & np.int32(CODE - 1))
-    for j in range(many):
-        value = M[from_ + j]
-        kept = (value & np.int32(~(CODE - 1))) + move
-        M[from_ + j] = np.int32(INFINITE) if late[gone + j] or value >= np.int32(INFINITE) else kept
-    for o in range(many // wide):
-        for i in range(wide):
-            V[at + o * slots * wide + i] = M[from_ + o * wide + i]
-
-
-@kernel
-def solve_row(
-    cost: I4x2, a: int, cross: int, flags: int, starts: I8x1, bits: I8x1,
-    V: I4x1, M: I4x1, P: U1x1, Q: U1x1, out: I8x1,
-) -> None:  # fmt: skip
-    """The row of least ``cost`` (N, K), multiples of CODE, in ``out``.
-
-    Each yarn is used in any a + 1 stitches, and each window of ``starts``, ``cross`` stitches long, holds a pair of both
-    faces; ``bits`` are their flags, set once that is so (and while no window is open). V : values by (flags, yarn, slots
-    of the other yarns' last use); M : minima over the slot of the yarn that comes next; P : where they came from; Q : the
-    flags before a yarn went on, where that set some.
-    """
-    n, yarns = cost.shape
-    other = yarns - 1
-    size = 1
-    for _ in range(other):
-        size *= a
-    rest = size // a
-    states, pairs = yarns * size, yarns * other * rest
-    off = np.zeros(yarns, np.int32)
-    gain = np.zeros(a, np.int64)
-    merged = np.zeros(n, np.bool_)
-    late = np.zeros(a * rest, np.bool_)  # for each slot: which combinations of the rest hold it
-    for r in range(a):
-        for j in range(rest):
-            k = j
-            for _ in range(other - 1):
-                if k % a == r:
-                    late[r * rest + j] = True
-                k //= a
-    V[:] = INFINITE
-    begin = 0
-    for _ in range(other):
-        begin = begin * a + a - 1
-    first = flags - 1
-    for k in range(starts.size):
-        if starts[k] == 0:
-            first &= ~(1 << bits[k])
-    for z in range(yarns):
-        V[first * states + z * size + begin] = cost[0, z]
-    for t in range(n):
-        if t > 0:
-            for s in range(a):
-                since = at_or_before(t - 2, s, a)
-                gain[s] = opened(since, t, starts, bits, cross) if flags > 1 and (t - since) % 2 == 1 else 0
-            M[:] = INFINITE
-            for f in range(flags):
-                for y in range(yarns):
-                    inner = size
-                    for p in range(other):
-                        inner //= a
-                        least(V, M, f * states + y * size, (y * other + p) * rest, pairs, a, inner, rest, f, gain)
-            going = opened(t - 1, t, starts, bits, cross) if flags > 1 else 0
-            if going:
-                merged[t] = True
-                for f in range(flags):
-                    g = f | going
-                    for k in range(states):
-                        if g == f:
-                            Q[(t * flags + g) * states + k] = f
-                for f in range(flags):
-                    g = f | going
-                    if g != f:
-                        for k in range(states):
-                            if V[f * states + k] < V[g * states + k]:
-                                V[g * states + k] = V[f * states + k]
-                                Q[(t * flags + g) * states + k] = f
-                            V[f * states + k] = INFINITE
-            r = (t - 1) % a
-            for f in range(flags):
-                for y in range(yarns):
-                    for p in range(other):
-                        z = p if p < y else p + 1
-                        q = y if y < z else y - 1  # where y stands among the others of z
-                        inner = 1
-                        for _ in range(other - 1 - q):
-                            inner *= a
-                        m = f * pairs + (y * other + p) * rest
-                        w = t * flags * pairs + m
-                        shift = np.int32(off[y] - off[z])
-                        settle(
-                            V, M, P, late, m, w, f * states + z * size + r * inner, r * rest, rest, a, inner, int(shift)
-                        )
-            for z in range(yarns):
-                off[z] += cost[t, z]
-        if flags > 1:
-            for k in range(starts.size):
-                bit = 1 << bits[k]
-                if starts[k] + cross - 1 == t:  # the window ends: its flag must be set
-                    for f in range(flags):
-                        if not f & bit:
-                            V[f * states : (f + 1) * states] = INFINITE
-                if starts[k] == t + 1:  # a window opens: no flag is set
-                    for f in range(flags):
-                        if not f & bit:
-                            V[f * states : (f + 1) * states] = V[(f | bit) * states : ((f | bit) + 1) * states]
-                            V[(f | bit) * states : ((f | bit) + 1) * states] = INFINITE
-    _back(cost, a, flags, starts, bits, V, P, Q, off, merged, out)
-
-
-@kernel
-def _back(
-    cost: I4x2, a: int, flags: int, starts: I8x1, bits: I8x1, V: I4x1, P: U1x1, Q: U1x1, off: I4x1, merged: B1x1,
-    out: I8x1,
-) -> None:  # fmt: skip
-    """The way back from the best of the last stitch's states."""
-    n, yarns = cost.shape
-    other = yarns - 1
-    size = V.size // (flags * yarns)
-    rest = size // a
-    states, pairs = yarns * size, yarns * other * rest
-    best, where = np.int64(1) << 40, 0
-    for f in range(flags):
-        for z in range(yarns):
-            for k in range(size):
-                value = V[f * states + z * size + k]
-                if value < INFINITE and np.int64(value) + off[z] < best:
-                    best, where = np.int64(value) + off[z], f * states + z * size + k
-    out[0] = -1
-    if best >= INFINITE:
-        return
-    g, z, k = where // states, where % states // size, where % size
-    last = np.zeros(yarns, np.int64)
-    for p in range(other - 1, -1, -1):
-        last[p if p < z else p + 1] = at_or_before(n - 2, k % a, a)
-        k //= a
-    for t in range(n - 1, 0, -1):
-        out[t] = z
-        before = z
-        for y in range(yarns):
-            if y != z and last[y] == t - 1:
-                before = y
-        j = 0
-        for y in range(yarns):
-            if y != z and y != before:
-                j = j * a + last[y] % a
-        if before != z:
-            p = z if z < before else z - 1
-            code = P[(t * flags + g) * pairs + (before * other + p) * rest + j]
-            last[z] = at_or_before(t - 2, int(code & 15), a)
-            g = np.int64(code >> 4)
-        elif merged[t]:
-            g = np.int64(Q[(t * flags + g) * states + z * size + j])
-        for k in range(starts.size):
-            if starts[k] == t:
-                g |= 1 << bits[k]
-        z = before
-    out[0] = z
