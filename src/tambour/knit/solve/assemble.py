@@ -45,7 +45,7 @@ def assemble(
     """The Piece of solved cells: colours instead of bits, the repeat laid out, the law checked once more."""
     task, layout = state.task, state.layout
     after = floats.measure(task, state.cells)
-    lawful = params.method in ("exact", "perceptual") and params.soft is None and not params.check
+    lawful = params.method in ("exact", "diffused", "perceptual") and params.soft is None and not params.check
     if lawful and after.violations:
         raise RuntimeError(f"the {params.method} solver left {after.violations} violations")
     if after.violations and not params.check and params.method != "none" and params.soft is None:

@@ -66,7 +66,8 @@ def resolve(piece: Piece, edits: Iterable[tuple[int, int, int]]) -> Piece:
     elif params.method != "none" and not params.check:
         for r in np.flatnonzero(touched).tolist():
             low, high = max(0, r - 2), min(rows, r + 3)
-            line = replace(task, start=np.where(touched[:, None], start, task.start)).rows(r, r + 1)
+            was = cells.copy() if params.method == "diffused" else start
+            line = replace(task, start=np.where(touched[:, None], was, task.start)).rows(r, r + 1)
             cells[r : r + 1] = exact.solve(line)
     before = floats.measure(task, task.start)
     again = assemble(

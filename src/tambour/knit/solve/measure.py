@@ -151,7 +151,7 @@ def facts(piece: Piece) -> dict[str, Any]:
     flips = chart.cells != piece.start
     if chart.no_stitch is not None:
         flips &= ~chart.no_stitch
-    if piece.params.style == "plain" and piece.params.method not in ("perceptual", "none"):
+    if piece.params.style == "plain" and piece.params.method not in ("perceptual", "diffused", "none"):
         out["lined_up"] = round(lined_up(flips), 2)  # elsewhere flips are a ground that stands in order, or no measure
     out["upright"] = round(float(np.mean([upright(chart.cells[b]) for b in bands(*chart.cells.shape)])), 2)
     if piece.textured is not None:

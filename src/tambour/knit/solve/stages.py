@@ -12,7 +12,7 @@ from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import resample
 from tambour.knit.picture.layout import Layout
-from tambour.knit.solve import exact, floats, percept, sight
+from tambour.knit.solve import diffused, exact, floats, percept, sight
 from tambour.knit.solve import paper2013 as paper
 from tambour.knit.task import Task
 
@@ -60,6 +60,8 @@ def solved(task: Task, params: KnitParams, progress: Progress) -> Array:
         return task.start.copy()
     if params.method in PAPER:
         return paper.solve(task, params.method, params)
+    if params.method == "diffused":
+        return diffused.solve(task)
     if params.method == "exact":
         return exact.solve(task, tidy=0.0 if params.style in ("graphic", "texture") else params.tidy)
     if task.limit > percept.LARGEST:
