@@ -209,6 +209,7 @@ def test_damage_gives_a_design_or_one_line(tmp_path, suffix):
     files.write(plan, path)
     raw, rng = path.read_bytes(), np.random.default_rng(7)
     full = len(seen(plan)[0])
+    size = np.ptp(files.read(path, ("ThreadPlan",)).xy, axis=0)
     designs = 0
     for k in range(200):
         hurt = damaged(raw, rng, k % 5)
@@ -222,6 +223,8 @@ def test_damage_gives_a_design_or_one_line(tmp_path, suffix):
         designs += 1
         if k % 5 == 0 and suffix != "exp":  # nothing in an EXP file says how long it should be
             assert "doubts" in made.about or len(seen(made)[0]) == full
+        if suffix not in ("exp", "sew"):  # what tells its extents does not grow or shrink without a word
+            assert "doubts" in made.about or np.abs(np.ptp(made.xy, axis=0) - size).max() <= 1.1
     assert designs > 20
 
 

@@ -9,6 +9,8 @@ from __future__ import annotations
 import io
 from typing import Any
 
+import numpy as np
+
 from tambour.files.dst import fields
 
 
@@ -58,14 +60,18 @@ def _pec(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
 
 
 def _size(pattern: Any, width: int, height: int) -> list[str]:
-    sewn = [s for s in pattern.stitches if s[2] & 0xFF == 0]
-    if not sewn:
+    """Width and height declared, against those of the stitches, or of all that the needle goes to."""
+    if width == height == 0:  # some programs leave it empty
         return []
-    w = max(s[0] for s in sewn) - min(s[0] for s in sewn)
-    h = max(s[1] for s in sewn) - min(s[1] for s in sewn)
-    if (abs(w - width) <= 10 and abs(h - height) <= 10) or width == height == 0:  # some programs leave it empty
-        return []
-    return [f"the header declares {width / 10:g} x {height / 10:g} mm, the stitches fill {w / 10:g} x {h / 10:g} mm"]
+    said = ""
+    for some in ([s for s in pattern.stitches if s[2] & 0xFF == 0], pattern.stitches):
+        if not some:
+            return []
+        w, h = (max(s[k] for s in some) - min(s[k] for s in some) for k in (0, 1))
+        if abs(w - width) <= 10 and abs(h - height) <= 10:
+            return []
+        said = said or f"the stitches fill {w / 10:g} x {h / 10:g} mm"
+    return [f"the header declares {width / 10:g} x {height / 10:g} mm, {said}"]
 
 
 def _jef(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
@@ -95,7 +101,11 @@ def _xxx(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
     held = sum(1 for s in pattern.stitches if s[2] & 0xFF != 4)
     if abs(held - count) > max(4, held // 20):
         said.append(f"the header declares {count} records, the file holds {held}")
-    return said
+    # Some programs write the size here, some where the last stitch lies.
+    x, y = np.frombuffer(raw, "<i2", 2, 0x2D).tolist()
+    last = pattern.stitches[-1] if pattern.stitches else (0, 0)
+    at_last = abs(last[0] - x) <= 10 and abs(last[1] + y) <= 10
+    return said if at_last or not _size(pattern, x, y) else [*said, "the header's size is not that of the stitches"]
 
 
 def _u01(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
@@ -108,7 +118,8 @@ def _u01(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
         return said
     if abs(held - count) > 4:
         said.append(f"the header declares {count} records, the file holds {held}")
-    return said
+    left, bottom, right, top = np.frombuffer(raw, "<i2", 4, 0x80).tolist()
+    return said + _size(pattern, right - left, top - bottom)
 
 
 def _tbf(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
@@ -116,11 +127,12 @@ def _tbf(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
     said = []
     if raw[stop - 1 : stop] != b"\x8f":
         said.append(f"the stitches end at byte {stop} of {len(raw)}, before their end mark")
-    count = fields(raw[0x80:0x200]).get("ST")
+    told = fields(raw[0x80:0x200])
+    count = told.get("ST")
     held = sum(1 for s in pattern.stitches if s[2] & 0xFF == 0)
     if count is not None and not held - 4 <= count <= len(pattern.stitches) + 4:
         said.append(f"the header declares {count} stitches, the file holds {held}")
-    return said
+    return said + _size(pattern, *(told.get(f"+{axis}", 0) + told.get(f"-{axis}", 0) for axis in "XY"))
 
 
 def _vp3(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
