@@ -7,7 +7,7 @@ PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 # Modules are compiled when they are first imported: pip would compile thousands that nobody ever imports.
 export PIP_COMPILE := 0
 
-.PHONY: demo studio test check bench docs book golden planted kernels clean
+.PHONY: demo studio test check bench docs book golden planted disk fuzz cover kernels clean
 
 # What a user has: the package and its kernels, built once and kept in the user's cache. What the package needs is installed meanwhile.
 $(VENV)/used: pyproject.toml
@@ -68,6 +68,19 @@ golden: $(VENV)/ready
 
 planted: $(VENV)/ready
 	$(BIN)/python tests/planted.py
+
+# Full disks and killed commands, many times over.
+disk: $(VENV)/ready
+	TAMBOUR_PLACES=64 TAMBOUR_KILLS=200 $(BIN)/python -m pytest -m slow tests/disk
+
+# Three thousand spoilt files and odd options of each craft, other ones every day; an hour at the most.
+fuzz: $(VENV)/ready
+	TAMBOUR_FUZZ=3000 TAMBOUR_FUZZ_SEED=$$(date +%F) $(BIN)/python -m pytest -s -m slow tests/test_fuzz.py
+
+# Which lines and branches of running, reading and writing no test goes through.
+cover: $(VENV)/ready
+	$(BIN)/python -m coverage run -m pytest -m "slow or not slow"
+	$(BIN)/python -m coverage report
 
 clean:
 	rm -rf $(VENV) out build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis
