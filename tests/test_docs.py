@@ -58,6 +58,15 @@ def workplace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         shutil.copyfile("cat.png", name)
     for name in ("Lora.ttf", "SomeHan.otf"):
         shutil.copyfile(ROOT / "src" / "tambour" / "render" / "fonts" / "Inter-Regular.otf", name)
+    (tmp_path / "my-fonts" / "marigold").mkdir(parents=True)  # a font for Ink/Stitch
+    (tmp_path / "my-fonts" / "marigold" / "font.json").write_text('{"name": "Marigold"}')
+    letters = "".join(
+        f'<g inkscape:label="GlyphLayer-{c}"><path d="M5 0 V-60" stroke="red" stroke-width="9"/></g>' for c in "Ana"
+    )
+    (tmp_path / "my-fonts" / "marigold" / "ltr.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+        f' width="90" height="90">{letters}</svg>'
+    )
     chart = files.read(tmp_path / "band.csv", ["Chart"])
     files.write(chart, tmp_path / "chart.png", "Chart")
     (tmp_path / "cat.json").write_text(__import__("json").dumps(chart.plain()))

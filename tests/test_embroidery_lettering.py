@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import string
 
 import numpy as np
@@ -20,6 +21,7 @@ from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import LOCK, RUNNING, SATIN, TRAVEL
 from tambour.embroidery.plan.facts import facts
 from tambour.embroidery.plan.make import make
+from tambour.embroidery.regions.face import letter
 from tambour.embroidery.regions.trace import outlines, traced
 from tambour.geometry.glyphs import capital_height, glyph
 from tambour.render.type import font_bytes
@@ -71,6 +73,116 @@ def test_missing_letters_are_said_and_no_letters_refused():
         make(None, EmbroideryParams(text="  "), Progress())
     with pytest.raises(TambourError):
         make(None, EmbroideryParams(), Progress())
+
+
+def middles(made):
+    """The middle of each region's box, in the order of the letters."""
+    return np.array([(r.paths.coords.min(0) + r.paths.coords.max(0)) / 2 for r in made.regions])
+
+
+@pytest.mark.parametrize("font", [None, "columns"])
+@pytest.mark.parametrize("arc", [40.0, -40.0])
+def test_letters_stand_on_a_circle_or_hang_in_it(arc, font):
+    params = EmbroideryParams(text="OOOOO", text_size=10.0, text_arc=arc, font=font, order="file", min_length=0.0)
+    made = middles(make(None, params, Progress()))
+    turn, x = made - made[2], (made - made[2])[:, 0]
+    assert (np.diff(x) > 0).all() and np.allclose(x, -x[::-1], atol=0.05)  # read from left to right, symmetrical
+    assert (np.sign(turn[[0, 1, 3, 4], 1]) == np.sign(arc)).all()  # down from a top, up from a bottom
+    # The letters' middles lie on one circle, half a letter outside the baseline's, or inside it.
+    (a, b), (c, d) = made[0] - made[2], made[4] - made[2]
+    chord, rise = (c - a) / 2, abs(b + d) / 2
+    assert (chord**2 + rise**2) / (2 * rise) == pytest.approx(abs(arc) + np.sign(arc) * 5, abs=0.25)
+    with pytest.raises(TambourError, match="circle"):
+        make(None, params.model_copy(update={"text_arc": np.sign(arc) * 6.0}), Progress())
+
+
+def test_letters_stand_on_a_line_of_the_drawing(tmp_path):
+    (tmp_path / "a.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">'
+        '<rect width="100" height="100" fill="#eee"/>'
+        '<path d="M10 90 L90 10" data-tambour-role="baseline" fill="none" stroke="red"/></svg>'
+    )
+    drawing = files.read(tmp_path / "a.svg", ("Drawing",))
+    made = make(drawing, EmbroideryParams(text="OOO", text_size=8.0, order="file", keep_hidden=True), Progress())
+    assert len(made.regions) == 4  # the line itself is not sewn
+    step = np.diff(middles(made)[1:], axis=0)
+    assert np.allclose(step[:, 1], -step[:, 0], atol=0.02) and (step[:, 0] > 3).all()
+    with pytest.raises(TambourError, match="2 lines of text"):
+        make(drawing, EmbroideryParams(text="O\\nO"), Progress())
+
+
+def test_the_face_of_columns_has_every_letter_and_sews_each_stroke_as_one():
+    for char in string.ascii_letters + string.digits + ".,:;!?'\"-+=/()&@#*_" + "äéñçÖåž":
+        strokes = letter(char)
+        assert strokes is not None, char
+        assert all(np.isfinite(line).all() and len(line) > 1 for line in strokes.lines)
+    for size, kinds in ((15.0, {"satin"}), (2.9, {"running"})):
+        made = make(None, EmbroideryParams(text="Hn8", text_size=size, font="columns"), Progress())
+        assert {r.stitch for r in made.regions} == kinds
+        assert facts(made)["height_mm"] == pytest.approx(size, rel=0.06)
+    progress = Progress()
+    make(None, EmbroideryParams(text="a\u4e2d", font="columns"), progress)
+    assert "\u4e2d" in str(progress.warnings[0])
+
+
+RAILS = 'inkstitch:satin_column="True" fill="none" stroke="#0a0"'
+
+
+def stitch_font(folder, **told):
+    """A font as Ink/Stitch keeps it: A is a column with rungs longer than its rails, B a dashed line that is sewn whole."""
+    given = {
+        "name": "Two",
+        "leading": 60,
+        "horiz_adv_x": {"A": 30.0},
+        "horiz_adv_x_default": 40.0,
+        "horiz_adv_x_space": 20.0,
+    }
+    given |= {"kerning_pairs": {"A B": 4.0}, "min_scale": 0.8, "max_scale": 1.2, "default_variant": "ltr", **told}
+    (folder / "font.json").write_text(json.dumps(given))
+    (folder / "ltr.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+        ' xmlns:sodipodi="http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd" xmlns:inkstitch="http://inkstitch.org/namespace"'
+        ' width="100" height="100" viewBox="0 0 100 100"><sodipodi:namedview>'
+        '<sodipodi:guide position="0,30" orientation="0,1" inkscape:label="baseline"/></sodipodi:namedview>'
+        '<g inkscape:groupmode="layer" inkscape:label="GlyphLayer-A" style="display:none">'
+        f'<path d="M2 70 L2 60 M26 70 L26 60 M0 64 L28 64 M0 67 L28 67 M0 61 L28 61" {RAILS}/></g>'
+        '<g inkscape:groupmode="layer" inkscape:label="GlyphLayer-B" style="display:none">'
+        '<path d="M2 70 L2 40" inkstitch:running_stitch_length_mm="2" fill="none" stroke="#00a" stroke-dasharray="1 1"/></g></svg>'
+    )
+    return folder / "font.json"
+
+
+def test_a_font_of_ink_stitch_is_read_and_set(tmp_path):
+    font = files.read(stitch_font(tmp_path), ("Font",))
+    px = 25.4 / 96
+    assert set(font.letters) == {"A", "B"} and font.capital == pytest.approx(20 * px)  # the median of A's and B's
+    progress = Progress()
+    made = make(None, EmbroideryParams(text="AB b", text_size=font.capital, font=font, order="file"), progress)
+    a, b = made.regions[:2]
+    assert (a.role, a.stitch, b.stitch) == ("rails", "satin", "running") and not progress.warnings
+    assert len(b.paths) == 1  # dashes are only how it is shown
+    x = [r.paths.coords[:, 0].min() / px for r in made.regions]
+    assert x[1] - x[0] == pytest.approx(30 - 4 + 2, abs=0.05)  # A reaches from its rungs' end at 0; B begins at 2
+    assert x[2] - x[1] == pytest.approx(40 + 20, abs=0.05)  # a small letter that is missing takes the capital
+    assert made.regions[0].paths.coords[:, 1].max() == pytest.approx(
+        b.paths.coords[:, 1].max(), abs=0.05
+    )  # one baseline
+    # Side to side across the rails, 24 px apart: the rungs are the longer lines, and are none.
+    wide = np.hypot(*np.diff(made.plan.xy[made.kind == SATIN], axis=0).T)
+    assert np.median(wide) == pytest.approx(24 * px + 2 * made.params.pull, abs=0.2)
+    make(None, EmbroideryParams(text="A", text_size=30.0, font=font), progress)
+    assert "made for" in str(progress.warnings[-1])
+
+
+@pytest.mark.parametrize("broken", ["[]", "{", '{"leading": "wide"}', '{"kerning_pairs": [1]}'])
+def test_broken_fonts_of_ink_stitch_are_one_line(tmp_path, broken):
+    stitch_font(tmp_path).write_text(broken)
+    with pytest.raises(TambourError, match=r"font\.json"):
+        files.read(tmp_path / "font.json", ("Font",))
+    stitch_font(tmp_path)
+    (tmp_path / "ltr.svg").unlink()
+    with pytest.raises(TambourError, match="no letters"):
+        files.read(tmp_path / "font.json", ("Font",))
 
 
 def picture():
@@ -134,8 +246,8 @@ def test_letters_that_once_broke_are_sewn(face, size):
 @pytest.mark.parametrize("face", ["regular", "bold", "pillow"])
 def test_every_letter_of_three_faces_is_sewn(face, size):
     data = faces()[face]
-    for letter in string.ascii_letters + string.digits + "&#?!@%":
-        sewn(letter, data, size)
+    for char in string.ascii_letters + string.digits + "&#?!@%":
+        sewn(char, data, size)
 
 
 @pytest.mark.slow

@@ -53,7 +53,7 @@ def _changed(source: Any, params: EmbroideryParams, edits: Sequence[Region]) -> 
     if params.text is not None:
         from tambour.embroidery.regions.lettering import lettered
 
-        source = lettered(source, params.text, params.text_size, params.font, Progress())
+        source = lettered(source, params.text, params.text_size, params.font, params.text_arc, Progress())
         params = params.model_copy(update={"text": None})
     if not isinstance(source, Drawing):
         raise TambourError("a machine file has no regions any more", hint="edit the drawing", where="{--edit} region")

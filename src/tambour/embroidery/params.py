@@ -52,7 +52,7 @@ class EmbroideryParams(Params):
         "Satin and lines": "satin_from line_below split border jagged",
         "Fabric": "fabric pull pull_percent push test_card measured underlay knockdown",
         "Thread": "thread travel locks trim catalogue",
-        "Design": "width hoop order colors keep_hidden text font text_size applique baste",
+        "Design": "width hoop order colors keep_hidden text font text_size text_arc applique baste",
         "Cloth": "cloth ground frames ends theta place place_at place_offset place_rotate place_scale place_group",
         "Machine": "machine pes jef_trims check",
     }
@@ -62,6 +62,7 @@ class EmbroideryParams(Params):
     when: ClassVar = {
         "font": {"text": True},
         "text_size": {"text": True},
+        "text_arc": {"text": True},
         "place_at": {"place": ("point",)},
         "place_group": {"cloth": True},
     }
@@ -183,7 +184,14 @@ class EmbroideryParams(Params):
     text: str | None = Field(default=None, max_length=500)
     """Letters to embroider, instead of a drawing or below it."""
 
-    font: Any = file("Font", "A .ttf or .otf file for the letters of {--text} (the shipped one when not given).")
+    font: Any = file(
+        "Font",
+        "The letters of {--text}: a .ttf or .otf file, the font.json of a font for Ink/Stitch, or columns, a face of satin strokes.",
+        ("columns",),
+    )
+
+    text_arc: Length | None = Field(default=None, ge=-5000, le=5000)
+    """{--text} stands on a circle of this radius round the drawing's middle; below 0 it hangs in it (straight when not given)."""
 
     text_size: Length = Field(default=15.0, gt=1, le=500)
     """Height of capital letters."""
@@ -245,6 +253,13 @@ class EmbroideryParams(Params):
             with suppress(ValueError):  # told of the field itself
                 known = {**known, **calibrated(card)}
         return {**known, **values}
+
+    @field_validator("text_arc")
+    @classmethod
+    def _arc(cls, value: float | None) -> float | None:
+        if value is not None and abs(value) < 1:
+            raise ValueError("a circle of less than 1 mm takes no letters")
+        return value
 
     @field_validator("underlay")
     @classmethod

@@ -47,7 +47,7 @@ READ: dict[str, dict[str, str]] = {
     **{suffix: {"Picture": "picture:read_picture"} for suffix in (*_PICTURES, *_PHONE)},
     ".png": {"Picture": "picture:read_picture", "Chart": "chart:read_png"},
     ".csv": {"Chart": "chart:read_csv", "Text": "text:read_text"},
-    ".json": {"Chart": "chart:read_json"},
+    ".json": {"Chart": "chart:read_json", "Font": "alphabet:read_alphabet"},
     ".k": {"Chart": "knitout:read"},
     ".knitout": {"Chart": "knitout:read"},
     ".dst": {"ThreadPlan": "dst:read_plan"},

@@ -52,17 +52,22 @@ def resample(line: Array, n: int) -> Array:
 def from_rails(lines: list[Array]) -> Column:
     """A column between two rails; the other lines are rungs that tie a place of one rail to a place of the other.
 
-    The two rails are the two longest lines. Between neighbouring rungs places are paired by their share of the way.
+    The rails are the two lines that the most others cross (a rung crosses two), of equals the longest: in a short wide
+    column rungs are longer than rails. Between neighbouring rungs places are paired by their share of the way.
     """
+    import shapely
+
     size = [float(np.hypot(*np.diff(line, axis=0).T).sum()) for line in lines]
-    by_size = sorted(range(len(lines)), key=lambda i: -size[i])
+    shapes = np.array([shapely.linestrings(line) for line in lines])
+    met = [int(shapely.intersects(shapes, shape).sum()) for shape in shapes]
+    # With one rung each rail is crossed once, the rung twice.
+    order = [-m for m in met] if len(lines) == 3 and sorted(met) == [2, 2, 3] else met
+    by_size = sorted(range(len(lines)), key=lambda i: (-order[i], -size[i]))
     a, b = (np.array(lines[i], np.float64) for i in sorted(by_size[:2]))
     if np.hypot(*(a[0] - b[0])) + np.hypot(*(a[-1] - b[-1])) > np.hypot(*(a[0] - b[-1])) + np.hypot(*(a[-1] - b[0])):
         b = b[::-1]
     wa, wb = (np.r_[0, np.cumsum(np.hypot(*np.diff(r, axis=0).T))] for r in (a, b))
     ties = [(0.0, 0.0), (float(wa[-1]), float(wb[-1]))]
-    import shapely
-
     la, lb = shapely.linestrings(a), shapely.linestrings(b)
     for i in by_size[2:]:
         rung = shapely.linestrings(lines[i])

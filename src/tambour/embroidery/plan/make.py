@@ -51,7 +51,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         if drawing is not None and drawing.images:
             drawing = with_images(drawing, params)
         if params.text is not None:
-            drawing = lettered(drawing, params.text, params.text_size, params.font, progress)
+            drawing = lettered(drawing, params.text, params.text_size, params.font, params.text_arc, progress)
         if drawing is None and params.test_card:
             drawing = card()
         if drawing is None:

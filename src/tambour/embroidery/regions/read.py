@@ -146,7 +146,7 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
             cache[group] = _own(drawing, group, params, problems)
         own, data, name = cache[group]
         if (
-            data.get("tambour-role") == "guide"
+            data.get("tambour-role") in ("guide", "baseline")
             or data.get("inkstitch-marker")
             or "inkstitch-command-ignore_object" in data
         ):

@@ -171,8 +171,8 @@ def _dash(node: Node, look: Look, shape: Shape, reader: Reader) -> tuple[list[fl
     """Dashes in user units and where they begin; None for a whole line."""
     props, em = look.props, float(look.props["font-size"])
     text = props.get("stroke-dasharray", "none").strip()
-    if text in ("none", ""):
-        return None
+    if text in ("none", "") or any(key.startswith("inkstitch:") for key in node.attributes):
+        return None  # Ink/Stitch shows running stitch by dashes: the line is whole
     diagonal = math.hypot(*look.view) / math.sqrt(2)
     try:
         pattern = [css.length(v, diagonal, em) for v in re.split(r"[\s,]+", text) if v]
