@@ -19,7 +19,7 @@ from tambour.crochet.params import CrochetParams
 
 NEAR = (0.6, 1.6)
 """Rounds and stitches that words may be off what the hand showed: they are said in whole and half rounds."""
-LEAN = 40.0
+LEAN = 60.0
 """Degrees that a part may lean otherwise than it did, by words that do not say how far."""
 _ROUNDS = re.compile(
     r"\b(?:rounds?|rnds?|rows?|r)\.?\s*\d+(?:\s*(?:and|to|&|-|–)\s*(?:(?:rounds?|rnds?|rows?|r)\.?\s*)?\d+)?", re.I
@@ -220,7 +220,7 @@ def _rewritten(built: Built, params: CrochetParams, wanted: dict[int, Placed]) -
         ),
         lambda span, of, apart: (
             None
-            if apart is not None
+            if apart is not None or len(wanted) != 1
             else _aside(text.text[span.start : span.end], old, wanted[known.parts[old.part]], built)
         ),
         lambda span, of, apart: _apart(". ".join(s.rstrip(".") for s in _people(built)(of)), apart),

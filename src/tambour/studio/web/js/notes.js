@@ -11,7 +11,7 @@ let last = 0;
 export function tell(text, { calm = false, acts = [], stay = !calm } = {}) {
   const id = ++last;
   notes.value = [...notes.value.slice(-2), { id, text, calm, acts }];
-  if (!stay) setTimeout(() => away(id), 6000);
+  if (!stay) setTimeout(() => away(id), 12000);
 }
 
 /** @param {number} id */

@@ -124,7 +124,7 @@ export class Hand {
 
   /** @param {number} x @param {number} y @param {boolean} still */
   drop(x, y, still) {
-    const { kind, unit } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
+    const { kind, unit, x: x0, y: y0 } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
     const lean = kind === "lean" && !still ? this.lean(x, y) : null;
     this.held = null;
     this.word.value = "";
@@ -137,9 +137,25 @@ export class Hand {
     }
     if (kind === "stitch") return this.say({ type: "release" });
     if (still) return this.stage.move(null);
-    const onto = this.stage.pick(x, y, this.pack.facts.parts[this.pack.arrays.part[unit]]); // what lies under it
+    // What lies under its seam, which went as far as the hand did; else under the hand.
+    const own = this.pack.facts.parts[this.pack.arrays.part[unit]], seam = this.stage.camera.seen(this.seam(own));
+    let onto = this.stage.pick(seam.x + x - x0, seam.y + y - y0, own);
+    if (onto < 0) onto = this.stage.pick(x, y, own);
     if (onto < 0) return this.stage.move(null);
     return this.dropped(this.called(unit), this.place(onto));
+  }
+
+  /** Where a part is sewn on: the middle of its stitches that lie nearest to others. @param {{start: number, end: number}} part @returns {[number, number, number]} */
+  seam({ start, end }) {
+    const x = this.pack.arrays.positions, n = x.length / 3, near = [];
+    for (let i = start; i < end; i++) {
+      let least = Infinity;
+      for (let j = 0; j < n; j++)
+        if (j < start || j >= end) least = Math.min(least, (x[3 * i] - x[3 * j]) ** 2 + (x[3 * i + 1] - x[3 * j + 1]) ** 2 + (x[3 * i + 2] - x[3 * j + 2]) ** 2);
+      near.push({ i, least });
+    }
+    const held = near.sort((a, b) => a.least - b.least).slice(0, Math.max(1, Math.min(12, near.length >> 2)));
+    return /** @type {[number, number, number]} */ ([0, 1, 2].map((k) => held.reduce((sum, { i }) => sum + x[3 * i + k], 0) / held.length));
   }
 
   /** The stitch whose place on the fabric is where a stitch's yarn is seen: columns of yarn lean in a spiral, so that these are some stitches apart. @param {number} unit */

@@ -150,6 +150,12 @@ export class Editor {
     this.view.dispatch({ effects: markHere.of(all) });
   }
 
+  /** Show what was just written by other means than keys. @param {number} from @param {number} length in characters of JavaScript */
+  show(from, length) {
+    const to = Math.min(from + length, this.view.state.doc.length);
+    this.view.dispatch({ effects: [EditorView.scrollIntoView(from, { y: "center" }), markHere.of([{ from, to, kind: "cm-here" }])] });
+  }
+
   /** @param {number} point @param {boolean} [focus] */
   reveal(point, focus = false) {
     const pos = Math.min(places(this.text).at(point), this.view.state.doc.length);

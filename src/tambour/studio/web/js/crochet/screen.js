@@ -105,6 +105,8 @@ export function screen(root, piece, { over }) {
     const answer = await attempt(() => ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto } }));
     if (!answer) return stage.move(null);
     piece.take(answer);
+    const found = editor.text.indexOf(answer.sentence.split(". ")[0].split("; ")[0]);
+    if (found >= 0) editor.show(found, answer.sentence.length);
     tell(html`Now the pattern says: <b>${answer.sentence}</b>`, { calm: true });
   } });
   let shown = /** @type {any} */ (null);
