@@ -306,3 +306,17 @@ def test_a_count_that_the_first_of_two_rows_makes_is_a_mistake_and_no_gap():
     assert [w.message for w in build(pattern).warnings if "the pattern says" in w.message] == [
         "the pattern says 14 stitches, the round makes 28"
     ]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "3rd row: Ch 1. 1 sc in each of first 4 sc. Turn. Leave rem sts unworked. 4 sc.",
+        "3rd row: Ch 1, sc in first 4 sc, turn; leave remaining sts unworked (for other leg)—4 sc.",
+        "3rd row: Ch 1, sc in each of first 4 sc; leave remaining 3 sts unworked, turn—4 sc.",
+        "3rd row: Ch 1. 1 sc in each of next 4 sc. Turn. 4 sc.",
+    ],
+)
+def test_stitches_that_a_row_leaves_are_not_worked_by_the_next(said):
+    text = ROWS + "2nd row: Ch 1. 1 sc in each sc to end of row. Turn. 7 sc.\n" + said + "\n"
+    assert counts(text + "4th row: Ch 1. 1 sc in each sc to end of row. Turn.\n") == [7, 7, 4, 4]

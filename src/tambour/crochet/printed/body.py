@@ -413,7 +413,8 @@ class Walk(Courses):
         c = self.c
         left = False
         while c.look() is not None and not c.mark("."):
-            if c.mark(",", ";") and c.kind("stitch", 1):
+            goes_on = c.kind("stitch", 1) or c.key("turn", ahead=1)
+            if (c.mark(",", ";") and goes_on) or (c.mark("-", "=") and ends_with_number(self, 1)):
                 break
             if c.mark(*OPEN):
                 end = closing(self)

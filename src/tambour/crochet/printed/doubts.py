@@ -138,6 +138,7 @@ def decided(
         said = phrases.item(words)
         return None if said is None else Action(said[0], span, 1, None, said[1], said[2])
 
+    unworked = any(t.word == "unworked" for t in tokens) and any(t.kind == "key" and t.value == "leave" for t in tokens)
     usual = frozenset(("places",)) if source.each else frozenset()
 
     def read(choices: frozenset[str] = frozenset()) -> Body:
@@ -147,6 +148,8 @@ def decided(
         body = walk.read()
         if body.sides and (base := _base(body, chain)) is not None:
             along(body, base, source.stitches)
+        if edge and unworked:
+            body.items = _rest_left(body.items, edge, source.stitches)
         return body
 
     def fit(body: Body) -> int:
@@ -179,6 +182,11 @@ def decided(
         used = worked(flat, edge, source.stitches)
         if used is not None and used[1] > (edge + 1) // 2 and not any(isinstance(i, Group) for i in flat):
             body.items, body.both = flat, True  # more stitches than there are pairs: it is two pieces that lie together
+    last = body.items[-1] if body.items else None
+    if isinstance(last, Action) and last.name == "turn" and edge and chain is None and fit(body) < 2:
+        done = worked(body.items, edge, source.stitches)
+        if done is not None and done[0] == body.stated:  # the row is turned there, and the rest is for another piece
+            body.items = _rest_left(body.items, edge, source.stitches)
     if body.refers is None and body.stated is not None and edge and chain is None and fit(body) < 2:
         run = _run_on(body.items, edge, source.stitches)
         if run is not None and after(run, edge, source.stitches) == body.stated:
@@ -212,6 +220,17 @@ def decided(
                 span,
             )
     return body
+
+
+def _rest_left(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:
+    """``items`` with the stitches that they leave of the round below skipped at their end, so that the next row has only these."""
+    done = worked(items, edge, stitches)
+    if done is None or not 0 < done[1] < edge:
+        return items
+    at = len(items)
+    while at and isinstance(items[at - 1], Action) and items[at - 1].name in ("turn", "join", "color", "fo"):  # type: ignore[union-attr]
+        at -= 1
+    return [*items[:at], Action("skip", items[at - 1].span, edge - done[1]), *items[at:]]
 
 
 def _run_on(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item] | None:

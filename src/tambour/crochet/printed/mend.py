@@ -11,6 +11,7 @@ from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
+from tambour.crochet.printed.items import goes
 
 _ROUNDS = 60  # times that a part is worked to find the next fault
 _TRIES = 6  # times that the whole is
@@ -213,6 +214,10 @@ _EASED: Final = {
 
 def _eased(line: Line, problem: Problem) -> tuple[Line, str] | None:
     """``line`` without a nicety that the hook cannot work there, and what is told; None where that is not its fault."""
+    end = next((k for k in range(len(line.items) - 1, -1, -1) if goes(line.items[k]) and not _ends(line.items[k])), -1)
+    rest = line.items[end] if end >= 0 else None
+    if problem.message.startswith("there is no stitch left") and isinstance(rest, Action) and rest.name == "skip":
+        return replace(line, items=(*line.items[:end], *line.items[end + 1 :])), "no stitches are left unworked here"
     for message, (names, said) in _EASED.items():
         if problem.message.startswith(message):
             items = tuple(i for i in (_without(i, names) for i in line.items) if i is not None)
@@ -226,6 +231,10 @@ def _eased(line: Line, problem: Problem) -> tuple[Line, str] | None:
             if items != line.items or again != line.again:
                 return replace(line, items=items, again=again), said
     return None
+
+
+def _ends(item: Item) -> bool:
+    return isinstance(item, Action) and item.name in ("turn", "join", "fo")
 
 
 def _without(item: Item, names: tuple[str, ...]) -> Item | None:

@@ -51,7 +51,7 @@ def founds(p: State) -> bool:
 def opening(text: str, tokens: list[Token]) -> tuple[Heading, int] | None:
     """The name of a part that a sentence begins with, and where what founds it stands: "Antennae (make 2) With B, ch 6"."""
     at = 0
-    while at < len(tokens) and at <= _WORDS and _names(tokens[at]):
+    while at < len(tokens) and at <= _WORDS and _names(tokens[at]) and tokens[at].word != "see":
         at += 1
     if (
         not at
@@ -74,7 +74,7 @@ def opening(text: str, tokens: list[Token]) -> tuple[Heading, int] | None:
     if (
         not name
         or (rest and rest[0].value in ("ring", "form", "leave"))
-        or not (founding(rest) or (place is not None and rest and rest[0].word == "see"))
+        or not (founding(rest) or (rest and rest[0].word == "see" and (place is not None or name.isupper())))
     ):
         return None
     return Heading(name, Span(tokens[0].start, tokens[at - 1].end), copies, place, True, True), at
