@@ -320,3 +320,44 @@ def test_a_count_that_the_first_of_two_rows_makes_is_a_mistake_and_no_gap():
 def test_stitches_that_a_row_leaves_are_not_worked_by_the_next(said):
     text = ROWS + "2nd row: Ch 1. 1 sc in each sc to end of row. Turn. 7 sc.\n" + said + "\n"
     assert counts(text + "4th row: Ch 1. 1 sc in each sc to end of row. Turn.\n") == [7, 7, 4, 4]
+
+
+EIGHT = (
+    START.replace("6 sc", "8 sc")
+    + "2nd rnd: Ch 1. *1 sc in next sc. 2 sc in next sc. Rep from * around. Join. 12 sc.\n"
+)
+
+
+@pytest.mark.parametrize(
+    "said, last",
+    [
+        ("Cont as established, inc 4 sc every rnd until there are 24 sc.", [16, 20, 24]),
+        ("Continue in this manner, inc 4 sc every other rnd until there are 20 sc.", [16, 16, 20]),
+        ("Cont as established, dec 4 sc on next and following 3rd rnd. 4 sc rem.", [8, 8, 8, 4]),
+    ],
+)
+def test_rounds_as_established_go_on_as_they_began(said, last):
+    assert counts(EIGHT + said + "\nNext rnd: Ch 1. 1 sc in each sc around. Join.\n") == [8, 12, *last, last[-1]]
+
+
+def test_rounds_as_established_that_no_step_leads_to_are_told():
+    assert read(Text(EIGHT + "Cont as established, inc 4 sc every rnd until there are 23 sc.\n", "x.txt")).unread
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "1st row: Sl st in 6th ch from hook. *Ch 6. Sl st in same sp as last sl st. Rep from * 3 times more. Fasten off.",
+        "Row 1: Sl st in 6th ch from hook, *ch 6, sl st in same sp as last sl st; rep from * 3 times more. Fasten off.",
+        "1st rnd: Sl st in 6th ch from hook. *Ch 6. Sl st in same st. Rep from * 3 times more. Fasten off.",
+    ],
+)
+def test_loops_of_chain_from_one_place_are_a_flower(said):
+    pattern = read(Text("Toy\n\nFLOWER\nWith B, ch 6.\n" + said + "\n", "x.txt"))
+    assert not pattern.unread
+    assert len(build(pattern).graph) > 5 * 5
+    assert [line.items[1].name for line in pattern.parts[0].lines if line.in_round] == ["picot6"]
+
+
+def test_two_strands_held_together_begin_a_piece():
+    assert counts("Toy\n\nCORD\nWith 2 strands of B held tog and larger hook, ch 8.\n1st row: 1 sc in 2nd ch from hook and in each ch across. 7 sc.\n") == [7]  # fmt: skip

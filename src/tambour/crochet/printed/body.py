@@ -340,6 +340,8 @@ class Walk(Courses):
             self.other_side(found)
         elif word == "turn":
             found.append(Action("turn", token.span))
+            if c.key("to") and c.look(1) is not None and c.look(1).word == "end":  # type: ignore[union-attr]
+                self.to_separator()  # "Turn at end of Rnd 21"
         elif word == "join":
             self.joining(found, token)
         elif word == "form":
@@ -486,6 +488,9 @@ class Walk(Courses):
         c.at = at + length
         self._other_yarn()
         c.skip_key("yarn")
+        if c.look() is not None and c.look().word == "held":  # type: ignore[union-attr]
+            c.at += 1
+            c.skip_key("together")  # "With 2 strands of B held tog"
         while c.key("and") and c.look(1) is not None and (c.look(1).word in _HOOKS):  # type: ignore[union-attr]
             c.at += 2
             c.skip_key("hook")

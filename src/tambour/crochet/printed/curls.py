@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Final
 
 from tambour.crochet.language.stitches import PICOTS
-from tambour.crochet.language.tree import Action, Group, Item
+from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.clauses import Where, where
 from tambour.crochet.printed.reader import Reader
 
@@ -20,10 +20,13 @@ def curl(r: Reader, found: list[Item], name: str, place: Where) -> bool:
         return False
     many = last.times
     if place.kind in ("same", "joined"):
-        behind = any(not isinstance(i, Action) or i.name not in (*_IDLE, "ch", "join", "turn") for i in found[:-1])
+        behind = r.stars > 0 or any(
+            not isinstance(i, Action) or i.name not in (*_IDLE, "ch", "join", "turn") for i in found[:-1]
+        )
         if not (name == "slst" and behind and many in PICOTS):
             return False
         found[-1] = Action(f"picot{many}" if many != 3 else "picot", last.span)
+        r.body.curled = r.body.curled or r.stars > 0
         return True
     if place.kind != "hook":
         return False
@@ -91,3 +94,14 @@ def rooted(items: list[Item]) -> list[Item]:
         else:
             made.append(item)
     return made
+
+
+def looped(line: Line, hook: int, items: list[Item]) -> bool:
+    """Takes a chain that is closed in its first link for a loop among others: "ch 6. Sl st in 6th ch from hook"; whether it is."""
+    base, first = line.items[-1], items[0]
+    if not isinstance(base, Action) or base.times != hook or hook not in PICOTS:
+        return False
+    if not isinstance(first, Action) or first.name != "slst":
+        return False
+    items[0] = Action(f"picot{hook}" if hook != 3 else "picot", base.span)
+    return True

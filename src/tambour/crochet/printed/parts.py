@@ -10,7 +10,7 @@ from tambour.crochet.graph.hook import MOST_AT_TIP
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import into_one
 from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Section, written
-from tambour.crochet.printed.curls import rooted
+from tambour.crochet.printed.curls import looped, rooted
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.doubts import after, chainless, reached, rounds_until
 from tambour.crochet.printed.heads import Head
@@ -112,7 +112,10 @@ class Draft:
             self.drop_chain()
         if not items:
             return
-        if body.curled and not self.begun():
+        if body.curled and (
+            not self.begun() or (self.chain is not None and looped(self.lines[self.chain], body.hook, items))
+        ):
+            self.drop_chain()
             self._line(source, head, body, rooted(items), span, notes)
             return
         items = self._founded(source, head, body, items, span)
@@ -125,9 +128,7 @@ class Draft:
 
     def started(self, source: Source) -> bool:
         """Whether the part has what its rounds are worked on."""
-        return any(founds(source, item) for line in self.lines for item in line.items) or any(
-            line.again is not None for line in self.lines
-        )
+        return any(line.again is not None or any(founds(source, i) for i in line.items) for line in self.lines)
 
     def drop_chain(self) -> None:
         """Takes the foundation chain away that a ring stands for."""
@@ -187,9 +188,8 @@ class Draft:
         if worked:
             self.last = max(numbers) + (times - 1) * alone if numbers else self.last + times
         before = self.edge
-        if worked and self.edge is not None:
-            for _ in range(times if self.marked is not None and times < _MARKED else 1):
-                self.marked = middle(items, self.edge, self.ahead(), source.stitches)
+        for _ in range(min(times, _MARKED) if worked else 0):
+            self.marked = middle(items, self.edge or 0, self.ahead(), source.stitches)
         edge = reached(items, self.edge, source.stitches, times)
         if (
             body.stated is not None
@@ -264,9 +264,9 @@ class Draft:
         number = numbers[0] if numbers else self.last + 1
         first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
         moves, lines = self._lifted(lines)
-        hues = [i for i in body.items if isinstance(i, Action) and i.name == "color"]
-        later = tuple(i for i in hues if i.span.start > refers.span.start)  # "Rep Row 2 changing to B in last sc"
-        lead = (*moves, *(i for i in hues if i not in later))
+        said = [i for i in body.items if isinstance(i, Action) and i.name in ("color", "turn")]
+        later = tuple(i for i in said if i.span.start > refers.span.start)  # "Rep Row 2 changing to B in last sc"
+        lead = (*moves, *(i for i in said if i.name == "color" and i not in later))
         again = Again(lines, first_number, last_number, "" if origin is self else origin.name, refers.span)
         at = head.span if head is not None and numbers else refers.span
         line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)

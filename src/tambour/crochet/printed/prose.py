@@ -17,6 +17,7 @@ from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
+from tambour.crochet.printed.established import established
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.items import bare_count
 from tambour.crochet.printed.notes import (
@@ -301,6 +302,8 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     if p.mode not in ("materials", "abbreviations") and (
         by_hand(tokens) or convention(p, tokens) or (handed and _once_more(tokens))
     ):
+        return True
+    if established(p, tokens):
         return True
     p.handed = False
     text = p.source.text.text[tokens[0].start : tokens[-1].end]

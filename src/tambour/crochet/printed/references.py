@@ -68,7 +68,7 @@ def refers(r: Reader) -> Refers | None:
         return None
     times, length, whole = None, None, True
     words: list[str] = []
-    through, until, mirrored = 0, 0, False
+    through, to_count, mirrored = 0, 0, False
     while (token := c.look()) is not None and not (token.kind == "mark" and token.word in _ENDS):
         if c.key("color") and token.word.startswith("chang"):
             break
@@ -81,8 +81,8 @@ def refers(r: Reader) -> Refers | None:
             times = c.whole()
             c.at += 2
             c.skip_key("times")
-        elif many := _until(c):
-            until = many
+        elif many := until(c):
+            to_count = many
         elif c.key("until") or (c.key("to") and c.key("measures", ahead=2)):
             length, whole = _length(c)
         elif (
@@ -113,10 +113,12 @@ def refers(r: Reader) -> Refers | None:
     if len(words) > 5:
         raise NotUnderstood(first, "what is repeated here is not understood", "name the rounds: as Rnds 2-4 of Head")
     span = Span(first.start, c.tokens[c.at - 1].end)
-    return Refers(span, found.numbers, found.latest, found.marks, through, part, times, length, whole, mirrored, until)
+    return Refers(
+        span, found.numbers, found.latest, found.marks, through, part, times, length, whole, mirrored, to_count
+    )
 
 
-def _until(c: Cursor) -> int:
+def until(c: Cursor) -> int:
     """Goes past "to 21 sc", "until there are 63 sts", "until 8 sts rem", and gives the number; 0 where something else is said."""
     begin = c.at
     if not c.key("until", "to"):
