@@ -124,6 +124,8 @@ def test_glb_in_its_own_words(tmp_path):
     assert {m["name"] for m in head["materials"]} == {"cloth", "thread"}
     assert "KHR_materials_sheen" in head["materials"][1]["extensions"]
     assert len(head["meshes"][1]["primitives"][0]["targets"]) == 3
+    assert "images" not in head  # so coordinates of a texture would be carried for nothing
+    assert not any("TEXCOORD_0" in p["attributes"] for m in head["meshes"] for p in m["primitives"])
     for view in head["bufferViews"]:
         assert view["byteOffset"] % 4 == 0
         assert view.get("byteStride", 4) % 4 == 0

@@ -47,9 +47,13 @@ def _changed(source: Any, params: EmbroideryParams, edits: Sequence[Region]) -> 
     from tambour.core.picture import Picture
 
     if isinstance(source, Picture):
+        from tambour.embroidery.regions.scan import scanned
         from tambour.embroidery.regions.trace import traced
 
-        source, params = traced(source, params), params.model_copy(update={"width": None})
+        source, params = (
+            (scanned if params.style == "scan" else traced)(source, params),
+            params.model_copy(update={"width": None}),
+        )
     if params.text is not None:
         from tambour.embroidery.regions.lettering import lettered
 

@@ -28,6 +28,7 @@ Stitch = Literal[
     "running",
     "bean",
     "motif",
+    "manual",
 ]
 FAMILIES: tuple[str, ...] = get_args(Stitch)
 UNDERLAYS = ("auto", "none", "center", "edge", "zigzag", "tatami")
@@ -49,10 +50,10 @@ class EmbroideryParams(Params):
 
     groups: ClassVar = {
         "Stitches": "stitch angle row_spacing row_spacing_end length min_length stagger jitter seed motif motif_size repeats",
-        "Satin and lines": "satin_from line_below split border jagged",
+        "Satin and lines": "satin_from line_below split border blend jagged",
         "Fabric": "fabric pull pull_percent push test_card measured underlay knockdown",
         "Thread": "thread travel locks trim catalogue",
-        "Design": "width hoop order colors keep_hidden text font text_size text_arc applique baste",
+        "Design": "width hoop order colors style keep_hidden text font text_size text_arc applique baste",
         "Cloth": "cloth ground frames ends theta place place_at place_offset place_rotate place_scale place_group",
         "Machine": "machine pes jef_trims check",
     }
@@ -124,6 +125,9 @@ class EmbroideryParams(Params):
     line_below: Length = Field(default=0.8, ge=0, le=12)
     """Limbs of satin areas that are narrower than this are a line, sewn there and back."""
 
+    blend: str | None = None
+    """A second colour for fills of rows, such as #f4a261: it grows along the rows' way as the first thins out."""
+
     border: Length = Field(default=0.0, ge=0, le=12)
     """Fills get a satin border of this width along their edges, inside them, in the same thread."""
 
@@ -177,6 +181,10 @@ class EmbroideryParams(Params):
 
     colors: int | None = Field(default=None, ge=2, le=24)
     """Colours that a picture (6 when not given) or a drawing (all it has) is reduced to."""
+
+    style: Literal["flat", "scan"] = "flat"
+    """How a picture is sewn: as areas of {--colors} flat colours, or as a scan: lines to and fro, closer where it is darker, in
+    one black thread or {--colors} of them (to 5)."""
 
     keep_hidden: bool = False
     """What lies below other shapes is sewn too, and equal neighbours stay apart."""
@@ -289,6 +297,11 @@ class EmbroideryParams(Params):
         if value is not None:
             numbers(value, 3)
         return value
+
+    @field_validator("blend")
+    @classmethod
+    def _blend(cls, value: str | None) -> str | None:
+        return None if value is None else cls._ground(value)
 
     @field_validator("ground")
     @classmethod

@@ -128,8 +128,7 @@ def write_glb(value: Scene, sink: Sink) -> None:
             rgba = np.full((len(still.color), 4), 65535, np.uint16)
             rgba[:, :3] = np.round(linear(np.arange(256) / 255.0) * 65535).astype(np.uint16)[still.color]
             attributes["COLOR_0"] = body.add(rgba, target=_VERTEX, normalized=True)
-        if isinstance(thing, Mesh) and still.uv is not None:
-            attributes["TEXCOORD_0"] = body.add(still.uv.astype(np.float32), target=_VERTEX)
+        # The cloth's uv has no texture to serve: viewers would carry it for nothing.
         index = np.uint16 if len(still.vertices) < 65535 else np.uint32
         primitive: dict[str, Any] = {
             "attributes": attributes,

@@ -18,7 +18,7 @@ from tambour.embroidery.lines.fill import Rings, from_rows, polygon_of, rings
 from tambour.embroidery.lines.flow import flow
 from tambour.embroidery.lines.least import tidy
 from tambour.embroidery.lines.net import weave
-from tambour.embroidery.lines.run import bean, from_nearest, motif, running
+from tambour.embroidery.lines.run import bean, from_nearest, manual, motif, running
 from tambour.embroidery.lines.ways import nearest_on_outline, way
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import TRAVEL, UNDERLAY, Region
@@ -48,11 +48,15 @@ def line_family(region: Region, start: Place) -> list[Stitches]:
     """Every line of a region, nearest first."""
     p = region.params
     lines = list(region.paths)
+    ends = np.array([line[[0, -1]] for line in lines])
+    free = np.ones(len(lines), bool)
     made: list[Stitches] = []
     here = start
-    while lines:
-        k = _nearest([Paths.of([line[[0, -1]]]) for line in lines], here)
-        line = from_nearest(lines.pop(k), here)
+    while free.any():
+        far = ((ends - np.array(here or (0.0, 0.0))) ** 2).sum(2).min(1)
+        k = int(np.argmin(np.where(free, far, np.inf))) if here is not None else int(np.argmax(free))
+        free[k] = False
+        line = from_nearest(lines[k], here)
         if region.stitch == "satin":
             columns = from_stroke(line, region.width)
             if columns and (line[0] != line[-1]).any():
@@ -64,6 +68,8 @@ def line_family(region: Region, start: Place) -> list[Stitches]:
             threads = [bean(line, p)]
         elif region.stitch == "motif":
             threads = [motif(line, p)]
+        elif region.stitch == "manual":
+            threads = [manual(line, p)]
         else:
             threads = [running(line, p)]
         for thread in threads:

@@ -11,6 +11,7 @@ from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import RUNNING
 from tambour.embroidery.stitches import Stitches, line_stitches, walk
 
+LONGEST = 12.0  # mm of a stitch that is laid by hand
 TOLERANCE = 0.1  # mm that a running stitch may cut a bend
 
 # Figures in a cell 1 long, 1 wide (v from -0.5 to 0.5), from (0, 0) to (1, 0); each is drawn without lifting the needle.
@@ -37,6 +38,15 @@ def bean(line: Array, params: EmbroideryParams) -> Stitches:
     a, b = xy[:-1], xy[1:]
     there = np.stack([b if k % 2 == 0 else a for k in range(times)], 1).reshape(-1, 2)
     return Stitches.of(np.concatenate([xy[:1], there]), RUNNING)
+
+
+def manual(line: Array, params: EmbroideryParams) -> Stitches:
+    """A stitch from each corner of the line to the next, as a hand laid them; longer ones than a machine makes are parted."""
+    size = np.hypot(*np.diff(line, axis=0).T)
+    parts = np.maximum(1, np.ceil(size / LONGEST - 1e-9).astype(int))
+    at = np.concatenate([np.arange(n) / n + k for k, n in enumerate(parts)] + [[len(size)]])
+    place = np.arange(len(line))
+    return Stitches.of(np.c_[np.interp(at, place, line[:, 0]), np.interp(at, place, line[:, 1])], RUNNING)
 
 
 def motif(line: Array, params: EmbroideryParams) -> Stitches:

@@ -13,6 +13,7 @@ from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.core.thread import Thread, ThreadPlan
 from tambour.embroidery.families.applique import applique, basting_box, knockdown
+from tambour.embroidery.families.blend import blended
 from tambour.embroidery.families.choose import Place, region_stitches
 from tambour.embroidery.families.decide import decided
 from tambour.embroidery.params import EmbroideryParams
@@ -30,6 +31,7 @@ from tambour.embroidery.regions.flat import joined, mixed, uncovered
 from tambour.embroidery.regions.lettering import lettered
 from tambour.embroidery.regions.palette import reduced
 from tambour.embroidery.regions.read import extent, regions
+from tambour.embroidery.regions.scan import scanned
 from tambour.embroidery.regions.trace import traced, with_images
 from tambour.embroidery.stitches import Stitches
 
@@ -46,7 +48,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     with progress.stage("read"):
         drawing = source
         if isinstance(drawing, Picture):
-            drawing = traced(drawing, params)
+            drawing = (scanned if params.style == "scan" else traced)(drawing, params)
             params = params.model_copy(update={"width": None})
         if drawing is not None and drawing.images:
             drawing = with_images(drawing, params)
@@ -63,7 +65,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         found = regions(drawing, params, progress)
         if not isinstance(source, Picture):
             found = _flat(drawing, found, params, progress)
-        found = overlapped(decided(found))
+        found = overlapped(blended(decided(found), progress))
     how = params.order
     if len(found) > MOST and how == "auto":
         progress.warn(

@@ -98,6 +98,8 @@ def overrides(data: Mapping[str, str], name: str) -> dict[str, Any]:
         beans = data.get("inkstitch-bean_stitch_repeats", "").split()
         if beans and beans[0].isdigit() and int(beans[0]) > 0:
             made["stitch"], made["repeats"] = "bean", min(9, 2 * int(beans[0]) + 1)
+    elif stroke == "manual_stitch":
+        made["stitch"] = "manual"
     elif stroke == "ripple_stitch":
         made["stitch"] = "ripple"
     elif stroke == "zigzag_stitch":

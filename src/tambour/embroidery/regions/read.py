@@ -20,9 +20,11 @@ from tambour.embroidery.params import EmbroideryParams, hoop_size
 from tambour.embroidery.piece import AUTO, Region
 from tambour.embroidery.regions.inkstitch import flags as inkstitch_flags
 from tambour.embroidery.regions.inkstitch import is_satin, overrides
+from tambour.embroidery.regions.lettering import how_sewn
 from tambour.geometry.areas import polygons
 
-LINES = ("running", "bean", "motif")
+LINES = ("running", "bean", "motif", "manual")
+BOLD = 0.6  # mm: lines of this width and more that are no satin are sewn thrice
 LARGEST = 4_000_000.0  # mm² of design
 REACH = 100_000.0  # mm from the hoop's centre
 HANDS = ("role", "start", "end", "trim", "stop", "rails", "rank")
@@ -143,7 +145,7 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
     for m, style in enumerate(drawing.style.tolist()):
         group = int(drawing.group[m])
         if group not in cache:
-            cache[group] = _own(drawing, group, params, problems)
+            cache[group] = _own(drawing, group, params, problems, scale)
         own, data, name = cache[group]
         if (
             data.get("tambour-role") in ("guide", "baseline")
@@ -187,7 +189,8 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
                 role, family = "rails", "satin"
             elif family not in (*LINES, "satin"):
                 satin = width >= own.satin_from and "inkstitch-stroke_method" not in data
-                family = "satin" if satin else "running"
+                bold = width >= BOLD and "inkstitch-stroke_method" not in data
+                family = "satin" if satin else "bean" if bold else "running"
             made = Paths.of([line for line in lines if len(line) > 1])
             if len(made):
                 cap, alpha = int(drawing.styles.cap[style]), float(stroke[style, 3]) / 255 or 1.0
@@ -202,9 +205,10 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
 
 
 def _own(
-    drawing: Drawing, group: int, params: EmbroideryParams, problems: list[Problem]
+    drawing: Drawing, group: int, params: EmbroideryParams, problems: list[Problem], scale: float
 ) -> tuple[EmbroideryParams, Mapping[str, str], str]:
-    """Parameters, data and id of a group: its surroundings' ``tambour-…``, then its own."""
+    """Parameters, data and id of a group: its surroundings' ``tambour-…``, then its own; small text of a drawing is sewn as
+    ``--text`` of its size is, where nobody says otherwise."""
     chain: list[int] = []
     while group >= 0:
         chain.insert(0, group)
@@ -221,7 +225,7 @@ def _own(
     role = [drawing.groups.data[g].get("tambour-role", "") for g in chain]
     data = {**own, "tambour-role": next(filter(None, reversed(role)), "")}
     try:
-        given = {**overrides(own, name), **given}
+        given = {**_small(drawing, chain[-1], own, params, scale), **overrides(own, name), **given}
         if not given:
             return params, data, name
         files = set(EmbroideryParams.files()) & set(given)
@@ -234,6 +238,19 @@ def _own(
     except TambourError as error:
         problems += error.problems
         return params, data, name
+
+
+def _small(
+    drawing: Drawing, group: int, own: Mapping[str, str], params: EmbroideryParams, scale: float
+) -> dict[str, Any]:
+    """How a group is sewn that is text with capitals of 10 mm and less."""
+    size = float(own.get("letters", "inf")) * scale
+    if size > 10 or params.stitch is not None:
+        return {}
+    parts = np.arange(len(drawing.paths) + 1) if drawing.paths.parts is None else drawing.paths.parts
+    shapes = np.flatnonzero(drawing.group == group).tolist()
+    rings = [drawing.paths[i] * scale for m in shapes for i in range(int(parts[m]), int(parts[m + 1]))]
+    return {k[8:].replace("-", "_"): v for k, v in how_sewn(rings, size).items()} if rings else {}
 
 
 def _guides(drawing: Drawing, parts: Array, scale: float, shift: Array) -> dict[int, Paths]:

@@ -32,16 +32,15 @@ def traced(picture: Picture, params: EmbroideryParams) -> Drawing:
     """
     rgba = picture.rgba
     rows, columns = rgba.shape[:2]
-    width = params.width or (columns * picture.pixel if picture.pixel and columns * picture.pixel < 400 else WIDTH)
-    pixel = max(PIXEL, width / 500)
+    width, pixel = size_of(picture, params)
     n = max(8, min(columns, round(width / pixel)))
-    small = _shrunk(rgba, n, max(8, round(rows * n / columns)))
+    small = shrunk(rgba, n, max(8, round(rows * n / columns)))
     pixel = width / n
     solid = small[..., 3] > 0.5
     lab = oklab(small[..., :3])
     if not solid.any():
         return _drawing([], pixel, small.shape)
-    label, centers = _few(lab, solid, params.colors or COLORS, params.seed)
+    label, centers = few(lab, solid, params.colors or COLORS, params.seed)
     label = _calm(label, centers, lab, solid)
     rim = np.concatenate([label[0], label[-1], label[:, 0], label[:, -1]])
     common = int(np.bincount(rim[rim >= 0], minlength=1).argmax()) if (rim >= 0).any() else -1
@@ -52,6 +51,13 @@ def traced(picture: Picture, params: EmbroideryParams) -> Drawing:
     areas = [k for k in range(len(centers)) if (label == k).any()]
     areas.sort(key=lambda k: -int((label == k).sum()))
     return _drawing([(label == k, tuple(int(c) for c in colors[k])) for k in areas], pixel, small.shape)
+
+
+def size_of(picture: Picture, params: EmbroideryParams) -> tuple[float, float]:
+    """Width in mm of a picture, and of the pixels that are worth looking at."""
+    columns = picture.rgba.shape[1]
+    width = params.width or (columns * picture.pixel if picture.pixel and columns * picture.pixel < 400 else WIDTH)
+    return width, max(PIXEL, width / 500)
 
 
 def with_images(drawing: Drawing, params: EmbroideryParams) -> Drawing:
@@ -71,7 +77,7 @@ def with_images(drawing: Drawing, params: EmbroideryParams) -> Drawing:
     return replace(drawing, images=())
 
 
-def _shrunk(rgba: Array, columns: int, rows: int) -> Array:
+def shrunk(rgba: Array, columns: int, rows: int) -> Array:
     """(rows, columns, 4) floats in 0…1: the mean of the pixels that fall into each, weighted by their alpha."""
     i = np.linspace(0, rgba.shape[0], rows + 1).astype(int)
     j = np.linspace(0, rgba.shape[1], columns + 1).astype(int)
@@ -86,7 +92,7 @@ def _shrunk(rgba: Array, columns: int, rows: int) -> Array:
     return np.clip(mean, 0, 1)
 
 
-def _few(lab: Array, solid: Array, count: int, seed: str) -> tuple[Array, Array]:
+def few(lab: Array, solid: Array, count: int, seed: str) -> tuple[Array, Array]:
     """k-means in Oklab, begun at colours far from each other: (label (rows, columns), -1 outside; centres (k, 3))."""
     points = lab[solid]
     draw = stream(seed, "trace")

@@ -12,18 +12,19 @@ from typing import Any
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.drawing import Drawing, Groups, Placed
+from tambour.core.drawing import Drawing, Placed
 from tambour.core.errors import TambourError
 from tambour.files.svg import css
 from tambour.files.svg.canvas import Canvas
 from tambour.files.svg.frames import framed
+from tambour.files.svg.groups import Noted
 from tambour.files.svg.images import placed
 from tambour.files.svg.looks import Look, properties
 from tambour.files.svg.path import IDENTITY, PathError, after, apply, fitted, flatten, transform
 from tambour.files.svg.servers import gradient
 from tambour.files.svg.shapes import SHAPES, outline
 from tambour.files.svg.stroked import Shape, painted
-from tambour.files.svg.text import outlined
+from tambour.files.svg.text import capitals, outlined
 from tambour.files.svg.tree import Node, parse
 from tambour.files.svg.windows import clipped, ring
 
@@ -42,7 +43,8 @@ def read_drawing(path: Path) -> Drawing:
     """An SVG file as a Drawing in mm, y down, the sheet's corner at (0, 0).
 
     Every element with an id, a name or ``data-…`` / ``inkstitch:…`` attributes becomes a group of its own, whose data
-    hold those (``data-`` left out, ``inkstitch:angle`` as ``inkstitch-angle``). Text is turned to outlines of the
+    hold those (``data-`` left out, ``inkstitch:angle`` as ``inkstitch-angle``), and of text the mm of its capitals as
+    ``letters``. Text is turned to outlines of the
     shipped typeface, clips and masks are cut, gradients become bands, dashes, markers and paint order shapes; pictures
     lie below all shapes. A value that means nothing counts as not given, as browsers do, and is named with its line in
     ``about["doubts"]`` (one a line); what a drawing in mm has no place for (filters, scripts, what lies outside the
@@ -64,16 +66,9 @@ class Reader:
         self.by_id: dict[str, Node] = {}
         self.canvas = Canvas()
         self.images: list[Placed] = []
-        self.ids: list[str] = []
-        self.known: dict[str, int] = {}  # id → how often it was met
-        self.names: list[str] = []
-        self.parent: list[int] = []
-        self.layer: list[bool] = []
-        self.data: list[dict[str, str]] = []
+        self.noted = Noted()
         self.points = 0
         self.copies = 0
-        self.symbols: dict[str, tuple[str, float, float]] = {}  # id of a command's use → name, place
-        self.links: list[tuple[str, str]] = []
 
     def doubt(self, node: Node, message: str) -> None:
         """Note a value that means nothing."""
@@ -107,20 +102,13 @@ class Reader:
         self.rules = css.Rules(rules)
         matrix, size, view = self.viewport(root)
         self.walk(root, Look(matrix, view=view))
-        self.commands()
+        self.noted.commands()
         about = {"title": t} if (t := _title(root)) else {}
         if self.ignored:
             about["ignored"] = ", ".join(f"{k} ({n})" if n > 1 else k for k, n in sorted(self.ignored.items()))
         if self.doubts:
             more = len(self.doubts) - SAID
             about["doubts"] = "\n".join([*self.doubts[:SAID], *([f"and {more} more"] if more > 0 else [])])
-        groups = Groups(
-            tuple(self.ids),
-            tuple(self.names),
-            np.array(self.parent, np.int32),
-            np.array(self.layer, np.bool_),
-            tuple(self.data),
-        )
         canvas = self.canvas
         return Drawing(
             canvas.paths(),
@@ -128,7 +116,7 @@ class Reader:
             canvas.table(),
             np.array(size) * MM,
             np.array(canvas.group, np.int32),
-            groups,
+            self.noted.table(),
             images=tuple(self.images),
             about=about,
         )
@@ -221,7 +209,8 @@ class Reader:
         if look is None:
             return
         if look.depth > 0 or node.name != "svg":
-            look = replace(look, group=self.enter(node, look.group))
+            more = {"letters": f"{capitals(look.props) * look.scale:.4f}"} if node.name == "text" else None
+            look = replace(look, group=self.noted.enter(node, look.group, more))
         for name in ("filter", "mix-blend-mode"):
             if look.props.get(name, "none") not in ("none", "normal"):
                 self.leave(name)
@@ -261,7 +250,7 @@ class Reader:
         if node.name == "path":
             if "inkscape:connection-start" in a and "inkscape:connection-end" in a:
                 ends = (a["inkscape:connection-start"].lstrip("#"), a["inkscape:connection-end"].lstrip("#"))
-                self.links.append(ends)
+                self.noted.links.append(ends)
                 return
             try:
                 made = flatten(a.get("d", ""), close, vertices)
@@ -327,7 +316,11 @@ class Reader:
         x, y = size("x"), size("y", "0", look.view[1])
         if name.startswith("#inkstitch_"):
             place = apply(look.matrix, np.array([[x, y]]))[0]
-            self.symbols[a.get("id", f"#{len(self.symbols)}")] = (name[11:], float(place[0]), float(place[1]))
+            self.noted.symbols[a.get("id", f"#{len(self.noted.symbols)}")] = (
+                name[11:],
+                float(place[0]),
+                float(place[1]),
+            )
             return
         if not name.startswith("#"):
             self.leave("a reference outside the file")
@@ -374,56 +367,14 @@ class Reader:
     def drawn(self, nodes: list[Node], look: Look) -> Canvas:
         """What elements draw, on a canvas of its own, with no notes of theirs."""
         kept, self.canvas = self.canvas, Canvas()
-        tables = (self.ids, self.names, self.parent, self.layer, self.data)
-        sizes, known = len(self.ids), dict(self.known)
+        noted = self.noted.kept()
         try:
             for node in nodes:
                 self.walk(node, look)
             return self.canvas
         finally:
-            self.canvas, self.known = kept, known
-            for table in tables:
-                del table[sizes:]
-
-    def enter(self, node: Node, group: int) -> int:
-        """The group of an element: a new one when it has a name or notes of its own."""
-        a = node.attributes
-        data = {k[5:]: v for k, v in a.items() if k.startswith("data-")}
-        data.update({k.replace(":", "-"): v for k, v in a.items() if k.startswith("inkstitch:")})
-        marker = re.search(r"#inkstitch-([a-z]+(?:-[a-z]+)*)-marker", a.get("style", "") + a.get("marker-start", ""))
-        if marker:
-            data["inkstitch-marker"] = marker[1]
-        label = a.get("inkscape:label", "")
-        layer = a.get("inkscape:groupmode") == "layer"
-        if not (data or label or layer or "id" in a):
-            return group
-        name = a.get("id", f"{node.name}-{len(self.ids) + 1}")
-        unique, n = name, self.known.get(name, 0)
-        while unique in self.known:
-            n += 1
-            unique = f"{name}-{n}"
-        self.known[name] = max(n, 1)
-        self.known.setdefault(unique, 1)
-        self.ids.append(unique)
-        self.names.append(label)
-        self.parent.append(group)
-        self.layer.append(layer)
-        self.data.append(data)
-        return len(self.ids) - 1
-
-    def commands(self) -> None:
-        """Put Ink/Stitch's command symbols on the groups of the objects they are tied to."""
-        index = {name: k for k, name in enumerate(self.ids)}
-        tied = set()
-        for a, b in self.links:
-            for use, thing in ((a, b), (b, a)):
-                if use in self.symbols and thing in index:
-                    name, x, y = self.symbols[use]
-                    self.data[index[thing]][f"inkstitch-command-{name}"] = f"{x:.6f} {y:.6f}"
-                    tied.add(use)
-        for use, (name, x, y) in self.symbols.items():
-            if use not in tied and self.data:
-                self.data[0].setdefault(f"inkstitch-command-{name}", f"{x:.6f} {y:.6f}")
+            self.canvas = kept
+            self.noted.back(noted)
 
 
 def _opacity(look: Look) -> float:

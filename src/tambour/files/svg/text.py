@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -57,12 +57,20 @@ def outlined(
     return _set(letters, leave)
 
 
+def capitals(props: Mapping[str, str]) -> float:
+    """The height of a text's capitals, in user units."""
+    from tambour.geometry.glyphs import capital_height
+    from tambour.render.type import font_bytes
+
+    return float(props.get("font-size", "16")) * capital_height(font_bytes(False))
+
+
 def _numbers(node: Node, name: str, whole: float, size: float) -> list[float]:
     found = []
     for part in re.split(r"[\s,]+", node.attributes.get(name, "").strip()):
         if part:
             try:
-                found.append(math.degrees(0) + float(part) if name == "rotate" else css.length(part, whole, size))
+                found.append(float(part) if name == "rotate" else css.length(part, whole, size))
             except ValueError:
                 break
     return found
