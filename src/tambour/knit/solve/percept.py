@@ -30,6 +30,7 @@ from tambour.knit.task import Task
 
 SCALES = ((2.3, 1.0), (1.0, 0.4))  # blur in stitches, weight
 RADIUS = 4  # stitches at which the blurs are cut off: their products reach twice as far
+ALONE = 50_000  # stitches that one thread solves before another is worth its start
 LARGEST = 11  # longest float that the trellis can tell apart
 
 
@@ -146,7 +147,7 @@ def solve(
                     failed,
                 )
 
-            share(batches, max(1, min(32, -(-batches // 2))), work)
+            share(batches, max(-(-ALONE // (LANES * cells.shape[1])), min(32, -(-batches // 2))), work)
             if progress is not None:
                 progress.step(sweep * (reach + 1) + phase + 1, sweeps * (reach + 1))
         exact.impossible(failed)

@@ -24,7 +24,7 @@ from tambour.core.kernels import kernel
 from tambour.knit.solve.uses import CODE, COSTS, LANES, OPEN, SLOTS, STEP, Ways, solve_row, ways
 from tambour.knit.task import NONE
 
-ROUNDS = 8  # in which windows are added; then windows enough for all take their place
+ROUNDS = 32  # in which windows are added; then windows enough for all take their place
 LARGEST = 50_000  # states of a row, the yarn in use not counted
 MEMORY = 1 << 29  # bytes at most of where values came from
 

@@ -33,7 +33,7 @@ class Ways(NamedTuple):
     the same for all but one more yarn, and has no r.
 
     came : (slots, R, others, C) places of the C states that a rest is left of, without the yarn at each of ``others`` axes
-    slot : (slots, R, C) that yarn's slot in them
+    slot : (slots, R, C) that yarn's slot in them; in the first ``evens`` (slots, R) it is on the same face
     went : (slots, R, others) places of a rest with a yarn of slot r at each axis
     stay : (slots, S) places of the states without r
     state : (slots ^ others,) places by slots as digits, -1 where two are one
@@ -43,6 +43,7 @@ class Ways(NamedTuple):
 
     came: I4x1
     slot: I4x1
+    evens: I4x1
     went: I4x1
     stay: I4x1
     state: I4x1
@@ -65,7 +66,7 @@ def ways(slots: int, others: int) -> Ways:
     state = np.full(slots**others, -1, np.int32)
     state[digits(whole)] = LANES * np.arange(len(whole))
     free = np.array([np.setdiff1d(np.arange(slots), row) for row in part], np.int8)
-    came, slot, went, stay, rest = [], [], [], [], []
+    came, slot, evens, went, stay, rest = [], [], [], [], [], []
     for r in range(slots):
         mine = (part != r).all(1)
         rests = part[mine]
@@ -75,15 +76,21 @@ def ways(slots: int, others: int) -> Ways:
         def placed(axis: int, with_: Array, rests: Array = rests) -> Array:
             return np.asarray(state[digits(np.insert(rests, axis, with_, 1))])
 
-        came.append([[placed(p, s) for s in free[mine].T] for p in range(others)])
+        # A use so many stitches before the one to come is on the same face when they are even, and crosses when odd.
+        odd = (r - 1 - free[mine]) % slots % 2
+        order = np.argsort(odd, 1, kind="stable")
+        from_ = np.take_along_axis(free[mine], order, 1)
+        came.append([[placed(p, s) for s in from_.T] for p in range(others)])
         went.append([placed(q, np.full(len(rests), r)) for q in range(others)])
-        slot.append(free[mine])
+        slot.append(from_)
+        evens.append((odd == 0).sum(1))
         stay.append(LANES * np.flatnonzero((whole != r).all(1)))
         rest.append(number)
     begin = (np.sort(whole, 1) == np.sort(np.arange(-others, 0) % slots)).all(1)
     tables: tuple[Array, ...] = (
         np.transpose(came, (0, 3, 1, 2)),
         np.array(slot),
+        np.array(evens),
         np.transpose(went, (0, 2, 1)),
         np.array(stay),
         state,
@@ -110,13 +117,13 @@ def waiting(since: int, t: int, starts: I8x1, cross: int) -> int:
 
 
 @by_hand("tambour.knit.solve.vectors:least_of")
-def least_of(V: Array, T: Array, M: Array, v: int, t: int, many: int, m: int) -> None:
-    """M[m + lane] = the least of V[v + T[t + j] + lane] + j over ``many`` j, for eight lanes."""
+def least_of(V: Array, T: Array, M: Array, v: int, t: int, many: int, m: int, mark: int) -> None:
+    """M[m + lane] = the least of V[v + T[t + j] + lane] + j over ``many`` j, and a mark, for eight lanes."""
     for lane in range(LANES):
         best = V[v + T[t] + lane]
         for j in range(1, many):
             best = min(best, V[v + T[t + j] + lane] + np.int32(j))
-        M[m + lane] = best
+        M[m + lane] = best + np.int32(mark)
 
 
 @by_hand("tambour.knit.solve.vectors:lesser")
@@ -190,18 +197,22 @@ def solve_row(
         for s in range(a):
             since = at_or_before(t - 2, s, a)
             left[s] = waiting(since, t, starts, cross) if (t - since) % 2 == 1 else now
-        if now == 0:
-            for k in range(rests * others):
-                least_of(V, w.came, M, 0, (r * rests * others + k) * many, many, k * LANES)
-        else:
-            M[: (now + 1) * width] = np.int32(INFINITE)
-            for u in range(now + 1):
-                for k in range(rests):
-                    for j in range(many):
-                        to = min(u, left[w.slot[(r * rests + k) * many + j]])
-                        for p in range(others):
-                            place = u * size + w.came[((r * rests + k) * others + p) * many + j]
-                            lesser(V, M, place, to * width + (k * others + p) * LANES, j + 16 * u)
+        for k in range(rests * others):  # where nothing waits, nothing will
+            least_of(V, w.came, M, 0, (r * rests * others + k) * many, many, k * LANES, 0)
+        for u in range(1, now + 1):
+            for k in range(rests):
+                even, at = 0 + w.evens[r * rests + k], (r * rests + k) * others
+                for p in range(others):
+                    m = u * width + (k * others + p) * LANES
+                    if even:
+                        least_of(V, w.came, M, u * size, (at + p) * many, even, m, 16 * u)
+                    else:
+                        M[m : m + LANES] = np.int32(INFINITE)
+                for j in range(even, many):
+                    to = min(u, left[w.slot[(r * rests + k) * many + j]])
+                    for p in range(others):
+                        place = u * size + w.came[(at + p) * many + j]
+                        lesser(V, M, place, to * width + (k * others + p) * LANES, j + 16 * u)
         for u in range(now + 1):
             settle(M, u * width, width, shift, yarns, w.went, r * rests, V, u * size, P, (u * n + t) * width)
         if now:

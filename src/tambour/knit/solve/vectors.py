@@ -84,13 +84,13 @@ def _lesser(builder: Any, a: Any, b: Any) -> Any:
 
 
 @intrinsic
-def least_of(typing: Any, V: Any, T: Any, M: Any, v: Any, t: Any, many: Any, m: Any) -> Any:
+def least_of(typing: Any, V: Any, T: Any, M: Any, v: Any, t: Any, many: Any, m: Any, mark: Any) -> Any:
     """See :func:`tambour.knit.solve.uses.least_of`."""
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         values, minima = (_whole(context, builder, signature, args, k) for k in (0, 2))
         places = context.make_array(signature.args[1])(context, builder, args[1]).data
-        v_, t_, many_, m_ = args[3:]
+        v_, t_, many_, m_, mark_ = args[3:]
         none, one = ir.Constant(t_.type, 0), ir.Constant(t_.type, 1)
 
         def candidate(j: Any) -> Any:
@@ -100,11 +100,11 @@ def least_of(typing: Any, V: Any, T: Any, M: Any, v: Any, t: Any, many: Any, m: 
         best = cgutils.alloca_once_value(builder, candidate(none))
         with cgutils.for_range_slice(builder, one, many_, one) as (j, _):
             builder.store(_lesser(builder, builder.load(best), candidate(j)), best)
-        stored = builder.store(builder.load(best), minima(m_))
+        stored = builder.store(_plus(builder, best, mark_), minima(m_))
         stored.align = 4
         return context.get_dummy_value()
 
-    return types.void(V, T, M, v, t, many, m), generate
+    return types.void(V, T, M, v, t, many, m, mark), generate
 
 
 @intrinsic
