@@ -5,7 +5,17 @@ from __future__ import annotations
 import numpy as np
 
 from tambour.core.arrays import F4x2, F8x1, F8x2, I1x1, I4x2
-from tambour.core.kernels import kernel
+from tambour.core.kernels import inner, kernel
+
+
+@inner
+def _within(first: float, last: float, weight: float, right: float, turn: float) -> tuple[float, float]:
+    """What of a row's samples from first to last has no negative weight, which changes by ``right`` a sample (turn: -1/right)."""
+    if right > 0.0:
+        return max(first, weight * turn), last
+    if right < 0.0:
+        return first, min(last, weight * turn)
+    return first, -1.0 if weight < 0.0 else last
 
 
 @kernel
@@ -54,24 +64,9 @@ def cover(x: F8x1, y: F8x1, z: F8x1, faces: I4x2, near: F4x2, face: I4x2, side: 
             # Samples from first to last, counted from the left, lie within all three edges.
             a_row = 1.0 - b_row - c_row
             first, last = 0.0, float(right - left - 1)
-            if b_right > 0.0:
-                first = max(first, b_row * b_turn)
-            elif b_right < 0.0:
-                last = min(last, b_row * b_turn)
-            elif b_row < 0.0:
-                last = -1.0
-            if c_right > 0.0:
-                first = max(first, c_row * c_turn)
-            elif c_right < 0.0:
-                last = min(last, c_row * c_turn)
-            elif c_row < 0.0:
-                last = -1.0
-            if a_right > 0.0:
-                first = max(first, a_row * a_turn)
-            elif a_right < 0.0:
-                last = min(last, a_row * a_turn)
-            elif a_row < 0.0:
-                last = -1.0
+            first, last = _within(first, last, b_row, b_right, b_turn)
+            first, last = _within(first, last, c_row, c_right, c_turn)
+            first, last = _within(first, last, a_row, a_right, a_turn)
             if first <= last:
                 k = int(first)
                 if k < first:

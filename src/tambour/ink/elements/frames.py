@@ -208,6 +208,14 @@ def sign(brush: Brush, x: float, y: float, height: float, width: float, lean: fl
 
 
 @inner
+def _rim(brush: Brush, x: float, y: float, half: float, depth: float, corner: float, sides: int, k: int) -> None:
+    """The k-th eave of a pointed roof's ``sides``, on the near half of its round."""
+    a, b = -1.0 + 2.0 * k / sides, -1.0 + 2.0 * (k + 1) / sides
+    near, far = depth * math.sqrt(1.0 - a * a), depth * math.sqrt(max(0.0, 1.0 - b * b))
+    eave(brush, x + half * a, y + near, x + half * b, y + far, 0.12 * corner - 2.0)
+
+
+@inner
 def spire(
     brush: Brush,
     x: float,
@@ -222,28 +230,12 @@ def spire(
     """A pointed roof with ribs: ``sides`` eave segments seen, corners turned up (pagodas and pavilions, 1.9)."""
     half = 0.5 * width + corner
     for k in range(sides):
-        a, b = -1.0 + 2.0 * k / sides, -1.0 + 2.0 * (k + 1) / sides
-        eave(
-            brush,
-            x + half * a,
-            y + depth * math.sqrt(1.0 - a * a),
-            x + half * b,
-            y + depth * math.sqrt(max(0.0, 1.0 - b * b)),
-            0.12 * corner - 2.0,
-        )
+        _rim(brush, x, y, half, depth, corner, sides, k)
     eave(brush, x + half, y, x, y - height, 0.2 * height)
     eave(brush, x, y - height, x - half, y, 0.2 * height)
     body(brush)
     for k in range(sides):
-        a, b = -1.0 + 2.0 * k / sides, -1.0 + 2.0 * (k + 1) / sides
-        eave(
-            brush,
-            x + half * a,
-            y + depth * math.sqrt(1.0 - a * a),
-            x + half * b,
-            y + depth * math.sqrt(max(0.0, 1.0 - b * b)),
-            0.12 * corner - 2.0,
-        )
+        _rim(brush, x, y, half, depth, corner, sides, k)
         stroke(brush, 100.0, 0.5, breadth, 1.0, EVEN, 1.0)
     for k in range(sides + 1):
         a = -1.0 + 2.0 * k / sides
