@@ -15,6 +15,7 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.core.mesh import Binding
 from tambour.core.threads import share
+from tambour.geometry.cells import touched
 
 _BLOCK = 4096  # points that one thread takes at a time
 _EDGE = 1e-9  # weights this far below zero still count as on the face
@@ -76,36 +77,13 @@ def net(flat: Array, depth: Array, face: Array, corners: Array) -> Net:
         depth,
         np.ascontiguousarray(face, np.int32),
         plane,
-        *_fill(boxes, *grid),
+        *touched(boxes, *grid),
         edges,
-        *_fill(edge_boxes, *grid),
+        *touched(edge_boxes, *grid),
         (grid[0], grid[1]),
         cell,
         shape,
     )
-
-
-@kernel
-def _fill(boxes: F8x2, x0: float, y0: float, cell: float, nx: int, ny: int) -> tuple[I8x1, I4x1]:
-    """Offsets and items of the cells that boxes (N, 4) touch, each cell's items rising."""
-    count = np.zeros(nx * ny + 1, np.int64)
-    for step in range(2):
-        if step == 1:
-            offsets = np.cumsum(count)
-            items = np.empty(offsets[-1], np.int32)
-            at = offsets[:-1].copy()
-        for t in range(len(boxes)):
-            i0, i1 = max(0, int((boxes[t, 0] - x0) / cell)), min(nx - 1, int((boxes[t, 2] - x0) / cell))
-            j0, j1 = max(0, int((boxes[t, 1] - y0) / cell)), min(ny - 1, int((boxes[t, 3] - y0) / cell))
-            for j in range(j0, j1 + 1):
-                for i in range(i0, i1 + 1):
-                    c = j * nx + i
-                    if step == 0:
-                        count[c + 1] += 1
-                    else:
-                        items[at[c]] = t
-                        at[c] += 1
-    return offsets, items
 
 
 @kernel

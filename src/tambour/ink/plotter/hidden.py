@@ -12,6 +12,7 @@ import numpy as np
 from tambour.core.arrays import F8x2, I8x1
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
+from tambour.geometry.cells import touched
 
 CELLS = 64
 """Cells of the grid along its longer side."""
@@ -31,33 +32,6 @@ def _bounds(coords: Array, offsets: Array) -> Array:
             x0, y0, x1, y1 = min(x0, x), min(y0, y), max(x1, x), max(y1, y)
         box[i, 0], box[i, 1], box[i, 2], box[i, 3] = x0, y0, x1, y1
     return box
-
-
-@kernel
-def _cells(box: Array, x0: float, y0: float, cell: float, nx: int, ny: int) -> tuple[Array, Array]:
-    """The polygons of every cell, (C + 1,) starts and their indices, rising within a cell."""
-    starts = np.zeros(nx * ny + 1, np.int64)
-    for turn in range(2):
-        if turn == 1:
-            for c in range(nx * ny):
-                starts[c + 1] += starts[c]
-            items = np.empty(starts[nx * ny], np.int64)
-            fill = starts[:-1].copy()
-        else:
-            items = np.empty(0, np.int64)
-            fill = starts
-        for i in range(len(box)):
-            if not box[i, 0] <= box[i, 2]:
-                continue
-            for v in range(int((box[i, 1] - y0) / cell), int((box[i, 3] - y0) / cell) + 1):
-                for u in range(int((box[i, 0] - x0) / cell), int((box[i, 2] - x0) / cell) + 1):
-                    c = v * nx + u
-                    if turn == 0:
-                        starts[c + 1] += 1
-                    else:
-                        items[fill[c]] = i
-                        fill[c] += 1
-    return starts, items
 
 
 @kernel
@@ -109,7 +83,7 @@ def visible(
         x0 = y0 = x1 = y1 = 0.0
     cell = max(max(x1 - x0, y1 - y0) / CELLS, 1e-9)
     nx, ny = int((x1 - x0) / cell) + 1, int((y1 - y0) / cell) + 1
-    starts, items = _cells(box, x0, y0, cell, nx, ny)
+    starts, items = touched(box, x0, y0, cell, nx, ny)
     seen = np.full(m, -1, np.int64)
     edges = np.empty((widest + 1, 4))
     cuts = np.empty(2 * widest + 4)
