@@ -13,6 +13,7 @@ from tambour.crochet.graph.build import build
 from tambour.crochet.language.parse import parse
 from tambour.crochet.printed.choose import account, read
 from tambour.crochet.printed.pattern import NOTHING, read_printed
+from tambour.crochet.printed.shades import YARNS
 
 DATA = Path(__file__).resolve().parent / "data"
 MAKERS = sorted(p for folder in ("makers", "printed") for p in (DATA / folder).iterdir() if p.suffix in (".txt", ".md"))
@@ -82,7 +83,7 @@ def test_assembly_in_sentences():
     assert two.spot.stitch - one.spot.stitch == pytest.approx(8 + 6 / np.pi, abs=0.01)  # between the ears' edges
     assert (head.part, head.spot.part, head.spot.round) == ("Head", "Body", 7.0)
     rounds = [s.round for s in nose.spots]
-    assert (nose.color, nose.motif) == ((0, 0, 0), "nose")
+    assert (nose.color, nose.motif) == (YARNS["black"], "nose")
     assert min(rounds) == 8.0 and max(rounds) == pytest.approx(9.0, abs=0.15)
     assert [part.stuffing for part in pattern.parts] == [None, None, 0.0]
     assert [p.message for p in pattern.warnings] == ["where this goes is not understood"]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from tambour.core.errors import Text
+from tambour.core.errors import TambourError, Text
+from tambour.core.graph import BACK, BOTH
 from tambour.crochet.graph.build import build
 from tambour.crochet.printed.choose import read
-from tambour.crochet.printed.shades import shade
+from tambour.crochet.printed.shades import YARNS, shade
 
 BALL = "Toy\n\nHEAD\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each sc around. (12)\n"
 
@@ -31,6 +32,21 @@ HANDS = [
     "Glue felt to the 2nd rnd.",
     "Weave tail through the 6 rem sts and pull tight.",
     "See diagram on page 3.",
+    "Sew the base closed, using the unworked back loops of Rnd 2.",
+    "With A, beginning at the fold, sew the 2 halves together.",
+    "Using B, seam side edges together, matching the 3 rows.",
+    'Space the eyes 8" [20 cm] apart as shown.',
+    "Loop yarn between 2 sts 10 times for the nose.",
+    "Attach 12 pieces of fringe to the tail.",
+    "Insert hook through Rnd 1, pull 2 strands through to make a loop, pull ends through to secure.",
+    "To help the eyes show up, trim a little of the fur around 2 of them.",
+    "Holding tissue paper over 2 layers, run a line of stitching along them.",
+    "Slip the 12 wraps off your fingers.",
+    "Use photograph as a guide to place the 4 spots.",
+    "Count 10 sts in from the edge and pin a thread there.",
+    "Cut a straw so that it fits the bend of the hdc sts in 2 places.",
+    "Color 2 cheeks with red crayon.",
+    "Flatten the piece to form a double layer of 6 stitches.",
 ]
 
 
@@ -40,11 +56,149 @@ def test_what_hands_do_makes_no_stitch(said: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "said", ["Hold 2 pieces tog and 6 sc in next 6 sts.", "Fold Rnd 2, dec around.", "Pull up a loop in 2 sts."]
+    "said",
+    [
+        "Hold 2 pieces tog and 6 sc in next 6 sts.",
+        "Fold Rnd 2, dec around.",
+        "Pull up a loop in 2 sts.",
+        "Use B for Rnds 1 and 2.",
+        "With B, join to Rnd 2 and make 3 loops in each st.",
+        "Slip st in next 2 sts, then 3 hdc in a gap.",
+        "To shape the tip, 3 sc in next 3 sts.",
+    ],
 )
 def test_what_works_stitches_is_no_doing(said: str) -> None:
     edges, unread = made(f"{BALL}{said}\n")
     assert unread or len(edges) > 2
+
+
+@pytest.mark.parametrize("said", HANDS)
+def test_what_hands_do_is_kept_for_the_booklet_at_its_place(said: str) -> None:
+    from tambour.crochet.page.hers import hers
+
+    text = f"{BALL}{said}\nRnd 3: Sc in each sc around. (12)\n"
+    pattern = read(Text(text, "toy.txt"))
+    kept = " ".join(words for notes in hers(pattern, "us").inside.values() for _, words, _ in notes)  # type: ignore[union-attr]
+    assert all(word in kept for word in said.replace(".", " ").split())
+    told = [*pattern.passed, *(w.span for w in pattern.warnings if w.span is not None)]
+    assert any(pattern.text.text[a.start : a.end] in said for a in told)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Make 1 flower each with B, C and D.",
+        "Rnd 1 is worked in B.",
+        "Work Rnd 1 with D and Rnd 2 with C.",
+        "Use B for the whole head.",
+        "These are made with B and C.",
+    ],
+)
+def test_what_names_a_yarn_is_no_remark(said: str) -> None:
+    assert made(f"{BALL}{said}\n")[1]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "If making the striped cat, make all 3 spots with C.",
+        "Note: If you are making a light one change to C.",
+        "If desired, work with B throughout.",
+    ],
+)
+def test_what_is_said_for_one_version_is_told(said: str) -> None:
+    pattern = read(Text(f"{BALL}{said}\n", "toy.txt"))
+    assert [w.message for w in pattern.warnings if "case or version" in w.message] and not pattern.unread
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Work all rounds of head in back loops only.",
+        "Work in back loops only throughout.",
+        "Note: Work in BLO for all rounds.",
+    ],
+)
+def test_loops_said_for_all_rounds_are_worked_in_each(said: str) -> None:
+    rounds = "Rnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each sc around. (12)\nRnd 3: Sc in each sc around. (12)\n"
+    pattern = read(Text(f"Toy\n\nHEAD\n{said}\n{rounds}\nTAIL\n{rounds}", "toy.txt"))
+    graph = build(pattern).graph
+    loops = [[int(graph.loop[part.start + k]) for k in (3, 12, 24)] for part in graph.parts]
+    assert loops == [[BOTH, BACK, BACK], [BOTH, BOTH, BOTH]]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "With blue, create a magic ring, and work in unjoined rounds as follows:",
+        "With blue, work in a spiral as follows:",
+    ],
+)
+def test_a_colour_that_such_a_sentence_names_is_taken(said: str) -> None:
+    pattern = read(Text(f"Toy\n\nHEAD\n{said}\nRnd 1: 6 sc in magic ring. (6)\n", "toy.txt"))
+    assert [i.numbers for n in pattern.parts[0].lines for i in n.items if getattr(i, "name", "") == "color"] == [
+        shade("blue")
+    ]
+
+
+@pytest.mark.parametrize(
+    "head", ["HEAD (blue)", "Head (blue yarn)", "HEAD\nColor: blue", "HEAD\nUse blue yarn.", "HEAD\nChange to blue."]
+)
+def test_a_colour_beside_the_name_of_a_part_is_taken_and_is_a_yarns(head: str) -> None:
+    rounds = "Rnd 1: 6 sc in magic ring. (6)\n"
+    pattern = read(Text(f"Toy\n\nTAIL\n{rounds}\n{head}\n{rounds}", "toy.txt"))
+    colors = [[i.numbers for n in s.lines for i in n.items if getattr(i, "name", "") == "color"] for s in pattern.parts]
+    assert colors == [[], [YARNS["blue"]]]
+
+
+@pytest.mark.parametrize(
+    ("said", "copies"),
+    [
+        ("Repeat for other leg.", 2),
+        ("Repeat for second leg.", 2),
+        ("Repeat for the other legs.", 4),
+        ("Rep for 2nd leg.", 2),
+    ],
+)
+def test_a_part_repeated_for_another_is_made_again(said: str, copies: int) -> None:
+    pattern = read(Text(f"{BALL.replace('HEAD', 'LEG')}Fasten off. {said}\n", "toy.txt"))
+    assert pattern.parts[0].copies == copies and not pattern.unread
+
+
+def test_an_edge_worked_once_more_is_told() -> None:
+    pattern = read(Text(f"{BALL}Join B in side, 6 sc evenly along the edge. Repeat on other side.\n", "toy.txt"))
+    assert len([w for w in pattern.warnings if "not drawn" in w.message]) == 2 and not pattern.unread
+
+
+SIZED = """Ball
+
+Sizes: S (M, L)
+
+Body
+Rnd 1: 6 (7, 8) sc in magic ring. 6 (7, 8) sts.
+Rnd 2: 2 sc in each st around. 12 (14, 16) sts.
+Rnd 3: [Sc in next st, 2 sc in next st] 6 (7, 8) times. 18 (21, 24) sts.
+"""
+
+
+@pytest.mark.parametrize("asked", [("S", 6), ("m", 7), ("Large", 8), ("2", 7), (None, 6)])
+def test_of_several_sizes_one_is_read(asked: tuple[str | None, int]) -> None:
+    size, n = asked
+    listed = SIZED.replace("S (M, L)", "(S, M, L)").replace("6 (7, 8)", "(6, 7, 8)")
+    listed = listed.replace("12 (14, 16)", "[12, 14, 16]").replace("18 (21, 24)", "(18; 21; 24)")
+    for text in (SIZED, listed, SIZED.replace("Sizes: S (M, L)", "SIZES\nSmall (Medium, Large)")):
+        pattern = read(Text(text, "toy.txt"), size=size)
+        assert [w.edge for w in build(pattern).worked if w.line.in_round] == [n, 2 * n, 3 * n]
+        assert bool([w for w in pattern.warnings if "sizes" in w.message]) == (size is None)
+        assert pattern.whole is not None and pattern.whole.text == text and len(pattern.text.text) == len(text)
+
+
+def test_a_size_that_is_not_there_is_told() -> None:
+    with pytest.raises(TambourError, match="no size"):
+        read(Text(SIZED, "toy.txt"), size="XXL")
+    assert [w for w in read(Text(BALL, "toy.txt"), size="M").warnings if "no effect" in w.message]
+    plain = read(Text(f"{BALL}Rnd 3: 12 (12) sc.\n", "toy.txt"))
+    assert plain.whole is None
 
 
 MEANT = [

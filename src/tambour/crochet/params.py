@@ -24,7 +24,7 @@ class CrochetParams(Params):
     """Parameters of crochet. Where a pattern's ``@`` parameter can speak, None leaves it the word."""
 
     groups: ClassVar = {
-        "Pattern": "terms strict check max_stitches",
+        "Pattern": "terms size strict check max_stitches",
         "Yarn and gauge": "yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
         "Pictures and pages": "detail material photo page ink large_print title designer",
         "Shape": "stuffing contact solver steps tolerance start link_distance single_loop_force bending",
@@ -32,7 +32,7 @@ class CrochetParams(Params):
         "Contact": "contact_distance contact_near contact_stiffness",
         "One by one": "wait_force wait_steps",
     }
-    first: ClassVar = "yarn hook gauge terms check detail page title designer"
+    first: ClassVar = "yarn hook gauge terms size check detail page title designer"
     rare: ClassVar = (
         "edition solver steps tolerance start link_distance single_loop_force bending pressure centroids nodes_per_centroid"
         " centroid_force centroid_cap weight_peak weight_width skeleton_force contact_distance contact_near"
@@ -112,6 +112,8 @@ class CrochetParams(Params):
     """Tech edit: every mistake and doubt of the pattern is an error, told with its place; nothing is made."""
     terms: Code | None = None
     """The words of written instructions: US or UK terms, another language, or letters (else the pattern's own, else US)."""
+    size: str | None = Field(default=None, max_length=40)
+    """Which of several sizes of a printed pattern is made ("S (M, L)"): its name, or its place in the list (else the first)."""
     strict: bool = False
     """Stated counts that do not agree with the work, and other doubts, are errors."""
     max_stitches: int = Field(default=200_000, ge=1, le=5_000_000)

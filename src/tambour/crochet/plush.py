@@ -52,6 +52,7 @@ def _built(source: Text, params: CrochetParams, progress: Progress) -> tuple[Bui
             max_stitches=params.max_stitches,
             strict=params.strict,
             high=lambda stated: gauge(params, stated).height,
+            size=params.size,
         )
     known = gauge(params, pattern.stated)
     stitch = (known.width, known.height)

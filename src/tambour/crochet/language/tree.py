@@ -174,6 +174,7 @@ class Pattern:
     passed : stretches of the text that are no instructions and were passed over
     unread : what was not understood: gaps in the tree that took their counts, and sentences; left_out : rounds of them
         that are no part of the tree
+    whole : the text for all its sizes, of which ``text`` is one; None where it is for one
     built : the same parts worked already (:class:`tambour.crochet.graph.build.Built`), where reading them took that
     """
 
@@ -189,4 +190,5 @@ class Pattern:
     passed: tuple[Span, ...] = ()
     unread: tuple[Problem, ...] = ()
     left_out: tuple[Span, ...] = ()
+    whole: Text | None = None
     built: object = field(default=None, compare=False, repr=False)

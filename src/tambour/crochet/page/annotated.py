@@ -30,7 +30,7 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
 
     size_mm : width, height, depth of the piece, against which a stated size is held
     """
-    text = built.pattern.text
+    text = built.pattern.whole or built.pattern.text
     guesses = [p for p in built.warnings if p.message.startswith(GUESSED)]
     found = [*tech_edit(built), *size_edit(built, size_mm)]
     under: dict[int, list[tuple[str, Problem]]] = {}

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import PurePath
 from typing import Final
 
@@ -19,6 +20,7 @@ from tambour.crochet.language.tree import Pattern, Section
 from tambour.crochet.page.plain import reach, unmarked, with_eyes
 from tambour.crochet.page.written import Written, sections
 from tambour.crochet.piece import Plush
+from tambour.crochet.printed.shades import spoken
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.special import told
 from tambour.crochet.words.table import TERMS, Terms
@@ -80,6 +82,7 @@ class Words:
     colors : (letter or "", name, colour, the line that says so) of those without a plain name, in the order of use
     gauge, size : as the pattern states them, "" for nothing
     abbreviations : those used, with their meanings; special : its own stitches, likewise
+    hues : what its words for colours mean, where they are not those of tambour's own language
     parts : in order; seams, finish : sentences of the assembly: marks sewn, and one for every finishing record
     """
 
@@ -95,6 +98,7 @@ class Words:
     parts: tuple[PartText, ...]
     seams: tuple[str, ...]
     finish: tuple[str, ...]
+    hues: Mapping[str, RGB] = field(default_factory=dict)
 
     @property
     def blocks(self) -> tuple[PartText, ...]:
@@ -110,8 +114,9 @@ class Words:
         for letter, name, rgb, _ in self.colors:
             if rgb == hue:
                 return letter, name
-        spoken = Phrases(self.terms, {}, {letter: rgb for letter, _, rgb, _ in self.colors}).shade(hue)
-        return "", self.terms.colors[family(hue)][0] if spoken.startswith("#") else spoken
+        letters = {letter: rgb for letter, _, rgb, _ in self.colors}
+        said = Phrases(self.terms, {}, letters, self.hues).shade(hue)
+        return "", self.terms.colors[family(hue)][0] if said.startswith("#") else said
 
 
 def view(piece: Plush) -> Text:
@@ -164,9 +169,7 @@ def instructions(piece: Built | Pattern, terms: str | None = None, *, exact: boo
 def by_people(pattern: Pattern) -> bool:
     """Whether a pattern's text was written by people, and neither in tambour's language nor printed by it."""
     terms = TERMS.get(pattern.terms)
-    return (
-        terms is not None and f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" not in pattern.text.text
-    )
+    return terms is not None and not terms.prints(pattern.text.text)
 
 
 def words(piece: Built | Pattern, terms: str | None = None, *, exact: bool = True) -> Words:
@@ -209,7 +212,8 @@ class _Writer:
         self.built, self.terms, self.pattern = built, terms, built.pattern
         self.sections = list(sections(built))
         copies = {s.name: s.copies for s in self.pattern.parts if s.name}
-        self.phrases = Phrases(terms, copies, self._legend())
+        self.hues = {} if exact else spoken(terms.code)
+        self.phrases = Phrases(terms, copies, self._legend(), self.hues)
         self.own = {n for n in self.pattern.own if n in self.pattern.stitches}
         self.begins = self._begins()
         self.begun = False  # the part under way has its first stitches
@@ -228,7 +232,7 @@ class _Writer:
 
     def _legend(self) -> dict[str, RGB]:
         """The yarn's colours that have no plain name, by letter, in the order in which they are taken up."""
-        plain = Phrases(self.terms, {}, {})
+        plain = Phrases(self.terms, {}, {}, self.hues)
         hues: dict[tuple[int, ...], None] = {}
         for done in self.built.log:
             if done.what == "color":
@@ -280,6 +284,7 @@ class _Writer:
             tuple(parts),
             tuple(seams),
             tuple(finish),
+            self.hues,
         )
 
     # -- before the parts -------------------------------------------------------------------------------------------

@@ -7,8 +7,10 @@ from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.language.finishes import GUESSED
+from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import Refers
-from tambour.crochet.printed.heads import heads
+from tambour.crochet.printed.heads import STARS, heads
 from tambour.crochet.printed.moved import along_edge
 from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.reader import Body
@@ -75,12 +77,66 @@ def along(p: State, body: Body, tokens: list[Token]) -> bool:
     return True
 
 
-def more_copies(p: State, more: tuple[int, Span, bool]) -> bool:
-    """Takes "Make 2 with A and 1 with B" for the part that is headed, or else for the one just made; whether there is one."""
+def more_copies(p: State, tokens: list[Token], more: tuple[int, Span, bool]) -> bool:
+    """Takes "Make 2 with A and 1 with B" for the part that is headed, or else for the one just made; whether there is one, and no
+    other is named ("make 1 flower each with B and C")."""
     count, span, added = more
+    name = p.heading.name if p.heading is not None else p.parts[-1].name if p.parts else ""
+    end = next((k for k, t in enumerate(tokens) if t.kind == "key" and t.value in ("with", "each", "in", "for")), 0)
+    nouns = [t for t in tokens[1:end] if t.kind == "word" and (kind := kind_of(one(t.word))) is not None and kind]
+    own = {one(w) for w in name.lower().replace("_", " ").split()}
+    if name and nouns and not any(one(t.word) in own for t in nouns):
+        return False
     if p.heading is not None:
         p.heading = replace(p.heading, copies=count, copies_span=span, strong=True)
     elif p.parts:
         draft = p.parts[-1]
         draft.copies, draft.copies_span = draft.copies + count if added else max(draft.copies, count), span
     return p.heading is not None or bool(p.parts)
+
+
+def repeats_for(tokens: list[Token], after: tuple[str, ...]) -> bool:
+    """Whether a sentence has something done again that it does not name by rounds: "Repeat for second ear"."""
+    if len(tokens) < 2 or not (tokens[0].kind == "key" and tokens[0].value == "repeat"):
+        return False
+    again = tokens[1].kind == "key" and tokens[1].value in after
+    return again and not any(
+        t.kind == "stitch"
+        or t.word in ("*", *STARS)
+        or (t.kind == "key" and t.value in ("round", "row", "times", "more", "last"))
+        for t in tokens
+    )
+
+
+def again_made(p: State, tokens: list[Token]) -> bool:
+    """Takes "Repeat for other legs" for copies of the part just made, and "Repeat on other armhole" for an edge that is worked once
+    more, which is told; whether a sentence is either."""
+    if not p.parts or not repeats_for(tokens, ("for", "in", "to", "with")):
+        return False
+    draft, rest = p.parts[-1], tokens[2:]
+    others = [
+        t
+        for t in rest
+        if (t.kind == "key" and (t.value in ("other", "rest") or t.word == "other side"))
+        or t.word in _OTHER
+        or t.value == 2
+    ]
+    if not others:
+        return False
+    noun = next((t.word for t in rest if t.kind in ("word", "key") and t not in others and t.word != "make"), "")
+    span = Span(tokens[0].start, tokens[-1].end)
+    if noun and one(noun) in {one(w) for w in draft.name.lower().replace("_", " ").split()}:
+        many = 4 if noun != one(noun) and kind_of(one(noun)) == "leg" else 2
+        if draft.copies < many:
+            draft.copies, draft.copies_span = many, span
+            if many > 2:
+                p.source.doubt(f"{GUESSED}: {many} of {draft.name} are made", "say how many: (make 4)", span)
+        return True
+    if any(one(t.word.split()[-1]) in _EDGE for t in rest):
+        p.source.doubt(EDGED, "give it a round of its own", span)
+        return True
+    return False
+
+
+_OTHER: Final = frozenset(("second", "opposite", "remaining", "rem"))
+_EDGE: Final = frozenset(("armhole", "side", "edge", "end", "corner", "strap", "opening"))

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
-from tambour.core.errors import Span, TambourError, Text
+from tambour.core.errors import Problem, Span, TambourError, Text
 from tambour.crochet.language.parse import parse
 from tambour.crochet.language.tree import Line, Pattern
 from tambour.crochet.printed.restated import restated
@@ -29,11 +30,20 @@ _MORE: Final = 40
 _HEADING: Final = re.compile(r"^[ \t]*##", re.MULTILINE)
 
 
-def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False, high: Height | None = None) -> Pattern:
+def read(
+    text: Text,
+    *,
+    max_stitches: int = 200_000,
+    strict: bool = False,
+    high: Height | None = None,
+    size: str | None = None,
+) -> Pattern:
     """The pattern that ``text`` says, in tambour's own language (parse) or printed (read_printed).
 
     An ``.acl`` file is always in the language; so is a text with lines that only the language has, when it is not mostly
     something else, and one that parses whole.
+
+    high : what a printed pattern states → the height of a round, mm; size : which of its sizes is read (else the first)
 
     Raises TambourError with every problem of the text, or with one line when it holds no instructions.
     """
@@ -53,10 +63,29 @@ def read(text: Text, *, max_stitches: int = 200_000, strict: bool = False, high:
             return parse(text, max_stitches=max_stitches, strict=strict)
         except TambourError:
             pass  # as print it may be read
+    return _printed(text, max_stitches, strict, high, size)
+
+
+def _printed(text: Text, max_stitches: int, strict: bool, high: Height | None, size: str | None) -> Pattern:
+    """A printed pattern, in the size that is asked for."""
     from tambour.crochet.printed.pattern import read_printed
+    from tambour.crochet.printed.sizes import sized, sizes
     from tambour.crochet.printed.state import plain_height
 
-    return read_printed(text, max_stitches=max_stitches, strict=strict, high=high or plain_height)
+    known = sizes(text.text)
+    if known is None:
+        made = read_printed(text, max_stitches=max_stitches, strict=strict, high=high or plain_height)
+        doubt = Problem(
+            f'no sizes are named, so "{size}" has no effect', "leave {--size} out", None, text, warning=True
+        )
+        return made if size is None else replace(made, warnings=(doubt, *made.warnings))
+    k = 0 if size is None else known.which(size)
+    if k is None:
+        raise TambourError(f'there is no size "{size}"', hint=f"one of {', '.join(known.names)}", where="{--size}")
+    made = read_printed(sized(text, known, k), max_stitches=max_stitches, strict=strict, high=high or plain_height)
+    said = f"this is written for the sizes {', '.join(known.names)}: {known.names[k]} is made"
+    doubt = Problem(said, f"another: {{--size}} {known.names[-1]}", known.span, text, warning=True)
+    return replace(made, whole=text, warnings=made.warnings if size is not None else (doubt, *made.warnings))
 
 
 def _lines(text: str) -> list[str]:

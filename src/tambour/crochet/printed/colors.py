@@ -6,7 +6,7 @@ import re
 from typing import Final
 
 from tambour.core.errors import Span
-from tambour.core.rgb import RGB, unhexed
+from tambour.core.rgb import RGB, css_colors, unhexed
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.items import works
@@ -31,17 +31,17 @@ _SHADES: Final[tuple[RGB, ...]] = (
 
 class Palette:
     """The colours of a pattern. ``given``: letters and names of its own; ``told``: those without a colour that were used;
-    ``known``: words for suggestions."""
+    ``known``: words for suggestions; ``pure``: names mean what they do in tambour's own language, which printed the text."""
 
-    def __init__(self, known: list[str]) -> None:
-        self.known = known
+    def __init__(self, known: list[str], pure: bool = False) -> None:
+        self.known, self.pure = known, pure
         self.given: dict[str, RGB] = {}
         self.told: list[str] = []
         self.named: dict[str, str] = {}  # what the yarns of the letters are called
 
     def name(self, words: str) -> RGB | None:
         """The colour of a name, None when it is none."""
-        return self.given.get(words) or said(words)
+        return self.given.get(words) or (css_colors().get(words.replace(" ", "")) if self.pure else None) or said(words)
 
     def listed(self, line: str) -> None:
         """Takes the yarns that a line of the materials gives letters."""
@@ -57,8 +57,10 @@ class Palette:
         return next((self.given[k] for k in ("mc", "a", "") if k in self.given), None)
 
     def first(self, words: str) -> RGB | None:
-        """The first yarn that a heading asks for by its letter: "Make 1 with B and 1 with C"."""
-        return next((self.given[m[1].lower()] for m in _WITH.finditer(words) if m[1].lower() in self.given), None)
+        """The first yarn that a heading asks for: "Make 1 with B and 1 with C", "Head (cream)", "Ears (blue yarn, make 2)"."""
+        lettered = next((self.given[m[1].lower()] for m in _WITH.finditer(words) if m[1].lower() in self.given), None)
+        named = (self.name(" ".join(m[1].lower().split())) for m in _BESIDE.finditer(words))
+        return lettered or next((hue for hue in named if hue is not None), None)
 
     def color(self, c: Cursor, at: int | None = None) -> tuple[RGB, int] | None:
         """The colour that stands at token ``at`` (else at the cursor), and how many tokens it takes."""
@@ -102,6 +104,9 @@ class Palette:
 
 
 _WITH: Final = re.compile(r"\b(?:[Ww]ith|[Ii]n|[Uu]sing)\s+(?:[Cc]olou?r\s+)?(MC|CC|[A-K])\b")
+_BESIDE: Final = re.compile(
+    r"(?:[(\[]|\bColou?r:)[ \t]*([A-Za-z]{3,}(?:[ -][a-z]+)?)(?=[ \t]*(?:yarn\b[ \t]*)?(?:[),;\]\n]|$))"
+)
 _NUMBERED: Final = re.compile(r"(?:^|[,:]|\band)\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
 
 _AS: Final = re.compile(r"[a-z]\s+as\s+(?:MC|CC|[A-K])\b")

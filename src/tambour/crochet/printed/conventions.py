@@ -1,35 +1,28 @@
-"""Printed patterns, conventions: sentences that say how all of a text is meant, and work nothing themselves."""
+"""Printed patterns, conventions: sentences that say how all of a text, or of a part, is meant, and work nothing themselves."""
 
 from __future__ import annotations
 
 from typing import Final
 
+from tambour.core.errors import Span
+from tambour.crochet.language.tree import Action, Line
+from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 
 _COURSE: Final = frozenset(
-    (
-        "spiral",
-        "spirals",
-        "continuous",
-        "continuously",
-        "joined",
-        "worked",
-        "rounds",
-        "rnds",
-        "rows",
-        "seam",
-        "seamless",
-    )
+    "spiral spirals continuous continuously joined worked rounds rnds rows seam seamless".split()
 )
-_TOLD: Final = frozenset(("is", "are", "will", "be"))
-_WORK: Final = frozenset(("worked", "crocheted", "made", "joined", "shown", "given", "written", "measured"))
+_WHOLE: Final = frozenset(("all", "every", "throughout", "remaining", "rem", "entire", "whole"))
+_BARE: Final = 3  # words of "Work in back loops only", said before the first round
+_LOOPS: Final = {"front loops": "flo", "back loops": "blo"}
 
 
 def convention(p: State, tokens: list[Token]) -> bool:
     """Whether a sentence is one of these: chains that count or do not, rounds that are all joined, work that goes on in a
-    spiral, how colours are changed. Whether chains count is remembered."""
+    spiral, how colours are changed, loops that all of a part is worked into. Whether chains count, which loops are meant, and a
+    colour that such a sentence names are remembered."""
     tokens = _said(tokens)
     if not tokens or p.mode in ("materials", "abbreviations"):
         return False
@@ -53,9 +46,38 @@ def convention(p: State, tokens: list[Token]) -> bool:
     plain = not any(works(tokens, k) for k in range(len(tokens))) and not any(
         t.kind == "number" or (t.kind == "ordinal" and t.word[0].isdigit()) for t in tokens
     )
+    loops = next((_LOOPS[t.value] for t in tokens if t.kind == "key" and t.value in _LOOPS), None)
+    if loops is not None:
+        bare = len(tokens) <= _BARE and (p.heading is not None or not p.parts) and not p.palette.pure
+        return plain and (bare or bool(words & _WHOLE) or bool(keys & {"rest", "each"})) and _throughout(p, loops)
     if plain and words & _COURSE and ("round" in keys or "row" in keys or {"spiral", "spirals"} & words):
-        return not {"repeat", "as", "same"} & keys or ("as" in keys and "follows" in words)
-    return plain and "follows" in words and bool(words & {"proceed", "follows"}) and not keys & {"repeat"}
+        said = not {"repeat", "as", "same"} & keys or ("as" in keys and "follows" in words)
+    else:
+        said = plain and "follows" in words and not keys & {"repeat"}
+    if said:
+        _dyed(p, tokens)
+    return said
+
+
+def _throughout(p: State, loops: str) -> bool:
+    """Remembers the loops that the rest of a part is worked into."""
+    if p.heading is not None or not p.parts:
+        p.early["loops"] = loops
+    else:
+        p.parts[-1].loops = loops
+    return True
+
+
+def _dyed(p: State, tokens: list[Token]) -> None:
+    """Takes the colour of "With A, create a magic ring, and work in unjoined rounds as follows"."""
+    for k, token in enumerate(tokens[:-1]):
+        if token.kind == "key" and token.value in ("with", "color"):
+            c = Cursor(tokens, k + 1)
+            hue = p.palette.color(c) or p.palette.letter(c, k + 1)
+            if hue is not None:
+                span = Span(tokens[k + 1].start, tokens[k + hue[1]].end)
+                p.lead.append(Line((Action("color", span, numbers=hue[0]),), span, False))
+                return
 
 
 def _said(tokens: list[Token]) -> list[Token]:

@@ -12,139 +12,36 @@ BETWEEN: Final = frozenset(",;:.-/+!&~|><·")
 
 # Whatever such a sentence names, it makes no stitch.
 _DOING: Final = frozenset(
-    [
-        "pull",
-        "tighten",
-        "thread",
-        "draw",
-        "insert",
-        "trim",
-        "adjust",
-        "keep",
-        "remove",
-        "replace",
-        "place",
-        "move",
-        "slide",
-        "see",
-        "refer",
-        "shape",
-    ]
+    ("adjust draw insert keep move place pull refer remove replace see shape slide thread tighten trim").split()
 )
 # Such a one makes none where it says nothing of how stitches are worked.
 _HANDS: Final = frozenset(
-    [
-        "align",
-        "apply",
-        "backstitch",
-        "block",
-        "braid",
-        "brush",
-        "centre",
-        "center",
-        "coil",
-        "comb",
-        "cut",
-        "dab",
-        "divide",
-        "drape",
-        "dry",
-        "fill",
-        "fluff",
-        "flatten",
-        "fold",
-        "gather",
-        "glue",
-        "grasp",
-        "hang",
-        "hide",
-        "hold",
-        "iron",
-        "knot",
-        "lay",
-        "line",
-        "load",
-        "lock",
-        "loop",
-        "measure",
-        "paint",
-        "pad",
-        "pin",
-        "poke",
-        "position",
-        "press",
-        "push",
-        "reshape",
-        "roll",
-        "rub",
-        "secure",
-        "separate",
-        "shake",
-        "slip",
-        "smooth",
-        "soak",
-        "space",
-        "spray",
-        "spread",
-        "squeeze",
-        "steam",
-        "stretch",
-        "tape",
-        "tie",
-        "tuck",
-        "twist",
-        "unravel",
-        "untwist",
-        "untie",
-        "wash",
-        "weave",
-        "wet",
-        "whipstitch",
-        "wind",
-        "wire",
-        "wrap",
-        "define",
-    ]
+    (
+        "align apply arrange assemble backstitch block braid brush button catch center centre clip coil colour comb count criss cross "
+        "crumple curl cut dab define dip divide drape draw dry embellish fill finger flatten flip fluff fold gather glue grasp hang heat "
+        "hide hold imagine iron knot lay line load lock loop make mark match measure melt pad paint pin poke position press push reshape "
+        "roll rub run scatter seam secure separate sew shake shave sketch slide slip smooth snip soak space spray spread sprinkle squeeze "
+        "stand steam stick straighten stretch string style tack take tape tease tie tint trace try tuck turn twirl twist unravel untie untwist "
+        "wash weave wet whipstitch wiggle wind wire wrap"
+    ).split()
 )
 _MADE: Final = frozenset(
-    [
-        "pompom",
-        "pompon",
-        "pompoms",
-        "pompons",
-        "tassel",
-        "tassels",
-        "fringe",
-        "braid",
-        "braids",
-        "bow",
-        "knot",
-        "bundle",
-        "bundles",
-        "cord",
-        "pom",
-    ]
+    (
+        "bow braid braids bunch copy bundle bundles cord fringe knot pom pompom pompoms pompon pompons tassel tassels tuft tufts"
+    ).split()
 )
 _LEAD: Final = frozenset(
-    [
-        "then",
-        "next",
-        "lightly",
-        "firmly",
-        "gently",
-        "carefully",
-        "tightly",
-        "loosely",
-        "finally",
-        "now",
-        "also",
-        "twice",
-        "evenly",
-    ]
+    (
+        "again also carefully evenly finally firmly first gently here lightly loosely next now once optional then tightly twice"
+    ).split()
 )
-_TIGHT: Final = frozenset(
-    ["tight", "tightly", "close", "closed", "remaining", "rem", "final", "last", "secure", "gather"]
+_TIGHT: Final = frozenset(("close closed final gather last rem remaining secure tight tightly").split())
+_BEFORE: Final = frozenset("once while when if after before holding starting beginning referring using".split())
+_STRANDS: Final = frozenset("strand strands fringe ends".split())  # what hands draw through where no stitch is made
+_USED: Final = frozenset(
+    "photo photos photograph photographs picture guide diagram template needle marker ends tail tails".split()
 )
+_PAINTS: Final = frozenset("crayon crayons pencil pencils blush chalk paint rouge".split())
 _DONE: Final = ("marker", "stuff", "eyes")
 _NOT: Final = ("join", "turn", "stuff", "color", "marker", "begin", "fasten off")
 _YARN: Final = frozenset(("break", "carry", "drop", "cut"))
@@ -174,41 +71,60 @@ def doing(c: Cursor) -> bool:
 
 def by_hand(tokens: list[Token]) -> bool:
     """Whether a sentence between the rounds is such a doing: it begins with what hands do, and works no stitch."""
-    at = 0
-    while at < len(tokens) and (tokens[at].word in _LEAD or tokens[at].kind == "mark"):
-        at += 1
-    if at < len(tokens) and _beginning(tokens[at]):  # "Using a strand of D, tie …", "With wrong sides facing, fold …"
-        at = next((k + 1 for k in range(at, len(tokens)) if tokens[k].word in (",", ":")), len(tokens))
-    headed = next((k for k, t in enumerate(tokens[:5]) if t.word == ":"), 0)
-    if at == 0 and headed and headed + 1 < len(tokens) and tokens[0].capital and tokens[headed + 1].kind == "word":
-        at = headed + 1  # "Finishing Body: Fold last row in half"
+    at = _verb_at(tokens)
     if at >= len(tokens) or len(tokens) < 2:
         return False
-    if any(t.word == "cut" for t in tokens) and not any(works(tokens, k) for k in range(len(tokens))):
-        return True  # "White - Cut 2"
-    if tokens[at].word in _YARN and not any(t.kind == "key" and t.value == "join" for t in tokens):
-        return not any(works(tokens, k) for k in range(at, len(tokens)))  # "Break A"
-    first = tokens[at]
-    if _pulls(first, tokens[at + 1] if at + 1 < len(tokens) else None):
+    first, after = tokens[at], tokens[at + 1] if at + 1 < len(tokens) else None
+    words = {t.word for t in tokens}
+    verb = "slip" if first.word == "slip" and after is not None and after.kind in ("word", "number") else ""
+    if any(works(tokens, k) for k in range(at + bool(verb), len(tokens))):
         return False
-    verb = first.word.split(" ")[0]
-    crafted = first.kind == "key" and first.value == "make" and any(t.word in _MADE for t in tokens)
-    plain = first.kind == "word" or (first.kind == "key" and first.value in ("make", "leave") and first.word != "make")
-    if not crafted and not (plain and (verb in _HANDS or verb in _DOING)):
+    if "cut" in words or (first.word in _YARN and not any(t.kind == "key" and t.value == "join" for t in tokens)):
+        return True  # "White - Cut 2", "Break A"
+    if _pulls(first, after) and not words & _STRANDS:
         return False
-    return not any(works(tokens, k) for k in range(at, len(tokens)))
+    if first.kind == "word":
+        verb = verb or first.word.split(" ")[0]
+        return verb in _HANDS or verb in _DOING or (verb in ("attach", "add") and bool(words & _MADE))
+    if verb or (first.kind == "key" and first.value == "leave"):
+        return True
+    if first.kind != "key" or after is None:
+        return False
+    if first.value == "count" and first.word == "count":
+        return at == 0
+    if first.value == "make":
+        return first.word != "make" or bool(words & _MADE)
+    if first.value in ("loop", "space") and first.capital:
+        return after.kind == "word" or after.value in (
+            "eyes",
+            "yarn",
+        )  # "Loop yarn between 2 sts", "Space eyes 8 ins apart"
+    if first.value == "with" and at == 0:
+        return first.word == "use" and bool(words & _USED)  # "Use photograph as a guide"
+    return first.value == "color" and bool(words & _PAINTS)
+
+
+def _verb_at(tokens: list[Token]) -> int:
+    """Where a sentence comes to what is done: "Using a strand of D, | tie …", "With E, beginning at fold, | sew …", "Finishing Body: | Fold …"."""
+    at = 0
+    while at < len(tokens):
+        if tokens[at].word in _LEAD or tokens[at].kind == "mark":
+            at += 1
+            continue
+        comma = next((k + 1 for k in range(at, len(tokens)) if tokens[k].word in (",", ":")), 0)
+        if not comma or not _beginning(tokens[at]):
+            break
+        at = comma
+    headed = next((k for k, t in enumerate(tokens[:5]) if t.word == ":"), 0)
+    named = at == 0 and headed and headed + 1 < len(tokens) and tokens[0].capital and tokens[headed + 1].kind == "word"
+    return headed + 1 if named else at
 
 
 def _beginning(token: Token) -> bool:
-    return (token.kind == "key" and token.value in ("with", "over", "for", "in", "as")) or token.word in (
-        "once",
-        "while",
-        "when",
-        "if",
-        "after",
-        "before",
-        "holding",
-    )
+    """Whether a clause before the comma only says with what, where, when or why."""
+    return (
+        token.kind == "key" and token.value in ("with", "over", "for", "in", "as", "begin", "to", "from", "between")
+    ) or token.word in _BEFORE
 
 
 def _pulls(first: Token, after: Token | None) -> bool:
@@ -227,12 +143,21 @@ def works(tokens: list[Token], at: int) -> bool:
         before.kind == "ordinal"
         or before.word in ("loop", "stitch")
         or (
+            after is not None and after.word in ("stitch", "stitches", "sts") and before.kind != "number"
+        )  # "the hdc sts"
+        or (
             before.kind == "key"
             and before.value in ("last", "next", "same", "foundation", "each", "begin", "in", "from", "rest")
         )
     )
+    if token.word in ("fur", "double") and (before is None or before.kind != "number") and not _sts(after):
+        return False  # "the fur around the eyes", "a double layer"
     placed = after is not None and after.kind == "key" and after.value in ("in", "around", "each", "next", "over")
     return placed or not named
+
+
+def _sts(token: Token | None) -> bool:
+    return token is not None and token.word in ("st", "stitch", "stitches", "sts")
 
 
 def drawn_tight(tokens: list[Token]) -> bool:

@@ -169,7 +169,9 @@ def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
     ):
         return None
     if any(
-        t.kind == "stitch" or (t.kind == "key" and t.value in _WORKED) or t.word in ("small", "tight")
+        t.kind == "stitch"
+        or (t.kind == "key" and t.value in _WORKED)
+        or (t.word in ("small", "tight") and not t.capital)
         for t in tokens[1:4]
     ):
         return None

@@ -37,6 +37,7 @@ _CLOSED = (
     8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
 )
 _MARKED = 50  # rounds that a marked stitch is followed through
+_LOOPS = ("flo", "blo", "bl")
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
 
 
@@ -55,6 +56,7 @@ class Draft:
     others : "11th and alt rows": that row, and its number
     spread : where lines begin that fit the round below them only;
     marked : which stitch of its last round is marked, from 0; spoken : where lines begin → the words they were read from
+    loops : "flo" or "blo" where all its rounds are worked into those
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
 
@@ -77,6 +79,7 @@ class Draft:
     shrunk: bool = False
     stuffing: float | None = None
     up: str | None = None
+    loops: str = ""
     ends: str = ""
     off: Span | None = None
     other: int | None = None
@@ -119,6 +122,14 @@ class Draft:
             self._line(source, head, body, rooted(items), span, notes)
             return
         items = self._founded(source, head, body, items, span)
+        below = any(line.in_round for line in self.lines)
+        if (
+            self.loops
+            and below
+            and any(map(works, items))
+            and not any(isinstance(i, Action) and i.name in _LOOPS for i in items)
+        ):
+            items = [Action(self.loops, span), *items, Action("bl", span)]
         if items:
             self._line(source, head, body, self._begun(source, head, items), span, notes)
 

@@ -132,7 +132,8 @@ class Printed(State):
         """The pattern with what the sentences of finishing say, now that the parts are there."""
         source = self.source
         copies = {part.name: part.copies for part in pattern.parts}
-        phrases = Phrases(self.phrases.terms, copies, {k.upper(): rgb for k, rgb in self.palette.given.items()})
+        given = {k.upper(): rgb for k, rgb in self.palette.given.items()}
+        phrases = Phrases(self.phrases.terms, copies, given, self.phrases.hues)
         found = assembled(built, self.sentences, phrases, self.palette, usual)
         if found is None:
             return pattern

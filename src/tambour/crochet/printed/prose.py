@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Final
 
@@ -10,7 +11,7 @@ from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.hear import assembling
 from tambour.crochet.printed.assembly import Said
-from tambour.crochet.printed.beyond import along, edging, marked, more_copies
+from tambour.crochet.printed.beyond import again_made, along, edging, marked, more_copies, repeats_for
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counts import makes
@@ -34,7 +35,7 @@ from tambour.crochet.printed.notes import (
 )
 from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.remarks import remark
+from tambour.crochet.printed.remarks import chosen, remark, yarned
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.words.special import explained
@@ -42,6 +43,10 @@ from tambour.crochet.yarns import hook_of
 
 NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
 WRAPPED: Final = 12  # lines of a paragraph
+_SEWN: Final = re.compile(
+    r"\bsew\b.{0,20}\b(?:in place|into place|behind|between|beneath|above|below|under)\b", re.IGNORECASE
+)
+CHOICE: Final = "this is said for one case or version: it is kept as written, and the piece is made without it"
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
 
@@ -103,7 +108,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if p.heading is not None and (more := copies_alone(tokens)) is not None:
         p.heading = replace(p.heading, copies=more[0], copies_span=more[1], strong=True, marked=True)
         return
-    found = _copied(p, row, line) or heading(text, row, tokens)
+    found = _copied(p, row, line) or heading(text, row, tokens) or heading(text, row, _colorless(p, tokens))
     lefts: list[list[Token]] = []
     if (found is None or not found.marked) and _sentences(p, tokens, lefts):
         found = None
@@ -205,6 +210,25 @@ def _copied(p: State, row: Row, line: str) -> Heading | None:
     return Heading(name, span, max(1, said[1]["count"]), span, True, True)
 
 
+def _colorless(p: State, tokens: list[Token]) -> list[Token]:
+    """A heading without the colour that it says in brackets: "Head (cream)", "Ears (blue yarn, make 2)"."""
+    for k, token in enumerate(tokens[:-2]):
+        found = p.palette.color(Cursor(tokens, k + 1)) if token.word in ("(", "[") else None
+        end = k + 1 + (found[1] if found is not None else 0)
+        while (
+            found is not None and end < len(tokens) and (tokens[end].value == "yarn" or tokens[end].word in (",", ";"))
+        ):
+            end += 1
+        if (
+            found is not None
+            and end < len(tokens)
+            and (tokens[end].word in (")", "]", "x") or tokens[end].value == "make")
+        ):
+            whole = tokens[end].word in (")", "]")
+            return tokens[: k + 1 - whole] + tokens[end + whole :]
+    return tokens
+
+
 def _named_color(p: State, tokens: list[Token]) -> bool:
     """``A = brown``, ``Color B: white``, ``Main color (MC): cream``; whether the line says such."""
     found = False
@@ -296,17 +320,26 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         tokens = tokens[2:]
     alone = copies_alone(tokens)
     if (more := copies_said(tokens) or (None if alone is None else (*alone, False))) is not None:
-        return more_copies(p, more)
+        return more_copies(p, tokens, more)
     if finishing(p, tokens):
         return True
-    if p.mode not in ("materials", "abbreviations") and (
-        by_hand(tokens) or convention(p, tokens) or (handed and _once_more(tokens))
-    ):
-        return True
+    text = p.source.text.text[tokens[0].start : tokens[-1].end]
+    span = Span(tokens[0].start, tokens[-1].end)
+    if p.mode not in ("materials", "abbreviations"):
+        if by_hand(tokens) or convention(p, tokens) or (handed and _once_more(tokens)):
+            p.passed.append(span)
+            return True
+        if again_made(p, tokens):
+            return True
+        if chosen(tokens):
+            p.source.doubt(CHOICE, "say what is made, without an if", span)
+            return True
     if established(p, tokens):
         return True
     p.handed = False
-    text = p.source.text.text[tokens[0].start : tokens[-1].end]
+    if numbered(p.palette, text):
+        p.passed.append(span)
+        return True
     said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end", "up side"))
     draft = p.parts[-1] if p.parts else None
     if said is not None:
@@ -364,7 +397,6 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
             return False
         p.lead.append(Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False))
         return True
-    span = Span(tokens[0].start, tokens[-1].end)
     starts = body.curled or any((isinstance(i, Action) and i.name in ("mr", "ch")) or _ring(i) for i in body.items)
     if draft is None and not starts:
         return False
@@ -381,16 +413,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
 
 def _once_more(tokens: list[Token]) -> bool:
     """Whether a sentence has what hands just did done again: "Repeat for second ear"."""
-    first, after = tokens[0], tokens[1] if len(tokens) > 1 else None
-    if first.kind != "key" or first.value != "repeat" or after is None:
-        return False
-    again = after.kind == "key" and after.value in ("for", "in", "with", "as", "once", "twice", "other", "until")
-    return again and not any(
-        t.kind == "stitch"
-        or t.word in ("*", *STARS)
-        or (t.kind == "key" and t.value in ("round", "row", "times", "more"))
-        for t in tokens
-    )
+    return repeats_for(tokens, ("for", "in", "with", "as", "once", "twice", "other", "until"))
 
 
 def finishing(p: State, tokens: list[Token]) -> bool:
@@ -398,7 +421,7 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     if not p.parts or p.mode in ("materials", "abbreviations"):
         return False
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
-    if not assembling(text, [draft.name for draft in p.parts]):
+    if not assembling(text, [draft.name for draft in p.parts]) and not _SEWN.search(text):
         return False
     span = Span(tokens[0].start, tokens[-1].end)
     p.sentences.append(Said(tokens, p.parts[-1].name, span, p.heading is not None))
@@ -444,7 +467,9 @@ def instructs(p: State, tokens: list[Token]) -> bool:
     if p.mode == "notes":
         return stitches and numbers
     places = any(t.kind == "key" and t.value in ("next", "around", "skip", "front loops", "back loops") for t in tokens)
-    return stitches or numbers or repeats or places or any(p.palette.name(t.word) for t in tokens if t.kind == "word")
+    if stitches or numbers or repeats or places:
+        return True
+    return any(p.palette.name(t.word) for t in tokens if t.kind == "word") or yarned(tokens)
 
 
 def left_over(p: State, tokens: list[Token]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 from typing import Final
 
 from tambour.crochet.printed.doings import works
@@ -18,7 +19,7 @@ _PAGE: Final = re.compile(
     r"\b\d+\s+of\s+\d+\s*$|LAST UPDATED|©|\(c\)\s*\d{4}|^\s*page\s+\d+|\bRHC\d|\byards?\b.*\bskeins?\b|®.*|\b(?:oz|yds?|yd)\b.*\b(?:g|m)\)|https?:|www\.|\.com\b",
     re.IGNORECASE,
 )  # fmt: skip
-_HELD: Final = ("repeat", "as", "same")
+_MAKING: Final = frozenset(("work", "worked", "working", "made", "crocheted", "continue", "cont", "change", "use"))
 
 
 def remark(text: str, tokens: list[Token]) -> bool:
@@ -30,7 +31,7 @@ def remark(text: str, tokens: list[Token]) -> bool:
     if len(tokens) == 1 and tokens[0].kind == "number" and isinstance(tokens[0].value, int) and tokens[0].value <= 30:
         return text[tokens[0].end : tokens[0].end + 1] in (".", ")", "\n", "") and _begins_line(text, tokens[0].start)
     tokens = _plain(tokens)
-    if not tokens or any(t.kind == "key" and t.value == "repeat" for t in tokens):
+    if not tokens or any(t.kind == "key" and t.value == "repeat" for t in tokens) or yarned(tokens):
         return False
     counted = any(
         t.kind == "number"
@@ -45,6 +46,27 @@ def remark(text: str, tokens: list[Token]) -> bool:
     if verb < 0:
         return first.word in ("you'll", "you're", "they're", "it'll")
     return first.kind in ("word", "stitch") or first.value in ("round", "row", "part", "each", "eyes", "color")
+
+
+def yarned(tokens: list[Token]) -> bool:
+    """Whether a sentence says which yarn something is made with: "make 1 flower each with B, C and D", "Rounds 3-5 are worked in B"."""
+    making = any(
+        (t.kind == "key" and t.value in ("make", "color", "begin", "round", "row")) or t.word in _MAKING for t in tokens
+    )
+    return making and any(
+        t.kind == "key" and t.value in ("with", "in", "color") and _letter(after) for t, after in pairwise(tokens)
+    )
+
+
+def chosen(tokens: list[Token]) -> bool:
+    """Whether a sentence instructs for one case of several: "If making the striped cat, make all three with C"."""
+    tokens = _plain(tokens)
+    return bool(tokens) and tokens[0].word == "if" and not any(works(tokens, k) for k in range(len(tokens)))
+
+
+def _letter(token: Token) -> bool:
+    """Whether a word may be the letter of a yarn."""
+    return token.word in ("mc", "cc") or (token.kind == "word" and len(token.word) == 1 and token.capital)
 
 
 def _foot(said: str, tokens: list[Token]) -> bool:

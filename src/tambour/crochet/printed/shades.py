@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from functools import cache
 from typing import Final
 
 from tambour.core.rgb import RGB, css_colors
+from tambour.crochet.words.table import TERMS
 
 YARNS: Final[dict[str, RGB]] = {
     "amethyst": (140, 98, 170),
@@ -292,9 +294,18 @@ def dyed(name: str) -> RGB | None:
 
 
 def said(name: str) -> RGB | None:
-    """The colour that ``name`` means in any sentence: as tambour's own language has it, else a yarn's; None where it means
-    none, or may mean a thing."""
-    return None if name in _THINGS else css_colors().get(name.replace(" ", "")) or shade(name)
+    """The colour of yarn that ``name`` means in any sentence; None where it means none, or may mean a thing."""
+    return None if name in _THINGS else shade(name)
+
+
+@cache
+def spoken(code: str) -> dict[str, RGB]:
+    """What the words for colours mean in a pattern by people, the first word for each colour before the others: yarns, not lights."""
+    terms = TERMS[code]
+    made = {
+        word.lower(): hue for css, words in terms.colors.items() for word in words if (hue := shade(css)) is not None
+    }
+    return {**made, **({k: v for k, v in YARNS.items() if k not in made} if terms.colors["blue"][0] == "blue" else {})}
 
 
 def shade(name: str) -> RGB | None:

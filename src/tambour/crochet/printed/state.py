@@ -17,6 +17,7 @@ from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
+from tambour.crochet.printed.shades import spoken
 from tambour.crochet.printed.tokens import Row, rows
 from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.words.phrases import Phrases
@@ -68,8 +69,10 @@ class State:
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
-        self.palette = Palette([*self.vocabulary.stitches(), *_KNOWN])
-        self.phrases = Phrases(TERMS[self.language.code], {}, lettered(source.text.text, TERMS[self.language.code]))
+        terms = TERMS[self.language.code]
+        ours = terms.prints(source.text.text)
+        self.palette = Palette([*self.vocabulary.stitches(), *_KNOWN], ours)
+        self.phrases = Phrases(terms, {}, lettered(source.text.text, terms), {} if ours else spoken(terms.code))
         self.palette.given.update((letter.lower(), hue) for letter, hue in self.phrases.legend.items())
         self.parts: list[Draft] = []
         self.lead: list[Line] = []  # colours said before the part that they begin

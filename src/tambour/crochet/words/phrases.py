@@ -6,6 +6,7 @@ A template is plain words with ``{fields}``; ``[…]`` is said only where its fi
 
 from __future__ import annotations
 
+import dataclasses
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -70,11 +71,13 @@ class Phrases:
 
     copies : the name of every part → how often it is made; empty while the parts are not known: any words then are a name
     legend : letter → the colour that the pattern calls so
+    hues : what words for colours mean where people wrote them; empty where they are those of tambour's own language
     """
 
     terms: Terms
     copies: Mapping[str, int]
     legend: Mapping[str, RGB]
+    hues: Mapping[str, RGB] = dataclasses.field(default_factory=dict)
 
     # -- names and colours ----------------------------------------------------------------------------------------
 
@@ -97,7 +100,9 @@ class Phrases:
     def _shades(self) -> dict[RGB, str]:
         made = {hue: self.say("shade", letter=letter) for letter, hue in self.legend.items()}
         for css, spellings in self.terms.colors.items():
-            made[colored(css)] = spellings[0]
+            made[self.hues.get(spellings[0].lower()) or colored(css)] = spellings[0]
+        for word, hue in self.hues.items():
+            made.setdefault(hue, word)
         return made
 
     def shade(self, color: tuple[int, ...]) -> str:
@@ -111,6 +116,8 @@ class Phrases:
         for hue, spoken in self._shades.items():
             if said == spoken.lower():
                 return hue
+        if said in self.hues:
+            return self.hues[said]
         for css, spellings in self.terms.colors.items():
             if said in (s.lower() for s in spellings):
                 return colored(css)

@@ -125,6 +125,10 @@ class Terms:
         """The spelling of a stitch or word that the writer prints."""
         return (self.stitches.get(key) or self.words[key])[0]
 
+    def prints(self, text: str) -> bool:
+        """Whether a text was printed by tambour in this language, so that its words mean what they do in tambour's own."""
+        return f"## {self.word('abbreviations')} ({self.sentences['terms']})" in text
+
 
 class Tables(Mapping[str, Terms]):
     """Code → Terms, of the files of a folder; each is read when it is first asked for."""
