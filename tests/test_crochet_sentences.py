@@ -142,7 +142,15 @@ def test_a_colour_that_such_a_sentence_names_is_taken(said: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "head", ["HEAD (blue)", "Head (blue yarn)", "HEAD\nColor: blue", "HEAD\nUse blue yarn.", "HEAD\nChange to blue."]
+    "head",
+    [
+        "HEAD (blue)",
+        "EAR (blue yarn, make 2)",
+        "Head (blue)",
+        "HEAD\nColor: blue",
+        "HEAD\nUse blue yarn.",
+        "HEAD\nChange to blue.",
+    ],
 )
 def test_a_colour_beside_the_name_of_a_part_is_taken_and_is_a_yarns(head: str) -> None:
     rounds = "Rnd 1: 6 sc in magic ring. (6)\n"

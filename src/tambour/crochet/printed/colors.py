@@ -105,7 +105,7 @@ class Palette:
 
 _WITH: Final = re.compile(r"\b(?:[Ww]ith|[Ii]n|[Uu]sing)\s+(?:[Cc]olou?r\s+)?(MC|CC|[A-K])\b")
 _BESIDE: Final = re.compile(
-    r"(?:[(\[]|\bColou?r:)[ \t]*([A-Za-z]{3,}(?:[ -][a-z]+)?)(?=[ \t]*(?:yarn\b[ \t]*)?(?:[),;\]\n]|$))"
+    r"(?:[(\[]|\bColou?r:)[ \t]*([A-Za-z]{3,}(?:[ -](?!yarn\b)[a-z]+)?)(?=[ \t]*(?:yarn\b[ \t]*)?(?:[),;\]\n]|$))"
 )
 _NUMBERED: Final = re.compile(r"(?:^|[,:]|\band)\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
 

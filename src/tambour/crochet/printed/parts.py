@@ -8,14 +8,13 @@ from itertools import pairwise
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import MOST_AT_TIP
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import into_one
 from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Section, written
 from tambour.crochet.printed.curls import looped, rooted
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.doubts import after, chainless, reached, rounds_until
+from tambour.crochet.printed.foundations import founded
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import (
-    STARTS,
     bare_count,
     begins_ring,
     closes,
@@ -121,7 +120,7 @@ class Draft:
             self.drop_chain()
             self._line(source, head, body, rooted(items), span, notes)
             return
-        items = self._founded(source, head, body, items, span)
+        items = founded(self, source, head, body, items, span)
         below = any(line.in_round for line in self.lines)
         if (
             self.loops
@@ -348,99 +347,6 @@ class Draft:
         if refers.through:
             return written(self.lines, next((n.number for n in rounds if n.number), 1), refers.through)
         return tuple(rounds)
-
-    # -- foundations ------------------------------------------------------------------------------------------------
-
-    def _founded(self, source: Source, head: Head | None, body: Body, items: list[Item], span: Span) -> list[Item]:
-        """``items`` without the chain or ring that the part begins with, which is put before them."""
-        fresh = body.fresh
-        if (self.begun() and self.chain is None) or any(isinstance(i, Action) and i.name in STARTS for i in items):
-            return items
-        chain: Action | None = None
-        if self.chain is not None:
-            chain = next(i for i in self.lines[self.chain].items if isinstance(i, Action) and i.name == "ch")
-        lead = [i for i in items if isinstance(i, Action) and i.name in ("color", "flo", "blo")]
-        if chain is None:
-            own = next((k for k, i in enumerate(items) if isinstance(i, Action) and i.name == "ch"), None)
-            if own is None or any(works(i) for i in items[:own]):
-                return self._ringed(source, items)
-            chain = items[own]  # type: ignore[assignment]
-            assert isinstance(chain, Action)
-            rest = [i for i in items[own + 1 :] if not (isinstance(i, Action) and i.name == "join")]
-            self.looped = len(rest) < len(items) - own - 1 and not any(map(works, rest))
-            self.lines.append(Line((*items[:own], chain), span, False))
-            self.chain, self.edge = len(self.lines) - 1, chain.times
-            turned = rest[:1] if rest and isinstance(rest[0], Action) and rest[0].name == "turn" else []
-            items, fresh = rest, max(0, fresh - own - 1)
-            if turned and len(rest) == 1:
-                return []
-        elif all(isinstance(i, Action) and i.name in ("join", "color") for i in items):
-            self.looped = self.looped or any(isinstance(i, Action) and i.name == "join" for i in items)
-            return [i for i in items if isinstance(i, Action) and i.name == "color"]
-        if not any(works(i) for i in items):
-            return [i for i in items if i not in lead or not self.chain] if items else []
-        return self._chained(source, head, body, items, fresh, chain, span)
-
-    def _ringed(self, source: Source, items: list[Item]) -> list[Item]:
-        """A first round that names no ring: its plain stitches are one."""
-        for k, item in enumerate(items):
-            if isinstance(item, Action) and item.name in source.stitches and source.stitches[item.name].makes:
-                kind = source.stitches[item.name]
-                if kind.where == "ring" or item.times < 2 or kind.takes != 1 or any(works(i) for i in items[k + 1 :]):
-                    return items
-                ring: Item = Action("mr", item.span, numbers=(item.times, 0))
-                if item.name != "sc":
-                    made = into_one([(kind, item.times)], "ring")
-                    source.stitches.setdefault(made.name, made)
-                    ring = Action(made.name, item.span)
-                return [*items[:k], ring, *items[k + 1 :]]
-        return items
-
-    def _chained(
-        self, source: Source, head: Head | None, body: Body, items: list[Item], fresh: int, chain: Action, span: Span
-    ) -> list[Item]:
-        """The first stitches into a foundation chain: a ring, an oval, a row or a tube."""
-        assert self.chain is not None
-        at, self.chain = self.chain, None
-        base = self.lines[at]
-        before = [i for i in base.items if not isinstance(i, Action) or i.name in ("color", "flo", "blo")]
-        items = [
-            i for k, i in enumerate(items) if not (k < fresh and isinstance(i, Action) and i.name in ("ch", "turn"))
-        ]
-        items = [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "turn")]
-        first = next(i for i in items if works(i))
-        hook = body.hook or 2
-        inner = first.items[0] if isinstance(first, Group) else first
-        kind = source.stitches.get(inner.name) if isinstance(inner, Action) else None
-        row = head is not None and head.row
-        if self.looped:
-            body.hook = (
-                0  # "ch 70, join to form a ring. Round 1: Sc in 2nd ch from hook …": all of them are worked into
-            )
-        if body.hook and chain.times - hook + 1 <= 1 and kind is not None and not row and isinstance(first, Action):
-            many = kind.makes * first.times
-            if many >= 3:
-                self.lines[at] = replace(base, items=tuple(before))
-                name = kind.inner[0][0] if kind.inner else "sc"
-                ring: Item = Action("mr", first.span, numbers=(many, 0))
-                base_name = next((n for n in ("hdc", "dc", "tr") if kind.name.startswith(n)), name)
-                if base_name != "sc":
-                    made = into_one([(source.stitches[base_name], many)], "ring")
-                    source.stitches.setdefault(made.name, made)
-                    ring = Action(made.name, first.span)
-                return [ring if i is first else i for i in items]
-        if body.sides:
-            numbers = (chain.times, hook)
-            self.lines[at] = replace(base, items=(*before, Action("oval", chain.span, numbers=numbers)))
-            self.edge = 2 * (chain.times - hook + 1) - 1  # the chain that it ends on may be left out
-            return items
-        if body.hook or row:
-            self.flat = True
-            lift = Action("ch", chain.span, chain.times - max(0, hook - 2), chain.times_span)
-            more = [Action("ch", chain.span, hook - 2)] if hook > 2 else []
-            self.lines[at] = replace(base, items=(*before, lift, Action("turn", chain.span), *more))
-            self.edge = lift.times - 1
-        return [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "ch")]
 
     def _begun(self, source: Source, head: Head | None, items: list[Item]) -> list[Item]:
         """``items`` with the chains at a round's beginning understood, and rows turned where nobody says so."""

@@ -50,7 +50,7 @@ def restated(text: Text, *, max_stitches: int = 200_000, strict: bool = False) -
 def printed_in(text: str) -> Terms | None:
     """The terms that a text's heading over its abbreviations names, as it is printed."""
     for terms in TERMS.values() if "## " in text else ():
-        if f"## {terms.word('abbreviations')} ({terms.sentences['terms']})" in text:
+        if terms.prints(text):
             return terms
     return None
 

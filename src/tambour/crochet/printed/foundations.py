@@ -1,0 +1,114 @@
+"""Printed patterns, foundations: the chain or ring that a part begins with, and what its first stitches make of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from tambour.core.errors import Span
+from tambour.crochet.language.source import Source
+from tambour.crochet.language.stitches import into_one
+from tambour.crochet.language.tree import Action, Group, Item, Line
+from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.items import STARTS, works
+from tambour.crochet.printed.reader import Body
+
+if TYPE_CHECKING:
+    from tambour.crochet.printed.parts import Draft
+
+
+def founded(draft: Draft, source: Source, head: Head | None, body: Body, items: list[Item], span: Span) -> list[Item]:
+    """``items`` without the chain or ring that the part begins with, which is put before them in ``draft``."""
+    fresh = body.fresh
+    if (draft.begun() and draft.chain is None) or any(isinstance(i, Action) and i.name in STARTS for i in items):
+        return items
+    chain: Action | None = None
+    if draft.chain is not None:
+        chain = next(i for i in draft.lines[draft.chain].items if isinstance(i, Action) and i.name == "ch")
+    lead = [i for i in items if isinstance(i, Action) and i.name in ("color", "flo", "blo")]
+    if chain is None:
+        own = next((k for k, i in enumerate(items) if isinstance(i, Action) and i.name == "ch"), None)
+        if own is None or any(works(i) for i in items[:own]):
+            return _ringed(source, items)
+        chain = items[own]  # type: ignore[assignment]
+        assert isinstance(chain, Action)
+        rest = [i for i in items[own + 1 :] if not (isinstance(i, Action) and i.name == "join")]
+        draft.looped = len(rest) < len(items) - own - 1 and not any(map(works, rest))
+        draft.lines.append(Line((*items[:own], chain), span, False))
+        draft.chain, draft.edge = len(draft.lines) - 1, chain.times
+        turned = rest[:1] if rest and isinstance(rest[0], Action) and rest[0].name == "turn" else []
+        items, fresh = rest, max(0, fresh - own - 1)
+        if turned and len(rest) == 1:
+            return []
+    elif all(isinstance(i, Action) and i.name in ("join", "color") for i in items):
+        draft.looped = draft.looped or any(isinstance(i, Action) and i.name == "join" for i in items)
+        return [i for i in items if isinstance(i, Action) and i.name == "color"]
+    if not any(works(i) for i in items):
+        return [i for i in items if i not in lead or not draft.chain] if items else []
+    return _chained(draft, source, head, body, items, fresh, chain, span)
+
+
+def _ringed(source: Source, items: list[Item]) -> list[Item]:
+    """A first round that names no ring: its plain stitches are one."""
+    for k, item in enumerate(items):
+        if isinstance(item, Action) and item.name in source.stitches and source.stitches[item.name].makes:
+            kind = source.stitches[item.name]
+            if kind.where == "ring" or item.times < 2 or kind.takes != 1 or any(works(i) for i in items[k + 1 :]):
+                return items
+            ring: Item = Action("mr", item.span, numbers=(item.times, 0))
+            if item.name != "sc":
+                made = into_one([(kind, item.times)], "ring")
+                source.stitches.setdefault(made.name, made)
+                ring = Action(made.name, item.span)
+            return [*items[:k], ring, *items[k + 1 :]]
+    return items
+
+
+def _chained(
+    draft: Draft,
+    source: Source,
+    head: Head | None,
+    body: Body,
+    items: list[Item],
+    fresh: int,
+    chain: Action,
+    span: Span,
+) -> list[Item]:
+    """The first stitches into a foundation chain: a ring, an oval, a row or a tube."""
+    assert draft.chain is not None
+    at, draft.chain = draft.chain, None
+    base = draft.lines[at]
+    before = [i for i in base.items if not isinstance(i, Action) or i.name in ("color", "flo", "blo")]
+    items = [i for k, i in enumerate(items) if not (k < fresh and isinstance(i, Action) and i.name in ("ch", "turn"))]
+    items = [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "turn")]
+    first = next(i for i in items if works(i))
+    hook = body.hook or 2
+    inner = first.items[0] if isinstance(first, Group) else first
+    kind = source.stitches.get(inner.name) if isinstance(inner, Action) else None
+    row = head is not None and head.row
+    if draft.looped:
+        body.hook = 0  # "ch 70, join to form a ring. Round 1: Sc in 2nd ch from hook …": all of them are worked into
+    if body.hook and chain.times - hook + 1 <= 1 and kind is not None and not row and isinstance(first, Action):
+        many = kind.makes * first.times
+        if many >= 3:
+            draft.lines[at] = replace(base, items=tuple(before))
+            name = kind.inner[0][0] if kind.inner else "sc"
+            ring: Item = Action("mr", first.span, numbers=(many, 0))
+            base_name = next((n for n in ("hdc", "dc", "tr") if kind.name.startswith(n)), name)
+            if base_name != "sc":
+                made = into_one([(source.stitches[base_name], many)], "ring")
+                source.stitches.setdefault(made.name, made)
+                ring = Action(made.name, first.span)
+            return [ring if i is first else i for i in items]
+    if body.sides:
+        numbers = (chain.times, hook)
+        draft.lines[at] = replace(base, items=(*before, Action("oval", chain.span, numbers=numbers)))
+        draft.edge = 2 * (chain.times - hook + 1) - 1  # the chain that it ends on may be left out
+        return items
+    if body.hook or row:
+        draft.flat = True
+        lift = Action("ch", chain.span, chain.times - max(0, hook - 2), chain.times_span)
+        more = [Action("ch", chain.span, hook - 2)] if hook > 2 else []
+        draft.lines[at] = replace(base, items=(*before, lift, Action("turn", chain.span), *more))
+        draft.edge = lift.times - 1
+    return [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "ch")]
