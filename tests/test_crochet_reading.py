@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.language.parse import parse
+from tambour.crochet.page.instructions import instructions
 from tambour.crochet.printed.choose import account, read
 from tambour.crochet.printed.pattern import NOTHING, read_printed
 from tambour.crochet.printed.shades import YARNS
@@ -87,6 +88,17 @@ def test_assembly_in_sentences():
     assert min(rounds) == 8.0 and max(rounds) == pytest.approx(9.0, abs=0.15)
     assert [part.stuffing for part in pattern.parts] == [None, None, 0.0]
     assert [p.message for p in pattern.warnings] == ["where this goes is not understood"]
+
+
+@pytest.mark.parametrize("apart", [1, 3, 4])
+@pytest.mark.parametrize("ends", ["", "Flatten the ears. "])
+def test_stitches_apart_are_printed_as_they_were_said(apart: int, ends: str) -> None:
+    head = "HEAD\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nRnd 4: (2 sc, inc) x 6 (24)\n"
+    head += "Rnd 5: (3 sc, inc) x 6 (30)\nRnd 6: (4 sc, inc) x 6 (36)\nRnds 7-12: sc around (36)\n"
+    ears = "EAR (make 2)\nRnd 1: 5 sc in MR (5)\nRnd 2: inc x 5 (10)\nRnds 3-4: sc around (10)\nFasten off.\n"
+    said = f"{ends}Sew the ears to the head between Rnds 5 and 6, {apart} sts apart."
+    text = instructions(build(read(Text(f"Toy\n\n{head}\n{ears}\nASSEMBLY\n{said}\n"))), exact=False).text
+    assert f"{apart} stitches apart" in text
 
 
 @pytest.mark.parametrize(

@@ -103,7 +103,7 @@ def test_what_names_a_yarn_is_no_remark(said: str) -> None:
     [
         "If making the striped cat, make all 3 spots with C.",
         "Note: If you are making a light one change to C.",
-        "If desired, work with B throughout.",
+        "If desired, work 3 spots with B.",
     ],
 )
 def test_what_is_said_for_one_version_is_told(said: str) -> None:

@@ -58,7 +58,10 @@ class Spoken:
                 every = self._copies(first.part) == len(placed)
                 names = self._base(first.part) if every else ", ".join(r.part.replace(".", " ") for r in placed)
                 onto = " / ".join(dict.fromkeys(r.spot.part.replace(".", " ") for r in placed))
-                said = [page["put"].format(part=names, onto=onto), *self.where([r.spot for r in placed])]
+                said = [
+                    page["put"].format(part=names, onto=onto),
+                    *self.where([r.spot for r in placed], self._breadth(first)),
+                ]
                 return ", ".join([*said, *self._held(placed)])
             case Eye():
                 many = "put eyes" if len(group) > 1 else "put eye"
@@ -89,8 +92,16 @@ class Spoken:
             return self.phrases.say("at round", round=max(a, 1), stitch=None, front=None)
         return self.phrases.say("at between", round=max(a, 0), next=b, stitch=None, front=None)
 
-    def where(self, spots: list[Spot]) -> list[str]:
-        """The round, and where in it: apart, in the middle, at a side."""
+    def _breadth(self, record: Placed) -> float:
+        """How many stitches a part's end takes up along the round that it is sewn to."""
+        part = self.spots.parts[record.part if record.part in self.spots.parts else f"{record.part}.1"]
+        if self.spots.in_rows[part] or (record.flat and abs(abs(record.across) - 90.0) < _LEANS):
+            return 0.0
+        edge = len(self.spots.sewn_rim(part))
+        return edge / 2.0 if record.flat else edge / math.pi
+
+    def where(self, spots: list[Spot], breadth: float = 0.0) -> list[str]:
+        """The round, and where in it: apart (between the edges of what takes up ``breadth`` stitches), in the middle, at a side."""
         spot, page = spots[0], self.page
         part = self.spots.parts[spot.part]
         number = int(spot.round)
@@ -110,7 +121,7 @@ class Spoken:
         offs = [0.0 if s.stitch is None else (s.stitch - middle + n / 2) % n - n / 2 for s in spots]
         if len(offs) == 2:
             if abs(sum(offs)) <= 1.01:
-                apart = round(abs(offs[1] - offs[0]))
+                apart = max(0, round(abs(offs[1] - offs[0]) - breadth))
                 return (
                     [*said, page["each side"]]
                     if abs(abs(offs[0]) - n / 4) < 0.06 * n

@@ -331,7 +331,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
             return True
         if again_made(p, tokens):
             return True
-        if chosen(tokens):
+        if chosen(tokens) and instructs(p, tokens):
             p.source.doubt(CHOICE, "say what is made, without an if", span)
             return True
     if established(p, tokens):
