@@ -8,11 +8,13 @@ from html.parser import HTMLParser
 from pathlib import Path
 from typing import ClassVar
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tambour import files
 from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean, spelt
+from tambour.run import craft, run
 
 SOURCE = Text("R1: MR(6)\nR2: 6 sx, 2 inc\n", "owl.acl")
 
@@ -104,3 +106,19 @@ def test_a_text_as_html_is_text(tmp_path: Path) -> None:
     tags.feed(page)
     assert tags.seen[tags.seen.index("body") + 1 :] == ["h1", "h2", "ul", "li", "li", "p", "br"]
     assert '<script>alert("1")</script>' in tags.words and "<img src=x onerror=alert(1)>" in tags.words
+
+
+def test_what_cannot_be_made_of_that_is_told(tmp_path: Path) -> None:
+    (tmp_path / "d.svg").mkdir()
+    for name, source, out, report, said in [
+        ("crotchet", None, "a.svg", None, 'there is no craft "crotchet"'),
+        ("crochet", None, "a.glb", None, "crochet needs a source"),
+        ("ink", "b.txt", "a.svg", None, "ink takes no source"),
+        ("ink", None, "d.svg", None, "this is a folder"),
+        ("ink", None, "a.svg", "\udcff.json", "the name of the report holds bytes"),
+    ]:
+        with pytest.raises(TambourError) as caught:
+            what = craft(name)
+            run(what, source, what.params(), [tmp_path / out], report=report)
+        assert said in str(caught.value)
+    assert list(tmp_path.iterdir()) == [tmp_path / "d.svg"]

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import errno
 import os
+import signal
 import stat
 import subprocess
 import sys
+import tempfile
 import threading
 from pathlib import Path
 from typing import Any
@@ -21,7 +23,7 @@ from tambour.core.packed import Packed
 from tambour.core.palette import Palette
 from tambour.core.picture import Picture
 from tambour.core.reveal import Reveal
-from tambour.files.sink import PREFIX, Writing
+from tambour.files.sink import PREFIX, Kept, Room, Writing, sweep, undisturbed
 from test_files import HOUSE
 from test_files_machine import design
 from test_files_mesh import painted
@@ -216,3 +218,162 @@ def test_two_writers_at_once_do_not_sweep_each_other(tmp_path: Path) -> None:
         other.commit()
         one.commit()
     assert holds(tmp_path) == {"a.txt": b"one", "b.txt": b"other", "c.txt": b"one"}
+
+
+def test_a_stream_that_did_not_take_all_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with Writing() as writing:
+        stream = writing.sink(tmp_path / "a.bin").stream()
+        stream.write(b"abcdef")
+        short = os.stat_result((*os.stat(tmp_path)[:6], 3, *os.stat(tmp_path)[7:]))
+        with monkeypatch.context() as patched, pytest.raises(OSError, match="Input/output"):
+            patched.setattr(os, "fstat", lambda number: short)
+            stream.close()
+        stream.close()  # a second time is nothing
+    assert holds(tmp_path) == {}
+
+
+def test_where_names_and_locks_are_not_to_be_had(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Disks without second names, systems without locks, and a file that one may not write."""
+    place = tmp_path / "a.txt"
+    place.write_text("old")
+    monkeypatch.setattr(os, "link", no)
+    monkeypatch.setitem(sys.modules, "fcntl", None)
+    with Writing() as writing:
+        writing.sink(place).put(b"new")
+        writing.commit()
+    assert holds(tmp_path) == {"a.txt": b"new"}
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    with Writing() as writing, pytest.raises(TambourError, match="cannot be written: Permission denied"):
+        writing.sink(place).put(b"newer")
+    assert holds(tmp_path) == {"a.txt": b"new"}
+
+
+def no(*_: object) -> None:
+    raise OSError(errno.EPERM, os.strerror(errno.EPERM))
+
+
+def test_a_place_that_becomes_a_folder_puts_everything_back(tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_text("old")
+    with Writing() as writing:
+        for name in ("a.txt", "b.txt", "c.txt"):
+            writing.sink(tmp_path / name).put(b"new")
+        (tmp_path / "c.txt").mkdir()
+        with pytest.raises(TambourError, match="Is a directory"):
+            writing.commit()
+    assert holds(tmp_path) == {"a.txt": b"old", "c.txt": b"/"}
+
+
+def test_a_move_that_fails_puts_everything_back(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "a.txt").write_text("old")
+    replace = os.replace
+
+    def failing(here: Any, there: Any) -> None:
+        if Path(there).name == "c.txt":
+            raise OSError(errno.EIO, os.strerror(errno.EIO))
+        replace(here, there)
+
+    with Writing() as writing:
+        for name in ("a.txt", "b.txt", "c.txt"):
+            writing.sink(tmp_path / name).put(b"new")
+        monkeypatch.setattr(os, "replace", failing)
+        with pytest.raises(TambourError, match=r"c\.txt: cannot be written"):
+            writing.commit()
+    assert holds(tmp_path) == {"a.txt": b"old"}
+
+
+def test_what_a_dead_process_had_not_begun_to_move_is_left(tmp_path: Path) -> None:
+    room = tmp_path / f"{PREFIX}dead"
+    (room / "new").mkdir(parents=True)
+    (room / "new" / "a.txt").write_text("new")
+    (room / "whole").write_bytes(b"a.txt")
+    (tmp_path / "a.txt").write_text("old")
+    sweep(tmp_path)
+    assert holds(tmp_path) == {"a.txt": b"old"}
+
+
+def test_what_a_dead_process_began_to_move_is_moved_to_its_end(tmp_path: Path) -> None:
+    room = tmp_path / f"{PREFIX}dead"
+    for folder in ("new", "old"):
+        (room / folder).mkdir(parents=True)
+    (room / "whole").write_bytes(b"a.txt\0b.txt")
+    (room / "new" / "b.txt").write_text("new")
+    (tmp_path / "a.txt").write_text("new")
+    (tmp_path / "b.txt").write_text("old")
+    os.link(tmp_path / "b.txt", room / "old" / "b.txt")
+    sweep(tmp_path)
+    assert holds(tmp_path) == {"a.txt": b"new", "b.txt": b"new"}
+
+
+def test_a_room_swept_before_it_was_locked_is_made_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    make = tempfile.mkdtemp
+    first = True
+
+    def swept(**where: Any) -> str:
+        nonlocal first
+        made = make(**where)
+        if first:
+            os.rmdir(made)
+        first = False
+        return made
+
+    monkeypatch.setattr(tempfile, "mkdtemp", swept)
+    room = Room.beside(tmp_path)
+    assert room.folder.is_dir() and not first
+    # Another that took its place in the same moment is not ours either.
+    with monkeypatch.context() as patched:
+        patched.setattr(os.path, "samestat", lambda *_: False)
+        other = Room.beside(tmp_path)
+    assert other.lock is None
+    other.clear()
+    room.clear()
+    assert holds(tmp_path) == {}
+
+
+def test_signals_wait_until_all_is_moved() -> None:
+    heard: list[int] = []
+    before = signal.signal(signal.SIGTERM, lambda number, frame: heard.append(number))
+    try:
+        with undisturbed():
+            signal.raise_signal(signal.SIGTERM)
+            assert heard == []
+        assert heard == [signal.SIGTERM]
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+def test_other_threads_hear_no_signals() -> None:
+    done: list[bool] = []
+
+    def there() -> None:
+        with undisturbed():
+            done.append(True)
+
+    other = threading.Thread(target=there)
+    other.start()
+    other.join()
+    assert done
+
+
+def test_a_writer_may_go_back_in_its_file(tmp_path: Path) -> None:
+    with Writing() as writing:
+        with writing.sink(tmp_path / "a.bin").stream() as out:
+            out.write(b"....end")
+            out.seek(0)
+            out.write(b"head")
+        writing.commit()
+    assert holds(tmp_path) == {"a.bin": b"headend"}
+
+
+def test_what_goes_to_no_disk_is_held_by_its_place() -> None:
+    with Kept() as kept:
+        kept.sink("a.txt").put(b"a")
+        with kept.sink("b/c.txt").stream() as out:
+            out.write(b"c")
+            out.close()
+        with pytest.raises(TambourError, match="written twice"):
+            kept.sink("a.txt").put(b"again")
+        with kept.sink("d.txt").folder() as room, kept.sink("e.txt").folder() as other:
+            assert room.parent == other.parent and room.is_dir()
+        kept.commit()
+        assert kept.files == {"a.txt": b"a", "b/c.txt": b"c"} and kept.paths == [Path("a.txt"), Path("b/c.txt")]
+    assert not room.exists()
