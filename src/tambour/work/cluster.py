@@ -28,6 +28,7 @@ CALM = {
     "distributed.worker.profile.enabled": False,
     "distributed.admin.tick.interval": "500ms",
     "distributed.admin.system-monitor.interval": "10s",
+    "distributed.nanny.pre-spawn-environ": {},  # nor give memory back that it wants again at once
 }
 
 TOGETHER, MOST, PATIENCE = 0.2, 8, 0.02
