@@ -7,6 +7,7 @@ it is here, and a piece that kills its process does not kill the Dask worker.
 from __future__ import annotations
 
 import atexit
+import time
 import warnings
 from collections.abc import Sequence
 from concurrent.futures import Future
@@ -28,11 +29,15 @@ CALM = {
     "distributed.worker.profile.enabled": False,
     "distributed.admin.tick.interval": "500ms",
     "distributed.admin.system-monitor.interval": "10s",
+    "distributed.worker.memory.monitor-interval": "1s",
     "distributed.nanny.pre-spawn-environ": {},  # nor give memory back that it wants again at once
 }
 
 TOGETHER, MOST, PATIENCE = 0.2, 8, 0.02
 """Seconds of work, and pieces, that travel together; and seconds that one waits for company."""
+
+ASK = 0.5
+"""Seconds between two looks at how many workers there are: an answer takes as long as a small piece."""
 
 _POOLS: dict[Limit, Local] = {}
 _LOCK = Lock()
@@ -71,6 +76,7 @@ class Cluster:
         self._waiting: list[tuple[Job, Future[Done]]] = []
         self._lock = Lock()
         self._spent = 0.0
+        self._threads, self._asked = 0, -ASK
         try:
             if not address:
                 quiet: dict[str, Any] = {"dashboard_address": "127.0.0.1:0", "silence_logs": 50}
@@ -92,8 +98,10 @@ class Cluster:
 
     @property
     def width(self) -> int:
-        """How many pieces are made, or travel, at once, as things stand."""
-        return max(1, sum(self.client.nthreads().values())) * self._size()
+        """How many pieces are made, or travel, at once, as things stand; the scheduler is asked now and then."""
+        if time.monotonic() > self._asked + ASK:
+            self._threads, self._asked = sum(self.client.nthreads().values()), time.monotonic()
+        return max(1, self._threads) * self._size()
 
     def submit(self, job: Job) -> Future[Done]:
         """What will become of a job."""
