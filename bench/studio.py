@@ -198,11 +198,16 @@ NEW = """async body => {
 }"""
 
 
-def _resident(pid: int) -> float:
-    """MB of a process and all that it started."""
+def _processes(pid: int) -> list[int]:
+    """A process and all that it started."""
     children = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
-    own = int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * resource.getpagesize() / 1e6
-    return own + sum(_resident(int(c)) for c in children)
+    return [pid, *(found for c in children for found in _processes(int(c)))]
+
+
+def _held(pid: int) -> float:
+    """MB of a process and all that it started, pages that they share counted once."""
+    told = [Path(f"/proc/{p}/smaps_rollup").read_text().splitlines() for p in _processes(pid)]
+    return sum(int(line.split()[1]) for lines in told for line in lines if line.startswith("Pss:")) / 1000
 
 
 def scroll() -> None:
@@ -212,12 +217,12 @@ def scroll() -> None:
         page.wait_for_selector(".seal")
         page.focus(".scroll canvas")
         session = page.context.new_cdp_session(page)
-        print("units scrolled; page's heap MB, server and workers MB")
-        for k in range(61):
+        print("units scrolled; page's heap MB, server and workers MB, processes")
+        for k in range(-10, 61):  # the first ten screens begin the workers
             if k % 10 == 0:
                 session.send("HeapProfiler.collectGarbage")
                 heap = page.evaluate("performance.memory.usedJSHeapSize") / 1e6
-                print(f"  {k * 600:7} {heap:6.1f} {_resident(pid):7.0f}")
+                print(f"  {(k + 10) * 600:7} {heap:6.1f} {_held(pid):7.0f} {len(_processes(pid)):4}")
             page.keyboard.press("PageDown")
             page.wait_for_timeout(700)
 

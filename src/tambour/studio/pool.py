@@ -67,6 +67,7 @@ class Pool:
         self.folder = Path(tempfile.mkdtemp(prefix="tambour-studio-"))
         self.hands: list[Hand] = []
         self.made = 0
+        self.warming = 0
         self.waiting = 0
         self._free = asyncio.Condition()
         self._tasks: set[asyncio.Task[None]] = set()
@@ -92,12 +93,14 @@ class Pool:
         return task
 
     async def _begin(self, hand: Hand) -> None:
+        self.warming += 1
         try:
             await hand.start()
             told = await hand.do({"do": "warm", "crafts": list(CRAFTS)}, limits.MAKE_SECONDS, _no, _no)
             if told["is"] != "done":
                 hand.kill()
         finally:
+            self.warming -= 1
             await self._back(hand)
 
     async def run(
@@ -144,7 +147,7 @@ class Pool:
                 self.waiting -= 1
             hand.busy = True
             hand.name = lane or hand.name
-            fresh = any(not h.busy and not h.key for h in self.hands)
+            fresh = self.warming or any(not h.busy and not h.key for h in self.hands)
         if not fresh:
             self._grow()
         return hand

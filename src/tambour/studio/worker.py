@@ -104,7 +104,7 @@ class Desk:
 
         told = self.make(job, progress)
         report = json.loads(dumps(write(self.made, (), progress=progress)))
-        return {"report": {**report, "problems": told["problems"], "named": _named(report)}}
+        return {"report": {**report, "problems": told["problems"], "named": _named(report, _words(self.made))}}
 
     def thumb(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """A small picture of the piece."""
@@ -175,8 +175,15 @@ class Desk:
         return {"file": str(file)}
 
 
-def _named(report: dict[str, Any]) -> dict[str, str]:
-    """What people call every colour that a report speaks of: ``#ece0c8`` → "cream"."""
+def _words(made: Any) -> str:
+    """The text that a piece is made of, where it is made of one."""
+    built = getattr(made.piece, "built", None)
+    return built.pattern.text.text if built is not None else ""
+
+
+def _named(report: dict[str, Any], words: str = "") -> dict[str, str]:
+    """What every colour that a report speaks of is called: by ``words`` that name it ("brown (#b5793f)"), else as people
+    do: ``#ece0c8`` → "cream"."""
     import re
 
     import numpy as np
@@ -186,7 +193,11 @@ def _named(report: dict[str, Any]) -> dict[str, str]:
 
     found = set(re.findall(r"#[0-9a-f]{6}\b", json.dumps(report)))
     found |= {hexed(t["rgb"]) for t in report.get("threads", ()) if "rgb" in t}
-    return {color: plain_name(np.array(unhexed(color), np.uint8)) for color in sorted(found)[:500]}
+    own = {
+        it[2].lower(): it[1]
+        for it in re.finditer(r"(?m)(?:^|[:=,;])[ \t]*([A-Za-z][A-Za-z ]{0,30}?) ?\((#[0-9A-Fa-f]{6})\)", words)
+    }
+    return {color: own.get(color) or plain_name(np.array(unhexed(color), np.uint8)) for color in sorted(found)[:500]}
 
 
 def _archive(to: Path, folder: Path, found: list[Path]) -> None:

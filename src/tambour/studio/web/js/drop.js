@@ -12,7 +12,8 @@ export async function fromFile(file, craft) {
     const kept = await ask(`/api/files?name=${encodeURIComponent(file.name || "pasted.png")}`, { method: "POST", body: file });
     const source = { sha256: kept.sha256, name: kept.name };
     const choice = craft ?? (kept.crafts.length === 1 ? kept.crafts[0] : await chosen(kept.name, kept.crafts));
-    if (choice) await begin({ craft: choice, source, title: titled(kept.name) });
+    const head = choice === "crochet" && /\.(txt|md)$/.test(kept.name) ? (await file.text()).trim().split("\n")[0] : "";
+    if (choice) await begin({ craft: choice, source, title: named(head, titled(kept.name)) });
   });
 }
 
@@ -78,10 +79,10 @@ export function stitched(file) {
 /** @param {string} file */
 const titled = (file) => file.replace(/\.[^.]+$/, "").replace(/[-_]+/g, " ").replace(/^./, (c) => c.toUpperCase()).slice(0, 80);
 
-/** A pattern's first line that is a title. @param {string} text */
-function named(text) {
+/** A pattern's first line that is a title, else ``usual``. @param {string} text @param {string} [usual] */
+function named(text, usual = "Pattern") {
   const line = text.split("\n").map((l) => l.replace(/^[#*\s]+/, "").trim()).find((l) => l && l.length < 60 && !/[:=\[(]/.test(l));
-  return line ?? "Pattern";
+  return line ?? usual;
 }
 
 /** Let an element take files and pasted things. @param {HTMLElement} element @param {(over: boolean) => void} [over] */

@@ -45,10 +45,12 @@ async function go() {
   leave.push(() => piece.close());
   leave.push(bar(at("bar"), over, piece, (craft) => chooseFile(craft)));
   leave.push(piece.piece.subscribe((p) => p && (document.title = `${p.title} · Tambour`)));
+  const opening = setTimeout(() => render(html`<div class="blank"><p class="big">Opening …</p></div>`, screen), 150);
   const opened = await attempt(async () => {
     await piece.open();
     return true;
   });
+  clearTimeout(opening);
   if (mine !== turn) return;
   if (!opened) {
     render(html`<div class="blank"><p class="big">This piece cannot be opened.</p><p><a class="button" role="button" href="#">To the shelf</a></p></div>`, screen);

@@ -1,7 +1,8 @@
 // A piece as signals: its source, what it was told, its edits, how its making goes; every change is kept at once.
 import { batch, computed, signal } from "../lib/ui.js";
+import { merged } from "./merge.js";
+import { clear, tell } from "./notes.js";
 import { unpack } from "./pack.js";
-import { clear } from "./notes.js";
 import { Live, Trouble, ask, bytes, online, patiently } from "./wire.js";
 
 /** @typedef {import("./pack.js").Pack} Pack */
@@ -26,6 +27,8 @@ export class Piece {
     this.refused = signal(false);
     /** Done before files are taken away: a scroll says which window. */
     this.before = async () => {};
+    /** A text that another page had its part in: it takes the place of what is being typed at. */
+    this.woven = signal(/** @type {string|null} */ (null));
     this.due = /** @type {any} */ (0);
     this.closed = false;
     this.live = signal(/** @type {Pack|null} */ (null));
@@ -121,7 +124,7 @@ export class Piece {
   /** Change the piece: shown at once, kept in this browser until the server has it. @param {Change} what @param {number} [wait] ms in which more may come */
   change(what, wait = 0) {
     clear(true);
-    this.unsent.value = { ...this.unsent.value, ...what, ...(what.params ? { params: { ...this.unsent.value?.params, ...what.params } } : {}) };
+    this.unsent.value = both(this.unsent.value, what);
     keep(this.id, this.unsent.value);
     if (!wait) return this._send();
     clearTimeout(this.due);
@@ -132,9 +135,8 @@ export class Piece {
   async _send() {
     clearTimeout(this.due);
     if (this.sending.value || !this.unsent.value) return;
-    const { ...what } = this.unsent.value;
-    const base = this.revision.value;
-    if (what.params) what.params = clean({ ...base.params, ...what.params });
+    const mine = this.unsent.value, base = this.revision.value;
+    const what = mine.params ? { ...mine, params: clean({ ...base.params, ...mine.params }) } : mine;
     batch(() => {
       this.sending.value = true;
       this.unsent.value = null;
@@ -147,12 +149,9 @@ export class Piece {
       this.watch();
     } catch (error) {
       const trouble = /** @type {Trouble} */ (error);
-      if (trouble.status === 409 && trouble.body?.revision) {
-        // Another page wrote in between: ours goes on top of it, theirs stays in the history.
-        this._take(trouble.body.piece, trouble.body.revision);
-        this.unsent.value = { ...what, ...this.unsent.value };
-      } else if (AGAIN.includes(trouble.status)) {
-        this.unsent.value = { ...what, ...this.unsent.value };
+      if (trouble.status === 409 && trouble.body?.revision) this._meet(base, trouble.body, mine);
+      else if (AGAIN.includes(trouble.status)) {
+        this.unsent.value = both(mine, this.unsent.value);
         if (trouble.status >= 500) this._trouble(error);
         this.due = setTimeout(() => this._send(), trouble.status ? 4000 : 2000);
         return;
@@ -165,6 +164,19 @@ export class Piece {
       this.sending.value = false;
     }
     if (this.unsent.value && online.value) await this._send();
+  }
+
+  /** Another page wrote in between: both are woven into one, and where both changed the same ours stands above theirs. @param {any} base @param {{piece: any, revision: any}} theirs @param {Change} mine */
+  _meet(base, theirs, mine) {
+    const { change, clash } = merged(base, theirs.revision, both(mine, this.unsent.value));
+    this._take(theirs.piece, theirs.revision);
+    batch(() => {
+      this.unsent.value = change;
+      if (change.source?.text !== undefined) this.woven.value = change.source.text;
+    });
+    keep(this.id, change);
+    if (clash) tell("Another page changed the same place meanwhile. Yours stands; undo goes back to theirs.");
+    else tell("Another page changed this piece meanwhile: what both did is in it.", { calm: true });
   }
 
   /** All that was done is with the server; false where it is not to be had. */
@@ -228,6 +240,9 @@ export class Piece {
     this.wire.close();
   }
 }
+
+/** A change and a later one as one. @param {Change|null} one @param {Change|null} later @returns {Change} */
+const both = (one, later) => ({ ...one, ...later, ...(one?.params || later?.params ? { params: { ...one?.params, ...later?.params } } : {}) });
 
 /** Params without those that were set back to nothing. @param {Record<string, any>} params */
 const clean = (params) => Object.fromEntries(Object.entries(params).filter(([, value]) => value !== null && value !== undefined));

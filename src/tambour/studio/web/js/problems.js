@@ -13,12 +13,12 @@ export function told(problems) {
 }
 
 /**
- * @param {Problem[]} problems @param {{go?: (problem: Problem) => void, spell?: (text: string) => string}} [how]
- * go: called when one is chosen; spell: names of options in the page's words
+ * @param {Problem[]} problems @param {{go?: (problem: Problem) => void, spell?: (text: string) => string, at?: (problem: Problem) => string}} [how]
+ * go: called when one is chosen; spell: names of options in the page's words; at: what a crafter calls the place
  */
-export function list(problems, { go, spell = (text) => text } = {}) {
+export function list(problems, { go, spell = (text) => text, at = () => "" } = {}) {
   return told(problems).map((p) => {
-    const inner = html`<b>${spell(p.message)}</b>${p.hint ? html`${spell(p.hint)} ` : ""}${p.line ? html`<span class="where">line ${p.line}</span>` : ""}`;
+    const inner = html`<b>${spell(p.message)}</b>${p.hint ? html`${spell(p.hint)} ` : ""}${p.line ? html`<span class="where">${[at(p), `line ${p.line}`].filter(Boolean).join(" · ")}</span>` : ""}`;
     const kind = `told ${p.warning ? "" : "wrong"}`;
     const can = go && (p.span || p.line || p.fields?.length);
     return can ? html`<button class=${kind} @click=${() => go(p)}>${inner}</button>` : html`<div class=${kind}>${inner}</div>`;

@@ -22,6 +22,7 @@ export class Hand {
     this.pins = new Set();
     this.pinned = signal(0);
     this.due = 0;
+    this.pause = /** @type {any} */ (0);
     /** @type {({type: string} & Record<string, any>)|null} */
     this.wanted = null;
     /** What the hand is doing, in words. */
@@ -103,7 +104,9 @@ export class Hand {
     const { kind, unit, from } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
     const to = this.stage.camera.under(x, y, from);
     if (kind === "stitch") {
-      this.wanted = { type: "hold", node: unit, x: to[0], y: to[1], z: to[2] };
+      // As far from its place on the fabric as the hand is from its yarn, which may lie some stitches further on.
+      const [px, py, pz] = [0, 1, 2].map((k) => this.pack.arrays.positions[3 * unit + k] + to[k] - from[k]);
+      this.wanted = { type: "hold", node: unit, x: px, y: py, z: pz };
       this.due ||= requestAnimationFrame(() => {
         this.due = 0;
         if (this.held && this.wanted) this.say(this.wanted);
@@ -119,13 +122,28 @@ export class Hand {
     const part = this.pack.arrays.part, here = part[unit], by = new Float32Array(3 * part.length);
     for (let i = 0; i < part.length; i++) if (part[i] === here) for (let k = 0; k < 3; k++) by[3 * i + k] = to[k] - from[k];
     this.stage.move(by);
-    this.word.value = `Put ${this.pack.facts.parts[here].name} where it shall be sewn on`;
+    const own = this.pack.facts.parts[here];
+    this.word.value = `Put ${own.name} where it shall be sewn on`;
+    clearTimeout(this.pause);
+    this.pause = setTimeout(() => {
+      const onto = this.held ? this.onto(x, y) : -1, { step } = onto < 0 ? { step: null } : this.piece.stepAt(onto);
+      if (step) this.word.value = `${own.name} here: on ${[step.part, step.label].filter(Boolean).join(", ")}`;
+    }, 150);
+  }
+
+  /** The stitch that a part is sewn on over when the hand is here: what lies under its seam, which went as far as the hand did; else under the hand. @param {number} x @param {number} y */
+  onto(x, y) {
+    const { unit, x: x0, y: y0 } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
+    const own = this.pack.facts.parts[this.pack.arrays.part[unit]], seam = this.stage.camera.seen(this.seam(own));
+    const under = this.stage.pick(seam.x + x - x0, seam.y + y - y0, own), onto = under < 0 ? this.stage.pick(x, y, own) : under;
+    return onto < 0 ? -1 : this.place(onto);
   }
 
   /** @param {number} x @param {number} y @param {boolean} still */
   drop(x, y, still) {
-    const { kind, unit, x: x0, y: y0 } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
-    const lean = kind === "lean" && !still ? this.lean(x, y) : null;
+    const { kind, unit } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
+    const lean = kind === "lean" && !still ? this.lean(x, y) : null, onto = kind === "part" && !still ? this.onto(x, y) : -1;
+    clearTimeout(this.pause);
     this.held = null;
     this.word.value = "";
     if (lean) return this.leaned(this.called(unit), lean.tilt, lean.towards);
@@ -136,13 +154,8 @@ export class Hand {
       return this.say({ type: "pin", node: unit });
     }
     if (kind === "stitch") return this.say({ type: "release" });
-    if (still) return this.stage.move(null);
-    // What lies under its seam, which went as far as the hand did; else under the hand.
-    const own = this.pack.facts.parts[this.pack.arrays.part[unit]], seam = this.stage.camera.seen(this.seam(own));
-    let onto = this.stage.pick(seam.x + x - x0, seam.y + y - y0, own);
-    if (onto < 0) onto = this.stage.pick(x, y, own);
     if (onto < 0) return this.stage.move(null);
-    return this.dropped(this.called(unit), this.place(onto));
+    return this.dropped(this.called(unit), onto);
   }
 
   /** Where a part is sewn on: the middle of its stitches that lie nearest to others. @param {{start: number, end: number}} part @returns {[number, number, number]} */

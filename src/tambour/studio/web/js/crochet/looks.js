@@ -39,7 +39,8 @@ export function looks(pack, mode, { part = -1, spot = null } = {}) {
     legend = [[BLUE, "loose"], [PALE, "as it should be"], [RED, "stretched by a quarter"]];
   } else if (mode === "parts") {
     for (let i = 0; i < n; i++) put(i, PARTS[a.part[i] % PARTS.length], part < 0 || a.part[i] === part ? 0.9 : 0.25);
-    legend = pack.facts.parts.slice(0, 9).map((/** @type {any} */ p, /** @type {number} */ k) => [PARTS[k % PARTS.length], p.name]);
+    const shown = pack.facts.parts.map((/** @type {any} */ p, /** @type {number} */ k) => [PARTS[k % PARTS.length], p.name]);
+    legend = part < 0 ? shown.slice(0, 9) : [shown[part]];
   } else if (mode === "checks") {
     for (let i = 0; i < n; i++) put(i, a.doubt[i] ? RED : PALE, a.doubt[i] ? 1 : 0.8);
     legend = [[RED, "doubted"], [PALE, "in order"]];

@@ -7,8 +7,8 @@ import { counted, dyed, hex, html, number, ref } from "../view.js";
 
 const LEAN = [["tilt", "leans", 0, 180], ["towards", "towards", 0, 360], ["across", "turned", -180, 180]];
 
-/** @param {Piece} piece @param {{part: {value: number}, go: (problem: any) => void, checked: any}} how */
-export function facts(piece, { part, go, checked }) {
+/** @param {Piece} piece @param {{part: {value: number}, go: (problem: any) => void, at: (problem: any) => string, checked: any}} how */
+export function facts(piece, { part, go, at, checked }) {
   const report = piece.report.value, pack = piece.live.value, craft = piece.craft.value;
   const problems = told(checked?.problems ?? (piece.failed.value.length ? piece.failed.value : piece.problems.value));
   const cm = (/** @type {number} */ mm) => (mm / 10).toFixed(1);
@@ -26,7 +26,7 @@ export function facts(piece, { part, go, checked }) {
     ${craft ? html`<h2 class="head">Gauge</h2>${report?.size?.gauge?.stitch_mm ? html`<p class="quiet">stitch ${report.size.gauge.stitch_mm.map((/** @type {number} */ v) => v.toFixed(1)).join(" × ")} mm${report.size.gauge.from ? `, from ${speller(craft.form)(report.size.gauge.from)}` : ""}</p>` : ""}
       <div class="gauge">${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.group === "Yarn and gauge" })}</div>` : ""}
     <h2 class="head">Checks</h2>
-    ${problems.length ? list(problems, { go }) : report ? html`<p class="agree">✓ ${counted(report.rounds?.length ?? 0, "round")}: all counts agree</p>` : ""}
+    ${problems.length ? list(problems, { go, at }) : report ? html`<p class="agree">✓ ${counted(report.rounds?.length ?? 0, "round")}: all counts agree</p>` : ""}
     ${report?.assembly?.some((/** @type {any} */ a) => a.widest_mm > 6) ? html`<p class="quiet">Some parts stand off the body by up to ${Math.max(...report.assembly.map((/** @type {any} */ a) => a.widest_mm)).toFixed(0)} mm.</p>` : ""}
     ${craft ? html`<h2 class="head">Words and pages</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.group !== "Yarn and gauge" && f.tier !== "rare" && name !== "check" })}
       <details class="group"><summary>How it is worked out</summary>${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.tier === "rare" })}</details>` : ""}`;

@@ -81,11 +81,19 @@ export function screen(root, piece, { over }) {
     const text = piece.revision.value?.source?.text;
     if (typeof text === "string" && untracked(() => piece.saved.value)) editor.set(text);
   }));
+  stop.push(effect(() => {
+    if (piece.woven.value !== null) editor.set(piece.woven.value);
+    piece.woven.value = null;
+  }));
   const problems = () => checked.value?.problems ?? (piece.failed.value.length ? piece.failed.value : piece.problems.value);
   stop.push(effect(() => editor.problems(problems())));
   stop.push(effect(() => {
     if (piece.live.value) checked.value = null; // what was made knows as much, and more
   }));
+  const round = (/** @type {any} */ p) => {
+    const s = p.span && stepOf(p.span[0]);
+    return s ? [s.part, s.label].filter(Boolean).join(", ") : "";
+  };
   const go = (/** @type {any} */ p) => {
     if (p.span) editor.reveal(p.span[0], true);
     else if (p.line) editor.reveal(editor.view.state.doc.line(Math.min(p.line, editor.view.state.doc.lines)).from, true);
@@ -93,7 +101,7 @@ export function screen(root, piece, { over }) {
   stop.push(show(below, () => {
     const all = told(problems());
     if (!all.length) return html`<p class="agree">${steps().length ? html`✓ ${counted(steps().length, "round")}, all counts agree` : ""}</p>`;
-    return html`<details class="doubts" open><summary>${counted(all.length, "thing")} to look at</summary>${list(all, { go })}</details>`;
+    return html`<details class="doubts" open><summary>${counted(all.length, "thing")} to look at</summary>${list(all, { go, at: round })}</details>`;
   }));
 
   // The toy.
@@ -210,9 +218,9 @@ export function screen(root, piece, { over }) {
   stop.push(show(at.bottom, () => {
     const pack = piece.live.value, legend = pack ? looks(pack, mode.value, { part: part.value }).legend : [];
     return html`<div class="seg" role="group" aria-label="what colours say">${MODES.map(([name, label]) => html`<button aria-pressed=${mode.value === name} @click=${() => (mode.value = name)}>${label}</button>`)}</div>
-      ${legend.length ? html`<div class="said legend">${legend.map(([c, text]) => html`<span><i class="swatch" ${ref(dyed(c))}></i> ${text}</span>`)}</div>` : ""}`;
+      ${legend.length ? html`<div class="said legend">${mode.value === "parts" && pack && pack.facts.parts.length > 1 ? html`<span>Drag a part to sew it on elsewhere; with Shift it leans.</span>` : ""}${legend.map(([c, text]) => html`<span><i class="swatch" ${ref(dyed(c))}></i> ${text}</span>`)}</div>` : ""}`;
   }));
-  stop.push(show(at.right, () => facts(piece, { part, go, checked: checked.value })));
+  stop.push(show(at.right, () => facts(piece, { part, go, at: round, checked: checked.value })));
 
   stop.push(offer(() => [
     { name: "See all of it", key: "f", do: () => stage.fit() },

@@ -246,9 +246,7 @@ export class Stage {
     this.strands.draw({ view, project, height, to, stride, night });
     if (this.glow && k < units && k >= 0) {
       const glowing = this.night ? GROUNDS.ember : GROUNDS.red;
-      let next = k; // what has no yarn of its own, as a ring before its first stitch, glows with the stitch after it
-      while (next < units - 1 && this.strands.ends[next] <= to) next++;
-      this.strands.draw({ view, project, height, from: to, to: this.strands.ends[next], glow: 0.94, glowing });
+      this.strands.draw({ view, project, height, from: to, to: this.strands.ends[this._next(k)], glow: 0.94, glowing });
     }
     gl.disable(gl.DEPTH_TEST);
 
@@ -293,6 +291,14 @@ export class Stage {
     else for (const call of this.after.splice(0)) call();
   }
 
+  /** The unit that glows when k are worked: what has no yarn of its own, as a ring before its first stitch, glows with the stitch after it. @param {number} k */
+  _next(k) {
+    const { ends, units } = /** @type {Strands} */ (this.strands), to = k > 0 ? ends[k - 1] : 0;
+    let next = k;
+    while (next < units - 1 && ends[next] <= to) next++;
+    return next;
+  }
+
   /** When the picture has come to rest. @returns {Promise<void>} */
   rest() {
     return new Promise((done) => {
@@ -301,7 +307,7 @@ export class Stage {
     });
   }
 
-  /** The unit at a place on the canvas, or -1. @param {number} x @param {number} y in CSS pixels @param {{start: number, end: number}} [without] units that are looked through */
+  /** The unit whose yarn is seen at a place on the canvas, the glowing one too, or -1. @param {number} x @param {number} y in CSS pixels @param {{start: number, end: number}} [without] units that are looked through */
   pick(x, y, without) {
     const gl = this.gl;
     if (!gl || !this.strands || !this.meshes || gl.isContextLost()) return -1;
@@ -323,7 +329,7 @@ export class Stage {
     if (without) {
       look.draw({ view, project: zoomed, height: 1, to: until(Math.min(k, without.start)), pick: true });
       if (k > without.end) look.draw({ view, project: zoomed, height: 1, from: until(without.end) + 1, to: until(k), pick: true });
-    } else look.draw({ view, project: zoomed, height: 1, to: until(k), pick: true });
+    } else look.draw({ view, project: zoomed, height: 1, to: until(this.glow && k < look.units ? this._next(k) + 1 : k), pick: true });
     gl.disable(gl.DEPTH_TEST);
     const pixel = new Uint8Array(4);
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
