@@ -50,6 +50,7 @@ class Hook:
         self.lifts: dict[int, None] = {}  # chains that only lift the yarn to the next round or row
         self.styles: list[tuple[str, float, int, tuple[int, int, int], int, int, int, Span]] = []
         self._style_of: dict[tuple[object, ...], int] = {}
+        self._looks: dict[tuple[object, ...], list[int]] = {}  # of a stitch at a place of the text
         self.rounds: list[Round] = []
         self.round: list[int] = []
         self.stretches = Stretches()
@@ -210,7 +211,11 @@ class Hook:
         if any(m.what in (THROUGH, JOIN) for m in stitch.moves):
             self.begin_stretch()
         faces, stretches, stretch, forward = self.faces, self.face_stretch, now.stretch, now.direction > 0
-        looks = [self.look(m.kind, m.height, self.single()) if m.what == OVER else -1 for m in stitch.moves]
+        key = (id(stitch), id(self.span), self.part, self.color, now.loop, now.direction)
+        looks = self._looks.get(key)
+        if looks is None:
+            looks = [self.look(m.kind, m.height, self.single()) if m.what == OVER else -1 for m in stitch.moves]
+            self._looks[key] = looks
         for _ in range(times):
             spine = now.spine
             path = spine[::-1]

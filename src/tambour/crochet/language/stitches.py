@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Final, Literal
 
 THROUGH: Final = "through"
@@ -44,21 +44,18 @@ class Stitch:
     inner: tuple[tuple[str, int], ...] = ()
     approximate: str = ""
 
-    @property
-    def makes(self) -> int:
-        """Nodes it makes."""
-        return sum(m.what == OVER for m in self.moves)
+    makes: int = field(init=False, repr=False, compare=False)
+    takes: int = field(init=False, repr=False, compare=False)
 
-    @property
-    def takes(self) -> int:
-        """Anchors it uses up; a chain space counts as one."""
+    def __post_init__(self) -> None:
         passed, touched = 0, False
         for move in self.moves:
             if move.what == NEXT:
                 passed, touched = passed + 1, False
             elif move.what in (THROUGH, JOIN):
                 touched = True
-        return passed + touched
+        object.__setattr__(self, "makes", sum(m.what == OVER for m in self.moves))
+        object.__setattr__(self, "takes", passed + touched)
 
     @property
     def fits_in_one(self) -> bool:

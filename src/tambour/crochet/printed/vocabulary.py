@@ -34,6 +34,7 @@ class Vocabulary:
     def __init__(self, code: str) -> None:
         self.code = code
         self._first: dict[str, list[tuple[tuple[str, ...], str, Any]]] = {}
+        self._read: dict[int, tuple[list[Token], list[Token]]] = {}
         table = TERMS[code]
         heard = table.heard
         for key, said in heard.words.items():
@@ -93,12 +94,14 @@ class Vocabulary:
     def define(self, word: str, stitch: str) -> None:
         """A stitch's name that the pattern itself explains."""
         self._add([word], "stitch", stitch, True)
+        self._read.clear()
         for phrases in self._first.values():
             phrases.sort(key=lambda p: -len(p[0]))
 
     def own(self) -> None:
         """Makes the phrases this vocabulary's own; those of another that it was copied from stay as they are."""
         self._first = {word: list(phrases) for word, phrases in self._first.items()}
+        self._read = {}
 
     def knows(self, word: str) -> bool:
         """Whether a phrase begins with ``word``."""
@@ -110,6 +113,12 @@ class Vocabulary:
 
     def read(self, tokens: list[Token]) -> list[Token]:
         """``tokens`` with phrases made one token each, of kind "stitch" or "key", and fillers left out."""
+        known = self._read.get(id(tokens))
+        if known is None or known[0] is not tokens:
+            known = self._read[id(tokens)] = tokens, self._phrased(tokens)  # lines are looked at more than once
+        return list(known[1])
+
+    def _phrased(self, tokens: list[Token]) -> list[Token]:
         made: list[Token] = []
         at, n = 0, len(tokens)
         while at < n:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Final
 
 from tambour.crochet.language.stitches import BASIC, JOIN, NEXT, OVER, STITCHES, THROUGH, Move, Stitch
 from tambour.crochet.words.phrases import number
-from tambour.crochet.words.table import Terms
+from tambour.crochet.words.table import TERMS, Terms
 
 _MOVES: Final = {THROUGH: "pull through", OVER: "pull over", NEXT: "next anchor", JOIN: "slst"}
 _LINE: Final = re.compile(r"([^\W\d]\w*)(?:\s*\((\D+?)\s+(\d+(?:\.\d+)?)\))?\s*[=:]\s*(.+)$")
@@ -71,6 +72,19 @@ def _pieces(stitch: Stitch, known: Mapping[str, Stitch], height: float | None) -
     return rows
 
 
+@lru_cache(maxsize=16)
+def _spelt(code: str) -> dict[str, str]:
+    """Every spelling of the stitches and moves of the terms ``code`` → which it is."""
+    terms = TERMS[code]
+    said = {s.lower(): n for n, spellings in terms.stitches.items() for s in spellings if n in STITCHES}
+    return said | {s.lower(): key for key in _MOVES.values() if key != "slst" for s in terms.words[key]}
+
+
+@lru_cache(maxsize=16)
+def _usual(code: str) -> frozenset[str]:
+    return frozenset(s.lower() for spellings in TERMS[code].stitches.values() for s in spellings)
+
+
 def heard(line: str, known: Mapping[str, Stitch], terms: Terms) -> Stitch | None:
     """The stitch that a line as :func:`told` makes it explains; None where it is no such line."""
     found = _LINE.match(line.strip().rstrip("."))
@@ -79,9 +93,7 @@ def heard(line: str, known: Mapping[str, Stitch], terms: Terms) -> Stitch | None
     name, height = found[1].lower(), float(found[3]) if found[3] else None
     if found[2] and found[2].strip().lower() not in (w.lower() for w in terms.words["height"]):
         return None
-    spelt = {s.lower(): n for n, spellings in terms.stitches.items() for s in spellings if n in known}
-    spelt |= {n: n for n, stitch in known.items() if stitch is not STITCHES.get(n)}
-    spelt |= {s.lower(): key for key in _MOVES.values() if key != "slst" for s in terms.words[key]}
+    spelt = {**_spelt(terms.code), **{n: n for n, stitch in known.items() if stitch is not STITCHES.get(n)}}
     moves: list[Move] = []
     for piece in found[4].split(","):
         words = " ".join(piece.split()).lower()
@@ -111,7 +123,7 @@ def explained(text: str, known: Mapping[str, Stitch], terms: Terms) -> list[Stit
     made: list[Stitch] = []
     lines = [line.strip(" \t-*•") for line in text.split("\n")] if "=" in text else []
     lines = [line for line in lines if _LINE.match(line.rstrip("."))]
-    usual = {s.lower() for spellings in terms.stitches.values() for s in spellings} if lines else set()
+    usual = _usual(terms.code) if lines else frozenset()
     for line in lines:
         new = heard(line, {**known, **{s.name: s for s in made}}, terms)
         if new is None or new.name in BASIC:
