@@ -86,7 +86,7 @@ class Host:
             k = spots.round_at(self.part, number)
             if k is not None and (last is None or k <= last) and len(nodes := spots.stitches(k)):
                 made.append((number, self.stand.x[nodes]))
-        return made
+        return made or [(self.low, self.stand.x[self.stand.nodes(self.part)])]  # a chain alone has no rounds
 
     @cached_property
     def box(self) -> tuple[Array, Array]:
