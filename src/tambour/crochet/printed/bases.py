@@ -158,7 +158,9 @@ def based(p: State, draft: Draft, head: Head, read: Body, span: Span, what: tupl
         "name the round: join with sl st to Rnd 5 of Head",
         at,
     )
-    draft.lines.append(Line(foundation(count, at, head.row), span, False))
+    draft.lines.append(
+        Line(foundation(count, at, head.row), at, False)
+    )  # what is amiss in the round is not in its chain
     draft.edge, draft.flat = count, head.row
     tokens, times = what
     again = decided(p.source, tokens, p.palette, count, p.phrases, times)

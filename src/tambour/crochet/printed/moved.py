@@ -89,11 +89,12 @@ def moved(tokens: list[Token]) -> Moved | None:
 def along_edge(tokens: list[Token]) -> bool:
     """Whether a sentence speaks of an edge as a whole, and of no round: "6 sc evenly up side of Ear to corner"."""
     named = sum(t.word in _EDGES or (t.kind == "key" and t.value in ("side", "thicknesses")) for t in tokens)
-    if any(
-        t.kind == "key" and t.value in ("round", "repeat", "as", "ring", "hook") and t.word not in ("in rnd",)
-        for t in tokens
-    ):
-        return False
+    for k, t in enumerate(tokens):
+        if t.kind != "key" or t.value not in ("round", "repeat", "as", "ring", "hook") or t.word == "in rnd":
+            continue
+        worked = t.value == "round" and tokens[k - 1].kind == "number" and tokens[k + 1 : k + 2]
+        if not (k and worked and worked[0].kind == "stitch"):  # "1 rnd of sc evenly around entire edge" names none
+            return False
     return bool(named) and not any(t.word in ("sew", "attach", "embroider") for t in tokens)
 
 

@@ -16,7 +16,7 @@ from tambour.crochet.printed.anew import anew
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.bases import MOST as _MOST
 from tambour.crochet.printed.bases import based, elsewhere, is_first
-from tambour.crochet.printed.beyond import EDGED
+from tambour.crochet.printed.beyond import EDGED, edging
 from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
@@ -291,6 +291,8 @@ class Printed(State):
             draft.marks.append((starred or self.starred, 0 if self.starred and not draft.last else len(draft.lines)))
             self.starred = ""
         body = [*head.extra, Token("mark", ",", head.span.end, head.span.end), *tokens] if head.extra else tokens
+        if self.tied is not None:
+            body, self.tied = [self.tied, Token("mark", ",", span.start, span.start), *body], None
         self.source.last_number = draft.last or None
         self._others(draft, head)
         before = len(draft.lines)
@@ -378,7 +380,7 @@ class Printed(State):
             read = based(self, draft, head, read, span, (tokens, times)) or read
         unread = []
         for left in read.left:
-            if not finishing(self, left):
+            if not finishing(self, left) and not edging(self, left):
                 unread.append(left)
         instructive = [left for left in unread if instructs(self, left) and not remark(self.source.text.text, left)]
         notes = tuple(Span(d[0].start, d[-1].end) for d in read.doings if d)

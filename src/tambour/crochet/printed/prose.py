@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -368,8 +369,12 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         body = decided(p.source, tokens, p.palette, draft.edge if draft else None, p.phrases)
     except NotUnderstood:
         return edging(p, tokens)
-    if body.moved is not None and draft is not None and not body.left and not any(map(makes, body.items)):
+    tied = [i for i in body.items if makes(i)]
+    joins = tokens[0].value == "join" or any(t.word == "," and u.value == "join" for t, u in pairwise(tokens))
+    single = joins and len(tied) == 1 and isinstance(tied[0], Action) and tied[0].name == "sc" and tied[0].times == 1
+    if body.moved is not None and draft is not None and not body.left and (single or not tied):
         p.moved = body.moved
+        p.tied = Token("stitch", "sc", tied[0].span.start, tied[0].span.end, "sc") if tied else None
         p.lead += [
             Line((i,), Span(tokens[0].start, tokens[-1].end), False)
             for i in body.items

@@ -18,7 +18,7 @@ from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.recognise import recognised
 from tambour.crochet.printed.restated import lettered
 from tambour.crochet.printed.shades import spoken
-from tambour.crochet.printed.tokens import Row, rows
+from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
@@ -89,6 +89,7 @@ class State:
         self.sound: set[int] = set()  # where rounds begin whose words make their counts
         self.starred = ""  # asterisks that stand before what comes next
         self.moved: Moved | None = None  # where yarn was joined that the next round begins with
+        self.tied: Token | None = None  # the stitch that yarn was joined with, which the next round begins with
         self.handed = False  # the sentence before this one was something that hands do
         self.sentences: list[Said] = []  # of finishing, read once the parts are known
 
