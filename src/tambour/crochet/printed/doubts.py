@@ -354,7 +354,7 @@ def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch], times: int)
     taken = worked(body.items, edge or 0, stitches)
     if done is None or taken is None or edge is None or taken[1] in (0, edge):
         return 2
-    return 1 if taken[1] < edge or body.stated is not None else 0
+    return int(taken[1] < edge)
 
 
 def _implied(body: Body, edge: int | None, stitches: dict[str, Stitch]) -> Span | None:

@@ -9,7 +9,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
-from tambour.crochet.language.tree import Action, Line
+from tambour.crochet.language.tree import Action, Item, Line
 from tambour.crochet.places.hear import assembling
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.beyond import again_made, along, edging, marked, more_copies, repeats_for
@@ -371,7 +371,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         return edging(p, tokens)
     tied = [i for i in body.items if makes(i)]
     joins = tokens[0].value == "join" or any(t.word == "," and u.value == "join" for t, u in pairwise(tokens))
-    single = joins and len(tied) == 1 and isinstance(tied[0], Action) and tied[0].name == "sc" and tied[0].times == 1
+    single = joins and len(tied) == 1 and [i.name for i in _flat(tied[0])] == ["sc"]
     if body.moved is not None and draft is not None and not body.left and (single or not tied):
         p.moved = body.moved
         p.tied = Token("stitch", "sc", tied[0].span.start, tied[0].span.end, "sc") if tied else None
@@ -414,6 +414,10 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     draft.add(p.source, None, body, span)
     p.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
     return True
+
+
+def _flat(item: Item) -> list[Action]:
+    return [item] * item.times if isinstance(item, Action) else [i for i in item.items if isinstance(i, Action)]
 
 
 def _once_more(tokens: list[Token]) -> bool:

@@ -102,7 +102,7 @@ def refers(r: Reader) -> Refers | None:
             c.at += 1
         else:
             if token.kind in ("word", "ordinal", "stitch") or (
-                token.kind == "key" and token.value not in ("as", "for", "in", "from")
+                token.kind == "key" and token.value not in ("as", "for", "in", "from", "round", "row")
             ):
                 words += [] if token.word in _GIVEN or token.word == "alternately" else [token.word]
             c.at += 1

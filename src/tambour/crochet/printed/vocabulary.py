@@ -191,7 +191,7 @@ class Vocabulary:
             return [token]
         name = standard(word)
         if name in STITCHES and (self.code != "uk" or _of_both(name)):
-            return [Token("stitch", word, token.start, token.end, name, token.glued)]
+            return [Token("stitch", word, token.start, token.end, name, token.glued, token.capital)]
         if not word[-1].isdigit():
             return [token]
         head = word.rstrip("0123456789")
