@@ -361,3 +361,62 @@ def test_loops_of_chain_from_one_place_are_a_flower(said):
 
 def test_two_strands_held_together_begin_a_piece():
     assert counts("Toy\n\nCORD\nWith 2 strands of B held tog and larger hook, ch 8.\n1st row: 1 sc in 2nd ch from hook and in each ch across. 7 sc.\n") == [7]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Work 1 rnd of sc evenly around entire edge of Ear, working 3 sc in each corner.",
+        "Work 1 row of sc evenly along side edge.",
+        "3rd row: Ch 1, sc in each st across; DO NOT TURN; work 12 sc evenly along edge, 1 sc in tip, 12 sc evenly along other edge; turn – 32 sts.",
+    ],
+)
+def test_an_edge_of_a_piece_is_told_as_not_drawn_and_is_not_lost(said):
+    pattern = read(Text(ROWS + "2nd row: Ch 1. 1 sc in each sc to end of row. Turn.\n" + said + "\n", "x.txt"))
+    assert not pattern.unread
+    assert any("not drawn" in w.message for w in pattern.warnings)
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "With RS facing, join yarn with sc to rem loop of 3rd ch of foundation ch.\n1st row: (RS). 1 sc in each of next 4 ch. Turn. 5 sc (including joining sc).",
+        "Join B with sc to first free loop of 1st row.\n1st row: 1 sc in each of next 4 loops. Turn. 5 sc.",
+        "Turn work, join B with sc in first unworked sc of 1st row.\n1st row: 1 sc in each of next 4 sc. Turn. 5 sc.",
+    ],
+)
+def test_a_stitch_that_yarn_was_joined_with_is_the_first_of_the_row_that_follows(said):
+    text = ROWS + "2nd row: Ch 1. 1 sc in each sc to end of row. Turn.\nFasten off.\nBIB\n" + said + "\n"
+    assert counts(text + "2nd row: Ch 1. 1 sc in each sc to end of row. Turn.\n")[-2:] == [5, 5]
+
+
+@pytest.mark.parametrize("name", ["Facial Fur", "Chest Fur", "Belly Fur"])
+def test_a_stitch_may_be_in_a_parts_name(name):
+    text = (
+        START
+        + "Fasten off.\n"
+        + name
+        + "\nWith C, ch 6.\n1st row: 1 sc in 2nd ch from hook. 1 sc in each ch to end of chain. Turn. 5 sc.\n"
+    )
+    pattern = read(Text(text, "x.txt"))
+    assert [part.name for part in pattern.parts] == ["BODY", name]
+    assert counts(text) == [6, 5]
+
+
+def test_a_round_that_needs_more_than_there_are_is_a_mistake_though_its_count_would_come_out():
+    text = (
+        TWO
+        + "3rd rnd: Ch 1. (Sc2tog) 6 times. Join. 6 sts.\n4th rnd: Ch 1. Sc2tog. 1 sc in each of next 5 sc. Join. 5 sts.\n"
+    )
+    pattern = read(Text(text, "x.txt"))
+    assert not pattern.unread
+    assert [w.message for w in build(pattern).warnings if "says" in w.message] == [
+        "the pattern says 5 stitches, the round makes 6"
+    ]
+
+
+def test_a_piece_that_is_a_chain_alone_is_sewn_without_a_fault():
+    text = (
+        START + "Fasten off.\nHanging Loop: With B, ch 15. Fasten off.\nFINISHING\nSew Hanging Loop to top of Body.\n"
+    )
+    assert len(read(Text(text, "x.txt")).parts) == 2

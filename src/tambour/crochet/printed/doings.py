@@ -87,7 +87,7 @@ def by_hand(tokens: list[Token]) -> bool:
         verb = verb or first.word.split(" ")[0]
         return verb in _HANDS or verb in _DOING or (verb in ("attach", "add") and bool(words & _MADE))
     if verb or (first.kind == "key" and first.value == "leave"):
-        return True
+        return "unworked" not in words  # "leave remaining 3 sts unworked, turn—4 sc" is of the row
     if first.kind != "key" or after is None:
         return False
     if first.value == "count" and first.word == "count":
