@@ -45,6 +45,19 @@ def test_columns_cover_a_letter():
     assert len(found) == 3 and sum(len(m.through) for m in found) == 2  # two stems go through, the bar ends at both
 
 
+def test_a_stem_runs_straight_past_the_bars_that_meet_it():
+    # An E of strokes 3 mm wide: the stem's middle line leans nowhere, and no chord of it reaches into the middle bar.
+    bars = [shapely.box(0, y, 12, y + 3) for y in (0, 9, 18)]
+    area = shapely.union_all([shapely.box(0, 0, 3, 21), *bars])
+    found, _ = limbs(area, 14.0)
+    stem = max(found, key=lambda m: np.ptp(m.column.middle[:, 1]))
+    inner = np.abs(stem.column.middle[:, 1] - 10.5) < 4
+    assert inner.sum() > 10
+    assert np.abs(stem.column.middle[inner, 0] - 1.5).max() < 0.12
+    assert np.hypot(*(stem.column.left - stem.column.right).T)[inner].max() < 3.3
+    assert np.abs(np.diff(stem.column.middle[inner], axis=0)).max() < 0.3
+
+
 def test_a_ring_is_one_closed_column():
     ring = shapely.Point(0, 0).buffer(10, quad_segs=32).difference(shapely.Point(0, 0).buffer(7, quad_segs=32))
     found, _ = limbs(ring, 14.0)

@@ -13,6 +13,7 @@ from tambour.core.check import Array
 from tambour.embroidery.columns.satin import Column, resample
 
 SAMPLE = 0.35  # mm between the outline's samples (finer in small areas)
+REACH = 1.25  # radii of a fork on both sides of it in which it bends the limb that goes through
 SPUR = 1.46  # a branch that reaches no farther than this many radii beyond its fork is a corner, not a limb
 
 
@@ -202,7 +203,8 @@ def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
         if np.median(wide) * 2 > widest:
             continue
         closed = bool(path[0] == path[-1] and len(path) > 3)
-        column = across(area, places[path], wide, (free_start, free_end), closed, (radius[path[0]], radius[path[-1]]))
+        line, wide = passed(places[path], wide, [(places[f], float(radius[f])) for f in forks])
+        column = across(area, line, wide, (free_start, free_end), closed, (radius[path[0]], radius[path[-1]]))
         if column is not None:
             made.append(Limb(column, int(path[0]), int(path[-1]), tuple((f, places[f]) for f in forks)))
         elif fork_of(int(path[0])) != fork_of(int(path[-1])):
@@ -220,6 +222,44 @@ def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
         p.buffer(0.3).intersection(area) for p in shapely.get_parts(left) if p.geom_type == "Polygon" and p.area > 0.4
     ]
     return made, shapely.union_all(pieces) if pieces else shapely.Polygon()
+
+
+def passed(line: Array, wide: Array, forks: list[tuple[Array, float]]) -> tuple[Array, Array]:
+    """A limb's middle line and half widths (n,) past the forks (place, radius) that it goes through: as if none were there.
+
+    Where a bar meets a stem the middle line leans towards the bar, and its stitches would fan out and leave nicks; it is led on
+    from before the fork to behind it by its directions there (a cubic), as wide as it is there.
+    """
+    for fork, radius in forks:
+        way = np.r_[0, np.cumsum(np.hypot(*np.diff(line, axis=0).T))]
+        middle = float(way[int(((line - fork) ** 2).sum(1).argmin())])
+        a, b = middle - REACH * radius, middle + REACH * radius
+        if a < 0.3 * radius or b > way[-1] - 0.3 * radius:
+            continue
+        at = [
+            np.array([np.interp(v, way, line[:, i]) for i in (0, 1)])
+            for v in (a - 0.3 * radius, a, b, b + 0.3 * radius)
+        ]
+        d0, d1 = (at[1] - at[0], at[3] - at[2])
+        d0, d1 = (d / max(1e-9, float(np.hypot(*d))) for d in (d0, d1))
+        if d0 @ d1 < 0.8:
+            continue  # a stroke that turns there
+        t = np.linspace(0, 1, max(4, math.ceil((b - a) / 0.2)))[:, None]
+        size = float(np.hypot(*(at[2] - at[1])))
+        curve = (
+            (2 * t**3 - 3 * t**2 + 1) * at[1]
+            + (t**3 - 2 * t**2 + t) * size * d0
+            + (3 * t**2 - 2 * t**3) * at[2]
+            + (t**3 - t**2) * size * d1
+        )
+        half = np.interp([a, b], way, wide)
+        between = (
+            half[0] + (half[1] - half[0]) * t[:, 0]
+        ) * 0.82  # chords reach 1.25 of it: to the stroke's edge, not into the bar
+        low, high = way < a, way > b
+        line = np.concatenate([line[low], curve, line[high]])
+        wide = np.r_[wide[low], between, wide[high]]
+    return line, wide
 
 
 def _outline(column: Column) -> Any:

@@ -76,11 +76,12 @@ def _fits(size: Array, params: EmbroideryParams) -> None:
             hint="give its size: {--width} 100mm",
         )
     if params.hoop is None and params.machine is not None:
-        field = MACHINES[params.machine].field
+        machine = MACHINES[params.machine]
+        field = machine.field
         if min(size) > min(field) + 0.05 or max(size) > max(field) + 0.05:
             fits = min(min(field) / min(size), max(field) / max(size)) * size[0]
             raise TambourError(
-                f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the field of {params.machine} {field[0]:g} x {field[1]:g} mm",
+                f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the field of {params.machine} {field[0]:g} x {field[1]:g} mm ({machine.source})",
                 hint=f"{{--width}} {math.floor(fits * 10) / 10:g}mm would fit",
                 where="{--machine}",
             )
