@@ -165,3 +165,18 @@ def test_a_yarn_takes_another_colour_and_the_chart_stays() -> None:
     with pytest.raises(TambourError, match="no such yarn") as told:
         make("knit", Picture(rgba), edits=["yarn:CC9=popy"])
     assert len(told.value.problems) == 2
+
+
+def test_a_yarn_is_recoloured_while_it_is_made_as_by_an_edit() -> None:
+    from tambour.core.picture import Picture
+    from tambour.knit.params import KnitParams
+
+    rgba = np.full((20, 30, 4), 255, np.uint8)
+    rgba[5:15, 10:20, :3] = 0
+    edited = make("knit", Picture(rgba), edits=["yarn:MC=poppy", "yarn:CC=#102030"]).piece.chart
+    told = make("knit", Picture(rgba), KnitParams(yarn=("poppy=MC", "#102030=CC"))).piece.chart
+    assert told.plain() == edited.plain()
+    with pytest.raises(TambourError, match="no such yarn"):
+        make("knit", Picture(rgba), KnitParams(yarn=("#102030=CC9",)))
+    with pytest.raises(ValueError, match="#aa3322=MC"):
+        make("knit", Picture(rgba), KnitParams(yarn=("MC",)))

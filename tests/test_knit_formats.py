@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from tambour import files
-from tambour.core.chart import Chart, Gauge
+from tambour.core.chart import Chart, Disk, Gauge
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
 from tambour.files.brother import memory
@@ -206,8 +206,8 @@ def read_disk(image: bytes) -> dict[int, np.ndarray]:
 @pytest.mark.parametrize(("rows", "stitches"), [(1, 1), (4, 4), (5, 6), (9, 9), (7, 200), (60, 24), (150, 120)])
 def test_the_disk_is_read_back(tmp_path, rows: int, stitches: int) -> None:
     chart = random_chart(rows, stitches, rows)
-    files.write(chart, tmp_path / "chart.dat")
-    files.write(chart, tmp_path / "chart.img")
+    files.write(Disk(chart), tmp_path / "chart.dat")
+    files.write(Disk(chart), tmp_path / "chart.img")
     image = (tmp_path / "chart.dat").read_bytes()
     assert len(image) == 32 * 1024
     disk = (tmp_path / "chart.img").read_bytes()
@@ -250,7 +250,7 @@ def test_the_published_patterns_give_the_published_bytes(drawn: list[str], data:
         marks, cut = with_ground, True
     else:
         cut = False
-    image = memory(Chart(marks, WOOL))
+    image = memory(Disk(Chart(marks, WOOL)))
     if not cut:
         memo = (len(drawn) + 1) // 2
         last = 0x7EDF - memo
@@ -259,9 +259,33 @@ def test_the_published_patterns_give_the_published_bytes(drawn: list[str], data:
         assert (read_disk(image)[901][::-1, ::-1] == marks).all()
 
 
+def read_930(image: bytes) -> np.ndarray:
+    """The first pattern of a KH-930's file, as Steve Conklin's notes have it: nibbles downwards from 0x06DF, past the memo."""
+    digits = image[2:7].hex()
+    rows, stitches = int(digits[:3]), int(digits[3:6])
+    assert digits[7:] == "901" and image[0x07EA:0x07EC].hex() == "1901"
+    last, per = 0x06DF - (rows + 1) // 2, (stitches + 3) // 4
+    nibbles = [image[last - k // 2] >> 4 * (k % 2) & 15 for k in range(rows * per)]
+    return np.array([[nibbles[r * per + x // 4] >> x % 4 & 1 for x in range(stitches)] for r in range(rows)])
+
+
+@pytest.mark.parametrize(("rows", "stitches"), [(4, 4), (5, 7), (33, 24), (60, 60), (38, 200)])
+def test_the_smaller_machines_disk_is_read_back_by_its_own_notes(tmp_path, rows: int, stitches: int) -> None:
+    chart = random_chart(rows, stitches, rows)
+    files.write(Disk(chart, 2), tmp_path / "chart.dat")
+    files.write(Disk(chart, 2), tmp_path / "chart.img")
+    image = (tmp_path / "chart.dat").read_bytes()
+    assert len(image) == 2048 and (tmp_path / "chart.img").read_bytes()[:2048] == image
+    second = int(np.bincount(chart.cells.ravel(), minlength=2)[1] <= chart.cells.size / 2)
+    assert (read_930(image) == (chart.cells == second)).all()
+    assert (read_disk(image)[901][::-1, ::-1] == (chart.cells == second)).all()  # as the larger machine's is read
+    with pytest.raises(TambourError, match="memory has 1074"):
+        memory(Disk(random_chart(60, 200), 2))
+
+
 def test_the_disk_says_what_it_cannot_hold() -> None:
     with pytest.raises(TambourError) as caught:
-        memory(random_chart(1200, 230))
+        memory(Disk(random_chart(1200, 230)))
     text = str(caught.value)
     assert "200 needles" in text and "999" in text and "bytes" in text
 

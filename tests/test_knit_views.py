@@ -39,7 +39,8 @@ TECHNIQUE = (
     "24",
 )
 SUFFIX = {
-    "Chart": (".png", ".csv", ".img"),
+    "Chart": (".png", ".csv"),
+    "Disk": (".img", ".dat"),
     "dict": (".json",),
     "Drawing": (".pdf",),
     "Text": (".txt",),
@@ -63,7 +64,7 @@ def test_every_view_of_odd_charts(name: str, tmp_path: Path) -> None:
             else:
                 assert list(tmp_path.glob(f"x.{view}*{suffix}"))
     if name == "plain":
-        assert refused == ["worn.png", "separated.png", "separated.csv", "separated.img"]
+        assert refused == ["worn.png", "separated.png", "separated.csv"]
 
 
 def test_the_machine_card_wants_a_machine(tmp_path: Path) -> None:

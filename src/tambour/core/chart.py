@@ -199,3 +199,11 @@ def _fill(cells: Array, name: str, told: Mapping[str, Any]) -> None:
         if min(values) < 0 or max(values) > 255:
             raise ValueError(f'"{name}" row {key} holds {max(values)}')
         cells[r] = values
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Disk:
+    """A chart as a Brother machine keeps it on its floppy disk. ``kilobytes`` of its memory: 32 (KH-940), 2 (KH-930)."""
+
+    chart: Chart
+    kilobytes: Literal[2, 32] = 32

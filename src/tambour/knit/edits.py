@@ -63,7 +63,18 @@ class Recolour(Params):
     """#rrggbb, or the name of a shade on a card (wool, natural)."""
 
 
+def coloured(piece: Piece, told: Sequence[str]) -> Piece:
+    """The piece in other colours: ``told`` as "COLOUR=YARN". Raises TambourError for what is not one or the other."""
+    pairs = [one.split("=") for one in told]
+    edits = [Recolour(yarn=yarn, colour=colour) for colour, yarn in pairs]
+    return _recolour(piece, edits, [f"{{--yarn}} {one}" for one in told])
+
+
 def _recoloured(piece: Piece, edits: Sequence[Recolour], progress: Progress) -> Piece:
+    return _recolour(piece, edits, [f"{{--edit}} yarn:{e.yarn}={e.colour}" for e in edits])
+
+
+def _recolour(piece: Piece, edits: Sequence[Recolour], places: Sequence[str]) -> Piece:
     from dataclasses import replace
 
     import numpy as np
@@ -77,8 +88,7 @@ def _recoloured(piece: Piece, edits: Sequence[Recolour], progress: Progress) -> 
     called = {role.lower(): k for k, role in roles(piece.chart).items()}
     called |= {str(k + 1): k for k in range(len(rgb))} | {code: k for k, code in enumerate(_codes(piece))}
     problems = []
-    for e in edits:
-        where = f"{{--edit}} yarn:{e.yarn}={e.colour}"
+    for e, where in zip(edits, places):
         found, k = named(e.colour), called.get(e.yarn.strip().lower())
         if k is None:
             problems.append(Problem("there is no such yarn", ", ".join(called), where=where))

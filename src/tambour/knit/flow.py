@@ -21,6 +21,10 @@ def make(source: Any, params: KnitParams, progress: Progress) -> Piece:
     piece = solved(source, params, progress)
     if isinstance(source, Chart) and piece.chart.gauge is None:
         piece = replace(piece, chart=replace(piece.chart, gauge=source.gauge))
+    if params.yarn:
+        from tambour.knit.edits import coloured
+
+        piece = coloured(piece, params.yarn)
     if params.stash is not None:
         from tambour.knit.picture.shades import warn_of_shortage
         from tambour.knit.views import yarn

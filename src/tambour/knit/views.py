@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from tambour.craft import Lazy, View
 
 if TYPE_CHECKING:
-    from tambour.core.chart import Chart
+    from tambour.core.chart import Chart, Disk
     from tambour.core.drawing import Drawing
     from tambour.core.errors import Text
     from tambour.core.picture import Picture
@@ -216,6 +216,15 @@ def separated(piece: Piece) -> Chart:
     return parted(piece.chart)
 
 
+def disk(piece: Piece) -> Disk:
+    """A Brother machine's disk; jacquard with a line for each yarn of each row."""
+    from tambour.core.chart import Disk
+    from tambour.knit.machines.limits import separated as parted
+
+    chart = parted(piece.chart) if piece.chart.technique == "jacquard" else piece.chart
+    return Disk(chart, 2 if piece.params.machine == "kh930-disk" else 32)
+
+
 def silverknit(piece: Piece) -> Text:
     """SilverKnit text."""
     from tambour.knit.machines.interchange import silverknit as told
@@ -234,8 +243,11 @@ VIEWS: dict[str, View] = {
     "stitches": View(
         stitches,
         "Chart",
-        "one pixel per stitch, upright, unmirrored; a disk image",
-        (".png", ".csv", ".img", ".dat"),
+        "one pixel per stitch, upright, unmirrored",
+        (".png", ".csv"),
+    ),
+    "disk": View(
+        disk, "Disk", "a Brother machine's disk: KH-940, or KH-930 where {--machine} says so", (".img", ".dat")
     ),
     "project": View(project, "dict", "everything, lossless: can be read back", (".json",)),
     "chart": View(chart, "Drawing", "the chart on one sheet, numbers and signs as knitters draw it", (".svg",)),

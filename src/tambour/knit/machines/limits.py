@@ -35,6 +35,7 @@ MODELS: dict[str, Model] = {
     "kh940-ayab": Model("Brother KH-940 with AYAB", 200, _AYAB, yarns=6),
     "kh950-ayab": Model("Brother KH-950i with AYAB", 200, _AYAB, yarns=6),
     "kh270-ayab": Model("Brother KH-270 with AYAB", 112, _AYAB, yarns=6),
+    "kh930-disk": Model("Brother KH-930 with its disk drive", 200, "name.dat, by a disk emulator; pattern 901"),
     "kh940-disk": Model("Brother KH-940 with its disk drive", 200, "name.img, by a disk emulator; pattern 901"),
     "brother-card": Model("Brother with punch cards", 200, "name.punchcard.svg, cut at true size", "brother", 24, 7),
     "silver-reed-card": Model(

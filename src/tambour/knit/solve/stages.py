@@ -70,7 +70,7 @@ def solved(task: Task, params: KnitParams, progress: Progress) -> Array:
         seen_task(task, params),
         sight_of(task.limit, params),
         1.0 if priced(task, params) else 0.0,
-        sweeps_for(task),
+        params.sweeps or sweeps_for(task),
         progress,
     )
 

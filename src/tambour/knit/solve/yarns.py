@@ -85,7 +85,7 @@ def make(layout: Layout, style: Style, params: KnitParams, limit: int, progress:
     stages.advise(before, params, progress)
     with progress.stage("solve"):
         if params.method == "perceptual" and not areas:
-            cells = sweep(task, aim, space, pairs, bits, eye, SWEEPS)
+            cells = sweep(task, aim, space, pairs, bits, eye, params.sweeps or SWEEPS)
         else:
             cells = stages.solved(whole, params, progress)
     switches = int((chosen[1:] != chosen[:-1]).sum())
