@@ -63,45 +63,13 @@ class Recolour(Params):
     """#rrggbb, or the name of a shade on a card (wool, natural)."""
 
 
-def coloured(piece: Piece, told: Sequence[str]) -> Piece:
-    """The piece in other colours: ``told`` as "COLOUR=YARN". Raises TambourError for what is not one or the other."""
-    pairs = [one.split("=") for one in told]
-    edits = [Recolour(yarn=yarn, colour=colour) for colour, yarn in pairs]
-    return _recolour(piece, edits, [f"{{--yarn}} {one}" for one in told])
-
-
 def _recoloured(piece: Piece, edits: Sequence[Recolour], progress: Progress) -> Piece:
-    return _recolour(piece, edits, [f"{{--edit}} yarn:{e.yarn}={e.colour}" for e in edits])
-
-
-def _recolour(piece: Piece, edits: Sequence[Recolour], places: Sequence[str]) -> Piece:
     from dataclasses import replace
 
-    import numpy as np
+    from tambour.knit.hands.dyed import dyed
 
-    from tambour.core.palette import Palette
-    from tambour.core.rgb import hexed
-    from tambour.knit.hands.working import roles
-    from tambour.knit.picture.shades import named
-
-    rgb, names = piece.chart.palette.rgb.copy(), list(piece.chart.palette.names)
-    called = {role.lower(): k for k, role in roles(piece.chart).items()}
-    called |= {str(k + 1): k for k in range(len(rgb))} | {code: k for k, code in enumerate(_codes(piece))}
-    problems = []
-    for e, where in zip(edits, places):
-        found, k = named(e.colour), called.get(e.yarn.strip().lower())
-        if k is None:
-            problems.append(Problem("there is no such yarn", ", ".join(called), where=where))
-        if found is None:
-            problems.append(Problem("there is no such colour", "#rrggbb, or a shade of a card", where=where))
-        if k is not None and found is not None:
-            rgb[k], names[k] = found.rgb, found.name
-            if any(hexed(rgb[j].tolist()) == hexed(found.rgb) for j in range(len(rgb)) if j != k):
-                problems.append(Problem("another yarn has this colour", "give each its own", where=where))
-    if problems:
-        raise TambourError(problems)
-    palette = Palette(np.ascontiguousarray(rgb), tuple(names), piece.chart.palette.codes)
-    return replace(piece, chart=replace(piece.chart, palette=palette))
+    told = [(e.yarn, e.colour, f"{{--edit}} yarn:{e.yarn}={e.colour}") for e in edits]
+    return replace(piece, chart=dyed(piece.chart, told))
 
 
 _PICTURED = (

@@ -22,9 +22,11 @@ def make(source: Any, params: KnitParams, progress: Progress) -> Piece:
     if isinstance(source, Chart) and piece.chart.gauge is None:
         piece = replace(piece, chart=replace(piece.chart, gauge=source.gauge))
     if params.yarn:
-        from tambour.knit.edits import coloured
+        from tambour.knit.hands.dyed import dyed
 
-        piece = coloured(piece, params.yarn)
+        said = [(one, *one.split("=")) for one in params.yarn]
+        told = [(yarn, colour, f"{{--yarn}} {one}") for one, colour, yarn in said]
+        piece = replace(piece, chart=dyed(piece.chart, told))
     if params.stash is not None:
         from tambour.knit.picture.shades import warn_of_shortage
         from tambour.knit.views import yarn

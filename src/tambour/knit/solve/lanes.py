@@ -8,6 +8,8 @@ numbers, which the processor handles at once: the step's machine code is written
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from tambour.core.check import Array
@@ -48,37 +50,68 @@ def butterfly(
         P[p + 1] |= (b < a) << lane
 
 
-@kernel
-def best_rows(
-    U: Array,
-    Z: Array,
-    pen: Array,
-    count: Array,
-    T: Array,
-    bits: int,
-    f: int,
-    free: bool,
-    cap: int,
-    V: Array,
-    W: Array,
-    P: Array,
-    A: Array,
-    B: Array,
-    Q: Array,
-    out: Array,
-    cost: Array,
-) -> None:
-    """The eight best rows; arrays are flat, lane last.
+class Lanes(NamedTuple):
+    """Eight rows and the room to solve them in; flat, lane last.
 
-    U, Z : (n, 8) float32: cost of a 1 and of a 0 at each stitch (FORBIDDEN where locked)
-    pen : (n, 8) float32: cost of a window of f + 1 equal stitches that ends here (FORBIDDEN, a price, or 0)
-    count : (8,) stitches of each row; beyond it U is FORBIDDEN, Z and pen are 0
-    T : (2^bits,) float32: 2 Σ q_k bit_{k-1}; a state's lowest bit is the latest stitch
-    V, W, P, A, B, Q : scratch: (2^bits, 8) float32 twice, (n, 2^bits) uint8, and, for free edges, (2^bits, 8) float32
-        twice and (n, 2^(bits - f), 8) uint8
-    out : (n, 8) uint8; cost : (8,) float64, HOPELESS and more where there is no lawful row
+    U, Z : (N, 8) float32: cost of a 1 and of a 0 at each stitch (FORBIDDEN where locked)
+    pen : (N, 8) float32: cost of a window of f + 1 equal stitches that ends here (FORBIDDEN, a price, or 0)
+    stitches : (8,) int64: of each row; beyond it U is FORBIDDEN, Z and pen are 0
+    out : (N, 8) uint8, cost : (8,) float64: the answer; the cost is HOPELESS and more where there is no lawful row
+    V, W, P, A, B, Q : scratch: (2^bits, 8) float32 twice, (N, 2^bits) uint8, and, for free edges, (2^bits, 8) float32
+        twice and (N, 2^(bits - f), 8) uint8
     """
-    n = U.size // 8
+
+    U: Array
+    Z: Array
+    pen: Array
+    stitches: Array
+    out: Array
+    cost: Array
+    V: Array
+    W: Array
+    P: Array
+    A: Array
+    B: Array
+    Q: Array
+
+
+@kernel
+def lanes_of(length: int, bits: int, f: int, free: bool) -> Lanes:
+    """Room for rows of up to ``length`` stitches."""
+    states = 1 << bits
+    return Lanes(
+        np.zeros(length * 8, np.float32),
+        np.zeros(length * 8, np.float32),
+        np.zeros(length * 8, np.float32),
+        np.zeros(8, np.int64),
+        np.zeros(length * 8, np.uint8),
+        np.zeros(8, np.float64),
+        np.zeros(states * 8, np.float32),
+        np.zeros(states * 8, np.float32),
+        np.zeros(length * states, np.uint8),
+        np.zeros(states * 8, np.float32),
+        np.full(states * 8, np.float32(1e30)),
+        np.zeros(length * (states >> f) * 8 if free else 1, np.uint8),
+    )
+
+
+@kernel
+def cleared(to: Lanes) -> None:
+    """No row in any lane."""
+    to.U[:] = np.float32(1e30)
+    to.Z[:] = np.float32(0)
+    to.pen[:] = np.float32(0)
+    to.stitches[:] = 0
+
+
+@kernel
+def best_rows(to: Lanes, n: int, T: Array, bits: int, f: int, free: bool, cap: int) -> None:
+    """Solve the eight rows, the longest of ``n`` stitches.
+
+    T : (2^bits,) float32: 2 Σ q_k bit_{k-1}; a state's lowest bit is the latest stitch
+    """
+    U, Z, pen, count, out, cost = to.U, to.Z, to.pen, to.stitches, to.out, to.cost
+    V, W, P, A, B, Q = to.V, to.W, to.P, to.A, to.B, to.Q
     states = 1 << bits
     half = states >> 1
     window = 1 << (f + 1)

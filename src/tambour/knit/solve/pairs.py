@@ -12,7 +12,7 @@ from tambour.core.arrays import B1x1, B1x2, F4x1, F4x2, F4x3, F8x1, I8x1, U1x2
 from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.knit.solve.floats import sequence
-from tambour.knit.solve.lanes import best_rows
+from tambour.knit.solve.lanes import best_rows, cleared, lanes_of
 from tambour.knit.solve.percept import lay_line, lay_ring, linear
 
 
@@ -109,7 +109,6 @@ def pair_rows(
     stitches = aim.shape[1]
     pairs = len(dark)
     bits = across.shape[1] - 1
-    states = 1 << bits
     columns = np.zeros(stitches, np.int32)
     n = sequence(y, stitches, knit, columns)
     if n == 0:
@@ -123,20 +122,8 @@ def pair_rows(
     own = np.float32(0)
     for s in range(across.shape[0]):
         own += across[s, 0] * down[s, 0]
-    m = n * 8
-    U = np.zeros(m, np.float32)
-    Z = np.zeros(m, np.float32)
-    pen = np.zeros(m, np.float32)
-    out = np.zeros(m, np.uint8)
-    count = np.zeros(8, np.int64)
-    cost = np.zeros(8, np.float64)
+    to = lanes_of(n, bits, f, free)
     constant = np.zeros(8, np.float64)
-    V = np.zeros(states * 8, np.float32)
-    W = np.zeros(states * 8, np.float32)
-    A = np.zeros(states * 8, np.float32)
-    B = np.full(states * 8, np.float32(1e30))
-    P = np.zeros(n * states, np.uint8)
-    Q = np.zeros(n * (states >> f) * 8 if free else 1, np.uint8)
     nothing = np.zeros((0, 0), np.bool_)
     blank = np.zeros((1, 1), np.uint8)
     for first in range(0, pairs, 8):
@@ -146,16 +133,16 @@ def pair_rows(
             way = ways[p]
             constant[lane] = colour_line(y, aim, dark[p], way, own, columns, n, rest, goal, one, u)
             size = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
-            Z[:] = np.float32(0)
-            lay_line(y, blank, u, columns, n, f, np.float32(soft / size), relaxed, nothing, lane, U, Z, pen)
-            count[lane] = n
-        best_rows(U, Z, pen, count, table, bits, f, free, cap, V, W, P, A, B, Q, out, cost)
+            to.Z[:] = np.float32(0)
+            lay_line(y, blank, u, columns, n, f, np.float32(soft / size), relaxed, nothing, lane, to)
+            to.stitches[lane] = n
+        best_rows(to, n, table, bits, f, free, cap)
         for lane in range(used):
             way = ways[first + lane]
             size = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
-            costs[first + lane] = constant[lane] + size * cost[lane]
+            costs[first + lane] = constant[lane] + size * to.cost[lane]
             for k in range(n):
-                rows_out[first + lane, columns[k]] = out[k * 8 + lane]
+                rows_out[first + lane, columns[k]] = to.out[k * 8 + lane]
 
 
 @kernel
@@ -182,20 +169,7 @@ def colour_batches(
     """Solve the rows ``mine`` with their pairs, eight at a time, given all others; keeps ``error`` true."""
     stitches = cells.shape[1]
     bits = across.shape[1] - 1
-    states = 1 << bits
-    length = stitches + (bits if ring else 0)
-    U = np.zeros(length * 8, np.float32)
-    Z = np.zeros(length * 8, np.float32)
-    pen = np.zeros(length * 8, np.float32)
-    out = np.zeros(length * 8, np.uint8)
-    count = np.zeros(8, np.int64)
-    cost = np.zeros(8, np.float64)
-    V = np.zeros(states * 8, np.float32)
-    W = np.zeros(states * 8, np.float32)
-    A = np.zeros(states * 8, np.float32)
-    B = np.full(states * 8, np.float32(1e30))
-    P = np.zeros(length * states, np.uint8)
-    Q = np.zeros(length * (states >> f) * 8 if free else 1, np.uint8)
+    to = lanes_of(stitches + (bits if ring else 0), bits, f, free)
     columns = np.zeros((8, stitches), np.int32)
     z = np.zeros((across.shape[0], stitches), np.float32)
     rest = np.zeros((3, stitches), np.float32)
@@ -209,10 +183,7 @@ def colour_batches(
     for first in range(0, mine.size, 8):
         used = min(8, mine.size - first)
         longest = 0
-        U[:] = np.float32(1e30)
-        Z[:] = np.float32(0)
-        pen[:] = np.float32(0)
-        count[:] = 0
+        cleared(to)
         for lane in range(used):
             y = mine[first + lane]
             n = sequence(y, stitches, knit, columns[lane])
@@ -225,25 +196,24 @@ def colour_batches(
             size = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
             price = np.float32(soft / size)
             if ring:
-                lay_ring(y, cells, u, columns[lane], n, bits, f, price, shift, relaxed, nothing, lane, U, Z, pen)
-                count[lane] = n + bits
+                lay_ring(y, cells, u, columns[lane], n, bits, f, price, shift, relaxed, nothing, lane, to)
+                to.stitches[lane] = n + bits
             else:
-                lay_line(y, cells, u, columns[lane], n, f, price, relaxed, nothing, lane, U, Z, pen)
-                count[lane] = n
-            longest = max(longest, count[lane])
+                lay_line(y, cells, u, columns[lane], n, f, price, relaxed, nothing, lane, to)
+                to.stitches[lane] = n
+            longest = max(longest, to.stitches[lane])
         if longest == 0:
             continue
-        m = longest * 8
-        best_rows(U[:m], Z[:m], pen[:m], count, table, bits, f, free, cap, V, W, P, A, B, Q, out, cost)
+        best_rows(to, longest, table, bits, f, free, cap)
         for lane in range(used):
-            if count[lane] == 0 or cost[lane] >= 1e29:
+            if to.stitches[lane] == 0 or to.cost[lane] >= 1e29:
                 continue
             y = mine[first + lane]
-            n = count[lane] - bits if ring else count[lane]
+            n = to.stitches[lane] - bits if ring else to.stitches[lane]
             turn = (shift * (n // 2 + 1)) % n if ring else 0
             for k in range(n):
                 x = columns[lane, (k + turn) % n]
-                bit = out[k * 8 + lane]
+                bit = to.out[k * 8 + lane]
                 if cells[y, x] != bit:
                     cells[y, x] = bit
                     changed[y] = True

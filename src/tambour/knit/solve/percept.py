@@ -25,7 +25,7 @@ from tambour.core.threads import share
 from tambour.knit.picture.tone import diffuse_floyd
 from tambour.knit.solve import exact
 from tambour.knit.solve.floats import sequence
-from tambour.knit.solve.lanes import FORBIDDEN, LANES, best_rows
+from tambour.knit.solve.lanes import FORBIDDEN, LANES, Lanes, best_rows, cleared, lanes_of
 from tambour.knit.task import Task
 
 SCALES = ((2.3, 1.0), (1.0, 0.4))  # blur in stitches, weight
@@ -185,31 +185,14 @@ def solve_batches(
     """Solve the rows ``mine``, eight at a time, given all others; note which changed, and which have no lawful way."""
     stitches = cells.shape[1]
     bits = across.shape[1] - 1
-    length = stitches + (bits if ring else 0)
-    states = 1 << bits
-    U = np.zeros(length * 8, np.float32)
-    Z = np.zeros(length * 8, np.float32)
-    pen = np.zeros(length * 8, np.float32)
-    out = np.zeros(length * 8, np.uint8)
-    count = np.zeros(8, np.int64)
-    cost = np.zeros(8, np.float64)
-    V = np.zeros(states * 8, np.float32)
-    W = np.zeros(states * 8, np.float32)
-    A = np.zeros(states * 8, np.float32)
-    B = np.full(states * 8, np.float32(1e30))
-    P = np.zeros(length * states, np.uint8)
-    Q = np.zeros(length * (states >> f) * 8 if free else 1, np.uint8)
+    to = lanes_of(stitches + (bits if ring else 0), bits, f, free)
     columns = np.zeros((8, stitches), np.int32)
     z = np.zeros((across.shape[0], stitches), np.float32)
     u = np.zeros(stitches, np.float32)
     for first in range(0, mine.size, 8):
         used = min(8, mine.size - first)
         longest = 0
-        U[:] = np.float32(1e30)
-        Z[:] = np.float32(0)
-        pen[:] = np.float32(0)
-        for lane in range(8):
-            count[lane] = 0
+        cleared(to)
         for lane in range(used):
             y = mine[first + lane]
             n = sequence(y, stitches, knit, columns[lane])
@@ -230,29 +213,28 @@ def solve_batches(
                 if n <= 2 * bits:
                     best_ring(y, cells, u, columns[lane], n, across, down, f, soft, relaxed, locked, changed)
                     continue
-                lay_ring(y, cells, u, columns[lane], n, bits, f, soft, shift, relaxed, locked, lane, U, Z, pen)
-                count[lane] = n + bits
+                lay_ring(y, cells, u, columns[lane], n, bits, f, soft, shift, relaxed, locked, lane, to)
+                to.stitches[lane] = n + bits
             else:
-                lay_line(y, cells, u, columns[lane], n, f, soft, relaxed, locked, lane, U, Z, pen)
-                count[lane] = n
-            longest = max(longest, count[lane])
+                lay_line(y, cells, u, columns[lane], n, f, soft, relaxed, locked, lane, to)
+                to.stitches[lane] = n
+            longest = max(longest, to.stitches[lane])
         if longest == 0:
             continue
-        m = longest * 8
-        best_rows(U[:m], Z[:m], pen[:m], count, table, bits, f, free, cap, V, W, P, A, B, Q, out, cost)
+        best_rows(to, longest, table, bits, f, free, cap)
         for lane in range(used):
             y = mine[first + lane]
-            if count[lane] == 0:
+            if to.stitches[lane] == 0:
                 continue
-            if cost[lane] >= 1e29:
+            if to.cost[lane] >= 1e29:
                 failed[y] = True
                 continue
-            n = count[lane] - bits if ring else count[lane]
+            n = to.stitches[lane] - bits if ring else to.stitches[lane]
             turn = (shift * (n // 2 + 1)) % n if ring else 0
             for k in range(n):
                 x = columns[lane, (k + turn) % n]
-                if cells[y, x] != out[k * 8 + lane]:
-                    cells[y, x] = out[k * 8 + lane]
+                if cells[y, x] != to.out[k * 8 + lane]:
+                    cells[y, x] = to.out[k * 8 + lane]
                     changed[y] = True
 
 
@@ -311,22 +293,20 @@ def lay_line(
     relaxed: Array,
     locked: Array,
     lane: int,
-    U: Array,
-    Z: Array,
-    pen: Array,
+    to: Lanes,
 ) -> None:
     """Lay a flat row into lane ``lane``."""
     firm = 0
     for k in range(n):
         x = columns[k]
-        U[k * 8 + lane] = u[k]
+        to.U[k * 8 + lane] = u[k]
         if locked.size and locked[y, x]:
             if cells[y, x]:
-                Z[k * 8 + lane] = np.float32(1e30)
+                to.Z[k * 8 + lane] = np.float32(1e30)
             else:
-                U[k * 8 + lane] = np.float32(1e30)
+                to.U[k * 8 + lane] = np.float32(1e30)
         firm = 0 if relaxed.size and relaxed[y, x] else firm + 1
-        pen[k * 8 + lane] = soft if firm > f else np.float32(0)
+        to.pen[k * 8 + lane] = soft if firm > f else np.float32(0)
 
 
 @kernel
@@ -343,24 +323,22 @@ def lay_ring(
     relaxed: Array,
     locked: Array,
     lane: int,
-    U: Array,
-    Z: Array,
-    pen: Array,
+    to: Lanes,
 ) -> None:
     """Lay a closed row into lane ``lane``: cut somewhere, ``bits`` stitches held there, and told again at its end."""
     turn = (shift * (n // 2 + 1)) % n
     firm = 0
     for k in range(n + bits):
         x = columns[(k + turn) % n]
-        U[k * 8 + lane] = u[(k + turn) % n] if bits <= k < n else np.float32(0)
+        to.U[k * 8 + lane] = u[(k + turn) % n] if bits <= k < n else np.float32(0)
         if k < bits or k >= n or (locked.size and locked[y, x]):
             if cells[y, x]:
-                Z[k * 8 + lane] = np.float32(1e30)
+                to.Z[k * 8 + lane] = np.float32(1e30)
             else:
-                U[k * 8 + lane] = np.float32(1e30)
+                to.U[k * 8 + lane] = np.float32(1e30)
         firm = 0 if relaxed.size and relaxed[y, x] else firm + 1
         # Windows that lie in the held stitches alone are as they are.
-        pen[k * 8 + lane] = soft if firm > f and bits <= k < n + f else np.float32(0)
+        to.pen[k * 8 + lane] = soft if firm > f and bits <= k < n + f else np.float32(0)
 
 
 @kernel
