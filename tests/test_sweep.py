@@ -29,7 +29,7 @@ from tambour.sweep.axes import axes, combinations, values
 from tambour.sweep.course import Pool, course, planned
 from tambour.sweep.folder import Folder, Row
 from tambour.work.limit import Limit
-from tambour.work.local import Local
+from tambour.work.local import KEPT, Local, _laid
 from tambour.work.piece import Job
 
 
@@ -388,6 +388,18 @@ def test_a_worker_keeps_the_memory_that_it_will_want_again(monkeypatch: pytest.M
         assert pool.submit(Job("ink", {"span": 64.0}, ["a.svg"])).result().reason == ""
         (hand,) = pool._hands
         assert b"MALLOC_TRIM" not in Path(f"/proc/{hand.process.pid}/environ").read_bytes()
+
+
+def test_what_a_piece_needs_lies_there_whatever_went_before(tmp_path: Path) -> None:
+    """A spoilt file found it: the fifth new source took the place of the one that lay there longest, which this piece needs too."""
+    first = {"a.png": b"first"}
+    for number in range(12):
+        new = {**first, "b.png": b"%d" % number}
+        laid = _laid(tmp_path, new)
+        assert {name: Path(place).read_bytes() for name, place in laid.items()} == new
+        assert len(list(tmp_path.iterdir())) <= KEPT + 3
+    again = {name: b"%d" % number for name, number in (("b.png", 11), ("c.png", 12))}
+    assert {name: Path(place).read_bytes() for name, place in _laid(tmp_path, again).items()} == again
 
 
 def test_the_local_pool_is_a_pool() -> None:

@@ -136,18 +136,17 @@ def _plain(job: Job) -> dict[str, Any]:
 
 
 def _laid(folder: Path, blobs: Mapping[str, bytes]) -> dict[str, str]:
-    """Lay files into a worker's folder, each under its own last name, where they do not lie there yet."""
-    laid = {}
-    for name, raw in blobs.items():
-        place = folder / hashlib.sha256(raw).hexdigest()[:24] / Path(name).name
+    """Lay files into a worker's folder, each under its own last name, where they do not lie there yet; the KEPT last used stay."""
+    places = {name: folder / hashlib.sha256(raw).hexdigest()[:24] / Path(name).name for name, raw in blobs.items()}
+    for name, place in places.items():
+        place.parent.mkdir(exist_ok=True)
+        os.utime(place.parent)
         if not place.exists():
-            old = sorted((p for p in folder.iterdir() if p.is_dir()), key=lambda p: p.stat().st_mtime_ns)
-            for gone in old[:-KEPT] if len(old) > KEPT + len(blobs) else ():
-                shutil.rmtree(gone, ignore_errors=True)
-            place.parent.mkdir(exist_ok=True)
-            place.write_bytes(raw)
-        laid[name] = str(place)
-    return laid
+            place.write_bytes(blobs[name])
+    others = {p for p in folder.iterdir() if p.is_dir()} - {place.parent for place in places.values()}
+    for gone in sorted(others, key=lambda p: p.stat().st_mtime_ns)[: -KEPT or None]:
+        shutil.rmtree(gone, ignore_errors=True)
+    return {name: str(place) for name, place in places.items()}
 
 
 def _no(told: Any) -> None:
