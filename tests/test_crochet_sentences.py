@@ -46,6 +46,8 @@ HANDS = [
     "Count 10 sts in from the edge and pin a thread there.",
     "Cut a straw so that it fits the bend of the hdc sts in 2 places.",
     "Color 2 cheeks with red crayon.",
+    "Using yarn needle, loop two lengths of wire around 2 sts beside the nose.",
+    "With A, create nostrils by 2 tight stitches in Rnd 1.",
     "Flatten the piece to form a double layer of 6 stitches.",
 ]
 
@@ -171,6 +173,33 @@ def test_a_colour_beside_the_name_of_a_part_is_taken_and_is_a_yarns(head: str) -
 def test_a_part_repeated_for_another_is_made_again(said: str, copies: int) -> None:
     pattern = read(Text(f"{BALL.replace('HEAD', 'LEG')}Fasten off. {said}\n", "toy.txt"))
     assert pattern.parts[0].copies == copies and not pattern.unread
+
+
+@pytest.mark.parametrize(
+    ("said", "copies"),
+    [
+        ("FINS (make 6: 2 each with A, B and C)", 6),
+        ("FINS (make 3 – 1 per fish)", 3),
+        ("FINS\n(Make 2 pieces each CA, CB, CC and CD): With CA, ch 2.", 8),
+        ("FINS (make 1 with A and 1 with B)", 2),
+    ],
+)
+def test_copies_told_by_their_yarns(said: str, copies: int) -> None:
+    pattern = read(Text(f"{BALL}\n{said}\nRnd 1: 6 sc in magic ring. (6)\n", "toy.txt"))
+    assert [part.copies for part in pattern.parts] == [1, copies]
+
+
+def test_pieces_that_are_cut_are_no_copies() -> None:
+    pattern = read(
+        Text(f"{BALL}Fasten off. Cut four 5 inch pieces of B and knot into the end, 1 at each side.\n", "toy.txt")
+    )
+    assert pattern.parts[0].copies == 1
+
+
+def test_work_behind_the_copies_of_a_heading_is_read() -> None:
+    more = "Inner Head: (make 2) With blue, work Rnds 1 and 2 as given for Head. Fasten off.\n"
+    pattern = read(Text(f"{BALL}{more}", "toy.txt"))
+    assert [(part.name, part.copies) for part in pattern.parts] == [("HEAD", 1), ("Inner Head", 2)]
 
 
 def test_an_edge_worked_once_more_is_told() -> None:

@@ -132,7 +132,7 @@ def charts(book: Book) -> None:
             w, h = (drawing.size * scale).tolist()
             sheet.text(name, x, y + LEAD, LEAD, True)
             sheet.place(drawing, x, y + LEAD + 2.0, scale)
-            x, tall = x + w + 6.0, max(tall, h + LEAD + 6.0)
+            x, tall = x + max(w, width_of(name, LEAD, True)) + 6.0, max(tall, h + LEAD + 6.0)
         return y + tall
 
     room = 0.0

@@ -124,8 +124,8 @@ class Spoken:
                 apart = max(0, round(abs(offs[1] - offs[0]) - breadth))
                 return (
                     [*said, page["each side"]]
-                    if abs(abs(offs[0]) - n / 4) < 0.06 * n
-                    else [*said, page["apart"].format(n=apart)]
+                    if abs(abs(offs[0]) - n / 4) <= (0.06 * n if breadth else 0.5)
+                    else [*said, *([page["apart"].format(n=apart)] if apart else [])]
                 )
             return said
         if len(offs) > 2:

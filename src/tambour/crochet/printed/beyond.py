@@ -125,7 +125,8 @@ def again_made(p: State, tokens: list[Token]) -> bool:
         return False
     noun = next((t.word for t in rest if t.kind in ("word", "key") and t not in others and t.word != "make"), "")
     span = Span(tokens[0].start, tokens[-1].end)
-    if noun and one(noun) in {one(w) for w in draft.name.lower().replace("_", " ").split()}:
+    side = rest[0] in others and rest[0].word == "other side"
+    if noun and not side and one(noun) in {one(w) for w in draft.name.lower().replace("_", " ").split()}:
         many = 4 if noun != one(noun) and kind_of(one(noun)) == "leg" else 2
         if draft.copies < many:
             draft.copies, draft.copies_span = many, span

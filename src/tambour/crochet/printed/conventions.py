@@ -81,7 +81,9 @@ def _dyed(p: State, tokens: list[Token]) -> None:
 
 
 def _said(tokens: list[Token]) -> list[Token]:
-    """A sentence without "Note:" before it."""
+    """A sentence without the dot of a list or "Note:" before it."""
+    while tokens and tokens[0].word in ("•", "*", "-"):
+        tokens = tokens[1:]
     if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value == "notes" and tokens[1].word in (":", "-"):
         return tokens[2:]
     return tokens

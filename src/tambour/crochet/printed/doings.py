@@ -85,7 +85,8 @@ def by_hand(tokens: list[Token]) -> bool:
         return False
     if first.kind == "word":
         verb = verb or first.word.split(" ")[0]
-        return verb in _HANDS or verb in _DOING or (verb in ("attach", "add") and bool(words & _MADE))
+        made = verb == "create" and not any(t.kind == "key" and t.value in ("ring", "loop") for t in tokens)
+        return made or verb in _HANDS or verb in _DOING or (verb in ("attach", "add") and bool(words & _MADE))
     if verb or (first.kind == "key" and first.value == "leave"):
         return "unworked" not in words  # "leave remaining 3 sts unworked, turn—4 sc" is of the row
     if first.kind != "key" or after is None:
@@ -94,11 +95,10 @@ def by_hand(tokens: list[Token]) -> bool:
         return at == 0
     if first.value == "make":
         return first.word != "make" or bool(words & _MADE)
-    if first.value in ("loop", "space") and first.capital:
-        return after.kind == "word" or after.value in (
-            "eyes",
-            "yarn",
-        )  # "Loop yarn between 2 sts", "Space eyes 8 ins apart"
+    if first.value in ("loop", "space") and (first.capital or at):
+        # "Loop yarn between 2 sts", "Space eyes 8 ins apart", "loop two lengths of wire around sts"
+        thing = tokens[at + 2] if after.kind == "number" and at + 2 < len(tokens) else after
+        return thing.kind == "word" or thing.value in ("eyes", "yarn")
     if first.value == "with" and at == 0:
         return first.word == "use" and bool(words & _USED)  # "Use photograph as a guide"
     return first.value == "color" and bool(words & _PAINTS)

@@ -127,5 +127,7 @@ def _made(words: str | None) -> int:
     said = re.findall(
         r"\b(\d+|two|three|four|five|six|eight|ten|twelve)\b(?!\s*(?:mm|st|sts|rnds?|rounds?)\b)", (words or "").lower()
     )
-    many = sum(int(w) if w.isdigit() else _MANY[w] for w in said)
+    numbers = [int(w) if w.isdigit() else _MANY[w] for w in said]
+    # "make 6: 2 each with A, B and C", "make 3 – 1 per rocket": the first is the whole.
+    many = numbers[0] if numbers and re.match(r"\D*\w+\s*[:–—-]", words or "") else sum(numbers)
     return many if 1 <= many <= 100 else 1

@@ -163,7 +163,7 @@ def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
     numbers = [k for k, t in enumerate(tokens) if t.kind == "number" and isinstance(t.value, int)]
     if (
         not tokens
-        or not (tokens[0].kind == "key" and tokens[0].value == "make")
+        or not (tokens[0].kind == "key" and tokens[0].value == "make" and tokens[0].word != "cut")
         or numbers[:1] != [1]
         or len(tokens) > 40
     ):
@@ -184,16 +184,20 @@ def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
         return None
     total, versions = 0, False
     for k in numbers:
-        after = tokens[k + 1 : k + 8]
+        after = tokens[k + 1 : k + 16]
         end = next((n for n, t in enumerate(after) if t.kind == "number"), len(after))
         each = any(t.kind == "key" and t.value == "each" for t in after[:end])
-        letters = sum(1 for t in after[:end] if t.kind == "word" and len(t.word) == 1)
+        letters = sum(
+            1
+            for t in after[:end]
+            if t.kind == "word" and (len(t.word) == 1 or t.word in ("mc", "cc", "ca", "cb", "cd", "ce"))
+        )
         total += int(tokens[k].value) * (letters if each and letters else 1)
         rest = tokens[k + 1 :]
         name = next((n for n, t in enumerate(rest) if t.kind == "key" and t.value == "for"), None)
         if name is not None and any(t.kind == "key" and t.value == "make" for t in rest[name:]):
             versions = versions or not any(t.kind == "number" for t in rest[:name])
-        if versions or (k + 1 < len(tokens) and tokens[k + 1].word == "-"):
+        if versions or (k + 1 < len(tokens) and tokens[k + 1].word in ("-", ":")):
             break  # the copies of the first version; "3 - 1 each with B, C, D"
     more = any(t.kind == "key" and t.value == "more" for t in tokens[:4])
     return (total, tokens[numbers[0]].span, more) if 1 <= total <= 1000 else None

@@ -319,6 +319,10 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     handed, p.handed = p.handed, True
     if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value == "notes" and tokens[1].word in (":", "-"):
         tokens = tokens[2:]
+    close = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), 0) if tokens[0].word in ("(", "[") else 0
+    if 0 < close < len(tokens) - 1 and tokens[1].value == "make":  # "(make 2) With D, work as given for Outer Ear"
+        taken = _sentence(p, tokens[: close + 1])
+        return _sentence(p, tokens[close + 1 :]) and taken
     alone = copies_alone(tokens)
     if (more := copies_said(tokens) or (None if alone is None else (*alone, False))) is not None:
         return more_copies(p, tokens, more)
@@ -364,6 +368,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
             return False
         p.mode = ""  # the list ends where a piece begins
     if any(t.kind == "key" and t.value == "not" for t in tokens[:2]):
+        p.passed.append(span)
         return True  # "do not fasten off", "do not stuff"
     try:
         body = decided(p.source, tokens, p.palette, draft.edge if draft else None, p.phrases)
@@ -394,6 +399,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         p.lead += [Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False)] if body.items else []
         return True
     if body.doings and not body.items and not body.left:
+        p.passed.append(span)
         return True
     if body.left or not (body.items or body.ends):
         return False

@@ -302,10 +302,9 @@ def said(name: str) -> RGB | None:
 def spoken(code: str) -> dict[str, RGB]:
     """What the words for colours mean in a pattern by people, the first word for each colour before the others: yarns, not lights."""
     terms = TERMS[code]
-    made = {
-        word.lower(): hue for css, words in terms.colors.items() for word in words if (hue := shade(css)) is not None
-    }
-    return {**made, **({k: v for k, v in YARNS.items() if k not in made} if terms.colors["blue"][0] == "blue" else {})}
+    english = YARNS if terms.colors["blue"][0] == "blue" else {}
+    made = {w.lower(): english.get(w.lower()) or shade(css) for css, words in terms.colors.items() for w in words}
+    return {word: hue for word, hue in {**english, **made}.items() if hue is not None}
 
 
 def shade(name: str) -> RGB | None:
