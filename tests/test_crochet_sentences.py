@@ -94,10 +94,24 @@ def test_what_hands_do_is_kept_for_the_booklet_at_its_place(said: str) -> None:
         "Work Rnd 1 with D and Rnd 2 with C.",
         "Use B for the whole head.",
         "These are made with B and C.",
+        "Every other round is worked in B.",
+        "From here on, change colour every round.",
+        "Reverse shaping for the left one.",
+        "The brim is like this; work it twice.",
+        "Leave 4 sts unworked.",
     ],
 )
-def test_what_names_a_yarn_is_no_remark(said: str) -> None:
+def test_what_names_a_yarn_or_another_way_is_no_remark(said: str) -> None:
     assert made(f"{BALL}{said}\n")[1]
+
+
+@pytest.mark.parametrize(
+    "said", ["The next 3 rounds are in cream with B.", "These are worked with B.", "You will need to chain 3 here."]
+)
+def test_what_stands_between_a_parts_name_and_its_first_round_is_told(said: str) -> None:
+    first = made(f"Toy\n\nHEAD\n{said}\nRnd 1: 6 sc in magic ring. (6)\n")
+    assert first[1], first
+    assert not made("Toy\nMade with love in Denmark, 10 cm tall.\n\nHEAD\nRnd 1: 6 sc in magic ring. (6)\n")[1]
 
 
 @pytest.mark.parametrize(
@@ -200,6 +214,18 @@ def test_work_behind_the_copies_of_a_heading_is_read() -> None:
     more = "Inner Head: (make 2) With blue, work Rnds 1 and 2 as given for Head. Fasten off.\n"
     pattern = read(Text(f"{BALL}{more}", "toy.txt"))
     assert [(part.name, part.copies) for part in pattern.parts] == [("HEAD", 1), ("Inner Head", 2)]
+
+
+@pytest.mark.parametrize("count", ["(12)", "[12]", "{12 sts}", "(12).", "– 12 sc.", "12 sc."])
+@pytest.mark.parametrize(
+    "said", ["Stuff lightly", "Weave in ends", "Place marker in the 5th st", "Pull the tail through 3 of them"]
+)
+def test_what_hands_do_behind_a_count_is_kept_with_its_round(count: str, said: str) -> None:
+    text = f"Toy\n\nHEAD\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each sc around. {count} {said}.\nRnd 3: Sc in each sc around. (12)\n"
+    pattern = read(Text(text, "toy.txt"))
+    notes = [text[a.start : a.end] for line in pattern.parts[0].lines if line.number == 2 for a in line.notes]
+    assert notes == [said] and [w.edge for w in build(pattern).worked if w.line.in_round] == [6, 12, 12]
+    assert pattern.parts[0].stuffing == (0.4 if said.startswith("Stuff") else None)
 
 
 def test_an_edge_worked_once_more_is_told() -> None:

@@ -8,11 +8,10 @@ from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.asides import aside, things
 from tambour.crochet.printed.clauses import where
-from tambour.crochet.printed.colors import LETTERS
 from tambour.crochet.printed.counts import closing, count, counted_at, ends_with_number, makes, slips
-from tambour.crochet.printed.courses import Courses
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import BETWEEN, by_hand, doing, drawn_tight
+from tambour.crochet.printed.dyes import Dyes
 from tambour.crochet.printed.marked import taken
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.references import even_rounds, refers
@@ -26,16 +25,12 @@ _ENDS = frozenset((".", ";"))
 _FACING: Final = frozenset(("right", "wrong", "rs", "ws", "facing"))
 _PARTED: Final = frozenset(("break", "drop", "carry"))
 _LAST: Final = frozenset(("end", "ending", "ends"))
-_COURSE: Final = frozenset(
-    ("spiral", "spirals", "continuous", "joined", "pattern", "sequence", "rounds", "rows", "turned")
-)
+_COURSE: Final = frozenset("spiral spirals continuous joined pattern sequence rounds rows turned".split())
 _FLAT: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "press"))
 _ENDED_SO: Final = frozenset(("seam", "attach", "finish", "secure", "complete", "cover", "shape"))
-_STRANDS: Final = frozenset(("strand", "strands", "length", "lengths", "double", "separate"))
-_HOOKS: Final = frozenset(("smaller", "larger", "size", "small", "large", "hook"))
 
 
-class Walk(Courses):
+class Walk(Dyes):
     """Reads one body, clause after clause."""
 
     def read(self) -> Body:
@@ -43,11 +38,7 @@ class Walk(Courses):
         body, c = self.body, self.c
         while c.look() is not None:
             at, made = c.at, len(body.items)
-            if doing(c) or by_hand(c.tokens[c.at : self.end_of_sentence()]):
-                c.at = self.end_of_sentence()
-                body.doings.append(c.tokens[at : c.at])
-                if drawn_tight(body.doings[-1]):
-                    body.ends = "close"
+            if self.hands():
                 c.at += 1
                 continue
             if any(map(makes, body.items)) and (even := even_rounds(c.tokens[at : self.end_of_sentence()])) is not None:
@@ -81,6 +72,16 @@ class Walk(Courses):
         if body.wrong is not None and idle and body.refers is None:
             raise body.wrong
         return body
+
+    def hands(self) -> bool:
+        """Goes past what hands do here, up to its point, and keeps it; whether the sentence is such a doing."""
+        at, end = self.c.at, self.end_of_sentence()
+        if not (doing(self.c) or by_hand(self.c.tokens[self.c.at : end])):
+            return False
+        self.c.at = end
+        self.body.doings.append(self.c.tokens[at:end])
+        self.body.ends = "close" if drawn_tight(self.body.doings[-1]) else self.body.ends
+        return True
 
     def end_of_sentence(self) -> int:
         """Where the sentence at the cursor ends: at its point, or before a count that follows a dash."""
@@ -116,6 +117,9 @@ class Walk(Courses):
         c = self.c
         while (token := c.look()) is not None:
             if token.kind == "mark" and token.word in closers:
+                return
+            counted = closers is _ENDS and token.capital and c.at > 0 and c.tokens[c.at - 1].word in (")", "]", "}")
+            if counted and self.hands():  # "(12) Stuff lightly."
                 return
             if not self.between(token):
                 self.clause(found, token)
@@ -429,71 +433,3 @@ class Walk(Courses):
                 self.body.ends = "open"
             left = left or (c.key("leave") and c.tokens[c.at].word.startswith("leav"))
             c.at += 1
-
-    def _other_yarn(self) -> None:
-        """Passes the yarn of another version: "with A (B)", "with A or B"."""
-        c = self.c
-        words = [t.word if t is not None else "" for t in (c.look(0), c.look(1), c.look(2))]
-        if words[0] == "(" and words[1] in LETTERS and words[2] == ")":
-            c.at += 3
-        elif words[0] == "or" and words[1] in LETTERS:
-            c.at += 2
-
-    def color(self, found: list[Item]) -> bool:
-        """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
-        c = self.c
-        at = c.at
-        if c.key("join"):
-            return False  # "Join B with sl st to first sc": joins the round, if there is one
-        words = [t.word if (t := c.look(k)) is not None else "" for k in range(14)]
-        if words[1] == "same" and {"color", "colour"} & set(words[2:4]) and "," in words:
-            c.at += words.index(",")  # "With same color as for Body, ch 12"
-            return True
-        asked = hooked = False
-        while at < len(c.tokens) and at - c.at < 8:
-            token = c.tokens[at]
-            after = c.look(at - c.at + 1)
-            if (
-                token.word in ("color", "contrast")
-                and after is not None
-                and (after.word in LETTERS or after.word.isdigit())
-            ):
-                asked = True
-                break
-            if token.kind == "key" and token.value in ("color", "with", "in", "join", "yarn", "to", "begin"):
-                asked = asked or token.value in ("color", "with", "yarn")
-                at += 1
-            elif asked and (token.word in _HOOKS or (token.kind == "key" and token.value in ("hook", "and"))):
-                hooked = hooked or token.word in _HOOKS
-                at += 1  # "with smaller hook and A"
-            elif asked and (
-                token.word in _STRANDS or (token.kind == "number" and after is not None and after.word in _STRANDS)
-            ):
-                at += 1  # "with 2 strands of A"
-            elif hooked and after is not None and after.kind == "key" and after.value == "hook":
-                at += 1  # "with size F hook"
-            elif token.word in ("color", "colour", "new") and at + 1 < len(c.tokens):
-                asked = True
-                at += 1
-            else:
-                break
-        shade = self.palette.color(c, at) or (self.palette.letter(c, at) if asked else None)
-        if shade is None and hooked:
-            c.at = at
-            return True
-        if shade is None:
-            return False
-        rgb, length = shade
-        found.append(Action("color", Span(c.tokens[at].start, c.tokens[at + length - 1].end), numbers=rgb))
-        c.at = at + length
-        self._other_yarn()
-        c.skip_key("yarn")
-        if c.look() is not None and c.look().word == "held":  # type: ignore[union-attr]
-            c.at += 1
-            c.skip_key("together")  # "With 2 strands of B held tog"
-        while c.key("and") and c.look(1) is not None and (c.look(1).word in _HOOKS):  # type: ignore[union-attr]
-            c.at += 2
-            c.skip_key("hook")
-        if c.key("in", "to") and c.key("last", ahead=1):  # "change to B in last st of Row 8"
-            self.to_separator()
-        return True

@@ -8,6 +8,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.doings import works
+from tambour.crochet.printed.remarks import yarned
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 
@@ -54,8 +55,8 @@ def convention(p: State, tokens: list[Token]) -> bool:
         said = not {"repeat", "as", "same"} & keys or ("as" in keys and "follows" in words)
     else:
         said = plain and "follows" in words and not keys & {"repeat"}
-    if said:
-        _dyed(p, tokens)
+    if said and not _dyed(p, tokens) and yarned(tokens):
+        return False  # "Every other round is worked in B"
     return said
 
 
@@ -68,8 +69,8 @@ def _throughout(p: State, loops: str) -> bool:
     return True
 
 
-def _dyed(p: State, tokens: list[Token]) -> None:
-    """Takes the colour of "With A, create a magic ring, and work in unjoined rounds as follows"."""
+def _dyed(p: State, tokens: list[Token]) -> bool:
+    """Takes the colour of "With A, create a magic ring, and work in unjoined rounds as follows"; whether one is said."""
     for k, token in enumerate(tokens[:-1]):
         if token.kind == "key" and token.value in ("with", "color"):
             c = Cursor(tokens, k + 1)
@@ -77,7 +78,8 @@ def _dyed(p: State, tokens: list[Token]) -> None:
             if hue is not None:
                 span = Span(tokens[k + 1].start, tokens[k + hue[1]].end)
                 p.lead.append(Line((Action("color", span, numbers=hue[0]),), span, False))
-                return
+                return True
+    return False
 
 
 def _said(tokens: list[Token]) -> list[Token]:

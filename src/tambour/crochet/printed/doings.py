@@ -41,6 +41,9 @@ _STRANDS: Final = frozenset("strand strands fringe ends".split())  # what hands 
 _USED: Final = frozenset(
     "photo photos photograph photographs picture guide diagram template needle marker ends tail tails".split()
 )
+_LEFT: Final = frozenset(
+    "tail tails end ends long opening open gap hole inch inches cm sewing stuffing yarn neck bottom top".split()
+)
 _PAINTS: Final = frozenset("crayon crayons pencil pencils blush chalk paint rouge".split())
 _DONE: Final = ("marker", "stuff", "eyes")
 _NOT: Final = ("join", "turn", "stuff", "color", "marker", "begin", "fasten off")

@@ -28,12 +28,13 @@ from tambour.crochet.printed.mend import Found, agreed, is_start, mended
 from tambour.crochet.printed.naming import nameless_is
 from tambour.crochet.printed.opening import founding, opening
 from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.prose import NOT_UNDERSTOOD, WRAPPED, finishing, instructs, stuffed, text_line
+from tambour.crochet.printed.prose import WRAPPED, finishing, stuffed, text_line
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.remarks import remark
 from tambour.crochet.printed.state import Height, State, plain_height
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unheaded import unheaded
+from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs
 from tambour.crochet.words.phrases import Phrases
 
 NOTHING: Final = "this holds no crochet instructions"

@@ -16,10 +16,11 @@ from tambour.crochet.printed.beyond import again_made, along, edging, marked, mo
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counts import makes
-from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
+from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
+from tambour.crochet.printed.headlines import below, colorless, copied, headed, named_color
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.items import bare_count
 from tambour.crochet.printed.notes import (
@@ -31,18 +32,16 @@ from tambour.crochet.printed.notes import (
     definition,
     heading,
     own_stitch,
-    plain_name,
     stated,
 )
 from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.remarks import chosen, remark, yarned
+from tambour.crochet.printed.remarks import chosen
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
+from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs, left_over
 from tambour.crochet.words.special import explained
-from tambour.crochet.yarns import hook_of
 
-NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
 WRAPPED: Final = 12  # lines of a paragraph
 _SEWN: Final = re.compile(
     r"\bsew\b.{0,20}\b(?:in place|into place|behind|between|beneath|above|below|under)\b", re.IGNORECASE
@@ -83,13 +82,13 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.passed.append(whole)
         return
     line = text[row.tokens[0].start : row.tokens[-1].end]
-    shade = _named_color(p, tokens)
+    shade = named_color(p, tokens)
     if numbered(p.palette, line) and not any(t.kind == "stitch" and t.value == "ch" for t in tokens):
         p.passed.append(whole)
         return
     if p.mode == "materials":
         p.palette.listed(line)
-    said = stated(text, row, tokens) or _below(p, row, tokens)
+    said = stated(text, row, tokens) or below(p, row, tokens)
     for key, words, span in said:
         p.stated.setdefault(key, (words, span))
     if said or shade:
@@ -109,7 +108,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if p.heading is not None and (more := copies_alone(tokens)) is not None:
         p.heading = replace(p.heading, copies=more[0], copies_span=more[1], strong=True, marked=True)
         return
-    found = _copied(p, row, line) or heading(text, row, tokens) or heading(text, row, _colorless(p, tokens))
+    found = copied(p, row, line) or heading(text, row, tokens) or heading(text, row, colorless(p, tokens))
     lefts: list[list[Token]] = []
     if (found is None or not found.marked) and _sentences(p, tokens, lefts):
         found = None
@@ -141,39 +140,6 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         left_over(p, left)
 
 
-def _below(p: State, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]]:
-    """What a line states of gauge and size below a heading that says only which, and of the hook in a list of materials."""
-    span = Span(row.tokens[0].start, row.tokens[-1].end)
-    words = p.source.text.text[span.start : span.end]
-    below, p.below = p.below, ""
-    if p.mode != "materials" or not any(t.kind == "number" for t in tokens):
-        return []
-    if below:
-        return [(below, words, span)]
-    hook = any(t.kind == "key" and t.value == "hook" for t in tokens) and "hook" not in p.stated
-    return [("hook", words, span)] if hook and hook_of(words) is not None else []
-
-
-def headed(text: str, row: Row, tokens: list[Token]) -> int:
-    """Where the colon stands behind the name of a part that a line begins with and goes on; 0 where it does not."""
-    at = next((k for k, t in enumerate(tokens[:12]) if t.word == ":"), 0)
-    if (
-        not at
-        or at + 1 >= len(tokens)
-        or tokens[0].kind == "stitch"
-        or tokens[0].value in (*MODES, "round", "row", "repeat")
-    ):
-        return 0
-    if tokens[at + 1].word not in ("see", "fold") and not any(
-        t.kind == "stitch" or (t.kind == "key" and t.value in ("ring", "make", "with", "begin", "as", "join"))
-        for t in tokens[at + 1 :]
-    ):
-        return 0
-    raw = [t for t in row.tokens if t.end <= tokens[at].end]
-    found = heading(text, Row(raw, row.start, raw[-1].end, row.marked), tokens[: at + 1])
-    return at if found is not None and found.strong else 0
-
-
 def _said(p: State, span: Span) -> bool:
     """A line that is one of the writer's own sentences: of colour, of seams, of the end."""
     text = p.source.text.text[span.start : span.end]
@@ -198,50 +164,6 @@ def _said(p: State, span: Span) -> bool:
     else:
         return False
     return True
-
-
-def _copied(p: State, row: Row, line: str) -> Heading | None:
-    """A heading that says its copies as the table of terms does: ``Arm (make 2)``."""
-    mark = line.rfind("(")
-    said = p.phrases.read(line[mark:], ("copies",)) if mark > 0 else None
-    name = plain_name(line[:mark].strip()) if said is not None else ""
-    if said is None or not name:
-        return None
-    span = Span(row.tokens[0].start, row.tokens[-1].end)
-    return Heading(name, span, max(1, said[1]["count"]), span, True, True)
-
-
-def _colorless(p: State, tokens: list[Token]) -> list[Token]:
-    """A heading without the colour that it says in brackets: "Head (cream)", "Ears (blue yarn, make 2)"."""
-    for k, token in enumerate(tokens[:-2]):
-        found = p.palette.color(Cursor(tokens, k + 1)) if token.word in ("(", "[") else None
-        end = k + 1 + (found[1] if found is not None else 0)
-        while (
-            found is not None and end < len(tokens) and (tokens[end].value == "yarn" or tokens[end].word in (",", ";"))
-        ):
-            end += 1
-        if (
-            found is not None
-            and end < len(tokens)
-            and (tokens[end].word in (")", "]", "x") or tokens[end].value == "make")
-        ):
-            whole = tokens[end].word in (")", "]")
-            return tokens[: k + 1 - whole] + tokens[end + whole :]
-    return tokens
-
-
-def _named_color(p: State, tokens: list[Token]) -> bool:
-    """``A = brown``, ``Color B: white``, ``Main color (MC): cream``; whether the line says such."""
-    found = False
-    for k in range(len(tokens) - 2):
-        at = k + 1 + (tokens[k + 1].word == ")")
-        if tokens[k].kind not in ("word", "key") or len(tokens[k].word) > 2 or at + 1 >= len(tokens):
-            continue
-        shade = p.palette.color(Cursor(tokens, at + 1)) if tokens[at].word in ("=", ":", "-") else None
-        if shade is not None:
-            p.palette.given.setdefault(tokens[k].word, shade[0])
-            found = True
-    return found
 
 
 def _sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
@@ -470,33 +392,6 @@ def stuffed(tokens: list[Token]) -> float | None:
         if any(t.kind == "key" and t.value == word for t in tokens):
             return STUFFING[amount]
     return -1.0
-
-
-def instructs(p: State, tokens: list[Token]) -> bool:
-    """Whether a sentence that was not read may instruct: it holds a number, a stitch, a repeat, a reference or a colour."""
-    if not p.parts or p.mode in ("materials", "abbreviations"):
-        return False
-    stitches = any(t.kind == "stitch" for t in tokens)
-    numbers = any(t.kind in ("number", "ordinal") and t.word[0].isdigit() for t in tokens)
-    repeats = any(t.kind == "key" and t.value in ("repeat", "same", "as") and t.word != "like" for t in tokens)
-    if p.mode == "notes":
-        return stitches and numbers
-    places = any(t.kind == "key" and t.value in ("next", "around", "skip", "front loops", "back loops") for t in tokens)
-    if stitches or numbers or repeats or places:
-        return True
-    return any(p.palette.name(t.word) for t in tokens if t.kind == "word") or yarned(tokens)
-
-
-def left_over(p: State, tokens: list[Token]) -> None:
-    """A sentence that was not read: told when it may instruct."""
-    if instructs(p, tokens):
-        span = Span(tokens[0].start, tokens[-1].end)
-        if remark(p.source.text.text, tokens):
-            p.passed.append(span)
-            return
-        if p.parts and p.mode != "assembly" and any(t.kind == "stitch" for t in tokens):
-            p.parts[-1].sure = False
-        p.tell(NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", span)
 
 
 def _ring(item: object) -> bool:

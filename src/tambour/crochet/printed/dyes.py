@@ -1,0 +1,85 @@
+"""Printed patterns, dyes: changes of the yarn's colour within a round: "change to brown", "with white yarn", "White:"."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.tree import Action, Item
+from tambour.crochet.printed.colors import LETTERS
+from tambour.crochet.printed.courses import Courses
+
+_STRANDS: Final = frozenset(("strand", "strands", "length", "lengths", "double", "separate"))
+_HOOKS: Final = frozenset(("smaller", "larger", "size", "small", "large", "hook"))
+
+
+class Dyes(Courses):
+    """Reads changes of colour."""
+
+    def _other_yarn(self) -> None:
+        """Passes the yarn of another version: "with A (B)", "with A or B"."""
+        c = self.c
+        words = [t.word if t is not None else "" for t in (c.look(0), c.look(1), c.look(2))]
+        if words[0] == "(" and words[1] in LETTERS and words[2] == ")":
+            c.at += 3
+        elif words[0] == "or" and words[1] in LETTERS:
+            c.at += 2
+
+    def color(self, found: list[Item]) -> bool:
+        """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
+        c = self.c
+        at = c.at
+        if c.key("join"):
+            return False  # "Join B with sl st to first sc": joins the round, if there is one
+        words = [t.word if (t := c.look(k)) is not None else "" for k in range(14)]
+        if words[1] == "same" and {"color", "colour"} & set(words[2:4]) and "," in words:
+            c.at += words.index(",")  # "With same color as for Body, ch 12"
+            return True
+        asked = hooked = False
+        while at < len(c.tokens) and at - c.at < 8:
+            token = c.tokens[at]
+            after = c.look(at - c.at + 1)
+            if (
+                token.word in ("color", "contrast")
+                and after is not None
+                and (after.word in LETTERS or after.word.isdigit())
+            ):
+                asked = True
+                break
+            if token.kind == "key" and token.value in ("color", "with", "in", "join", "yarn", "to", "begin"):
+                asked = asked or token.value in ("color", "with", "yarn")
+                at += 1
+            elif asked and (token.word in _HOOKS or (token.kind == "key" and token.value in ("hook", "and"))):
+                hooked = hooked or token.word in _HOOKS
+                at += 1  # "with smaller hook and A"
+            elif asked and (
+                token.word in _STRANDS or (token.kind == "number" and after is not None and after.word in _STRANDS)
+            ):
+                at += 1  # "with 2 strands of A"
+            elif hooked and after is not None and after.kind == "key" and after.value == "hook":
+                at += 1  # "with size F hook"
+            elif token.word in ("color", "colour", "new") and at + 1 < len(c.tokens):
+                asked = True
+                at += 1
+            else:
+                break
+        shade = self.palette.color(c, at) or (self.palette.letter(c, at) if asked else None)
+        if shade is None and hooked:
+            c.at = at
+            return True
+        if shade is None:
+            return False
+        rgb, length = shade
+        found.append(Action("color", Span(c.tokens[at].start, c.tokens[at + length - 1].end), numbers=rgb))
+        c.at = at + length
+        self._other_yarn()
+        c.skip_key("yarn")
+        if c.look() is not None and c.look().word == "held":  # type: ignore[union-attr]
+            c.at += 1
+            c.skip_key("together")  # "With 2 strands of B held tog"
+        while c.key("and") and c.look(1) is not None and (c.look(1).word in _HOOKS):  # type: ignore[union-attr]
+            c.at += 2
+            c.skip_key("hook")
+        if c.key("in", "to") and c.key("last", ahead=1):  # "change to B in last st of Row 8"
+            self.to_separator()
+        return True

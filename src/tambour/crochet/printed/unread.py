@@ -1,0 +1,46 @@
+"""Printed patterns, unread: which of the sentences that no reading understands are told, since they may instruct."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.printed.remarks import remark, yarned
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Token
+
+NOT_UNDERSTOOD: Final = "this looks like instructions, and was not understood"
+_OTHERWISE: Final = frozenset("reverse reversing reversed mirror mirrored mirroring alternate alternating".split())
+_CHANGES: Final = frozenset("change changes changing alternate switch".split())
+
+
+def instructs(p: State, tokens: list[Token]) -> bool:
+    """Whether a sentence that was not read may instruct: it holds a number, a stitch, a repeat, a reference or a colour."""
+    if p.mode in ("materials", "abbreviations"):
+        return False
+    stitches = any(t.kind == "stitch" for t in tokens)
+    numbers = any(t.kind in ("number", "ordinal") and t.word[0].isdigit() for t in tokens)
+    if not p.parts:  # of what stands below the first part's name; above it is the introduction
+        return p.heading is not None and p.mode == "" and ((stitches and numbers) or yarned(tokens))
+    repeats = any(t.kind == "key" and t.value in ("repeat", "same", "as", "twice") and t.word != "like" for t in tokens)
+    if p.mode == "notes":
+        return stitches and numbers
+    places = any(t.kind == "key" and t.value in ("next", "around", "skip", "front loops", "back loops") for t in tokens)
+    if stitches or numbers or repeats or places or any(t.word in _OTHERWISE for t in tokens):
+        return True
+    changes = any(t.kind == "key" and t.value == "color" for t in tokens) and any(
+        w in _CHANGES for t in tokens for w in t.word.split()
+    )
+    return changes or any(p.palette.name(t.word) for t in tokens if t.kind == "word") or yarned(tokens)
+
+
+def left_over(p: State, tokens: list[Token]) -> None:
+    """A sentence that was not read: told when it may instruct."""
+    if instructs(p, tokens):
+        span = Span(tokens[0].start, tokens[-1].end)
+        if remark(p.source.text.text, tokens):
+            p.passed.append(span)
+            return
+        if p.parts and p.mode != "assembly" and any(t.kind == "stitch" for t in tokens):
+            p.parts[-1].sure = False
+        p.tell(NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", span)
