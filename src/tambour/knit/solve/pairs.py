@@ -13,7 +13,7 @@ from tambour.core.check import Array
 from tambour.core.kernels import kernel
 from tambour.knit.solve.floats import sequence
 from tambour.knit.solve.lanes import best_rows, cleared, lanes_of
-from tambour.knit.solve.percept import lay_line, lay_ring, linear
+from tambour.knit.solve.percept import lay, linear
 
 
 @kernel
@@ -134,8 +134,7 @@ def pair_rows(
             constant[lane] = colour_line(y, aim, dark[p], way, own, columns, n, rest, goal, one, u)
             size = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
             to.Z[:] = np.float32(0)
-            lay_line(y, blank, u, columns, n, f, np.float32(soft / size), relaxed, nothing, lane, to)
-            to.stitches[lane] = n
+            lay(y, blank, u, columns, n, bits, f, np.float32(soft / size), False, 0, relaxed, nothing, lane, to)
         best_rows(to, n, table, bits, f, free, cap)
         for lane in range(used):
             way = ways[first + lane]
@@ -195,12 +194,7 @@ def colour_batches(
             colour_line(y, aim, dark[y], way, own, columns[lane], n, rest, goal, one, u)
             size = way[0] * way[0] + way[1] * way[1] + way[2] * way[2]
             price = np.float32(soft / size)
-            if ring:
-                lay_ring(y, cells, u, columns[lane], n, bits, f, price, shift, relaxed, nothing, lane, to)
-                to.stitches[lane] = n + bits
-            else:
-                lay_line(y, cells, u, columns[lane], n, f, price, relaxed, nothing, lane, to)
-                to.stitches[lane] = n
+            lay(y, cells, u, columns[lane], n, bits, f, price, ring, shift, relaxed, nothing, lane, to)
             longest = max(longest, to.stitches[lane])
         if longest == 0:
             continue

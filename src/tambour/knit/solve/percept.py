@@ -209,15 +209,10 @@ def solve_batches(
                 if keep > 0:
                     price = keep * weights[y, x] if weights.size else keep
                     u[k] += price if start[y, x] == 0 else -price
-            if ring:
-                if n <= 2 * bits:
-                    best_ring(y, cells, u, columns[lane], n, across, down, f, soft, relaxed, locked, changed)
-                    continue
-                lay_ring(y, cells, u, columns[lane], n, bits, f, soft, shift, relaxed, locked, lane, to)
-                to.stitches[lane] = n + bits
-            else:
-                lay_line(y, cells, u, columns[lane], n, f, soft, relaxed, locked, lane, to)
-                to.stitches[lane] = n
+            if ring and n <= 2 * bits:
+                best_ring(y, cells, u, columns[lane], n, across, down, f, soft, relaxed, locked, changed)
+                continue
+            lay(y, cells, u, columns[lane], n, bits, f, soft, ring, shift, relaxed, locked, lane, to)
             longest = max(longest, to.stitches[lane])
         if longest == 0:
             continue
@@ -279,6 +274,19 @@ def linear(z: Array, across: Array, columns: Array, n: int, ring: bool, u: Array
                 found[x] += c * moved[x]
     for k in range(n):
         u[k] = found[columns[k]]
+
+
+@kernel
+def lay(
+    y: int, cells: Array, u: Array, columns: Array, n: int, bits: int, f: int, soft: np.float32, ring: bool, shift: int,
+    relaxed: Array, locked: Array, lane: int, to: Lanes,
+) -> None:  # fmt: skip
+    """Lay a row of ``n`` stitches into a lane, closed or flat."""
+    if ring:
+        lay_ring(y, cells, u, columns, n, bits, f, soft, shift, relaxed, locked, lane, to)
+    else:
+        lay_line(y, cells, u, columns, n, f, soft, relaxed, locked, lane, to)
+    to.stitches[lane] = n + bits if ring else n
 
 
 @kernel
