@@ -13,6 +13,7 @@ from tambour.embroidery.lines.fill import Rings
 from tambour.embroidery.stitches import Stitches
 
 SLACK = 0.05  # mm that thread may move, and that a joined stitch may leave its area
+WELCOME_FAR = 0.12  # mm that a place may move for that
 WELCOME = 4 / 3  # times the least stitch: so long they should be where the thread's shape allows it
 
 
@@ -80,11 +81,12 @@ def drop_short(xy: F8x2, least: float, slack: float) -> B1x1:
 
 
 @kernel
-def merge_short(xy: F8x2, least: float, points: F8x2, offsets: I8x1, slack: float) -> tuple[F8x2, B1x1]:
+def merge_short(xy: F8x2, least: float, far: float, points: F8x2, offsets: I8x1, slack: float) -> tuple[F8x2, B1x1]:
     """Needle points, and which of them stay, so that no stitch is shorter than ``least``: ((n, 2), (n,) bool).
 
     Of the two ends of a short stitch the second goes, or the first, or one place between takes both, as long as no stitch of
-    these leaves the rings by more than ``slack`` or is longer than the longest there was. What nothing helps stays short.
+    these leaves the rings by more than ``slack`` or is longer than the longest there was, and no point that goes lies farther
+    than ``far`` beside what takes its place. What nothing helps stays short.
     """
     xy = xy.copy()
     n = len(xy)
@@ -97,7 +99,7 @@ def merge_short(xy: F8x2, least: float, points: F8x2, offsets: I8x1, slack: floa
         if math.hypot(xy[i, 0] - xy[p, 0], xy[i, 1] - xy[p, 1]) < least:
             off, span = beside(xy, i, p, i + 1) if i + 1 < n else (np.inf, np.inf)
             other, wide = (np.inf, np.inf) if before < 0 else beside(xy, p, before, i)
-            second, first = span <= most + 1e-9, wide <= most + 1e-9
+            second, first = off <= far and span <= most + 1e-9, other <= far and wide <= most + 1e-9
             if second:
                 second = not strays(points, offsets, xy[p, 0], xy[p, 1], xy[i + 1, 0], xy[i + 1, 1], slack)
             if first:
@@ -111,7 +113,7 @@ def merge_short(xy: F8x2, least: float, points: F8x2, offsets: I8x1, slack: floa
                 continue
             merged = False
             for quarter in (2, 1, 3):
-                if merged or before < 0 or i + 1 >= n or not len(points):
+                if merged or before < 0 or i + 1 >= n or not len(points) or far < least:
                     break
                 x = xy[p, 0] + (xy[i, 0] - xy[p, 0]) * quarter / 4
                 y = xy[p, 1] + (xy[i, 1] - xy[p, 1]) * quarter / 4
@@ -140,5 +142,7 @@ def tidy(stitches: Stitches, least: float, area: Rings | None = None) -> Stitche
     xy, kind, run = stitches.xy[keep], stitches.kind[keep], stitches.run[keep]
     none = (np.zeros((0, 2)), np.zeros(1, np.int64))
     points, offsets = none if area is None else (area.points, area.offsets)
-    xy, keep = merge_short(xy, least, points, offsets, 0.8 * SLACK)
-    return Stitches(xy[keep], kind[keep], run[keep], stitches.facts)
+    for short, far in ((WELCOME * least, WELCOME_FAR), (least, math.inf)):
+        xy, keep = merge_short(xy, short, far, points, offsets, 0.8 * SLACK)
+        xy, kind, run = xy[keep], kind[keep], run[keep]
+    return Stitches(xy, kind, run, stitches.facts)
