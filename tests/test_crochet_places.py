@@ -669,3 +669,83 @@ def test_a_stuffed_piece_in_rows_whose_edges_are_sewn_is_a_tube(seam: str, uprig
     faces = built.graph.faces[(built.graph.faces < body.end).all(1)]
     a, b, c = (x[faces[:, k]] - x.mean(0) for k in range(3))
     assert (a * np.cross(b, c)).sum() > 0.0  # its right side is outside
+
+
+FLAT_EAR = "Rnd 1: 8 sc in MR (8)\nRnd 2: inc x 8 (16)\nRnd 3: (sc, inc) x 8 (24)\nRnd 4: (2 sc, inc) x 8 (32)\nRnd 5: (3 sc, inc) x 8 (40)\nFasten off.\n"
+
+
+@pytest.mark.slow
+def test_a_flat_ear_lies_smooth_though_it_has_more_stitches_than_a_disc() -> None:
+    from tambour.core.progress import Progress
+    from tambour.crochet.params import CrochetParams
+    from tambour.crochet.plush import make
+
+    text = f"Mouse\n\nHEAD\n{CLOSED}\nEARS (make 2)\n{FLAT_EAR}\nAssembly\nSew ears to head.\n"
+    thick = []
+    for params in (CrochetParams(), CrochetParams(bending=0.04)):
+        piece = make(Text(text, "mouse.txt"), params, Progress())
+        part = next(p for p in piece.built.graph.parts if p.name.startswith("EARS"))
+        x = piece.positions[part.start : part.end]
+        spread = np.linalg.svd(x - x.mean(0), compute_uv=False)
+        thick.append(spread[2] / spread[0])
+    assert thick[0] < 0.1 < thick[1]
+
+
+def test_a_place_beyond_the_end_of_a_round_is_counted_on_from_its_beginning() -> None:
+    said = "Sew legs on bottom of body. Place front legs behind round 6, 2 sts apart and back legs 2 rounds behind the front legs."
+    for nose in ("Begin at nose. ", ""):
+        text = (
+            f"Lamb\n\nLEGS (make 4)\n{TUBE}\nBODY\n{nose}\n{CLOSED}\nTAIL\n{TUBE}\nAssembly\n{said} Sew tail to body.\n"
+        )
+        pattern = read_printed(Text(text, "toy.txt"))
+        spots = Spots(build(pattern))
+        legs = [r for r in pattern.finish if isinstance(r, Placed) and r.part.startswith("LEGS")]
+        assert len(legs) == 4 and not [p for p in spots.problems(legs) if not p.warning]
+
+
+def test_a_cap_is_sewn_by_the_loops_that_were_left_for_it() -> None:
+    cap = (
+        "Rnd 1: 8 sc in MR (8)\nRnd 2: inc x 8 (16)\nRnd 3: (sc, inc) x 8 (24)\n"
+        "Rnd 4: Working in {} only, sc in each sc around (24)\nRnd 5: (2 sc, inc) x 8 (32)\nRnd 6: sc around (32)\nFasten off.\n"
+    )
+    stem = "Ch 24. Join with sl st to first ch.\nRnd 1: sc in each ch around (24)\nRnds 2-8: sc around (24)\nRnd 9: (2 sc, dec) x 6 (18)\nRnd 10: (sc, dec) x 6 (12)\nRnd 11: dec x 6 (6)\nFasten off.\n"
+    for loops, by in (("front loops", 3), ("both loops", None)):
+        text = f"Mushroom\n\nCAP\n{cap.format(loops)}\nSTEM\nBegin at the top.\n{stem}\nAssembly\nStuff stem. Sew cap to top of stem.\n"
+        record = placed(read_printed(Text(text, "toy.txt")), "CAP")
+        assert (record.by == 3) == (by == 3)
+
+
+def test_a_piece_in_rows_with_an_edging_lies_flat() -> None:
+    rows = (
+        "Ch 9.\nRow 1: sc in 2nd ch from hook and in each ch across, turn (8)\nRows 2-10: ch 1, sc across, turn (8)\n"
+    )
+    edging = "Rnd 11: Ch 1, sc in each st around. Join with sl st to first sc (8)\n"
+    for text in (rows, rows + edging):
+        built = build(read_printed(Text(f"Wing\n\nWING\n{text}Fasten off.\n", "toy.txt")))
+        assert Spots(built).in_rows[0]
+        assert np.ptp(Spots(built).layout[:, 2]) < 1.0
+
+
+def test_a_first_row_taken_from_its_count_stands_on_a_chain() -> None:
+    text = "Wing\n\nWING\nRow 1: Hum in every gap along. Turn. 6 hdc.\nRow 2: Ch 2, hdc in each hdc across, turn (6)\nRow 3: Ch 2, hdc in each hdc across (6)\nFasten off.\n"
+    built = build(read_printed(Text(text, "toy.txt")))
+    assert Spots(built).in_rows[0] and built.rounds[-1].count == 6
+
+
+def test_hats_go_over_the_hair_and_what_has_no_name_and_no_place_stands_aside() -> None:
+    pattern = toy("Sew hair to top of head.", HAIR=CUP, HAT=CUP)
+    assert placed(pattern, "HAT").spot.part == "HAIR"
+
+
+def test_snouts_bulge_and_eyes_of_knots_are_small() -> None:
+    disc = "Rnd 1: 10 sc in MR (10)\nRnd 2: inc x 10 (20)\nFasten off.\n"
+    pattern = toy("Sew snout to head. Sew patch to head.", SNOUT=disc, PATCH=disc)
+    fill = {p.name: p.stuffing for p in pattern.parts}
+    assert fill["SNOUT"] != 0.0 and fill["PATCH"] == 0.0
+    sizes = []
+    for way in ("satin stitch", "French knot"):
+        made = toy(f"Embroider eyes on head using {way}.").finish
+        eyes = [r for r in made if isinstance(r, Embroidery)]
+        assert len(eyes) == 2
+        sizes.append(np.ptp([s.round for s in eyes[0].spots]))
+    assert sizes[1] < 0.85 * sizes[0]

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from tambour.crochet.yarns import Gauge
 
 
+LAID = 1.5
+"""How strongly unstuffed parts of printed toys resist bending: hands lay them smooth where they sew them on."""
+
+
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
     if params.photo:
@@ -103,6 +107,12 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
         shell = replace(built.graph, faces=built.graph.faces[built.shell])
         counts = centroid_counts(shell, params, [part.centroids for part in built.parts])
         snug = stuffing == "pressure" and params.solver == "settle"
+        if (
+            joining is not None
+            and built.pattern.terms
+            and params.bending == CrochetParams.model_fields["bending"].default
+        ):
+            params = params.model_copy(update={"bending": LAID})
 
         def tell(look: Look) -> None:
             progress.step(look.done, look.total)

@@ -27,6 +27,8 @@ GRAIN = 9
 machine, and a soft shape would enlarge them."""
 ROUGHLY = 30.0
 """How many times farther from rest a shape may be that only tells how far stuffing stretches it."""
+TIPS = 20.0
+"""By how many degrees a toy is turned at the most to stand on what it stands on; what tips farther is held by hand."""
 BUILDING = 2_000_000
 """Node-steps that building one by one may take before settling; what is left then comes at once."""
 
@@ -273,6 +275,8 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
             yield from settle(np.flatnonzero(piece == k))
     if joined is not None:
         x, c = _standing(task, x, c, joined, piece)
+        if task.joining is not None and task.joining.built.pattern.terms:
+            x, c = _at_rest(task, x, c, joined, piece)
         joined = replace(joined, upright=_upright(graph, joined, x))
     if len(bodies) > 1:
         if all(v == 1 for v in bodies.values()):
@@ -297,6 +301,21 @@ def _standing(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> t
         x[piece == k] = turned(x[piece == k], turn) + shift
         for p in np.unique(task.graph.part[piece == k]):
             c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]], turn) + shift
+    return x, c
+
+
+def _at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:
+    """Every sewn toy set down: turned a little, so that it stands or sits where it would not tip over."""
+    from tambour.geometry.stance import set_down
+
+    x, c = x.copy(), c.copy()
+    first = np.concatenate([[0], np.cumsum(task.used)])
+    for k in np.unique(piece[joined.held[:, 0]]):
+        own = piece == k
+        turn, middle = set_down(x[own], TIPS), x[own].mean(0)
+        x[own] = turned(x[own] - middle, turn) + middle
+        for p in np.unique(task.graph.part[own]):
+            c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle
     return x, c
 
 

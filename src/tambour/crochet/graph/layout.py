@@ -48,14 +48,22 @@ def rise(graph: StitchGraph, rest: Array) -> Array:
     return np.where(count > 0, total / np.maximum(count, 1.0), 1.0)
 
 
+EDGED = 4
+"""Rows back and forth about which a last round is an edging, so many of them with the wrong side ahead or more."""
+
+
 def in_rows(graph: StitchGraph) -> Array:
-    """Which parts (P,) are worked in rows: turned, and never joined to rounds."""
-    joined = np.zeros(len(graph.parts), bool)
-    joined[graph.part[graph.edges[graph.edge_kind == JOIN, 0]]] = True
-    turned = np.zeros(len(graph.parts), bool)
+    """Which parts (P,) are worked in rows: turned, and never joined to rounds, but for an edging round many rows."""
+    of_join = graph.edges[graph.edge_kind == JOIN, 0]
+    joined, turned, rooted = (np.zeros(len(graph.parts), bool) for _ in range(3))
+    joined[graph.part[of_join]] = True
     turned[graph.part[graph.direction < 0]] = True
-    rooted = np.zeros(len(graph.parts), bool)
     rooted[graph.part[graph.peculiarity == ROOT]] = True
+    for part in np.flatnonzero(joined & turned & ~rooted).tolist():
+        p = graph.parts[part]
+        back = np.unique(graph.round[p.start : p.end][graph.direction[p.start : p.end] < 0])
+        joins = np.unique(graph.round[of_join[graph.part[of_join] == part]])
+        joined[part] = len(back) < EDGED or bool((joins < graph.round[p.start : p.end].max()).any())
     return turned & ~joined & ~rooted
 
 
@@ -74,6 +82,9 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     starts = np.flatnonzero(np.diff(section, prepend=-1))
     ends = np.append(starts[1:], n)
     flat = in_rows(graph)
+    edging = np.zeros(n, bool)  # begins with a round about rows
+    for later in graph.edges[graph.edge_kind == JOIN, 0].tolist():
+        edging[starts[np.searchsorted(starts, later, side="right") - 1]] |= bool(flat[graph.part[later]])
     half = np.full(len(graph.parts), -1.0)  # of the straight sides, in parts that are ovals
     ends_of = np.zeros(len(graph))  # the radius of the stadium that a node is in
     folded = ovals.layers(graph)
@@ -113,6 +124,10 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         many = np.bincount(over, minlength=b - a)[:, None]
         stand = np.column_stack([np.bincount(over, x[anchors, axis], b - a) for axis in range(3)])
         stand = np.where(many > 0, stand / np.maximum(many, 1), centre)
+        if flat[part] and edging[a]:
+            off = stand - x[graph.parts[part].start : a].mean(0)
+            x[nodes] = stand + h * off / np.maximum(np.sqrt((off**2).sum(1, keepdims=True)), 1e-9)
+            continue
         if flat[part]:
             x[nodes, 0] = stand[:, 0].mean() + graph.direction[nodes] * (np.arange(b - a) - 0.5 * (b - a - 1))
             x[nodes, 1] = centre[1] + h

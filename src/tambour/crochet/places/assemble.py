@@ -31,11 +31,15 @@ _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
 _HIND: Final = 0.75
 """A tail before this part of a piece's rounds says that they are not its hind end."""
+_NAMELESS: Final = re.compile(r"(?:part|piece)_\d+$")
+"""What parts are called that no heading names."""
 _NO_GUESS: Final = Where(shown=True)
 FLAT: Final = frozenset(
     "ear wing fin fluke leaf hat spot cheek eye tuft collar bow spike inner door tooth face beard worn".split()
 )
 """Kinds of parts that are not stuffed, unless it is said."""
+DOMED: Final = frozenset(("muzzle", "nose"))
+"""Kinds of parts that bulge, however flat they are worked: stuffing is put under them while they are sewn on."""
 
 
 class Assembly(Toy):
@@ -149,6 +153,7 @@ class Assembly(Toy):
             if made.kind == "hat" and _CAPPED.search(text[:200]):
                 continue
             disc = bool(counts) and counts[-1] == max(counts) and counts[-1] > 4 * len(counts)
+            disc = disc and made.kind not in DOMED
             if disc or made.worn or made.kind in FLAT:
                 self.made.unstuffed.append(part.name)
 
@@ -289,12 +294,22 @@ class Assembly(Toy):
                 seen.update(free)
                 self.made.apart.append(free[0][0].name)
                 free = []
+            if (
+                free
+                and p.host is None
+                and not p.where.says
+                and not free[0][0].kind
+                and _NAMELESS.match(free[0][0].name)
+            ):
+                self.made.apart.append(free[0][0].name)
+                free = []
             if not free:
                 continue
             seen.update(free)
             puts.append(replace(p, copies=free))
         exact = {r.part: r.spot.part for r, _ in self.heard.exact if isinstance(r, Placed)}
         on: dict[str, str] = {}
+        hair = [c[0] for p in puts for c in p.copies if c[0].kind == "hat" and {"hair", "wig"} & set(c[0].words)]
         for p in puts:
             kind = p.kind
             if p.host is None or p.host in p.copies:
@@ -312,6 +327,8 @@ class Assembly(Toy):
                 whole = [c for c in p.copies if "half" not in c[0].words or c[1] % 2]
                 self.made.apart += [p.copies[0][0].name] if len(whole) < len(p.copies) else []
                 p.copies = whole  # two halves make one; the inner ones are not seen
+            if kind == "hat" and hair and hair[0] != p.copies[0][0] and p.host[0] not in hair and not p.where.says:
+                p.host = (hair[0], 1)  # over the hair, not inside of it
             if kind == "head" and p.host[0].kind == "body" and (necks := self.of_kind("neck")) is not None:
                 p.host = (necks, 1)
             if kind == "inner" or "inner" in p.copies[0][0].words:

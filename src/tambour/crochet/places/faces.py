@@ -20,6 +20,8 @@ _FACE: Final = 16.0
 """How many stitches a face is wide for which the usual sizes of motifs are."""
 _OF_A_HEAD: Final = 0.12
 """An eye's size as a share of the width of what it is on, where nothing says it."""
+_KNOT: Final = 0.7
+"""Eyes of knots are so much smaller than those in satin stitch."""
 
 
 class Facer(Putter):
@@ -71,7 +73,7 @@ class Facer(Putter):
         middle, count = host.middle(level), host.count(level)
         apart = self._apart(f.where)
         off = abs((stitch - middle + count / 2) % count - count / 2) if apart is None else 0.5 * apart
-        return [Spot(host.name, level, round(middle + s * off, 3), f.span) for s in (-1.0, 1.0)]
+        return [host.within(Spot(host.name, level, round(middle + s * off, 3), f.span)) for s in (-1.0, 1.0)]
 
     def _faced(self, f: Feature, what: str) -> Host:
         """What a face is on: what is named, else a muzzle for noses and mouths, else the head."""
@@ -111,6 +113,8 @@ class Facer(Putter):
             tall = f.where.rounds[1] - f.where.rounds[0]
         large = min(2.2, max(0.7, 2.0 * float(host.box[1][0]) / _FACE))
         wide = min(f.where.wide or large * face.USUAL[name], 0.6 * host.count(host.levels[len(host.levels) // 2][0]))
+        if name == "eyes" and not f.where.wide and "french knot" in f.text:
+            wide *= _KNOT
         color = f.color or (face.PINK if name == "cheeks" else face.DARK)
         self.deep[name.split()[-1]] = 0.35 * wide
         if name == "claws" and f.host is not None and f.host[0].copies > 1:

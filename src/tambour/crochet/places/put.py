@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.core.graph import BLO, FLO
 from tambour.crochet.finish.placing import level
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import Beside
@@ -99,6 +100,9 @@ class Putter(Beside):
         ]
         if len(made_of) == 2 and put.copies[0][0] == put.copies[1][0]:
             made_of = self._paired(put, host, made_of)
+        made_of = [
+            (c, (spot if put.where.stitch is not None else host.within(spot), way)) for c, (spot, way) in made_of
+        ]
         if not all(self.stand.there(spot) for _, (spot, _) in made_of):
             return [Placed(c[0].copy(c[1]), spot, span=put.span) for c, (spot, _) in made_of]
         records = [self._placed(put, c, spot, way, host) for c, (spot, way) in made_of]
@@ -288,6 +292,9 @@ class Putter(Beside):
         edge = self.work.open(placed.part)
         if not edge:
             return None
+        onto = self.work.spots.opening(host.part, placed.spot.round) if placed.spot.stitch is None else ()
+        if len(onto) and (left := self._loops(placed.part, len(onto))) is not None:
+            return left
         _, half = host.box
         across = float(np.sqrt(max(((half**2) * (1.0 - np.abs(n))).sum(), 0.25)))
         if placed.spot.stitch is None and (rim := self.work.open(host.name)):
@@ -299,6 +306,20 @@ class Putter(Beside):
         )
         fits = [num for num, ring in own.levels if len(ring) / (2.0 * math.pi) <= 0.9 * across]
         return float(max(fits)) if fits else None
+
+    def _loops(self, part: str, rim: int) -> float | None:
+        """The round of a part whose unworked loops are sewn to an end of ``rim`` stitches: as many of them as there are."""
+        spots, graph = self.work.spots, self.work.built.graph
+        own = self.work.host(
+            (next(p for p in self.work.parts if part.rsplit(".", 1)[0] == p.name or part == p.name), 1)
+        )
+        for number in range(own.low + 1, own.high + 1):
+            k, below = spots.round_at(own.part, number), spots.round_at(own.part, number - 1)
+            if k is None or below is None or len(spots.stitches(below)) != rim:
+                continue
+            if np.isin(graph.peculiarity[spots.stitches(k)], (BLO, FLO)).all():
+                return float(number - 1)
+        return None
 
     def _joint(self, put: Put) -> list[Placed] | None:
         """A head on a body, whichever of the two is open."""

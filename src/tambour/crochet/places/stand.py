@@ -3,7 +3,7 @@ stitch that lies nearest to a point or a direction."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -104,7 +104,18 @@ class Host:
 
     def count(self, number: float) -> int:
         """How many stitches the round has."""
-        return next((len(p) for n, p in self.levels if n == int(number)), len(self.levels[-1][1]))
+        k = self.stand.spots.round_at(self.part, int(number))
+        return len(self.levels[-1][1]) if k is None else len(self.stand.spots.stitches(k))
+
+    def within(self, spot: Spot) -> Spot:
+        """The spot with its stitch counted on from the round's beginning where it lies beyond the round's end."""
+        if spot.stitch is None:
+            return spot
+        many = max(self.count(number) for number in (spot.round, min(np.ceil(spot.round), self.high)))
+        if spot.stitch < many + 1:
+            return spot
+        rows = bool(self.stand.spots.in_rows[self.part])
+        return replace(spot, stitch=float(many) if rows else round((spot.stitch - 1.0) % many + 1.0, 3))
 
     def middle(self, number: float) -> float:
         """The stitch in the middle of the front of a round."""

@@ -166,6 +166,9 @@ class Draft:
     def gap(self, source: Source, head: Head | None, count: int, span: Span, at: Span) -> None:
         """A round that was not understood, and takes its count."""
         body = Body([Action("gap", at, numbers=(count,))])
+        if not self.begun() and head is not None and head.row:
+            self.lines.append(Line((Action("ch", at, times=count + 1),), at, False))
+            self.chain = len(self.lines) - 1  # a first row stands on a chain, though nobody read how long it is
         if not self.begun() or (self.chain is not None and not (head is not None and head.row)):
             self.drop_chain()  # it begins with a ring of so many
         self.add(source, head, body, span)

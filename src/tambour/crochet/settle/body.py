@@ -24,6 +24,8 @@ LEAST_VOLUME = 0.01
 """Below this share of A^1.5, A the part's area in stitches, the pressure rises no further (a ball has 0.094)."""
 SEAM_HEIGHT = 0.4
 """How far above the fabric that they are sewn to stitches of a seam lie at least, in stitches."""
+ROUND = 24.0
+"""Yarn of a round of fewer stitches is bent so much where it lies flat that it is not kept as straight."""
 HINGE = 0.2
 """How stiff unstuffed fabric is where it hangs on one loop, as a share of what it is elsewhere."""
 SMOOTHING = 2
@@ -338,7 +340,8 @@ def _straight(graph: StitchGraph, amount: Array, stiffness: float) -> tuple[Arra
     below, free = p.copy(), (np.diff(graph.anchor_offsets) == 0) & (graph.peculiarity != ROOT) & (b >= 0)
     for n in np.flatnonzero(free & loose).tolist():
         below[n] = below[b[n]]
-    found = []
+    found, share = [], []
+    bent = _bent(graph)
     for before in (b, p):
         middle = before
         last = np.where(middle >= 0, (b if before is b else below)[middle], -1)
@@ -360,14 +363,26 @@ def _straight(graph: StitchGraph, amount: Array, stiffness: float) -> tuple[Arra
                 ok[own[(len(own) - 1) // 2 : len(own) // 2 + 1]] = True
         nodes = np.flatnonzero(ok)
         found.append(np.column_stack([nodes, middle[nodes], last[nodes]]))
+        share.append(bent[middle[nodes]] if before is b else np.ones(len(nodes)))
     # Across the join of a round the yarn does not lead on, but the fabric does.
     last, first = graph.edges[(graph.edge_kind == JOIN) & loose[graph.edges[:, 0]]].T
     second = np.minimum(first + 1, len(graph) - 1)
     for ends, ok in (((second, first, last), b[second] == first), ((first, last, b[last]), b[last] >= 0)):
         found.append(np.column_stack(ends)[ok])
+        share.append(bent[found[-1][:, 1]])
     triples = np.concatenate(found)
-    triples = triples[np.argsort(triples.max(1, initial=0), kind="stable")]
-    return triples, np.full(len(triples), stiffness)
+    order = np.argsort(triples.max(1, initial=0), kind="stable")
+    return triples[order], stiffness * np.concatenate(share)[order]
+
+
+def _bent(graph: StitchGraph) -> Array:
+    """How much of its stiffness along the yarn counts at each node (N,): little in small rounds, which are bent as they lie."""
+    from tambour.crochet.graph.layout import in_rows
+
+    own = graph.part.astype(np.int64) * (int(graph.round.max(initial=0)) + 2) + graph.round + 1
+    _, number, count = np.unique(own, return_inverse=True, return_counts=True)
+    rows = in_rows(graph)[graph.part]
+    return np.where(rows, 1.0, np.minimum(1.0, (count[number] / ROUND) ** 2))
 
 
 def centroid_counts(graph: StitchGraph, params: CrochetParams, told: Sequence[int | None] = ()) -> Array:
