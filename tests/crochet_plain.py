@@ -142,7 +142,7 @@ def straight(graph, n):
         bare = graph.anchor_offsets[i] == graph.anchor_offsets[i + 1]
         chain.append(bool(bare and graph.peculiarity[i] != g.ROOT and graph.previous[i] >= 0))
         below.append(below[graph.previous[i]] if chain[i] else graph.parent[i])
-    found, spread = [], {}
+    found, spread, along = [], {}, set()
     for i in range(len(graph)):
         j = graph.previous[i]
         k = graph.previous[j] if j >= 0 else -1
@@ -151,6 +151,7 @@ def straight(graph, n):
             corner = k in (up, under) or up == j or (up < 0 <= under)
             if not corner and not (chain[j] and below[j] >= 0):
                 found.append((i, j, k))
+                along.add((i, j, k))
         j = graph.parent[i]
         k = below[j] if j >= 0 else -1
         if k >= 0 and graph.peculiarity[i] != g.TIP and graph.peculiarity[j] not in odd:
@@ -165,15 +166,23 @@ def straight(graph, n):
     for last, first in graph.edges[graph.edge_kind == g.JOIN]:
         if last < n and first + 1 < len(graph) and graph.previous[first + 1] == first:
             found.append((first + 1, first, last))
+            along.add(found[-1])
         if last < n and graph.previous[last] >= 0:
             found.append((first, last, graph.previous[last]))
-    return found
+            along.add(found[-1])
+    rows = (
+        (graph.direction < 0).any()
+        and not (graph.peculiarity == g.ROOT).any()
+        and not (graph.edge_kind == g.JOIN).any()
+    )
+    around = [int((graph.round == graph.round[j]).sum()) for _, j, _ in found]
+    return found, [1.0 if rows or t not in along else min(1.0, (m / 24) ** 2) for t, m in zip(found, around)]
 
 
 def bend(x, triples, stiffness):
     D = np.zeros_like(x)
-    for a, b, c in triples:
-        f = stiffness * (x[a] - 2 * x[b] + x[c])
+    for (a, b, c), s in zip(triples, np.broadcast_to(stiffness, len(triples))):
+        f = s * (x[a] - 2 * x[b] + x[c])
         D[a] -= f
         D[b] += 2 * f
         D[c] -= f
@@ -220,7 +229,8 @@ def displacement(x, c, graph, stuffing, rest, made):
     elif stuffing == "skeleton":
         D += skeleton(x, made)
     if stuffing == "none":
-        D += bend(x, straight(graph, n), 0.05)
+        triples, shares = straight(graph, n)
+        D += bend(x, triples, 0.05 * np.array(shares))
     D += single_loop(x, graph, 0.05)
     D += contact(x, graph.edges, 1.2, 1.0, 0.2 if cubic else 1.0)
     return D - D[0], c

@@ -749,3 +749,25 @@ def test_snouts_bulge_and_eyes_of_knots_are_small() -> None:
         assert len(eyes) == 2
         sizes.append(np.ptp([s.round for s in eyes[0].spots]))
     assert sizes[1] < 0.85 * sizes[0]
+
+
+def test_the_second_to_the_eighth_are_seven_and_all_stand_round_about() -> None:
+    long = "Ch 12.\nRow 1: 2 sc in 2nd ch from hook and in each ch across (22)\nFasten off.\n"
+    text = f"Octopus\n\nHEAD\n{CLOSED}\n1st Tentacle:\n{long}\n2nd to 8th Tentacles:\n{long}\nStuff head.\nEmbroider eyes on head.\n"
+    records = [r for r in read_printed(Text(text, "toy.txt")).finish if isinstance(r, Placed)]
+    assert len(records) == 8 and len({(r.spot.round, r.spot.stitch) for r in records}) == 8
+
+
+def test_a_nose_may_be_wound_and_eyes_keep_off_a_cap() -> None:
+    made = toy("Loop yarn between 2 sts approx 10 times to make nose. Sew head to body.").finish
+    assert any(isinstance(r, Embroidery) and r.motif == "nose" for r in made)
+    for change in range(7, 11):  # wherever the cap begins
+        rounds = BALL.replace(
+            "Rnds 5-10: sc around (24)\n",
+            "".join(f"Rnd {n}: {'With B, ' if n == change else ''}sc around (24)\n" for n in range(5, 15)),
+        )
+        rounds = rounds.replace("Rnd 11: (2 sc, dec)", "Rnd 15: (2 sc, dec)")
+        text = f"Hero\n\nBODY\n{CLOSED}\nHEAD\nWith A,\n{rounds}Fasten off.\n\nAssembly\nSew head to body. Embroider eyes on head.\n"
+        pattern = read_printed(Text(text, "toy.txt"))
+        eye = next(r for r in pattern.finish if isinstance(r, Embroidery) and r.motif == "eyes")
+        assert abs(np.mean([s.round for s in eye.spots]) - (change - 0.5)) > 1.0

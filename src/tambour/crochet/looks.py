@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from tambour.core.mesh import Mesh
     from tambour.core.picture import Picture
 
+LEAST: Final = 0.1
+"""A toy beside the largest one has so much of its stitches or more."""
 SPACE: Final = 3.0
 """Stitches between toys that stand beside each other in a picture."""
 DOUBT: Final = (206, 42, 38)
@@ -121,7 +123,8 @@ def in_sight(piece: Plush) -> list[int] | None:
     bare = [k for k in filled if not of[k].worn] or filled
     main = at[max(bare, key=lambda k: (of[k].kind in ("head", "body"), graph.parts[k].end - graph.parts[k].start))]
     seated = {k for k in filled if k not in aside or of[k].kind in ("head", "body")}
-    toys = {main, *(at[k] for k in seated if list(at.values()).count(at[k]) > 1)}
+    size = {c: sum(graph.parts[k].end - graph.parts[k].start for k in filled if at[k] == c) for c in at.values()}
+    toys = {main, *(at[k] for k in seated if list(at.values()).count(at[k]) > 1 and size[at[k]] > LEAST * size[main])}
     if sum(c == main for c in at.values()) > 2:
         aside = set(filled)  # a toy is there: what is sewn to nothing is no part of it
     kept = [k for k in filled if k not in aside or at[k] in toys]

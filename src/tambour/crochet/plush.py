@@ -17,10 +17,6 @@ if TYPE_CHECKING:
     from tambour.crochet.yarns import Gauge
 
 
-LAID = 1.5
-"""How strongly unstuffed parts of printed toys resist bending: hands lay them smooth where they sew them on."""
-
-
 def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of a pattern's text; TambourError with all that is wrong in it."""
     if params.photo:
@@ -86,7 +82,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     import numpy as np
 
     from tambour.crochet.finish.features import doubts
-    from tambour.crochet.finish.joining import with_seams
+    from tambour.crochet.finish.joining import flat_parts, with_seams
     from tambour.crochet.finish.placing import standing
     from tambour.crochet.finish.shape import Task, seen, simulate
     from tambour.crochet.settle.body import centroid_counts
@@ -107,18 +103,14 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
         shell = replace(built.graph, faces=built.graph.faces[built.shell])
         counts = centroid_counts(shell, params, [part.centroids for part in built.parts])
         snug = stuffing == "pressure" and params.solver == "settle"
-        if (
-            joining is not None
-            and built.pattern.terms
-            and params.bending == CrochetParams.model_fields["bending"].default
-        ):
-            params = params.model_copy(update={"bending": LAID})
+        usual = params.bending == CrochetParams.model_fields["bending"].default
+        laid = flat_parts(joining) if joining is not None and built.pattern.terms and usual else frozenset()
 
         def tell(look: Look) -> None:
             progress.step(look.done, look.total)
             progress.look(lambda: seen(look, stitch[0]))
 
-        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts, snug, joining), tell)
+        shape = simulate(Task(shell, params, stitch[0], stuffing, start, counts, snug, joining, laid), tell)
         if shape.joined is not None:
             pairs = np.concatenate(shape.joined.seams) if shape.joined.seams else np.zeros((0, 2), int)
             built = replace(built, graph=with_seams(built.graph, pairs, stitch[0]))

@@ -27,6 +27,8 @@ TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corp
 """Names of parts that are filled, and closed if nothing is sewn to their end."""
 GATHER = 8
 """An edge of fewer stitches closes by itself."""
+DISC = 5
+"""A disc has so many stitches round its edge for every round or more; with twice as many it is a ruffle."""
 APART = 1.0
 """Two seams that come nearer to each other than this, in stitches, are in each other's way."""
 
@@ -157,6 +159,20 @@ def shut(spots: Spots, steps: Sequence[tuple[Placed, sewing.End]]) -> list[Array
                 ring = np.roll(edge, -side)[1:]
                 found.append(np.column_stack([ring[: len(ring) // 2], ring[::-1][: len(ring) // 2]]))
     return found
+
+
+def flat_parts(joining: Joining) -> frozenset[str]:
+    """The names of parts without stuffing that lie flat: those in rows, and discs, whose every round has more stitches."""
+    graph, spots = joining.built.graph, joining.spots
+    names = set()
+    for k, part in enumerate(graph.parts):
+        counts = [r.count for r in joining.built.rounds if r.part == k]
+        grows = (
+            bool(counts) and counts[-1] == max(counts) and DISC * len(counts) <= counts[-1] <= 2 * DISC * len(counts)
+        )
+        if part.stuffing == 0.0 and (spots.in_rows[k] or grows):
+            names.add(part.name)
+    return frozenset(names)
 
 
 def crowded(joining: Joining) -> list[Problem]:

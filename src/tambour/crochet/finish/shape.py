@@ -27,7 +27,7 @@ GRAIN = 9
 machine, and a soft shape would enlarge them."""
 ROUGHLY = 30.0
 """How many times farther from rest a shape may be that only tells how far stuffing stretches it."""
-TIPS = 20.0
+TIPS = 12.0
 """By how many degrees a toy is turned at the most to stand on what it stands on; what tips farther is held by hand."""
 BUILDING = 2_000_000
 """Node-steps that building one by one may take before settling; what is left then comes at once."""
@@ -73,7 +73,7 @@ class Task:
 
     width : mm per stitch; counts (P,) centroids of each part
     snug : settled parts keep the size of their gauge (:mod:`tambour.crochet.settle.snug`) instead of what springs give way
-    joining : the parts to be placed
+    joining : the parts to be placed; laid : those that hands lay smooth, by name
     """
 
     graph: StitchGraph
@@ -84,10 +84,11 @@ class Task:
     counts: Array
     snug: bool = False
     joining: Joining | None = None
+    laid: frozenset[str] = frozenset()
 
     def body(self, graph: StitchGraph, counts: Array) -> Body:
         """The body of ``graph``, a cut of this task's."""
-        return build(graph, self.params, self.width, self.stuffing, counts)
+        return build(graph, self.params, self.width, self.stuffing, counts, self.laid)
 
     @property
     def used(self) -> Array:

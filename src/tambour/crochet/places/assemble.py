@@ -175,6 +175,10 @@ class Assembly(Toy):
             if not part.kind or part.worn:
                 self.made.apart.append(part.name)
                 continue
+            last = self.heard.puts[-1] if self.heard.puts else None
+            if last is not None and last.guess and last.kind == part.kind == "tentacle":
+                last.copies.extend(free)  # the first, and the second to the eighth
+                continue
             onto = main if (part.kind in ("head", "body")) else None
             self.heard.puts.append(
                 Put(free, None if onto is None else (onto, 1), "", _NO_GUESS, Span(0, 0), order, True)

@@ -20,8 +20,12 @@ _FACE: Final = 16.0
 """How many stitches a face is wide for which the usual sizes of motifs are."""
 _OF_A_HEAD: Final = 0.12
 """An eye's size as a share of the width of what it is on, where nothing says it."""
-_KNOT: Final = 0.7
-"""Eyes of knots are so much smaller than those in satin stitch."""
+_BAND: Final = 5
+"""So many rounds of one colour or more are a face, fewer a stripe."""
+_INSIDE: Final = 2.0
+"""How many rounds eyes stay away from where another colour begins."""
+_KNOT: Final = 1.4
+"""Eyes of knots are so many stitches wide at the most, and three quarters of what satin stitch would fill."""
 
 
 class Facer(Putter):
@@ -69,11 +73,23 @@ class Facer(Putter):
                 sides = [host.ahead(float(host.box[0][0]) + s * beside, float(there[1])) for s in (-1.0, 1.0)]
                 return [replace(host.near(p), span=f.span) for p in sides]
             near = host.near(there)
-            level, stitch = near.round, near.stitch or 1.0
+            level, stitch = self._in_one_color(host, near.round), near.stitch or 1.0
         middle, count = host.middle(level), host.count(level)
         apart = self._apart(f.where)
         off = abs((stitch - middle + count / 2) % count - count / 2) if apart is None else 0.5 * apart
         return [host.within(Spot(host.name, level, round(middle + s * off, 3), f.span)) for s in (-1.0, 1.0)]
+
+    def _in_one_color(self, host: Host, level: float) -> float:
+        """A level moved off the rounds where one colour of a head meets another: a cap, a collar."""
+        graph, spots = self.work.built.graph, self.stand.spots
+        numbers = [n for n, _ in host.levels]
+        rounds = [spots.round_at(host.part, n) for n in numbers]
+        shades = [tuple(graph.color[spots.stitches(k)[0]].tolist()) for k in rounds if k is not None]
+        begins = [i for i, c in enumerate(shades) if i == 0 or c != shades[i - 1]]
+        bands = [(numbers[a], numbers[b - 1]) for a, b in zip(begins, [*begins[1:], len(shades)]) if b - a >= _BAND]
+        near = [min(max(level, low + _INSIDE), high - _INSIDE) for low, high in bands]
+        moved = min(near, key=lambda n: abs(n - level), default=level)
+        return moved if len(begins) > 1 and abs(moved - level) <= _INSIDE + 1.0 else level
 
     def _faced(self, f: Feature, what: str) -> Host:
         """What a face is on: what is named, else a muzzle for noses and mouths, else the head."""
@@ -114,7 +130,7 @@ class Facer(Putter):
         large = min(2.2, max(0.7, 2.0 * float(host.box[1][0]) / _FACE))
         wide = min(f.where.wide or large * face.USUAL[name], 0.6 * host.count(host.levels[len(host.levels) // 2][0]))
         if name == "eyes" and not f.where.wide and "french knot" in f.text:
-            wide *= _KNOT
+            wide = min(0.75 * wide, _KNOT)
         color = f.color or (face.PINK if name == "cheeks" else face.DARK)
         self.deep[name.split()[-1]] = 0.35 * wide
         if name == "claws" and f.host is not None and f.host[0].copies > 1:

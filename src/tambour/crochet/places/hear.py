@@ -106,9 +106,15 @@ class Feature:
     guess: bool = False
 
 
+_WOUND: Final = re.compile(r"\b(?:loop|wrap|wind)\w* (?:the )?(?:yarn|thread|floss)\b")
+"""How noses are made that are not called embroidered."""
+
+
 def assembling(text: str, names: list[str]) -> bool:
     """Whether a sentence (any letters) puts parts or a face somewhere. names : of parts that are known so far."""
     low = text.lower()
+    if len(low) <= 600 and _WOUND.search(low) and face.motifs(low):
+        return True
     if len(low) > 600 or not VERB.search(low):
         return False
     if _ALL.search(low):

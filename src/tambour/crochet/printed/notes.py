@@ -67,6 +67,9 @@ def plain_name(words: str) -> str:
     return " ".join(made)
 
 
+_RANKS: Final = re.compile(r"(\d+)(?:st|nd|rd|th)\s*(?:to|through|-|–)\s*(\d+)(?:st|nd|rd|th)\b", re.IGNORECASE)
+
+
 def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     """The heading that a line is, None when it cannot be one."""
     tokens = _unseen(tokens)
@@ -93,6 +96,8 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     found = _copies(c)
     if found is not None:
         copies, at = found
+    elif (ranks := _RANKS.match(text, name[0].start)) and int(ranks[1]) < int(ranks[2]):
+        copies = int(ranks[2]) - int(ranks[1]) + 1  # "2nd to 8th Tentacles"
     colon = c.mark(":")
     c.at += colon
     if c.look() is not None and not (c.mark(".", "-", "*") and c.look(1) is None):

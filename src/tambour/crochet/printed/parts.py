@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
@@ -165,7 +166,10 @@ class Draft:
 
     def gap(self, source: Source, head: Head | None, count: int, span: Span, at: Span) -> None:
         """A round that was not understood, and takes its count."""
-        body = Body([Action("gap", at, numbers=(count,))])
+        turned = (
+            head is not None and head.row and re.search(r"\bturn\b", source.text.text[span.start : span.end].lower())
+        )
+        body = Body([Action("gap", at, numbers=(count,)), *([Action("turn", at)] if turned else [])])
         if not self.begun() and head is not None and head.row:
             self.lines.append(Line((Action("ch", at, times=count + 1),), at, False))
             self.chain = len(self.lines) - 1  # a first row stands on a chain, though nobody read how long it is

@@ -24,6 +24,8 @@ LEAST_VOLUME = 0.01
 """Below this share of A^1.5, A the part's area in stitches, the pressure rises no further (a ball has 0.094)."""
 SEAM_HEIGHT = 0.4
 """How far above the fabric that they are sewn to stitches of a seam lie at least, in stitches."""
+LAID = 1.5
+"""How strongly flat parts of printed toys resist bending: hands lay them smooth where they sew them on."""
 ROUND = 24.0
 """Yarn of a round of fewer stitches is bent so much where it lies flat that it is not kept as straight."""
 HINGE = 0.2
@@ -177,12 +179,17 @@ def touching(body: Body, state: State) -> None:
 
 
 def build(
-    graph: StitchGraph, params: CrochetParams, width: float, stuffing: str, centroids: Array | None = None
+    graph: StitchGraph,
+    params: CrochetParams,
+    width: float,
+    stuffing: str,
+    centroids: Array | None = None,
+    laid: frozenset[str] = frozenset(),
 ) -> Body:
     """The body of a graph.
 
     width : the stitch's width in mm, the unit of length; stuffing : what fills it
-    centroids : (P,) the number of each part's centroids, for centroid stuffing
+    centroids : (P,) the number of each part's centroids, for centroid stuffing; laid : parts that hands lay smooth, by name
     """
     from tambour.crochet.graph.layout import rise, sections
     from tambour.crochet.graph.lids import lids
@@ -207,6 +214,9 @@ def build(
     radius, section_offsets, members, beside = bones(graph, sections(graph), rise(graph, graph.rest / width))
     bone = np.searchsorted(graph.part[members[section_offsets[:-1]]], np.arange(parts + 1)).astype(np.int64)
     triples, stiff = _straight(graph, amount, 0.0 if _cubic(stuffing) else params.bending)
+    if len(triples) and laid and not _cubic(stuffing):
+        smooth = np.array([p.name in laid for p in graph.parts])[graph.part[triples[:, 0]]]
+        stiff = np.where(smooth, LAID / params.bending * stiff, stiff)
     if folds and len(triples):
         single = np.isin(graph.peculiarity[triples[:, 0]], (FLO, BLO)) & (graph.parent[triples[:, 0]] == triples[:, 1])
         stiff = np.where(single, HINGE * stiff, stiff)
