@@ -420,3 +420,42 @@ def test_a_piece_that_is_a_chain_alone_is_sewn_without_a_fault():
         START + "Fasten off.\nHanging Loop: With B, ch 15. Fasten off.\nFINISHING\nSew Hanging Loop to top of Body.\n"
     )
     assert len(read(Text(text, "x.txt")).parts) == 2
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "4th rnd: Ch 1. 1 sc in each rem loop of 2nd rnd. Join.",
+        "4th rnd: 1 sc in each unworked loop of 2nd rnd. Join with sl st to first sc.",
+        "4th rnd: Ch 1. Working behind 3rd rnd, 1 sc in each remaining loop of 2nd rnd. Join. 12 sc.",
+    ],
+)
+def test_a_round_goes_back_to_the_loops_that_were_left(said):
+    text = TWO + "3rd rnd: Ch 1. Working in front loops only, 2 sc in each sc around. Join. 24 sc.\n"
+    assert counts(text + said + "\n") == [6, 12, 24, 12]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "3rd row: Ch 1. Working in front loops only, 1 sc in each of next 3 sc. Working in rem back loops of same row, 1 sc in each of next 4 sc. Turn. 7 sc.",
+        "3rd row: Ch 1. Working in front loops only, 1 sc in each of next 4 sc. Working in back loops of same row, 1 sc in each of next 3 sc. Turn. 7 sc.",
+        "3rd row: Ch 1. Working in both loops, 1 sc in each of next 5 sc. Working in rem front loops of same row, 1 sc in each of last 2 sc. Turn. 7 sc.",
+    ],
+)
+def test_other_loops_of_the_same_row(said):
+    assert counts(ROWS + "2nd row: Ch 1. 1 sc in each sc to end of row. Turn.\n" + said + "\n") == [7, 7, 7]
+
+
+def test_what_follows_a_wrong_count_is_worked_on_the_count_that_is_said():
+    text = (
+        TWO + "3rd rnd: Ch 1. *1 sc in each of next 3 sc. 2 sc in next sc. Rep from * around. Join. 16 sc.\n"
+    )  # it makes 15
+    text += "4th rnd: Ch 1. *1 sc in each of next 3 sc. 2 sc in next sc. Rep from * around. Join. 20 sc.\n"
+    text += "5th rnd: Ch 1. (Sc2tog) 10 times. Join. 10 sts.\n6th rnd: Ch 1. (Sc2tog) 5 times. Join. 5 sts.\n"
+    pattern = read(Text(text, "x.txt"))
+    assert not pattern.unread
+    assert [w.message for w in build(pattern).warnings if "pattern says" in w.message] == [
+        "the pattern says 16 stitches, the round makes 15"
+    ]
+    assert [w.edge for w in build(pattern).worked if w.line.in_round][-3:] == [20, 10, 5]

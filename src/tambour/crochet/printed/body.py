@@ -203,9 +203,7 @@ class Walk(Dyes):
         c = self.c
         c.at += 1
         whole = not (c.key("last") and c.key("repeat", ahead=1))
-        c.at += (
-            0 if whole else 2
-        )  # "ending last rep with 1 sc in each of last 8 sc": in place of the end of that repeat
+        c.at += 0 if whole else 2  # "ending last rep with 1 sc in last 8 sc": in place of the end of that repeat
         c.skip_key("with", "in")
         inner: list[Item] = []
         while (token := c.look()) is not None and not c.mark(".", ";", "(", "[", "-", "=", "*", "**"):
@@ -320,8 +318,11 @@ class Walk(Dyes):
             place = where(c)
             if place is None:
                 raise NotUnderstood(token, f'"{token.word}" is not understood here', "say into which stitches")
+            if place.loops and place.kind in ("around", "same") and c.key("same", "round", "row"):
+                place.kind = "loops"  # "in rem back loops of same row"
             if place.kind == "loops":
-                if c.key("in", "same", "round", "row") and not any(c.whole(k) for k in range(3)):
+                numbered = c.whole(1) is not None or (c.whole(2) is not None and not c.mark(",", ahead=1))
+                if c.key("in", "same", "round", "row") and not numbered:
                     while c.key("in", "same", "round", "row"):
                         c.at += 1  # "in back loops on this rnd only"
                 loop = Action(place.loops, place.span)
@@ -419,8 +420,9 @@ class Walk(Dyes):
         c = self.c
         left = False
         while c.look() is not None and not c.mark("."):
-            goes_on = c.kind("stitch", 1) or c.key("turn", ahead=1)
-            if (c.mark(",", ";") and goes_on) or (c.mark("-", "=") and ends_with_number(self, 1)):
+            if (c.mark(",", ";") and (c.kind("stitch", 1) or c.key("turn", ahead=1))) or (
+                c.mark("-", "=") and ends_with_number(self, 1)
+            ):
                 break
             if c.mark(*OPEN):
                 end = closing(self)

@@ -99,8 +99,8 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
                     placed = True
                 else:
                     kind, placed, spaces = ("space" if not each else kind), True, True
-            elif token.value == "loop" and (kind in ("same", "next") or counted) and not placed:
-                placed = True  # "in same loop and next 7 loops"
+            elif token.value == "loop" and (kind in ("same", "next", "around") or each or counted) and not placed:
+                placed = True  # "in same loop and next 7 loops", "in each rem loop"
             elif token.value in ("ring", "loop") and inside and not placed:
                 kind, placed = "ring", True
             elif token.value == "around" and c.key("each", "next", "same", "stitch", ahead=1):

@@ -11,6 +11,7 @@ from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
+from tambour.crochet.printed.doubts import after
 from tambour.crochet.printed.items import goes
 
 _ROUNDS = 60  # times that a part is worked to find the next fault
@@ -249,8 +250,19 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found) -> tuple[Section,
     parts = []
     for section in pattern.parts:
         lines: list[Line] = []
+        misled = _first_misled(section, wrong, told.sound, dict(pattern.stitches))
         for line in section.lines:
             problem = next((p for p in wrong if _inside(p.span, line)), None)
+            if misled is not None and (line is misled or problem is not None):
+                # What fails comes of a count further up that the text gets wrong: from there it goes on as it says.
+                if line is misled and line.stated_span is not None and line.stated:
+                    said = f"this round makes its {line.stated} stitches on the count that is stated below it, which is not what is made there"
+                    told.doubts.append(
+                        Problem(said, "correct the count below", line.stated_span, pattern.text, warning=True)
+                    )
+                    line = replace(line, items=_gap(line, line.stated_span, line.stated, True), again=None)
+                lines.append(line)
+                continue
             if problem is None:
                 lines.append(line)
                 continue
@@ -277,6 +289,30 @@ def _gaps(pattern: Pattern, wrong: list[Problem], told: Found) -> tuple[Section,
             told.unread.append(replace(problem, message=said, warning=True))
         parts.append(replace(section, lines=tuple(lines)))
     return tuple(parts)
+
+
+def _first_misled(section: Section, wrong: list[Problem], sound: set[int], stitches: dict[str, Stitch]) -> Line | None:
+    """The first round above one that fails whose words make its count, but on a count stated right below it that is not what is made
+    there; None where every round stands on what it says, or that cannot be known."""
+    edge: int | None = None
+    off = False
+    for line in section.lines:
+        if any(_inside(p.span, line) for p in wrong):
+            return None
+        if line.gap:
+            edge, off = line.stated, False
+            continue
+        if line.again is not None:
+            for one in line.rounds():
+                edge = after(one.items, edge, stitches)
+            continue
+        if off and line.span.start in sound and line.stated and line.in_round:
+            return line
+        for _ in range(line.times):
+            edge = after(line.items, edge, stitches)
+        off = line.stated is not None and edge is not None and edge != line.stated
+        off = off and line.in_round
+    return None
 
 
 def _misled(before: list[Line], line: Line, sound: set[int]) -> bool:

@@ -13,6 +13,7 @@ from tambour.crochet.printed.counts import makes, multiplier
 from tambour.crochet.printed.curls import curl
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.marked import taken
+from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
 
@@ -99,6 +100,9 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         r.to_separator()
         found.append(Action("join", token.span))
         return
+    if place is not None and place.kind == "around" and c.kind("ordinal") and c.key("round", ahead=1):
+        nth, named = c.take(), c.take()  # "1 sc in each rem loop of 3rd rnd"
+        r.body.moved = Moved(Span(nth.start, named.end), nth.value, free=True)
     if place is not None and place.marked:
         _to_marked(r, found, place, token)
     if name != "slst" and len(words := token.word.split(" ")) == 2 and words[1] in _TWO:
