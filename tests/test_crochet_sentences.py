@@ -109,6 +109,8 @@ def test_what_names_a_yarn_or_another_way_is_no_remark(said: str) -> None:
     "said", ["The next 3 rounds are in cream with B.", "These are worked with B.", "You will need to chain 3 here."]
 )
 def test_what_stands_between_a_parts_name_and_its_first_round_is_told(said: str) -> None:
+    begun = "With B, beg using the magic loop method, demonstrated here.\n"
+    assert not made(f"Toy\n\nHEAD\n{begun}Rnd 1: 6 sc in ring. (6)\n")[1]
     first = made(f"Toy\n\nHEAD\n{said}\nRnd 1: 6 sc in magic ring. (6)\n")
     assert first[1], first
     assert not made("Toy\nMade with love in Denmark, 10 cm tall.\n\nHEAD\nRnd 1: 6 sc in magic ring. (6)\n")[1]

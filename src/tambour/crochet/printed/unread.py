@@ -21,7 +21,11 @@ def instructs(p: State, tokens: list[Token]) -> bool:
     stitches = any(t.kind == "stitch" for t in tokens)
     numbers = any(t.kind in ("number", "ordinal") and t.word[0].isdigit() for t in tokens)
     if not p.parts:  # of what stands below the first part's name; above it is the introduction
-        return p.heading is not None and p.mode == "" and ((stitches and numbers) or yarned(tokens))
+        begins = any(
+            t.kind == "key" and t.value in ("ring", "loop", "hook", "begin") for t in tokens
+        )  # "With B, make a ring"
+        told = (stitches and numbers) or (yarned(tokens) and not begins)
+        return p.heading is not None and p.mode == "" and told
     repeats = any(t.kind == "key" and t.value in ("repeat", "same", "as", "twice") and t.word != "like" for t in tokens)
     if p.mode == "notes":
         return stitches and numbers
