@@ -1,6 +1,6 @@
 """The studio in CPU seconds and bytes: a warm worker, first views, checks while typing, tiles, states over the socket.
 
-Run: python bench/studio.py [worker view check tile stream edit hand scroll]; the last needs Chromium and the page built
+Run: python bench/studio.py [worker view check tile stream edit hand frames scroll]; the last two need Chromium and the page built
 """
 
 from __future__ import annotations
@@ -210,6 +210,59 @@ def _held(pid: int) -> float:
     return sum(int(line.split()[1]) for lines in told for line in lines if line.startswith("Pss:")) / 1000
 
 
+FRAME = """async ([id, times]) => {
+    const base = document.querySelector('script[type=module]').src;
+    const [{Stage}, {unpack}] = await Promise.all(['gl/stage', 'pack'].map(name => import(base.replace('main', name))));
+    const pack = unpack(await (await fetch(`/api/revisions/${id}/live.pack`)).arrayBuffer());
+    const canvas = document.createElement('canvas');
+    Object.assign(canvas.style, {width: '900px', height: '800px', position: 'fixed'});
+    document.body.append(canvas);
+    const stage = new Stage(canvas);
+    Object.assign(stage, {looks: 1});
+    stage.resize();
+    stage.set(pack);
+    await stage.rest();
+    const gl = stage.gl, told = gl.getExtension('WEBGL_debug_renderer_info');
+    window.turned = async () => {
+        for (let k = 0; k < times; k++) {
+            stage.camera.turn(40, 0);
+            stage._movingUntil = stage._still = stage.cost = 0;
+            await stage.rest();
+        }
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    };
+    return [pack.facts.units, stage.strands.points, gl.getParameter(told.UNMASKED_RENDERER_WEBGL)];
+}"""
+
+
+def frames() -> None:
+    """Balls of 1k, 5k and 20k stitches turned before the camera: CPU seconds of all the browser's processes for a picture of 900 x 800."""
+    import os
+
+    from crochet import SHAPES
+
+    times, tick = 5, os.sysconf("SC_CLK_TCK")
+
+    def browsers() -> float:
+        own = {p: Path(f"/proc/{p}/stat").read_text().rsplit(")", 1) for p in _processes(os.getpid())}
+        return sum(sum(map(int, rest.split()[11:13])) for name, rest in own.values() if "chrom" in name) / tick
+
+    with _page({}) as (page, _):
+        for name in ("ball1k", "ball5k", "ball20k"):
+            body = {"craft": "crochet", "source": {"text": SHAPES[name], "name": "ball.acl"}, "title": name}
+            told = page.evaluate(
+                "async body => (await (await fetch('/api/pieces', {method: 'POST', body: JSON.stringify(body),"
+                " headers: {'Content-Type': 'application/json'}})).json())",
+                body,
+            )
+            stitches, points, renderer = page.evaluate(FRAME, [told["revision"]["id"], times])
+            begun = browsers()
+            page.evaluate("() => window.turned()")
+            print(
+                f"a frame of {stitches:,} stitches, {points:,} points: {(browsers() - begun) / times:.2f} CPU s, {renderer}"
+            )
+
+
 def scroll() -> None:
     """As many tiles as ten minutes of drifting show, ten times over: what the page and the server hold meanwhile."""
     with _page({"reduced_motion": "reduce"}) as (page, pid):
@@ -229,7 +282,7 @@ def scroll() -> None:
 
 if __name__ == "__main__":
     every = {
-        "worker": worker, "view": view, "check": check, "tile": tile, "stream": stream, "edit": edit, "hand": hand, "scroll": scroll,
+        "worker": worker, "view": view, "check": check, "tile": tile, "stream": stream, "edit": edit, "hand": hand, "frames": frames, "scroll": scroll,
     }  # fmt: skip
     sys.stdout = io.TextIOWrapper(sys.stdout.buffer, line_buffering=True)
     for name in sys.argv[1:] or every:

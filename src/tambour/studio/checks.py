@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import Field
 
 from tambour.studio import limits
+from tambour.studio.asked import Body, Plain, known_craft
 from tambour.studio.context import Studio, clean_name, until_left
-from tambour.studio.pieces import Body, Plain, known_craft
 
 if TYPE_CHECKING:
     from starlette.requests import Request

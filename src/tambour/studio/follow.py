@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import Field
 
 from tambour.studio import limits
+from tambour.studio.asked import Body
 from tambour.studio.context import Studio
 from tambour.studio.library import Place
-from tambour.studio.pieces import Body
 
 if TYPE_CHECKING:
     from starlette.requests import Request

@@ -2,30 +2,35 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
-
-from pydantic import BaseModel, ConfigDict, Field
+from typing import TYPE_CHECKING
 
 from tambour import __version__, files
-from tambour.core.errors import TambourError, unspeakable
 from tambour.craft import Craft
 from tambour.examples import folder
 from tambour.run import CRAFTS, craft
 from tambour.studio import limits
+from tambour.studio.asked import (
+    Alter,
+    Go,
+    NewPiece,
+    NewRevision,
+    Plain,
+    Send,
+    checked,
+    crafts_of,
+    files_of,
+    known_craft,
+    source_of,
+    titled,
+)
 from tambour.studio.context import Answer, Studio, clean_name, until_left
 from tambour.studio.library import Content, Library, Piece, Revision
-from tambour.studio.problems import plains
 
 if TYPE_CHECKING:
     from starlette.requests import Request
 
-Digest = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$")]
-Plain = dict[str, Any]
-NAMES = {"crochet": "pattern.txt", "knit": "chart.json", "ink": "", "embroidery": "drawing.svg"}
-"""Craft → what a source that was typed is called."""
 EXAMPLES: dict[str, tuple[tuple[str, str, Plain], ...]] = {
     "crochet": (
         ("Frog", "frog.acl", {}),
@@ -38,73 +43,6 @@ EXAMPLES: dict[str, tuple[tuple[str, str, Plain], ...]] = {
     "embroidery": (("Botanical", "botanical.svg", {}), ("Heart", "heart.svg", {}), ("Boat", "boat.svg", {})),
 }
 """Craft → what the shelf shows: a title, a file of the examples or for ink a seed, parameters."""
-
-
-class Body(BaseModel):
-    """Base of what a page sends: nothing that is not known."""
-
-    model_config = ConfigDict(extra="forbid", strict=True)
-
-
-class SourceIn(Body):
-    """A source: a text, or a file that was given before."""
-
-    text: Annotated[str, Field(max_length=limits.TEXT)] | None = None
-    sha256: Digest | None = None
-    name: Annotated[str, Field(max_length=1000)] | None = None
-
-
-class FileIn(Body):
-    """A file for a field, given before."""
-
-    sha256: Digest
-    name: Annotated[str, Field(max_length=1000)]
-
-
-class NewPiece(Body):
-    """A piece to make: of a source, an example, or a seed. Without a craft, the one that the source is for."""
-
-    craft: str | None = None
-    title: Annotated[str, Field(max_length=limits.TITLE)] | None = None
-    source: SourceIn | None = None
-    example: Annotated[str, Field(max_length=100)] | None = None
-    seed: Annotated[str, Field(max_length=1000)] | None = None
-    params: Plain = Field(default_factory=dict)
-    files: dict[str, FileIn] = Field(default_factory=dict)
-    edits: list[Any] = Field(default_factory=list, max_length=limits.EDITS)
-
-
-class Alter(Body):
-    """What of a piece is changed beside its revisions."""
-
-    title: Annotated[str, Field(max_length=limits.TITLE)] | None = None
-    binned: bool | None = None
-
-
-class NewRevision(Body):
-    """A revision upon ``base``; what is left out is as it is there. ``merge``: part of one go of typing."""
-
-    base: Annotated[int, Field(ge=1, lt=2**53)]
-    source: SourceIn | None = None
-    params: Plain | None = None
-    files: dict[str, FileIn] | None = None
-    edits: Annotated[list[Any], Field(max_length=limits.EDITS)] | None = None
-    said: Annotated[str, Field(max_length=limits.TITLE)] = ""
-    merge: bool = False
-
-
-class Go(Body):
-    """The revision to go to."""
-
-    revision: Annotated[int, Field(ge=1, lt=2**53)]
-
-
-class Send(Body):
-    """A view of the piece that becomes the source of a piece of another craft."""
-
-    craft: str
-    view: Annotated[str, Field(max_length=40)]
-    suffix: Annotated[str, Field(max_length=12)] | None = None
 
 
 # -- what a page is told ----------------------------------------------------------------------------------------------
@@ -168,79 +106,6 @@ def _decoded(raw: bytes) -> str:
 async def both(studio: Studio, found: tuple[Piece, Revision]) -> Plain:
     """A piece and its revision as data."""
     return {"piece": await plain_piece(studio, found[0]), "revision": await plain_revision(studio, found[1])}
-
-
-# -- what a page may send ---------------------------------------------------------------------------------------------
-
-
-def known_craft(name: str) -> Craft:
-    """The craft of a name; else Answer 404."""
-    if name not in CRAFTS:
-        raise Answer.of(404, "there is no such craft", f"there is {', '.join(CRAFTS)}")
-    return craft(name)
-
-
-def checked(what: Craft, content: Content) -> Content:
-    """Content whose parameters and edits the craft takes; else Answer 422 with all that is wrong.
-
-    No parameter may name a file of the server's: files come by what was given.
-    """
-    problems: list[Plain] = []
-    asked = set(what.params.files())
-    for name, value in content.params.items():
-        if name in asked and value is not None and str(value) not in what.params.words(name):
-            problems += Answer.of(422, "a file is wanted here", "give the file itself", fields=[name]).problems
-    for name in set(content.files) - asked:
-        problems += Answer.of(422, f"there is no file “{name[:40]}” to give", fields=[name]).problems
-    if len(json.dumps(content.params)) > limits.PARAMS:
-        problems += Answer.of(413, "these parameters are too long").problems
-    edition = 1
-    try:
-        given = {n: it["name"] for n, it in content.files.items() if n in asked}
-        edition = what.params.of({**content.params, **given}).edition
-    except TambourError as error:
-        problems += plains(error, what)
-    try:
-        what.edits(content.edits)
-    except TambourError as error:
-        problems += plains(error, what)
-    if content.source is None and what.reads and not what.optional_source:
-        problems += Answer.of(422, f"{what.name} needs something to begin with", where="source").problems
-    if content.source is not None:
-        suffix = Path(content.name or "").suffix
-        if not set(what.reads) & set(files.READ.get(suffix, {})):
-            can = sorted(s for s, kinds in files.READ.items() if set(kinds) & set(what.reads))
-            hint = f"these can: {' '.join(can)}" if can else f"{what.name} begins with a seed"
-            problems += Answer.of(
-                422, f"{what.name} cannot begin with a “{suffix}” file", hint, where="source"
-            ).problems
-    if problems:
-        raise Answer(422, problems)
-    return replace(content, edition=edition)
-
-
-def crafts_of(name: str) -> list[str]:
-    """The crafts that a file can be the source of, the likeliest first."""
-    kinds = set(files.READ.get(Path(name).suffix, {}))
-    order = ("crochet", "embroidery", "knit") if kinds & {"Text", "Drawing", "ThreadPlan"} else ("knit", "embroidery")
-    return [c for c in order if kinds & set(craft(c).reads)]
-
-
-def source_of(what: Craft, given: SourceIn) -> tuple[str, str | None, bytes | None]:
-    """A source's name, and the digest of what is kept already or the bytes to keep."""
-    if (given.text is None) == (given.sha256 is None):
-        raise Answer.of(422, "a source is a text, or a file that was given before", where="source")
-    name = clean_name(given.name or NAMES[what.name] or "source.txt")
-    if given.text is not None:
-        try:
-            return name, None, given.text.encode()
-        except UnicodeEncodeError:
-            raise Answer.of(422, "this text holds halves of characters", where="source") from None
-    return name, given.sha256, None
-
-
-def _files(given: dict[str, FileIn]) -> dict[str, dict[str, str]]:
-    return {field: {"name": clean_name(it.name), "sha256": it.sha256} for field, it in given.items()}
 
 
 # -- routes -----------------------------------------------------------------------------------------------------------
@@ -314,13 +179,13 @@ async def new(studio: Studio, request: Request, body: NewPiece) -> tuple[int, Pl
         name or None,
         digest or ("" if raw is not None else None),
         params,
-        _files(body.files),
+        files_of(body.files),
         tuple(body.edits),
         1,
         __version__,
     )
     content = checked(what, content)
-    title = _titled(title or (Path(name).stem if name else str(params.get("seed", ""))) or what.name)
+    title = titled(title or (Path(name).stem if name else str(params.get("seed", ""))) or what.name)
     return 201, await both(studio, await studio.library.do(studio.library.add, what.name, title, content, raw))
 
 
@@ -341,13 +206,6 @@ def example(craft_name: str, called: str, usual: Plain) -> tuple[str, bytes | No
     return called, (folder() / craft_name / called).read_bytes(), dict(usual)
 
 
-def _titled(title: str) -> str:
-    title = " ".join(title.split())[: limits.TITLE] or "Untitled"
-    if why := unspeakable(title):
-        raise Answer.of(422, f"this title {why}", where="title")
-    return title
-
-
 async def one(studio: Studio, request: Request) -> Plain:
     """A piece and its head."""
     piece = await studio.library.do(studio.library.piece, request.path_params["id"])
@@ -356,7 +214,7 @@ async def one(studio: Studio, request: Request) -> Plain:
 
 async def alter(studio: Studio, request: Request, body: Alter) -> Plain:
     """Another title; out of the bin, or into it."""
-    title = None if body.title is None else _titled(body.title)
+    title = None if body.title is None else titled(body.title)
     piece = await studio.library.do(studio.library.alter, request.path_params["id"], title, body.binned)
     return {"piece": await plain_piece(studio, piece)}
 
@@ -401,7 +259,7 @@ async def revise(studio: Studio, request: Request, body: NewRevision) -> tuple[i
     if body.params is not None:
         content = replace(content, params=body.params)
     if body.files is not None:
-        content = replace(content, files=_files(body.files))
+        content = replace(content, files=files_of(body.files))
     if body.edits is not None:
         content = replace(content, edits=tuple(body.edits))
     content = checked(what, content)

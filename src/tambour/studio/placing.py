@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field
 
+from tambour.studio.asked import Body, Plain
 from tambour.studio.context import Answer, Studio, until_left
-from tambour.studio.pieces import Body, Plain, both
+from tambour.studio.pieces import both
 
 if TYPE_CHECKING:
     from starlette.requests import Request

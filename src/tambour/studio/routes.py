@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from tambour.studio import checks, follow, limits, pieces, placing, tiles, views
+from tambour.studio import asked, checks, follow, limits, pieces, placing, tiles, views
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +22,7 @@ class Route:
     path: str
     do: Callable[..., Any]
     gives: str = "application/json"
-    takes: type[pieces.Body] | None = None
+    takes: type[asked.Body] | None = None
     query: tuple[tuple[str, str], ...] = ()
     body: int = limits.BODY
 
@@ -55,17 +55,17 @@ ROUTES: tuple[Route, ...] = (
         query=(("after", "where the page before ended"), ("limit", "at most 50"), ("binned", "1: those in the bin"),
                ("words", "those alone whose titles hold them all")),
     ),
-    Route("POST", "/api/pieces", pieces.new, takes=pieces.NewPiece),
+    Route("POST", "/api/pieces", pieces.new, takes=asked.NewPiece),
     Route("GET", "/api/pieces/{id}", pieces.one),
-    Route("PATCH", "/api/pieces/{id}", pieces.alter, takes=pieces.Alter),
+    Route("PATCH", "/api/pieces/{id}", pieces.alter, takes=asked.Alter),
     Route("DELETE", "/api/pieces/{id}", pieces.binned),
     Route("GET", "/api/pieces/{id}/history", pieces.history),
-    Route("POST", "/api/pieces/{id}/revisions", pieces.revise, takes=pieces.NewRevision),
+    Route("POST", "/api/pieces/{id}/revisions", pieces.revise, takes=asked.NewRevision),
     Route("POST", "/api/pieces/{id}/place-part", placing.place_part, takes=placing.PlacePart),
     Route("POST", "/api/pieces/{id}/undo", pieces.undo),
     Route("POST", "/api/pieces/{id}/redo", pieces.redo),
-    Route("POST", "/api/pieces/{id}/head", pieces.head, takes=pieces.Go),
-    Route("POST", "/api/pieces/{id}/send", pieces.send, takes=pieces.Send),
+    Route("POST", "/api/pieces/{id}/head", pieces.head, takes=asked.Go),
+    Route("POST", "/api/pieces/{id}/send", pieces.send, takes=asked.Send),
     Route("GET", "/api/pieces/{id}/place", follow.place),
     Route("PUT", "/api/pieces/{id}/place", follow.put_place, takes=follow.PlaceIn),
     Route("POST", "/api/files", pieces.upload, query=(("name", "the file's name, with its suffix"),), body=limits.UPLOAD),

@@ -12,8 +12,8 @@ from pydantic import Field
 from tambour import __version__
 from tambour.core.errors import TambourError
 from tambour.run import craft
+from tambour.studio.asked import Body, Plain
 from tambour.studio.context import Answer, Studio, until_left
-from tambour.studio.pieces import Body, Plain
 from tambour.studio.problems import plains
 from tambour.studio.views import FOREVER, sent
 

@@ -10,6 +10,21 @@ export const speller = (form) => (/** @type {string} */ text) =>
     return field ? `“${field.label}”` : `“${name.replaceAll("-", " ")}”`;
   });
 
+/** Show a field, and go to it. @param {string} name */
+export function toField(name) {
+  const found = document.getElementById(`field-${name}`);
+  for (let up = found?.parentElement; up; up = up.parentElement) if (up instanceof HTMLDetailsElement) up.open = true;
+  found?.scrollIntoView({ block: "center" });
+  found?.focus();
+}
+
+/** The fields that are on the page, as things that can be found. @param {Record<string, Field>} form */
+export const settings = (form) => Object.entries(form).filter(([name]) => document.getElementById(`field-${name}`))
+  .map(([name, field]) => ({ name: `Setting: ${field.label}`, do: () => toField(name) }));
+
+/** The fields that a hint names, each with what it is called. @param {Record<string, Field>} form @param {string} [hint] @returns {[string, Field][]} */
+export const named = (form, hint = "") => [...hint.matchAll(/--([a-z-]+)/g)].map((it) => it[1].replaceAll("-", "_")).filter((name) => form[name]).map((name) => [name, form[name]]);
+
 /** Whether a field matters with these values. @param {Field} field @param {Record<string, any>} values */
 function matters(field, values) {
   return Object.entries(field.when ?? {}).every(([name, wanted]) => {
@@ -21,9 +36,10 @@ function matters(field, values) {
 
 /**
  * @param {Record<string, Field>} form @param {Record<string, any>} params only what was set
- * @param {{set: (name: string, value: any) => void, file?: (name: string, file: File) => void, problems?: import("./wire.js").Problem[], only?: (name: string, field: Field) => boolean, open?: boolean}} how
+ * @param {{set: (name: string, value: any) => void, file?: (name: string, file: File) => void, problems?: import("./wire.js").Problem[], only?: (name: string, field: Field) => boolean, open?: boolean, now?: Record<string, any>}} how
+ * now: what holds of those that were left as usual
  */
-export function fields(form, params, { set, file, problems = [], only = () => true, open = false }) {
+export function fields(form, params, { set, file, problems = [], only = () => true, open = false, now = {} }) {
   const values = { ...Object.fromEntries(Object.entries(form).map(([name, f]) => [name, f.default])), ...params };
   const spell = speller(form);
   /** @type {Map<string, [string, Field][]>} */
@@ -35,14 +51,14 @@ export function fields(form, params, { set, file, problems = [], only = () => tr
     else groups.set(field.group, [...(groups.get(field.group) ?? []), [name, field]]);
   }
   const one = (/** @type {any} */ [name, field]) =>
-    input(name, field, values[name], name in params, { set, file, spell, wrong: problems.filter((p) => !p.warning && p.fields?.includes(name)) });
+    input(name, field, values[name], name in params, { set, file, spell, now: now[name], wrong: problems.filter((p) => !p.warning && p.fields?.includes(name)) });
   return html`<div class="form">${first.map(one)}</div>
     ${[...groups].map(([group, all]) => html`<details class="group" ?open=${open || all.some(([name]) => problems.some((p) => !p.warning && p.fields?.includes(name)))}>
       <summary>${group}</summary><div class="form">${all.map(one)}</div></details>`)}`;
 }
 
 /** @param {string} name @param {Field} field @param {any} value @param {boolean} given @param {any} how */
-function input(name, field, value, given, { set, file, spell, wrong }) {
+function input(name, field, value, given, { set, file, spell, now, wrong }) {
   const id = `field-${name}`, help = spell(field.help);
   const put = (/** @type {any} */ v) => set(name, v);
   const text = (/** @type {any} */ e) => {
@@ -81,5 +97,5 @@ function input(name, field, value, given, { set, file, spell, wrong }) {
       <input class="short" type="text" inputmode="decimal" id=${id} aria-describedby=${described} .value=${live(plain(value))} @change=${text}></span>${below}</div>`;
   }
   return html`<div class=${kind}>${label}<input type="text" id=${id} aria-describedby=${described} inputmode=${field.widget === "number" ? "decimal" : "text"}
-    maxlength=${field.maxLength ?? 1000} placeholder=${field.default === null || field.default === "" ? "as usual" : ""} .value=${live(plain(value))} @change=${text}>${below}</div>`;
+    maxlength=${field.maxLength ?? 1000} placeholder=${field.default === null || field.default === "" ? `as usual${now === undefined || now === null ? "" : `: ${now}`}` : ""} .value=${live(plain(value))} @change=${text}>${below}</div>`;
 }

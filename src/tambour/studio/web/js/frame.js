@@ -30,7 +30,7 @@ export function frame(root, { left, words = false, right, view }) {
 }
 
 const STAGES = {
-  read: "reading", parse: "reading the pattern", build: "counting stitches", settle: "finding its shape", fabric: "leading the yarn", tone: "looking at the picture",
+  check: "checking", read: "reading", parse: "reading the pattern", build: "counting stitches", settle: "finding its shape", fabric: "leading the yarn", tone: "looking at the picture",
   solve: "keeping floats short", fill: "filling with thread", route: "finding the way", sequence: "putting in order", bind: "laying thread", paint: "painting", view: "making it ready",
 };
 

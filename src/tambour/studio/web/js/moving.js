@@ -8,6 +8,9 @@ import { ask, bytes, patiently } from "./wire.js";
 
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
+/** Milliseconds of a picture above which it stands still: such a machine has enough to do. */
+const SLOW = 150;
+
 /** @param {HTMLCanvasElement} canvas @param {string} craft @param {string} example @returns {() => void} ends it */
 export function moving(canvas, craft, example) {
   const stop = new AbortController();
@@ -28,7 +31,7 @@ export function moving(canvas, craft, example) {
         canvas.dataset.moves = ""; // now it may be seen, in place of the still picture
         due = now + Math.max(30, cost * 5); // four of them share the page with the person who reads it
       }
-      if (!still.matches) requestAnimationFrame(go);
+      if (!still.matches && cost < SLOW) requestAnimationFrame(go);
     };
     return go(from);
   };

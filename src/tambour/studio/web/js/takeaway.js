@@ -1,7 +1,9 @@
 // Take away: what one most wants first, then every format with what it is and how large.
 import { attempt, tell } from "./notes.js";
+import { list } from "./problems.js";
 import { counted, html, number, render, size } from "./view.js";
-import { ask, bytes } from "./wire.js";
+import { speller } from "./forms.js";
+import { Trouble, ask, bytes } from "./wire.js";
 
 /** @typedef {import("./piece.js").Piece} Piece */
 
@@ -33,15 +35,20 @@ export async function takeAway(over, piece, { follow }) {
   box.className = "away";
   box.setAttribute("aria-labelledby", "away-title");
   const draw = () => render(view(), box);
+  let wrong = /** @type {import("./wire.js").Problem[]} */ ([]); // said here: a note would lie behind this
   const get = async (/** @type {any} */ file) => {
     if (busy.has(file)) return;
     busy.add(file);
+    wrong = [];
     draw();
-    await attempt(async () => {
+    try {
       const raw = await bytes(`/api/revisions/${id}/files/${file.view}${file.suffix}`);
       file.size = raw.byteLength;
       save(new Blob([raw]), raw.byteLength > 3 && isZip(raw) && file.suffix !== ".zip" && !ZIPPED.has(file.suffix) ? file.name.replace(/\.\w+$/, ".zip") : file.name);
-    });
+    } catch (error) {
+      if (!(error instanceof Trouble)) throw error;
+      wrong = error.problems;
+    }
     busy.delete(file);
     draw();
   };
@@ -56,6 +63,7 @@ export async function takeAway(over, piece, { follow }) {
     const views = [...new Set(sensible.map((f) => f.view))];
     return html`<button class="icon shut" autofocus aria-label="close" @click=${() => box.close()}>×</button><h2 id="away-title">Take away</h2>
       <p class="quiet">${craft.name === "ink" ? `What is in sight: from ${number(piece.params.value.from_ ?? 0)}, ${number(piece.params.value.span ?? 0)} wide. ` : ""}The very files that the command line writes.</p>
+      ${wrong.length ? html`<div role="alert">${list(wrong, { spell: speller(craft.form) })}</div>` : ""}
       <div class="first">${first.map(({ file, title, line }, k) => html`<button class="button ${k ? "" : "act"}" ?disabled=${busy.has(file)} @click=${() => get(file)}>
           <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}${file.size === null ? "" : ` · ${size(file.size)}`}</span></button>`)}
         <button class="button" @click=${() => (box.close(), follow())}><b>Follow</b><span>on a phone, stitch by stitch</span></button>

@@ -1,5 +1,6 @@
 // Crochet: the pattern's words, the toy in its yarn, and what they say of each other.
 import { frame, withoutGl, working } from "../frame.js";
+import { settings } from "../forms.js";
 import { Stage } from "../gl/stage.js";
 import { offer } from "../keys.js";
 import { attempt, tell } from "../notes.js";
@@ -229,6 +230,7 @@ export function screen(root, piece, { over }) {
     { name: "From behind", do: () => (stage.fit(), stage.camera.turn(Math.PI / 0.008, 0)) },
     { name: "Work it one by one, while it moves", do: () => (build("restart"), build("play")) },
     { name: "Let all pins go", do: () => hand.loose() },
+    ...settings(piece.craft.value?.form ?? {}),
     { name: "To the words", key: "e", do: () => editor.view.focus() },
     ...(piece.live.value?.facts.parts ?? []).map((/** @type {any} */ p, /** @type {number} */ k) => ({ name: `Part: ${p.name}`, do: () => void ((part.value = k), (mode.value = "parts")) })),
   ], (event) => {

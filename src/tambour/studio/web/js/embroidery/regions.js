@@ -64,13 +64,26 @@ function threads(piece) {
     <span class="number">${t.metres.toFixed(1)} m</span></li>`)}</ul>` : "";
 }
 
+/** Hoops as they are sold where one measures in inches. @type {Record<string, string>} */
+const INCHES = { "100x100": "4×4 in", "130x180": "5×7 in", "160x260": "6×10 in", "200x300": "8×12 in" };
+
+/** Which hoops take it. @param {any} report @param {[number, number]|null|undefined} hoop the one that was asked for, mm */
+function fit(report, hoop) {
+  if (hoop) {
+    const spare = [hoop[0] - report.width_mm, hoop[1] - report.height_mm];
+    return ` · your hoop of ${hoop[0].toFixed(0)} × ${hoop[1].toFixed(0)} mm ${Math.min(...spare) < 0 ? "is too small" : `leaves ${spare.map((v) => v.toFixed(0)).join(" × ")} mm`}`;
+  }
+  const first = report.hoops?.[0];
+  return first ? ` · fits ${first}${INCHES[first] ? ` (${INCHES[first]})` : ""} and larger hoops` : "";
+}
+
 /** Facts of an embroidery. @param {Piece} piece */
 export function facts(piece) {
   const report = piece.report.value, craft = piece.craft.value, problems = told(piece.failed.value.length ? piece.failed.value : piece.problems.value);
   const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value } });
   const steps = piece.steps.value?.steps ?? [];
   return html`${report ? html`<h2 class="head">Size</h2><p class="big">${report.width_mm.toFixed(0)} × ${report.height_mm.toFixed(0)} mm</p>
-      <p class="quiet">${(report.width_mm / 25.4).toFixed(2)} × ${(report.height_mm / 25.4).toFixed(2)} in${report.hoops?.length ? ` · fits ${report.hoops[0]} and larger hoops` : ""}</p>
+      <p class="quiet">${(report.width_mm / 25.4).toFixed(2)} × ${(report.height_mm / 25.4).toFixed(2)} in${fit(report, piece.live.value?.facts.hoop)}</p>
       <h2 class="head">At the machine</h2><ul class="facts"><li><span>Stitches</span><span class="number">${number(report.stitches)}</span></li>
       <li><span>Time</span><span class="number">${minutes(report.machine_seconds)}</span></li><li><span>Thread</span><span class="number">${report.thread_m.toFixed(1)} m</span></li>
       <li><span>Colour changes</span><span class="number">${report.color_changes}</span></li><li><span>Cuts</span><span class="number">${report.trims}</span></li>

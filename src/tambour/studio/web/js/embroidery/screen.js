@@ -1,5 +1,6 @@
 // Embroidery: the regions, the thread on its cloth, and what the machine will do.
 import { frame, withoutGl, working } from "../frame.js";
+import { settings } from "../forms.js";
 import { Stage } from "../gl/stage.js";
 import { offer } from "../keys.js";
 import { night } from "../theme.js";
@@ -62,7 +63,8 @@ export function screen(root, piece) {
     if (!pack) return;
     stage.cloth = Math.max(0.4, pack.facts.radius * 3);
     overlay.pack = pack;
-    overlay.hoop = pack.facts.hoop;
+    const hoop = pack.facts.hoop, asked = !first && hoop && String(hoop) !== String(overlay.hoop);
+    overlay.hoop = hoop;
     land();
     shown = flying.value ? sheet(pack, stage.ground ?? [0.93, 0.91, 0.86]) : pack;
     if (flying.value) stage.cloth = 0;
@@ -72,6 +74,7 @@ export function screen(root, piece) {
       stage.camera.yaw = flying.value ? -0.25 : 0;
       stage.camera.fit(pack.facts.box, false);
     }
+    if (asked && !flying.value) stage.camera.fit([[-hoop[0] / 2, 0, -hoop[1] / 2], [hoop[0] / 2, 0, hoop[1] / 2]], false); // all of it in sight
     first = false;
     if (flying.value) land = flies(stage, pack);
     untracked(() => stage.scrub(piece.at.value));
@@ -116,6 +119,7 @@ export function screen(root, piece) {
       stage.camera.pitch = stage.camera.pitch > 1.2 ? 0.7 : Math.PI / 2;
       stage.touch();
     } },
+    ...settings(piece.craft.value?.form ?? {}),
     ...MODES.map(([name, label], k) => ({ name: `Look: ${label.toLowerCase()}`, key: String(k + 1), do: () => void (mode.value = name) })),
     ...all().map((/** @type {any} */ r, /** @type {number} */ k) => ({ name: `Region: ${r.id || k + 1}`, do: () => void (chosen.value = k) })),
   ], (event) => timeline.key(event)));

@@ -1,7 +1,9 @@
 // Knit: the chart from a distance to single stitches, painted by hand and kept lawful.
 import { frame, withoutGl, working } from "../frame.js";
 import { Chart } from "../gl/chart.js";
+import { named, settings, speller, toField } from "../forms.js";
 import { offer } from "../keys.js";
+import { tell } from "../notes.js";
 import { night } from "../theme.js";
 import { Timeline } from "../timeline.js";
 import { counted, effect, hex, html, number, show, signal, untracked } from "../view.js";
@@ -114,7 +116,10 @@ export function screen(root, piece) {
   };
   /** Rows or columns come in before a place, or go from it on. @param {"rows"|"columns"} edit @param {number} at @param {number} count */
   const reshape = (edit, at, count) => {
-    chosen.value = null;
+    const c = chosen.value; // what came in is chosen then: rows take their places, columns, told from the right, push them to the left
+    chosen.value = count < 0 || !c ? null : edit === "rows" ? c : [c[0] + count, c[1], c[2] + count, c[3]];
+    const what = edit === "rows" ? ["Row", "Rows"] : ["Column", "Columns"], last = at + Math.abs(count) - 1;
+    tell(`${last > at ? `${what[1]} ${at} to ${last} are` : `${what[0]} ${at} is`} ${count > 0 ? "new" : "gone"}.`, { calm: true });
     piece.change({ edits: [...edits(), { edit, at, count }], said: `${counted(Math.abs(count), edit === "rows" ? "row" : "column")} ${count > 0 ? "inserted" : "deleted"}` });
   };
   const boxed = (/** @type {[number, number]} */ a, /** @type {[number, number]} */ b) => /** @type {[number, number, number, number]} */ ([
@@ -212,21 +217,22 @@ export function screen(root, piece) {
       <button class="button" aria-pressed=${tool.value === name} title="${help} (${key.toUpperCase()})" @click=${() => (tool.value = name)}>${label}</button>`)}</div>
     <p class="quiet">${TOOLS.find(([n]) => n === tool.value)?.[3]}; shift or two fingers move the chart, the wheel comes nearer. What you paint is held: a dot; the rest gives way so that floats stay short.</p>
     ${chosen.value && tool.value === "select" ? html`<h2 class="head">Chosen: ${chosen.value[2] - chosen.value[0]} × ${chosen.value[3] - chosen.value[1]}</h2><div class="tools">
-      <button class="button" @click=${copy}>Copy</button><button class="button" ?disabled=${!motif.value} @click=${() => paste(false)}>Paste here</button>
-      <button class="button" ?disabled=${!motif.value} @click=${() => paste(true)}>Repeat over all</button><button class="button" ?disabled=${!motif.value} @click=${() => paste(true, true)}>Half-drop over all</button>
+      <button class="button" @click=${copy}>Copy</button><button class="button" ?disabled=${!motif.value} title=${motif.value ? "" : "Copy something first"} @click=${() => paste(false)}>Paste here</button>
+      <button class="button" ?disabled=${!motif.value} title=${motif.value ? "" : "Copy something first"} @click=${() => paste(true)}>Repeat over all</button><button class="button" ?disabled=${!motif.value} title=${motif.value ? "" : "Copy something first"} @click=${() => paste(true, true)}>Half-drop over all</button>
       <button class="button" @click=${() => flip(true)}>Mirror ↔</button><button class="button" @click=${() => flip(false)}>Mirror ↕</button>
       <button class="button" @click=${() => put(within().map(([x, y]) => /** @type {Put} */ ([x, y, yarn.value])), "filled")}>Fill</button>
       <button class="button" @click=${() => put(within().map(([x, y]) => /** @type {Put} */ ([x, y, grid().data[y * columns() + x]])), "locked")}>Lock</button>
       <button class="button" @click=${() => release(within())}>Unlock</button><button class="button" @click=${() => (chosen.value = null)}>Done</button></div>
-      <div class="tools wide"><button class="button" @click=${() => reshape("rows", high()[0], high()[1])}>Insert ${counted(high()[1], "row")}</button><button class="button" ?disabled=${high()[1] >= chart.rows} @click=${() => reshape("rows", high()[0], -high()[1])}>Delete ${counted(high()[1], "row")}</button>
-      <button class="button" @click=${() => reshape("columns", across()[0], across()[1])}>Insert ${counted(across()[1], "column")}</button><button class="button" ?disabled=${across()[1] >= chart.columns} @click=${() => reshape("columns", across()[0], -across()[1])}>Delete ${counted(across()[1], "column")}</button></div>` : ""}
+      <div class="tools wide"><button class="button" @click=${() => reshape("rows", high()[0], high()[1])}>Insert ${counted(high()[1], "row")} below</button><button class="button" ?disabled=${high()[1] >= chart.rows} @click=${() => reshape("rows", high()[0], -high()[1])}>Delete ${counted(high()[1], "row")}</button>
+      <button class="button" @click=${() => reshape("columns", across()[0], across()[1])}>Insert ${counted(across()[1], "column")} at the right</button><button class="button" ?disabled=${across()[1] >= chart.columns} @click=${() => reshape("columns", across()[0], -across()[1])}>Delete ${counted(across()[1], "column")}</button></div>` : ""}
     ${yarns(piece, yarn)}
     ${held() ? html`<p class="quiet">${counted(held(), "stitch", "stitches")} held by hand. <button class="link" @click=${() => release([...byHand().cells.keys()].map((i) => [i % columns(), Math.floor(i / columns())]))}>Let all go</button></p>` : ""}`));
   stop.push(show(at.right, () => facts(piece)));
   stop.push(show(at.top, () => {
-    const [x, y] = spot.value, pack = piece.live.value;
+    const [x, y] = spot.value, pack = piece.live.value, wrong = piece.failed.value[0], form = piece.craft.value?.form ?? {}, spell = speller(form);
     return html`${working(piece.going.value)}${usual(piece)}
-      ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert"><b>${piece.failed.value[0].message}</b><br>${piece.failed.value[0].hint ?? ""}</div>` : ""}
+      ${wrong && !piece.going.value ? html`<div class="said" role="alert">${pack ? html`<span class="quiet">This is how it was before; the facts are of then.</span><br>` : ""}<b>${spell(wrong.message)}</b><br>${spell(wrong.hint ?? "")}
+        <br><button class="button" @click=${() => piece.step("undo")}>Undo</button> ${named(form, wrong.hint).map(([name, f]) => html`<button class="button" @click=${() => toField(name)}>${f.label} …</button> `)}</div>` : ""}
       ${x >= 0 && pack && chart.data ? html`<div class="said">row <b>${y + 1}</b> · stitch <b>${chart.columns - x}</b> · ${pack.facts.names[chart.data[y * chart.columns + x]] ?? ""}</div>` : ""}`;
   }));
   stop.push(show(at.bottom, () => html`<div class="seg" role="group" aria-label="how it is seen">${LAYERS.map(([name, label]) => html`
@@ -244,6 +250,7 @@ export function screen(root, piece) {
     { name: "Farther", key: "-", do: () => chart.zoom(0.8, at.canvas.clientWidth / 2, at.canvas.clientHeight / 2) },
     { name: "Choose the whole chart", do: () => ((tool.value = "select"), chooseAll()) },
     { name: "Copy what is chosen", do: () => void copy() },
+    ...settings(piece.craft.value?.form ?? {}),
   ], (event) => {
     if (event.target === at.canvas && piece.at.value >= timeline.units) {
       const far = event.shiftKey ? 10 : 1;

@@ -1,7 +1,7 @@
 // Yarns of a chart and what it will take: metres, size, floats, how like the picture it stays.
 import { fields, speller } from "../forms.js";
 import { list, told } from "../problems.js";
-import { dyed, hex, html, live, number, ref } from "../view.js";
+import { dyed, hex, html, live, number, ref, signal } from "../view.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
@@ -24,13 +24,16 @@ export function yarns(piece, yarn) {
 
 const chose = (/** @type {Piece} */ piece) => piece.problems.value.find((p) => p.warning && p.message.startsWith("taken as"));
 
-/** What was chosen for a picture, and why, as one says it at once. @param {Piece} piece */
+/** Pieces whose word of it was put away. */
+const seen = signal(new Set(/** @type {string[]} */ ([])));
+
+/** What was chosen for a picture, and why, as one says it at once; until something is done to it. @param {Piece} piece */
 export function usual(piece) {
   const form = piece.craft.value?.form, said = chose(piece);
-  if (!form || !said || piece.params.value.stitches || piece.going.value) return "";
+  if (!form || !said || piece.params.value.stitches || piece.going.value || seen.value.has(piece.id) || piece.revision.value?.edits.length) return "";
   const all = /(\d+) a stitch for each pixel/.exec(said.hint ?? "")?.[1], why = piece.report.value?.suggested ?? piece.report.value?.why;
   const set = (/** @type {number} */ stitches) => piece.change({ params: { stitches }, said: "another width" });
-  return html`<div class="said" role="status">${said.message[0].toUpperCase() + said.message.slice(1)}.${why ? html`<br><span class="quiet">${why[0].toUpperCase() + why.slice(1)}.</span>` : ""}
+  return html`<div class="said" role="status"><button class="icon plain shut" aria-label="put this away" @click=${() => (seen.value = new Set([...seen.value, piece.id]))}>×</button>${said.message[0].toUpperCase() + said.message.slice(1)}.${why ? html`<br><span class="quiet">${why[0].toUpperCase() + why.slice(1)}.</span>` : ""}
     <br>${[40, 60, 120].map((n) => html`<button class="link" @click=${() => set(n)}>${n} stitches</button> · `)}${all ? html`<button class="link" @click=${() => set(Number(all))}>a stitch for each pixel (${all})</button>` : "or another width at the right"}</div>`;
 }
 
@@ -49,5 +52,5 @@ export function facts(piece) {
       ${like === undefined ? "" : html`<li><span>Like the picture</span><span class="number">${Math.round(100 * like)} %</span></li>`}</ul>
       <p class="quiet">${report.why ?? ""}</p>` : ""}
     <h2 class="head">Checks</h2>${problems.length ? list(problems, { spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ nothing to catch your fingers in</p>` : ""}
-    ${craft ? html`<h2 class="head">How it is worked out</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name) => name !== "colors" })}` : ""}`;
+    ${craft ? html`<h2 class="head">How it is worked out</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name) => name !== "colors", now: { max_float: report?.max_float } })}` : ""}`;
 }
