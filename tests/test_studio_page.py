@@ -565,6 +565,16 @@ def test_the_palette_presses_nothing_behind_it_and_finds_pieces(page):
     assert page.url == before
 
 
+def test_a_pattern_begun_from_the_bar_has_nothing_wrong(page):
+    page.click("nav >> text=Crochet")
+    made(page)
+    page.wait_for_selector(".below .agree >> text=all counts agree")
+    page.keyboard.press("Control+k")
+    page.keyboard.type("frog")
+    page.wait_for_selector(".palette li >> text=Example: Frog")
+    page.keyboard.press("Escape")
+
+
 def test_notes_go_with_what_they_were_said_of(page):
     new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
     made(page)

@@ -13,15 +13,18 @@ import { pair } from "./pair.js";
 export const CRAFTS = /** @type {const} */ ({ crochet: "Crochet", knit: "Knit", ink: "Ink", embroidery: "Embroidery" });
 /** What a craft begins with when one chooses it in the bar. */
 const NEW = {
-  crochet: { craft: "crochet", title: "New pattern", source: { name: "pattern.acl", text: "Rnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [12]\nRnd 3: (sc, inc) x 6. [18]\nRnds 4-6: sc around. [18]\nRnd 7: (sc, dec) x 6. [12]\nRnd 8: dec x 6. [6]\nFasten off.\n" } },
+  crochet: { craft: "crochet", title: "New pattern", source: { name: "pattern.txt", text: "Rnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [12]\nRnd 3: (sc, inc) x 6. [18]\nRnds 4-6: sc around. [18]\nRnd 7: (sc, dec) x 6. [12]\nRnd 8: dec x 6. [6]\nFasten off.\n" } },
   ink: { craft: "ink", seed: "plum", title: "Plum" },
 };
 const GLYPH = { auto: "◐", light: "☀", dark: "☾" };
 
-/** One's own pieces whose titles hold these words. @param {string} words */
+/** One's own pieces whose titles hold these words, and the shelf's examples. @param {string} words */
 async function pieces(words) {
-  const told = await ask(`/api/pieces?limit=20&words=${encodeURIComponent(words)}`);
-  return told.pieces.map((/** @type {any} */ p) => ({ name: p.title, note: CRAFTS[p.craft], do: () => (location.hash = `#/piece/${p.id}`) }));
+  const [told, { crafts }] = await Promise.all([ask(`/api/pieces?limit=20&words=${encodeURIComponent(words)}`), ask("/api/crafts")]);
+  const wanted = words.toLowerCase().split(/\s+/).filter(Boolean);
+  const shown = crafts.flatMap((/** @type {any} */ c) => c.examples.filter((/** @type {any} */ e) => wanted.every((w) => e.title.toLowerCase().includes(w)))
+    .map((/** @type {any} */ e) => ({ name: `Example: ${e.title}`, note: CRAFTS[c.name], do: () => attempt(() => begin({ craft: c.name, example: e.name })) })));
+  return [...told.pieces.map((/** @type {any} */ p) => ({ name: p.title, note: CRAFTS[p.craft], do: () => (location.hash = `#/piece/${p.id}`) })), ...shown];
 }
 
 /** @param {HTMLElement} element @param {HTMLElement} over @param {Piece|null} piece @param {(craft: string) => void} [wants] a craft that needs a file first */

@@ -326,10 +326,7 @@ export class Stage {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     const until = (/** @type {number} */ units) => (units >= look.units ? look.points : units > 0 ? look.ends[units - 1] : 0);
-    if (without) {
-      look.draw({ view, project: zoomed, height: 1, to: until(Math.min(k, without.start)), pick: true });
-      if (k > without.end) look.draw({ view, project: zoomed, height: 1, from: until(without.end) + 1, to: until(k), pick: true });
-    } else look.draw({ view, project: zoomed, height: 1, to: until(this.glow && k < look.units ? this._next(k) + 1 : k), pick: true });
+    look.draw({ view, project: zoomed, height: 1, to: until(this.glow && k < look.units ? this._next(k) + 1 : k), pick: true, without });
     gl.disable(gl.DEPTH_TEST);
     const pixel = new Uint8Array(4);
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);

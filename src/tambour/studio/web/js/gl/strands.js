@@ -9,7 +9,7 @@ uniform sampler2D place, shift, palette, tint;
 uniform usampler2D what;
 uniform mat4 view, project;
 uniform float radius, moved, pixels;
-uniform int stride, last;
+uniform int stride, last, skip, past;
 flat out vec3 a, b;
 flat out vec2 along;
 flat out vec4 color;
@@ -32,9 +32,9 @@ void main() {
     if (i + k > last || (texelFetch(what, cell(i + k), 0).y & 256u) != 0u) break;
     j = i + k;
   }
-  if (j == i) { gl_Position = vec4(2., 2., 2., 1.); return; }
   uvec2 told = texelFetch(what, cell(j), 0).xy;
   unit = told.x;
+  if (j == i || (int(unit) >= skip && int(unit) < past)) { gl_Position = vec4(2., 2., 2., 1.); return; }
   a = spot(i, along.x);
   b = spot(j, along.y);
   color = vec4(pow(texelFetch(palette, ivec2(int(told.y & 255u), 0), 0).rgb, vec3(2.2)), 1.);
@@ -190,14 +190,15 @@ export class Strands {
   /**
    * Draw the points [from, to).
    * @param {{view: Float32Array, project: Float32Array, height: number, from?: number, to: number, stride?: number,
-   *   glow?: number, glowing?: number[], night?: number, pick?: boolean}} how
+   *   glow?: number, glowing?: number[], night?: number, pick?: boolean, without?: {start: number, end: number}}} how
+   * without: units that are left out, with the thread that they are sewn on by
    */
-  draw({ view, project, height, from = 0, to, stride = 1, glow = 0, glowing = [1, 0, 0], night = 0, pick = false }) {
+  draw({ view, project, height, from = 0, to, stride = 1, glow = 0, glowing = [1, 0, 0], night = 0, pick = false, without = { start: 0, end: 0 } }) {
     const gl = this.gl, last = Math.min(to, this.points) - 1, begin = Math.max(0, from - 1);
     if (last <= begin) return;
     (pick ? this.number : this.shade).use({
       ...this.textures, shift: this.textures.shift ?? this.textures.place, view, project, radius: this.radius,
-      moved: this.moved ? 1 : 0, pixels: (project[5] * height) / 2, stride, last, ...this.look, glow, glowing, night,
+      moved: this.moved ? 1 : 0, pixels: (project[5] * height) / 2, stride, last, skip: without.start, past: without.end, ...this.look, glow, glowing, night,
     });
     const first = Math.floor(begin / stride);
     gl.drawArrays(gl.TRIANGLES, first * 6, (Math.ceil(last / stride) - first) * 6);
