@@ -273,7 +273,7 @@ class Putter(Beside):
         name = copy[0].copy(copy[1])
         record = Placed(name, spot, flat, across, tilt, _STEP * round(towards / _STEP) % 360.0, None, put.span)
         if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
-            return replace(record, flat=False, across=-90.0 if float(n[0]) > 0.05 else 90.0, by=narrow)
+            return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
         return replace(record, by=self._by(record, host, n)) if not flat else record
 
     @property
