@@ -304,17 +304,19 @@ class Putter(Beside):
         own = self.work.host(
             (next(p for p in self.work.parts if placed.part.rsplit(".", 1)[0] in (p.name,) or placed.part == p.name), 1)
         )
+        spots, part = self.work.spots, self.work.spots.parts[placed.part]
         fits = [num for num, ring in own.levels if len(ring) / (2.0 * math.pi) <= 0.9 * across]
+        fits = [
+            num for num in fits if spots.round_at(part, num) is not None
+        ]  # copies may differ where rounds were not read
         return float(max(fits)) if fits else None
 
     def _loops(self, part: str, rim: int) -> float | None:
         """The round of a part whose unworked loops are sewn to an end of ``rim`` stitches: as many of them as there are."""
         spots, graph = self.work.spots, self.work.built.graph
-        own = self.work.host(
-            (next(p for p in self.work.parts if part.rsplit(".", 1)[0] == p.name or part == p.name), 1)
-        )
-        for number in range(own.low + 1, own.high + 1):
-            k, below = spots.round_at(own.part, number), spots.round_at(own.part, number - 1)
+        own = spots.parts[part]
+        for number in [n for r, n in zip(spots.built.rounds, spots.numbers) if r.part == own]:
+            k, below = spots.round_at(own, number), spots.round_at(own, number - 1)
             if k is None or below is None or len(spots.stitches(below)) != rim:
                 continue
             if np.isin(graph.peculiarity[spots.stitches(k)], (BLO, FLO)).all():
