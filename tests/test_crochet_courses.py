@@ -459,3 +459,20 @@ def test_what_follows_a_wrong_count_is_worked_on_the_count_that_is_said():
         "the pattern says 16 stitches, the round makes 15"
     ]
     assert [w.edge for w in build(pattern).worked if w.line.in_round][-3:] == [20, 10, 5]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "With A, begin using magic loop method, demonstrated here.",
+        "With A, beg using magic loop method demonstrated here.",
+        "With A, make an adjustable ring, pictured below.",
+    ],
+)
+def test_a_beginning_that_is_shown_elsewhere_is_a_beginning(said):
+    text = (
+        "Toy\n\nBODY\n"
+        + said
+        + "\n1st rnd: Ch 1. 6 sc in ring. Join. 6 sc.\n2nd rnd: Ch 1. 2 sc in each sc around. Join. 12 sc.\n"
+    )
+    assert counts(text) == [6, 12]

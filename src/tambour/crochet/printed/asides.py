@@ -27,6 +27,9 @@ _HANDS: Final = frozenset(
         "stuffing",
         "removing",
         "dropping",
+        "demonstrated",
+        "pictured",
+        "illustrated",
     )
 )
 _NO: Final = frozenset(
