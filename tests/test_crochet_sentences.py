@@ -86,6 +86,15 @@ def test_what_hands_do_is_kept_for_the_booklet_at_its_place(said: str) -> None:
     assert any(pattern.text.text[a.start : a.end] in said for a in told)
 
 
+def test_what_stands_behind_the_name_of_a_part_in_its_line_is_kept() -> None:
+    from tambour.crochet.page.hers import hers
+
+    strap = "Strap: With A, ch 15. Fasten off. Weave in the 2 ends. Tie a bow."
+    notes = hers(read(Text(f"{BALL}Fasten off.\n{strap}\n", "toy.txt")), "us").inside  # type: ignore[union-attr]
+    words = [said for part in notes.values() for _, said, _ in part]
+    assert "Weave in the 2 ends." in words and "Tie a bow." in words and not any("ch 15" in said for said in words)
+
+
 @pytest.mark.parametrize(
     "said",
     [

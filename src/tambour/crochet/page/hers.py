@@ -86,6 +86,7 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     last = starts[-1][0] if starts else len(text)
     after = next((a for a, _, line in lines if a > last and _plain(line) in assembly), len(text))
     title = " ".join(pattern.stated["title"][0].split()).lower() if "title" in pattern.stated else ""
+    named = [part.span for part in pattern.parts]
     covered = [line.span for part in pattern.parts for line in part.lines]
     loose = [s for s in pattern.passed if any(c.start < s.start and s.end <= c.end for c in covered)]
     finishing = {_span(record) for record in pattern.finish}
@@ -105,10 +106,12 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
             made.closing += (
                 [] if plain in assembly else [s for s, span in _sentences(text, a, b) if not _among(span, finishing)]
             )
-        elif a not in heads:
+        else:
             part = max(((start, k) for start, k in starts if start <= a), default=(0, 0))[1]
             for words, span in _sentences(text, a, b):
-                if not any(c.start < span.end and span.start < c.end for c in covered):
+                if not any(c.start < span.end and span.start < c.end for c in named if a in heads) and not any(
+                    c.start < span.end and span.start < c.end for c in covered
+                ):
                     made.inside.setdefault(part, []).append((_round(pattern, part, span.start), words, span))
     for span in loose:
         part = max(((start, k) for start, k in starts if start <= span.start), default=(0, 0))[1]
