@@ -134,13 +134,14 @@ def lesser(V: Array, M: Array, v: int, m: int, code: int) -> None:
 
 
 @by_hand("tambour.knit.solve.vectors:turned")
-def turned(M: Array, V: Array, W: Array, S: Array, m: int, v: int, k: int, others: int) -> None:
+def turned(M: Array, V: Array, W: Array, S: Array, m: int, v: int, k: int, others: int, mask: int) -> None:
     """The minima of a rest, (axis of the yarn to come, yarn before) at ``m``, become states: lanes are the yarn in use now, and
-    the yarn before is at axis q, in the state at V[v + W[k + q]]. S (others, lanes) is added."""
+    the yarn before is at axis q, in the state at V[v + W[k + q]]. Of minima the bits of ``mask``; S (others, lanes) is added."""
     for q in range(others):
         to = v + W[k + q]
         for z in range(others + 1):
-            V[to + z] = (M[m + z * LANES + q + 1] if z <= q else M[m + (z - 1) * LANES + q]) + S[q * LANES + z]
+            value = M[m + z * LANES + q + 1] if z <= q else M[m + (z - 1) * LANES + q]
+            V[to + z] = (value & np.int32(mask)) + S[q * LANES + z]
 
 
 @kernel
@@ -231,11 +232,9 @@ def settle(
     at, from_ = np.uint64(place), np.uint64(m)
     for i in range(np.uint64(width)):
         P[at + i] = np.uint8(M[from_ + i] & np.int32(CODE - 1))
-    for i in range(np.uint64(width)):
-        M[from_ + i] &= np.int32(~(CODE - 1))
     others = yarns - 1
     for o in range(width // (others * LANES)):
-        turned(M, V, went, shift, m + o * others * LANES, v, (k + o) * others, others)
+        turned(M, V, went, shift, m + o * others * LANES, v, (k + o) * others, others, ~(CODE - 1))
 
 
 @kernel

@@ -69,14 +69,18 @@ def _whole(context: Any, builder: Any, signature: Any, args: Any, k: int) -> Any
     return lambda place: builder.bitcast(builder.gep(data, [place]), lanes)
 
 
+def _spread(builder: Any, number: Any) -> Any:
+    """Eight lanes of a number."""
+    nothing = ir.Constant(ir.VectorType(ir.IntType(32), LANES), ir.Undefined)
+    one = builder.insert_element(nothing, builder.trunc(number, ir.IntType(32)), ir.Constant(ir.IntType(32), 0))
+    return builder.shuffle_vector(one, nothing, ir.Constant(nothing.type, [0] * LANES))
+
+
 def _plus(builder: Any, pointer: Any, code: Any) -> Any:
     """The lanes at a pointer, and a number more."""
     value = builder.load(pointer)
     value.align = 4
-    nothing = ir.Constant(value.type, ir.Undefined)
-    one = builder.insert_element(nothing, builder.trunc(code, ir.IntType(32)), ir.Constant(ir.IntType(32), 0))
-    zeros = ir.Constant(ir.VectorType(ir.IntType(32), LANES), [0] * LANES)
-    return builder.add(value, builder.shuffle_vector(one, nothing, zeros))
+    return builder.add(value, _spread(builder, code))
 
 
 def _lesser(builder: Any, a: Any, b: Any) -> Any:
@@ -124,13 +128,14 @@ def lesser(typing: Any, V: Any, M: Any, v: Any, m: Any, code: Any) -> Any:
 
 
 @intrinsic
-def turned(typing: Any, M: Any, V: Any, W: Any, S: Any, m: Any, v: Any, k: Any, others: Any) -> Any:
+def turned(typing: Any, M: Any, V: Any, W: Any, S: Any, m: Any, v: Any, k: Any, others: Any, mask: Any) -> Any:
     """See :func:`tambour.knit.solve.uses.turned`: a case for each number of yarns."""
 
     def generate(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         minima, values, more = (_whole(context, builder, signature, args, k) for k in (0, 1, 3))
         places = context.make_array(signature.args[2])(context, builder, args[2]).data
-        m_, v_, k_, others_ = args[4:]
+        m_, v_, k_, others_, mask_ = args[4:]
+        kept = _spread(builder, mask_)
         done = builder.append_basic_block("done")
         cases = builder.switch(others_, done)
 
@@ -144,6 +149,7 @@ def turned(typing: Any, M: Any, V: Any, W: Any, S: Any, m: Any, v: Any, k: Any, 
             cases.add_case(ir.Constant(others_.type, many), block)
             builder.position_at_end(block)
             rows = [lanes(minima(builder.add(m_, ir.Constant(m_.type, p * LANES)))) for p in range(many)]
+            rows = [builder.and_(row, kept) for row in rows]
             for q in range(many):
                 new = rows[0]
                 for p, row in enumerate(
@@ -163,4 +169,4 @@ def turned(typing: Any, M: Any, V: Any, W: Any, S: Any, m: Any, v: Any, k: Any, 
         builder.position_at_end(done)
         return context.get_dummy_value()
 
-    return types.void(M, V, W, S, m, v, k, others), generate
+    return types.void(M, V, W, S, m, v, k, others, mask), generate
