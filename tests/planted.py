@@ -33,7 +33,7 @@ class Fault(NamedTuple):
 P = "promises"
 FAULTS = [
     # -- found alive by hand, once
-    Fault("embroidery/columns/satin.py", "half, turn)\n", "half, -turn)\n", P),
+    Fault("embroidery/columns/satin.py", "* half, turn)\n", "* half, -turn)\n", P),
     Fault("embroidery/columns/satin.py", "np.minimum(half, 1 / np", "np.minimum(half, 2 / np", P),
     Fault("embroidery/plan/order.py", "keep[pairs] = [", "keep[:] = [False] * len(keep); keep[pairs] = [", P),
     Fault("embroidery/plan/facts.py", "SLACK = 0.05", "SLACK = 0.5", P),
@@ -72,10 +72,10 @@ FAULTS = [
     Fault("files/exp.py", "row[:, 3] = (-delta[:, 1])", "row[:, 3] = (delta[:, 1])", "promises"),
     Fault("files/svg/css.py", '"mm": 96 / 25.4', '"mm": 90 / 25.4', "files_svg_read"),
     Fault("files/svg/css.py", "value *= em / 2", "value *= em", "promises files_svg_read"),
-    Fault("files/svg/css.py", 'way = above.here if combinator == ">" else above.above', "way = above.above",
+    Fault("files/svg/css.py", 'way = above.here if compound.before == ">" else above.above', "way = above.above",
           "files_svg_read"),
     Fault("files/svg/css.py", "key=lambda r: r.weight", "key=lambda r: (0, 0, 0)", "files_svg_read"),
-    Fault("files/svg/read.py", "unique = f\"{name}-{n}\"", "unique = f\"{name}{n}\"", "files_svg_read"),
+    Fault("files/svg/groups.py", "unique = f\"{name}-{n}\"", "unique = f\"{name}{n}\"", "files_svg_read"),
     Fault("files/svg/path.py", "sx = sy = max(sx, sy) if", "sx = sy = min(sx, sy) if", "promises files_svg_read"),
     Fault("knit/machines/knitout.py", "way = first if row % 2 == 0 else other(first)\n        columns", "way = first\n        columns", "knit_knitout"),
     Fault("files/mesh.py", 'f"{k / 255:.4f}"', 'f"{k / 256:.4f}"', "files_mesh"),
