@@ -1,10 +1,15 @@
 """How publishers say where a round goes on: to a marked stitch, by rounds before it, in a repeat that ends otherwise, on another edge;
 our own texts, each with the counts that a hand reading gives, round by round."""
 
+from dataclasses import replace
+
 import pytest
 
 from tambour.core.errors import Text
+from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.build import build
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Placed
 from tambour.crochet.printed.choose import read
 from test_crochet_phrasings import ROWS, START, THREE, TWO, counts
 
@@ -476,3 +481,11 @@ def test_a_beginning_that_is_shown_elsewhere_is_a_beginning(said):
         + "\n1st rnd: Ch 1. 6 sc in ring. Join. 6 sc.\n2nd rnd: Ch 1. 2 sc in each sc around. Join. 12 sc.\n"
     )
     assert counts(text) == [6, 12]
+
+
+def test_a_part_sewn_by_a_round_that_it_lacks_is_sewn_by_its_end():
+    text = THREE.replace("BODY", "HAT") + "Fasten off.\nStrand: With B, ch 12. Fasten off.\nSew Strand to top of Hat.\n"
+    pattern = read(Text(text, "x.txt"))
+    built = build(pattern)
+    (placed,) = [one for one in pattern.finish if isinstance(one, Placed)]
+    assert len(end_of(built, Spots(built), replace(placed, by=9.0)).nodes) >= 2

@@ -56,9 +56,8 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
     graph, part = built.graph, spots.parts[placed.part]
     rows = bool(spots.in_rows[part])
     none = np.zeros((0, 2), int)
-    if placed.by is not None:
-        number = spots.round_at(part, round(placed.by))
-        assert number is not None
+    number = spots.round_at(part, round(placed.by)) if placed.by is not None else None
+    if number is not None:  # a round that is not there is told where names are checked
         nodes = spots.stitches(number)
     elif rows:
         if placed.flat and len(loop := spots.edge(part)) > 3:
