@@ -59,6 +59,35 @@ def test_units_and_viewbox(tmp_path):
         assert np.isclose(np.ptp(made.paths.coords[:, 0]), mm), head
 
 
+def test_rem_is_the_size_of_letters_of_the_root(tmp_path):
+    """Of attributes, of style and of sheets, whatever size lies between; the root's own is of the initial 16 px."""
+    for head, rem in (
+        ('<svg width="10in" viewBox="0 0 960 960">', 16),
+        ('<svg width="10in" viewBox="0 0 960 960" font-size="32">', 32),
+        ('<svg width="10in" viewBox="0 0 960 960" style="font-size: 2rem">', 32),
+        ('<svg width="10in" viewBox="0 0 960 960"><style>svg {font-size: 20px} #s {stroke-width: 2rem}</style>', 20),
+    ):
+        body = '<g font-size="64"><rect id="s" width="3rem" height="1em" y="1REM" fill="none" stroke="red" '
+        made = read(tmp_path, body + ("/>" if "#s" in head else 'style="stroke-width:2rem"/>') + "</g>", head)
+        low, high = made.paths.coords.min(0) / 25.4 * 96, made.paths.coords.max(0) / 25.4 * 96
+        assert np.allclose(high - low, [3 * rem, 64], rtol=1e-6) and np.isclose(low[1], rem), head
+        assert np.allclose(made.styles.width[made.style] / 25.4 * 96, 2 * rem), head
+    for unit, px in (("rem", 32), ("em", 32)):
+        made = read(tmp_path, '<rect width="9" height="9"/>', f'<svg width="10{unit}" height="5{unit}" font-size="32">')
+        assert np.allclose(made.size, [10 * px * 25.4 / 96, 5 * px * 25.4 / 96])
+
+
+def test_a_straight_curve_has_no_box_for_a_gradient(tmp_path):
+    """Its rounding is no width: the paint that was meant for such a case is used, or nothing."""
+    of_box = '<linearGradient id="g"><stop stop-color="#f00"/></linearGradient>'
+    path = '<path d="M 100 20 C 100 40 100 160 100 180" fill="none" stroke="url(#g){}" stroke-width="3"/>'
+    head = '<svg viewBox="0 0 200 200">'
+    assert len(read(tmp_path, of_box + path.format(""), head)) == 0
+    instead = read(tmp_path, of_box + path.format(" #0f0"), head)
+    used = np.concatenate([instead.styles.fill[instead.style], instead.styles.stroke[instead.style]])
+    assert (used[used[:, 3] > 0][:, :3] == [0, 255, 0]).all() and len(instead) == 1
+
+
 def test_path_data_in_all_its_forms():
     for data, points in {
         "M1 2 3 4L5,6": [(1, 2), (3, 4), (5, 6)],

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from tambour.core.check import Array
 from tambour.files.svg import css
@@ -21,6 +22,8 @@ SIZES = {
     "x-large": 24.0,
     "xx-large": 32.0,
 }
+INITIAL = 16.0  # px: the size of letters when nothing is said
+_REM = re.compile(r"(?<![\w.#-])([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)rem\b", re.I)
 _FREE = ("inherit", "currentcolor", "initial", "unset")
 
 
@@ -115,3 +118,35 @@ def _font_size(text: str, above: str) -> float:
         return max(1e-3, css.length(text, size, size)) if text else size
     except ValueError:
         return size
+
+
+def rooted(root: Node, rules: list[css.Rule]) -> tuple[float, list[css.Rule]]:
+    """The root's font size in px, and the rules; lengths in ``rem`` of that size are spelled in px, in the tree in place.
+
+    Nobody who reads a length need know the root so.
+    """
+    its, a = css.Rules(rules), root.attributes
+    met = its.meet(css.NOTHING, root.name, a.get("id", ""), frozenset(a.get("class", "").split()), a)
+    size = float(properties(root, its, met, {}, lambda said: None)["font-size"])
+    if size == INITIAL:
+        return size, rules
+
+    def spelled(text: str) -> str:
+        return _REM.sub(lambda found: f"{float(found[1]) * size!r}px", text)
+
+    stack = [root]
+    while stack:
+        node = stack.pop()
+        for name, text in node.attributes.items():
+            if "rem" in text.lower() and name not in ("id", "class"):
+                node.attributes[name] = spelled(text)
+        stack += node.children
+    a["style"] = f"{a.get('style', '')};font-size:{size!r}px!important"  # its own was of the initial size
+    return size, [
+        replace(
+            rule,
+            declares={k: spelled(v) for k, v in rule.declares.items()},
+            important={k: spelled(v) for k, v in rule.important.items()},
+        )
+        for rule in rules
+    ]

@@ -19,7 +19,7 @@ from tambour.files.svg.canvas import Canvas
 from tambour.files.svg.frames import framed
 from tambour.files.svg.groups import Noted
 from tambour.files.svg.images import placed
-from tambour.files.svg.looks import Look, properties
+from tambour.files.svg.looks import INITIAL, Look, properties, rooted
 from tambour.files.svg.path import IDENTITY, PathError, after, apply, fitted, flatten, transform
 from tambour.files.svg.servers import gradient
 from tambour.files.svg.shapes import SHAPES, outline
@@ -99,8 +99,9 @@ class Reader:
             if node.name == "style" and node.attributes.get("type", "text/css").strip() in ("", "text/css"):
                 rules += css.sheet(node.text + "".join(c.tail for c in node.children), self.leave)
             stack += reversed(node.children)
+        em, rules = rooted(root, rules)
         self.rules = css.Rules(rules)
-        matrix, size, view = self.viewport(root)
+        matrix, size, view = self.viewport(root, em)
         self.walk(root, Look(matrix, view=view))
         self.noted.commands()
         about = {"title": t} if (t := _title(root)) else {}
@@ -121,7 +122,7 @@ class Reader:
             about=about,
         )
 
-    def viewport(self, root: Node) -> tuple[Array, tuple[float, float], tuple[float, float]]:
+    def viewport(self, root: Node, em: float = INITIAL) -> tuple[Array, tuple[float, float], tuple[float, float]]:
         """The matrix from user units to mm, the sheet's size in px, and what per cent are of."""
         a = root.attributes
         box = self.box_of(root)
@@ -130,7 +131,7 @@ class Reader:
             whole = box[2 + k] if box else (100.0, 100.0)[k]
             text = a.get(name, "100%")
             try:
-                size[k] = css.length("100%" if text.strip() in ("", "auto") else text, whole)
+                size[k] = css.length("100%" if text.strip() in ("", "auto") else text, whole, em)
             except ValueError as error:
                 self.doubt(root, f"{name}: {error}")
                 size[k] = whole

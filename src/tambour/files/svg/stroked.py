@@ -265,7 +265,7 @@ def _box(shape: Shape) -> tuple[float, float, float, float] | None:
     xy = np.concatenate([points for points, _ in shape.lines])
     x, y = xy.min(axis=0).tolist()
     w, h = np.ptp(xy, axis=0).tolist()
-    return (x, y, w, h) if min(w, h) > 0 else None
+    return (x, y, w, h) if min(w, h) > 1e-9 * np.abs(xy).max() else None  # a straight curve is flat but for rounding
 
 
 def _tiled(reader: Reader, node: Node, area: Any, look: Look, shape: Shape) -> None:
