@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 from tambour import files
-from tambour.core.chart import Chart
+from tambour.core.chart import Chart, Disk
 from tambour.core.errors import TambourError, Text
 from tambour.core.packed import Packed
 from tambour.core.palette import Palette
@@ -37,9 +37,10 @@ def value(kind: str) -> Any:
         from test_files_usd import scene
 
         return scene(2)
-    if kind == "Chart":
+    if kind in ("Chart", "Disk"):
         cells = (np.indices((12, 24)).sum(axis=0) % 3 > 1).astype(np.uint8)
-        return Chart(cells, Palette(np.array([[0, 0, 0], [255, 255, 255]], np.uint8)))
+        chart = Chart(cells, Palette(np.array([[0, 0, 0], [255, 255, 255]], np.uint8)))
+        return chart if kind == "Chart" else Disk(chart)
     return {
         "Text": Text("R1: MR(6)\n" * 40),
         "dict": {"numbers": list(range(200))},
