@@ -14,6 +14,7 @@ from tambour.core.drawing import Drawing
 from tambour.core.errors import Text
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
+from tambour.crochet.graph.spots import Spots
 from tambour.crochet.maker.materials import DENSITY, materials
 from tambour.crochet.page.album import Album
 from tambour.crochet.page.booklet import pages
@@ -70,7 +71,12 @@ def test_the_booklet_says_everything() -> None:
     for wanted in (
         *("A small toy", "Anna Weaver", "Materials", "Finished size", "Gauge", "Abbreviations", "Assembly", "Care"),
         *("Rnd 4-6", "18 sc", "(18)", "Ear (make 2)", "1 safety eye, 4 mm, black", "3.5 mm", "worsted weight (4)"),
-        *("Step 1: Ear", "Insert the eyes now", "single crochet", "polyester fiberfill"),
+        *(
+            "Step 1: Ear",
+            "Now, while fingers still reach inside: insert a safety eye",
+            "single crochet",
+            "polyester fiberfill",
+        ),
     ):
         assert wanted in text, wanted
     # Abbreviations that are used and no others.
@@ -193,7 +199,7 @@ def test_headings_stay_with_rounds_and_columns_are_even() -> None:
     for part in range(7):
         assert place[f"head {part}"] == place[f"{part}.0"] == place[f"{part}.2"]
         last = 3 + 5 * part - 1
-        assert place[f"{part}.{last}"] == place[f"{part}.{last - 1}"]
+        assert len({place[f"{part}.{k}"] for k in range(max(0, last - 3), last + 1)}) == 1
     ends = [label.text for sheet in sheets for label in sheet.labels]
     assert ends and all(text.endswith(", continued") for text in ends)
     counts = [sum(1 for s, x, _ in drawn if s == len(sheets) - 1 and x == left) for left in (0.0, 50.0)]
@@ -268,11 +274,59 @@ def test_eyes_and_stuffing_stand_where_hands_still_reach_and_her_count_stays_her
 
     lines = plain(hers()).text.splitlines()
     eyes, stuff, last = (
-        next(k for k, line in enumerate(lines) if word in line) for word in ("eyes now", "Stuff firmly", "Rnd 13")
+        next(k for k, line in enumerate(lines) if word in line)
+        for word in ("fingers still reach", "Stuff firmly", "Rnd 13")
     )
     assert eyes < last and stuff < last
     assert sum("eyes" in line for line in lines) == 1
     assert "Rnd 3: [sc, inc] x 6 [as written it makes 18] (17)" in lines
+
+
+def test_a_step_is_seen_from_where_its_part_is_not_hidden() -> None:
+    """A ball's tail is behind it, a snout before it; the camera goes where the part is, and stays for what it sees already."""
+    from tambour.crochet.page.angle import VIEW, angle, behind
+
+    ball = "== Ball ==\n: MR(6)\n: 6 inc\n: [sc, inc] x 6\n: [2 sc, inc] x 6\n6: 24 sc\n: [2 sc, dec] x 6\n: [sc, dec] x 6\nFO\n"
+    text = ball + "== Knob ==\n: MR(6)\n3: 6 sc\n" + "place(Knob, Ball, round=7, stitch={})\n"
+
+    def placed(stitch: float) -> Plush:
+        return make(Text(text.format(f"{stitch:.2f}")), CrochetParams(detail="low"), Progress())
+
+    middle = 1.0 + Spots(placed(1).built).front(6)
+    snout, tail = placed(middle), placed((middle + 11.0) % 24.0 + 1.0)
+    assert angle(snout, [0, 1], [1]) == VIEW
+    assert behind(angle(tail, [0, 1], [1]))
+    assert angle(tail, [0, 1], [0, 1]) == VIEW
+
+
+def test_the_page_speaks_of_what_the_piece_has_in_the_spelling_of_its_designer() -> None:
+    from tambour.crochet.page.book import Book
+    from tambour.crochet.page.booklet import care
+    from tambour.crochet.page.plain import spelled
+
+    assert "plastic" in " ".join(care(Book(toy())))
+    house = "With {} yarn.\n\nWALL\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\n\nDOOR\nRnd 1: 6 sc in MR (6)\n\nSew the door to the wall.\n"
+    book = Book(make(Text(house.format("grey"), "house.txt"), CrochetParams(solver="none"), Progress()))
+    assert "eyes" not in " ".join(care(book)) and "every part" in " ".join(care(book))
+    assert "full colour" in book.own["new"] and book.said.color((140, 140, 142))[1] == "grey"
+    assert spelled(TERMS["us"], "gray, not grey") is spelled(TERMS["us"], "red") is TERMS["us"]
+    assert spelled(TERMS["fr"], "grey") is TERMS["fr"]
+
+
+def test_charts_number_rows_as_the_text_does_and_explain_every_sign() -> None:
+    """The chain of a part is round 0, whatever number the part before ended with."""
+    from tambour.crochet.page.diagram import _light, _patch, plates, symbols
+
+    text = "STEM\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: in BLO, (sc, dec) x 4 (8)\n\nDOOR\nch 6.\nRow 1: sc in 2nd ch from hook, sc across, turn (5)\nRows 2-3: ch 1, sc across, turn (5)\n"
+    built = make(Text(text, "house.txt"), CrochetParams(solver="none"), Progress()).built
+    assert [r.number for r in built.rounds if r.part == 1] == [0, 1, 2, 3]
+    (_, _, stem), (_, rows, door) = plates(built)
+    assert rows and [label.text for label in door.labels] == ["1", "2", "3"]
+    assert [label.text for label in stem.labels] == ["1", "2", "3"]
+    assert {"sc", "inc", "dec", "ring", "back loops"} <= {name for name, _ in symbols(built)}
+    for rgb in ((140, 140, 140), (255, 255, 255), (200, 40, 40), (0, 0, 0)):
+        patch, pen = _light(_patch(rgb)), (_light((40, 38, 36)), _light((250, 248, 244)))
+        assert max((max(patch, p) + 0.05) / (min(patch, p) + 0.05) for p in pen) >= 6.0
 
 
 def test_a_text_file_holds_no_markdown() -> None:

@@ -86,6 +86,7 @@ class Hook:
         self.begun = False
         self.now = Moment(stretch=self.stretches.begin())
         self._first, self._picots, self._number, self._chained = len(self), 0, 0, None
+        self.written = 0
 
     def begin_line(self) -> None:
         """A line that is a round begins: what was skipped at the end of the last one stays skipped."""

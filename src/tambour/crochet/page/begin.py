@@ -11,6 +11,9 @@ from tambour.crochet.page.type import BODY, HAIR, HEAD, LEADING, SMALL, SOFT, wi
 from tambour.crochet.yarns import WEIGHTS
 from tambour.render.page import Page
 
+LEFTOVER = 5.0
+"""Grams of yarn for which nobody buys a skein."""
+
 
 def heading(book: Book, text: str, width: float, note: str = "") -> list[Atom]:
     """A section's title; ``note`` at its right."""
@@ -93,13 +96,14 @@ def _materials(book: Book, width: float) -> list[Atom]:
     kind = WEIGHTS[book.piece.gauge.weight]
     for line in book.said.materials:
         made += paragraph(line, width)
-    made += paragraph(
-        f"{book.said.terms.word('yarn')}: {weight_name(book)}", width, BODY, None, 1.0 if made else 0.0, True
-    )
+    if not any(yarn_name(book).lower() in line.lower() for line in book.said.materials):
+        named = f"{book.said.terms.word('yarn')}: {weight_name(book)}"
+        made += paragraph(named, width, BODY, None, 1.0 if made else 0.0, True)
     for yarn in found["yarn"]:
         color = unhexed(yarn["color"])
         letter, name = book.said.color(color)
-        skein = own["skein" if yarn["skeins"] == 1 else "skeins"].format(n=yarn["skeins"], grams=number(kind.skein, 0))
+        key = "leftover" if yarn["grams"] < LEFTOVER else "skein" if yarn["skeins"] == 1 else "skeins"
+        skein = own[key].format(n=yarn["skeins"], grams=number(kind.skein, 0))
         much = f"{number(max(1.0, yarn['metres']), 0)} m"
         if book.imperial:
             much += f" / {number(max(1.0, yarn['yards']), 0)} yd"
@@ -164,7 +168,7 @@ def _yarn(color: RGB, letter: str, name: str, much: str, grams: str, skein: str,
 def _gauge(book: Book, width: float) -> list[Atom]:
     """The gauge, flat and as a circle, and where it comes from."""
     known, own = book.piece.gauge, book.own
-    flat = own["swatch"].format(stitches=book.number(100.0 / known.width), rows=book.number(100.0 / known.height))
+    flat = own["swatch"].format(stitches=book.number(100.0 / known.width, 0), rows=book.number(100.0 / known.height, 0))
     across = known.circle
     circle = own["circle"].format(cm=book.number(across / 10), inch=book.number(across / 25.4))
     made = [*paragraph(flat, width), *paragraph(circle, width, space=0.8)]

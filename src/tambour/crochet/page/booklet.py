@@ -8,6 +8,7 @@ import numpy as np
 
 from tambour.core.drawing import Drawing
 from tambour.core.picture import Picture
+from tambour.crochet.language.finishes import Eye
 from tambour.crochet.maker.size import skin, whole_size
 from tambour.crochet.page.begin import begin, heading, paragraph
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, WHITE, Book, cropped, cut, short, weight_name
@@ -33,7 +34,7 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     again = book.own["continued"]
     worked = short(book, book.said.terms.word("instructions"))
     flow(rounds(book), book.frame, lambda: book.page(worked), again, book.below)
-    charts(book)
+    since = len(book.pages) - 1
     steps = assembly(book, skin(piece, np.arange(len(piece.positions))))
     closing = book.hers.closing if book.hers is not None else []
     name = book.said.terms.word("assembly") if steps else book.own["last words"]
@@ -45,7 +46,8 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     if steps:
         head = heading(book, name, book.size[0] - 2 * MARGIN)[0]
         flow(steps, book.frame, lambda: book.page(short(book, name)), again, book.below, head)
-    _care(book)
+    charts(book)
+    _care(book, since)
     if not book.low:
         sides(book, before)
     total = len(book.pages)
@@ -136,16 +138,23 @@ def _white() -> Picture:
     return Picture(np.full((2, 2, 4), 255, np.uint8))
 
 
-def _care(book: Book) -> None:
-    """Care, on the last page that has room, else on one of its own."""
+def care(book: Book) -> list[str]:
+    """How the piece is washed, and what it takes to be safe for small children: of eyes and parts that it has."""
+    built = book.piece.built
+    if any(isinstance(record, Eye) for record in built.pattern.finish):
+        return [book.own["care text"], book.own["care eyes"]]
+    return [book.own["care text"], *([book.own["care parts"]] if len(built.graph.parts) > 1 else [])]
+
+
+def _care(book: Book, since: int) -> None:
+    """Care, at the foot of the last page that has room, none before page ``since`` (the last of the rounds), else on one of its own."""
     own = book.own
     wide, high = book.size
     room = wide - 2 * MARGIN - 12.0
-    text = wrap(own["care text"], BODY, room)
+    text = wrap(" ".join(care(book)), BODY, room)
     small = wrap(own["made"], SMALL, room)
     tall = 17.0 + len(text) * BODY * 1.45 + len(small) * SMALL * 1.45
-    # Where there is room, the last page first; the cover is none.
-    sheet = next((s for s in reversed(book.pages[1:]) if s.lowest + tall + 8.0 <= high - FOOT), None)
+    sheet = next((s for s in book.pages[:since:-1] if s.lowest + tall + 8.0 <= high - FOOT), None)
     if sheet is None:
         sheet, y = book.page(short(book, own["care"])), TOP
     else:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import PurePath
 
 from tambour.core.drawing import Drawing
-from tambour.core.graph import BACK, FRONT, JOIN
+from tambour.core.graph import BACK, FRONT, JOIN, ROOT
+from tambour.core.rgb import RGB
 from tambour.crochet.graph import ovals
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.stitches import BUMPS, KINDS
@@ -22,6 +24,8 @@ _INK = (40, 38, 36)
 _PALE = (250, 248, 244)
 _GREY = (150, 146, 140)
 _GAP = 0.06  # of a cell, between two
+_WHITISH = 215  # a patch of which every channel is above this is outlined, for it stands on white paper
+_SHOWS = 6.0  # contrast of a symbol with its patch (WCAG 2: 4.5 for text, 7 for small text)
 
 
 def view(piece: Plush) -> Drawing:
@@ -53,14 +57,14 @@ def diagram(built: Built) -> Drawing:
     return sheet.drawing(title=PurePath(built.pattern.text.name).stem)
 
 
-def plates(built: Built) -> list[tuple[int, Drawing]]:
-    """Every chart by itself without words, with the number of its part; mm."""
+def plates(built: Built) -> list[tuple[int, bool, Drawing]]:
+    """Every chart by itself without words, with the number of its part and whether it is read in rows; mm."""
     made = []
     for chart in charts(built):
         left, right, up, down = _extent(chart)
         sheet = Page((left + right) * CELL, (up + down) * CELL, ink=_INK)
         _chart(sheet, built, chart, left * CELL, up * CELL)
-        made.append((chart.part, sheet.drawing(title="")))
+        made.append((chart.part, chart.rows, sheet.drawing(title="")))
     return made
 
 
@@ -71,7 +75,7 @@ def symbols(built: Built) -> list[tuple[str, Drawing]]:
         height = _TALL.get(kind, 1.0)
         sheet = Page(CELL, height * CELL, ink=_INK)
         _symbol(sheet, kind, 0.5 * CELL, CELL * height)
-        name = {"FLO": "front loops", "BLO": "back loops"}.get(kind, kind)
+        name = {"FLO": "front loops", "BLO": "back loops", "mr": "ring"}.get(kind, kind)
         made.append((name, sheet.drawing(title="")))
     return made
 
@@ -98,7 +102,8 @@ def _chart(sheet: Page, built: Built, chart: Chart, x: float, y: float) -> None:
             )
             continue
         red, green, blue = colors[node]
-        sheet.shape(_sector(chart, cell, x, y), (red, green, blue), None)
+        patch = _patch((red, green, blue))
+        sheet.shape(_sector(chart, cell, x, y), patch, _GREY if min(patch) > _WHITISH else None, 0.3 * _PEN)
     # How many stitches of a round stand in each anchor.
     rounds = graph.round.tolist()
     shared = Counter((rounds[n], a) for n in chart.cells for a in set(anchors[cuts[n] : cuts[n + 1]]))
@@ -144,10 +149,28 @@ def _chart(sheet: Page, built: Built, chart: Chart, x: float, y: float) -> None:
     _numbers(sheet, chart, x, y)
 
 
-def _contrast(rgb: list[int]) -> tuple[int, int, int]:
-    """Ink or pale, whichever shows on a colour."""
+def _light(rgb: Sequence[int]) -> float:
+    """Relative luminance, from 0 to 1."""
     red, green, blue = ((c / 255) ** 2.2 for c in rgb)
-    return _INK if 0.2126 * red + 0.7152 * green + 0.0722 * blue > 0.18 else _PALE
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def _contrast(rgb: Sequence[int]) -> RGB:
+    """Ink or pale, whichever shows on a colour."""
+    return _INK if _light(rgb) > 0.18 else _PALE
+
+
+def _patch(rgb: RGB) -> RGB:
+    """The colour under a symbol: the yarn's, lightened or darkened as far as a fine line needs to show on it."""
+    pen, made = _contrast(rgb), rgb
+    for k in range(1, 40):
+        low, high = sorted((_light(made), _light(pen)))
+        if (high + 0.05) / (low + 0.05) >= _SHOWS:
+            break
+        towards = 255 if pen == _INK else 0
+        red, green, blue = (round(c + (towards - c) * k / 40) for c in rgb)
+        made = red, green, blue
+    return made
 
 
 def _to_page(chart: Chart, place: tuple[float, float], x: float, y: float) -> tuple[float, float]:
@@ -219,6 +242,8 @@ def _numbers(sheet: Page, chart: Chart, x: float, y: float) -> None:
         cell = chart.cells[this.first]
         if cell.line is not None:
             continue
+        if this.number < 1:  # the chain that the first row is worked on
+            continue
         if chart.rows:
             forward = len(chart.cells) < 2 or this.first == this.last or cell.at <= chart.cells[this.last].at
             at = cell.at + (-1.1 if forward else 1.1)
@@ -274,10 +299,52 @@ def _entries(built: Built) -> list[tuple[str, str]]:
     used = [graph.kinds[k] for k in sorted(set(graph.kind.tolist()))]
     kinds = [k for k in used if k not in ("ring", "tip")]
     entries: list[tuple[str, str]] = [(kind, NAMES.get(kind, kind)) for kind in kinds]
+    entries += [(name, what) for name, _, what in _several(built)]
     entries += [("slst", "slip stitch")] * bool((graph.edge_kind == JOIN).any())
+    entries += [("mr", "magic ring")] * ("ring" in used)
     loops = set(graph.loop[graph.parent >= 0].tolist())
     entries += [("FLO", "in the front loop only")] * (FRONT in loops)
     return entries + [("BLO", "in the back loop only")] * (BACK in loops)
+
+
+def _several(built: Built) -> list[tuple[str, str, str]]:
+    """The increases and decreases to two and from two that occur: (standard name, kind, what it is)."""
+    graph = built.graph
+    anchors, cuts = graph.anchors.tolist(), graph.anchor_offsets.tolist()
+    rounds, double = graph.round.tolist(), ovals.layers(graph)
+    kinds = [graph.kinds[k] for k in graph.kind.tolist()]
+    plain = [n for n, kind in enumerate(kinds) if (kind == "sc" or kind in BARS) and not double[n]]
+    peculiar = graph.peculiarity.tolist()
+    into = {n: {a for a in anchors[cuts[n] : cuts[n + 1]] if peculiar[a] != ROOT} for n in plain}
+    shared = Counter((rounds[n], a) for n, own in into.items() for a in own if len(own) == 1)
+    found = {("inc", kinds[n]) for n, own in into.items() if any(shared[rounds[n], a] == 2 for a in own)}
+    found |= {("dec", kinds[n]) for n, own in into.items() if len(own) == 2}
+    words = {"inc": "2 {kind} in one stitch", "dec": "2 {kind} together"}
+    return [
+        (f"{'' if kind == 'sc' else kind}{what}", kind, words[what].format(kind=NAMES[kind]))
+        for what in words
+        for kind in NAMES
+        if (what, kind) in found
+    ]
+
+
+def _legged(sheet: Page, kind: str, what: str, x: float, y: float) -> float:
+    """An increase or a decrease of the legend, as the charts draw them: legs, and the stitches that they end in."""
+    height = _TALL.get(kind, 1.0)
+    both = [(-0.27, 0.0), (0.27, 0.0)]
+    ends = [((0.0, 0.04), (u, 0.42)) for u, _ in both] if what == "inc" else [((u, 0.04), (0.0, 0.42)) for u, _ in both]
+    lines: list[Line] = []
+    for foot, head in ends:
+        if kind in BARS:
+            lines += post(foot, (head[0], height - 0.08), BARS[kind])
+        else:
+            lines += [
+                [foot, head],
+                *([(head[0] + 0.7 * u, 0.1 + v) for u, v in line] for line in strokes(kind, height)),
+            ]
+    for line in lines:
+        sheet.shape([(x + CELL * u, y - CELL * v) for u, v in line], None, _INK, _PEN)
+    return height
 
 
 def _symbol(sheet: Page, kind: str, x: float, y: float) -> float:
@@ -285,9 +352,17 @@ def _symbol(sheet: Page, kind: str, x: float, y: float) -> float:
     chart = Chart(0, True)
     height = _TALL.get(kind, 1.0)
     cell = Cell(0.0, 0.5, 0.0, height)
-    if kind in ("FLO", "BLO"):
+    if kind in ("FLO", "BLO"):  # under a stitch, as it stands in the chart
+        for line in strokes("sc", height):
+            sheet.shape(_around(chart, cell, line, x, y), None, _GREY, _PEN)
         sheet.shape(_around(chart, cell, loop_mark(kind == "FLO"), x, y), None, _INK, _PEN)
         return height
+    if kind == "mr":
+        for line in ring_mark():
+            sheet.shape([(x + CELL * u, y - CELL * (0.5 + v)) for u, v in line], None, _INK, _PEN)
+        return height
+    if kind.endswith(("inc", "dec")):
+        return _legged(sheet, kind[:-3] or "sc", kind[-3:], x, y)
     for line in strokes(kind, height):
         sheet.shape(_around(chart, cell, line, x, y), None, _INK, _PEN)
     dot = solid(kind, height)

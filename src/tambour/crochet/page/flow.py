@@ -42,20 +42,24 @@ class Chunk:
         return self.atoms[0].space if self.atoms else 0.0
 
 
+_LAST = 4
+"""Rows at the end of a section that stay together: two alone in the next column read as a part of their own."""
+
+
 def together(heads: list[Atom], rows: list[Atom], title: str) -> list[Chunk]:
-    """A section's chunks: the heading with its first three rows, the last two rows, and each row between by itself."""
-    if len(rows) <= 5:
+    """A section's chunks: the heading with its first three rows, the last four rows, and each row between by itself."""
+    if len(rows) <= 3 + _LAST:
         return [Chunk([*heads, *rows], title)]
     made = [Chunk([*heads, *rows[:3]], title)]
-    for row in rows[3:-2]:
+    for row in rows[3:-_LAST]:
         if made[-1].atoms[-1].keep:
             made[-1].atoms.append(row)
         else:
             made.append(Chunk([row], title, False))
     if made[-1].atoms[-1].keep:
-        made[-1].atoms += rows[-2:]
+        made[-1].atoms += rows[-_LAST:]
     else:
-        made.append(Chunk(rows[-2:], title, False))
+        made.append(Chunk(rows[-_LAST:], title, False))
     return made
 
 

@@ -17,7 +17,7 @@ from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.finishes import Embroidery, Hair
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section
-from tambour.crochet.page.plain import reach, unmarked, with_eyes
+from tambour.crochet.page.plain import reach, spelled, unmarked, with_eyes
 from tambour.crochet.page.written import Written, sections
 from tambour.crochet.piece import Plush
 from tambour.crochet.printed.shades import spoken
@@ -178,7 +178,8 @@ def words(piece: Built | Pattern, terms: str | None = None, *, exact: bool = Tru
     code = terms or built.pattern.terms or "us"
     if code not in TERMS:
         raise TambourError(f'there are no terms "{code}"', hint=f"one of {', '.join(TERMS)}", where="{--terms}")
-    return _Writer(built, TERMS[code], exact).words()
+    table = TERMS[code] if exact else spelled(TERMS[code], built.pattern.text.text)
+    return _Writer(built, table, exact).words()
 
 
 def _sews(line: Written) -> bool:

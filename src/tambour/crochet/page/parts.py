@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from typing import Final
 
 from tambour.core.check import Array
 from tambour.core.picture import Picture
 from tambour.crochet.language.finishes import Eye
+from tambour.crochet.page.angle import angle, behind
 from tambour.crochet.page.begin import heading, paragraph
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, cropped, short
 from tambour.crochet.page.diagram import plates, symbols
 from tambour.crochet.page.flow import Atom, Chunk, together
 from tambour.crochet.page.instructions import PartText, Row
 from tambour.crochet.page.pictures import Step, from_side, lies, of_parts, of_step, steps
-from tambour.crochet.page.plain import reach
+from tambour.crochet.page.plain import eyes_now, reach
 from tambour.crochet.page.type import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, width_of, wrap
 from tambour.render.page import Page
 
@@ -26,6 +28,8 @@ _TICK = 2.5
 _WITH = re.compile(r"(?:with|using|use|in|start|begin)\b.{0,60}$", re.IGNORECASE)
 _LARGEST = 0.55
 """Scale at which a chart is large enough: a stitch is 3.9 mm wide."""
+_READ: Final = {"chart rounds": False, "chart rows": True, "chart patch": None}
+"""How charts are read → whether that is said of those in rows."""
 
 
 def rounds(book: Book) -> list[Chunk]:
@@ -112,15 +116,17 @@ def charts(book: Book) -> None:
     wide = book.size[0] - 2 * MARGIN
     bottom = book.size[1] - FOOT
     title = short(book, book.own["charts"])
-    scales = [min(_LARGEST, wide / d.size[0], (bottom - TOP - 12.0) / d.size[1]) for _, d in found]
+    scales = [min(_LARGEST, wide / d.size[0], (bottom - TOP - 12.0) / d.size[1]) for *_, d in found]
     sheet, y = book.below
-    if y + 20.0 + float(found[0][1].size[1]) * scales[0] + LEAD > bottom:
+    if y + 20.0 + float(found[0][2].size[1]) * scales[0] + LEAD > bottom:
         sheet, y = book.page(title), TOP
     else:
         sheet.text(book.own["charts"], MARGIN, y + HEAD * 0.8, HEAD, True, book.accent)
         sheet.line(MARGIN, y + HEAD * 1.2 + 0.6, MARGIN + wide, y + HEAD * 1.2 + 0.6, HAIR)
         y += HEAD * 1.2 + 3.0
-    y = sheet.paragraph(wrap(book.own["chart note"], BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
+    ways = {rows for _, rows, _ in found}
+    note = " ".join(book.own[key] for key, there in _READ.items() if there in ways or there is None)
+    y = sheet.paragraph(wrap(note, BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
     y = _symbols(book, sheet, MARGIN, y, wide)
     names = {block.part: block.title if len(book.said.blocks) > 1 else "" for block in book.said.blocks}
     row: list[tuple[str, float, float, int]] = []
@@ -128,7 +134,7 @@ def charts(book: Book) -> None:
     def placed(row: list[tuple[str, float, float, int]], y: float) -> float:
         x, tall = MARGIN, 0.0
         for name, scale, _, k in row:
-            drawing = found[k][1]
+            drawing = found[k][2]
             w, h = (drawing.size * scale).tolist()
             sheet.text(name, x, y + LEAD, LEAD, True)
             sheet.place(drawing, x, y + LEAD + 2.0, scale)
@@ -136,7 +142,7 @@ def charts(book: Book) -> None:
         return y + tall
 
     room = 0.0
-    for k, (part, drawing) in enumerate(found):
+    for k, (part, _, drawing) in enumerate(found):
         w, h = drawing.size.tolist()
         name = names.get(part, "")
         scale = scales[k]
@@ -145,7 +151,7 @@ def charts(book: Book) -> None:
             y = placed(row, y)
             row, room = [], 0.0
         tall = h * scale + LEAD + 6.0
-        highest = max([found[j][1].size[1] * s + LEAD + 6.0 for _, s, _, j in row], default=0.0)
+        highest = max([found[j][2].size[1] * s + LEAD + 6.0 for _, s, _, j in row], default=0.0)
         if y + max(tall, highest) > bottom + 1.0:
             # Somewhat smaller on this page rather than a page of its own.
             left = bottom - y - LEAD - 6.0
@@ -166,7 +172,7 @@ def _symbols(book: Book, sheet: Page, x: float, y: float, wide: float) -> float:
     tall = 0.0
     terms = book.said.terms
     for name, drawing in symbols(book.piece.built):
-        meaning = terms.meaning.get(name) or (terms.stitches.get(name) or (name,))[0]
+        meaning = terms.meaning.get(name) or (terms.stitches.get(name) or terms.words.get(name) or (name,))[0]
         lines = wrap(meaning, SMALL, 40.0)
         w = 8.0 + max(width_of(line, SMALL) for line in lines) + 5.0
         if left + w > x + wide + 5.0 and left > x:
@@ -209,6 +215,8 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     for k, (step, said) in enumerate(zip(found, sentences)):
         picture = of_step(book.album, step, frame, round(width * _DOTS), round(high * _DOTS))
         names = _names(book, step)
+        if behind(angle(piece, step.parts, step.fresh)):
+            names += f" ({book.own['back']})"
         head = f"{book.own['step'].format(n=k + 1)}: {names}"
 
         def draw(sheet: Page, x: float, y: float, picture: Picture = picture, head: str = head) -> None:
@@ -262,8 +270,7 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
         last = max((row.count for row in rows), default=0)
         open_ = [k for k, row in enumerate(rows) if row.number >= level and 2 * row.count >= last]
         at = (max(open_) if open_ else max((k for k, row in enumerate(rows) if row.label), default=-1)) + 1
-        where = book.spoken(eyes)
-        rows.insert(at, Row("", f"{book.own['eyes now']}: {' '.join(where)}"))
+        rows.insert(at, Row("", eyes_now(book.own, book.spoken(eyes))))
     return rows
 
 

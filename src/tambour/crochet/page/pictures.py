@@ -17,13 +17,13 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, Spot
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.album import FEW, MANY, Album
+from tambour.crochet.page.angle import VIEW, angle
 from tambour.crochet.page.type import BACKDROP
 from tambour.render.raster import film
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
 
-_VIEW: Final = (radians(24.0), radians(14.0))
 _ABOVE: Final = radians(52.0)
 _NEAR: Final = (radians(10.0), radians(6.0))
 AIR: Final = 1.1
@@ -119,16 +119,16 @@ def whole(album: Album, width: int, height: int) -> Picture:
     # Some air around it, but the floor stays where it stands.
     room = middle + AIR * (points - middle)
     room[:, 1] = np.maximum(room[:, 1], points[:, 1].min())
-    elevation = _ABOVE if lies(album.piece) else _VIEW[1]
+    elevation = _ABOVE if lies(album.piece) else VIEW[1]
     seen = picture(
         made,
         width=width,
         height=height,
-        azimuth=_VIEW[0],
+        azimuth=VIEW[0],
         elevation=elevation,
         background=album.backdrop,
         frame=room,
-        lit=album.light(in_sight(album.piece) or album.all, album.face, _VIEW[0], MANY),
+        lit=album.light(in_sight(album.piece) or album.all, album.face, VIEW[0], MANY),
     )
     paper = np.round(coded(film(linear(np.array(album.backdrop) / 255.0))) * 255).astype(np.float32)
     y = np.linspace(0.0, 1.0, height, dtype=np.float32)
@@ -162,8 +162,8 @@ def of_parts(album: Album, parts: Sequence[int], width: int, height: int) -> Pic
             album.partial(parts),
             width=width,
             height=height,
-            azimuth=_VIEW[0],
-            elevation=_VIEW[1],
+            azimuth=VIEW[0],
+            elevation=VIEW[1],
             ground=False,
             background=album.backdrop,
             lights=sum(FEW),
@@ -210,7 +210,7 @@ def of_step(album: Album, step: Step, frame: Array, width: int, height: int) -> 
     piece = album.piece
     known = Spots(piece.built)
     fresh = step.fresh or step.parts
-    view = _VIEW
+    view = angle(piece, step.parts, step.fresh)
     if not step.fresh:
         # A face is seen from near and in front: the parts that it is on fill the picture.
         hosts = {known.place(s).nodes[0] for r in step.finishes for s in _spots(r)}

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Eye
@@ -13,6 +13,7 @@ from tambour.crochet.page.placed import Spoken
 
 if TYPE_CHECKING:
     from tambour.crochet.page.instructions import Words
+    from tambour.crochet.words.table import Terms
 
 
 def unmarked(text: str) -> str:
@@ -32,10 +33,38 @@ def unmarked(text: str) -> str:
     return "\n".join(made) + "\n"
 
 
+_BRITISH: Final = {"gray": "grey", "color": "colour", "center": "centre", "fiber": "fibre"}
+
+
+def spelled(terms: Terms, text: str) -> Terms:
+    """English words as the designer spells: British ones where ``text`` has some and no American ones (US stitches are often
+    written so), that a booklet does not mix the two; every other language as it is."""
+    if terms.base not in ("", terms.code) or terms.colors["blue"][0] != "blue":
+        return terms
+    low = text.lower()
+    if any(word in low for word in _BRITISH) or not any(word in low for word in _BRITISH.values()):
+        return terms
+
+    def said(words: str) -> str:
+        return re.sub("|".join(_BRITISH), lambda found: _BRITISH[found[0]], words)
+
+    return replace(
+        terms,
+        page={key: said(words) for key, words in terms.page.items()},
+        colors={css: tuple(dict.fromkeys((said(words[0]), *words))) for css, words in terms.colors.items()},
+    )
+
+
 def reach(rounds: Sequence[tuple[int, bool]]) -> int:
     """After which of the rounds (count, whether it is one) hands still reach inside: the last with half of the most stitches."""
     most = max((count for count, _ in rounds), default=0)
     return max((k for k, (count, makes) in enumerate(rounds) if makes and most and 2 * count >= most), default=-1)
+
+
+def eyes_now(page: Mapping[str, str], said: Sequence[str]) -> str:
+    """What is said of eyes between the rounds: when, and where; ``page`` : the booklet's words."""
+    first, *others = said
+    return " ".join([f"{page['eyes now']}: {first[:1].lower()}{first[1:]}", *others])
 
 
 def with_eyes(made: Words, built: Built) -> Words:
@@ -58,6 +87,5 @@ def with_eyes(made: Words, built: Built) -> Words:
         at = min(max(first, 0), inside) if inside >= 0 else len(rows) - 1
         said = spoken(eyes)
         done += said
-        words = f"{made.terms.page['eyes now']}: {' '.join(said)}"
-        parts.append(replace(part, lines=(*rows[: at + 1], Row("", words), *rows[at + 1 :])))
+        parts.append(replace(part, lines=(*rows[: at + 1], Row("", eyes_now(made.terms.page, said)), *rows[at + 1 :])))
     return replace(made, parts=tuple(parts), finish=tuple(s for s in made.finish if s not in done))

@@ -1,0 +1,55 @@
+"""Angle: from where a step of the assembly is seen, so that what is newly sewn does not hide behind what was there."""
+
+from __future__ import annotations
+
+from math import cos, pi, radians, sin
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.maker.size import skin
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from tambour.crochet.piece import Plush
+
+VIEW: Final = (radians(24.0), radians(14.0))
+"""Azimuth and elevation from which a piece is shown unless something hides there."""
+_BACK: Final = (pi + VIEW[0], radians(20.0))
+_OTHERS: Final = (_BACK, (radians(75.0), VIEW[1]), (radians(-75.0), VIEW[1]), (VIEW[0], radians(-20.0)))
+_ENOUGH: Final = 0.6
+"""The usual view is kept where it shows so much of what the best one shows."""
+
+
+def angle(piece: Plush, there: Sequence[int], fresh: Sequence[int]) -> tuple[float, float]:
+    """Azimuth and elevation, radians, that show the parts ``fresh`` among those that are ``there``: the usual ones, or those of
+    the back, a side or below where much more of them is in sight."""
+    part = piece.built.graph.part
+    nodes = np.flatnonzero(np.isin(part, list(there)))
+    new = np.tile(np.isin(part[nodes], list(fresh)), 2)
+    if not new.any() or new.all():
+        return VIEW
+    points = skin(piece, nodes)
+    seen = [_seen(points, new, 0.7 * piece.stitch[0], view) for view in (VIEW, *_OTHERS)]
+    return VIEW if seen[0] >= _ENOUGH * max(seen) else _OTHERS[int(np.argmax(seen[1:]))]
+
+
+def behind(view: tuple[float, float]) -> bool:
+    """Whether a view is that of the back."""
+    return view == _BACK
+
+
+def _seen(points: Array, new: Array, cell: float, view: tuple[float, float]) -> int:
+    """How many cells of a picture without perspective show ``new`` points (P,) of ``points`` (P, 3), the nearest in each."""
+    a, e = view
+    right = np.array([cos(a), 0.0, -sin(a)])
+    back = np.array([cos(e) * sin(a), sin(e), cos(e) * cos(a)])
+    flat = np.floor(np.column_stack([points @ right, points @ np.cross(back, right)]) / cell).astype(int)
+    # Points are a stitch apart: each covers the cells beside its own, too.
+    spread = np.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)])
+    cells = (flat[:, None] + spread).reshape(-1, 2)
+    near = np.argsort(-np.repeat(points @ back, len(spread)), kind="stable")
+    _, first = np.unique(cells[near], axis=0, return_index=True)
+    return int(np.repeat(new, len(spread))[near][first].sum())
