@@ -73,7 +73,7 @@ def test_the_booklet_says_everything() -> None:
         *("Rnd 4-6", "18 sc", "(18)", "Ear (make 2)", "1 safety eye, 4 mm, black", "3.5 mm", "worsted weight (4)"),
         *(
             "Step 1: Ear",
-            "Now, while fingers still reach inside: insert a safety eye",
+            "Now, while fingers still reach inside: insert",
             "single crochet",
             "polyester fiberfill",
         ),
