@@ -62,6 +62,22 @@ def test_the_yarn_is_not_torn(text: str) -> None:
         assert np.linalg.norm(np.diff(line, axis=0), axis=1).max() < 1.2 * 5.0
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        ": MR(6)\n",
+        ": MR(8), join\n: ch, 8 inc, join\n: ch, 16 sc, join\n",
+        ": 6 ch, turn\n" + ": 5 sc, turn, ch\n" * 5 + ": 5 sc\n",
+    ],
+)
+def test_no_yarn_stands_off_the_fabric(text: str) -> None:
+    # Neither its ends, which are woven in, nor the last head of a round or of a row.
+    graph, x = piece(text)
+    for line in fabric.strands(graph, x).paths:
+        off = np.sqrt(((line[:, None] - x[None]) ** 2).sum(-1)).min(1)
+        assert off.max() < 1.1 * 5.0
+
+
 def test_details_differ_in_points_only(striped: tuple[StitchGraph, np.ndarray]) -> None:
     made = [fabric.strands(*striped, detail=d) for d in ("low", "medium", "high")]
     counts = [len(m.paths.coords) for m in made]

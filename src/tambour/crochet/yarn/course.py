@@ -10,6 +10,7 @@ from tambour.core.arrays import B1x1, F8x1, F8x2, I1x1, I4x1, I8x1
 from tambour.core.check import Array
 from tambour.core.graph import JOIN, ROOT, TIP, StitchGraph
 from tambour.core.kernels import kernel
+from tambour.geometry.motion import length
 from tambour.geometry.surface import vertex_normals
 
 RING = 0.43
@@ -49,11 +50,34 @@ def course(graph: StitchGraph, x: Array, lean: float = 0.0) -> Course:
     along, up = np.zeros((n, 3)), np.zeros((n, 3))
     foot, pace = np.zeros(n), np.zeros(n)
     _neighbours(graph.previous, graph.part, plain, graph.parent, graph.peculiarity == ROOT, after, before)
+    _around(graph, x, plain, after)
     width = float(graph.rest[graph.edge_kind == 0].mean()) if (graph.edge_kind == 0).any() else 5.0
     _vectors(x, normal, after, before, graph.anchors, graph.anchor_offsets, graph.height, plain, width, along, up)
     _feet(graph.anchors, graph.anchor_offsets, along, graph.direction, plain, foot, pace)
     host, slip = leaning(graph, lean)
     return Course(np.ascontiguousarray(x), normal, along, up, after, before, foot, pace, host, slip)
+
+
+def _around(graph: StitchGraph, x: Array, plain: Array, after: Array) -> None:
+    """A round's last stitch, that none follows, lies over to the round's first: it is joined to it, or stands next to it."""
+    joined = dict(graph.edges[graph.edge_kind == JOIN].tolist())
+    worked = np.diff(graph.anchor_offsets) > 0
+    for i in np.flatnonzero(plain & worked & (after < 0)).tolist():
+        a = int(graph.anchors[graph.anchor_offsets[i + 1] - 1])
+        k = joined.get(i, -1)
+        if k < 0 and graph.peculiarity[a] == ROOT:
+            k = a + 1
+        elif k < 0 and graph.direction[a] == graph.direction[i]:
+            k = int(after[a])
+        own = (
+            k >= 0
+            and k != i
+            and plain[k]
+            and graph.part[k] == graph.part[i]
+            and graph.direction[k] == graph.direction[i]
+        )
+        if own and length((x[k] - x[i])[None])[0] < 2.0 * graph.stitch_width:
+            after[i] = k
 
 
 def leaning(graph: StitchGraph, lean: float) -> tuple[Array, Array]:

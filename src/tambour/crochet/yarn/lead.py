@@ -29,10 +29,16 @@ from tambour.geometry.motion import length
 NONE, STITCH, CHAINED = 0, 1, 2
 
 # Ends and joins in (u, v, w); heights are those in a single crochet.
-_INWARD = np.array([(0.70, 0.42, -0.48), (0.55, 0.32, -0.80), (0.35, 0.45, -0.95)])
-_OUTWARD = np.array([(1.20, 0.60, -0.95), (1.02, 0.52, -0.70), (0.86, 0.46, -0.34)])
-_BEGIN = np.array([(0.0, 0.5, -0.95), (-0.2, 0.55, -0.62)])
-_RING = np.array([(0.3, -0.1, -1.1), (0.1, 0.0, -0.6), (-0.2, 0.15, -0.15)])
+# An end is woven in: it runs along its own row, close behind the fabric, whichever side that is in a turned row.
+_INWARD = np.array([(0.50, 0.42, -0.50), (0.0, 0.38, -0.53), (-0.55, 0.38, -0.53), (-1.1, 0.40, -0.50)])
+_OUTWARD = np.array([(2.3, 0.48, -0.50), (1.7, 0.46, -0.53), (1.2, 0.46, -0.53), (0.86, 0.46, -0.36)])
+_BEGIN = np.array([(1.2, 0.44, -0.50), (0.65, 0.42, -0.53), (0.1, 0.45, -0.53), (-0.22, 0.52, -0.45)])
+# From a stitch in the front of a turned row an end gets behind the fabric around the edge.
+_EDGE = np.array([(0.85, 0.46, 0.0)])
+# Where a magic ring is drawn tight its end lies across the middle: over the far side of the ring, the middle, this side.
+_FAR = np.array([(0.0, 0.75, -0.50), (0.0, 0.25, -0.48)])
+_MIDDLE = np.array([(0.0, 1.0, -0.30)])
+_RING = np.array([(-0.2, 0.15, -0.15)])
 _ROUND = np.array([(-0.25, 0.22, 0.0), (0.05, 0.24, 0.02), (0.42, 0.22, 0.0)])
 _GATHER = np.array([(0.3, 0.5, 0.1), (0.75, 0.5, 0.1)])
 _CLOSE = np.array([(0.2, 0.85, 0.0), (0.2, 1.0, -0.5), (0.2, 0.9, -1.2)])
@@ -61,6 +67,9 @@ _HANGING = np.array(
     ]
 )
 _SEAM = np.array([(0.0, 0.0, -0.45), (0.0, 0.0, 0.36)])
+
+TIGHT = 0.6
+"""As far along the work, in stitches, a head keeps its place that is drawn tight."""
 
 # What comes first where several things happen at one place of the yarn.
 _AFTER, _END, _BREAK, _START = range(4)
@@ -152,6 +161,7 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     for i, loops in _loops(graph):
         for _ in range(loops):
             pieces.put(int(start[i]) + LOOPED, _AFTER, i, int(on[i]), _HANGING)
+    _tight(graph, role, follows, start, at)
     drop = np.zeros(total, np.bool_)
     for i in worked[~follows[worked]].tolist():
         _begun(graph, pieces, i, int(on[i]), int(start[i]), role, ring, follows, drop)
@@ -161,9 +171,9 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         # The new colour is taken up with the top loop of the stitch before.
         p, where = i - 1, int(start[i]) - (TOP[1] - HEAD)
         rise = float(graph.height[p]) - 1
-        pieces.put(where, _END, p, int(on[p]), _INWARD, rise)
+        pieces.put(where, _END, p, int(on[p]), _behind(graph, p, _INWARD), rise)
         pieces.begin(where, i)
-        pieces.put(where, _START, p, int(on[p]), _OUTWARD, rise)
+        pieces.put(where, _START, p, int(on[p]), _behind(graph, p, _OUTWARD), rise)
     joins = graph.edges[graph.edge_kind == JOIN]
     for i, a in joins[(role[joins] != NONE).all(1)].tolist():
         pieces.put(int(start[i + 1]), _AFTER, a, -1, _SLIP, float(graph.height[a]))
@@ -176,6 +186,19 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
             # The last top loop is not left lying: its yarn is drawn on.
             drop[int(start[i + 1]) - (TOP[1] - HEAD) + 3 : int(start[i + 1])] = True
     return _joined(graph, cell, below, at, drop, pieces)
+
+
+def _tight(graph: StitchGraph, role: Array, follows: Array, start: Array, at: Array) -> None:
+    """Where a flat row is fastened off the last head is drawn tight: nothing comes that it could lie over to."""
+    last = role != NONE
+    last[:-1] &= ~follows[1:]
+    joined = graph.edges[graph.edge_kind == JOIN][:, 0]
+    for i in np.setdiff1d(np.flatnonzero(last), joined).tolist():
+        own = int(graph.anchors[graph.anchor_offsets[i + 1] - 1]) if role[i] == STITCH else -1
+        if own >= 0 and (role[own] == NONE or (role[own] == STITCH and graph.direction[own] == graph.direction[i])):
+            continue  # a round: the head lies over to the round's first stitch
+        head = at[int(start[i + 1]) - (TOP[1] - HEAD) : int(start[i + 1]), 0]
+        head[head > TIGHT] -= 0.6 * (head[head > TIGHT] - TIGHT)
 
 
 def takes(graph: StitchGraph, stitch: tuple[float, float], hold: str = "over") -> Array:
@@ -223,6 +246,16 @@ def _tips(graph: StitchGraph) -> list[int]:
     return [int(t) for t in np.flatnonzero(graph.peculiarity == TIP)]
 
 
+def _behind(graph: StitchGraph, i: int, rows: Array, edge: Array | None = None) -> Array:
+    """An end's points at stitch ``i``, behind the fabric also where its row shows its back; around the ``edge`` to there."""
+    if graph.direction[i] >= 0:
+        return rows
+    turned = rows * np.array([1.0, 1.0, -1.0])
+    if edge is None:
+        return turned
+    return np.vstack([turned, edge] if rows is _OUTWARD else [edge, turned])
+
+
 def _begun(
     graph: StitchGraph,
     pieces: _Pieces,
@@ -237,24 +270,27 @@ def _begun(
     """The yarn's beginning before stitch ``i``: a magic ring, the first chain, or yarn joined anew."""
     pieces.begin(where, i)
     if ring[i]:
-        # A tail, once around the ring, then into it.
-        pieces.put(where, _START, i, on, _RING)
+        # A tail across the middle, once around the ring, then into it.
         k = i
         while k < len(graph) and ring[k] and graph.parent[k] == graph.parent[i] and (k == i or follows[k]):
-            pieces.put(where, _START, k, on, _ROUND)
             k += 1
+        pieces.put(where, _START, (i + k) // 2, on, _behind(graph, i, _FAR))
+        pieces.put(where, _START, i, -2 - on, _behind(graph, i, _MIDDLE))
+        pieces.put(where, _START, i, on, _RING)
+        for n in range(i, k):
+            pieces.put(where, _START, n, on, _ROUND)
         drop[where : where + 4] = True
     elif role[i] == CHAINED:
-        pieces.put(where, _START, i, -1, _OUTWARD)
+        pieces.put(where, _START, i, -1, _behind(graph, i, _OUTWARD, _EDGE))
         drop[where : where + 4] = True
     else:
-        pieces.put(where, _START, i, on, _BEGIN, float(graph.height[i]) - 1)
+        pieces.put(where, _START, i, on, _behind(graph, i, _BEGIN), float(graph.height[i]) - 1)
 
 
 def _ended(graph: StitchGraph, pieces: _Pieces, i: int, on: int, where: int, tip: int | None) -> None:
     """The yarn's end after stitch ``i``: drawn through the last round's stitches and inside, or only inside."""
     if tip is None:
-        pieces.put(where, _END, i, on, _INWARD, float(graph.height[i]) - 0.9)
+        pieces.put(where, _END, i, on, _behind(graph, i, _INWARD, _EDGE), float(graph.height[i]) - 0.9)
         return
     for a in graph.anchors[graph.anchor_offsets[tip] : graph.anchor_offsets[tip + 1]].tolist():
         pieces.put(where, _END, a, -2 - tip, _GATHER)
