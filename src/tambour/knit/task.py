@@ -26,6 +26,7 @@ class Task:
     knit, relaxed, locked : bool, or empty: stitches that are knitted (all), free of the limit (none), fixed (none)
     weights : float32, or empty: the cost of a flip (1)
     seed : of random choices
+    first : which row of the chart the first one is, where the task is a part of it
 
     A cell that is not knitted is passed over: the stitches on either side of it are neighbours in the row. A relaxed
     stitch breaks a run in two: only windows of f + 1 stitches without one count.
@@ -43,6 +44,7 @@ class Task:
     locked: Array = field(default_factory=lambda: NONE)
     weights: Array = field(default_factory=lambda: PLAIN)
     seed: str = "knit"
+    first: int = 0
 
     @property
     def key(self) -> np.uint64:
@@ -65,4 +67,4 @@ class Task:
                 (n, getattr(self, n)) for n in ("tone", "start", "knit", "relaxed", "locked", "weights")
             )
         }
-        return replace(self, **cut)
+        return replace(self, **cut, first=self.first + low)

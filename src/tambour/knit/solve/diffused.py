@@ -28,7 +28,7 @@ def solve(task: Task) -> Array:
     cap = min(task.cap, 1 << 30)
     masks = task.knit, task.relaxed, task.locked, task.weights
     diffuse(task.tone, task.limit, task.free, cap, task.ring, soft, *masks, out, failed)
-    exact.impossible(failed)
+    exact.impossible(failed, task)
     return out
 
 

@@ -72,19 +72,21 @@ def solve(task: Task, cells: Array | None = None, tidy: float = 0.0) -> Array:
                 work(first + k * 2 * BLOCK, min(first + k * 2 * BLOCK + BLOCK, rows))
 
             share(blocks, 1, nth)
-    impossible(failed)
+    impossible(failed, task)
     return out
 
 
-def impossible(failed: Array) -> None:
+def impossible(failed: Array, task: Task) -> None:
     """Raise TambourError naming the rows that have no lawful way."""
+    length = f"{task.limit} stitch" + "es" * (task.limit != 1)
     rows = np.flatnonzero(failed)
     if len(rows):
         raise TambourError(
             [
                 Problem(
-                    f"row {r + 1} cannot be made lawful: its locked stitches form a run that is too long",
-                    "relax it there ({--relax}), lock less, or allow longer floats ({--max-float})",
+                    f"the floats in row {task.first + r + 1} would be longer than {length}: too many stitches of one colour"
+                    " are held side by side",
+                    "hold fewer, let floats be longer there ({--relax}), or everywhere ({--max-float})",
                     where="{--lock}",
                 )
                 for r in rows[:20]

@@ -150,7 +150,7 @@ def solve(
             share(batches, max(-(-ALONE // (LANES * cells.shape[1])), min(32, -(-batches // 2))), work)
             if progress is not None:
                 progress.step(sweep * (reach + 1) + phase + 1, sweeps * (reach + 1))
-        exact.impossible(failed)
+        exact.impossible(failed, task)
         near = np.convolve(changed, np.ones(2 * reach + 1), "full")[reach : reach + rows] > 0.5
         # In the round every sweep moves the stitches that are held, so all rows may still gain.
         todo = near | changed if not task.ring else near | (np.full(rows, sweep < 2))
