@@ -1,6 +1,6 @@
 """The studio in CPU seconds and bytes: a warm worker, first views, checks while typing, tiles, states over the socket.
 
-Run: python bench/studio.py [worker view check tile stream edit hand frames scroll]; the last two need Chromium and the page built
+Run: python bench/studio.py [worker view check tile stream edit hand first frames scroll]; the last three need Chromium and the page built
 """
 
 from __future__ import annotations
@@ -146,8 +146,8 @@ def hand() -> None:
         )
 
 
-def _page(flags: dict[str, Any]) -> Any:
-    """A page of a studio of its own, in Chromium; its context, and its process, are at ``.context`` and in the list."""
+def _page(flags: dict[str, Any], shelf: bool = True) -> Any:
+    """A page of a studio of its own in Chromium, at the shelf unless it is to be opened later; the studio's process, its address."""
     import contextlib
     import shutil
     import subprocess
@@ -183,9 +183,10 @@ def _page(flags: dict[str, Any]) -> Any:
                 page = browser.new_page(viewport={"width": 1000, "height": 600}, **flags)
                 page.set_default_timeout(180_000)
                 page.route("**/api/examples/**", lambda route: route.fulfill(body=b""))
-                page.goto(address)
-                page.wait_for_selector(".cardx")
-                yield page, started.pid
+                if shelf:
+                    page.goto(address)
+                    page.wait_for_selector(".cardx")
+                yield page, started.pid, address
                 browser.close()
                 started.terminate()
 
@@ -247,7 +248,7 @@ def frames() -> None:
         own = {p: Path(f"/proc/{p}/stat").read_text().rsplit(")", 1) for p in _processes(os.getpid())}
         return sum(sum(map(int, rest.split()[11:13])) for name, rest in own.values() if "chrom" in name) / tick
 
-    with _page({}) as (page, _):
+    with _page({}) as (page, _, _):
         for name in ("ball1k", "ball5k", "ball20k"):
             body = {"craft": "crochet", "source": {"text": SHAPES[name], "name": "ball.acl"}, "title": name}
             told = page.evaluate(
@@ -263,9 +264,35 @@ def frames() -> None:
             )
 
 
+def first() -> None:
+    """The first page that a studio serves, once it is up: from the address to the first picture of the shelf, its processor seconds, its bytes."""
+    paint = "performance.getEntriesByName('first-contentful-paint').length"
+    with _page({}, shelf=False) as (page, pid, address):
+        begun = _spent(pid)
+        page.goto(address)
+        page.wait_for_selector(".cardx")
+        page.wait_for_function(paint)
+        taken = _spent(pid) - begun
+        told = page.evaluate(
+            "() => ({paint: performance.getEntriesByName('first-contentful-paint')[0].startTime,"
+            " loaded: performance.getEntriesByType('navigation')[0].loadEventEnd,"
+            " bytes: performance.getEntriesByType('resource').reduce((n, r) => n + r.transferSize, 0)})"
+        )
+        print(f"first page: {taken:.2f} CPU s of server and workers; painted {told['paint']:.0f} ms, loaded {told['loaded']:.0f} ms after it was asked for,"
+              f" {told['bytes'] / 1000:.0f} kB; load of the machine {Path('/proc/loadavg').read_text().split()[0]}")  # fmt: skip
+
+
+def _spent(pid: int) -> float:
+    """Processor seconds of a process and all that it started."""
+    import os
+
+    told = [Path(f"/proc/{p}/stat").read_text().rsplit(")", 1)[1].split() for p in _processes(pid)]
+    return sum(int(t[11]) + int(t[12]) for t in told) / os.sysconf("SC_CLK_TCK")
+
+
 def scroll() -> None:
     """As many tiles as ten minutes of drifting show, ten times over: what the page and the server hold meanwhile."""
-    with _page({"reduced_motion": "reduce"}) as (page, pid):
+    with _page({"reduced_motion": "reduce"}) as (page, pid, _):
         page.evaluate(NEW, {"craft": "ink", "seed": "plum"})
         page.wait_for_selector(".seal")
         page.focus(".scroll canvas")
@@ -282,7 +309,7 @@ def scroll() -> None:
 
 if __name__ == "__main__":
     every = {
-        "worker": worker, "view": view, "check": check, "tile": tile, "stream": stream, "edit": edit, "hand": hand, "frames": frames, "scroll": scroll,
+        "worker": worker, "view": view, "check": check, "tile": tile, "stream": stream, "edit": edit, "hand": hand, "first": first, "frames": frames, "scroll": scroll,
     }  # fmt: skip
     sys.stdout = io.TextIOWrapper(sys.stdout.buffer, line_buffering=True)
     for name in sys.argv[1:] or every:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import struct
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -346,6 +347,7 @@ def test_knit_painted_by_keys(page, tmp_path):
     page.keyboard.press("Enter")
     page.click("text=Insert 10 rows")
     until(page, "document.querySelector('.side.right')?.textContent.includes('12 × 20')")
+    page.wait_for_selector("text=1 stitch held by hand")  # the rows that came in have not let it go
     page.keyboard.press("Control+k")
     page.keyboard.type("whole chart")
     page.keyboard.press("Enter")
@@ -444,6 +446,42 @@ def test_ink_by_keys_alone(page, tmp_path):
     assert got.name == "plum.png" and got.read_bytes() == (tmp_path / "plum.png").read_bytes()
 
 
+def test_the_address_of_a_place_makes_it_in_another_studio(page, browser, tmp_path):
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    told = {"season": "winter", "time": "dusk", "mist": 0.7, "boats": False}
+    new(page, {"craft": "ink", "seed": "first snow & 1 %", "title": "snow", "params": told})
+    page.wait_for_selector(".seal")
+    page.keyboard.press("PageDown")
+    until(page, "location.href.includes('?x=')")
+    until(page, "performance.getEntriesByType('resource').filter(r => r.name.includes('/api/ink/tiles/')).length > 3")
+    page.keyboard.press("Control+s")
+    page.click("dialog[open] >> text=Copy the address")
+    page.wait_for_selector(".note >> text=is copied")
+    address = page.evaluate("navigator.clipboard.readText()")
+    x = page.url.split("?x=")[1]
+    assert int(x) > 0 and "#/ink?seed=first%20snow%20%26%201%20%25&" in address and address.endswith(f"&x={x}")
+    tiles = "performance.getEntriesByType('resource').map(r => r.name.split('/api/ink/tiles/')[1]).filter(Boolean)"
+    key = page.evaluate(tiles)[-1].split("/")[0]  # what the scroll is made of; the shelf's own came before
+    with studio(tmp_path / "other.db") as (other, _):
+        context = browser.new_context(viewport={"width": 900, "height": 480}, reduced_motion="reduce")
+        context.set_default_timeout(120_000)
+        context.route("**/api/examples/**", lambda route: route.fulfill(body=b""))
+        theirs = context.new_page()
+        theirs.goto(other)
+        theirs.wait_for_selector(".drop textarea")
+        theirs.fill(".drop textarea", address)  # another studio has another port: its shelf takes the address
+        theirs.keyboard.press("Enter")
+        until(theirs, f"location.hash.endsWith('?x={x}') && {tiles}.some(t => t.startsWith('{key}/'))")
+        theirs.reload()
+        theirs.wait_for_selector(".seal")
+        own = other.split("/?")[0]
+        theirs.goto(f"{own}/#/ink?{address.split('?', 1)[1].replace('winter', 'never')}")
+        theirs.wait_for_selector(".note >> text=never")  # what it cannot be made of is told
+        pieces = theirs.evaluate("async () => (await (await fetch('/api/pieces')).json()).pieces")
+        assert len(pieces) == 1
+        context.close()
+
+
 def test_the_page_for_a_shop_shows_the_piece_without_a_server(page, tmp_path):
     new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
     made(page)
@@ -487,11 +525,37 @@ def test_pictures_of_each_step_and_a_film_come_from_the_scrub(page, tmp_path):
     yarn = [sum(abs(v - ground) > 40 for v in p.resize((150, 150)).getdata()) for p in pictures]
     assert yarn[0] < yarn[1] < yarn[2] and yarn[0] > 100  # it grows
     page.keyboard.press("Control+s")
-    with page.expect_download() as waiting:
+    with page.expect_download(timeout=600_000) as waiting:  # software draws some two frames a second
         page.click("text=Upright film")
-    waiting.value.save_as(tmp_path / "film")
-    raw = (tmp_path / "film").read_bytes()
-    assert len(raw) > 20_000 and (raw[4:8] == b"ftyp" or raw[:4] == b"\x1aE\xdf\xa3")
+    assert waiting.value.suggested_filename == "ball.mp4"
+    waiting.value.save_as(tmp_path / "film.mp4")
+    raw = (tmp_path / "film.mp4").read_bytes()
+    rate, sizes = film_of(raw)
+    assert rate in (12, 24) and 0.9 * 14 * rate <= len(sizes) <= 14 * rate and min(sizes) > 0
+    assert raw[-sum(sizes) - 4 : -sum(sizes)] == b"mdat"  # the pictures are all there, and nothing else
+    shown = page.context.browser.new_page(viewport={"width": 300, "height": 500})
+    shown.goto((tmp_path / "film.mp4").as_uri())  # Chromium itself reads it
+    seen = []
+    for at in (0.5, 6, 13.8):
+        until(shown, "document.querySelector('video').readyState > 1")
+        shown.evaluate(
+            "t => new Promise(done => {const v = document.querySelector('video'); v.pause(); v.controls = false;"
+            " v.onseeked = done; v.currentTime = t})",
+            at,
+        )
+        seen.append(shown.locator("video").screenshot())
+    assert shown.evaluate("document.querySelector('video').duration") == pytest.approx(len(sizes) / rate)
+    assert len(set(seen)) == 3
+    shown.close()
+
+
+def film_of(raw: bytes) -> tuple[int, list[int]]:
+    """An MP4's frames a second, and how many bytes each frame has, by its tables."""
+    (rate,) = struct.unpack_from(">I", raw, raw.index(b"mdhd") + 16)
+    one, (count, each) = raw.index(b"stsz"), struct.unpack_from(">II", raw, raw.index(b"stts") + 12)
+    (n,) = struct.unpack_from(">I", raw, one + 12)
+    assert (n, 1) == (count, each)
+    return rate, list(struct.unpack_from(f">{n}I", raw, one + 16))
 
 
 def test_without_webgl_there_is_a_word_and_a_still_picture(page):

@@ -1,4 +1,5 @@
 // What is dropped, pasted or typed finds its craft: a pattern's text, a file, or a word as a seed.
+import { scrollOf } from "./ink/address.js";
 import { attempt, tell } from "./notes.js";
 import { html, render } from "./view.js";
 import { ask } from "./wire.js";
@@ -21,6 +22,8 @@ export async function fromFile(file, craft) {
 export async function fromText(text) {
   const words = text.trim();
   if (!words) return;
+  const sent = scrollOf(words);
+  if (sent) return void (location.hash = words.slice(words.indexOf("#")));
   const short = words.length <= 60 && !words.includes("\n") && !/\b(sc|ch|inc|dec|rnd|round|row|dc|mr)\b/i.test(words);
   if (short) await attempt(() => begin({ craft: "ink", seed: words, title: words }));
   else await attempt(() => begin({ craft: "crochet", source: { text, name: "pattern.txt" }, title: named(words) }));

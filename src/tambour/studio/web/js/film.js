@@ -1,6 +1,8 @@
 // Film: pictures of the making from the scrub: one of each step, and an upright film, made in this page.
 import { Chart } from "./gl/chart.js";
 import { Stage } from "./gl/stage.js";
+import { mp4 } from "./mp4.js";
+import { tell } from "./notes.js";
 import { save } from "./takeaway.js";
 import { bare } from "./timeline.js";
 import { html, render, signal } from "./view.js";
@@ -11,7 +13,8 @@ import { zip } from "./zip.js";
 
 const SECONDS = 12, AFTER = 2; // of the film, and what it stands finished
 const UPRIGHT = /** @type {[number, number]} */ ([1080, 1920]), SQUARE = /** @type {[number, number]} */ ([1200, 1200]);
-const KINDS = ["video/mp4;codecs=avc1.640028", "video/webm;codecs=vp9", "video/webm"];
+const QUICK = 24, SLOW = 12, PATIENCE = 150; // frames a second, and ms of a frame above which it has fewer
+const CODECS = ["avc1.640028", "avc1.42e028", "vp09.00.40.08"];
 
 /** The piece on a canvas of its own, at any place of its making. @param {Piece} piece @param {HTMLCanvasElement} canvas @param {number} looks how smooth @returns {Scene} */
 function scene(piece, canvas, looks) {
@@ -39,7 +42,7 @@ function scene(piece, canvas, looks) {
 }
 
 /** A dialog with the picture in it while it is made; ``make`` draws until ``stopped()``. @param {HTMLElement} over @param {string} title @param {[number, number]} size @param {number} looks @param {Piece} piece
- * @param {(scene: Scene, picture: HTMLCanvasElement, told: (share: number) => void, stopped: () => boolean) => Promise<void>} make */
+ * @param {(scene: Scene, picture: HTMLCanvasElement, told: (share: number) => void, stopped: () => boolean) => Promise<unknown>} make */
 async function made(over, title, size, looks, piece, make) {
   const box = document.createElement("dialog"), share = signal(0);
   box.className = "filming";
@@ -84,27 +87,55 @@ export const photos = (over, piece) => made(over, "A picture of each step", SQUA
   save(zip(files), `${stem(piece)} steps.zip`);
 });
 
-/** The making as an upright film, 9:16, with the words of each step. @param {HTMLElement} over @param {Piece} piece */
+/** How this browser encodes films, or nothing. @param {number} rate @returns {Promise<VideoEncoderConfig|undefined>} */
+async function coding(rate) {
+  const [width, height] = UPRIGHT;
+  for (const codec of typeof VideoEncoder === "undefined" ? [] : CODECS) {
+    const how = /** @type {VideoEncoderConfig} */ ({ codec, width, height, bitrate: 8e6, framerate: rate, latencyMode: "quality", ...(codec.startsWith("avc1") ? { avc: { format: "avc" } } : {}) });
+    if ((await VideoEncoder.isConfigSupported(how).catch(() => null))?.supported) return how;
+  }
+  return undefined;
+}
+
+/** The making as an upright film, 9:16, with the words of each step: frame by frame, each with its own time, however long the drawing of it takes.
+ * @param {HTMLElement} over @param {Piece} piece */
 export const film = (over, piece) => made(over, "An upright film", UPRIGHT, 1, piece, async (drawn, picture, told, stopped) => {
   const paint = /** @type {CanvasRenderingContext2D} */ (picture.getContext("2d")), units = piece.live.value?.facts.units ?? 1;
-  const kind = KINDS.find((k) => MediaRecorder.isTypeSupported(k)) ?? "", recorder = new MediaRecorder(picture.captureStream(30), { mimeType: kind, videoBitsPerSecond: 8e6 });
-  const parts = /** @type {Blob[]} */ ([]), ended = new Promise((done) => (recorder.onstop = done));
-  recorder.ondataavailable = ({ data }) => parts.push(data);
-  await drawn.draw(0, 0);
-  recorder.start(1000);
-  const from = performance.now();
-  for (let t = 0; t < SECONDS + AFTER && !stopped(); ) {
-    const share = Math.min(1, t / SECONDS), at = units * share;
-    await drawn.draw(at, share * 1.2 * Math.PI);
+  const draw = async (/** @type {number} */ share) => {
+    await drawn.draw(units * share, share * 1.2 * Math.PI);
     paint.drawImage(drawn.canvas, 0, 0, ...UPRIGHT);
-    words(paint, piece, at, units);
-    told(share);
-    await new Promise(requestAnimationFrame);
-    t = (performance.now() - from) / 1000;
+    words(paint, piece, units * share, units);
+  };
+  await draw(0);
+  const began = performance.now();
+  await draw(0.5);
+  const rate = performance.now() - began > PATIENCE ? SLOW : QUICK, how = await coding(rate);
+  if (!how) return tell("This browser cannot make films; a newer one can. The pictures of each step can be made here.");
+  const samples = /** @type {import("./mp4.js").Sample[]} */ ([]);
+  let description = /** @type {Uint8Array|undefined} */ (undefined), wrong = "";
+  const encoder = new VideoEncoder({
+    error: (error) => (wrong = error.message),
+    output: (chunk, more) => {
+      const bytes = new Uint8Array(chunk.byteLength), given = more?.decoderConfig?.description;
+      chunk.copyTo(bytes);
+      samples.push({ bytes, key: chunk.type === "key", at: Math.round((chunk.timestamp * rate) / 1e6) });
+      if (given) description = ArrayBuffer.isView(given) ? new Uint8Array(given.buffer, given.byteOffset, given.byteLength) : new Uint8Array(given);
+    },
+  });
+  encoder.configure(how);
+  for (let k = 0; k < (SECONDS + AFTER) * rate && !stopped() && !wrong; k++) {
+    const share = k / (SECONDS * rate);
+    if (share <= 1) await draw(share);
+    const frame = new VideoFrame(picture, { timestamp: Math.round((k * 1e6) / rate), duration: Math.round(1e6 / rate) });
+    encoder.encode(frame, { keyFrame: k % (2 * rate) === 0 });
+    frame.close();
+    told(Math.min(1, share));
+    while (encoder.encodeQueueSize > 2 && !wrong) await new Promise((done) => setTimeout(done, 5));
   }
-  recorder.stop();
-  await ended;
-  if (!stopped()) save(new Blob(parts, { type: kind }), `${stem(piece)}.${kind.includes("mp4") ? "mp4" : "webm"}`);
+  if (!stopped() && !wrong) await encoder.flush().catch((error) => (wrong = error.message));
+  if (encoder.state !== "closed") encoder.close();
+  if (wrong) return tell(`The film could not be made: ${wrong}`);
+  return stopped() ? undefined : save(mp4(samples, { width: UPRIGHT[0], height: UPRIGHT[1], rate, description }), `${stem(piece)}.mp4`);
 });
 
 /** The title above, the step's words below. @param {CanvasRenderingContext2D} paint @param {Piece} piece @param {number} at @param {number} units */

@@ -1,10 +1,12 @@
 // Which screen, which piece: the address after # says it.
 import { bar } from "./bar.js";
+import { scrollOf } from "./ink/address.js";
 import { shelf } from "./library.js";
 import { attempt, clear, view as notes } from "./notes.js";
 import { Piece } from "./piece.js";
 import "./theme.js";
 import { html, render, show } from "./view.js";
+import { ask } from "./wire.js";
 
 const SCREENS = {
   crochet: () => import("./crochet/screen.js"),
@@ -32,6 +34,12 @@ async function go() {
   const screen = document.createElement("div");
   screen.className = "screen";
   at("screen").replaceChildren(screen);
+  const sent = scrollOf(location.hash);
+  if (sent) { // in its place comes the piece's own address: neither a reload nor a step back makes a second piece
+    const made = await attempt(() => ask("/api/pieces", { body: sent.body }));
+    if (mine !== turn) return;
+    history.replaceState(null, "", made ? `#/piece/${made.piece.id}?x=${sent.x}` : "#");
+  }
   const [, id, extra] = /^#\/piece\/([\w-]+)(?:\?(.*))?$/.exec(location.hash) ?? [];
   if (!id) {
     document.title = "Tambour";

@@ -27,6 +27,8 @@ export class Piece {
     this.refused = signal(false);
     /** Done before files are taken away: a scroll says which window. */
     this.before = async () => {};
+    /** What is in sight as an address that makes it in any studio; null: this craft has none. */
+    this.address = /** @type {(() => string)|null} */ (null);
     /** A text that another page had its part in: it takes the place of what is being typed at. */
     this.woven = signal(/** @type {string|null} */ (null));
     this.due = /** @type {any} */ (0);

@@ -66,7 +66,8 @@ export async function takeAway(over, piece, { follow }) {
       ${wrong.length ? html`<div role="alert">${list(wrong, { spell: speller(craft.form) })}</div>` : ""}
       <div class="first">${first.map(({ file, title, line }, k) => html`<button class="button ${k ? "" : "act"}" ?disabled=${busy.has(file)} @click=${() => get(file)}>
           <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}${file.size === null ? "" : ` · ${size(file.size)}`}</span></button>`)}
-        <button class="button" @click=${() => (box.close(), follow())}><b>Follow</b><span>on a phone, stitch by stitch</span></button>
+        ${piece.address ? html`<button class="button" @click=${() => (box.close(), copied(piece))}><b>Copy the address</b><span>of this place, to send</span></button>`
+          : html`<button class="button" @click=${() => (box.close(), follow())}><b>Follow</b><span>on a phone, stitch by stitch</span></button>`}
         ${piece.live.value?.arrays.points && craft.name !== "ink" ? html`<button class="button" @click=${alone}><b>For your shop</b><span>one page that shows it, HTML</span></button>` : ""}
         ${piece.live.value && craft.name !== "ink" ? html`<button class="button" @click=${() => filmed("photos")}><b>Step by step</b><span>a picture of each step, JPG</span></button>
           <button class="button" @click=${() => filmed("film")}><b>Upright film</b><span>of the making, 9:16</span></button>` : ""}
@@ -81,6 +82,17 @@ export async function takeAway(over, piece, { follow }) {
   box.addEventListener("close", () => box.remove());
   over.append(box);
   box.showModal();
+}
+
+/** The address of what is in sight goes to the clipboard; where there is none, it is shown to be copied by hand. @param {Piece} piece */
+export async function copied(piece) {
+  const address = piece.address?.() ?? "", edits = piece.revision.value?.edits?.length ? " What was left out by hand is not in it." : "";
+  try {
+    await navigator.clipboard.writeText(address);
+    tell(`The address of this place is copied: any studio makes this scroll of it, opened there or pasted on its shelf.${edits}`, { calm: !edits });
+  } catch {
+    tell(html`The address of this place: <b class="address">${address}</b>${edits}`);
+  }
 }
 
 const ZIPPED = new Set([".usdz", ".docx", ".3mf"]);

@@ -1,12 +1,12 @@
 // Ink: nothing but the scroll; a seal at the corner opens what it is made of.
 import { fields, speller } from "../forms.js";
 import { offer } from "../keys.js";
-import { attempt, tell } from "../notes.js";
 import { list } from "../problems.js";
-import { takeAway } from "../takeaway.js";
+import { copied, takeAway } from "../takeaway.js";
 import { Timeline } from "../timeline.js";
 import { effect, html, later, number, render, show, signal, untracked } from "../view.js";
 import { Trouble, ask } from "../wire.js";
+import { address } from "./address.js";
 import { Tiles } from "./tiles.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
@@ -175,10 +175,8 @@ export function screen(root, piece, { over, extra }) {
     const from_ = Math.round(x), span = Math.round(wide());
     if (params.value.from_ !== from_ || params.value.span !== span) await piece.change({ params: { from_, span }, said: "this window" });
   };
-  const link = () => attempt(async () => {
-    await navigator.clipboard?.writeText(location.href);
-    tell("The address of this place is copied.", { calm: true });
-  });
+  piece.address = () => `${location.origin}/${address(params.value, x)}`;
+  const link = () => copied(piece);
   const dice = () => piece.change({ params: { seed: Array.from(crypto.getRandomValues(new Uint8Array(3)), (v) => SYLLABLES[v % SYLLABLES.length]).join("") }, said: "another seed" });
 
   stop.push(show(one(".over.top"), () => {
@@ -190,7 +188,7 @@ export function screen(root, piece, { over, extra }) {
           <button class="icon" aria-label="another seed" title="Another seed (R)" @click=${dice}>⚄</button></span></div>
         ${list(problems.value, { spell: speller(craft.form) })}
         ${fields(craft.form, params.value, { set, problems: problems.value, open: true, only: (_, f) => WINDOW.includes(f.group) })}
-        <p class="pair buttons"><button class="button" @click=${drift}>${drifting.value ? "Stand still" : "Drift on"}</button><button class="button" @click=${link}>Copy its address</button></p>
+        <p class="pair buttons"><button class="button" @click=${drift}>${drifting.value ? "Stand still" : "Drift on"}</button><button class="button" @click=${link}>Copy the address</button></p>
         <p><button class="button act" @click=${take}>Take this window</button></p>
         ${fields(craft.form, params.value, { set, problems: problems.value, only: (name, f) => !WINDOW.includes(f.group) && !["seed", "from_", "span", "title"].includes(name) })}
       </section>` : ""}

@@ -93,7 +93,17 @@ export function screen(root, piece) {
     chart.touch();
   }));
 
-  const held = () => byHand().cells.size;
+  const holds = (/** @type {any} */ e) => e.edit === "stitch" || e.edit === "run";
+  /** How many stitches are held: those painted before rows or columns last came or went are known by the chart alone. */
+  const held = () => {
+    const { before, cells } = byHand(), own = piece.live.value?.arrays.locked;
+    if (!before.some(holds)) return cells.size;
+    return (own?.reduce((/** @type {number} */ n, /** @type {number} */ v) => n + (v ? 1 : 0), 0) ?? 0) + [...cells.keys()].filter((i) => !own?.[i]).length;
+  };
+  const letGo = () => {
+    const { before, rest } = byHand();
+    piece.change({ edits: [...before.filter((e) => !holds(e)), ...rest], said: "all let go" });
+  };
   /** Paint: at once on the page, then as edits; the solver's answer takes its place. @param {Put[]} cells @param {string} said */
   const put = (cells, said) => {
     if (!piece.live.value || !cells.length) return;
@@ -113,6 +123,8 @@ export function screen(root, piece) {
     const { before, rest, cells: map } = byHand(), n = map.size;
     for (const [x, y] of cells) map.delete(y * columns() + x);
     if (map.size !== n) piece.change({ edits: [...before, ...told(map, columns()), ...rest], said: "unlocked" });
+    else if (before.some(holds) && cells.some(([x, y]) => piece.live.value?.arrays.locked?.[y * columns() + x]))
+      tell("This was painted before rows or columns came in or went: “Let all go” frees it, or undo.");
   };
   /** Rows or columns come in before a place, or go from it on. @param {"rows"|"columns"} edit @param {number} at @param {number} count */
   const reshape = (edit, at, count) => {
@@ -226,7 +238,7 @@ export function screen(root, piece) {
       <div class="tools wide"><button class="button" @click=${() => reshape("rows", high()[0], high()[1])}>Insert ${counted(high()[1], "row")} below</button><button class="button" ?disabled=${high()[1] >= chart.rows} @click=${() => reshape("rows", high()[0], -high()[1])}>Delete ${counted(high()[1], "row")}</button>
       <button class="button" @click=${() => reshape("columns", across()[0], across()[1])}>Insert ${counted(across()[1], "column")} at the right</button><button class="button" ?disabled=${across()[1] >= chart.columns} @click=${() => reshape("columns", across()[0], -across()[1])}>Delete ${counted(across()[1], "column")}</button></div>` : ""}
     ${yarns(piece, yarn)}
-    ${held() ? html`<p class="quiet">${counted(held(), "stitch", "stitches")} held by hand. <button class="link" @click=${() => release([...byHand().cells.keys()].map((i) => [i % columns(), Math.floor(i / columns())]))}>Let all go</button></p>` : ""}`));
+    ${held() ? html`<p class="quiet">${counted(held(), "stitch", "stitches")} held${piece.params.value.lock ? "" : " by hand"}. <button class="link" @click=${letGo}>Let all go</button></p>` : ""}`));
   stop.push(show(at.right, () => facts(piece)));
   stop.push(show(at.top, () => {
     const [x, y] = spot.value, pack = piece.live.value, wrong = piece.failed.value[0], form = piece.craft.value?.form ?? {}, spell = speller(form);
