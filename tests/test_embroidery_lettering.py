@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import string
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -204,6 +205,24 @@ def picture():
     rgb[np.hypot(x - 0.6, y - 0.5) < 0.35] = (200, 60, 40)
     rgb[np.hypot(x - 0.6, y - 0.5) < 0.12] = (20, 40, 120)
     return Picture(np.dstack([rgb, np.full((120, 160), 255, np.uint8)]))
+
+
+def test_a_picture_has_a_straight_rim():
+    """Where two colours meet there, and at its corners; islands stay inside."""
+    y, x = np.mgrid[0:400, 0:500] / 5 + 0.1  # mm
+    rgb = np.where((x < 40 + 3 * np.sin(y / 4))[..., None], (200, 60, 40), (240, 240, 230)).astype(np.uint8)
+    rgb[np.hypot(x - 20, y - 20) < 3] = (20, 40, 120)
+    made = traced(
+        Picture(np.dstack([rgb, np.full((400, 500), 255, np.uint8)])), EmbroideryParams(width=100.0, colors=3)
+    )
+    parts = made.paths.parts
+    areas = [
+        shapely.Polygon(made.paths[int(a)], [made.paths[i] for i in range(int(a) + 1, int(b))])
+        for a, b in pairwise(parts)
+    ]
+    assert len(areas) == 3 and all(a.is_valid for a in areas)
+    whole = shapely.union_all(areas, grid_size=1e-6)
+    assert whole.symmetric_difference(shapely.box(0, 0, 100, made.size[1])).area < 1e-3
 
 
 def test_a_picture_becomes_its_areas_on_cloth():

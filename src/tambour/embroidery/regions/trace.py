@@ -22,6 +22,7 @@ PIXEL = 0.35  # mm: finer detail than this is no use to a thread
 CRUMB = 4.0  # mm²: smaller areas go to their surroundings
 THIN = 1.0  # mm: what is thinner is left to its surroundings
 BELOW = 3.0  # mm: half the width of what may lie on an area without a hole in it
+BEYOND = 6  # pixels that a picture goes on beyond its rim while its areas are smoothed
 OVERLAP = 0.15  # mm that areas reach below their neighbours
 
 
@@ -187,19 +188,21 @@ def _drawing(areas: list[Any], pixel: float, shape: tuple[int, ...]) -> Drawing:
     style: list[int] = []
     colors: list[Any] = []
     ids: list[str] = []
+    # The rim is straight: outlines are smoothed and reach over beyond it, and are cut there.
+    sheet = shapely.box(0, 0, shape[1] * pixel, shape[0] * pixel)
     raw = [_outlined(mask, pixel) for mask, _ in areas]
     smooth = [_rounded(area) for area in raw]
     # What was too thin for its own colour goes to those beside it.
     lost = shapely.union_all(raw).difference(shapely.union_all(smooth))
     for k, (_, color) in enumerate(areas):
-        taken = smooth[k].buffer(THIN).intersection(lost)
-        lost = lost.difference(taken)
+        near = smooth[k].buffer(THIN)
+        taken, lost = near.intersection(lost).buffer(0), lost.difference(near)  # areas only: they meet in lines, too
         own, above = smooth[k].union(taken), shapely.union_all([*smooth[k + 1 :], lost])
         # Below what is sewn later it runs on, over holes and slits: fewer ends of rows, and no cloth in between.
         below = own.simplify(0.1).buffer(BELOW, quad_segs=2).buffer(-BELOW, quad_segs=2)
         own = own.union(below.intersection(above)).buffer(THIN / 2, quad_segs=4)
         whole = own.buffer(OVERLAP - THIN / 2, quad_segs=4).simplify(0.1)
-        for polygon in shapely.get_parts(whole):
+        for polygon in shapely.get_parts(whole.intersection(sheet)):
             if polygon.geom_type != "Polygon" or polygon.area < 0.5:
                 continue
             rings += [shapely.get_coordinates(r) for r in (polygon.exterior, *polygon.interiors)]
@@ -239,7 +242,7 @@ def _outlined(mask: Array, pixel: float) -> Any:
     """The area (shapely, mm) of a mask, without stairs."""
     import shapely
 
-    made = [_smooth(r) * pixel for r in outlines(mask)]
+    made = [(_smooth(r) - BEYOND) * pixel for r in outlines(np.pad(mask, BEYOND, "edge"))]
     outer = shapely.union_all([shapely.Polygon(r).buffer(0) for r in made if _area(r) > 0])
     holes = shapely.union_all([shapely.Polygon(r).buffer(0) for r in made if _area(r) <= 0])
     return outer.difference(holes).simplify(0.05)
