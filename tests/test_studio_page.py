@@ -512,6 +512,7 @@ def test_pictures_of_each_step_and_a_film_come_from_the_scrub(page, tmp_path):
 
     new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
     made(page)
+    page.route("**/js/film.js*", smaller)
     page.keyboard.press("Control+s")
     with page.expect_download() as waiting:
         page.click("text=Step by step")
@@ -525,7 +526,7 @@ def test_pictures_of_each_step_and_a_film_come_from_the_scrub(page, tmp_path):
     yarn = [sum(abs(v - ground) > 40 for v in p.resize((150, 150)).getdata()) for p in pictures]
     assert yarn[0] < yarn[1] < yarn[2] and yarn[0] > 100  # it grows
     page.keyboard.press("Control+s")
-    with page.expect_download(timeout=600_000) as waiting:  # software draws some two frames a second
+    with page.expect_download(timeout=600_000) as waiting:
         page.click("text=Upright film")
     assert waiting.value.suggested_filename == "ball.mp4"
     waiting.value.save_as(tmp_path / "film.mp4")
@@ -547,6 +548,13 @@ def test_pictures_of_each_step_and_a_film_come_from_the_scrub(page, tmp_path):
     assert shown.evaluate("document.querySelector('video').duration") == pytest.approx(len(sizes) / rate)
     assert len(set(seen)) == 3
     shown.close()
+
+
+def smaller(route: Any) -> None:
+    """The film as it is made, of a sixteenth of the pixels: software draws some two frames of the whole size a second."""
+    told = route.fetch()
+    assert "[1080, 1920]" in told.text()
+    route.fulfill(response=told, body=told.text().replace("[1080, 1920]", "[270, 480]"))
 
 
 def film_of(raw: bytes) -> tuple[int, list[int]]:
