@@ -1,30 +1,49 @@
-"""Set down: on which facet a thing stands."""
+"""What is set down lies on a facet of its hull, its middle above it."""
+
+from __future__ import annotations
+
+import math
 
 import numpy as np
 import pytest
+from scipy.spatial import ConvexHull
 
-from tambour.geometry.motion import turned
 from tambour.geometry.stance import set_down
 
-BOX = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-2.0, 2.0) for z in (-1.0, 1.0)])
+
+def turned(x: np.ndarray, degrees: float) -> np.ndarray:
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return x @ np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]).T
 
 
-def leaning(x: np.ndarray, degrees: float) -> np.ndarray:
-    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    return turned(x, np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]))
+BOX = np.array([(x, y, z) for x in (-1.0, 1.0) for y in (-2.0, 2.0) for z in (-1.5, 1.5)])
 
 
-@pytest.mark.parametrize(("degrees", "stands"), [(0, True), (7, True), (-18, True), (25, False)])
-def test_what_leans_a_little_is_set_upon_its_foot(degrees: float, stands: bool) -> None:
-    x = leaning(BOX, degrees) + np.array([3.0, 5.0, 7.0])
-    turn = set_down(x, 20.0)
-    assert np.allclose(turn @ turn.T, np.eye(3)) and np.linalg.det(turn) > 0.0
-    low = np.sort(turned(x, turn)[:, 1])
-    assert (np.ptp(low[:4]) < 1e-9) == stands
-    assert stands or np.array_equal(turn, np.eye(3))
+@pytest.mark.parametrize("tilt", [-11.0, -3.0, 0.0, 4.0, 11.5])
+def test_a_tilted_box_stands_again(tilt: float) -> None:
+    x = turned(BOX, tilt)
+    assert x @ set_down(x, 12.0).T == pytest.approx(BOX, abs=1e-9)
 
 
-def test_it_does_not_stand_where_it_would_tip_over() -> None:
-    heavy = np.concatenate([BOX, np.repeat([[9.0, 1.5, 0.0]], 40, axis=0)])  # its middle is far aside of its foot
-    assert np.array_equal(set_down(heavy, 20.0), np.eye(3))
-    assert np.array_equal(set_down(BOX * [1.0, 0.0, 1.0], 20.0), np.eye(3))  # a sheet has no hull
+def test_what_would_turn_further_or_is_flat_stays() -> None:
+    assert (set_down(turned(BOX, 14.0), 12.0) == np.eye(3)).all()
+    assert (set_down(BOX * [1.0, 0.0, 1.0], 12.0) == np.eye(3)).all()
+    assert (set_down(np.empty((0, 3)), 12.0) == np.eye(3)).all()
+
+
+def test_it_lies_on_a_facet_that_bears_its_middle() -> None:
+    chance, stood = np.random.default_rng(5), 0
+    for _ in range(60):
+        x = chance.normal(size=(int(chance.integers(8, 300)), 3)) * chance.uniform(0.3, 2.0, 3)
+        turn = set_down(x, 25.0)
+        assert turn @ turn.T == pytest.approx(np.eye(3), abs=1e-12)
+        assert turn[1, 1] >= math.cos(math.radians(25.0)) - 1e-12
+        if (turn == np.eye(3)).all():
+            continue
+        stood += 1
+        y = x @ turn.T
+        low = y[y[:, 1] < y[:, 1].min() + 1e-6]
+        assert len(low) >= 3
+        borne = ConvexHull(np.vstack([low[:, [0, 2]], y.mean(0)[[0, 2]]]))
+        assert len(low) not in borne.vertices  # the middle is within the corners it stands on
+    assert stood > 20

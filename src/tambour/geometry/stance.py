@@ -7,40 +7,77 @@ import math
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.geometry.motion import dot, length
+from tambour.geometry.motion import length
 
-FLAT = 1e-6
-"""Facets whose corners lie nearer to one line than this, as a share of their size squared, bear nothing."""
+FAR = 1e3
+"""How far beyond a thing's size the three corners lie with which the search for its facet begins, and how far above it."""
+NEAR = 1e-9
+"""What counts as on a facet, as a share of the thing's size."""
+STEPS = 500
+"""Facets that are tried, and ways that it rolls, before it is left as it was."""
 
 
 def set_down(x: Array, most: float) -> Array:
     """The rotation (3, 3) that sets points x (K, 3), up +y, on the facet of their hull on which they do not tip over.
 
-    Of several the one that turns them least, by ``most`` degrees at the most; where there is none, no rotation.
+    They roll from facet to facet, their middle lower each time, until it falls within the one they lie on. Where that turns
+    them by more than ``most`` degrees on the way, or they are flat: no rotation.
     """
-    from scipy.spatial import ConvexHull
-
-    still = np.eye(3)
+    still, down = np.eye(3), np.array([0.0, -1.0, 0.0])
+    off = x - x.mean(0) if len(x) else x
     if len(x) < 4 or float(np.ptp(x, axis=0).min()) < 1e-6:
         return still
-    hull = ConvexHull(x)
-    normals, corners = hull.equations[:, :3], x[hull.simplices]
-    under = normals[:, 1] < -math.cos(math.radians(most))
-    normals, corners = normals[under], corners[under]
-    # The middle falls along a facet's normal: inside its corners it is borne.
-    off = corners - x.mean(0)
-    held = np.ones(len(normals), bool)
-    around = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    way = np.where(dot(around, normals) > 0.0, 1.0, -1.0)
-    size = length(around)
-    for k in range(3):
-        side = dot(np.cross(off[:, k], off[:, (k + 1) % 3]), normals) * way
-        held &= side > -FLAT * size
-    held &= size > FLAT * np.ptp(x, axis=0).max() ** 2
-    if not held.any():
-        return still
-    best = normals[held][int(normals[held][:, 1].argmin())]
-    return _turn(best, np.array([0.0, -1.0, 0.0]))
+    way = down
+    for _ in range(STEPS):
+        facet = _below(off, way)
+        if facet is None or float(facet @ down) < math.cos(math.radians(most)):
+            return still
+        if float(length(facet - way)) < NEAR:
+            return _turn(facet, down)
+        way = facet
+    return still
+
+
+def _below(x: Array, way: Array) -> Array | None:
+    """The outward normal of the hull's facet that a ray from the origin along ``way`` meets; None where there is none.
+
+    The simplex method on the plane that holds all points x (K, 3) on one side and is nearest along the ray: three corners
+    around it, of which the one in the way leaves for the point that lies farthest beyond them.
+    """
+    aside = np.cross(way, np.eye(3)[int(np.abs(way).argmin())])
+    aside /= length(aside)
+    across = np.cross(way, aside)
+    size = float(np.ptp(x, axis=0).max())
+    flat = np.stack([(x * aside).sum(1), (x * across).sum(1), (x * way).sum(1)], 1)
+    angles = np.arange(3) * (2.0 * math.pi / 3.0)
+    begin = FAR * size * np.stack([np.cos(angles), np.sin(angles), np.full(3, -FAR)], 1)
+    points = np.concatenate([flat, begin])
+    corners = len(x) + np.arange(3)
+    for _ in range(STEPS):
+        a, b, c = points[corners]
+        normal = np.cross(b - a, c - a)
+        if normal[2] == 0.0:
+            return None
+        beyond = ((flat - a) * normal).sum(1) / normal[2]
+        new = int(beyond.argmax())
+        if beyond[new] <= NEAR * size:
+            if corners.max() >= len(x):
+                return None
+            normal *= math.copysign(1.0, normal[2]) / length(normal)
+            return np.asarray(normal[0] * aside + normal[1] * across + normal[2] * way)
+        here, there = _weights(a, b, c, np.zeros(2)), _weights(a, b, c, points[new])
+        leaving = np.where(there > 0.0, here / np.where(there > 0.0, there, 1.0), np.inf)
+        corners[int(leaving.argmin())] = new
+    return None
+
+
+def _weights(a: Array, b: Array, c: Array, p: Array) -> Array:
+    """The weights of a triangle's corners that make p of them, in the plane of the first two axes."""
+
+    def area(p: Array, q: Array, r: Array) -> float:
+        return float((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
+
+    return np.array([area(p, b, c), area(a, p, c), area(a, b, p)]) / area(a, b, c)
 
 
 def _turn(a: Array, b: Array) -> Array:
