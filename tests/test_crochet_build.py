@@ -257,6 +257,7 @@ def test_a_stitch_defined_in_the_pattern():
     assert graph.height[7] == 2 and graph.parent[9:12].tolist() == [3, 3, 3] and graph.parent[13] == 4
 
 
+@pytest.mark.slow
 def test_twenty_thousand_stitches_in_time():
     import time
 

@@ -132,6 +132,7 @@ def test_empty_and_tiny_patterns_have_shapes() -> None:
             graph(piece)
 
 
+@pytest.mark.slow
 def test_warnings_reach_the_report() -> None:
     progress = Progress()
     make(Text(BALL.replace("(18)", "(17)", 1)), CrochetParams(), progress)

@@ -56,6 +56,7 @@ def same(text, codes=TERMS, name="<text>"):
 
 
 @pytest.mark.parametrize("path", EXAMPLES + MAKERS, ids=lambda p: p.stem)
+@pytest.mark.slow
 def test_every_example_in_every_language(path):
     same(path.read_text(encoding="utf-8"), name=path.name)
 
@@ -67,6 +68,7 @@ BY_LETTER = {"heart", "25-slst-end"}
 @pytest.mark.parametrize(
     "path", [p for p in EXAMPLES + MAKERS if p.suffix == ".acl" and p.stem not in BY_LETTER], ids=lambda p: p.stem
 )
+@pytest.mark.slow
 def test_the_free_reader_reads_it_too(path):
     one = build(read(Text(path.read_text(encoding="utf-8"), path.name)))
     for code in TERMS:

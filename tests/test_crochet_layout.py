@@ -79,6 +79,7 @@ R3: 12 sc (12)
 
 
 @pytest.mark.parametrize("turned", [False, True])
+@pytest.mark.slow
 def test_parts_that_are_remembered_stand_as_if_they_were_laid_out_anew(turned) -> None:
     """One who types changes a part at a time: whatever was laid out before, a layout is that of its own text."""
     pairs = [

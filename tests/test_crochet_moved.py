@@ -78,6 +78,7 @@ def test_marks_that_were_sewn_become_lines_that_place_and_the_other_arm_goes_alo
     assert "round=16" in again.sentence and again.text.count("place(") == 2
 
 
+@pytest.mark.slow
 def test_what_cannot_be_put_there_is_told():
     source = text("frog.acl")
     built, _ = worked(source, PARAMS)
@@ -91,6 +92,7 @@ def test_what_cannot_be_put_there_is_told():
             moved(source, PARAMS, part, onto)
 
 
+@pytest.mark.slow
 def test_a_muzzle_goes_wherever_it_is_let_go_and_back():
     """On the face, beside it, and back: the words that say how far aside it is are written over, not added to."""
     source = text("bear.txt")

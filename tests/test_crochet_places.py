@@ -393,6 +393,7 @@ def test_a_title_or_a_word_of_the_abbreviations_is_no_heading() -> None:
         assert read_printed(Text(text, "toy.txt")).parts[0].name == ""
 
 
+@pytest.mark.slow
 def test_of_many_leaves_that_are_in_each_others_way_one_is_told(tmp_path: Path) -> None:
     text = f"Toy\n\nBODY\n{CLOSED}\nLEAF (make 6)\n{CUP}\nSew leaves to top of body.\n"
     (tmp_path / "toy.txt").write_text(text)
@@ -758,6 +759,7 @@ def test_the_second_to_the_eighth_are_seven_and_all_stand_round_about() -> None:
     assert len(records) == 8 and len({(r.spot.round, r.spot.stitch) for r in records}) == 8
 
 
+@pytest.mark.slow
 def test_a_nose_may_be_wound_and_eyes_keep_off_a_cap() -> None:
     made = toy("Loop yarn between 2 sts approx 10 times to make nose. Sew head to body.").finish
     assert any(isinstance(r, Embroidery) and r.motif == "nose" for r in made)

@@ -67,6 +67,7 @@ def test_steps_one_by_one_are_the_formulas(stuffing: str, count: int) -> None:
     np.testing.assert_allclose(made.x[: len(x)], x, rtol=1e-9, atol=1e-9 * max(1.0, abs(x).max()))
 
 
+@pytest.mark.slow
 def test_many_steps_come_to_the_settled_shape() -> None:
     toy = toys.ball(3, 3)
     for stuffing in ("pressure", "centroid", "skeleton"):
@@ -116,6 +117,7 @@ def test_from_one_by_one_the_same_ball() -> None:
     assert apart(simulate(task(toy, "pressure", "one-by-one")).x, simulate(task(toy, "pressure")).x) < 0.02
 
 
+@pytest.mark.slow
 def test_a_goal_out_of_reach_is_told() -> None:
     made = simulate(task(toys.ball(3, 3), "pressure", tolerance=1e-300))
     assert not made.settled and made.residual < 1e-6 and np.isfinite(made.x).all()

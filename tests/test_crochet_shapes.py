@@ -59,6 +59,7 @@ def test_an_example_is_at_rest_and_has_its_size(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.slow
 def test_unconnected_stitches_are_half_a_stitch_apart(name: str) -> None:
     made = piece(name)
     g, x = made.built.graph, made.positions / made.stitch[0]

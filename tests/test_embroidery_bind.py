@@ -101,6 +101,7 @@ def test_deforming_keeps_the_elevation_and_agrees_with_numpy():
     assert np.abs(np.linalg.norm(made - on, axis=1) - np.abs(lift)).max() < 1e-5
 
 
+@pytest.mark.slow
 def test_nearest_point_against_brute_force():
     mesh, rng = ball(), np.random.default_rng(5)
     points = rng.uniform(-40, 40, (150, 3))

@@ -124,6 +124,7 @@ def test_row_frame_turns_back():
     assert np.allclose(from_rows(np.array([[1.0, 0.0]]), math.pi / 2), [[0, -1]])
 
 
+@pytest.mark.slow
 def test_a_way_stays_inside_through_any_neck():
     """From ring to ring through bridges narrower than any row: the way never leaves the area."""
     draw = np.random.default_rng(1)

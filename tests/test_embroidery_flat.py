@@ -72,6 +72,7 @@ def test_equal_neighbours_are_one_region_unless_something_lies_between(tmp_path)
     assert sum(r.color == (255, 0, 0) for r in piece.regions) == 2
 
 
+@pytest.mark.slow
 def test_gradients_come_in_few_threads_and_say_so(tmp_path):
     stops = "".join(f'<stop offset="{k / 9}" stop-color="hsl({40 * k},90%,50%)"/>' for k in range(10))
     body = f'<linearGradient id="g">{stops}</linearGradient><rect width="90" height="40" fill="url(#g)"/>'

@@ -269,6 +269,7 @@ def sewn(letters, face, size):
 
 @pytest.mark.parametrize("size", [4.0, 15.0])
 @pytest.mark.parametrize("face", ["regular", "bold", "pillow"])
+@pytest.mark.slow
 def test_letters_that_once_broke_are_sewn(face, size):
     sewn("Bft#&X", faces()[face], size)
 

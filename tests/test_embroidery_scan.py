@@ -51,6 +51,7 @@ def test_cloth_and_threads_mix_to_the_picture():
     assert cover[:, 20, 55].max() < 0.1 and (cover.sum(0) <= 1.1 + 1e-9).all()
 
 
+@pytest.mark.slow
 def test_five_threads_at_most_and_equal_bytes_each_time():
     draw = np.random.Generator(np.random.PCG64(5))
     rgba = np.dstack(

@@ -60,6 +60,7 @@ def test_star_is_one_thread_inside_its_outline(filled, area):
         assert made.facts["covered_mm"] > 0.7 * made.facts["hidden_mm"] > 50
 
 
+@pytest.mark.slow
 def test_star_is_even(filled, area):
     _, made, _ = filled
     bounds = area.bounds

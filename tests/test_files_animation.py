@@ -69,6 +69,7 @@ def test_an_svg_that_paints_itself_holds_the_drawing(tmp_path: Path) -> None:
     assert "script" not in text and "http" not in text.replace("http://www.", "")
 
 
+@pytest.mark.slow
 def test_gif_and_frames(tmp_path: Path) -> None:
     value = Reveal(scene([5] * 12), 2.0, 4)
     files.write(value, tmp_path / "a.gif")

@@ -126,6 +126,7 @@ _radius = st.integers(1, 60).map(lambda v: v / 4)
 @given(_place, _place, _radius, _radius, st.integers(-180, 180), st.booleans(), st.booleans())
 @example(4.0, 1.0, 5.0, 3.0, 30, False, False)
 @example(4.0, 1.0, 5.0, 3.0, 30, True, False)
+@pytest.mark.slow
 def test_arcs_are_those_of_another_program(x, y, rx, ry, turn, large, sweep):
     if math.hypot(x, y) < 0.5:
         return
@@ -167,6 +168,7 @@ def _selects(selector, chain):
     [[(("g", "", frozenset()), " "), (("rect", "", frozenset()), ">")]],
     [("g", "", frozenset()), ("rect", "", frozenset()), ("rect", "", frozenset())],
 )
+@pytest.mark.slow
 def test_selectors_select_what_they_say(selectors, chain):
     def spelt(selector):
         text = ""

@@ -161,6 +161,7 @@ def test_blank_paper_and_quiet_colours() -> None:
     assert np.mean(blanks) < 0.8, blanks
 
 
+@pytest.mark.slow
 def test_seasons_and_lights_change_colours_and_nothing_else() -> None:
     plain = scroll.make(None, Ink(seed="4", span=1500.0), Progress())
     for given in ({"season": "autumn"}, {"season": "spring"}, {"paper": False}):

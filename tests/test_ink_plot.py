@@ -65,6 +65,7 @@ def hidden_by(points, order, polygons, rank):
     return covered, edge
 
 
+@pytest.mark.slow
 def test_hidden_lines_of_20000_points_agree_with_shapely():
     rng = np.random.default_rng(4)
     count = 1500
@@ -290,6 +291,7 @@ def booklet():
 
 
 @pytest.mark.parametrize("first", [3, -5])
+@pytest.mark.slow
 def test_sheets_made_alone_continue_line_for_line(first):
     left, right = (made(sheets=str(k), pens=2, page="a5", margin="8mm") for k in (first, first + 1))
     sheet, seam, met = left.sheets[0], left.sheets[0].box[2], 0
@@ -305,6 +307,7 @@ def test_sheets_made_alone_continue_line_for_line(first):
     assert met > 100
 
 
+@pytest.mark.slow
 def test_a_sheet_alone_is_the_sheet_of_the_booklet(booklet):
     alone = made(sheets="1", pens=2, from_=-5200.0)
     for a, b in zip(alone.pages[0], booklet.pages[1]):

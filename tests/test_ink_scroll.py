@@ -89,6 +89,7 @@ def _nearest(lines: np.ndarray) -> np.ndarray:
     return cKDTree(lines).query(lines, 2)[0][:, 1] / np.sqrt(lines.shape[1])
 
 
+@pytest.mark.slow
 def test_no_skyline_recurs_in_a_hundred_thousand_units() -> None:
     found = [p for k in range(200) for p in tile(Rules("endless"), k) if p.kind == HILL]
     assert len(found) > 500

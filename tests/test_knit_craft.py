@@ -211,6 +211,7 @@ def test_the_smallest_and_the_longest(shape):
         assert method == "none" or lawful(piece.chart.cells, 4)
 
 
+@pytest.mark.slow
 def test_bytes_do_not_depend_on_threads_or_processes(monkeypatch):
     from tambour.core import threads
 

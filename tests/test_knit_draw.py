@@ -108,6 +108,7 @@ def test_every_colour_and_sign_is_drawn_at_its_stitch() -> None:
     assert (marks == (chart.cells == less)).all()
 
 
+@pytest.mark.slow
 def test_the_booklet_is_a_pdf_of_whole_pages(tmp_path) -> None:
     pdfium = pytest.importorskip("pypdfium2")
     chart = chart_of(120, 110, gauge=Gauge(22, 30))

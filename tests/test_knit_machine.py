@@ -19,6 +19,7 @@ def chart_of(rows: int, stitches: int, **fields: object) -> Chart:
     return Chart(cells, WOOL, **fields)  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 def test_the_params_know_the_same_machines() -> None:
     schema = KnitParams.model_json_schema()["properties"]["machine"]
     assert sorted(schema["anyOf"][0]["enum"]) == sorted(MODELS)

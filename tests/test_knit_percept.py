@@ -83,6 +83,7 @@ def test_a_row_is_the_best_of_all_rows(seed):
         assert cost(solved[y]) == pytest.approx(least, abs=2e-5)
 
 
+@pytest.mark.slow
 def test_masked_rows_are_the_best_too():
     """A shape that narrows at its sides: brute force over the knitted stitches alone."""
     rng = np.random.default_rng(9)

@@ -84,6 +84,7 @@ def test_long_rows_with_many_windows_open_are_the_best_by_every_state(yarns, use
         assert cost[np.arange(n), row].sum() == pytest.approx(best_by_every_state(cost, use, cross), abs=1e-3)
 
 
+@pytest.mark.slow
 def test_any_number_of_yarns_has_a_room():
     for yarns in range(1, 9):
         use = min(yarns + 4, twofold.widest(yarns))

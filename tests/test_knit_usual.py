@@ -74,6 +74,7 @@ def test_tall_pictures_are_narrower_and_small_ones_are_not_enlarged():
 
 @pytest.mark.parametrize("factor", [2, 3, 5, 7.3, 12.5, 17])
 @pytest.mark.parametrize("noisy", [False, True])
+@pytest.mark.slow
 def test_pixel_art_has_a_stitch_for_a_pixel_however_it_was_enlarged(factor, noisy):
     for seed, shape in enumerate(((16, 16), (24, 32), (41, 29))):
         pixels = sprite(*shape, seed)
@@ -109,6 +110,7 @@ def test_charts_keep_their_stitches_at_any_width():
     assert laid(chart)[0].picture.shape[:2] == (30, 397)
 
 
+@pytest.mark.slow
 def test_colours_are_those_that_a_person_sees():
     def made(rgb, **params):
         piece = CRAFT.make(picture(rgb), KnitParams(**params), Progress())

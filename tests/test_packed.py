@@ -49,6 +49,7 @@ facts = st.recursive(
 
 
 @given(st.dictionaries(st.text(max_size=5), values, max_size=3), st.dictionaries(st.text(), facts, max_size=3))
+@pytest.mark.slow
 def test_what_is_packed_is_unpacked(arrays: dict[str, Any], told: dict[str, Any]) -> None:
     raw = packed(Packed(arrays, told))
     back = unpacked(raw)

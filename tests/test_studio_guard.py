@@ -204,6 +204,7 @@ def test_a_phone_comes_in_once(ours: TestClient, door: tuple[TestClient, Tokens]
     assert late.redeem(code) is None
 
 
+@pytest.mark.slow
 def test_two_hundred_sockets(ours: TestClient) -> None:
     opened, refused = [], 0
     for _ in range(200):

@@ -96,6 +96,7 @@ def test_gigabyte_upload_is_413_and_memory_flat(process: Any) -> None:
     assert client.post("/api/pieces", json={"source": {"text": "x" * (5 * limits.MB)}}).status_code == 413
 
 
+@pytest.mark.slow
 def test_token_never_in_log_or_referrer(process: Any) -> None:
     token, client, running, folder = process
     for path in ("/", f"/?token={token}", "/api/nothing", f"/x?token={token}", "/api/revisions/1"):
@@ -225,6 +226,7 @@ def test_job_is_cancelled_when_its_page_leaves(ours: TestClient) -> None:
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="wants a system that can halt a process")
+@pytest.mark.slow
 def test_a_job_that_hears_nothing_is_killed_when_its_page_leaves(ours: TestClient) -> None:
     _, revision = piece(ours, LONG + "# deaf\n")
     with ours.websocket_connect(LIVE) as socket:
@@ -402,6 +404,7 @@ def test_a_library_goes_into_one_archive(tmp_path: Path) -> None:
         export(tmp_path / "none.db", tmp_path / "none.zip")
 
 
+@pytest.mark.slow
 def test_what_was_made_goes_when_it_is_too_much_and_is_made_again(
     ours: TestClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -369,6 +369,7 @@ def test_pictures_for_the_shelf_and_examples(ours: TestClient) -> None:
     assert form["form"]["gauge"]["label"] and "stitch" in form["changes"]
 
 
+@pytest.mark.slow
 def test_a_part_is_put_elsewhere_by_its_sentence(ours: TestClient) -> None:
     """The revision's text says where it is now; what cannot be is told, and changes nothing."""
     toy = f"== Ball ==\n{BALL}== Nose ==\nR1: MR(6) (6)\nR2: 6 sc (6)\nFO\nplace(Nose, Ball, round=2)\n"

@@ -339,6 +339,7 @@ def test_a_report_makes_its_piece_again(photos: Path, tmp_path: Path, tambour: C
     assert (tmp_path / "again.png").read_bytes() == (out / made.files[0]).read_bytes()
 
 
+@pytest.mark.slow
 def test_pieces_of_several_files_are_finished_too(tmp_path: Path) -> None:
     for status in ("made", "kept"):
         axes = {"plotter": [True], "sheets": ["0..1"], "page": ["a5"]}
@@ -372,6 +373,7 @@ def test_a_folder_that_is_a_file_is_refused(tmp_path: Path) -> None:
         list(sweep("ink", axes={"span": [300]}, out=tmp_path / "out"))
 
 
+@pytest.mark.slow
 def test_reports_of_others_are_left_alone(tmp_path: Path) -> None:
     list(sweep("ink", axes={"span": [300]}, out=tmp_path))
     for k, raw in enumerate((b"", b"{}", b"[1]", b'{"key": 1', b"\xff")):
@@ -381,6 +383,7 @@ def test_reports_of_others_are_left_alone(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="a process's environment is looked at")
+@pytest.mark.slow
 def test_a_worker_keeps_the_memory_that_it_will_want_again(monkeypatch: pytest.MonkeyPatch) -> None:
     # Dask tells its own to give it back at once: small pieces took half as long again.
     monkeypatch.setenv("MALLOC_TRIM_THRESHOLD_", "65536")

@@ -59,6 +59,7 @@ def test_a_tile_is_a_window_of_the_scroll(tmp_path: Path) -> None:
         assert picture.size == (512, 700)
 
 
+@pytest.mark.slow
 def test_neighbours_meet(tmp_path: Path) -> None:
     plan, _ = tiles("7", 4, 2, [".png"])
     pair = [np.asarray(Image.open(io.BytesIO(alone(p).files[f"{p.name}.png"])).convert("RGB")) for p in plan.pieces()]
@@ -149,6 +150,7 @@ def test_an_archive_holds_what_the_folder_does_and_is_the_same_each_time(tmp_pat
     assert not (tmp_path / "c.zip").exists()
 
 
+@pytest.mark.slow
 def test_sheets_tell_where_the_next_one_continues() -> None:
     plan, _ = tiles("7", 3, 2, [".svg", ".hpgl"], ["plotter=yes", "page=a5", "margin=8mm", "pens=2"])
     marks, margin, width, height = [], 8.0, 210.0, 148.0
