@@ -1,0 +1,44 @@
+"""Settled: a part of rounds worked and brought to rest by itself, as the plush would be, without its yarn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from tambour.core.check import Array
+from tambour.core.graph import StitchGraph
+from tambour.crochet.model.rounds import Rounds, pattern
+
+if TYPE_CHECKING:
+    from tambour.crochet.params import CrochetParams
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Settled:
+    """A worked part at rest: its graph, positions x (N, 3) in stitches (the stitch's width is 1), and whether it rests."""
+
+    graph: StitchGraph
+    x: Array
+    settled: bool
+
+
+def settled(part: Rounds, params: CrochetParams, stitch: tuple[float, float] = (5.0, 5.0)) -> Settled:
+    """A single part (of its copies one) at rest by itself. stitch : width and height of a single crochet, mm."""
+    import numpy as np
+
+    from tambour.crochet.finish.shape import Task, simulate
+    from tambour.crochet.graph.build import build
+
+    built = build(pattern([replace(part, copies=1, name="Part")]), stitch=stitch)
+    graph = built.graph
+    task = Task(
+        replace(graph, faces=graph.faces[built.shell]),
+        params,
+        stitch[0],
+        params.stuffing or "pressure",
+        "rounds",
+        np.zeros(len(graph.parts), np.int64),
+        (params.stuffing or "pressure") == "pressure",
+    )
+    shape = simulate(task)
+    return Settled(task.graph, shape.x, shape.settled)
