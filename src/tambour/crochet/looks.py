@@ -22,13 +22,13 @@ PALE: Final = (228, 224, 216)
 """Colours of the picture of a tech edit: stitches that it doubts, and what the others are mixed with."""
 
 
-def yarn(piece: Plush) -> Mesh:
-    """The piece in yarn, with its face: every stitch swept to tubes, over a dark lining."""
+def yarn(piece: Plush, *, detail: str | None = None) -> Mesh:
+    """The piece in yarn, with its face: every stitch swept to tubes, over a dark lining; detail : else what was asked for."""
     from tambour.crochet.finish.features import joined, meshes
     from tambour.crochet.yarn.fabric import mesh
 
     not_empty(piece)
-    detail = piece.params.detail
+    detail = detail or piece.params.detail
     face, led = meshes(piece.built, piece.positions, piece.yarn, detail=detail, upright=piece.upright)
     worked = mesh(piece.built.graph, piece.positions, detail=detail, made=led, material=piece.params.material)
     return joined([worked, *face]) if face else worked
@@ -40,11 +40,13 @@ def toy(piece: Plush) -> Mesh:
 
     from tambour.core.paths import Paths
     from tambour.crochet.finish.features import joined, meshes
-    from tambour.crochet.yarn.fabric import mesh
+    from tambour.crochet.yarn.fabric import NEAR, mesh
 
-    parts = in_sight(piece)
+    parts, detail = in_sight(piece), piece.params.detail
+    if detail == "medium" and len(piece.built.graph) < NEAR:
+        detail = "near"
     if parts is None and not piece.built.pattern.terms:
-        return yarn(piece)
+        return yarn(piece, detail=detail)
     if parts is None:
         parts = list(range(len(piece.built.graph.parts)))
     graph, led = piece.built.graph, piece.yarn
@@ -64,10 +66,9 @@ def toy(piece: Plush) -> Mesh:
         source=led.source[keep] if led.source is not None and len(led.source) else led.source,
         point_data={name: values[points] for name, values in led.point_data.items()},
     )
-    detail = piece.params.detail
     face, made = meshes(piece.built, positions, made, detail=detail, upright=piece.upright)
     fabric = replace(graph, faces=graph.faces[wanted[graph.part[graph.faces[:, 0]]]])
-    worked = mesh(fabric, positions, detail=detail, made=made)
+    worked = mesh(fabric, positions, detail=detail, made=made, material=piece.params.material)
     return joined([worked, *face]) if face else worked
 
 

@@ -16,26 +16,29 @@ from tambour.core.threads import WORKERS
 from tambour.geometry.surface import closed, vertex_normals
 from tambour.render.camera import THREE_QUARTER, look
 from tambour.render.cover import cover, turn
+from tambour.render.fleece import fibres, strays
 from tambour.render.light import Lights, floor_light, shine, studio
-from tambour.render.shade import shade
+from tambour.render.shade import STRAY, shade
 
-# Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove (see shade).
+# Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, stray, fibre (see shade).
 MATERIALS: dict[str, tuple[float, ...]] = {
-    "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0),
-    "yarn": (1.0, 0.3, 0.0, 1.0, 3.0, 0.24),
-    "cotton": (0.35, 0.15, 0.1, 14.0, 4.0, 0.24),
-    "acrylic": (0.8, 0.25, 0.06, 20.0, 4.0, 0.2),
-    "chenille": (1.7, 0.5, 0.0, 1.0, 0.0, 0.0),
-    "mohair": (1.4, 0.4, 0.0, 1.0, 2.0, 0.12),
-    "fibres": (0.5, 0.3, 0.0, 1.0, 0.0, 0.0),
-    "plied": (1.0, 0.25, 0.0, 1.0, 0.0, 0.0),
-    "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2),
-    "cloth": (0.5, 0.15, 0.0, 1.0, 0.0, 0.0),
-    "felt": (0.7, 0.3, 0.0, 1.0, 0.0, 0.0),
-    "glass": (0.0, 0.0, 1.3, 420.0, 0.0, 0.0),
-    "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0),
+    "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0),
+    "yarn": (0.5, 0.25, 0.0, 1.0, 4.0, 0.22, 0.15, 0.014),
+    "cotton": (0.3, 0.15, 0.1, 14.0, 4.0, 0.24, 0.08, 0.012),
+    "acrylic": (0.45, 0.2, 0.05, 18.0, 4.0, 0.24, 0.1, 0.012),
+    "chenille": (0.9, 0.5, 0.0, 1.0, 0.0, 0.0, 0.35, 0.03),
+    "mohair": (0.9, 0.4, 0.0, 1.0, 2.0, 0.12, 0.45, 0.025),
+    "fibres": (0.5, 0.3, 0.0, 1.0, 0.0, 0.0, 0.1, 0.0),
+    "plied": (0.6, 0.25, 0.0, 1.0, 0.0, 0.0, 0.12, 0.012),
+    "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2, 0.0, 0.0),
+    "cloth": (0.5, 0.15, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0),
+    "felt": (0.5, 0.3, 0.0, 1.0, 0.0, 0.0, 0.1, 0.0),
+    "glass": (0.0, 0.0, 1.3, 420.0, 0.0, 0.0, 0.0, 0.0),
+    "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.1, 0.0),
 }
 
+FRAYED = 1.2
+"""Pixels that an edge of yarn frays out at most: nearer to, its single fibres are seen."""
 _FINEST = 480  # texels along the side of a shadow map
 _BRIGHTEST = 16.0  # what is lighter differs by less than a code
 
@@ -98,6 +101,8 @@ def picture(
     names = [name if name in MATERIALS else "" for name in mesh.group_names]
     table = np.array([MATERIALS[name] for name in names] or [MATERIALS[""]])
     group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
+    # The strands' radius in samples, in the middle of the picture.
+    thick = radius(mesh) * camera.scale * samples * float(np.median(z)) if table[:, STRAY].any() else 0.0
     palette = linear(np.arange(256) / 255.0)
     color = np.broadcast_to(np.array(PLAIN, np.uint8), mesh.vertices.shape) if mesh.color is None else mesh.color
     arguments = (
@@ -128,6 +133,10 @@ def picture(
         float(points[:, 1].min()) if ground else np.nan,
         patch,
         plot,
+        fibres(),
+        strays(),
+        thick,
+        min(thick * float(table[:, STRAY].max()), FRAYED * samples),
     )
     out = np.zeros((height, width, 4), np.float32)
     # Rows are dealt out in bands; every band writes its own, so their number changes no byte.
@@ -135,6 +144,22 @@ def picture(
     with ThreadPoolExecutor(threads) as pool:
         list(pool.map(lambda k: shade(out, edges[k], edges[k + 1], samples, *arguments), range(4 * threads)))
     return Picture(_developed(out))
+
+
+def radius(mesh: Mesh) -> float:
+    """Median radius of a mesh's tubes, mm: 1 / (2π |∇v|) over its faces with uv; 0 where there are none."""
+    if mesh.uv is None or not len(mesh.faces):
+        return 0.0
+    some = mesh.faces[:: max(1, len(mesh.faces) // 4000)]
+    a, b, c = (mesh.vertices[some[:, k]] for k in range(3))
+    dv = mesh.uv[some, 1] - mesh.uv[some[:, :1], 1]
+    dv = dv - np.floor(dv + 0.5)
+    normal = np.cross(b - a, c - a)
+    square = (normal**2).sum(1)
+    slope = np.cross(c - a, normal) * dv[:, 1:2] + np.cross(normal, b - a) * dv[:, 2:]
+    steep = np.sqrt((slope**2).sum(1)) / np.maximum(square, 1e-30)
+    steep = steep[(steep > 0) & (square > 0)]
+    return float(1 / (2 * np.pi * np.median(steep))) if len(steep) else 0.0
 
 
 def shut(mesh: Mesh) -> Array:

@@ -11,8 +11,9 @@ from tambour.core.kernels import kernel
 from tambour.render.light import seen
 
 # Columns of a material: fuzz (light that fibres scatter at the rim), wrap (light that creeps round the edge), gloss,
-# highlight's sharpness, plies twisted together (0: none), depth of the groove between them in radii.
-FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE = range(6)
+# highlight's sharpness, plies twisted together (0: none), depth of the groove between them in radii, how far its fibres
+# stray over its edge, and how strongly they show on it, both in radii.
+FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, STRAY, FIBRE = range(8)
 
 
 @kernel
@@ -56,6 +57,10 @@ def shade(
     ground: float,
     pool: F8x3,
     plot: F8x1,
+    fleece: F8x3,
+    strays: F8x3,
+    radius: float,
+    stray: float,
 ) -> None:
     """Fill rows ``first`` to ``last`` - 1 of ``out`` (H, W, 4) float32: linear light and coverage.
 
@@ -63,6 +68,8 @@ def shade(
     vertices, normals, color (linear) : (V, 3); uv : (V, 2), or (0, 2) for none; material : (F,) rows of table (M, 6)
     eye, axes, scale : the camera; direction … depth : the lights
     backdrop : (H, 3) linear; ground : height of the floor in mm, or NaN for none; pool, plot : its light
+    fleece, strays : the tables of :mod:`tambour.render.fleece`; radius : of the strands, in samples
+    stray : how far any fibre strays over an edge, in samples
 
     The samples of a pixel share the lights out between them.
     """
@@ -97,6 +104,15 @@ def shade(
                     dx, dy, dz = dx / length, dy / length, dz / length
                     jitter = _noise(i, j)
                     f = face[i, j]
+                    if stray > 0.0 and (f < 0 or table[material[f], STRAY] > 0.0):
+                        # At an edge of spun yarn a sample sees now its fibres, now what is behind them.
+                        rows, columns = i % len(strays), j % len(strays)
+                        down = i + floor(stray * strays[rows, columns, 0] + 0.5)
+                        aside = j + floor(stray * strays[rows, columns, 1] + 0.5)
+                        if down >= 0 and aside >= 0 and down < height * samples and aside < width * samples:
+                            other = face[down, aside]
+                            if other < 0 or table[material[other], STRAY] > 0.0:
+                                f, i, j = other, down, aside
                     if f < 0:
                         r, g, b = backdrop[row, 0], backdrop[row, 1], backdrop[row, 2]
                         if has_ground and dy < -1e-6:
@@ -157,14 +173,15 @@ def shade(
                     occlude = 1.0
                     for c in range(3):
                         albedo[c] = wa * color[a0, c] + wb * color[b0, c] + wc * color[c0, c]
-                    plies = table[m, PLIES]
-                    if plies > 0.0 and len(uv) > 0:
+                    plies, fibre = table[m, PLIES], table[m, FIBRE]
+                    if (plies > 0.0 or fibre > 0.0) and len(uv) > 0:
                         # u: turns of the twist along the yarn, v: turns around it (it wraps).
                         ua, ub, uc = uv[a0, 0], uv[b0, 0], uv[c0, 0]
                         va, vb, vc = uv[a0, 1], uv[b0, 1], uv[c0, 1]
                         vb += floor(va - vb + 0.5)
                         vc += floor(va - vc + 0.5)
-                        phase = pi * plies * (wa * (va - ua) + wb * (vb - ub) + wc * (vc - uc))
+                        around_at, along_at = wa * va + wb * vb + wc * vc, wa * ua + wb * ub + wc * uc
+                        phase = pi * plies * (around_at - along_at)
                         # Surface gradients of v and of the phase: a linear function's over a triangle.
                         pb, pc = pi * plies * (vb - ub - va + ua), pi * plies * (vc - uc - va + ua)
                         # Dual basis of the edges within the face's plane.
@@ -192,8 +209,26 @@ def shade(
                             n[0] -= steep * sx_
                             n[1] -= steep * sy_
                             n[2] -= steep * sz_
-                            crease = 1.0 - abs(ripple)
-                            occlude = 1.0 - 0.55 * crease * crease
+                            crease = 1.0 - abs(ripple) if plies > 0.0 else 0.0
+                            occlude = 1.0 - 0.45 * crease * crease
+                            if fibre > 0.0:
+                                # Fibres finer than a sample are not seen one by one.
+                                wide = len(fleece)
+                                fine = min(1.0, 2.0 * pi * radius / wide / 0.5)
+                                r_ = floor(wide * (around_at - floor(around_at))) % wide
+                                c_ = floor(wide * (along_at - floor(along_at))) % wide
+                                tone_of = fleece[r_, c_, 0]
+                                lift = fine * fibre / (2.0 * pi * around)
+                                tx_, ty_, tz_ = (
+                                    (ub - ua) * bx + (uc - ua) * cx,
+                                    (ub - ua) * by + (uc - ua) * cy,
+                                    (ub - ua) * bz + (uc - ua) * cz,
+                                )
+                                n[0] -= lift * (fleece[r_, c_, 1] * wx + fleece[r_, c_, 2] * tx_)
+                                n[1] -= lift * (fleece[r_, c_, 1] * wy + fleece[r_, c_, 2] * ty_)
+                                n[2] -= lift * (fleece[r_, c_, 1] * wz + fleece[r_, c_, 2] * tz_)
+                                for c in range(3):
+                                    albedo[c] *= max(0.3, 1.0 + 0.09 * tone_of)
                     length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
                     if length == 0.0:
                         length = 1.0

@@ -17,6 +17,10 @@ RING = 0.43
 """Stitches in a magic ring begin on a circle this share of their distance from its middle."""
 
 
+EASE = 3.0
+"""Turns of a spiral from a ring over which its columns come to lean."""
+
+
 @dataclass(frozen=True, slots=True)
 class Course:
     """What the cells are made of; all per node.
@@ -85,8 +89,9 @@ def leaning(graph: StitchGraph, lean: float) -> tuple[Array, Array]:
 
     A stitch's head lies to the right of its post, so in rounds that are not turned every stitch stands a little to the
     right of the one that it is worked into: columns lean, pictures in them too. The shape is as round as before, so the
-    stitches glide along their own spiral. Where a part holds a picture, its middle stays where its nodes are. Parts with
-    turns, joins or anything but a spiral from a ring keep their columns.
+    stitches glide along their own spiral. An open end, which may be sewn to something, stays where its nodes are, and so
+    does the middle of a picture in a part, else a part's middle; towards a ring and a tip the gliding fades over EASE turns.
+    Parts with turns, joins or anything but a spiral from a ring keep their columns.
     """
     n = len(graph)
     host, slip = np.arange(n, dtype=np.int32), np.zeros(n)
@@ -96,7 +101,7 @@ def leaning(graph: StitchGraph, lean: float) -> tuple[Array, Array]:
     joined[graph.edges[graph.edge_kind == JOIN].ravel()] = True
     single = np.diff(graph.anchor_offsets) > 0
     for part in graph.parts:
-        first, last = part.start + 1, part.end
+        first, last, end = part.start + 1, part.end, part.end
         while last > first and graph.peculiarity[last - 1] == TIP:
             last -= 1
         own = slice(first, last)
@@ -116,10 +121,23 @@ def leaning(graph: StitchGraph, lean: float) -> tuple[Array, Array]:
         turns = np.cumsum(1.0 / around)
         drift = -lean * np.cumsum(1.0 / around**2)
         seen = _pictured(graph, own)
-        where = np.interp(turns + drift - (drift[seen] if seen >= 0 else 0.0), turns, number)
+        still = seen if seen >= 0 else len(number) - 1 if last == end else len(number) // 2
+        ease = min(EASE, turns[-1] / 3.0)
+        fade = (
+            _eased(turns / ease)
+            if still == len(number) - 1
+            else _eased(turns / ease) * _eased((turns[-1] - turns) / ease)
+        )
+        where = np.interp(turns + fade * (drift - drift[still]), turns, number)
         host[own] = first + where.astype(np.int32)
         slip[own] = where - where.astype(np.int32)
     return host, slip
+
+
+def _eased(t: Array) -> Array:
+    """Smoothly from 0 to 1 as t goes from 0 to 1."""
+    t = np.clip(t, 0.0, 1.0)
+    return np.asarray(t * t * (3.0 - 2.0 * t))
 
 
 def _pictured(graph: StitchGraph, own: slice) -> int:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from tambour.core.check import Array
@@ -18,6 +20,7 @@ from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
 from tambour.geometry.motion import length
 from tambour.geometry.tube import sweep
+from tambour.noise import stream
 
 LOOKS = 12
 """How often strands that are too near to each other are looked for."""
@@ -47,6 +50,7 @@ def strands(
     the stitch that every point belongs to.
     """
     x = np.ascontiguousarray(positions, np.float64)
+    x = x + UNEVEN * graph.stitch_width * stream("uneven", len(x)).uniform(-1.0, 1.0, x.shape)
     radius = graph.stitch_width * RATIO / 2 if yarn_radius is None else yarn_radius
     led = way(graph, hold)
     rows = course(graph, x, LEAN[hold])
@@ -76,13 +80,8 @@ def strands(
     clear(coords, ends, 2 * radius, looks=LOOKS)
     pieces, stray = _DETAIL[detail]
     if pieces > 1:
-        lengths = np.where(np.diff(ends) > 0, (np.diff(ends) - 1) * pieces + 1, 0)
-        later = np.concatenate([[0], np.cumsum(lengths)])
-        fine = np.zeros((int(later[-1]), 3))
-        smooth(coords, ends, pieces, fine)
-        inner = np.arange(len(fine)) - np.repeat(later[:-1], lengths)
-        stitch = stitch[np.repeat(ends[:-1], lengths) + inner // pieces]
-        coords, ends = fine, later
+        coords, ends, of = _rounder(coords, ends, pieces)
+        stitch = stitch[of]
     keep = np.zeros(len(coords), np.bool_)
     thin(coords, ends, stray * radius, keep)
     ends = np.concatenate([[0], np.cumsum(keep)])[ends]
@@ -94,6 +93,16 @@ def strands(
         source=led.first,
         point_data={"stitch": stitch[keep]},
     )
+
+
+def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Array]:
+    """Polylines with every segment in ``pieces``, along smooth curves through their points; and the point before each."""
+    lengths = np.where(np.diff(ends) > 0, (np.diff(ends) - 1) * pieces + 1, 0)
+    later = np.concatenate([[0], np.cumsum(lengths)])
+    fine = np.zeros((int(later[-1]), 3))
+    smooth(coords, ends, pieces, fine)
+    inner = np.arange(len(fine)) - np.repeat(later[:-1], lengths)
+    return fine, later, np.repeat(ends[:-1], lengths) + inner // pieces
 
 
 def _dense(coords: Array, ends: Array, stitch: Array, longest: float) -> tuple[Array, Array, Array]:
@@ -109,8 +118,12 @@ def _dense(coords: Array, ends: Array, stitch: Array, longest: float) -> tuple[A
     return (1 - part) * coords[of] + part * coords[after], begin[ends], stitch[of]
 
 
-SIDES = {"low": 4, "medium": 6, "high": 10}
-"""Detail → corners of the yarn's cross-section."""
+SIDES = {"low": 4, "medium": 6, "high": 10, "near": 10}
+"""Detail → corners of the yarn's cross-section; near: for pictures that show few stitches."""
+NEAR = 1200
+"""Pictures of fewer stitches show their yarn near to: as round as in high detail."""
+UNEVEN = 0.035
+"""How far single stitches lie out of line, in widths: hands are not machines."""
 
 
 def mesh(
@@ -127,6 +140,10 @@ def mesh(
     """
     kind = KINDS[material]
     made = strands(graph, positions, detail=detail, bloom=BLOOM * kind.full) if made is None else made
+    if detail == "near":
+        coords, ends, of = _rounder(made.paths.coords, np.asarray(made.paths.offsets), 2)
+        data = {name: values[of] for name, values in made.point_data.items()}
+        made = replace(made, paths=Paths(coords, ends), radius=made.radius[of], point_data=data)
     yarn = sweep(made, sides=SIDES[detail], material=kind.surface)
     inner = lining(graph, positions, graph.stitch_width)
     every = (yarn, inner) if detail == "low" else (yarn, inner, halo(made, kind))

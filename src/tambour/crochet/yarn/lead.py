@@ -66,7 +66,7 @@ _HANGING = np.array(
         (0.0, 0.0, 0.7),
     ]
 )
-_SEAM = np.array([(0.0, 0.0, -0.45), (0.0, 0.0, 0.36)])
+_SEAM = np.array([(0.0, -0.1, -0.45), (0.0, -0.1, 0.12)])
 
 TIGHT = 0.6
 """As far along the work, in stitches, a head keeps its place that is drawn tight."""
