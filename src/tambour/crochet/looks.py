@@ -42,7 +42,7 @@ def toy(piece: Plush) -> Mesh:
     from tambour.crochet.finish.features import joined, meshes
     from tambour.crochet.yarn.fabric import NEAR, mesh
 
-    parts, detail = in_sight(piece), piece.params.detail
+    parts, detail = in_sight(piece), str(piece.params.detail)
     if detail == "medium" and len(piece.built.graph) < NEAR:
         detail = "near"
     if parts is None and not piece.built.pattern.terms:
