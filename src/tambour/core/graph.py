@@ -35,12 +35,16 @@ BLO: Final = 4
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A piece worked on its own: nodes ``start`` to ``end`` - 1. ``stuffing`` scales the amount (0 none, 1 as chosen)."""
+    """A piece worked on its own: nodes ``start`` to ``end`` - 1. ``stuffing`` scales the amount (0 none, 1 as chosen).
+
+    hollow : its nodes from the first to before the second lie inside, pushed in by hand; none where they are equal
+    """
 
     name: str
     start: int
     end: int
     stuffing: float = 1.0
+    hollow: tuple[int, int] = (0, 0)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

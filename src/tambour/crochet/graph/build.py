@@ -154,8 +154,25 @@ class _Worker:
             self.problems.append(error.problem)
             fine, self.broken = False, True
         hook.end_part()
-        self.parts.append(Part(name, start, len(hook), _stuffing(section.stuffing)))
+        hollow = self._hollow(section, start) if fine and section.hollow is not None else (0, 0)
+        self.parts.append(Part(name, start, len(hook), _stuffing(section.stuffing), hollow))
         return fine
+
+    def _hollow(self, section: Section, start: int) -> tuple[int, int]:
+        """The nodes from the first to the last round that is to lie inside."""
+        assert section.hollow is not None
+        first, last = section.hollow
+        mine = [r for r in self.hook.rounds if r.first >= start]
+        inside = [r for r in mine if first <= r.number <= last]
+        if not inside or inside[-1].number < last:
+            most = max((r.number for r in mine), default=0)
+            problem = Problem(
+                f"round {last} is not there to be hollow", f"the part has {most} rounds", section.hollow_span,
+                self.pattern.text, warning=True,
+            )  # fmt: skip
+            if problem not in self.problems:
+                self.problems.append(problem)
+        return (inside[0].first, inside[-1].last + 1) if inside else (0, 0)
 
     def _line(self, line: Line) -> None:
         if line.times_span is not None:

@@ -72,7 +72,7 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
 
     A round of n stitches is a horizontal ring of radius n / 2π about the middle of the stitches it is worked into,
     turned so that its stitches stand over theirs, and higher than those by √(h² - ΔR²), at least 0.3 h, where ΔR is
-    the change of radius and h the height of its stitches. Rows that are turned and never joined lie flat instead, or are rolled where edges of the piece are sewn to each other;
+    the change of radius and h the height of its stitches; as much lower in a part's hollow. Rows that are turned and never joined lie flat instead, or are rolled where edges of the piece are sewn to each other;
     rounds about a chain are stadiums, as long as it; an opening closed through both layers is a line.
     """
     n = len(graph)
@@ -94,7 +94,10 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
     np.maximum.at(width, graph.part[starts], (ends - starts) / (2.0 * math.pi))
     begun = np.zeros(len(graph.parts), int)
     forks = Forks()
-    keys = _keys(graph, heights, flat, least, folded)
+    inside = np.zeros(n, bool)
+    for p in graph.parts:
+        inside[p.hollow[0] : p.hollow[1]] = True
+    keys = _keys(graph, heights, flat, least, folded, inside)
     known = {part: made for part, key in keys.items() if (made := _laid.get(key)) is not None}
     for part, made in known.items():
         x[graph.parts[part].start : graph.parts[part].end] = made
@@ -141,7 +144,7 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
             spread = float(ends_of[under].mean())
             up = math.sqrt(max(h * h - (radius - spread) ** 2, (least[part] * h) ** 2))
             x[nodes, 0], x[nodes, 2] = ovals.turned(b - a, side, radius, stand[:, [0, 2]]).T
-            x[nodes, 1], ends_of[nodes] = centre[1] + up, radius
+            x[nodes, 1], ends_of[nodes] = centre[1] + (-up if inside[a] else up), radius
             continue
         turns = ovals.corners(graph, a, b) if flats[part] else []
         radius = (b - a) / (2.0 * math.pi) if b - a > 1 else 0.0
@@ -162,7 +165,7 @@ def rounds(graph: StitchGraph, rest: Array) -> Array:
         angle = graph.direction[nodes] * np.arange(b - a) * (2.0 * math.pi / (b - a))
         turn = np.exp(1j * (np.arctan2(stand[:, 2] - centre[2], stand[:, 0] - centre[0]) - angle)).sum()
         angle = angle + (math.atan2(turn.imag, turn.real) if abs(turn) > 1e-9 else BACK)
-        place = centre + np.array([0.0, up, 0.0])
+        place = centre + np.array([0.0, -up if inside[a] else up, 0.0])
         if b - a > 1:
             place = forks.clear(k, np.unique(section[under]), place, radius, part)
         x[nodes] = place + np.column_stack([radius * np.cos(angle), np.zeros(b - a), radius * np.sin(angle)])
@@ -181,7 +184,9 @@ _laid: dict[bytes, Array] = {}
 """Parts that were laid out last, by all that it depends on: between two keys of one who types, most parts stay as they are."""
 
 
-def _keys(graph: StitchGraph, heights: Array, flat: Array, least: Array, folded: Array) -> dict[int, bytes]:
+def _keys(
+    graph: StitchGraph, heights: Array, flat: Array, least: Array, folded: Array, inside: Array
+) -> dict[int, bytes]:
     """Part → digest of all that its layout depends on; of those that no other part is worked into, or joined to."""
     part, offsets = graph.part, graph.anchor_offsets
     holder = np.repeat(np.arange(len(graph)), np.diff(offsets))
@@ -199,7 +204,7 @@ def _keys(graph: StitchGraph, heights: Array, flat: Array, least: Array, folded:
             graph.round[own] - graph.round[p.start], graph.peculiarity[own], graph.direction[own], heights[own],
             graph.previous[own] - p.start, graph.parent[own] - p.start, folded[own], np.diff(offsets[p.start : p.end + 1]),
             graph.anchors[offsets[p.start] : offsets[p.end]] - p.start, graph.edges[of_edge == k] - p.start, graph.edge_kind[of_edge == k],
-            np.array([flat[k], least[k] > 0.0]),
+            np.array([flat[k], least[k] > 0.0]), inside[own],
         ]  # fmt: skip
         digest = blake2b(digest_size=16)
         for array in held:

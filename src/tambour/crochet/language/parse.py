@@ -202,6 +202,12 @@ def _section(source: Source, draft: _Draft) -> Section:
             else:
                 hint = "start or end: the one that is on top; side: it lies, its start ahead"
                 source.error(f'"{value}" is no end of the work', hint, at)
+        elif key == "hollow":
+            if (pair := re.fullmatch(r"(\d{1,6})(?:-(\d{1,6}))?", value)) and int(pair[1]) <= int(pair[2] or pair[1]):
+                found[key], found["hollow_span"] = (int(pair[1]), int(pair[2] or pair[1])), at
+            else:
+                hint = "the numbers of the rounds that are pushed inside, such as 13-17"
+                source.error(f'"{value}" are no rounds', hint, at)
         elif key == "tip_from_fo":
             if word in _TRUTH:
                 found[key] = _TRUTH[word]
@@ -209,7 +215,9 @@ def _section(source: Source, draft: _Draft) -> Section:
                 source.error(f'"{value}" is neither true nor false', "true: FO closes the edge; false: not", at)
         else:
             other[key] = value
-            source.doubt(f'the parameter "{key}" has no effect', "known: centroids, stuffing, initializer, up", name)
+            source.doubt(
+                f'the parameter "{key}" has no effect', "known: centroids, stuffing, initializer, up, hollow", name
+            )
     return replace(plain, other=other, **found)
 
 

@@ -140,6 +140,7 @@ class Section:
     name : "" for the one without a header
     copies : ``(make N)``
     centroids, stuffing, initializer, up, tip_from_fo : the parameters that are understood (None: not given)
+    hollow : the first and the last number of the rounds that are pushed inside; hollow_span : where that is said
     other : every other parameter, as text
     guessed : its stuffing is our guess by its name, which is never printed as the pattern's word
     """
@@ -154,6 +155,8 @@ class Section:
     initializer: str | None = None
     up: str | None = None
     tip_from_fo: bool = True
+    hollow: tuple[int, int] | None = None
+    hollow_span: Span | None = None
     other: Mapping[str, str] = field(default_factory=dict)
     guessed: bool = False
 

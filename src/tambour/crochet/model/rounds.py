@@ -46,6 +46,7 @@ class Rounds:
     closed : the last round, of 12 stitches or fewer, is drawn together
     copies : how many of it are made; stuffing : none, light, medium, firm or a factor, "" for what is usual
     color : its yarn, None for undyed; up : which end of the work is on top (start, end), "" for what is usual
+    hollow : the numbers of the first and the last round that are pushed inside, (0, 0) for none
     """
 
     name: str
@@ -56,6 +57,7 @@ class Rounds:
     stuffing: str = ""
     color: RGB | None = None
     up: str = ""
+    hollow: tuple[int, int] = (0, 0)
 
     def counts(self) -> list[int]:
         """Stitches of every round, the ring first."""
@@ -126,6 +128,8 @@ def _lines(part: Rounds) -> list[str]:
         made.append(f"@stuffing = {part.stuffing}")
     if part.up:
         made.append(f"@up = {part.up}")
+    if part.hollow[0]:
+        made.append(f"@hollow = {part.hollow[0]}-{part.hollow[1]}")
     now = part.color
     if now is not None:
         made.append(f"color({hexed(now)})")

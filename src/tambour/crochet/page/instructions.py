@@ -352,7 +352,11 @@ class _Writer:
             lines.append(Row("", self._sentence(self.phrases.say(f"up {section.up}"))))
         settings = [
             f"@{key} = {value}"
-            for key, value in (("centroids", section.centroids), ("initializer", section.initializer))
+            for key, value in (
+                ("centroids", section.centroids),
+                ("initializer", section.initializer),
+                ("hollow", section.hollow and "{}-{}".format(*section.hollow)),
+            )
             if value is not None
         ]
         g = self.built.graph

@@ -19,7 +19,7 @@ from tambour.crochet.words.special import heard
 from tambour.crochet.words.table import TERMS, Terms
 
 _COUNT: Final = re.compile(r"\s*\((\d{1,9})\)$")
-_SETTING: Final = re.compile(r"@(centroids|initializer) = ([\w-]+)$")
+_SETTING: Final = re.compile(r"@(centroids|initializer|hollow) = ([\w-]+)$")
 _NOTE: Final = re.compile(r"\*[^*].*[^*]\*$")
 _STATED: Final = re.compile(r"\*\*(.+?):\*\* (.+)$")
 _ANEW: Final = ("mr", "goto", "oval", "fsc")
@@ -202,6 +202,8 @@ class _Reader:
         if found := _SETTING.match(line):
             if found[1] == "centroids" and found[2].isdigit():
                 draft.section = replace(draft.section, centroids=int(found[2]))
+            elif found[1] == "hollow" and (pair := re.fullmatch(r"(\d{1,6})-(\d{1,6})", found[2])):
+                draft.section = replace(draft.section, hollow=(int(pair[1]), int(pair[2])), hollow_span=span)
             elif found[2] in STARTS:
                 draft.section = replace(draft.section, initializer=STARTS[found[2]])
             else:

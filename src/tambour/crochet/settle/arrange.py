@@ -8,7 +8,7 @@ import numpy as np
 
 from tambour.core.arrays import I8x2
 from tambour.core.check import Array
-from tambour.core.graph import SEWN, Part, StitchGraph
+from tambour.core.graph import SEWN, StitchGraph
 from tambour.core.kernels import kernel
 from tambour.geometry.motion import dot, fit, turned
 from tambour.geometry.surface import vertex_normals
@@ -76,7 +76,8 @@ def cut(graph: StitchGraph, nodes: Array) -> StitchGraph:
     kept = []
     for p in own:
         mine = np.flatnonzero(graph.part[nodes] == p)
-        kept.append(Part(graph.parts[p].name, int(mine[0]), int(mine[-1]) + 1, graph.parts[p].stuffing))
+        hollow = tuple(np.searchsorted(nodes, graph.parts[p].hollow).tolist())
+        kept.append(replace(graph.parts[p], start=int(mine[0]), end=int(mine[-1]) + 1, hollow=hollow))
     plane = new[graph.plane[nodes]]
     plane[(plane < 0).any(1)] = -1
     return replace(

@@ -41,7 +41,7 @@ class Body:
     Shapes: part (N,), root (N,) the node that stays where it is for each node; edges (E, 2), rest (E,);
     loop_nodes (L,), loop_planes (L, 3), loop_strength (L,); triples (T, 3), bending (T,);
     fabric (G, 3) faces without lids; faces (F, 3), face_part (F,), lid_offsets, lid_nodes with them; amount (P,) of
-    stuffing, per_edge and pressure (P,) its ln V energy per edge and in all, least (P,) volume;
+    stuffing, per_edge and pressure (P,) its ln V energy per edge and in all, least (P,) volume, and most (P,), where fibre lies loose;
     folds : whether the fabric answers the push of a single loop, as a hinge does (the seed's steps push one-sidedly)
     lying (K, 4) : stitches of placed parts' seams and triangles that they lie on
     offsets, neighbours : the edges as ragged lists; reach, near, touch : contact's distances and stiffness (0: none)
@@ -68,6 +68,7 @@ class Body:
     per_edge: Array
     pressure: Array
     least: Array
+    most: Array
     offsets: Array
     neighbours: Array
     reach: float
@@ -116,7 +117,8 @@ def volumes(body: Body, x: Array) -> Array:
     from tambour.crochet.settle.stuffing import pressure
 
     made, none = np.zeros(len(body.amount)), np.zeros(len(body.amount))
-    pressure(x, body.faces, body.face_part, body.lid_offsets, body.lid_nodes, none, body.least, made, np.zeros_like(x))
+    lids = (body.lid_offsets, body.lid_nodes)
+    pressure(x, body.faces, body.face_part, *lids, none, body.least, body.most, made, np.zeros_like(x))
     return made
 
 
@@ -133,9 +135,8 @@ def displacement(body: Body, state: State, move_centroids: bool = True, held: Ar
     if len(body.triples):
         forces.bend(x, body.triples, body.bending, D)
     if body.stuffing == "pressure":
-        stuffing.pressure(
-            x, body.faces, body.face_part, body.lid_offsets, body.lid_nodes, body.pressure, body.least, state.volume, D
-        )
+        lids = (body.lid_offsets, body.lid_nodes)
+        stuffing.pressure(x, body.faces, body.face_part, *lids, body.pressure, body.least, body.most, state.volume, D)
     elif body.stuffing == "centroid":
         c = state.c if move_centroids else state.c.copy()
         stuffing.centroids(x, body.part, body.first, c, *body.centroid, body.amount, D)
@@ -224,7 +225,7 @@ def build(
     if centroids is not None:
         np.cumsum(centroids, out=first[1:])
     stiffness = params.contact_stiffness or (0.2 if _cubic(stuffing) else 1.0)
-    return Body(
+    made = Body(
         stuffing=stuffing,
         part=graph.part,
         root=roots(graph),
@@ -244,6 +245,7 @@ def build(
         per_edge=params.pressure * amount,
         pressure=params.pressure * amount * inside,
         least=LEAST_VOLUME * area**1.5,
+        most=np.full(parts, np.inf),
         offsets=offsets,
         neighbours=neighbours,
         reach=params.contact_distance,
@@ -260,6 +262,17 @@ def build(
         lying=np.zeros((0, 4), np.int32),
         folds=folds,
     )
+    hollow = stuffing == "pressure" and any(p.hollow[0] < p.hollow[1] for p in graph.parts)
+    return replace(made, most=_loose(made, graph, width)) if hollow else made
+
+
+def _loose(body: Body, graph: StitchGraph, width: float) -> Array:
+    """The volume (P,) at which the fibre of a part with a hollow lies loose: that of its rings, the hollow pushed in, for
+    it was filled while hands held it so. Others have none: fabric does not let them swell so far."""
+    from tambour.crochet.graph.layout import rounds
+
+    hollow = np.array([p.hollow[0] < p.hollow[1] for p in graph.parts])
+    return np.where(hollow, volumes(body, rounds(graph, graph.rest / width)), np.inf)
 
 
 def grown(body: Body, m: int) -> Body:

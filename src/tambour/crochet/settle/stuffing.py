@@ -9,6 +9,9 @@ import numpy as np
 from tambour.core.arrays import F8x1, F8x2, I4x1, I4x2, I8x1
 from tambour.core.kernels import kernel
 
+LOFT = 0.1
+"""The share of its loose volume over which fibre comes to press fully when it is squeezed."""
+
 
 @kernel
 def centroids(
@@ -121,10 +124,13 @@ def pressure(
     lid_nodes: I4x1,
     amount: F8x1,
     least: F8x1,
+    most: F8x1,
     volume: F8x1,
     D: F8x2,
 ) -> None:
     """Press outwards: add amount / V * dV/dx, the force of the energy -amount ln V, part by part.
+
+    Fibre has a volume of its own: from (1 - LOFT) ``most`` on it presses less and less, at ``most`` (P,) it lies loose.
 
     faces : (F, 3), counter-clockwise outside; a corner of index N + l is the middle of lid l's rim
     lid_offsets, lid_nodes : ragged rims; lids close the volume and have no fabric
@@ -162,6 +168,8 @@ def pressure(
                 volume[part] += (p[0, 0] * G[0, 0] + p[0, 1] * G[0, 1] + p[0, 2] * G[0, 2]) / 6.0
                 continue
             s = amount[part] / max(volume[part], least[part]) / 6.0
+            if volume[part] > (1.0 - LOFT) * most[part]:
+                s *= max(most[part] - volume[part], 0.0) / (LOFT * most[part])
             for k in range(3):
                 v = faces[f, k]
                 for q in range(3):
