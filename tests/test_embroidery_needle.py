@@ -9,7 +9,8 @@ from tambour import files
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
 from tambour.core.thread import COLOR, STITCH
-from tambour.embroidery.columns.satin import Column, from_stroke, zigzag
+from tambour.embroidery.columns.satin import Column, zigzag
+from tambour.embroidery.columns.stroke import from_stroke
 from tambour.embroidery.looks.scene import check, preview
 from tambour.embroidery.needle import NEEDLE, Needle
 from tambour.embroidery.params import EmbroideryParams

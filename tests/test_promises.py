@@ -36,7 +36,7 @@ from tambour.crochet.printed.tokens import rows
 from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.yarns import SQUARE, WEIGHTS, class_of, swatch_of
 from tambour.embroidery import CRAFT as EMBROIDERY
-from tambour.embroidery.columns.satin import from_stroke
+from tambour.embroidery.columns.stroke import from_stroke
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import LOCK, Region
 from tambour.embroidery.plan.facts import outside

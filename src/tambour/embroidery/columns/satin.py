@@ -21,7 +21,6 @@ from tambour.noise import key, uniform
 CROWDED = 0.25  # mm: where stitches of a bend come closer than this, some of them end before the inner side
 DRAWN = 0.45  # share of the width that they may end before it
 EDGE_INSET = 0.4  # mm that underlay keeps from a column's edges
-SHARP = math.radians(105)  # a corner that turns by more leaves no room for a mitre
 STEP = 0.1  # mm between samples of a column
 
 
@@ -97,115 +96,6 @@ def _meets(rail: Any, rung: Any) -> float:
 
     near = shapely.get_point(shapely.shortest_line(rail, rung), 0)
     return float(shapely.line_locate_point(rail, near))
-
-
-def from_stroke(line: Array, width: float) -> list[Column]:
-    """Columns of a line with a width: one, or several where the line turns by more than 75° at a corner.
-
-    Along a bend the inner side is kept from folding over itself: where the bend's radius is below half the width the
-    inner points stay at its centre.
-    """
-    line = line[np.r_[True, np.hypot(*np.diff(line, axis=0).T) > 1e-6]]
-    if len(line) < 2:
-        return []
-    closed = bool((line[0] == line[-1]).all())
-    d = np.diff(line, axis=0)
-    heading = np.unwrap(np.arctan2(d[:, 1], d[:, 0]))
-    turns = np.abs((np.diff(heading) + math.pi) % (2 * math.pi) - math.pi)
-    corners = (np.flatnonzero(turns > math.radians(75)) + 1).tolist()
-    turned = None
-    if closed and corners:
-        turned = _wrapped(float(heading[corners[0]] - heading[corners[0] - 1]))
-        line = np.concatenate([line[corners[0] : -1], line[: corners[0] + 1]])
-        corners = [c - corners[0] for c in corners[1:]]
-        closed = False
-    pieces = [line[a : b + 1] for a, b in zip([0, *corners], [*corners, len(line) - 1])]
-    d = np.diff(line, axis=0)
-    heading = np.arctan2(d[:, 1], d[:, 0])
-    turn = {c: _wrapped(float(heading[c] - heading[c - 1])) for c in corners}
-    if turned is not None:
-        turn[0] = turn[len(line) - 1] = turned
-    made = []
-    at = 0
-    for piece in pieces:
-        column = _swept(piece, width / 2, closed and len(pieces) == 1)
-        begin, at = at, at + len(piece) - 1
-        column = _cornered(column, width / 2, turn.get(at, 0.0))
-        made.append(_cornered(column.reversed(), width / 2, -turn.get(begin, 0.0)).reversed())
-    return made
-
-
-def _cornered(column: Column, half: float, turn: float) -> Column:
-    """The column with its end made to meet the next one after a turn: slanted, or at a sharp corner rounded over it."""
-    if abs(turn) > SHARP:
-        return ended([column], half, 0, starts=False)[0]
-    return _mitred(column, half, turn)
-
-
-def ended(columns: list[Column], half: float, cap: int, starts: bool = True) -> list[Column]:
-    """Columns of an open line with its ends as its caps say (as in Styles): longer by half the width, and rounded or not;
-    its start only if ``starts``."""
-    if cap == 1 or not columns:
-        return columns
-    made = list(columns)
-    for last in (True, False) if starts else (True,):
-        column = made[-1] if last else made[0].reversed()
-        step = column.middle[-1] - column.middle[max(0, len(column.left) - 4)]
-        ahead = step / max(1e-9, float(np.hypot(*step)))
-        s = np.linspace(0, 1, max(3, math.ceil(half / STEP) + 1))[1:, None]
-        wide = np.maximum(0.3, np.sqrt(np.maximum(0.0, 1 - s**2))) if cap == 0 else np.ones_like(s)
-        middle, side = column.middle[-1] + half * s * ahead, (column.left[-1] - column.right[-1]) / 2
-        column = Column(
-            np.concatenate([column.left, middle + wide * side]), np.concatenate([column.right, middle - wide * side])
-        )
-        made[-1 if last else 0] = column if last else column.reversed()
-    return made
-
-
-def _mitred(column: Column, half: float, turn: float) -> Column:
-    """The column with its end slanted to meet the next one after a turn (radians, positive towards ``left``)."""
-    if turn == 0:
-        return column
-    slant = math.copysign(min(abs(math.tan(turn / 2)), 1.2) * half, turn)
-    middle = column.middle
-    way = np.r_[0, np.cumsum(np.hypot(*np.diff(middle, axis=0).T))]
-    zone = min(3 * half, 0.5 * way[-1])
-    share = np.clip(1 - (way[-1] - way) / max(zone, 1e-9), 0, 1)[:, None] ** 2
-    ahead = np.gradient(middle, axis=0)
-    ahead /= np.maximum(np.hypot(*ahead.T)[:, None], 1e-12)
-    return Column(column.left - slant * share * ahead, column.right + slant * share * ahead)
-
-
-def _swept(line: Array, half: float, closed: bool) -> Column:
-    size = float(np.hypot(*np.diff(line, axis=0).T).sum())
-    n = max(3, math.ceil(size / STEP) + 1)
-    p = resample(line, n)
-    d = np.diff(p, axis=0)
-    heading = np.unwrap(np.arctan2(d[:, 1], d[:, 0]))
-    # Directions are averaged over half a width, so that a polyline's kinks become bends.
-    reach = max(1, int(0.5 * half / (size / (n - 1))))
-    window = np.hanning(2 * reach + 3)[1:-1]
-    window /= window.sum()
-    if closed:
-        turn = heading[-1] - heading[0] + _wrapped(heading[0] - heading[-1])
-        padded = np.concatenate([heading[-reach:] - turn, heading, heading[:reach] + turn])
-    else:
-        padded = np.concatenate([np.full(reach, heading[0]), heading, np.full(reach, heading[-1])])
-    smooth = np.convolve(padded, window, "valid")
-    at = np.r_[smooth[0], (smooth[:-1] + smooth[1:]) / 2, smooth[-1]]
-    if closed:
-        at[0] = at[-1] = (smooth[0] + smooth[-1] - (smooth[-1] - smooth[0] - _wrapped(smooth[-1] - smooth[0]))) / 2
-        at[-1] = at[0] + (smooth[-1] - smooth[0] - _wrapped(smooth[-1] - smooth[0]))
-    bend = np.gradient(at) / (size / (n - 1))
-    normal = np.c_[-np.sin(at), np.cos(at)]
-    inner = np.minimum(half, 1 / np.maximum(np.abs(bend), 1e-9))
-    to_left = np.where(bend > 0, inner, half)[:, None]
-    to_right = np.where(bend < 0, inner, half)[:, None]
-    return Column(p + to_left * normal, p - to_right * normal)
-
-
-def _wrapped(angle: float) -> float:
-    return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
 @kernel
@@ -344,15 +234,12 @@ def underlays(column: Column, asked: str) -> list[str]:
     return [] if asked == "none" else ["zigzag" if w == "tatami" else w for w in asked.split("+")]
 
 
-def edge_walk(column: Column, params: EmbroideryParams) -> list[Stitches]:
-    """Running stitch along both edges, drawn in, there and back."""
-    made = []
-    for side in (column, column.reversed()):
-        across = side.right - side.left
-        wide = np.hypot(*across.T)[:, None]
-        line = side.left + across * np.minimum(0.4, EDGE_INSET / np.maximum(wide, 1e-9))
-        made.append(line_stitches(line, min(params.length, 2.5), UNDERLAY, 0.1))
-    return made
+def side_walk(column: Column, params: EmbroideryParams) -> Stitches:
+    """Running stitch along the left edge, drawn in, from start to end."""
+    across = column.right - column.left
+    wide = np.hypot(*across.T)[:, None]
+    line = column.left + across * np.minimum(0.4, EDGE_INSET / np.maximum(wide, 1e-9))
+    return line_stitches(line, min(params.length, 2.5), UNDERLAY, 0.1)
 
 
 def center_walk(column: Column, params: EmbroideryParams, kind: int = UNDERLAY) -> Stitches:
@@ -371,29 +258,10 @@ def zigzag_walk(column: Column, params: EmbroideryParams) -> Stitches:
     return Stitches.of(split(zigzag(left, right, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, np.uint64(0)), params.split), UNDERLAY)
 
 
-def column_stitches(column: Column, params: EmbroideryParams, name: str, start: Any = None) -> Stitches:
-    """Underlay and satin of one column, one thread: what runs one way is followed by what runs back."""
-    if start is not None:
-        here = np.array(start)
-        if np.hypot(*(column.middle[-1] - here)) < np.hypot(*(column.middle[0] - here)):
-            column = column.reversed()
-    parts: list[Stitches] = []
-    forward = True  # the next pass runs from start to end
-    for word in underlays(column, params.underlay):
-        it = column if forward else column.reversed()
-        if word == "edge":
-            parts += edge_walk(it, params)
-        else:
-            parts.append(center_walk(it, params) if word == "center" else zigzag_walk(it, params))
-            forward = not forward
-    parts.append(side_to_side(column if forward else column.reversed(), params, name))
-    return chain(parts, params.length)
-
-
 def there_and_back(column: Column, params: EmbroideryParams, name: str) -> tuple[Stitches, Stitches]:
     """A limb of a branched satin: underlay that ends at its far end, and the satin that comes back over it."""
     words = underlays(column, params.underlay)
-    parts = edge_walk(column, params) if "edge" in words else []
+    parts = [side_walk(c, params) for c in (column, column.reversed())] if "edge" in words else []
     if float(np.median(np.hypot(*(column.left - column.right).T))) < params.line_below:
         line = line_stitches(column.middle, min(params.length, 2.0), RUNNING, 0.1)
         return line, line.reversed()

@@ -8,7 +8,8 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.paths import Paths
-from tambour.embroidery.columns.satin import column_stitches, from_stroke, zigzag
+from tambour.embroidery.columns.satin import zigzag
+from tambour.embroidery.columns.stroke import from_stroke, stroke_stitches
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines.fill import rings
 from tambour.embroidery.lines.least import tidy
@@ -37,7 +38,7 @@ def applique(region: Region) -> list[list[Stitches]]:
             xy = zigzag(column.left, column.right, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, np.uint64(0))
             tack.append(Stitches.of(xy, RUNNING))
     width = region.width if region.width > 0 else COVER
-    cover = [column_stitches(c, p, region.id) for r in outlines for c in from_stroke(r, width)]
+    cover = [stroke_stitches(from_stroke(r, width), p, region.id) for r in outlines]
     return [[tidy(thread, p.min_length) for thread in stage] for stage in (place, tack, cover)]
 
 

@@ -11,7 +11,8 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.paths import Paths
 from tambour.embroidery.columns.branch import branched
-from tambour.embroidery.columns.satin import column_stitches, drawn_back, ended, from_rails, from_stroke
+from tambour.embroidery.columns.satin import drawn_back, from_rails
+from tambour.embroidery.columns.stroke import closed, ended, from_stroke, stroke_stitches
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines import curves, grids
 from tambour.embroidery.lines.fill import Rings, from_rows, polygon_of, rings
@@ -29,23 +30,24 @@ Place = tuple[float, float] | None
 COVERED = ("tatami", "contour", "spiral", "radial", "guided", "flow", "gradient", "satin")
 
 
-def region_stitches(region: Region, start: Place, end: Place) -> list[Stitches]:
+def region_stitches(region: Region, start: Place, end: Place, over: Any = None) -> list[Stitches]:
     """The threads of a region: one per connected area or line; between them the needle jumps.
 
     start : where the needle comes from; end : where it will go on; both in drawing coordinates, None when free
+    over : the shapely area of lines that the same thread sews later: satin lines end below them
     """
     if region.role == "area":
         return area_stitches(region, start, end)
     if region.role == "rails":
         column = drawn_back(from_rails(list(region.paths)), region.params.push, region.params.push)
-        made = [column_stitches(column, region.params, region.id, region.start or start)]
+        made = [stroke_stitches([column], region.params, region.id, region.start or start)]
     else:
-        made = line_family(region, region.start or start)
+        made = line_family(region, region.start or start, over)
     return [tidy(thread, region.params.min_length) for thread in made]
 
 
-def line_family(region: Region, start: Place) -> list[Stitches]:
-    """Every line of a region, nearest first."""
+def line_family(region: Region, start: Place, over: Any = None) -> list[Stitches]:
+    """Every line of a region, nearest first; those of satin end below the ones that are sewn after them."""
     p = region.params
     lines = list(region.paths)
     ends = np.array([line[[0, -1]] for line in lines])
@@ -59,11 +61,12 @@ def line_family(region: Region, start: Place) -> list[Stitches]:
         line = from_nearest(lines[k], here)
         if region.stitch == "satin":
             columns = from_stroke(line, region.width)
-            if columns and (line[0] != line[-1]).any():
+            if columns and not closed(line, region.width):
                 columns = ended(columns, region.width / 2, region.cap)
                 columns[0] = drawn_back(columns[0], p.push, 0.0)
                 columns[-1] = drawn_back(columns[-1], 0.0, p.push)
-            threads = [column_stitches(c, p, region.id, here if i == 0 else None) for i, c in enumerate(columns)]
+            rest = [over, *(stroke(line, region) for line, left in zip(lines, free) if left)]
+            threads = [stroke_stitches(columns, p, region.id, here, union(rest))]
         elif region.stitch == "bean":
             threads = [bean(line, p)]
         elif region.stitch == "motif":
@@ -77,6 +80,23 @@ def line_family(region: Region, start: Place) -> list[Stitches]:
                 made.append(thread)
                 here = (float(thread.xy[-1, 0]), float(thread.xy[-1, 1]))
     return made
+
+
+def stroke(line: Array, region: Region) -> Any:
+    """The shapely area that a line of a region covers when it is sewn as satin."""
+    import shapely
+
+    if len(line) < 2 or region.stitch != "satin":
+        return shapely.Polygon()
+    cap = ("round", "flat", "square")[region.cap]
+    return shapely.LineString(line).buffer(region.width / 2, quad_segs=8, cap_style=cap)
+
+
+def union(shapes: list[Any]) -> Any:
+    """Shapely areas as one; None stands for none."""
+    import shapely
+
+    return shapely.union_all([s for s in shapes if s is not None])
 
 
 def area_stitches(region: Region, start: Place, end: Place) -> list[Stitches]:
@@ -100,7 +120,7 @@ def bordered(region: Region, here: Place) -> list[Stitches]:
     inner = grown(region.paths, -p.border / 2, empty=True)
     made = []
     for ring in [] if inner is None else inner:
-        made += [column_stitches(c, p, region.id, here) for c in from_stroke(from_nearest(ring, here), p.border)]
+        made.append(stroke_stitches(from_stroke(from_nearest(ring, here), p.border), p, region.id, here))
     return [tidy(m, p.min_length) for m in made if len(m)]
 
 

@@ -20,6 +20,7 @@ from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.plan.design import piece_of
 from tambour.embroidery.plan.facts import outside
+from tambour.embroidery.plan.joints import joints
 from tambour.embroidery.plan.layers import elevation, layers
 from tambour.embroidery.plan.order import order, ranked, upside_down
 from tambour.embroidery.plan.overlap import overlapped
@@ -83,6 +84,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
                     f"{found[a].id} lies on {found[b].id} in the drawing, and is sewn before it",
                     hint="what is sewn later covers it: sew it later, or change the drawing",
                 )
+    over = joints(found, sequence)
     layout = Layout(params)
     with progress.stage("fill"):
         below = knockdown(found, params) if params.knockdown else []
@@ -100,7 +102,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         end = region.end or _ahead(found, sequence, done, params)
         with progress.stage("fill"):
             patch = region.role == "area" and region.params.applique
-            stages = applique(region) if patch else [region_stitches(region, start, end)]
+            stages = applique(region) if patch else [region_stitches(region, start, end, over.get(k))]
         _told_where(region, [thread for stage in stages for thread in stage], progress)
         with progress.stage("sequence"):
             layout.color(Thread(region.color))

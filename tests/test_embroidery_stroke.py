@@ -1,0 +1,116 @@
+"""Lines as satin columns: corners that are real, closed lines, and where lines of one thread meet."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+
+from tambour import files
+from tambour.core.progress import Progress
+from tambour.core.thread import JUMP, STITCH, TRIM
+from tambour.embroidery.columns import stroke
+from tambour.embroidery.columns.stroke import closed, covered, ended, from_stroke, trimmed
+from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.piece import SATIN
+from tambour.embroidery.plan.make import make
+
+
+def area(column):
+    quads = np.stack([column.left[:-1], column.left[1:], column.right[1:], column.right[:-1]], axis=1)
+    return shapely.union_all(shapely.make_valid(shapely.polygons(quads)))
+
+
+def made(tmp_path: Path, inner: str, **params):
+    file = tmp_path / "a.svg"
+    file.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 60 60" width="60mm" height="60mm"><g fill="none" stroke="#000"'
+        f' stroke-width="3" stroke-linecap="round" stroke-linejoin="round">{inner}</g></svg>'
+    )
+    return make(files.read(file, ("Drawing",)), EmbroideryParams(**params), Progress())
+
+
+@pytest.mark.parametrize("jog", [0.0, 0.01, 0.3])
+def test_a_jog_far_smaller_than_the_line_is_wide_is_no_corner(jog):
+    line = np.array([(0, 0), (10, 0), (10, jog), (10.05, jog), (20, jog), (20, jog / 2)], float)
+    (column,) = from_stroke(line, 3.0)
+    assert np.ptp(column.middle[:, 0]) > 19.5
+
+
+def test_a_step_as_large_as_the_line_is_wide_is_two_corners():
+    line = np.array([(0, 0), (10, 0), (10, 3), (20, 3)], float)
+    assert len(from_stroke(line, 3.0)) == 3
+
+
+@pytest.mark.parametrize("first", [0, 1, 2])
+def test_a_closed_line_is_parted_at_every_corner_wherever_it_begins(first):
+    corners = np.roll(np.array([(0, 0), (0, 20), (17, 10)], float), first, axis=0)
+    line = np.concatenate([corners, corners[:1]])
+    columns = from_stroke(line, 2.0)
+    assert len(columns) == 3 and closed(line, 2.0) and closed(np.r_[line, [line[-1] + 0.1]], 2.0)
+    assert not closed(line[:-1], 2.0)
+    lengths = sorted(float(np.hypot(*np.diff(c.middle, axis=0).T).sum()) for c in columns)
+    assert lengths[0] > 18  # each a whole side, none bent round a corner
+
+
+def test_what_a_column_surely_covers_lies_within_it():
+    bend = np.c_[np.linspace(0, 20, 50), 3 * np.sin(np.linspace(0, 3, 50))]
+    for cap in (0, 1, 2):
+        (column,) = ended(from_stroke(bend, 2.4), 1.2, cap)
+        assert covered(column).difference(area(column).buffer(0.05)).area < 0.02
+        assert covered(column).area > 0.75 * area(column).area
+
+
+def test_a_column_ends_below_the_one_that_hides_its_end():
+    (across,) = from_stroke(np.array([(-10.0, 0), (10, 0)]), 4.0)
+    (stem,) = ended(from_stroke(np.array([(0.0, 0), (0, 15)]), 3.0), 1.5, 0)
+    cut = trimmed(stem, covered(across))
+    assert cut is not None
+    assert cut.middle[:, 1].min() == pytest.approx(2.0 - 0.4, abs=0.15)
+    assert (area(stem) - area(cut)).difference(area(across).buffer(0.06)).area < 1e-6  # nothing seen is lost
+    assert trimmed(across, covered(stem)) is not None
+    assert trimmed(stem, shapely.box(-5, -5, 5, 30)) is None
+
+
+def satin(piece):
+    end = np.flatnonzero((piece.plan.command[1:] == STITCH) & (piece.kind[1:] == SATIN)) + 1
+    return shapely.linestrings(np.stack([piece.plan.xy[end - 1], piece.plan.xy[end]], axis=1))
+
+
+def most(piece) -> int:
+    """The most satin stitches over any of many places about the middle."""
+    lines = satin(piece)
+    x, y = np.meshgrid(np.arange(24, 36, 0.7) - 30, np.arange(24, 36, 0.7) - 30)
+    cells = shapely.points(x.ravel(), y.ravel()).__array__()
+    tree = shapely.STRtree(lines)
+    found = tree.query(shapely.buffer(cells, 0.6), predicate="intersects")[0]
+    return int(np.bincount(found).max())
+
+
+def test_lines_of_one_thread_that_meet_in_a_point_do_not_pile_up(tmp_path):
+    spokes = [
+        f'<path d="M30 30L{30 + 22 * math.cos(a):.3f} {30 + 22 * math.sin(a):.3f}"/>' for a in (0.1, 1.7, 3.2, 4.8)
+    ]
+    one = most(made(tmp_path, spokes[0]))
+    assert most(made(tmp_path, "".join(spokes))) <= 3.4 * one  # of the four that lie there; at first it was all of them
+
+
+def test_a_line_with_corners_is_one_thread_without_jumps(tmp_path):
+    for width in ("1.6", "3", "5"):  # each with its own underlay, which ends here or there
+        piece = made(tmp_path, f'<path stroke-width="{width}" d="M10 10L40 20L12 30L45 40L10 50"/>')
+        sewn = piece.plan.command == STITCH
+        first, last = np.flatnonzero(sewn)[[0, -1]]
+        assert not np.isin(piece.plan.command[first:last], (JUMP, TRIM)).any()
+
+
+@pytest.mark.parametrize("path", ["M10 10L50 50M50 12L10 48", "M10 50L30 12L50 50", "M10 30H50M30 30V50M12 12L30 30"])
+def test_what_is_left_out_below_other_thread_is_not_seen(tmp_path, path, monkeypatch):
+    line = f'<path stroke-width="4" d="{path}"/>'
+    piece = made(tmp_path, line)
+    thread = shapely.union_all(shapely.buffer(satin(piece), 0.32))
+    strokes = shapely.union_all([shapely.LineString(p).buffer(2) for p in piece.regions[0].paths])
+    assert strokes.buffer(-0.3).difference(thread).area < 0.02
+    less = shapely.length(satin(piece)).sum()
+    monkeypatch.setattr(stroke, "KEPT", 100.0)  # so far below that nothing is
+    assert less < 0.97 * shapely.length(satin(made(tmp_path, line))).sum()
