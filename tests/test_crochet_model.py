@@ -10,10 +10,21 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tambour.core.check import Array
+from tambour.core.errors import TambourError, Text
+from tambour.core.mesh import Mesh
+from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
+from tambour.crochet.graph.check import tech_edit
 from tambour.crochet.language.parse import parse
 from tambour.crochet.model.distance import Target, distance
+from tambour.crochet.model.fronts import Fronts
+from tambour.crochet.model.geodesic import girth
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
+from tambour.crochet.model.whole import bodies, volume
+from tambour.crochet.page.own import pattern as printed_anew
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.piece import Plush
+from tambour.crochet.plush import make
 from tambour.geometry.motion import turned
 
 
@@ -78,3 +89,90 @@ def test_a_limb_that_is_missing_is_seen_from_the_target() -> None:
     found = distance(Target.of(*both), x, faces)
     assert found.largest == pytest.approx(6.0, abs=0.3)
     assert found.mean < 0.3
+
+
+def made(mesh: Mesh, **given: object) -> tuple[Plush, Progress]:
+    """The plush of a mesh."""
+    progress = Progress()
+    return make(mesh, CrochetParams.of(dict(given)), progress), progress
+
+
+@pytest.mark.slow
+def test_a_ball_becomes_a_pattern_that_is_one() -> None:
+    x, faces = globe(40.0)
+    piece, _ = made(Mesh(x, faces), stitches=400)
+    assert piece.aim is not None and piece.shape.settled
+    assert piece.aim.distance["mean"] < 0.3
+    assert 0.9 * 400 < len(piece.built.graph) < 1.1 * 400
+    assert not tech_edit(piece.built)
+    again = build(parse(printed_anew(piece.built)))
+    assert (again.graph.edges == piece.built.graph.edges).all()
+    wide = np.ptp(piece.positions, axis=0)
+    assert wide.max() < 1.1 * wide.min()
+
+
+@pytest.mark.slow
+def test_the_loop_mends_rounds_that_began_too_wide(monkeypatch: pytest.MonkeyPatch) -> None:
+    x, faces = globe(40.0)
+    monkeypatch.setattr(Fronts, "girths", property(lambda self: 1.3 * np.array([girth(line) for line in self.lines])))
+    piece, _ = made(Mesh(x, faces), stitches=400)
+    assert piece.aim is not None
+    way = piece.aim.history["Body"]
+    assert way[0] > 0.5 > 0.3 > min(way)
+    assert piece.aim.distance["mean"] == pytest.approx(min(way), abs=0.05)
+
+
+def test_options_of_models_are_told_to_do_nothing_on_a_pattern() -> None:
+    progress = Progress()
+    make(Text("R1: MR(6)\nR2: 6 inc", "a.acl"), CrochetParams(stitches=100, tip="top"), progress)
+    assert [w.where for w in progress.warnings if "model" in w.message] == ["{--stitches}", "{--tip}"]
+
+
+BOX = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
+SIDES = np.array(
+    [
+        [0, 1, 3],
+        [0, 3, 2],
+        [4, 6, 7],
+        [4, 7, 5],
+        [0, 4, 5],
+        [0, 5, 1],
+        [2, 3, 7],
+        [2, 7, 6],
+        [0, 2, 6],
+        [0, 6, 4],
+        [1, 5, 7],
+        [1, 7, 3],
+    ]
+)
+
+
+@pytest.mark.parametrize(
+    ("x", "faces", "says"),
+    [
+        (BOX, SIDES[2:], "open"),
+        (BOX * [1, 1, 1e-6], SIDES, "flat"),
+        (0 * BOX, SIDES, "in one place"),
+        (np.concatenate([BOX, [[0.5, 0.5, 2.0]]]), np.concatenate([SIDES, [[0, 1, 8]]]), "no single skin"),
+    ],
+)
+def test_a_mesh_that_is_no_closed_surface_is_told_in_one_line(x: Array, faces: Array, says: str) -> None:
+    with pytest.raises(TambourError, match=says) as told:
+        made(Mesh(x, faces))
+    assert len(told.value.problems) == 1 and told.value.problems[0].hint
+
+
+def test_a_box_inside_out_is_turned() -> None:
+    found = bodies(Mesh(BOX, SIDES[:, ::-1]), [])
+    assert volume(*found[0][:2]) == pytest.approx(1.0)
+
+
+def test_handles_are_told_with_where_they_are() -> None:
+    a, b = np.meshgrid(2 * np.pi * np.arange(24) / 24, 2 * np.pi * np.arange(12) / 12, indexing="ij")
+    x = np.stack([(3 + np.cos(b)) * np.cos(a), np.sin(b), (3 + np.cos(b)) * np.sin(a)], -1).reshape(-1, 3)
+    k = np.arange(24 * 12).reshape(24, 12)
+    right, up = np.roll(k, -1, 0), np.roll(k, -1, 1)
+    corner = np.roll(right, -1, 1)
+    faces = np.concatenate([np.stack([k, corner, right], -1), np.stack([k, up, corner], -1)]).reshape(-1, 3)
+    with pytest.raises(TambourError, match=r"a handle .*near \d+ % of its width"):
+        made(Mesh(x, faces))

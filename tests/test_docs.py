@@ -75,6 +75,7 @@ def workplace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         files.write(plan, tmp_path / name, "ThreadPlan")
     corners = np.array([(0, 0, 0), (60, 0, 0), (60, 60, 0), (0, 60, 10)], float)
     files.write(Mesh(corners, np.array([(0, 1, 2), (0, 2, 3)])), tmp_path / "plush.surface.glb", "Mesh")
+    files.write(Mesh(corners, np.array([(0, 1, 2), (0, 2, 3), (0, 3, 1), (1, 3, 2)])), tmp_path / "bunny.stl", "Mesh")
     return tmp_path
 
 

@@ -16,9 +16,9 @@ def _prefer(params: CrochetParams) -> Mapping[str, str]:
 
 CRAFT = Craft(
     name="crochet",
-    help="Turn an amigurumi pattern into the stuffed plush in 3-D, its size, its yarn and its mistakes.",
+    help="Turn an amigurumi pattern into the stuffed plush in 3-D, its size, its yarn and its mistakes; or a closed model into a pattern.",
     params=CrochetParams,
-    reads=("Text",),
+    reads=("Text", "Mesh"),
     make=Lazy("tambour.crochet.plush:make"),
     views=VIEWS,
     facts=Lazy("tambour.crochet.maker.facts:facts"),

@@ -25,6 +25,7 @@ class CrochetParams(Params):
 
     groups: ClassVar = {
         "Pattern": "terms size strict check max_stitches",
+        "From a model": "stitches height tip model_up plain_",
         "Yarn and gauge": "yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
         "Pictures and pages": "detail material photo page ink large_print title designer",
         "Shape": "stuffing contact solver steps tolerance start link_distance single_loop_force bending",
@@ -39,6 +40,7 @@ class CrochetParams(Params):
         " contact_stiffness wait_force wait_steps max_stitches"
     )
     when: ClassVar = {
+        "stitches": {"height": False},
         "steps": {"solver": ("steps",)},
         "tolerance": {"solver": ("settle",)},
         "stuffing": {"solver": ("settle", "steps")},
@@ -107,6 +109,17 @@ class CrochetParams(Params):
     """Title of the booklet (else the pattern's own, else the file's name)."""
     designer: str | None = Field(default=None, max_length=200)
     """Who designed it, for the booklet's cover and foot."""
+
+    stitches: int | None = Field(default=None, ge=40, le=60_000)
+    """A model becomes a pattern of about so many stitches (else 2,000)."""
+    height: Length | None = Field(default=None, gt=0, le=5000)
+    """A model becomes a toy of this height, by the gauge; in place of {--stitches}."""
+    tip: Literal["top", "bottom", "front", "back", "left", "right"] | None = None
+    """The side of a model that its main part is begun at (else where that leaves least out)."""
+    model_up: Literal["y", "z", "x"] | None = None
+    """The axis of a model that is upwards (else it is found out: y, or z of what stands so)."""
+    plain_: float = Field(default=0.5, ge=0, le=1)
+    """Rounds of a model's pattern: 0 follow its shape most faithfully, 1 are the easiest to work."""
 
     check: bool = False
     """Tech edit: every mistake and doubt of the pattern is an error, told with its place; nothing is made."""

@@ -19,6 +19,22 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False)
+class Aim:
+    """The model that a pattern was made for.
+
+    vertices (V, 3) mm, faces (F, 3) : the model, laid upon the plush
+    distance : how far the plush lies from it, as reports hold it; off : (N,) mm, how far outside of it every stitch lies
+    history : part → the mean distances, in stitches, that its corrections went through
+    """
+
+    vertices: Array
+    faces: Array
+    distance: dict[str, float]
+    off: Array
+    history: dict[str, list[float]]
+
+
+@dataclass(frozen=True, eq=False)
 class Plush:
     """A pattern in its shape.
 
@@ -26,6 +42,7 @@ class Plush:
     gauge : where that size comes from; stuffing, start : what the options and the pattern together chose
     shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm
     joining : what was sewn on and where, None where the pattern says nothing of it
+    aim : the model that the pattern was made for, None for a pattern that was given
     """
 
     built: Built
@@ -38,6 +55,7 @@ class Plush:
     positions: Array
     centroids: Array
     joining: Joining | None = None
+    aim: Aim | None = None
 
     @cached_property
     def yarn(self) -> Strands:

@@ -11,20 +11,39 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 
 if TYPE_CHECKING:
+    from tambour.core.mesh import Mesh
     from tambour.crochet.finish.joining import Joining
     from tambour.crochet.finish.shape import Look
     from tambour.crochet.graph.built import Built
     from tambour.crochet.yarns import Gauge
 
 
-def make(source: Text, params: CrochetParams, progress: Progress) -> Plush:
-    """The plush of a pattern's text; TambourError with all that is wrong in it."""
+def make(source: Text | Mesh, params: CrochetParams, progress: Progress) -> Plush:
+    """The plush of a pattern's text, or of the pattern that a model becomes; TambourError with all that is wrong in it."""
     if params.photo:
         from tambour.render.photo import tracer
 
         tracer()  # what is missing is told before the work, not after it
+    if not isinstance(source, Text):
+        return _modelled(source, params, progress)
+    for name in ("stitches", "height", "tip", "model_up"):
+        if getattr(params, name) is not None:
+            option = name.replace("_", "-")
+            progress.warn("has no effect on a pattern: it is for models (.stl .obj .ply .glb)", where=f"{{--{option}}}")
     built, joining, known = _built(source, params, progress)
     return _shaped(built, joining, params, known, progress)
+
+
+def _modelled(mesh: Mesh, params: CrochetParams, progress: Progress) -> Plush:
+    """The plush of the pattern that a model becomes, and how far it lies from the model."""
+    from tambour.crochet.model.compare import aimed
+    from tambour.crochet.model.design import design
+
+    made = design(mesh, params, progress)
+    built, joining, known = _built(made.text, params, progress)
+    piece = _shaped(built, joining, params, known, progress)
+    with progress.stage("compare"):
+        return replace(piece, aim=aimed(made, piece))
 
 
 def worked(source: Text, params: CrochetParams) -> tuple[Built, list[Problem]]:

@@ -48,6 +48,12 @@ VIEWS: dict[str, View] = {
         "the fabric as a surface, closed where the piece is",
         stage="fabric",
     ),
+    "compare": View(
+        Lazy("tambour.crochet.model.compare:compare"),
+        "Picture",
+        "of a model's pattern: the plush coloured by how far it lies from the model, and the model as a ghost about it",
+        stage="fabric",
+    ),
     "making": View(
         Lazy("tambour.crochet.making:making"),
         "Pictures",

@@ -57,6 +57,7 @@ def facts(piece: Plush) -> dict[str, Any]:
             for k, p in enumerate(g.parts)
         ],
         "rounds": [{"part": r.part, "number": r.number, "stitches": r.count} for r in built.rounds],
+        **({"distance": piece.aim.distance, "history": piece.aim.history} if piece.aim is not None else {}),
         "size": measured,
         "size_mm": [measured[side]["mm"] for side in ("width", "height", "depth")],
         "size_in": [measured[side]["in"] for side in ("width", "height", "depth")],

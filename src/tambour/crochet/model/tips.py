@@ -1,0 +1,148 @@
+"""Tips: how a model stands, where it is its own mirror image, and from where its rounds are best begun."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.model.distance import spread
+from tambour.crochet.model.geodesic import about, distances, girth, lines
+from tambour.geometry.closest import nearest, tree
+from tambour.geometry.motion import axes
+
+SIDES: Final = {
+    "top": (0.0, 1.0, 0.0),
+    "bottom": (0.0, -1.0, 0.0),
+    "front": (0.0, 0.0, 1.0),
+    "back": (0.0, 0.0, -1.0),
+    "left": (-1.0, 0.0, 0.0),
+    "right": (1.0, 0.0, 0.0),
+}
+"""A side → where it lies: y is up, z ahead."""
+ALIKE = 0.012
+"""A model is its own mirror image where that is no farther off than this share of its size, on the average."""
+LOOKS = 18
+"""How many lines are looked at to see what a tip would lose."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Mirror:
+    """A plane in which a surface is its own mirror image: a point (3,) of it and its unit normal (3,)."""
+
+    point: Array
+    normal: Array
+
+    def image(self, x: Array) -> Array:
+        """Points (…, 3) in the mirror."""
+        return np.asarray(x - 2.0 * self.off(x)[..., None] * self.normal)
+
+    def off(self, x: Array) -> Array:
+        """How far (…,) points lie to the side of the plane."""
+        return np.asarray(((x - self.point) * self.normal).sum(-1))
+
+
+def mirror(vertices: Array, faces: Array) -> Mirror | None:
+    """The plane that a surface is symmetric about, of the three of its box and the three of its axes; None where none is.
+
+    Of several the one across x comes first, then the one that fits best.
+    """
+    points = spread(vertices, faces, 400)
+    found = tree(vertices, faces)
+    middle = points.mean(0)
+    size = float(np.sqrt((np.ptp(points, axis=0) ** 2).sum()))
+    best: tuple[float, Mirror] | None = None
+    for k, normal in enumerate([*np.eye(3), *axes(points)[1]]):
+        plane = Mirror(middle, normal)
+        off = float(nearest(found, plane.image(points))[2].mean()) / size
+        if off > ALIKE:
+            continue
+        score = off + (0.0 if k == 0 else 0.5 * ALIKE)
+        if best is None or score < best[0]:
+            best = score, plane
+    return None if best is None else best[1]
+
+
+def level(vertices: Array, faces: Array, up: str | None) -> Array:
+    """The rotation (3, 3) that stands a model up: y upwards. ``up``: the axis that is, or None to find out.
+
+    y is up, unless the model is its own mirror image across y and not across x (then z is), or lies on a flat base across z
+    and has none across y, as what comes from printers does.
+    """
+    z_up = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
+    x_up = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    if up is not None:
+        return {"y": np.eye(3), "z": z_up, "x": x_up}[up]
+    flat = [_base(vertices, faces, k) for k in range(3)]
+    plane = mirror(vertices, faces)
+    if plane is not None and abs(plane.normal[1]) > 0.9:
+        return z_up
+    return z_up if flat[2] > 0.06 and flat[1] < 0.02 else np.eye(3)
+
+
+def _base(vertices: Array, faces: Array, axis: int) -> float:
+    """The share of the surface that lies flat at the lower end of ``axis``."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    cross = np.cross(b - a, c - a)
+    size = np.sqrt((cross**2).sum(1))
+    low, high = float(vertices[:, axis].min()), float(vertices[:, axis].max())
+    lies = (cross[:, axis] < -0.98 * size) & (np.maximum(np.maximum(a, b), c)[:, axis] < low + 0.01 * (high - low))
+    return float(size[lies].sum() / max(size.sum(), 1e-300))
+
+
+def candidates(vertices: Array, faces: Array, plane: Mirror | None) -> list[int]:
+    """Vertices that rounds may begin at: the ends of the longest way, and what lies farthest out on each side; of a surface
+    with a mirror those on its plane."""
+    used = np.unique(faces)
+    middle = vertices[used].mean(0)
+    ways = [*np.eye(3), *-np.eye(3)]
+    _, rows = axes(vertices[used])
+    ways += [*rows, *-rows]
+    on = used
+    if plane is not None:
+        off = np.abs(plane.off(vertices[used]))
+        on = used[off < max(0.6, float(np.quantile(off, 0.02)))]
+    found = [int(on[int(((vertices[on] - middle) * way).sum(1).argmax())]) for way in ways]
+    d = distances(vertices, faces, np.array([found[0]]))
+    first = int(on[int(d[on].argmax())])
+    d = distances(vertices, faces, np.array([first]))
+    found += [first, int(on[int(d[on].argmax())])]
+    return list(dict.fromkeys(found))
+
+
+def lost(vertices: Array, faces: Array, f: Array) -> float:
+    """The share of the surface that rounds along ``f`` would leave out: what lies on lines beside the longest one."""
+    total = beside = 0.0
+    for value in (np.arange(LOOKS) + 0.5) / LOOKS * float(f.max()):
+        sizes = [girth(line) for line in lines(vertices, faces, f, float(value))]
+        if sizes:
+            total += sum(sizes)
+            beside += sum(sizes) - max(sizes)
+    return beside / max(total, 1e-12)
+
+
+def choose(
+    vertices: Array, faces: Array, plane: Mirror | None, side: str | None, few: int = 2
+) -> list[tuple[int, Array]]:
+    """The best ``few`` tips, each with the way (V,) from it: those that leave least out, long ways before short ones.
+
+    side : the side that it shall lie on, None: the best wherever it is
+    """
+    known = about(faces, len(vertices))
+    if side is not None:
+        used = np.unique(faces)
+        tip = int(used[int((vertices[used] * np.array(SIDES[side])).sum(1).argmax())])
+        return [(tip, distances(vertices, faces, np.array([tip]), known))]
+    scored = []
+    size = float(np.sqrt((np.ptp(vertices, axis=0) ** 2).sum()))
+    for tip in candidates(vertices, faces, plane):
+        f = distances(vertices, faces, np.array([tip]), known)
+        # A round that is wide from its first rows on is no tip: the ring lies in a hollow, or on an edge.
+        first = lines(vertices, faces, f, 2.0)
+        wide = max((girth(line) for line in first), default=0.0) / (4.0 * np.pi)
+        price = lost(vertices, faces, f) + 0.05 * max(wide - 1.05, 0.0) - 0.02 * float(f.max()) / size
+        scored.append((price, tip, f))
+    scored.sort(key=lambda item: item[0])
+    return [(tip, f) for _, tip, f in scored[:few]]
