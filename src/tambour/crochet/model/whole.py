@@ -37,7 +37,7 @@ def bodies(mesh: Mesh, tell: list[str]) -> list[tuple[Array, Array, Array]]:
     if size <= 0.0 or not np.isfinite(size):
         raise TambourError("all corners of the model lie in one place", hint="export it once more")
     if extent.min() < THIN * size:
-        raise TambourError(*FLAT)
+        raise TambourError(FLAT[0], hint=FLAT[1])
     x, faces, origin = welded(mesh.vertices, mesh.faces, WELD * size)
     faces = faces[(faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])]
     faces = faces[np.sort(np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1])]
@@ -110,7 +110,7 @@ def _closed(x: Array, faces: Array, origin: Array, tell: list[str]) -> tuple[Arr
     if volume(x, faces) < 0.0:
         faces = faces[:, ::-1].copy()
     if extent[0] < THIN * extent[2] or volume(x, faces) < 1e-5 * float(area(x, faces).sum()) ** 1.5:
-        raise TambourError(*FLAT)
+        raise TambourError(FLAT[0], hint=FLAT[1])
     # Corners where two skins only touch are two corners.
     x, faces, origin = _parted(x, faces, origin)
     label = pieces(len(x), faces)
