@@ -194,7 +194,8 @@ def test_a_phone_comes_in_once(ours: TestClient, door: tuple[TestClient, Tokens]
     ours.cookies.clear()
     phone = ours.get(f"/pair/{told['code']}", follow_redirects=False)
     assert phone.status_code == 303 and phone.headers["location"] == f"/follow/{piece}"
-    assert ours.get("/api/pieces").status_code == 200
+    assert ours.get(f"/api/pieces/{piece}").status_code == 200 and ours.get(f"/follow/{piece}").status_code == 200
+    assert ours.get("/api/pieces").status_code == 403  # its one piece, and nothing else
     ours.cookies.clear()
     assert ours.get(f"/pair/{told['code']}", follow_redirects=False).status_code == 401
     late = Tokens(1, clock := (lambda: now[0])) if (now := [0.0]) else None

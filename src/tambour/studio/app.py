@@ -27,7 +27,8 @@ from tambour.studio.making import Making
 from tambour.studio.pieces import both
 from tambour.studio.pool import Failed, Pool
 from tambour.studio.problems import plains, said
-from tambour.studio.routes import PARAMETERS, ROUTES, Route, longest_body
+from tambour.studio.routes import PARAMETERS, ROUTES, Route, followed, longest_body
+from tambour.studio.share import Share
 from tambour.studio.socket import Hub, Page
 from tambour.studio.token import Tokens
 
@@ -49,21 +50,30 @@ for _name, _pattern in PARAMETERS.items():
 
 
 def application(
-    library: Path, tokens: Tokens, hosts: Iterable[str], base: str, log: Any, workers: int | None = None
+    library: Path,
+    tokens: Tokens,
+    hosts: Iterable[str],
+    base: str,
+    log: Any,
+    workers: int | None = None,
+    shared: bool = False,
 ) -> App:
-    """The guarded application. Its library is opened here, so that what is wrong with it is told before it starts."""
+    """The guarded application. Its library is opened here, so that what is wrong with it is told before it starts.
+
+    shared : whether ``base`` is an address that phones reach
+    """
     shelf = Library(library)
     ours: list[Studio] = []
 
     @asynccontextmanager
     async def life(app: Starlette) -> AsyncIterator[None]:
         pool = Pool(log, workers)
-        ours.append(Studio(shelf, pool, Making(shelf, pool), tokens, web.read(), Hub(), base))
-        pool.open()
+        ours.append(Studio(shelf, pool, Making(shelf, pool), tokens, web.read(), Hub(), base, share))
         try:
             yield
         finally:
             ours[0].hub.bye("the studio was closed")
+            await share.close()
             await pool.close()
             shelf.close()
 
@@ -81,7 +91,10 @@ def application(
         WebSocketRoute("/api/live", _live(studio)),
     ]
     app = Starlette(routes=ways, lifespan=life, exception_handlers={404: _missing, 405: _missing, 500: _fault})
-    return Guard(app, tokens, hosts, longest_body)
+    share = Share(
+        lambda names: Guard(app, tokens, names, longest_body, followed, narrow=True), tokens, base if shared else ""
+    )
+    return Guard(app, tokens, hosts, longest_body, followed)
 
 
 def _path(path: str) -> str:
@@ -95,6 +108,7 @@ def _handler(route: Route, studio: Callable[[], Studio]) -> Callable[[Request], 
 
     async def endpoint(request: Request) -> Response:
         ours = studio()
+        ours.pool.open()  # not before: a page's first picture does not share the processor with a worker's start
         try:
             given = () if route.takes is None else (route.takes.model_validate(await _json(request)),)
             made = await route.do(ours, request, *given)

@@ -22,6 +22,7 @@ from tambour.studio.web import Web
 if TYPE_CHECKING:
     from starlette.requests import Request
 
+    from tambour.studio.share import Share
     from tambour.studio.socket import Hub
 
 T = TypeVar("T")
@@ -42,7 +43,7 @@ class Answer(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Studio:
-    """A server's parts. ``base`` : the address that phones reach it by."""
+    """A server's parts. ``base`` : its own address; ``share`` : the door for phones."""
 
     library: Library
     pool: Pool
@@ -51,6 +52,7 @@ class Studio:
     web: Web
     hub: Hub
     base: str
+    share: Share
 
 
 def clean_name(given: str) -> str:

@@ -31,6 +31,12 @@ class PairIn(Body):
     piece: Annotated[str, Field(pattern=r"^[a-z2-7]{26}$")] | None = None
 
 
+class ShareIn(Body):
+    """Whether phones in this computer's network may come in."""
+
+    open: bool
+
+
 def _plain(place: Place | None) -> dict[str, Any]:
     return {"place": None if place is None else {"step": place.step, "unit": place.unit, "at": place.at}}
 
@@ -49,13 +55,29 @@ async def put_place(studio: Studio, request: Request, body: PlaceIn) -> dict[str
     return told
 
 
+def _shared(studio: Studio) -> dict[str, Any]:
+    phones = sum(bool(page.only) for page in studio.hub.pages)
+    return {"address": studio.share.base or None, "always": studio.share.always, "phones": phones}
+
+
+async def shared(studio: Studio, request: Request) -> dict[str, Any]:
+    """Where phones come in, null where they do not; how many are following."""
+    return _shared(studio)
+
+
+async def share(studio: Studio, request: Request, body: ShareIn) -> dict[str, Any]:
+    """Let phones in by this computer's address in its network, each to the piece of its code alone; or no more."""
+    await (studio.share.open() if body.open else studio.share.close())
+    return _shared(studio)
+
+
 async def pair(studio: Studio, request: Request, body: PairIn) -> dict[str, Any]:
     """A code of one use that lets a phone in, with the rows of a QR code that says where."""
     import segno
 
     if body.piece is not None:
         await studio.library.do(studio.library.piece, body.piece)
-    code = studio.tokens.code("/" if body.piece is None else f"/follow/{body.piece}")
-    url = f"{studio.base}/pair/{code}"
+    code = studio.tokens.code(body.piece or "")
+    url = f"{studio.share.base or studio.base}/pair/{code}"
     rows = ["".join("01"[bool(v)] for v in row) for row in segno.make_qr(url, error="m").matrix]
     return {"code": code, "url": url, "minutes": limits.PAIR_SECONDS // 60, "qr": rows}

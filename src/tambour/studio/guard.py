@@ -54,10 +54,21 @@ class Guard:
 
     hosts : the names, with their port, that this server may be called by
     body : path → the most bytes that a request's body may have there
+    followed : (method, path, piece) → whether who follows that piece alone may ask for it
+    narrow : whether none but followers come in by this door
     """
 
-    def __init__(self, app: App, tokens: Tokens, hosts: Iterable[str], body: Callable[[str], int]) -> None:
+    def __init__(
+        self,
+        app: App,
+        tokens: Tokens,
+        hosts: Iterable[str],
+        body: Callable[[str], int],
+        followed: Callable[[str, str, str], bool],
+        narrow: bool = False,
+    ) -> None:
         self.app, self.tokens, self.hosts, self.body = app, tokens, frozenset(hosts), body
+        self.followed, self.narrow = followed, narrow
         self.sockets: Counter[str] = Counter()
         self.opened: deque[float] = deque()
 
@@ -88,7 +99,7 @@ class Guard:
         hosts = told.get("host", [])
         if len(hosts) != 1 or hosts[0] not in self.hosts:
             raise Refused(403, "this name is not one that the studio may be called by (see --allow-host)")
-        if scope["path"] == "/" and scope["type"] == "http" and scope["method"] == "GET":
+        if not self.narrow and scope["path"] == "/" and scope["type"] == "http" and scope["method"] == "GET":
             shown = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]
             if shown and self.tokens.is_token(shown):
                 return None
@@ -97,6 +108,10 @@ class Guard:
         session = self.tokens.known("; ".join(told.get("cookie", [])))
         if not session:
             raise Refused(401, "open the studio by the address that it was started with")
+        only = self.tokens.only(session)
+        if (self.narrow and not only) or (only and not self.followed(scope.get("method", ""), scope["path"], only)):
+            raise Refused(403, "a phone that was let in may follow its one piece, and nothing else")
+        scope["only"] = only
         self._from(scope, told, hosts[0])
         return session
 
@@ -111,15 +126,21 @@ class Guard:
 
     async def _let_in(self, scope: Scope, send: Send) -> None:
         """Who shows the token, or a code, gets a cookie and goes on to a clean address."""
-        place = "/"
+        only = ""
         if scope["path"].startswith("/pair/"):
             led = self.tokens.redeem(scope["path"].removeprefix("/pair/"))
-            if led is None:
+            if led is None or (self.narrow and not led):
                 await _answer(send, 401, _page("This code was used or is too old", "Ask the studio for a new one."))
                 return
-            place = led
-        cookie = ("set-cookie", self.tokens.session())
-        site = _headers(scope).get("sec-fetch-site", ["none"])
+            only = led
+        place = f"/follow/{only}" if only else "/"
+        told = _headers(scope)
+        held = self.tokens.known("; ".join(told.get("cookie", [])))
+        if held and only and not self.tokens.only(held):  # the laptop's own browser keeps what it may do
+            await _answer(send, 303, b"", ("location", place))
+            return
+        cookie = ("set-cookie", self.tokens.session(only))
+        site = told.get("sec-fetch-site", ["none"])
         if site == ["none"]:
             await _answer(send, 303, b"", ("location", place), cookie)
         else:

@@ -74,8 +74,8 @@ class Pool:
         self._closed = False
 
     def open(self) -> None:
-        """Start the first worker; it grows warm behind whatever else is done."""
-        if not self.none:
+        """Start the first worker, once; it grows warm behind whatever else is done."""
+        if not self.none and not self.made:
             self._grow()
 
     def _grow(self) -> None:

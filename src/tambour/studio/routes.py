@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -16,6 +17,7 @@ class Route:
     gives : what is answered, in words, or the media type of a file
     takes : the model of the body, where there is one; query : name → help
     body : the most bytes of a body
+    phone : whether who was let in to follow one piece may ask for it, of that piece
     """
 
     method: str
@@ -25,6 +27,7 @@ class Route:
     takes: type[asked.Body] | None = None
     query: tuple[tuple[str, str], ...] = ()
     body: int = limits.BODY
+    phone: bool = False
 
     @property
     def help(self) -> str:
@@ -56,7 +59,7 @@ ROUTES: tuple[Route, ...] = (
                ("words", "those alone whose titles hold them all")),
     ),
     Route("POST", "/api/pieces", pieces.new, takes=asked.NewPiece),
-    Route("GET", "/api/pieces/{id}", pieces.one),
+    Route("GET", "/api/pieces/{id}", pieces.one, phone=True),
     Route("PATCH", "/api/pieces/{id}", pieces.alter, takes=asked.Alter),
     Route("DELETE", "/api/pieces/{id}", pieces.binned),
     Route("GET", "/api/pieces/{id}/history", pieces.history),
@@ -66,20 +69,22 @@ ROUTES: tuple[Route, ...] = (
     Route("POST", "/api/pieces/{id}/redo", pieces.redo),
     Route("POST", "/api/pieces/{id}/head", pieces.head, takes=asked.Go),
     Route("POST", "/api/pieces/{id}/send", pieces.send, takes=asked.Send),
-    Route("GET", "/api/pieces/{id}/place", follow.place),
-    Route("PUT", "/api/pieces/{id}/place", follow.put_place, takes=follow.PlaceIn),
+    Route("GET", "/api/pieces/{id}/place", follow.place, phone=True),
+    Route("PUT", "/api/pieces/{id}/place", follow.put_place, takes=follow.PlaceIn, phone=True),
     Route("POST", "/api/files", pieces.upload, query=(("name", "the file's name, with its suffix"),), body=limits.UPLOAD),
     Route("GET", "/api/revisions/{r}", views.revision),
     Route("GET", "/api/revisions/{r}/report", views.report),
     Route("GET", "/api/revisions/{r}/text", views.text),
-    Route("GET", "/api/revisions/{r}/live.pack", views.live, _PACK),
-    Route("GET", "/api/revisions/{r}/steps.json", views.steps),
+    Route("GET", "/api/revisions/{r}/live.pack", views.live, _PACK, phone=True),
+    Route("GET", "/api/revisions/{r}/steps.json", views.steps, phone=True),
     Route("GET", "/api/revisions/{r}/thumb.webp", views.thumb, "image/webp"),
     Route("GET", "/api/revisions/{r}/files", views.takeaway),
     Route("GET", "/api/revisions/{r}/files/{file}", views.download, _FILE),
     Route("POST", "/api/check/{craft}", checks.check, takes=checks.CheckIn),
     Route("POST", "/api/ink/scroll", tiles.scroll, takes=tiles.ScrollIn),
     Route("GET", "/api/ink/tiles/{key}/{k}.pack", tiles.tile, _PACK),
+    Route("GET", "/api/share", follow.shared),
+    Route("PUT", "/api/share", follow.share, takes=follow.ShareIn),
     Route("POST", "/api/pair", follow.pair, takes=follow.PairIn),
 )  # fmt: skip
 
@@ -87,3 +92,15 @@ ROUTES: tuple[Route, ...] = (
 def longest_body(path: str) -> int:
     """The most bytes of a body that is sent to a path."""
     return max([route.body for route in ROUTES if route.path == path], default=limits.BODY)
+
+
+def followed(method: str, path: str, piece: str) -> bool:
+    """Whether who follows ``piece``, and may do nothing else, may ask for this; whose revision it is, its route sees."""
+    if path in (f"/follow/{piece}", "/api/live") or path.startswith("/web/"):
+        return method in ("", "GET", "HEAD")
+    return any(route.phone and route.method == method and _matches(route.path, path, piece) for route in ROUTES)
+
+
+def _matches(pattern: str, path: str, piece: str) -> bool:
+    parts = pattern.replace("{id}", piece).replace("{r}", PARAMETERS["r"]).replace(".", "[.]")
+    return re.fullmatch(parts, path) is not None

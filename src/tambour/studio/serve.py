@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import socket
 import sys
 import tempfile
 import threading
@@ -15,9 +14,8 @@ from pathlib import Path
 from typing import Any
 
 from tambour.core.errors import TambourError
-from tambour.studio import limits
+from tambour.studio.listen import bound, config
 
-PORT = 8421
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
 
@@ -58,7 +56,7 @@ def serve(
             hint="say by which names it may be called: --allow-host NAME",
             where="--host",
         )
-    taken = _bound(host, port)
+    taken = bound(host, port)
     port = taken.getsockname()[1]
     hosts = {f"{n}:{port}" for n in ("127.0.0.1", "localhost", "[::1]")} if host in LOOPBACK else set()
     hosts |= {n if ":" in n.rpartition("]")[2] else f"{n}:{port}" for n in names}
@@ -68,23 +66,8 @@ def serve(
     place = (library or home() / "library.db").absolute()
     with tempfile.TemporaryFile() as nowhere:
         log = _log(place) or nowhere
-        app = application(place, tokens, hosts, base, log)
-        config = uvicorn.Config(
-            app,
-            http="h11",
-            ws="websockets-sansio",
-            log_level="warning",
-            access_log=False,
-            proxy_headers=False,
-            server_header=False,
-            date_header=False,
-            limit_concurrency=limits.CONNECTIONS,
-            timeout_keep_alive=10,
-            h11_max_incomplete_event_size=limits.HEADERS,
-            ws_max_size=limits.MESSAGE,
-            timeout_graceful_shutdown=2,
-        )
-        server = uvicorn.Server(config)
+        app = application(place, tokens, hosts, base, log, shared=host not in LOOPBACK)
+        server = uvicorn.Server(config(app))
         address = f"{base}/?token={tokens.token}"
         if browser:
             door = _door(place.parent, address)
@@ -100,27 +83,6 @@ def serve(
                 with suppress(OSError):
                     door.unlink()
             taken.close()
-
-
-def _bound(host: str, port: int | None) -> socket.socket:
-    """A socket that listens; the usual port or one of the next when none is given."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    for number in [port] if port is not None else [*range(PORT, PORT + 20), 0]:
-        made = socket.socket(family, socket.SOCK_STREAM)
-        if sys.platform != "win32":
-            made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            made.bind((host, number))
-            made.listen(128)  # before anyone is told
-        except OSError as error:
-            made.close()
-            last = error
-        else:
-            made.set_inheritable(False)
-            return made
-    raise TambourError(
-        f"this address cannot be served: {last.strerror}", hint="name another port", where=f"{host}:{port}"
-    )
 
 
 def _log(library: Path) -> Any:

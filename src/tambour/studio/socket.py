@@ -58,6 +58,7 @@ class Page:
 
     def __init__(self, studio: Studio, socket: WebSocket) -> None:
         self.studio, self.socket = studio, socket
+        self.only: str = socket.scope["only"]
         self.piece = ""
         self.waiting: deque[dict[str, Any]] = deque()
         self.frame = b""
@@ -106,6 +107,8 @@ class Page:
         try:
             told = json.loads(text or "")
             kind = told["type"]
+            if self.only and (kind != "open" or told["piece"] != self.only):
+                raise ValueError  # a phone hears of its piece, and nothing else
             if kind == "open" and is_id(told["piece"]):
                 self.piece = told["piece"]
             elif kind == "watch":

@@ -21,17 +21,17 @@ class Tokens:
         self.token = secrets.token_urlsafe(32)
         self.cookie = f"tambour-{port}"
         self._clock = clock
-        self._sessions: set[str] = set()
+        self._sessions: dict[str, str] = {}
         self._codes: dict[str, tuple[float, str]] = {}
 
     def is_token(self, given: str) -> bool:
         """Whether this is the token; in constant time."""
         return hmac.compare_digest(given.encode("utf-8", "replace"), self.token.encode())
 
-    def session(self) -> str:
-        """The header that makes a browser one of ours."""
+    def session(self, only: str = "") -> str:
+        """The header that makes a browser one of ours; ``only``: the one piece that it may follow, "" for all of the studio."""
         name = secrets.token_urlsafe(32)
-        self._sessions.add(name)
+        self._sessions[name] = only
         return f"{self.cookie}={name}; Path=/; HttpOnly; SameSite=Strict"
 
     def known(self, cookies: str) -> str:
@@ -46,17 +46,26 @@ class Tokens:
         ]
         return found[0] if found else ""
 
-    def code(self, place: str) -> str:
-        """A code that lets one phone in, to ``place``, and then no more."""
+    def only(self, session: str) -> str:
+        """The one piece that a session may follow, "" where it may do all."""
+        return self._sessions[session]
+
+    def forget(self) -> None:
+        """End all sessions that follow a piece, and all codes."""
+        self._sessions = {name: only for name, only in self._sessions.items() if not only}
+        self._codes.clear()
+
+    def code(self, only: str) -> str:
+        """A code that lets one phone in, to follow the piece ``only`` (else to the shelf, and all), and then no more."""
         now = self._clock()
         self._codes = {c: it for c, it in self._codes.items() if it[0] > now}
         while len(self._codes) >= limits.PAIRS:
             del self._codes[next(iter(self._codes))]
         made = secrets.token_urlsafe(24)
-        self._codes[made] = (now + limits.PAIR_SECONDS, place)
+        self._codes[made] = (now + limits.PAIR_SECONDS, only)
         return made
 
     def redeem(self, code: str) -> str | None:
-        """Where a code leads to, once; None when it is none, or too old."""
-        until, place = self._codes.pop(code, (0.0, ""))
-        return place if until > self._clock() else None
+        """The piece that a code leads to ("" for the shelf), once; None when it is none, or too old."""
+        until, only = self._codes.pop(code, (0.0, ""))
+        return only if until > self._clock() else None

@@ -32,6 +32,8 @@ async def _found(studio: Studio, request: Request) -> tuple[str, Revision]:
 
 async def _titled(studio: Studio, request: Request) -> tuple[Piece, Revision]:
     revision = await studio.library.do(studio.library.revision, int(request.path_params["r"]))
+    if request.scope["only"] not in ("", revision.piece):
+        raise Answer.of(404, "this is not of the piece that is followed")
     return await studio.library.do(studio.library.piece, revision.piece), revision
 
 

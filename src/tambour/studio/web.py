@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import mimetypes
+import posixpath
+import re
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
@@ -21,6 +23,10 @@ _KINDS = {
     ".webmanifest": "application/manifest+json",
 }
 
+_NEEDS = re.compile(r"\{\{needs ([\w/.-]+)\}\}")
+_IMPORT = re.compile(r"""(?m)^(?:import|export)\b[^"'\n]*["'](\.[^"']+)["'];""")
+_PRELOAD = '<link rel="modulepreload" href="{{{{web}}}}/{}">'
+
 
 @dataclass(frozen=True, slots=True)
 class Web:
@@ -30,10 +36,30 @@ class Web:
     hash: str
 
     def page(self, name: str) -> bytes | None:
-        """A page with ``{{web}}`` in it replaced by the address of the other files; None where it is not there."""
+        """A page; None where it is not there.
+
+        In it ``{{web}}`` is the address of the other files, and ``{{needs js/main.js}}`` asks for all modules that one
+        loads before it runs: at once, where the browser would else find them one behind another.
+        """
         if name not in self.files:
             return None
-        return self.files[name][1].replace(b"{{web}}", f"/web/{self.hash}".encode())
+        text = self.files[name][1].decode()
+        text = _NEEDS.sub(lambda it: "\n".join(map(_PRELOAD.format, self.needs(it[1]))), text)
+        return text.replace("{{web}}", f"/web/{self.hash}").encode()
+
+    def needs(self, module: str) -> list[str]:
+        """The modules that a module imports, and theirs; without those that it loads when asked to."""
+        found: dict[str, None] = {}
+
+        def walk(name: str) -> None:
+            for to in _IMPORT.findall(self.files[name][1].decode()):
+                path = posixpath.normpath(posixpath.join(posixpath.dirname(name), to))
+                if path in self.files and path not in found:
+                    found[path] = None
+                    walk(path)
+
+        walk(module)
+        return list(found)
 
 
 def read(folder: Path = HERE) -> Web:

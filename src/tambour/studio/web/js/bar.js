@@ -4,18 +4,11 @@ import { help, offer, palette, written } from "./keys.js";
 import { attempt } from "./notes.js";
 import { theme, turnTheme } from "./theme.js";
 import { ask, online, welcome } from "./wire.js";
-import { begin, stitched } from "./drop.js";
-import { takeAway } from "./takeaway.js";
-import { pair } from "./pair.js";
+import { begin } from "./drop.js";
 
 /** @typedef {import("./piece.js").Piece} Piece */
 
 export const CRAFTS = /** @type {const} */ ({ crochet: "Crochet", knit: "Knit", ink: "Ink", embroidery: "Embroidery" });
-/** What a craft begins with when one chooses it in the bar. */
-const NEW = {
-  crochet: { craft: "crochet", title: "New pattern", source: { name: "pattern.txt", text: "Rnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [12]\nRnd 3: (sc, inc) x 6. [18]\nRnds 4-6: sc around. [18]\nRnd 7: (sc, dec) x 6. [12]\nRnd 8: dec x 6. [6]\nFasten off.\n" } },
-  ink: { craft: "ink", seed: "plum", title: "Plum" },
-};
 const GLYPH = { auto: "◐", light: "☀", dark: "☾" };
 
 /** One's own pieces whose titles hold these words, and the shelf's examples. @param {string} words */
@@ -27,15 +20,19 @@ async function pieces(words) {
   return [...told.pieces.map((/** @type {any} */ p) => ({ name: p.title, note: CRAFTS[p.craft], do: () => (location.hash = `#/piece/${p.id}`) })), ...shown];
 }
 
-/** @param {HTMLElement} element @param {HTMLElement} over @param {Piece|null} piece @param {(craft: string) => void} [wants] a craft that needs a file first */
-export function bar(element, over, piece, wants = () => {}) {
+/** @param {HTMLElement} element @param {HTMLElement} over @param {Piece|null} piece */
+export function bar(element, over, piece) {
   const away = async () => {
     if (!piece) return;
-    await piece.before();
+    const [{ takeAway }] = await Promise.all([import("./takeaway.js"), piece.before()]);
     takeAway(over, piece, { follow });
   };
-  const follow = () => piece && pair(over, piece);
-  const fresh = (/** @type {string} */ craft) => (NEW[craft] ? attempt(() => begin(NEW[craft])) : craft === "embroidery" ? stitched(() => wants(craft)) : wants(craft));
+  const follow = async () => {
+    if (!piece) return;
+    const [{ pair }] = await Promise.all([import("./pair.js"), piece.before()]);
+    pair(over, piece);
+  };
+  const fresh = (/** @type {string} */ craft) => attempt(async () => (await import("./begin.js")).offer(over, craft));
   const find = () => palette(over, pieces);
   const commands = () => [
     { name: "Find anything", key: "mod+k", do: find },
@@ -58,7 +55,7 @@ export function bar(element, over, piece, wants = () => {}) {
     const here = piece?.piece.value, craft = piece?.craft.value?.name;
     const saved = !piece ? "" : piece.refused.value ? "not saved" : !online.value || !welcome.value ? "kept here" : piece.saved.value ? "saved" : "saving";
     return html`<a class="mark" href="#" aria-label="Tambour: the shelf"><i></i>tambour</a>
-      <nav aria-label="crafts">${Object.entries(CRAFTS).map(([name, label]) => html`<button aria-current=${name === craft ? "page" : nothing} @click=${() => name !== craft && fresh(name)} title="Begin with ${label.toLowerCase()}">${label}</button>`)}</nav>
+      <nav aria-label="crafts">${Object.entries(CRAFTS).map(([name, label]) => html`<button aria-current=${name === craft ? "page" : nothing} @click=${() => fresh(name)} title="Begin with ${label.toLowerCase()}">${label}</button>`)}</nav>
       ${here ? html`<div class="title"><input type="text" .value=${here.title} aria-label="title" maxlength="120"
           @change=${(/** @type {any} */ e) => e.target.value.trim() && attempt(() => piece.rename(e.target.value.trim()))}>
         <span class="saved ${saved === "saved" ? "" : "waiting"}" role="status">${saved}</span></div>` : ""}
@@ -68,7 +65,7 @@ export function bar(element, over, piece, wants = () => {}) {
         ${here ? html`
           <button class="icon" ?disabled=${!here.undo} @click=${() => piece.step("undo")} aria-label="undo" title="Undo (${written("mod+z")})">↶</button>
           <button class="icon wide" ?disabled=${!here.redo} @click=${() => piece.step("redo")} aria-label="redo" title="Redo">↷</button>
-          ${craft === "ink" ? "" : html`<button class="button wide" @click=${follow}>Follow</button>`}
+          ${craft === "ink" ? "" : html`<button class="button" @click=${follow}>Follow</button>`}
           <button class="button act" @click=${away}>Take away</button>` : ""}
       </div>`;
   }

@@ -5,7 +5,7 @@ import { html, render } from "./view.js";
 import { ask } from "./wire.js";
 
 /** What a craft makes of a file. */
-const MAKES = { crochet: ["Crochet it", "a pattern to work"], knit: ["Knit it", "a chart of stitches"], embroidery: ["Stitch it", "thread on cloth"], ink: ["Paint it", "a scroll"] };
+export const MAKES = { crochet: ["Crochet it", "a pattern to work"], knit: ["Knit it", "a chart of stitches"], embroidery: ["Stitch it", "thread on cloth"], ink: ["Paint it", "a scroll"] };
 
 /** Make a piece of a file. @param {File} file @param {string} [craft] @returns {Promise<void>} */
 export async function fromFile(file, craft) {
@@ -58,38 +58,17 @@ function chosen(name, crafts) {
   });
 }
 
-/** Embroidery begins with letters, or with a file. @param {() => void} file asks for one */
-export function stitched(file) {
-  const box = document.createElement("dialog");
-  box.className = "choice";
-  box.setAttribute("aria-label", "what is to be stitched");
-  const go = (/** @type {SubmitEvent} */ event) => {
-    event.preventDefault();
-    const text = box.querySelector("input")?.value.trim();
-    if (!text) return;
-    box.close();
-    attempt(() => begin({ craft: "embroidery", params: { text }, title: text }));
-  };
-  document.body.append(box);
-  render(html`<form @submit=${go}><p>A name or a word to stitch:</p><p class="pair"><input type="text" aria-label="letters to stitch" maxlength="80" placeholder="Anna"><button class="button act">Stitch it</button></p></form>
-    <p>or <button class="button" @click=${() => (box.close(), file())}>Choose a drawing, a picture or a machine's file</button></p>
-    <button class="icon plain shut" aria-label="nothing, let it be" @click=${() => box.close()}>×</button>`, box);
-  box.addEventListener("close", () => box.remove());
-  box.showModal();
-  box.querySelector("input")?.focus();
-}
-
 /** @param {string} file */
 const titled = (file) => file.replace(/\.[^.]+$/, "").replace(/[-_]+/g, " ").replace(/^./, (c) => c.toUpperCase()).slice(0, 80);
 
 /** A pattern's first line that is a title, else ``usual``. @param {string} text @param {string} [usual] */
-function named(text, usual = "Pattern") {
+export function named(text, usual = "Pattern") {
   const line = text.split("\n").map((l) => l.replace(/^[#*\s]+/, "").trim()).find((l) => l && l.length < 60 && !/[:=\[(]/.test(l));
   return line ?? usual;
 }
 
-/** Let an element take files and pasted things. @param {HTMLElement} element @param {(over: boolean) => void} [over] */
-export function takes(element, over = () => {}) {
+/** Let an element take what is dropped on it. @param {HTMLElement} element @param {(over: boolean) => void} [over] @param {(file: File) => void} [taken] */
+export function takes(element, over = () => {}, taken = fromFile) {
   element.addEventListener("dragover", (event) => {
     event.preventDefault();
     over(true);
@@ -99,7 +78,7 @@ export function takes(element, over = () => {}) {
     event.preventDefault();
     over(false);
     const file = event.dataTransfer?.files[0], text = event.dataTransfer?.getData("text");
-    if (file) fromFile(file);
+    if (file) taken(file);
     else if (text) fromText(text);
   });
 }

@@ -2,7 +2,6 @@
 import { html, ref, show, signal } from "./view.js";
 import { begin, fromFile, fromText, takes } from "./drop.js";
 import { attempt, tell } from "./notes.js";
-import { moving } from "./moving.js";
 import { ask } from "./wire.js";
 import { CRAFTS } from "./bar.js";
 
@@ -17,21 +16,42 @@ const WORDS = ["first snow", "a walk by the lake", "seven cranes", "old pine"];
 /** The examples that stand on the shelf, as the server names them. */
 export const SHELF = { crochet: ["frog.acl"], knit: ["cat.png"], ink: ["plum"], embroidery: ["botanical.svg"] };
 
-/** @param {HTMLElement} element @param {{choose?: (take: (craft: string) => void) => void}} [how] */
-export function shelf(element, { choose } = {}) {
+/** The field that takes anything: it stands in the page from the start, before this is loaded. */
+const door = /** @type {HTMLElement} */ (document.getElementById("door"));
+const drop = /** @type {HTMLElement} */ (door.querySelector(".drop"));
+const field = /** @type {HTMLTextAreaElement} */ (door.querySelector("textarea")), file = /** @type {HTMLInputElement} */ (door.querySelector("input"));
+const sent = () => {
+  const words = field.value;
+  if (!words.trim()) return void file.click();
+  field.value = "";
+  return void fromText(words);
+};
+takes(drop, (is) => drop.classList.toggle("over-it", is));
+field.addEventListener("keydown", (event) => event.key === "Enter" && !event.shiftKey && (event.preventDefault(), sent()));
+field.addEventListener("paste", (event) => {
+  const found = event.clipboardData?.files[0];
+  if (!found) return;
+  event.preventDefault();
+  fromFile(found);
+});
+door.querySelector(".file")?.addEventListener("click", () => file.click());
+door.querySelector(".act")?.addEventListener("click", sent);
+file.addEventListener("change", () => {
+  const found = file.files?.[0];
+  if (found) fromFile(found).then(() => (file.value = ""));
+});
+
+/** The first picture of the page: what moves begins after it. */
+const painted = new Promise((done) => {
+  if (!PerformanceObserver.supportedEntryTypes?.includes("paint")) return void requestAnimationFrame(() => setTimeout(done));
+  return void new PerformanceObserver((list) => list.getEntriesByName("first-contentful-paint").length && done(undefined)).observe({ type: "paint", buffered: true });
+});
+
+/** @param {HTMLElement} element */
+export function shelf(element) {
   const crafts = signal(/** @type {any[]} */ ([])), pieces = signal(/** @type {any[]} */ ([])), next = signal(/** @type {string|null} */ (null));
-  const over = signal(false);
-  /** @type {HTMLInputElement|undefined} */
-  let file;
-  /** @type {HTMLTextAreaElement|undefined} */
-  let field;
   /** @type {(() => void)[]} */
   const movers = [];
-  let wanted = "";
-  choose?.((craft) => {
-    wanted = craft;
-    file?.click();
-  });
   attempt(async () => (crafts.value = (await ask("/api/crafts")).crafts));
   const more = () => attempt(async () => {
     const told = await ask(`/api/pieces?limit=50${next.value ? `&after=${encodeURIComponent(next.value)}` : ""}`);
@@ -39,27 +59,12 @@ export function shelf(element, { choose } = {}) {
     next.value = told.next;
   });
   more();
-  const drop = (/** @type {Element|undefined} */ el) => {
-    if (el && !(/** @type {any} */ (el).takes)) {
-      /** @type {any} */ (el).takes = true;
-      takes(/** @type {HTMLElement} */ (el), (is) => (over.value = is));
-    }
-  };
-  const pasted = (/** @type {ClipboardEvent} */ event) => {
-    const found = event.clipboardData?.files[0];
-    if (!found) return;
-    event.preventDefault();
-    fromFile(found);
-  };
-  const sent = () => {
-    if (field?.value.trim()) fromText(field.value);
-    else file?.click();
-  };
+  let gone = false;
   const mover = (/** @type {string} */ craft, /** @type {string} */ example) => (/** @type {Element|undefined} */ el) => {
     const canvas = /** @type {HTMLCanvasElement & {moves?: boolean}} */ (el);
     if (!canvas || canvas.moves) return;
     canvas.moves = true;
-    movers.push(moving(canvas, craft, example));
+    painted.then(() => import("./moving.js")).then(({ moving }) => gone || movers.push(moving(canvas, craft, example)));
   };
   const example = (/** @type {any} */ craft) => SHELF[craft.name]?.find((n) => craft.examples.some((/** @type {any} */ e) => e.name === n)) ?? craft.examples[0]?.name;
   const away = (/** @type {any} */ piece) => attempt(async () => {
@@ -71,19 +76,7 @@ export function shelf(element, { choose } = {}) {
     }) }] });
   });
   const view = () => html`<div class="shelf"><div class="in">
-    <h1>See it made.</h1>
-    <p class="lead">Yarn, stitches, thread and ink, stitch by stitch, before you begin.</p>
-    <div class="drop ${over.value ? "over-it" : ""}" ${ref(drop)}>
-      <textarea aria-label="a pattern, or a seed" placeholder="Paste a pattern, drop a picture or a drawing, or type a seed" ${ref((el) => (field = /** @type {any} */ (el)))}
-        @paste=${pasted} @keydown=${(/** @type {KeyboardEvent} */ e) => e.key === "Enter" && !e.shiftKey && (e.preventDefault(), sent())}></textarea>
-      <div class="buttons"><button class="button" @click=${() => ((wanted = ""), file?.click())}>Choose a file</button><button class="button act" @click=${sent}>See it</button></div>
-      <input type="file" hidden aria-label="a file" ${ref((el) => (file = /** @type {any} */ (el)))} @change=${(/** @type {any} */ e) => {
-        const found = e.target.files[0];
-        e.target.value = "";
-        if (found) fromFile(found, wanted || undefined);
-        wanted = "";
-      }}>
-    </div>
+    ${door}
     <div class="cards">${crafts.value.map((craft) => {
       const name = example(craft);
       const others = craft.examples.filter((/** @type {any} */ e) => e.name !== name).slice(0, 7);
@@ -101,6 +94,7 @@ export function shelf(element, { choose } = {}) {
   </div></div>`;
   const stop = show(element, view);
   return () => {
+    gone = true;
     stop();
     for (const end of movers) end();
   };

@@ -21,6 +21,7 @@ at("over").append(over);
 const noted = document.createElement("div");
 at("over").append(noted);
 show(noted, notes);
+at("bar").replaceChildren(); // what stood there before this was loaded
 
 /** @type {(() => void)[]} */
 let leave = [];
@@ -43,15 +44,13 @@ async function go() {
   const [, id, extra] = /^#\/piece\/([\w-]+)(?:\?(.*))?$/.exec(location.hash) ?? [];
   if (!id) {
     document.title = "Tambour";
-    /** @type {(craft: string) => void} */
-    let choose = () => {};
-    leave.push(shelf(screen, { choose: (take) => (choose = take) }));
-    leave.push(bar(at("bar"), over, null, (craft) => choose(craft)));
+    leave.push(shelf(screen));
+    leave.push(bar(at("bar"), over, null));
     return;
   }
   const piece = new Piece(id);
   leave.push(() => piece.close());
-  leave.push(bar(at("bar"), over, piece, (craft) => chooseFile(craft)));
+  leave.push(bar(at("bar"), over, piece));
   leave.push(piece.piece.subscribe((p) => p && (document.title = `${p.title} · Tambour`)));
   const opening = setTimeout(() => render(html`<div class="blank"><p class="big">Opening …</p></div>`, screen), 150);
   const opened = await attempt(async () => {
@@ -66,17 +65,6 @@ async function go() {
   }
   const { screen: craft } = await SCREENS[piece.craft.value.name]();
   if (mine === turn) leave.push(craft(screen, piece, { over, extra: new URLSearchParams(extra ?? "") }));
-}
-
-/** A craft that begins with a file: ask for it. @param {string} craft */
-function chooseFile(craft) {
-  const input = document.createElement("input");
-  input.type = "file";
-  input.addEventListener("change", async () => {
-    const { fromFile } = await import("./drop.js");
-    if (input.files?.[0]) fromFile(input.files[0], craft);
-  });
-  input.click();
 }
 
 addEventListener("hashchange", () => {

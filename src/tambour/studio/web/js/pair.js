@@ -1,28 +1,55 @@
-// Follow on a phone: a code to photograph, good for one phone and two minutes.
-import { html, render, svg } from "./view.js";
+// Follow on a phone: the door that is opened for phones, and a code to photograph, good for one phone and two minutes.
+import { counted, html, show, signal, svg } from "./view.js";
 import { attempt } from "./notes.js";
 import { ask } from "./wire.js";
 
 /** @typedef {import("./piece.js").Piece} Piece */
 
 /** @param {HTMLElement} over @param {Piece} piece */
-export async function pair(over, piece) {
-  const made = await attempt(() => ask("/api/pair", { body: { piece: piece.id } }));
+export function pair(over, piece) {
+  const here = `/follow/${piece.id}`;
+  if (matchMedia("(max-width: 700px)").matches) return void (location.href = here); // this is the phone
   const box = document.createElement("dialog");
   box.setAttribute("aria-labelledby", "pair-title");
-  const local = /^(localhost|127\.|\[::1\])/.test(location.hostname);
-  const here = `/follow/${piece.id}`;
-  render(html`<h2 id="pair-title">Follow it, stitch by stitch</h2>
-    ${made && !local ? html`<p class="quiet">Point the phone's camera here. It is good for ${made.minutes} minutes and one phone.</p>
-      ${code(made.qr)}<p class="quiet">or open <b>${made.url}</b></p>`
-    : html`<p class="quiet">A phone can join once Tambour is started for your home network: stop it, and start it with</p>
-      <p><kbd>tambour studio --host 0.0.0.0 --allow-host ${made?.host ?? "your-computer.local"}</kbd></p>
-      <p class="quiet"><br>On this computer it opens at once:</p>`}
-    <p><br><a class="button act" href=${here} target="_blank" rel="noopener" role="button">Open it here</a>
-      <button class="button" @click=${() => box.close()}>Close</button></p>`, box);
-  box.addEventListener("close", () => box.remove());
+  const door = signal(/** @type {{address: string|null, always: boolean, phones: number}|null} */ (null)), made = signal(/** @type {any} */ (null)), busy = signal(false);
+  const look = async () => {
+    door.value = await ask("/api/share");
+    made.value = door.value?.address ? await ask("/api/pair", { body: { piece: piece.id } }) : null;
+  };
+  const turn = (/** @type {boolean} */ open) => attempt(async () => {
+    busy.value = true;
+    try {
+      await ask("/api/share", { method: "PUT", body: { open } });
+      await look();
+    } finally {
+      busy.value = false;
+    }
+  });
+  const phone = () => {
+    if (!door.value) return "";
+    if (!made.value) {
+      return html`<p><button class="button act" ?disabled=${busy.value} @click=${() => turn(true)}>Let a phone in</button></p>
+        <p class="quiet">Till then nothing but this computer reaches Tambour. A phone in your network that photographs the code can follow this piece, and nothing else; what goes through your network can be read in it. It ends when you say so here, or with Tambour.</p>`;
+    }
+    return html`<p class="quiet">Point the phone's camera here. It is good for ${made.value.minutes} minutes and one phone, in the same network as this computer.</p>
+      ${code(made.value.qr)}<p class="quiet">or open <b class="address">${made.value.url}</b></p>
+      <p><button class="button" @click=${() => attempt(look)}>Another code</button> ${door.value.always ? "" : html`<button class="button" ?disabled=${busy.value} @click=${() => turn(false)}>Let no phone in</button>`}
+        <span class="quiet">${door.value.phones ? `${counted(door.value.phones, "phone")} following` : ""}</span></p>
+      <p class="quiet">If the phone finds nothing, this computer's firewall keeps it out: allow Python there.</p>`;
+  };
+  const stop = show(box, () => html`<h2 id="pair-title">Follow it, stitch by stitch</h2>
+    <h3>On a phone</h3>${phone()}
+    <h3>On this screen</h3><p><a class="button" href=${here} role="button">Open it here</a></p>
+    <p><button class="icon plain shut" aria-label="close" @click=${() => box.close()}>×</button></p>`);
+  const again = setInterval(async () => (door.value = await ask("/api/share").catch(() => door.value)), 3000);
+  box.addEventListener("close", () => {
+    clearInterval(again);
+    stop();
+    box.remove();
+  });
   over.append(box);
   box.showModal();
+  return void attempt(look);
 }
 
 /** @param {string[]} rows of 0 and 1 */

@@ -12,6 +12,8 @@ import { awake } from "./wake.js";
 const root = /** @type {HTMLElement} */ (document.getElementById("follow"));
 const id = /^\/follow\/([\w-]+)/.exec(location.pathname)?.[1] ?? "";
 const NAMES = { crochet: "Round done", knit: "Row done", ink: "Next", embroidery: "Done, next" };
+/** The computer that Tambour runs on may do all; a phone that was let in may follow this piece alone. */
+const OWN = /^(localhost$|127\.|\[::1\])/.test(location.hostname);
 const MANY = 120; // stitches as tokens; more are shown as runs
 
 begin().catch((error) => {
@@ -112,7 +114,7 @@ async function begin() {
   });
   show(one(".hands"), () => html`<button class="back" @click=${back}>back</button><button class="on" @click=${on} ?disabled=${at().done}>${NAMES[piece.craft] ?? "Done"}</button>`);
   show(one(".over"), () => html`<details class="menu"><summary class="icon button" aria-label="more">⋯</summary><div>
-      <button class="button" @click=${() => place.go(0, 0)}>Begin again</button>
+      <button class="button" @click=${() => place.go(0, 0)}>Begin again</button> ${OWN ? html`<a class="button" role="button" href="/#/piece/${id}">To the piece</a>` : ""}
       <p class="quiet">${place.unsent.value ? "Wi-Fi is away: your place is kept in this page. Do not load it again until it is back." : "Your place is kept on the computer too."}
         ${sleeps.value ? " This phone's screen may go dark: it does not let a page keep it awake." : ""}</p></div></details>`);
 
