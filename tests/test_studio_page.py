@@ -637,8 +637,33 @@ def test_the_palette_presses_nothing_behind_it_and_finds_pieces(page):
     assert page.url == before
 
 
+def test_the_bar_asks_of_what_before_it_makes_anything(page):
+    """Words, a file or an example: nothing is made, and nothing stands on the shelf, before one of them is given."""
+    for craft, words in (("Crochet", "a pattern"), ("Knit", "a photo"), ("Ink", "the seed"), ("Embroidery", "a name")):
+        page.click(f"nav >> text={craft}")
+        page.wait_for_selector("dialog[open]")
+        assert words in page.inner_text("dialog[open]").lower()
+        page.keyboard.press("Escape")
+        page.wait_for_selector("dialog[open]", state="detached")
+    page.click("nav >> text=Embroidery")
+    page.wait_for_selector("dialog[open] input[type=text]")
+    page.keyboard.type("Ann")
+    page.keyboard.press("Enter")
+    made(page)
+    assert page.input_value(".title input") == "Ann"
+    facts, scrub_says = page.inner_text(".side.right"), page.inner_text(".making .where")
+    (count,) = {line.split()[0] for line in scrub_says.replace("\u2009", "").split("\n") if "stitches" in line}
+    listed = page.evaluate(
+        "() => [...document.querySelectorAll('.regions .number')].map(n => n.textContent.split('·')[1])"
+    )
+    assert sum(int(n.replace("\u2009", "")) for n in listed) == int(count)  # one count everywhere
+    assert facts.replace("\u2009", "").count(count) == 2  # at the machine, and at its one stop
+
+
 def test_a_pattern_begun_from_the_bar_has_nothing_wrong(page):
     page.click("nav >> text=Crochet")
+    page.fill("dialog[open] textarea", BALL)
+    page.click("dialog[open] >> text=Crochet it")
     made(page)
     page.wait_for_selector(".below .agree >> text=all counts agree")
     page.keyboard.press("Control+k")
@@ -709,6 +734,36 @@ def test_follow(page, server):
     )
     page.reload()
     until(page, "document.querySelector('.words .row')?.textContent === 'Rnd 2'")
+
+
+def test_a_phone_is_let_in_from_the_page_and_let_go(page, browser):
+    new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    made(page)
+    page.click("#bar >> text=Follow")
+    page.click("dialog[open] >> text=Let a phone in")
+    page.wait_for_selector("dialog[open] .address")
+    context = browser.new_context(viewport={"width": 390, "height": 844}, is_mobile=True, reduced_motion="reduce")
+    context.set_default_timeout(120_000)
+    phone = context.new_page()
+    phone.goto(page.inner_text("dialog[open] .address"))
+    phone.wait_for_selector(".hands .on")
+    phone.click(".hands .on")
+    until(phone, "document.querySelector('.words .row').textContent === 'Rnd 2'")
+    page.wait_for_selector("dialog[open] >> text=1 phone following")
+    own = phone.url.split("/follow")[0]
+    assert phone.request.get(f"{own}/api/pieces").status == 403
+    page.click("dialog[open] >> text=Let no phone in")
+    page.wait_for_selector("dialog[open] >> text=Let a phone in")
+    phone.click(".hands .on")  # all is in memory: it goes on, and says what it cannot do
+    until(phone, "document.querySelector('.words .row').textContent === 'Rnd 3'")
+    until(phone, "document.querySelector('.over .menu').textContent.includes('Wi-Fi is away')")
+    context.close()
+    page.click("dialog[open] >> text=Open it here")
+    page.wait_for_selector(".hands .on")
+    until(page, "document.querySelector('.words .row').textContent === 'Rnd 2'")
+    page.click(".menu summary")
+    page.click("text=To the piece")
+    made(page)
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

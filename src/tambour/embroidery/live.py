@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tambour.color import plain_name
 from tambour.core.packed import Packed, of_strands
 from tambour.core.paths import Paths
 from tambour.core.rgb import hexed
@@ -94,7 +95,7 @@ def live(piece: Piece) -> Packed:
 
 
 def _regions(piece: Piece) -> list[dict[str, Any]]:
-    """Every region: its name, stitch, colour, the needle points that it lies between, how it is stitched."""
+    """Every region: its name, stitch, colour, the needle points that it lies between, its stitches, how it is sewn."""
     listed = []
     for k, r in enumerate(piece.regions):
         own = np.flatnonzero(piece.region == k)
@@ -107,6 +108,7 @@ def _regions(piece: Piece) -> list[dict[str, Any]]:
                 "width": r.width,
                 "first": int(own[0]) if len(own) else 0,
                 "end": int(own[-1]) + 1 if len(own) else 0,
+                "count": int((piece.plan.command[own] == STITCH).sum()),
                 "params": r.params.plain(),
                 "trim": "trim" in r.flags,
                 "stop": "stop" in r.flags,
@@ -145,6 +147,6 @@ def steps(piece: Piece) -> dict[str, Any]:
 
 
 def _called(thread: Thread) -> str:
-    """A thread's name and code, else its colour."""
+    """A thread's name and code, else what its colour is called, and it."""
     named = " ".join(filter(None, (thread.catalogue, thread.code, thread.name)))
-    return named or hexed(thread.rgb)
+    return named or f"{plain_name(np.array(thread.rgb, np.uint8))} {hexed(thread.rgb)}"

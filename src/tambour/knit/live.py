@@ -10,6 +10,7 @@ from tambour.core.packed import Packed
 from tambour.core.steps import Step, told
 from tambour.knit.hands.working import floats, roles, wrong_side
 from tambour.knit.hands.written import sentence
+from tambour.knit.hands.yarn import gauge_of
 from tambour.knit.piece import Piece
 
 
@@ -35,12 +36,14 @@ def live(piece: Piece) -> Packed:
         "longest": np.minimum(longest, 65535).astype(np.uint16),
         **{name: mask for name, mask in masks.items() if mask is not None},
     }
-    gauge = chart.gauge
+    gauge, weight = chart.gauge, piece.params.yarn_weight
+    knit = gauge_of(chart, weight)
     facts = {
         "craft": "knit",
         "unit": "stitch",
         "units": rows * stitches,
-        "gauge": None if gauge is None else [gauge.stitches, gauge.rows],
+        "gauge": [knit.stitches, knit.rows],
+        "usual": None if gauge else weight,  # whose gauge it is, where none was given
         "aspect": 1.0 if gauge is None else gauge.width / gauge.height,
         "circular": chart.circular,
         "limit": piece.limit,

@@ -99,7 +99,7 @@ def facts(piece: Piece) -> dict[str, Any]:
     seconds = len(xy) / SPEED * 60 + sum(EXTRA[c] * n for c, n in counts.items())
     made = piece.facts
     return {
-        "stitches": int(real.sum()),
+        "stitches": len(xy),
         "points": len(plan),
         "jumps": jumps,
         "trims": counts[TRIM],

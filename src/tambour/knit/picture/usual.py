@@ -15,6 +15,7 @@ from tambour.core.rgb import hexed
 from tambour.knit.params import YARNS, KnitParams
 from tambour.knit.picture import resample, shades
 from tambour.knit.picture.tone import Kind
+from tambour.weights import WEIGHTS
 
 WIDE = {"garment": 33.4, "mitten": 20.0, "child": 25.0, "blanket": 75.0}
 """Use → cm across: the front of a garment, round a mitten, a child's front, a blanket's middle."""
@@ -49,9 +50,10 @@ def sized(rgb: Array, params: KnitParams, progress: Progress) -> tuple[Array, Kn
     usual = WIDE[params.use] * across / 10 * min(1.0, TALL * wide / high)
     stitches = max(1, min(wide, round(usual)))
     if stitches < wide:
+        knit = gauge.stitches if gauge else WEIGHTS[params.yarn_weight].knit[0]  # as every page counts it
         progress.warn(
-            f"taken as {stitches} stitches wide, {10 * stitches / across:.0f} cm at {across:g} stitches in 10 cm: "
-            f"the usual for {params.use}",
+            f"taken as {stitches} stitches wide, {10 * stitches / knit:.0f} cm at {knit:g} stitches in 10 cm"
+            f"{'' if gauge else f', as {params.yarn_weight} yarn is usually knitted'}: the usual for {params.use}",
             hint=f"{{--stitches}} sets another width, {{--stitches}} {wide} a stitch for each pixel"
             + ("" if gauge else "; {--gauge} makes the height true in wool"),
             where="{--stitches}",

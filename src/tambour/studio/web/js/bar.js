@@ -54,7 +54,7 @@ export function bar(element, over, piece) {
   function view() {
     const here = piece?.piece.value, craft = piece?.craft.value?.name;
     const saved = !piece ? "" : piece.refused.value ? "not saved" : !online.value || !welcome.value ? "kept here" : piece.saved.value ? "saved" : "saving";
-    return html`<a class="mark" href="#" aria-label="Tambour: the shelf"><i></i>tambour</a>
+    return html`<a class="mark" href="#" aria-label="Tambour: the shelf"><i></i><span>tambour</span></a>
       <nav aria-label="crafts">${Object.entries(CRAFTS).map(([name, label]) => html`<button aria-current=${name === craft ? "page" : nothing} @click=${() => fresh(name)} title="Begin with ${label.toLowerCase()}">${label}</button>`)}</nav>
       ${here ? html`<div class="title"><input type="text" .value=${here.title} aria-label="title" maxlength="120"
           @change=${(/** @type {any} */ e) => e.target.value.trim() && attempt(() => piece.rename(e.target.value.trim()))}>

@@ -47,8 +47,15 @@ const painted = new Promise((done) => {
   return void new PerformanceObserver((list) => list.getEntriesByName("first-contentful-paint").length && done(undefined)).observe({ type: "paint", buffered: true });
 });
 
-/** @param {HTMLElement} element */
-export function shelf(element) {
+/** The card of a piece that has no picture, and why. @param {Event} event */
+const pictureless = (event) => {
+  const image = /** @type {HTMLElement} */ (event.target);
+  image.hidden = true;
+  if (image.parentElement) image.parentElement.dataset.without = "";
+};
+
+/** @param {HTMLElement} element @param {Promise<any>} left what was open before is kept: only then the list is true */
+export function shelf(element, left) {
   const crafts = signal(/** @type {any[]} */ ([])), pieces = signal(/** @type {any[]} */ ([])), next = signal(/** @type {string|null} */ (null));
   /** @type {(() => void)[]} */
   const movers = [];
@@ -58,7 +65,7 @@ export function shelf(element) {
     pieces.value = [...pieces.value, ...told.pieces];
     next.value = told.next;
   });
-  more();
+  left.then(more);
   let gone = false;
   const mover = (/** @type {string} */ craft, /** @type {string} */ example) => (/** @type {Element|undefined} */ el) => {
     const canvas = /** @type {HTMLCanvasElement & {moves?: boolean}} */ (el);
@@ -87,7 +94,7 @@ export function shelf(element) {
           : others.map((/** @type {any} */ e) => html`<button class="link" @click=${() => attempt(() => begin({ craft: craft.name, example: e.name }))}>${e.title}</button> `)}</p></div>`;
     })}</div>
     ${pieces.value.length ? html`<h2>Yours</h2><div class="cards mine">${pieces.value.map((p) => html`<div class="holder"><a class="cardx" href="#/piece/${p.id}">
-        <span class="picture">${p.thumb ? html`<img src=${p.thumb} alt="" loading="lazy">` : ""}</span>
+        <span class="picture"><img src=${p.thumb} alt="" loading="lazy" @load=${(/** @type {Event} */ e) => (/** @type {HTMLElement} */ (e.target).dataset.seen = "")} @error=${pictureless}></span>
         <span class="under"><b>${p.title}</b><span>${CRAFTS[p.craft]} · ${ago(p.changed)}</span></span></a>
         <button class="icon away" aria-label="put ${p.title} into the bin" title="Into the bin" @click=${() => away(p)}>×</button></div>`)}</div>
       ${next.value ? html`<p><br><button class="button" @click=${more}>More of yours</button></p>` : ""}` : ""}

@@ -23,13 +23,13 @@ at("over").append(noted);
 show(noted, notes);
 at("bar").replaceChildren(); // what stood there before this was loaded
 
-/** @type {(() => void)[]} */
+/** @type {(() => any)[]} */
 let leave = [];
 let turn = 0;
 
 async function go() {
   const mine = ++turn;
-  for (const end of leave.splice(0).reverse()) end();
+  const left = Promise.all(leave.splice(0).reverse().map((end) => end()));
   clear();
   over.replaceChildren();
   const screen = document.createElement("div");
@@ -44,7 +44,7 @@ async function go() {
   const [, id, extra] = /^#\/piece\/([\w-]+)(?:\?(.*))?$/.exec(location.hash) ?? [];
   if (!id) {
     document.title = "Tambour";
-    leave.push(shelf(screen));
+    leave.push(shelf(screen, left));
     leave.push(bar(at("bar"), over, null));
     return;
   }

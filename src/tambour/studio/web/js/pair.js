@@ -37,10 +37,9 @@ export function pair(over, piece) {
         <span class="quiet">${door.value.phones ? `${counted(door.value.phones, "phone")} following` : ""}</span></p>
       <p class="quiet">If the phone finds nothing, this computer's firewall keeps it out: allow Python there.</p>`;
   };
-  const stop = show(box, () => html`<h2 id="pair-title">Follow it, stitch by stitch</h2>
+  const stop = show(box, () => html`<button class="icon plain shut" aria-label="close" @click=${() => box.close()}>×</button><h2 id="pair-title">Follow it, stitch by stitch</h2>
     <h3>On a phone</h3>${phone()}
-    <h3>On this screen</h3><p><a class="button" href=${here} role="button">Open it here</a></p>
-    <p><button class="icon plain shut" aria-label="close" @click=${() => box.close()}>×</button></p>`);
+    <h3>On this screen</h3><p><a class="button" href=${here} role="button">Open it here</a></p>`);
   const again = setInterval(async () => (door.value = await ask("/api/share").catch(() => door.value)), 3000);
   box.addEventListener("close", () => {
     clearInterval(again);

@@ -235,11 +235,17 @@ export class Piece {
     return { index: low, step: steps[low] };
   }
 
+  /** @returns {Promise<void>} when what was typed last is with the server, or after two seconds */
   close() {
-    if (this.unsent.value) this._send(); // what was typed last
+    const ends = Date.now() + 2000;
     this.closed = true;
-    clearTimeout(this.due);
     this.wire.close();
+    if (this.unsent.value) this._send();
+    clearTimeout(this.due);
+    return new Promise((done) => {
+      const look = () => (this.sending.value && Date.now() < ends ? void setTimeout(look, 30) : done());
+      look();
+    });
   }
 }
 

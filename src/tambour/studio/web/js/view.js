@@ -1,5 +1,5 @@
 // Views: a function of signals, drawn again into its element whenever one of them changed.
-import { effect, render } from "../lib/ui.js";
+import { effect, html, ref, render } from "../lib/ui.js";
 
 export * from "../lib/ui.js";
 
@@ -17,6 +17,9 @@ export const dyed = (color) => (/** @type {Element|undefined} */ el) => {
 
 /** @param {ArrayLike<number>} c */
 export const hex = (c) => "#" + [c[0], c[1], c[2]].map((v) => Number(v).toString(16).padStart(2, "0")).join("");
+
+/** A text in which what stands after a colour's name (#182254) is seen as that colour. @param {string} text */
+export const colored = (text) => text.split(/(#[0-9a-f]{6})/i).map((word) => (/^#/.test(word) ? html`<i class="swatch" ${ref(dyed(word))}></i>` : word));
 
 /** 1 764, as it is read. @param {number} n */
 export const number = (n) => Math.round(n).toString().replace(/\B(?=(\d{3})+$)/g, "\u2009");

@@ -11,14 +11,14 @@ const LEAN = [["tilt", "leans", 0, 180], ["towards", "towards", 0, 360], ["acros
 export function facts(piece, { part, go, at, checked }) {
   const report = piece.report.value, pack = piece.live.value, craft = piece.craft.value;
   const problems = told(checked?.problems ?? (piece.failed.value.length ? piece.failed.value : piece.problems.value));
-  const cm = (/** @type {number} */ mm) => (mm / 10).toFixed(1);
+  const cm = (/** @type {number} */ mm) => (Math.round(mm) / 10).toFixed(1), inches = (/** @type {number} */ mm) => (mm / 25.4).toFixed(1);
   const yarns = report?.materials?.yarn ?? report?.yarn ?? [];
   const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value } });
   return html`
     ${report?.size_mm ? html`<h2 class="head">Size</h2><p class="big">${report.size_mm.map(cm).join(" × ")} cm</p>
-      <p class="quiet">${[report.size?.measured, report.size_in?.map((/** @type {number} */ v) => v.toFixed(1)).join(" × ") + " in"].filter(Boolean).join(" · ")}</p>` : ""}
+      <p class="quiet">${[report.size?.measured, report.size_mm.map(inches).join(" × ") + " in"].filter(Boolean).join(" · ")}</p>` : ""}
     ${yarns.length ? html`<h2 class="head">Yarn</h2><ul class="facts">${yarns.map((/** @type {any} */ y) => html`<li><span><i class="swatch" ${ref(dyed(y.color))}></i> ${y.name || report.named?.[y.color] || y.color}</span>
-      <span class="number">${y.metres.toFixed(1)} m${y.grams ? html` <span class="quiet">${Math.ceil(y.grams)} g</span>` : ""}</span></li>`)}</ul>` : ""}
+      <span class="number">${y.metres.toFixed(1)} m${y.grams ? html` <span class="quiet">${Math.max(1, Math.round(y.grams))} g</span>` : ""}</span></li>`)}</ul>` : ""}
     ${pack ? html`<h2 class="head">Parts</h2><ul>${pack.facts.parts.map((/** @type {any} */ p, /** @type {number} */ k) => html`<li>
       <button class="rowbutton" aria-pressed=${part.value === k} @click=${() => (part.value = part.value === k ? -1 : k)}>
         <i class="swatch" ${ref(dyed(hue(pack, p)))}></i> ${p.name}<span class="number">${number(p.end - p.start)}</span></button>
@@ -46,9 +46,13 @@ function one(piece, report, p, k) {
     const edits = piece.revision.value.edits.filter((/** @type {any} */ e) => !(e.edit === "pose" && e.part === sewn.part && e.angle === angle));
     piece.change({ edits: [...edits, { edit: "pose", part: sewn.part, angle, degrees }], said: `${p.name} ${angle} ${degrees}°` });
   };
+  const posed = piece.revision.value.edits.filter((/** @type {any} */ e) => e.edit === "pose" && sewn && e.part === sewn.part);
+  const asSewn = () => piece.change({ edits: piece.revision.value.edits.filter((/** @type {any} */ e) => !posed.includes(e)), said: `${p.name} as it is sewn` });
   const firm = p.stuffing >= 0.9 ? "firmly stuffed" : p.stuffing > 0 ? "lightly stuffed" : "not stuffed";
   return html`<div class="inside"><p class="quiet">${size ? `${size.map((/** @type {number} */ v) => (v / 10).toFixed(1)).join(" × ")} cm · ` : ""}${firm}${sewn ? html`<br>sewn to ${sewn.on}${sewn.round ? `, at round ${sewn.round}` : ""}; in the view “Parts”, drag it to another place` : ""}</p>
     ${sewn ? LEAN.map(([angle, label, low, high]) => html`<label class="lean"><span>${label}</span>
       <input type="range" min=${low} max=${high} step="5" .value=${String(Math.round(sewn[angle] ?? 0))} @change=${(/** @type {any} */ e) => lean(/** @type {string} */ (angle), Number(e.target.value))}>
-      <span class="number">${Math.round(sewn[angle] ?? 0)}°</span></label>`) : ""}</div>`;
+      <span class="number">${Math.round(sewn[angle] ?? 0)}°</span></label>`) : ""}
+    ${!sewn ? "" : posed.length ? html`<p><button class="button" @click=${asSewn}>Stand as it is sewn</button></p>`
+      : html`<p class="quiet">Counted from the fabric straight out. Nobody leaned it: its place has it so, that what is sewn on a slope still stands upright.</p>`}</div>`;
 }

@@ -1,7 +1,7 @@
 // The regions of an embroidery as a list: colour, stitch, order; the chosen one shows how it is sewn, and is changed there.
 import { fields, speller } from "../forms.js";
 import { list, told } from "../problems.js";
-import { counted, dyed, hex, html, live, number, ref } from "../view.js";
+import { colored, dyed, hex, html, live, number, ref } from "../view.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
@@ -35,7 +35,7 @@ export function regions(piece, hands) {
     return html`<li draggable="true" @dragstart=${(/** @type {DragEvent} */ e) => e.dataTransfer?.setData("text/tambour-region", String(at))} @dragover=${(/** @type {DragEvent} */ e) => e.dataTransfer?.types.includes("text/tambour-region") && e.preventDefault()}
         @drop=${(/** @type {DragEvent} */ e) => (e.preventDefault(), e.stopPropagation(), move(Number(e.dataTransfer?.getData("text/tambour-region")), at))}>
       <button class="rowbutton" aria-pressed=${chosen.value === k} @click=${() => (chosen.value = chosen.value === k ? -1 : k)}>
-        <i class="swatch" ${ref(dyed(r.color))}></i> ${r.id || `region ${k + 1}`}<span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.end - r.first)}</span></button>
+        <i class="swatch" ${ref(dyed(r.color))}></i> ${r.id || `region ${k + 1}`}<span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.count)}</span></button>
       ${chosen.value === k ? html`${one(r, k, form, hands)}
         <div class="inside tools"><button class="button" ?disabled=${!at} @click=${() => move(at, at - 1)}>Sew earlier</button><button class="button" ?disabled=${at + 1 >= order.length} @click=${() => move(at, at + 1)}>Sew later</button></div>` : ""}</li>`;
   })}</ol>${threads(piece)}`;
@@ -88,14 +88,24 @@ export function facts(piece) {
       <li><span>Time</span><span class="number">${minutes(report.machine_seconds)}</span></li><li><span>Thread</span><span class="number">${report.thread_m.toFixed(1)} m</span></li>
       <li><span>Colour changes</span><span class="number">${report.color_changes}</span></li><li><span>Cuts</span><span class="number">${report.trims}</span></li>
       <li><span>Longest stitch</span><span class="number">${report.longest_mm.toFixed(1)} mm</span></li></ul>
-      <h2 class="head">Stops</h2><ol class="facts">${steps.map((s) => html`<li><button class="link" @click=${() => (piece.at.value = s.first)}>${colored(s.stop || s.label, report.named ?? {})}</button><span class="number quiet">${number(s.count)}</span></li>`)}</ol>` : ""}
+      <h2 class="head">Stops</h2><ol class="facts">${steps.map((s) => html`<li><button class="link" @click=${() => (piece.at.value = s.first)}>${colored(s.stop || s.label)}</button><span class="number quiet">${number(s.count)}</span></li>`)}</ol>` : ""}
     <h2 class="head">Checks</h2>${problems.length ? list(problems, { spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ nothing doubtful to sew</p>` : ""}
-    ${craft ? html`<h2 class="head">How it is sewn</h2>${fields(craft.form, piece.params.value, { set, problems })}` : ""}
-    ${report ? html`<p class="quiet">${counted(report.points, "needle point")}</p>` : ""}`;
+    ${craft ? html`<h2 class="head">How it is sewn</h2>${fields(craft.form, piece.params.value, { set, problems })}` : ""}`;
 }
 
 /** @param {number} s */
-export const minutes = (s) => (s < 60 ? `${Math.round(s)} s` : `${Math.floor(s / 60)} min ${Math.round(s % 60)} s`);
+export const minutes = (s) => (Math.round(s) < 60 ? `${Math.round(s)} s` : `${Math.floor(Math.round(s) / 60)} min ${Math.round(s) % 60} s`);
 
-/** Colours in a text as what they look like, and are called. @param {string} text @param {Record<string, string>} named */
-export const colored = (text, named) => text.split(/(#[0-9a-f]{6})/i).map((word) => (/^#/.test(word) ? html`<i class="swatch" ${ref(dyed(word))}></i> ${named[word] ?? html`<span class="quiet">${word}</span>`}` : word));
+/** @type {WeakMap<object, Uint32Array>} */
+const counts = new WeakMap();
+
+/** How many stitches are sewn when a needle point is reached: as the machine counts them. @param {import("../pack.js").Pack} pack @param {number} at */
+export function stitchesAt(pack, at) {
+  let found = counts.get(pack);
+  if (!found) {
+    const { command } = pack.arrays, sews = pack.facts.commands.indexOf("stitch");
+    counts.set(pack, (found = new Uint32Array(command.length + 1)));
+    for (let k = 0; k < command.length; k++) found[k + 1] = found[k] + Number(command[k] === sews);
+  }
+  return found[at];
+}

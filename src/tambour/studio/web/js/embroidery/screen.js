@@ -5,11 +5,11 @@ import { Stage } from "../gl/stage.js";
 import { offer } from "../keys.js";
 import { night } from "../theme.js";
 import { Timeline } from "../timeline.js";
-import { computed, dyed, effect, html, number, ref, show, signal, untracked } from "../view.js";
+import { colored, computed, dyed, effect, html, number, ref, show, signal, untracked } from "../view.js";
 import { flies, sheet } from "./cloth.js";
 import { MODES, looks } from "./density.js";
 import { Overlay } from "./overlay.js";
-import { called, colored, facts, minutes, regions } from "./regions.js";
+import { called, facts, minutes, regions, stitchesAt } from "./regions.js";
 import { alongside, spelt } from "./rails.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
@@ -24,7 +24,6 @@ export function screen(root, piece) {
     const edits = (piece.unsent.value?.edits ?? piece.revision.value.edits).filter((/** @type {any} */ e) => !(e.edit === "region" && e.region === region && e.field === name));
     piece.change({ edits: value === null ? edits : [...edits, { edit: "region", region, field: name, value: String(value) }], said: `${region}: ${field} ${value ?? "as it was"}`.slice(0, 100) });
   };
-  const named = () => piece.report.value?.named ?? {};
   const all = () => piece.live.value?.facts.regions ?? [];
   const put = (/** @type {number[]} */ order) => {
     const edits = (piece.unsent.value?.edits ?? piece.revision.value.edits).filter((/** @type {any} */ e) => e.edit !== "order");
@@ -41,10 +40,10 @@ export function screen(root, piece) {
   stage.ondraw = () => overlay.draw();
   const timeline = new Timeline(at.making, piece, { where: (k, told) => {
     const pack = piece.live.value;
-    if (!pack || k >= pack.facts.units) return { ...told, more: pack ? `${number(pack.facts.units)} needle points, ${minutes(pack.arrays.seconds.at(-1) ?? 0)}` : told.more };
+    if (!pack || k >= pack.facts.units) return { ...told, more: pack ? `${number(stitchesAt(pack, pack.facts.units))} stitches, ${minutes(pack.arrays.seconds.at(-1) ?? 0)}` : told.more };
     const { step, index } = piece.stepAt(k), all = piece.steps.value?.steps ?? [], next = all[index + 1];
-    return { label: minutes(pack.arrays.seconds[k]), more: `needle ${number(k)} of ${number(pack.facts.units)}`,
-      words: html`<b>${step?.label}</b> ${colored(step?.words ?? "", named())}${next ? html` · then ${colored(next.stop, named())}, in ${minutes(pack.arrays.seconds[next.first] - pack.arrays.seconds[k])}` : ""}` };
+    return { label: minutes(pack.arrays.seconds[k]), more: `stitch ${number(stitchesAt(pack, k))} of ${number(stitchesAt(pack, pack.facts.units))}`,
+      words: html`<b>${step?.label}</b> ${colored(step?.words ?? "")}${next ? html` · then ${colored(next.stop)}, in ${minutes(pack.arrays.seconds[next.first] - pack.arrays.seconds[k])}` : ""}` };
   } });
   /** @type {(() => void)[]} */
   const stop = [timeline.stop];

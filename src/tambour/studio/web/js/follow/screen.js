@@ -4,7 +4,7 @@ import { Stage } from "../gl/stage.js";
 import { unpack } from "../pack.js";
 import { night } from "../theme.js";
 import { bare } from "../timeline.js";
-import { dyed, effect, html, number, ref, render, show, signal } from "../view.js";
+import { colored, dyed, effect, html, number, ref, render, show, signal } from "../view.js";
 import { Trouble, ask, bytes, patiently } from "../wire.js";
 import { Place } from "./place.js";
 import { awake } from "./wake.js";
@@ -103,14 +103,14 @@ async function begin() {
   show(one(".words"), () => {
     const { step, unit, done } = at();
     if (done) return html`<div class="row">Finished</div><h1>${piece.title} is made.</h1>`;
-    return html`<div class="row">${step.label}</div>${step.stop ? html`<p class="stop">${step.stop}</p>` : ""}
-      <h1>${bare(step.words)}${step.count && !/[[(]\s*\d+\s*[\])]\s*$/.test(step.words) ? html` <span class="quiet">${number(step.count)}</span>` : ""}</h1>
+    return html`<div class="row">${step.label}</div>${step.stop ? html`<p class="stop">${colored(step.stop)}</p>` : ""}
+      <h1>${colored(bare(step.words))}${step.count && !/[[(]\s*\d+\s*[\])]\s*$|^[\d,]+ stitches/.test(step.words) ? html` <span class="quiet">${number(step.count)}</span>` : ""}</h1>
       <div class="tokens">${tokens(step).map((t) => html`<button class=${t.end <= unit ? "done" : t.first <= unit ? "now" : ""} @click=${() => place.go(at().k, t.first)}>
         ${t.color ? html`<i class="swatch" ${ref(dyed(t.color))}></i> ` : ""}${t.text}</button>`)}</div>`;
   });
   show(one(".then"), () => {
     const { k, done } = at(), next = steps[k + 1];
-    return done || !next ? "" : html`then ${next.label}: ${bare(next.words)}`;
+    return done || !next ? "" : html`then ${next.label}: ${colored(bare(next.words))}`;
   });
   show(one(".hands"), () => html`<button class="back" @click=${back}>back</button><button class="on" @click=${on} ?disabled=${at().done}>${NAMES[piece.craft] ?? "Done"}</button>`);
   show(one(".over"), () => html`<details class="menu"><summary class="icon button" aria-label="more">⋯</summary><div>

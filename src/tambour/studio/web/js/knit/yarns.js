@@ -42,10 +42,10 @@ export function facts(piece) {
   const report = piece.report.value, pack = piece.live.value, craft = piece.craft.value;
   const problems = told(piece.failed.value.length ? piece.failed.value : piece.problems.value.filter((p) => p !== chose(piece)));
   const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value }, said: name });
-  const gauge = pack?.facts.gauge, cm = gauge && report ? [(report.width / gauge[0]) * 10, (report.rows / gauge[1]) * 10] : null;
+  const gauge = pack?.facts.gauge, cm = gauge && report ? [(report.width / gauge[0]) * 10, (report.rows / gauge[1]) * 10].map((v) => v.toFixed(1)) : null;
   const like = report?.likeness?.["4"] ?? report?.likeness?.["2"];
   return html`${report ? html`<h2 class="head">Size</h2><p class="big">${number(report.width)} × ${number(report.rows)}</p>
-      <p class="quiet">stitches and rows${cm ? ` · ${cm[0].toFixed(0)} × ${cm[1].toFixed(0)} cm` : " · a gauge tells the centimetres"}</p>
+      <p class="quiet">stitches and rows${cm ? ` · ${cm[0]} × ${cm[1]} cm at ${gauge[0]} × ${gauge[1]} in 10 cm${pack?.facts.usual ? `, as ${pack.facts.usual} yarn is usually knitted: swatch, and give your gauge` : ""}` : ""}</p>
       <h2 class="head">Floats</h2><ul class="facts"><li><span>Longest</span><span class="number">${report.longest_float}${report.max_float ? html` <span class="quiet">of ${report.max_float}</span>` : ""}</span></li>
       <li><span>Longer than they may be</span><span class="number">${number(report.violations ?? 0)}</span></li><li><span>To catch at the back</span><span class="number">${number(report.catches ?? 0)}</span></li>
       <li><span>Stitches changed for it</span><span class="number">${number(report.flips ?? 0)}</span></li>
