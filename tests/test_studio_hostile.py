@@ -119,6 +119,7 @@ def test_slow_body_is_dropped(ours: TestClient, monkeypatch: pytest.MonkeyPatch)
         yield b"}"
 
     from tambour.studio.guard import Guard
+    from tambour.studio.routes import followed
     from tambour.studio.token import Tokens
 
     tokens = Tokens(8421)
@@ -149,7 +150,7 @@ def test_slow_body_is_dropped(ours: TestClient, monkeypatch: pytest.MonkeyPatch)
         sent.append(message)
 
     asked: list[int] = []
-    asyncio.run(Guard(app, tokens, [HOST], lambda path: 1000)(scope, receive, send))
+    asyncio.run(Guard(app, tokens, [HOST], lambda path: 1000, followed)(scope, receive, send))
     assert sent[0]["status"] == 408
 
 
