@@ -19,6 +19,7 @@ class Source:
     part, copies : which part is under way, and how often it is made
     last_number : the number of the last numbered round, None at the start of a piece of work
     standing : so many chains at a round's beginning → whether they count as a stitch, where the text says it of all rounds
+    spaced : the same of chains that are a stitch and a space ("ch 4 (counts as dc, ch 1)") → chains of the space
     marked : which stitch of the round below is marked, from 0 as the round to come meets it; None where that is not known
     each : a count has shown that "2 sc in next 2 sts" means two in each
     """
@@ -36,6 +37,7 @@ class Source:
     told_of_bl: bool = False
     finish: list[Any] = field(default_factory=list)
     standing: dict[int, bool] = field(default_factory=dict)
+    spaced: dict[int, int] = field(default_factory=dict)
     marked: int | None = None
     each: bool = False
 

@@ -121,7 +121,9 @@ def assembling(text: str, names: list[str]) -> bool:
         return True
     if _EYES.search(low) and _EYED.search(low) and not re.search(r"\beye of\b|\bneedle eye\b", low):
         return True
-    if re.search(r"\bembroider\w*\b|\bsatin st\w*|\bfrench knot", low) and (face.motifs(low) or _TO.search(low)):
+    if re.search(r"\bembroider\w*\b", low):
+        return True
+    if re.search(r"\bsatin st\w*|\bfrench knot", low) and (face.motifs(low) or _TO.search(low)):
         return True
     if re.search(r"\b(?:whiskers?|eyelash\w*|eyebrows?|freckles?|smile|cheeks|blush|mouth)\b", low) and _DRAWN.search(
         low

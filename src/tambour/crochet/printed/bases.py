@@ -116,6 +116,8 @@ def elsewhere(
     """A round that is worked elsewhere than where the hook is: back on a round of the part, or along an edge, which is a part of
     its own then."""
     tokens, times, span = what
+    if place.number and place.number == draft.last and draft.begun() and not place.words:
+        return draft, head, read  # the edge at the hook
     owner = draft if draft.begun() else p.parts[-2] if len(p.parts) > 1 and not place.words else draft
     back = back_to(owner, place) if owner.begun() and read.refers is None else None
     if back is not None:
@@ -174,5 +176,6 @@ def is_first(body: Body, stitches: dict[str, Stitch]) -> bool:
     founded = any(
         is_start(i, stitches) and not (isinstance(i, Action) and i.name == "ch" and (i.times <= _LIFT or k > begun))
         for k, i in enumerate(body.items)
+        if not isinstance(i, Group) or i.times is not None  # "*sl st in next st, ch 3" goes around on what is there
     )
     return bool(body.hook) or body.pending or founded

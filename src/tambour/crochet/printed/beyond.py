@@ -63,7 +63,10 @@ def _next_number(p: State) -> int:
 def edging(p: State, tokens: list[Token]) -> bool:
     """Whether a sentence between the rounds works along an edge that is no round's, in whatever words: that is told as not drawn."""
     stitches = sum(t.kind == "stitch" and t.value not in ("ch", "slst", "skip") for t in tokens)
-    if not p.parts or not stitches or not along_edge(tokens):
+    slipped = tokens[0].value != "join" and any(
+        t.value == "slst" and any(u.word in ("across", "along") for u in tokens[k + 1 :]) for k, t in enumerate(tokens)
+    )  # "sl st loosely in front loops across handle"
+    if not p.parts or not (stitches or slipped) or not along_edge(tokens):
         return False
     p.source.doubt(EDGED, "give it a round of its own", Span(tokens[0].start, tokens[-1].end))
     return True

@@ -54,6 +54,11 @@ class Walk(Dyes):
                     del body.items[made:]  # "Work 1 rnd of sc evenly around Ear": along another edge
                     body.stated, body.stated_span, body.rounds, body.sides = before
                     body.edged.append(Span(c.tokens[at].start, c.tokens[c.at - 1].end))
+                if more and not any(isinstance(i, Group) or i.name not in ("color", "join") for i in body.items[made:]):
+                    body.between += [
+                        (more, i) for i in body.items[made:] if isinstance(i, Action) and i.name == "color"
+                    ]
+                    del body.items[made:]
                 if self.before is not None:
                     raise NotUnderstood(c.tokens[c.at - 1], "what goes in this place is not said", "say which stitches")
             except NotUnderstood as wrong:
@@ -379,6 +384,14 @@ class Walk(Dyes):
         elif word == "for" and c.whole() is not None:
             self.body.rounds = (c.whole() or 0, c.take().span)
             c.at += 1
+        elif (
+            word == "to"
+            and (name := c.look()) is not None
+            and name.kind == "word"
+            and name.capital
+            and any(map(makes, found))
+        ):
+            self.to_separator()  # "48 sc evenly across to Lower Section"
         elif word == "to" and c.key("color"):
             self.to_separator()  # "and continue to change color every other row"
         elif word == "to" and (c.key("close", "join", "form") or (c.look() is not None and c.look().word in _ENDED_SO)):  # type: ignore[union-attr]

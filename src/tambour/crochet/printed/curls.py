@@ -47,6 +47,22 @@ def curl(r: Reader, found: list[Item], name: str, place: Where) -> bool:
     return True
 
 
+def curled(r: Reader, found: list[Item], inner: list[Item], place: Where) -> bool:
+    """Puts loops in place of the chains just read, where a bracket closes them in one link: "ch 5, (sl st, ch 5) 3 times in 5th ch from
+    hook"; whether it does. The chains that it ends with wait for the slip stitch behind it."""
+    last, group, size = found[-1] if found else None, inner[0], place.ordinal
+    if not isinstance(group, Group) or not group.times or not isinstance(last, Action) or last.name != "ch":
+        return False
+    names = [(i.name, i.times) for i in group.items if isinstance(i, Action)]
+    if names != [("slst", 1), ("ch", size)] or len(group.items) > 2 or last.times < size or size not in PICOTS:
+        return False
+    name = "picot" if size == 3 else f"picot{size}"
+    lead = [Action("ch", last.span, last.times - size)] if last.times > size else []
+    found[-1:] = [*lead, Action(name, last.span, group.times), Action("ch", last.span, size)]
+    r.body.curled = True
+    return True
+
+
 def _worked(item: Item) -> bool:
     """Whether an item works stitches or slip stitches."""
     return isinstance(item, Group) or item.name not in (*_IDLE, "ch", "turn", "join", "mr", "mark", "goto")

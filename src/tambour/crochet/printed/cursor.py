@@ -73,6 +73,7 @@ class Refers:
     part : the words that name it, "" for the part under way
     times : how often all of them are worked, None for once or as often as the line has rounds
     length : mm, "until piece measures 3 ins"; whole : that is measured from the beginning, and not from a marker
+    upto : so many rounds in all ("until there are 32 rows"); vague : until something that no number says
     mirrored : sides are reversed; until : "to 21 sts": they are worked until there are so many
     """
 
@@ -87,3 +88,5 @@ class Refers:
     whole: bool = True
     mirrored: bool = False
     until: int = 0
+    upto: int = 0
+    vague: bool = False

@@ -41,6 +41,7 @@ _STRANDS: Final = frozenset("strand strands fringe ends".split())  # what hands 
 _USED: Final = frozenset(
     "photo photos photograph photographs picture guide diagram template needle marker ends tail tails".split()
 )
+_SHOWN: Final = frozenset("photo photos photograph photographs picture guide diagram".split())
 _LEFT: Final = frozenset(
     "tail tails end ends long opening open gap hole inch inches cm sewing stuffing yarn neck bottom top".split()
 )
@@ -79,17 +80,20 @@ def by_hand(tokens: list[Token]) -> bool:
         return False
     first, after = tokens[at], tokens[at + 1] if at + 1 < len(tokens) else None
     words = {t.word for t in tokens}
+    if _goes_back(tokens[at:]):
+        return True
     verb = "slip" if first.word == "slip" and after is not None and after.kind in ("word", "number") else ""
     if any(works(tokens, k) for k in range(at + bool(verb), len(tokens))):
         return False
+    if words & _SHOWN and tokens[0].word in ("refer", "referring", "follow", "following"):
+        return True
     if "cut" in words or (first.word in _YARN and not any(t.kind == "key" and t.value == "join" for t in tokens)):
         return True  # "White - Cut 2", "Break A"
     if _pulls(first, after) and not words & _STRANDS:
         return False
     if first.kind == "word":
         verb = verb or first.word.split(" ")[0]
-        made = verb == "create" and not any(t.kind == "key" and t.value in ("ring", "loop") for t in tokens)
-        return made or verb in _HANDS or verb in _DOING or (verb in ("attach", "add") and bool(words & _MADE))
+        return verb in _HANDS or verb in _DOING or (verb in ("attach", "add") and bool(words & _MADE))
     if verb or (first.kind == "key" and first.value == "leave"):
         return "unworked" not in words  # "leave remaining 3 sts unworked, turn—4 sc" is of the row
     if first.kind != "key" or after is None:
@@ -97,13 +101,15 @@ def by_hand(tokens: list[Token]) -> bool:
     if first.value == "count" and first.word == "count":
         return at == 0
     if first.value == "make":
-        return first.word != "make" or bool(words & _MADE)
+        rings = any(t.kind == "key" and t.value in ("ring", "loop") and t.word != "mc" for t in tokens)
+        return not rings and (first.word != "make" or bool(words & _MADE))
     if first.value in ("loop", "space") and (first.capital or at):
         # "Loop yarn between 2 sts", "Space eyes 8 ins apart", "loop two lengths of wire around sts"
         thing = tokens[at + 2] if after.kind == "number" and at + 2 < len(tokens) else after
         return thing.kind == "word" or thing.value in ("eyes", "yarn")
     if first.value == "with" and at == 0:
-        return first.word == "use" and bool(words & _USED)  # "Use photograph as a guide"
+        marks = any(t.kind == "key" and t.value == "marker" for t in tokens)
+        return first.word == "use" and (marks or bool(words & _USED))  # "Use photograph as a guide"
     return first.value == "color" and bool(words & _PAINTS)
 
 
@@ -135,6 +141,13 @@ def _pulls(first: Token, after: Token | None) -> bool:
     return first.word in ("draw", "pull", "insert") and after is not None and after.word in ("loop", "loops", "hook")
 
 
+def _goes_back(tokens: list[Token]) -> bool:
+    """Whether the hook only goes back into a loop that was left: "Insert hook back into dropped loop"."""
+    begins = tokens[0].word in ("insert", "place", "put", "slip", "return")
+    back = any(t.word in ("back", "dropped") for t in tokens[1:5])
+    return begins and back and not any(t.word in ("yo", "yoh", "draw", "pull") or t.value == "next" for t in tokens[1:])
+
+
 def works(tokens: list[Token], at: int) -> bool:
     """Whether the token at ``at`` is a stitch that is worked, and not one that is only named ("the last sc", "the foundation ch")."""
     token = tokens[at]
@@ -153,6 +166,13 @@ def works(tokens: list[Token], at: int) -> bool:
             and before.value in ("last", "next", "same", "foundation", "each", "begin", "in", "from", "rest")
         )
     )
+    prior = tokens[at - 2] if at > 1 else None
+    if before is not None and before.value in ("in", "each") and before.kind == "key":
+        return False  # "knot fringe into each sc around"
+    if before is not None and before.value in ("row", "round") and prior is not None and prior.kind == "word":
+        return False  # "matching rows of sc"
+    if token.word == "slip" and after is not None and after.kind == "word":
+        return False  # "slip the wraps off your fingers"
     if token.word in ("fur", "double") and (before is None or before.kind != "number") and not _sts(after):
         return False  # "the fur around the eyes", "a double layer"
     placed = after is not None and after.kind == "key" and after.value in ("in", "around", "each", "next", "over")

@@ -45,12 +45,15 @@ _QUIET: Final = frozenset(
 )  # usual enough not to be asked about when no count is stated
 
 
-def worked(items: list[Item] | tuple[Item, ...], edge: int, stitches: dict[str, Stitch]) -> tuple[int, int] | None:
-    """Stitches that ``items`` make and take on an edge of ``edge`` stitches; None when it is not known."""
+def worked(
+    items: list[Item] | tuple[Item, ...], edge: int, stitches: dict[str, Stitch], begun: bool = False
+) -> tuple[int, int] | None:
+    """Stitches that ``items`` make and take on an edge of ``edge`` stitches; None when it is not known. ``begun`` : stitches stand before
+    them, so that chains are a space."""
     made = taken = 0
     for item in items:
         if isinstance(item, Group):
-            once = worked(item.items, edge - taken, stitches)
+            once = worked(item.items, edge - taken, stitches, begun or made > 0)
             if once is None:
                 return None
             times = item.times
@@ -69,7 +72,7 @@ def worked(items: list[Item] | tuple[Item, ...], edge: int, stitches: dict[str, 
                 return None
             elif item.name == "slst":
                 made, taken = made + item.times, taken + item.times
-            elif item.name != "ch" or made:  # chains at the beginning only lift the yarn
+            elif item.name != "ch" or made or begun:  # chains at the beginning only lift the yarn
                 made, taken = made + kind.makes * item.times, taken + kind.takes * item.times
         elif item.name in ("turn", "join"):
             continue
@@ -97,19 +100,39 @@ def chainless(items: list[Item], edge: int | None, stitches: dict[str, Stitch]) 
         total = 0
         for item in inner:
             if isinstance(item, Group):
-                once = worked(item.items, left, stitches)
+                once = worked(item.items, left, stitches, True)
                 found = chains(item.items, left)
                 if once is None or found is None or (item.times is None and not once[1]):
                     return None
-                total += found * (left // once[1] if item.times is None else item.times)
+                times = (left - item.leaves) // once[1] if item.times is None else item.times
+                total, left = total + found * times, left - once[1] * times
             elif item.name in stitches:
                 kind = stitches[item.name]
                 total += item.times * sum(move.kind == "ch" for move in kind.moves)
+                left -= kind.takes * item.times
         return total
 
     _, items = led(items)
     done, out = worked(items, edge or 0, stitches), chains(items, edge or 0)
     return None if done is None or not out else done[0] - out
+
+
+def fixed(items: list[Item] | tuple[Item, ...], stitches: dict[str, Stitch]) -> tuple[int, int] | None:
+    """Stitches, and chains among them, that ``items`` make on whatever they are worked; None where something goes around."""
+    made = chains = 0
+    for item in items:
+        if isinstance(item, Group):
+            once = fixed(item.items, stitches)
+            if once is None or item.times is None:
+                return None
+            made, chains = made + once[0] * item.times, chains + once[1] * item.times
+        elif item.name in stitches and (item.name != "ch" or made):
+            kind = stitches[item.name]
+            made += kind.makes * item.times
+            chains += sum(move.kind == "ch" for move in kind.moves) * item.times
+        elif item.name == "gap":
+            return None
+    return made, chains
 
 
 def decided(
@@ -144,6 +167,7 @@ def decided(
     def read(choices: frozenset[str] = frozenset()) -> Body:
         choices = choices ^ usual
         walk = Walk(list(tokens), source.stitches, palette, choices, phrase)
+        walk.spaced = source.spaced
         walk.standing, walk.edge, walk.marked = source.standing, edge, source.marked
         body = walk.read()
         if body.sides and (base := _base(body, chain)) is not None:

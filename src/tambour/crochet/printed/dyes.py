@@ -25,6 +25,13 @@ class Dyes(Courses):
         elif words[0] == "or" and words[1] in LETTERS:
             c.at += 2
 
+    def later(self, found: list[Item]) -> None:
+        """Goes past "at end of Row 4", behind a change of colour: it is made when these rounds are worked."""
+        c, begin = self.c, self.c.at
+        self.to_separator()
+        number = next((t.value for t in c.tokens[begin : c.at] if isinstance(t.value, int)), 0)
+        self.body.later.append((found.pop(), number))
+
     def color(self, found: list[Item]) -> bool:
         """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""
         c = self.c
@@ -79,7 +86,11 @@ class Dyes(Courses):
             c.skip_key("together")  # "With 2 strands of B held tog"
         while c.key("and") and c.look(1) is not None and (c.look(1).word in _HOOKS):  # type: ignore[union-attr]
             c.at += 2
+            if c.key("hook", ahead=1):
+                c.at += 1  # "with A and size F hook"
             c.skip_key("hook")
-        if c.key("in", "to") and c.key("last", ahead=1):  # "change to B in last st of Row 8"
+        if c.key("to") and (end := c.look(1)) is not None and end.word == "end":
+            self.later(found)
+        elif c.key("in", "to") and c.key("last", ahead=1):  # "change to B in last st of Row 8"
             self.to_separator()
         return True

@@ -79,7 +79,9 @@ def _chained(
     at, draft.chain = draft.chain, None
     base = draft.lines[at]
     before = [i for i in base.items if not isinstance(i, Action) or i.name in ("color", "flo", "blo")]
-    items = [i for k, i in enumerate(items) if not (k < fresh and isinstance(i, Action) and i.name in ("ch", "turn"))]
+    items = [
+        i for k, i in enumerate(items) if not (k < fresh and isinstance(i, Action) and i.name in ("ch", "turn", "skip"))
+    ]
     items = [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "turn")]
     first = next(i for i in items if works(i))
     hook = body.hook or 2
@@ -92,11 +94,10 @@ def _chained(
         many = kind.makes * first.times
         if many >= 3:
             draft.lines[at] = replace(base, items=tuple(before))
-            name = kind.inner[0][0] if kind.inner else "sc"
             ring: Item = Action("mr", first.span, numbers=(many, 0))
-            base_name = next((n for n in ("hdc", "dc", "tr") if kind.name.startswith(n)), name)
-            if base_name != "sc":
-                made = into_one([(source.stitches[base_name], many)], "ring")
+            if {name for name, _ in kind.inner or ((kind.name, 1),)} != {"sc"}:
+                held = [(source.stitches[name], k) for name, k in kind.inner] or [(kind, first.times)]
+                made = into_one(held, "ring")
                 source.stitches.setdefault(made.name, made)
                 ring = Action(made.name, first.span)
             return [ring if i is first else i for i in items]

@@ -57,7 +57,8 @@ def moved(tokens: list[Token]) -> Moved | None:
             free = free or ("loop" if prior is not None and prior.word in _FREE else "")
         elif token.word in _FREE or (token.kind == "key" and token.value == "rest"):
             near = tokens[k + 1 : k + 4]
-            if any(t.kind == "key" and t.value in _LOOPS for t in near) or token.word in (
+            looped = any((t.kind == "key" and t.value in _LOOPS) or t.word in ("loop", "loops") for t in near)
+            if looped or token.word in (
                 "unworked",
                 "skipped",
                 "unused",
@@ -92,8 +93,13 @@ def along_edge(tokens: list[Token]) -> bool:
     for k, t in enumerate(tokens):
         if t.kind != "key" or t.value not in ("round", "repeat", "as", "ring", "hook") or t.word == "in rnd":
             continue
-        worked = t.value == "round" and tokens[k - 1].kind == "number" and tokens[k + 1 : k + 2]
-        if not (k and worked and worked[0].kind == "stitch"):  # "1 rnd of sc evenly around entire edge" names none
+        counted = (
+            k and t.value == "round" and tokens[k - 1].kind == "number"
+        )  # "1 rnd of sc evenly around entire edge" names none
+        alike = t.value == "as" and any(
+            u.word in ("same", "many") for u in tokens[max(0, k - 4) : k]
+        )  # "same number of sts as board"
+        if not (counted or alike):
             return False
     return bool(named) and not any(t.word in ("sew", "attach", "embroider") for t in tokens)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -74,10 +75,22 @@ def opening(text: str, tokens: list[Token]) -> tuple[Heading, int] | None:
     if (
         not name
         or (rest and rest[0].value in ("ring", "form", "leave"))
-        or not (founding(rest) or (rest and rest[0].word == "see" and (place is not None or name.isupper())))
+        or not (
+            founding(rest)
+            or _at_once(rest, place is not None or name.isupper())
+            or (rest and rest[0].word == "see" and (place is not None or name.isupper()))
+        )
     ):
         return None
     return Heading(name, Span(tokens[0].start, tokens[at - 1].end), copies, place, True, True), at
+
+
+def _at_once(tokens: list[Token], named: bool) -> bool:
+    """Whether a piece begins with its chain and is worked in the same sentence: "With B, ch 5, sl st in 2nd ch from hook, sc in next ch"."""
+    first = tokens[0] if tokens else None
+    if not named or first is None or not (first.value in ("ch", "with") and any(t.value == "hook" for t in tokens)):
+        return False
+    return any(t.value == "ch" and isinstance(u.value, int) for t, u in pairwise(tokens[:7]))
 
 
 def _names(token: Token) -> bool:

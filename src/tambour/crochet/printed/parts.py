@@ -12,7 +12,7 @@ from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Section, written
 from tambour.crochet.printed.curls import looped, rooted
 from tambour.crochet.printed.cursor import Refers
-from tambour.crochet.printed.doubts import after, chainless, reached, rounds_until
+from tambour.crochet.printed.doubts import after, chainless, fixed, reached, rounds_until
 from tambour.crochet.printed.foundations import founded
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import (
@@ -31,6 +31,7 @@ from tambour.crochet.printed.items import (
 from tambour.crochet.printed.marked import middle
 from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.slips import lowered
 from tambour.crochet.printed.tokens import Token
 
 _CLOSED = (
@@ -200,6 +201,7 @@ class Draft:
         else:
             self.parted = True
             made = [replace(line, number=n) for n in numbers]
+        made = _colored(made, body.later)
         self.lines += made
         self.spread |= {span.start} if body.spread else set()
         if worked:
@@ -208,6 +210,11 @@ class Draft:
         for _ in range(min(times, _MARKED) if worked else 0):
             self.marked = middle(items, self.edge or 0, self.ahead(), source.stitches)
         edge = reached(items, self.edge, source.stitches, times)
+        spaced = fixed(items, source.stitches) if edge is None and times == 1 else None  # worked into spaces
+        if spaced is not None and spaced[1] and body.stated == spaced[0] - spaced[1]:
+            edge = spaced[0]
+            made = [replace(m, stated=None, stated_span=None) for m in made]  # chains are not counted here
+            self.lines[-len(made) :] = made
         if (
             body.stated is not None
             and edge != body.stated
@@ -267,6 +274,11 @@ class Draft:
             total = max(once, round(refers.length / height) - done)
             message = f"so many rounds as make {refers.length:.0f} mm: {total}, by the gauge"
             source.doubt(message, "a number of rounds would be sure", refers.span)
+        if refers.upto and not (total := refers.upto - self.last) > 0:
+            return False
+        if refers.vague:
+            message = "how long this goes on is said by no number: it is worked once"
+            source.doubt(message, "say the rounds, or a length in inches or cm", refers.span)
         if refers.until and not (total := rounds_until(lines, self.edge, refers.until, source.stitches)):
             return False
         if refers.mirrored:
@@ -283,6 +295,7 @@ class Draft:
         moves, lines = self._lifted(lines)
         said = [i for i in body.items if isinstance(i, Action) and i.name in ("color", "turn")]
         later = tuple(i for i in said if i.span.start > refers.span.start)  # "Rep Row 2 changing to B in last sc"
+        later += tuple(hue for hue, _ in body.later if isinstance(hue, Action))
         lead = (*moves, *(i for i in said if i.name == "color" and i not in later))
         again = Again(lines, first_number, last_number, "" if origin is self else origin.name, refers.span)
         at = head.span if head is not None and numbers else refers.span
@@ -396,6 +409,7 @@ class Draft:
     def section(self, source: Source) -> Section:
         """The part, its end closed or open."""
         lines = self._sorted()
+        lines = lines if self.flat else lowered(lines, self.edges, source)
         most = MOST_AT_TIP if self.shrunk else _CLOSED
         small = self.edge is not None and 2 <= self.edge <= most and self.edge < self.peak
         last = next((line.items for line in reversed(lines) if line.in_round and line.again is None), ())
@@ -422,3 +436,24 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
+
+
+def _colored(lines: list[Line], later: list[tuple[Item, int]]) -> list[Line]:
+    """``lines`` with the colours behind them that are changed to when they are worked, or in the midst of them: "Rounds 3-6: …; change
+    to B at end of Round 4"."""
+    for hue, number in later:
+        dyed = Line((hue,), span_of(hue), False)
+        at = next(
+            (k for k, n in enumerate(lines) if n.number is not None and n.number <= number < n.number + n.times - 1),
+            None,
+        )
+        if at is None:
+            lines = [*lines, dyed]
+            continue
+        line = lines[at]
+        done = number - (line.number or 0) + 1
+        rest = line.times - done
+        first = replace(line, times=done, times_span=line.times_span if done > 1 else None)
+        more = replace(line, times=rest, times_span=line.times_span if rest > 1 else None, number=number + 1)
+        lines = [*lines[:at], first, dyed, more, *lines[at + 1 :]]
+    return lines

@@ -19,14 +19,15 @@ from tambour.crochet.printed.bases import based, elsewhere, is_first
 from tambour.crochet.printed.beyond import EDGED, edging
 from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.counted import count_in
-from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import STARS, Head, heads
 from tambour.crochet.printed.items import works as worked
+from tambour.crochet.printed.lines import goes_on, rounds, wrapped
 from tambour.crochet.printed.mend import Found, agreed, is_start, mended
 from tambour.crochet.printed.naming import nameless_is
-from tambour.crochet.printed.opening import founding, opening
+from tambour.crochet.printed.opening import opening
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.prose import WRAPPED, finishing, stuffed, text_line
 from tambour.crochet.printed.reader import Body
@@ -40,7 +41,6 @@ from tambour.crochet.words.phrases import Phrases
 NOTHING: Final = "this holds no crochet instructions"
 _LINES = 100  # lines of other text to a round of one that is a pattern at all
 _HOPELESS = 12  # rounds that were not understood to one that was
-_SHORT = 12  # words of a line that only ends the round above it
 _HINTED = 20  # errors that suggestions are looked for
 
 
@@ -180,7 +180,7 @@ class Printed(State):
         found = heads(tokens)
         if not found:
             end = at + 1
-            while end < len(self.rows) and end - at < WRAPPED and self._wrapped(self.rows[end - 1], self.rows[end]):
+            while end < len(self.rows) and end - at < WRAPPED and wrapped(self, self.rows[end - 1], self.rows[end]):
                 tokens += self.vocabulary.read(self.rows[end].tokens)
                 row = Row([*row.tokens, *self.rows[end].tokens], row.start, self.rows[end].end, row.marked)
                 end += 1
@@ -195,10 +195,10 @@ class Printed(State):
                 self._round(Head(number, Span(body[0].start, body[0].end), 0, False, True), body, body)
             return end
         at += 1
-        while at < len(self.rows) and (more := self._goes_on(tokens, at)) is not None:
+        while at < len(self.rows) and (more := goes_on(self, tokens, at)) is not None:
             tokens += more
             at += 1
-        if not found[0][1].strong and not self._instructs(tokens[found[0][1].end :]):
+        if not found[0][1].strong and not rounds(tokens[found[0][1].end :]):
             text_line(self, row, tokens)
             return at
         ended = 0
@@ -230,54 +230,6 @@ class Printed(State):
         """Where the sentence at ``at`` stops."""
         return next((k for k in range(at, end) if tokens[k].word in (".", "!")), end)
 
-    def _wrapped(self, row: Row, after: Row) -> bool:
-        """Whether a sentence of a long line goes on in the next."""
-        if not after.tokens or row.marked or row.tokens[-1].word in (".", ":", "!", "?"):
-            return False
-        if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with"):
-            return not heads(self.vocabulary.read(after.tokens))
-        if row.end - row.start < self.long:
-            return False
-        first = self.source.text.text[after.tokens[0].start]
-        return (first.islower() or first.isdigit()) and not heads(self.vocabulary.read(after.tokens))
-
-    def _goes_on(self, before: list[Token], at: int) -> list[Token] | None:
-        """The tokens of line ``at``, which goes on with the round before it; None when it does not."""
-        row = self.rows[at]
-        if not row.tokens:
-            return None
-        tokens = self.vocabulary.read(row.tokens)
-        if not tokens or heads(tokens):
-            return None
-        depth = sum((t.word in OPEN) - (t.word in ")]}>") for t in before if t.kind == "mark")
-        last, first = before[-1], tokens[0]
-        if (
-            depth > 0
-            or last.word in (",", "+", "&")
-            or (last.kind == "key" and last.value in ("and", "in", "next", "to"))
-        ):
-            return tokens
-        if first.kind == "mark" and first.word in "([{*=":
-            return tokens
-        below = self.rows[at - 1].tokens and not row.marked and not founding(tokens)
-        worked = (first.kind == "stitch" and first.value not in ("slst", "ch")) or (
-            first.kind == "number" and len(tokens) > 1 and tokens[1].kind == "stitch"
-        )
-        if below and (worked or (first.kind == "key" and first.value in ("turn", "join") and len(tokens) < _SHORT)):
-            return tokens  # the sentences of a round on lines of their own
-        plain = self.source.text.text[first.start].islower() or first.kind == "number"
-        if plain and first.kind == "word" and last.word not in (".", "!", "?", ":") and self.narrow(self.rows[at - 1]):
-            return tokens
-        if plain and last.word not in (".", ")", "]", "}") and first.kind in ("stitch", "key", "number"):
-            return tokens
-        return None
-
-    def _instructs(self, tokens: list[Token]) -> bool:
-        """Whether the text after a bare number is a round's."""
-        words = [t for t in tokens if t.kind != "mark"]
-        known = sum(t.kind in ("stitch", "number", "ordinal", "key") for t in words)
-        return any(t.kind == "stitch" for t in words) and known * 3 >= len(words) * 2
-
     def _round(self, head: Head, tokens: list[Token], whole: list[Token]) -> None:
         """A round that has a head."""
         span = Span(whole[0].start, whole[-1].end)
@@ -297,10 +249,16 @@ class Printed(State):
         self.source.last_number = draft.last or None
         self._others(draft, head)
         before = len(draft.lines)
+        self.ended = [t.word for t in ended]
         self._worked(draft, head, body, span)
         if head.other and len(draft.lines) > before and head.numbers:
             draft.others = (head.numbers[-1], draft.lines[-1])
-        draft.marks += [(t.word, len(draft.lines)) for t in ended]
+        self._end_marks(draft)
+
+    def _end_marks(self, draft: Draft) -> None:
+        """Puts the asterisks that end a round behind what it works."""
+        draft.marks += [(stars, len(draft.lines)) for stars in self.ended]
+        self.ended = []
 
     def _part_of(self, head: Head, tokens: list[Token], span: Span) -> Head:
         """Begins the part that a head begins; its numbers go on where they only begin at 1 again."""
@@ -432,11 +390,15 @@ class Printed(State):
         for many, where in read.plain:
             even = Body([Group((Action("sc", where),), None, where)], rounds=(many, where))
             draft.add(self.source, None, even, where)
-        for more in read.more:
-            again = Body(refers=more)
+        if read.more:
+            self._end_marks(draft)
+        for k, more in enumerate(read.more):
+            again = Body([hue for at, hue in read.between if at == k], refers=more)
             if not draft.again(self.source, None, again, more.span, self.parts, self.height()):
                 self.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
                 draft.sure = False
+        behind = [hue for at, hue in read.between if at == len(read.more)]
+        draft.lines += [Line((hue,), span, False) for hue in behind]
         for left in instructive:
             self.tell(
                 NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", Span(left[0].start, left[-1].end)

@@ -287,7 +287,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         return True  # "ch 6; turn"
     if p.mode in ("materials", "abbreviations", "notes", "assembly"):
         if not (founding(tokens) and founds(p)):
-            return False
+            return p.mode == "assembly" and edging(p, tokens)
         p.mode = ""  # the list ends where a piece begins
     if any(t.kind == "key" and t.value == "not" for t in tokens[:2]):
         p.passed.append(span)

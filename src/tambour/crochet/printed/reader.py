@@ -27,7 +27,7 @@ class Body:
 
     items : its items; stated, stated_span : the count that it states
     rounds : "for 5 rounds", with its place; refers : the rounds that it works again;
-        more : rounds that are worked after it
+        more : rounds that are worked after it; between : changes of colour after so many of these
     hook : which chain from the hook its first stitch goes into, 0 when nothing is said; fresh : its items before that
     rings, ringed : how many rings it begins; it works into a ring that was made of a chain
     lift : chains before the ring's first stitch
@@ -41,6 +41,7 @@ class Body:
     curled : it has chains that the hook works back along
     both : it is worked through another piece as well
     moved : it is worked elsewhere than where the hook is; edged : sentences that work along an edge after the round
+    later : colours that are changed to at the end of its rounds, or of the one with that number
     pending : a magic ring still wants its stitches
     fit : 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit
     """
@@ -51,6 +52,7 @@ class Body:
     rounds: tuple[int, Span] | None = None
     refers: Refers | None = None
     more: list[Refers] = field(default_factory=list)
+    between: list[tuple[int, Item]] = field(default_factory=list)
     hook: int = 0
     fresh: int = 0
     rings: int = 0
@@ -71,6 +73,7 @@ class Body:
     both: bool = False
     moved: Moved | None = None
     edged: list[Span] = field(default_factory=list)
+    later: list[tuple[Item, int]] = field(default_factory=list)
     fit: int = 2
 
 
@@ -97,6 +100,9 @@ class Reader(ABC):
         self.edge: int | None = None  # stitches of the round below
         self.marked: int | None = None  # which of them is marked
         self.standing: dict[int, bool] = {}  # chains that count as a stitch, or do not, in the whole text
+        self.spaced: dict[
+            int, int
+        ] = {}  # chains that are a stitch and a space, in the whole text → chains of the space
         self.leaves = 0  # stitches at the end that the repeat just read leaves
         self.edging = False  # the sentence under way goes along an edge
         self.depth = self.stars = 0  # brackets, and asterisks, that are open

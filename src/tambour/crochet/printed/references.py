@@ -13,7 +13,8 @@ from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.tokens import Token
 
 _UNITS: Final = {"in": 25.4, "ins": 25.4, "inch": 25.4, "inches": 25.4, '"': 25.4, "cm": 10.0, "mm": 1.0}
-_FRACTIONS: Final = {"¼": 0.25, "½": 0.5, "¾": 0.75, "⅓": 1 / 3, "⅔": 2 / 3, "⅛": 0.125}
+_FRACTIONS: Final = {"1⁄4": 0.25, "1⁄2": 0.5, "3⁄4": 0.75, "1⁄3": 1 / 3, "2⁄3": 2 / 3, "1⁄8": 0.125, "3⁄8": 0.375}
+"""As "½" and its kind stand among the tokens."""
 _GIVEN: Final = frozenset(
     ("given", "instructions", "directions", "instructed", "written", "described", "done", "previously")
 )
@@ -68,7 +69,7 @@ def refers(r: Reader) -> Refers | None:
         return None
     times, length, whole = None, None, True
     words: list[str] = []
-    through, to_count, mirrored = 0, 0, False
+    through, to_count, mirrored, upto, vague = 0, 0, False, 0, False
     while (token := c.look()) is not None and not (token.kind == "mark" and token.word in _ENDS):
         if c.key("color") and token.word.startswith("chang"):
             break
@@ -84,7 +85,16 @@ def refers(r: Reader) -> Refers | None:
         elif many := until(c):
             to_count = many
         elif c.key("until") or (c.key("to") and c.key("measures", ahead=2)):
+            if upto := _in_all(c):
+                continue
             length, whole = _length(c)
+            if length is None and any(
+                t.kind in ("number", "ordinal", "stitch") for t in c.tokens[c.tokens.index(token) : c.at]
+            ):
+                raise NotUnderstood(
+                    token, "how long this goes on is not understood", "say the rounds, or a length in inches or cm"
+                )
+            vague = length is None
         elif (
             (c.key("to") and c.key("round", "row", ahead=1) and c.whole(2) is not None)
             or (token.word in ("through", "thru") and c.key("round", "row", ahead=1) and c.whole(2) is not None)
@@ -114,8 +124,41 @@ def refers(r: Reader) -> Refers | None:
         raise NotUnderstood(first, "what is repeated here is not understood", "name the rounds: as Rnds 2-4 of Head")
     span = Span(first.start, c.tokens[c.at - 1].end)
     return Refers(
-        span, found.numbers, found.latest, found.marks, through, part, times, length, whole, mirrored, to_count
+        span,
+        found.numbers,
+        found.latest,
+        found.marks,
+        through,
+        part,
+        times,
+        length,
+        whole,
+        mirrored,
+        to_count,
+        upto,
+        vague,
     )
+
+
+def _in_all(c: Cursor) -> int:
+    """Goes past "until there are 32 rows", or "until 32 rounds have been worked", and gives the number; 0 where something else is said."""
+    ahead = 1
+    while (word := c.look(ahead)) is not None and word.word in ("there", "are", "you", "have", "is", "total"):
+        ahead += 1
+    many = c.whole(ahead)
+    after = c.look(ahead + 2)
+    ends = (
+        after is None
+        or after.kind == "mark"
+        or after.value in ("total", "in")
+        or after.word in ("have", "are", "worked", "done")
+    )
+    if not c.key("until") or many is None or not c.key("round", "row", ahead=ahead + 1) or not ends:
+        return 0
+    c.at += ahead + 2
+    while c.look() is not None and c.look().kind != "mark":  # type: ignore[union-attr]
+        c.at += 1
+    return many
 
 
 def until(c: Cursor) -> int:

@@ -8,7 +8,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STANDING
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.asides import things
-from tambour.crochet.printed.clauses import to_last, where
+from tambour.crochet.printed.clauses import Where, to_last, where
 from tambour.crochet.printed.counts import (
     Times,
     bracketed_count,
@@ -18,6 +18,7 @@ from tambour.crochet.printed.counts import (
     ends_with_number,
     multiplier,
 )
+from tambour.crochet.printed.curls import curled
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.stitch import placed, standing
@@ -50,12 +51,15 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
             and isinstance(found[-1], Action)
             and found[-1].name == "ch"
         ):
-            r.standing[found[-1].times] = stands
+            if stands and (space := _spaced(found[-1], words)):
+                r.spaced[found[-1].times] = space[1]
+            else:
+                r.standing[found[-1].times] = stands
         if stands and not _with_chains(found, words):
             standing(found)
         c.at = end + 1
         return
-    outer, c.tokens = c.tokens, c.tokens[:end]
+    outer, c.tokens, before = c.tokens, c.tokens[:end], r.before
     c.at += 1
     r.depth += 1
     inner: list[Item] = []
@@ -69,6 +73,7 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
     finally:
         c.tokens = outer
         r.depth -= 1
+    r.before = r.before if inner else before  # "hdc2tog (over same st as last sl st and next st)"
     c.at = end + 1
     if inner and all(isinstance(i, Action) and i.name in ("color", "flo", "blo", "bl") for i in inner):
         found += inner
@@ -79,18 +84,24 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
 def _with_chains(found: list[Item], words: list[Token]) -> bool:
     """Takes chains that count as a stitch and a space ("counts as dc, ch 1") for these; whether they do."""
     last = found[-1] if found else None
+    space = _spaced(last, words)
+    if space is None or last is None:
+        return False
+    found[-1:] = [Action(space[0], last.span), Action("ch", last.span, space[1])]
+    return True
+
+
+def _spaced(last: Item | None, words: list[Token]) -> tuple[str, int] | None:
+    """The stitch, and the chains of a space behind it, that ``words`` say the chains ``last`` count as; None where they say no such."""
     kind = next((t.value for t in words if t.kind == "stitch"), "")
     chained = next(
         (k for k, t in enumerate(words[:-1]) if t.value == "ch" and isinstance(words[k + 1].value, int)), None
     )
     name = next((name for name, of in STANDING.items() if of == kind), "")
     if not isinstance(last, Action) or last.name != "ch" or not name or chained is None or kind == "ch":
-        return False
+        return None
     many = int(words[chained + 1].value)
-    if int(name[2]) + many != last.times:
-        return False
-    found[-1:] = [Action(name, last.span), Action("ch", last.span, many)]
-    return True
+    return (name, many) if int(name[2]) + many == last.times else None
 
 
 def _instructs(words: list[Token]) -> bool:
@@ -195,10 +206,13 @@ def repeated(r: Reader, found: list[Item], inner: list[Item], span: Span, star: 
         if place.kind == "around" and not place.each:
             found.append(Group(tuple(inner), None, place.span))
         else:
-            found += placed(r, found, inner, place, span)
+            found += _into(r, found, inner, place, span)
         return
     c.at = begin
     given = times(r, star)
+    if given is not False and given[0] and not star and (one := _one_place(r)) is not None:
+        found += _into(r, found, [Group(tuple(inner), *given)], one, span)  # "(dc, ch 1) 6 times in ring"
+        return
     if star and any(isinstance(i, Group) and i.times is None for i in inner):
         found += inner  # a stray star: what it holds goes around by itself
     elif given is not False:
@@ -208,6 +222,28 @@ def repeated(r: Reader, found: list[Item], inner: list[Item], span: Span, star: 
     else:
         r.ask("once", span)
         found.append(Group(tuple(inner), None if "once" in r.choices else 1, span))
+
+
+def _one_place(r: Reader) -> Where | None:
+    """The one place behind how often a bracket is worked ("all in 2nd ch from hook", "in ring", "in next st"); None, the cursor unmoved,
+    where none is said or several are."""
+    c, begin = r.c, r.c.at
+    if c.key("each") and c.key("in", ahead=1):
+        c.at += 1
+    place = where(c) if c.key("in") else None
+    if place is None or place.count != 1 or place.loops or place.each or place.kind in ("around", "loops"):
+        c.at = begin
+        return None
+    return place
+
+
+def _into(r: Reader, found: list[Item], inner: list[Item], place: Where, span: Span) -> list[Item]:
+    """``inner`` worked into one place, which may be a chain from the hook."""
+    if place.kind == "hook":
+        if curled(r, found, inner, place):
+            return []
+        r.body.hook, r.body.fresh = place.ordinal, len(found)
+    return placed(r, found, inner, place, span)
 
 
 def times(r: Reader, star: bool) -> Times | Literal[False]:

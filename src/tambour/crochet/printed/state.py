@@ -87,6 +87,7 @@ class State:
         self.unread: list[Problem] = []  # what was not understood, and rounds that were taken from their counts
         self.left_out: list[Span] = []  # rounds without a count, or on no edge that is known
         self.sound: set[int] = set()  # where rounds begin whose words make their counts
+        self.ended: list[str] = []  # asterisks that end the round under way
         self.starred = ""  # asterisks that stand before what comes next
         self.moved: Moved | None = None  # where yarn was joined that the next round begins with
         self.tied: Token | None = None  # the stitch that yarn was joined with, which the next round begins with

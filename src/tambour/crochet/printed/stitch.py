@@ -32,7 +32,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         after = c.take()
     if c.key("stitch") or (c.kind("stitch") and c.look().glued):  # type: ignore[union-attr]
         c.at += c.key("stitch")
-    if name == "slst" and _joins(r):
+    if (name == "slst" and _joins(r)) or (name == "sc" and _forms(r, found)):
         found.append(Action("join", token.span))
         return
     place = r.before or where(c, name == "skip")
@@ -45,6 +45,16 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         and (_standing_last(found) or _stood(r, found))
     ):
         return  # the chains stand in it
+    if (
+        name == "skip"
+        and place is not None
+        and place.kind == "first"
+        and place.count > 1
+        and found
+        and _standing_last(found)
+    ):
+        found.append(Action("skip", token.span, place.count - 1, place.span))
+        return
     if (
         name == "skip"
         and place is not None
@@ -119,6 +129,14 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         r.ring is not None and (place is None or place.kind == "loops")
     ):
         _ring(r, found, name, number, token)
+        return
+    if (
+        name == "ch"
+        and place is None
+        and not any(map(makes, found))
+        and not r.depth
+        and _spaced(r, found, number, token)
+    ):
         return
     if name == "ch" and place is None and not any(map(makes, found)) and not r.depth and _may_stand(r, number):
         r.ask("stands", token.span)
@@ -198,6 +216,15 @@ def _stands(item: Item) -> bool:
     return isinstance(item, Action) and item.name in STANDING
 
 
+def _spaced(r: Reader, found: list[Item], number: Token | None, token: Token) -> bool:
+    """Takes so many chains for a stitch and a space, where the text says it of all of them."""
+    space = r.spaced.get(number.value, 0) if number is not None and isinstance(number.value, int) else 0
+    if not space or r.c.mark("(", "["):
+        return False
+    found += [Action(_STANDING[number.value - space], token.span), Action("ch", token.span, space)]  # type: ignore[union-attr]
+    return True
+
+
 def _may_stand(r: Reader, number: Token | None) -> bool:
     """Whether so many chains may count as a stitch, and nothing says that they do not."""
     c = r.c
@@ -239,6 +266,17 @@ def _joins(r: Reader) -> bool:
         r.to_separator()
         return True
     return False
+
+
+def _forms(r: Reader, found: list[Item]) -> bool:
+    """Whether the single crochet just read only closes chains to a ring: "ch 9, sc in first ch to form ring"."""
+    if any(not isinstance(i, Action) or i.name not in ("ch", "color") for i in found):
+        return False
+    ahead = next((k for k in range(8) if r.c.key("form", ahead=k)), None)
+    if ahead is None or not any(r.c.kind("stitch", k) and r.c.look(k).value == "ch" for k in range(ahead)):  # type: ignore[union-attr]
+        return False
+    r.to_separator()
+    return True
 
 
 def _ring(r: Reader, found: list[Item], name: str, number: Token | None, token: Token) -> None:
@@ -375,6 +413,7 @@ def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: 
             found[-1:] = [Action(last.name, last.span, last.times - 1, last.times_span)] if last.times > 1 else []
             return [more]
     if place.kind == "ring":
+        r.body.ringed = r.body.ringed or r.ring is None
         found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join"))]
         r.ring = None
         return [_together(r, parts, token, "ring")]

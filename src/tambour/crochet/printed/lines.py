@@ -1,0 +1,60 @@
+"""Printed patterns, lines: which of them go on with the one before, since the page ended there, and which of a bare number are rounds."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tambour.crochet.printed.cursor import OPEN
+from tambour.crochet.printed.heads import heads
+from tambour.crochet.printed.opening import founding
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Row, Token
+
+_SHORT: Final = 12  # words of a line that only ends the round above it
+
+
+def wrapped(p: State, row: Row, after: Row) -> bool:
+    """Whether a sentence of a long line goes on in the next."""
+    if not after.tokens or row.marked or row.tokens[-1].word in (".", ":", "!", "?"):
+        return False
+    if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with"):
+        return not heads(p.vocabulary.read(after.tokens))
+    if row.end - row.start < p.long:
+        return False
+    first = p.source.text.text[after.tokens[0].start]
+    return (first.islower() or first.isdigit()) and not heads(p.vocabulary.read(after.tokens))
+
+
+def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
+    """The tokens of line ``at``, which goes on with the round before it; None when it does not."""
+    row = p.rows[at]
+    if not row.tokens:
+        return None
+    tokens = p.vocabulary.read(row.tokens)
+    if not tokens or heads(tokens):
+        return None
+    depth = sum((t.word in OPEN) - (t.word in ")]}>") for t in before if t.kind == "mark")
+    last, first = before[-1], tokens[0]
+    if depth > 0 or last.word in (",", "+", "&") or (last.kind == "key" and last.value in ("and", "in", "next", "to")):
+        return tokens
+    if first.kind == "mark" and first.word in "([{*=":
+        return tokens
+    below = p.rows[at - 1].tokens and not row.marked and not founding(tokens)
+    worked = (first.kind == "stitch" and first.value not in ("slst", "ch")) or (
+        first.kind == "number" and len(tokens) > 1 and tokens[1].kind == "stitch"
+    )
+    if below and (worked or (first.kind == "key" and first.value in ("turn", "join") and len(tokens) < _SHORT)):
+        return tokens  # the sentences of a round on lines of their own
+    plain = p.source.text.text[first.start].islower() or first.kind == "number"
+    if plain and first.kind == "word" and last.word not in (".", "!", "?", ":") and p.narrow(p.rows[at - 1]):
+        return tokens
+    if plain and last.word not in (".", ")", "]", "}") and first.kind in ("stitch", "key", "number"):
+        return tokens
+    return None
+
+
+def rounds(tokens: list[Token]) -> bool:
+    """Whether the text after a bare number is a round's."""
+    words = [t for t in tokens if t.kind != "mark"]
+    known = sum(t.kind in ("stitch", "number", "ordinal", "key") for t in words)
+    return any(t.kind == "stitch" for t in words) and known * 3 >= len(words) * 2
