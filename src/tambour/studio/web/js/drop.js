@@ -1,7 +1,7 @@
 // What is dropped, pasted or typed finds its craft: a pattern's text, a file, or a word as a seed.
 import { scrollOf } from "./ink/address.js";
 import { attempt, tell } from "./notes.js";
-import { html, render } from "./view.js";
+import { counted, html, render } from "./view.js";
 import { ask } from "./wire.js";
 
 /** What a craft makes of a file. */
@@ -18,14 +18,25 @@ export async function fromFile(file, craft) {
   });
 }
 
+/** Whether words are the seed of a scroll; else they are a pattern. @param {string} words */
+const isSeed = (words) => words.length <= 60 && !words.includes("\n") && !/\b(sc|ch|inc|dec|rnd|round|row|dc|mr)\b/i.test(words);
+
+/** What will be made of words, as one says it. @param {string} text */
+export function meant(text) {
+  const words = text.trim();
+  if (!words) return "";
+  if (scrollOf(words)) return "the address of a scroll: “See it” goes there";
+  if (isSeed(words)) return "the seed of a scroll: “See it” paints it";
+  return `a crochet pattern, ${counted(words.split("\n").length, "line")}: “See it” reads it, and makes it`;
+}
+
 /** Make a piece of what was typed or pasted. @param {string} text */
 export async function fromText(text) {
   const words = text.trim();
   if (!words) return;
   const sent = scrollOf(words);
   if (sent) return void (location.hash = words.slice(words.indexOf("#")));
-  const short = words.length <= 60 && !words.includes("\n") && !/\b(sc|ch|inc|dec|rnd|round|row|dc|mr)\b/i.test(words);
-  if (short) await attempt(() => begin({ craft: "ink", seed: words, title: words }));
+  if (isSeed(words)) await attempt(() => begin({ craft: "ink", seed: words, title: words }));
   else await attempt(() => begin({ craft: "crochet", source: { text, name: "pattern.txt" }, title: named(words) }));
 }
 

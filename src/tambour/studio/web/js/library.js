@@ -1,6 +1,6 @@
 // The shelf: four finished examples that move, one field that takes anything, and one's own pieces.
 import { html, ref, show, signal } from "./view.js";
-import { begin, fromFile, fromText, takes } from "./drop.js";
+import { begin, fromFile, fromText, meant, takes } from "./drop.js";
 import { attempt, tell } from "./notes.js";
 import { ask } from "./wire.js";
 import { CRAFTS } from "./bar.js";
@@ -20,17 +20,21 @@ export const SHELF = { crochet: ["frog.acl"], knit: ["cat.png"], ink: ["plum"], 
 const door = /** @type {HTMLElement} */ (document.getElementById("door"));
 const drop = /** @type {HTMLElement} */ (door.querySelector(".drop"));
 const field = /** @type {HTMLTextAreaElement} */ (door.querySelector("textarea")), file = /** @type {HTMLInputElement} */ (door.querySelector("input"));
+const say = () => (/** @type {HTMLElement} */ (door.querySelector(".what")).textContent = meant(field.value));
+say(); // what was typed while this was loaded
 const sent = () => {
   const words = field.value;
   if (!words.trim()) return void file.click();
   field.value = "";
+  say();
   return void fromText(words);
 };
 takes(drop, (is) => drop.classList.toggle("over-it", is));
 field.addEventListener("keydown", (event) => event.key === "Enter" && !event.shiftKey && (event.preventDefault(), sent()));
+field.addEventListener("input", () => say());
 field.addEventListener("paste", (event) => {
   const found = event.clipboardData?.files[0];
-  if (!found) return;
+  if (!found) return void setTimeout(() => (field.scrollTop = 0)); // its first line says what it is
   event.preventDefault();
   fromFile(found);
 });

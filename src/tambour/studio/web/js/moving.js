@@ -96,9 +96,9 @@ async function scroll(canvas, seed, stop) {
   /** @type {(ImageBitmap|null)[]} */
   const tiles = [null, null, null];
   const tile = async (/** @type {number} */ k) => (tiles[k] = await painter.paint(unpack(await bytes(`/api/ink/tiles/${told.key}/${k}.pack`, stop)), scale));
-  await tile(0); // till then the still picture is seen
+  await Promise.all([tile(0), tile(1)]); // till then the still picture is seen
   (async () => {
-    for (let k = 1; k < tiles.length; k++) await tile(k);
+    for (let k = 2; k < tiles.length; k++) await tile(k);
   })().catch(() => {}); // bare paper where a tile does not come
   const wide = told.tile * scale, room = Math.max(0, tiles.length * wide - canvas.width), [r, g, b] = told.background;
   return {

@@ -54,5 +54,5 @@ function one(piece, report, p, k) {
       <input type="range" min=${low} max=${high} step="5" .value=${String(Math.round(sewn[angle] ?? 0))} @change=${(/** @type {any} */ e) => lean(/** @type {string} */ (angle), Number(e.target.value))}>
       <span class="number">${Math.round(sewn[angle] ?? 0)}°</span></label>`) : ""}
     ${!sewn ? "" : posed.length ? html`<p><button class="button" @click=${asSewn}>Stand as it is sewn</button></p>`
-      : html`<p class="quiet">Counted from the fabric straight out. Nobody leaned it: its place has it so, that what is sewn on a slope still stands upright.</p>`}</div>`;
+      : !sewn.tilt ? "" : html`<p class="quiet">Counted from the fabric straight out. Nobody leaned it: its place has it so, that what is sewn on a slope still stands upright.</p>`}</div>`;
 }

@@ -97,7 +97,7 @@ async function begin() {
       if (n >= 1 && n <= alike.length) place.go(steps.indexOf(alike[n - 1]), alike[n - 1].first);
     };
     return html`<b>${piece.title}</b><span class="part">${step.part}</span><span class="count">${typing.value
-      ? html`<input type="text" inputmode="numeric" aria-label="go to number" ${ref((el) => el && queueMicrotask(() => /** @type {any} */ (el).focus()))} @change=${jump} @blur=${() => (typing.value = false)}>`
+      ? html`<input type="text" inputmode="numeric" aria-label="go to number" placeholder="1 to ${alike.length}" ${ref((el) => el && queueMicrotask(() => /** @type {any} */ (el).focus()))} @change=${jump} @blur=${() => (typing.value = false)}>`
       : html`<button class="button" @click=${() => (typing.value = true)} aria-label="go to another">${done ? "finished" : `${step.label} / ${alike.length}`}</button>`}</span><span class="unseen">step ${k + 1} of ${steps.length}</span>`;
   });
   show(one(".words"), () => {
@@ -120,18 +120,23 @@ async function begin() {
 
   /** @param {any} step @returns {{first: number, end: number, text: string, color?: ArrayLike<number>}[]} */
   function tokens(step) {
-    const a = pack.arrays, found = [];
-    const same = (/** @type {number} */ i, /** @type {number} */ j) => (a.cells ? cell(step, i) === cell(step, j) : a.kind && a.kind[i] === a.kind[j]);
+    const a = pack.arrays, found = /** @type {any[]} */ ([]);
+    const same = (/** @type {number} */ i, /** @type {number} */ j) => cell(step, i) === cell(step, j);
     const runs = Boolean(a.cells) || step.end - step.first > MANY;
     if (!a.cells && !a.kind) return [];
     if (pack.facts.craft === "embroidery") return [];
     for (let i = step.first; i < step.end; ) {
       let j = i + 1;
-      while (runs && j < step.end && same(i, j)) j++;
       if (a.cells) {
+        while (j < step.end && same(i, j)) j++;
         const v = cell(step, i);
         found.push({ first: i, end: j, text: String(j - i), color: a.palette.subarray(3 * v, 3 * v + 3) });
-      } else found.push({ first: i, end: j, text: (j - i > 1 ? `${j - i} ` : "") + name(i) });
+      } else {
+        while (j < step.end && into(i, j)) j++;
+        const text = name(i, j - i), last = found.at(-1);
+        if (runs && last?.of === text) Object.assign(last, { end: j, times: last.times + 1, text: `${last.times + 1} ${text}` });
+        else found.push({ first: i, end: j, text, of: text, times: 1 });
+      }
       i = j;
     }
     return found;
@@ -141,11 +146,16 @@ async function begin() {
     const c = pack.shapes.cells[1], row = Math.floor(step.first / c), k = i - step.first;
     return pack.arrays.cells[row * c + (step.direction > 0 ? k : c - 1 - k)];
   }
-  /** A stitch's name; the second and later into one stitch are increases, one over several a decrease. @param {number} i */
-  function name(i) {
-    const { kind, parent, over } = pack.arrays, plain = pack.facts.kinds[kind[i]];
+  /** Whether stitch j is worked into the same as i: one increase. @param {number} i @param {number} j */
+  function into(i, j) {
+    const { kind, parent } = pack.arrays;
+    return Boolean(parent) && parent[i] >= 0 && parent[i] === parent[j] && kind[i] === kind[j] && pack.facts.kinds[kind[parent[i]]] !== "ring";
+  }
+  /** A stitch's name as patterns have it; ``n`` of them are worked into one. @param {number} i @param {number} n */
+  function name(i, n) {
+    const { kind, over } = pack.arrays, plain = pack.facts.kinds[kind[i]];
     if (over?.[i] > 1) return plain === "sc" && over[i] === 2 ? "dec" : `${plain}${over[i]}tog`;
-    return i > 0 && parent && parent[i] >= 0 && parent[i] === parent[i - 1] && pack.facts.kinds[kind[parent[i]]] !== "ring" ? `${plain} ↑` : plain;
+    return n === 1 ? plain : n === 2 && plain === "sc" ? "inc" : `${n} ${plain} in one`;
   }
 
   addEventListener("keydown", (event) => {
