@@ -20,8 +20,8 @@ CLEARANCE = 0.8
 """Stitches that a part keeps at first from the fabric that it is sewn to; the end that is sewn half of that."""
 UNDER = -0.6
 """Fabric whose outward normal falls more steeply than this (37 degrees) is underneath: parts on it look ahead, not down."""
-MOST_LIFT = 40.0
-"""Stitches that a part is moved out at the most to be clear of others."""
+MOST_LIFT = 5.0
+"""Stitches that a part is moved out at the most to be clear of others: a hand would push them aside, not sew it on in the air."""
 AGAIN = 0.5
 """What it costs, in square stitches, to sew into a stitch that is sewn into already."""
 STAY = 2.5
@@ -167,11 +167,21 @@ def brought(x: Array, own: Array, end: End, how: Held, axis: Array, front: Array
     return np.asarray(turned(x[own] - how.middle, turned(after, before)) + point)
 
 
-def clear_of(moved: Array, sewn: Array, others: Array, outward: Array, n: Array) -> Array:
+def clear_of(moved: Array, sewn: Array, others: Array, outward: Array, host: Array, n: Array) -> Array:
     """``moved`` (K, 3), shifted along n until it is outside of the fabric ``others`` (J, 3) with normals ``outward``.
 
-    sewn : (K,) bool, the stitches of its end, which come nearer
+    sewn : (K,) bool, the stitches of its end, which come nearer; host : (J,) bool, the fabric that it is sewn to: where
+        it would be too far away to be clear of all, it is clear of that, or, in a hollow, where it was put
     """
+    for of in (np.ones(len(others), bool), host):
+        lift = _lift(moved, sewn, others[of], outward[of], n)
+        if lift < MOST_LIFT:
+            return np.asarray(moved + lift * n)
+    return moved
+
+
+def _lift(moved: Array, sewn: Array, others: Array, outward: Array, n: Array) -> float:
+    """How far along n ``moved`` is clear of ``others``; MOST_LIFT or more where it is not before."""
     want = np.where(sewn, 0.5 * CLEARANCE, CLEARANCE)
     lift = 0.0
     while lift < MOST_LIFT:
@@ -181,7 +191,7 @@ def clear_of(moved: Array, sewn: Array, others: Array, outward: Array, n: Array)
         if short <= 0.0:
             break
         lift += max(0.1, min(short, 1.0))
-    return np.asarray(moved + lift * n)
+    return lift
 
 
 def line(placed: Placed, end: End, frame: Frames) -> Array:

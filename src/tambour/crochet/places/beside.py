@@ -43,7 +43,10 @@ class Beside:
         said, (x, y, z) = at.words, way.at
         sign = 1.0 if x >= 0.0 else -1.0
         axis = way.axis
-        if "top" in said and "bottom" not in said:
+        if "top" in said and "bottom" not in said and copies > 2:
+            axis = axis if axis is None else (axis[0], max(axis[1], 0.5), axis[2])
+            x, y, z = 0.7 * x, max(0.75, y), 0.7 * z  # about the top, not all of them in one place
+        elif "top" in said and "bottom" not in said:
             x, y, z = (sign * 0.42 if copies == 2 or x else 0.0), 0.92, (z if abs(z) < 0.3 else 0.0)
             axis = axis if axis is not None and axis[1] > 0.3 else (x * 0.6, 1.0, 0.0)
         elif "bottom" in said and copies <= 2:
@@ -54,7 +57,7 @@ class Beside:
         if "sides" in said and copies <= 2:
             x, z = (sign if x or copies == 2 else 1.0), (z * 0.3 if abs(z) < 0.7 else 0.1)
             y = y if "top" not in said else 0.6
-        if "back" in said:
+        if "back" in said and copies <= 2:
             z = -max(0.9, abs(z)) if not x else -0.6
             axis = (
                 (axis[0], max(axis[1], 0.0), -1.0)
@@ -62,7 +65,7 @@ class Beside:
                 else axis
             )
             y = min(y, 0.4) if "top" not in said else y
-        if "front" in said and "back" not in said:
+        if "front" in said and "back" not in said and copies <= 2:
             z = max(0.9, z)
             y = y if abs(y) < 0.9 else 0.5 * y
         if "left" in said and "right" not in said and copies == 1:

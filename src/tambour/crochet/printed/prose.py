@@ -11,6 +11,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Item, Line
 from tambour.crochet.places.hear import assembling
+from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.beyond import again_made, along, edging, marked, more_copies, repeats_for
 from tambour.crochet.printed.colors import numbered
@@ -50,6 +51,8 @@ CHOICE: Final = "this is said for one case or version: it is kept as written, an
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
 
+_PARTLY: Final = frozenset("last remaining rem rest top end over overstuff weighted pellets too rounds rnds".split())
+"""Words of sentences that say how, or how far, a part is not stuffed."""
 _SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", "divide", "dividing", "separate"))
 
 
@@ -278,7 +281,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         else:
             setattr(draft, name, value)
         return True
-    stuffing = stuffed(tokens)
+    stuffing = stuffed(tokens, draft.name if draft is not None else "")
     if stuffing is not None and draft is not None:
         if stuffing >= 0:
             draft.stuffing = stuffing
@@ -382,12 +385,21 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
     return False
 
 
-def stuffed(tokens: list[Token]) -> float | None:
-    """How much a sentence wants the part stuffed; -1 when it says only that it is."""
+def stuffed(tokens: list[Token], part: str = "") -> float | None:
+    """How much a sentence wants the part stuffed; -1 when it says only that it is.
+
+    part : the name of the part that it stands in. "Do not stuff ears", in a note under the legs, is not said of them; "do not
+    overstuff", "do not stuff the last rounds", "do not use pellets to stuff" leave no part empty.
+    """
     if not any(t.kind == "key" and t.value == "stuff" for t in tokens) or len(tokens) > 14:
         return None
     if any(t.kind == "stitch" for t in tokens):
         return None
+    words = [t.word for t in tokens]
+    if any(t.kind == "key" and t.value == "not" for t in tokens) and (
+        _PARTLY & set(words) or any(kind_of(one(w)) not in ("", *Made(part, 1).kinds) for w in words)
+    ):
+        return -1.0
     for word, amount in (("not", "none"), ("light", "light"), ("medium", "medium"), ("firm", "firm")):
         if any(t.kind == "key" and t.value == word for t in tokens):
             return STUFFING[amount]
