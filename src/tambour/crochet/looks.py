@@ -121,6 +121,9 @@ def in_sight(piece: Plush) -> list[int] | None:
     name = {k: pattern.parts[piece.built.parts[k].section].name for k in filled}
     of = [Made(name[k], 1) if k in name else Made("", 1) for k in range(len(graph.parts))]
     aside = {k for k in filled if of[k].kind or of[k].worn or re.fullmatch(r"(?:part|piece)(?:_\w+)?|", name[k])}
+    aside -= {
+        int(graph.part[n]) for a, b in piece.built.sewn.tolist() for n in (a, b) if graph.part[a] != graph.part[b]
+    }
     bare = [k for k in filled if not of[k].worn] or filled
     main = at[max(bare, key=lambda k: (of[k].kind in ("head", "body"), graph.parts[k].end - graph.parts[k].start))]
     seated = {k for k in filled if k not in aside or of[k].kind in ("head", "body")}

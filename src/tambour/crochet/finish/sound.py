@@ -9,7 +9,6 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.errors import Problem
 from tambour.core.graph import SEWN
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.graph.built import Built
@@ -17,7 +16,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye
 from tambour.crochet.settle.arrange import clusters
 from tambour.geometry.closest import Tree, nearest, tree
-from tambour.geometry.surface import face_normals, vertex_normals
+from tambour.geometry.surface import face_normals
 
 TOUCH: Final = 1.6
 """Fabric nearer than this, in stitches, touches."""
@@ -119,10 +118,10 @@ def _sunk(built: Built, fabric: dict[int, _Fabric], width: float) -> list[tuple[
     graph, found = built.graph, []
     for k, one in fabric.items():
         for j, other in fabric.items():
-            if j != k and graph.parts[j].stuffing > 0.0 and len(other.own) > len(one.own):
-                if _inside(other, one.own, DEEP * width).mean() > SUNK:
-                    found.append((k, j))
-                    break
+            larger = j != k and graph.parts[j].stuffing > 0.0 and len(other.own) > len(one.own)
+            if larger and _inside(other, one.own, DEEP * width).mean() > SUNK:
+                found.append((k, j))
+                break
     return found
 
 

@@ -12,8 +12,11 @@ from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Eye, Placed
 from tambour.crochet.places.faces import Facer
+from tambour.crochet.places.halves import halves
 from tambour.crochet.places.hear import Copy, Feature, Heard, Put, Sentence
+from tambour.crochet.places.layers import layers
 from tambour.crochet.places.names import Made
+from tambour.crochet.places.onward import onward
 from tambour.crochet.places.said import Where
 from tambour.crochet.places.stand import numbers_of
 from tambour.crochet.places.toy import Assembled, Toy, versions
@@ -23,10 +26,8 @@ _TOP: Final = re.compile(
 )
 _CAPPED: Final = re.compile(r"\b(?:mushroom|toadstool|fungi|fungus|acorn)s?\b")
 """Toys, by their titles, whose caps are full."""
-_AHEAD: Final = re.compile(
-    r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?(?:tip of\s+(?:the\s+)?)?"
-    r"(?:nose|snout|muzzle|front|bow|head end|face end)\b(?! (?:leg|paw|loop))"
-)
+_SHAPED: Final = re.compile(r"(?:^|\n)\s*(?:shap(?:e|ing) (?:the )?)?(head|body)(?: shap\w+)?\s*:", re.MULTILINE)
+"""Where in one piece the body ends and the head begins, or the other way."""
 _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
 _HIND: Final = 0.75
@@ -38,6 +39,8 @@ FLAT: Final = frozenset(
     "ear wing fin fluke leaf hat spot cheek eye tuft collar bow spike inner door tooth face beard worn".split()
 )
 """Kinds of parts that are not stuffed, unless it is said."""
+_SHEETS: Final = frozenset(("", "base", "stem", "bow", "shell", "handle", "branch", "neck"))
+"""Kinds of parts that are flat where they are worked in rows, and no edges of them are sewn together."""
 DOMED: Final = frozenset(("muzzle", "nose"))
 """Kinds of parts that bulge, however flat they are worked: stuffing is put under them while they are sewn on."""
 
@@ -54,8 +57,20 @@ class Assembly(Toy):
     ) -> None:
         super().__init__(built, stitch, eye, names)
         later = versions(self.parts)
-        self.parts = [p for p in self.parts if p not in later]
+        now = [p for p in self.parts if p not in later]
+        behind, self.layered = layers(now, {p: self.size(p) for p in now}, self.text)
+        self.parts = [p for p in self.parts if p not in later and p not in behind]
         self.made.apart += [p.name for p in later]
+        self.made.behind += [p.name for p in (*behind, *self.layered)]
+        half = {k for pair in halves(built) for k in pair}
+        both = {p.name for p in self.parts if p.copies == 2 and {self.spots.parts[p.copy(k)] for k in (1, 2)} <= half}
+        self.parts = [replace(p, halved=p.name in both) for p in self.parts]
+        for k, before in onward(
+            built
+        ):  # rounds that go on from two legs are the body, those from an arm the rest of it
+            name, from_ = (built.pattern.parts[built.parts[i].section].name for i in (k, before[0]))
+            kind = "body" if len(before) > 1 else Made(from_, 1).kind
+            self.parts = [replace(p, likely=kind) if p.name == name and kind else p for p in self.parts]
         of = built.graph.part
         self.sewn = {int(k) for a, b in built.sewn.tolist() for k in (of[a], of[b]) if of[a] != of[b]}
         if self.parts:
@@ -70,7 +85,7 @@ class Assembly(Toy):
         """What everything else is put on: what parts are sewn to and is sewn to nothing, else the body, else the head,
         else a stem under its cap, else the largest part made once."""
         bare = [p for p in self.parts if not p.worn] or self.parts
-        single = [p for p in bare if p.copies == 1] or bare
+        single = [p for p in bare if p.single] or bare
         largest = max(single, key=self.size)
         body = self.of_kind("body") or self.of_kind("head")
         if body is not None and (3 * self.size(body) > self.size(largest) or largest.kind):
@@ -79,7 +94,7 @@ class Assembly(Toy):
         under = [
             p.host[0]
             for p in self.heard.puts
-            if p.host is not None and p.host[0] not in put and p.host[0].copies == 1 and not p.host[0].worn
+            if p.host is not None and p.host[0] not in put and p.host[0].single and not p.host[0].worn
         ]
         if under:
             return max(under, key=self.size)
@@ -90,7 +105,7 @@ class Assembly(Toy):
 
     def _shaped(self) -> None:
         """Parts whose names do not say what they are: a leg that goes on into the body; a large one beside the body."""
-        bare = [p for p in self.parts if p.copies == 1 and not p.worn]
+        bare = [p for p in self.parts if p.single and not p.worn]
         if not bare:
             return
         legs = sorted((p for p in bare if p.kind == "leg"), key=self.size)
@@ -99,6 +114,10 @@ class Assembly(Toy):
             return
         body = self.of_kind("body")
         if body is None or self.of_kind("head") is not None or "head" in body.kinds:
+            return
+        nose = self.of_kind("muzzle", "nose")
+        if nose is not None and 2 * self.size(nose) > self.size(body) and re.search(r"\bhead\b", self.text):
+            self._likely(nose, "head")  # worked from its nose, and called so
             return
         others = [p for p in bare if not p.kind and not self.spots.in_rows[self.spots.parts[p.name]]]
         large = max(others, key=self.size, default=None)
@@ -154,7 +173,10 @@ class Assembly(Toy):
                 continue
             disc = bool(counts) and counts[-1] == max(counts) and counts[-1] > 4 * len(counts)
             disc = disc and made.kind not in DOMED
-            if disc or made.worn or made.kind in FLAT:
+            # One layer holds no stuffing: what is neither folded to a tube nor sewn to its like.
+            index = self.spots.parts[f"{part.name}.1"]
+            sheet = made.kind in _SHEETS and bool(self.spots.in_rows[index]) and index not in self.sewn
+            if disc or sheet or made.worn or made.kind in FLAT:
                 self.made.unstuffed.append(part.name)
 
     def _taken(self) -> set[Copy]:
@@ -216,8 +238,10 @@ class Assembly(Toy):
         stands = any((0.5 * (a + b) - low + 1) / (high - low + 1) < _HIND for a, b, _ in tails) or (
             self.open(f"{main.name}.1") > 8 and any(p.kind == "head" and "top" in p.where.words for p in mine)
         )
-        if self._ahead(main):
+        if self.ahead(main):
             return "side"
+        if (above := self._head_above(main)) is not None:
+            return "end" if above else "start"
         if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
             return "side"
         if head is not None and head != main:
@@ -246,14 +270,15 @@ class Assembly(Toy):
             else "end"
         )
 
-    def _ahead(self, made: Made) -> bool:
-        """Whether a part is worked from its nose, or from a vehicle's front: its first rounds look ahead."""
-        if made.kind in ("nose", "muzzle") and self.size(made) > 150:
-            return True
-        part = next(p for p in self.built.pattern.parts if p.name == made.name)
-        first = part.lines[0].span.end if part.lines else part.span.end
-        begin = self.text.rfind("\n\n", 0, max(part.span.start, 0)) + 1
-        return _AHEAD.search(self.text[max(begin, part.span.start - 120) : first]) is not None
+    def _head_above(self, main: Made) -> bool | None:
+        """Whether the text shapes a head behind the body of one piece (True), or the body behind the head; None unsaid."""
+        part = next(p for p in self.built.pattern.parts if p.name == main.name)
+        after = (p.span.start for p in self.built.pattern.parts if p.span.start > part.span.start)
+        said = self.text[part.span.start : min(after, default=len(self.text))]
+        found = _SHAPED.search(said)
+        if found is None or not said[: found.start()].strip():
+            return None
+        return found[1] == "head"
 
     def _mouth_below(self, main: Made) -> bool | None:
         """Whether the mouth is in earlier rounds than the eyes, so that the first rounds are below; None where it is not said."""
@@ -292,7 +317,10 @@ class Assembly(Toy):
             free = [
                 c
                 for c in p.copies
-                if c not in seen and not c[0].worn and self.spots.parts[c[0].copy(c[1])] not in self.sewn
+                if c not in seen
+                and not c[0].worn
+                and c[1] <= self.layered.get(c[0], c[1])
+                and self.spots.parts[c[0].copy(c[1])] not in self.sewn
             ]
             if free and self._another(p, puts):
                 seen.update(free)
@@ -351,8 +379,12 @@ class Assembly(Toy):
             return 99 if name in seen_ else n
 
         for p in puts:
-            if depth(p.copies[0][0].copy(p.copies[0][1])) >= 99:
+            name = p.copies[0][0].copy(p.copies[0][1])
+            if _circle(
+                name, on
+            ):  # of parts that stand on each other one is put on the main part, the rest stays as it is
                 p.host = (main, 1)
+                on |= {c[0].copy(c[1]): main.copy(1) for c in p.copies}
         return sorted(puts, key=lambda p: depth(p.copies[0][0].copy(p.copies[0][1])))
 
     @staticmethod
@@ -392,3 +424,11 @@ class Assembly(Toy):
             return [Feature("safety eyes", None, "", _NO_GUESS, Span(0, 0), 10_000, None, "eyes", True)]
         said = [f for f in every if f.where.rounds] or [f for f in every if f.where.says] or every[:1]
         return [f for f in said if f.what == "safety eyes"]
+
+
+def _circle(name: str, on: dict[str, str]) -> bool:
+    """Whether a part stands, over others, on itself."""
+    at, left = on.get(name, ""), len(on)
+    while at in on and at != name and left:
+        at, left = on[at], left - 1
+    return at == name

@@ -51,7 +51,7 @@ _KINDS: Final[dict[str, str]] = {
     "handle": "handle spout",
     "worn": "dress bib necktie skirt sweater cape coat bodice shirt tunic robe apron jacket vest cardigan undershirt overall dungaree jumper "
     "trouser short legging jean knicker diaper tutu swimsuit romper pajama bandana necklace headband tiara bag purse basket blanket "
-    "strap lace tie scarf belt sleeve emblem bracelet glasses edging trim ruffle garland wreath clothe saddle bridle",
+    "strap lace tie gusset scarf belt sleeve emblem bracelet glasses edging trim ruffle garland wreath clothe saddle bridle",
 }
 KINDS: Final[dict[str, str]] = {word: kind for kind, words in _KINDS.items() for word in words.split()}
 """Word → kind."""
@@ -88,17 +88,33 @@ _EACH: Final = frozenset(("each", "either", "every", "both"))
 
 @dataclass(frozen=True)
 class Made:
-    """A part that is there to be sewn: its name, its copies, and what it is by its shape where its name does not say it, or says it wrongly."""
+    """A part that is there to be sewn: its name, its copies, and what it is by its shape where its name does not say it, or says it wrongly.
+
+    halved : its two copies are the halves of one thing
+    """
 
     name: str
     copies: int
     likely: str = ""
+    halved: bool = False
+
+    @property
+    def single(self) -> bool:
+        """Whether a toy has one of it."""
+        return self.copies == 1 or self.halved
 
     @cached_property
     def words(self) -> list[str]:
         """The words of its name, singular, without small ones and numbers."""
         found = [one(w) for w in _WORD.findall(self.name.lower().replace("_", " "))]
         return [w for w in found if w not in _FILLER and not w.isdigit()]
+
+    @cached_property
+    def noun(self) -> int:
+        """Behind which of its words its noun ends: "Back of head" is a back."""
+        words = [one(w) for w in _WORD.findall(self.name.lower().replace("_", " "))]
+        cut = next((k for k, w in enumerate(words) if k and w in _OF), len(words))
+        return len([w for w in words[:cut] if w not in _FILLER and not w.isdigit()])
 
     @cached_property
     def kinds(self) -> list[str]:
@@ -123,7 +139,7 @@ class Made:
     @property
     def worn(self) -> bool:
         """Whether it is put on a toy, and not sewn to make it."""
-        return "worn" in self.kinds
+        return "worn" in self.kinds and self.likely in ("", "worn")
 
     def copy(self, k: int) -> str:
         """The name of its k-th copy, from 1."""
@@ -196,7 +212,10 @@ def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) ->
                 i += 1
             while i > at and words[i - 1][2] in _FILLER:
                 i -= 1
-            noun = any(kind_of(w) not in ("", "inner") for w in name[begin : begin + n]) or begin + n == len(name)
+            noun = any(kind_of(w) not in ("", "inner") for w in name[begin : begin + n]) or begin + n in (
+                len(name),
+                part.noun,
+            )
             if n and noun and name[begin] == words[at][3]:
                 if i - at > best:
                     best, hit = i - at, [part]

@@ -35,6 +35,10 @@ _LAID: Final = frozenset(
     ("belly", "spot", "face", "eye", "cheek", "muzzle", "nose", "door", "bow", "inner", "bumper", "beard")
 )
 """Kinds of pieces that lie on the fabric, sewn all round, where they are worked in rows."""
+_UNDER: Final = np.array([0.0, -0.9, -0.45])
+"""Where the body is on a head that lies: under it, behind its middle."""
+_RIM, _RIM_OFF = 16, 3
+"""Rims of so many stitches or more meet where they differ by no more than this."""
 _SPREAD: Final = frozenset(("butterfly", "moth", "dragonfly"))
 """Toys, by their titles, whose wings are spread beside them."""
 _PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
@@ -62,6 +66,8 @@ class Putter(Beside):
             joined = self._joint(put)
             if joined is not None:
                 return joined
+        if (rims := self._rims(put)) is not None:
+            return rims
         if put.host[1] == 0:  # one on each copy of something
             found: list[Placed] = []
             on, many = put.host[0], len(put.copies)
@@ -79,7 +85,7 @@ class Putter(Beside):
             put = replace(put, where=replace(put.where, rounds=None, beside=(), words=frozenset()))
         if kind == "ear" and len(put.copies) == 4:  # two layers each: of the inner ones nothing is seen
             put = replace(put, copies=put.copies[:2])
-            work.made.apart.append(made.name)
+            work.made.behind.append(made.name)
         if made.copies == 4 and len(put.copies) == 2:
             wanted |= {"front"} if put.copies[0][1] == 1 else {"hind"}
         if kind == "ear" and work.dog and "upwards" not in put.where.words:
@@ -212,6 +218,8 @@ class Putter(Beside):
         """Whether an end is pinched."""
         name = copy[0].copy(copy[1])
         edge = self.work.open(name)
+        if "inner" in copy[0].words:
+            return False  # it lies on what it is the inner side of
         if self.work.spots.in_rows[self.work.spots.parts[name]]:
             return copy[0].kind in _LAID
         if copy[0].name in self.work.made.unstuffed and copy[0].kind in _PINCHED:
@@ -323,12 +331,27 @@ class Putter(Beside):
                 return float(number - 1)
         return None
 
+    def _rims(self, put: Put) -> list[Placed] | None:
+        """A part whose open end is as wide as the other's, sewn to it rim to rim, where nothing else is said."""
+        assert put.host is not None
+        part, host = put.copies[0][0].copy(put.copies[0][1]), put.host[0].copy(max(1, put.host[1]))
+        own, other = self.work.open(part), self.work.open(host)
+        if len(put.copies) > 1 or put.where.rounds or min(own, other) < _RIM or abs(own - other) > _RIM_OFF:
+            return None
+        h = self.work.host((put.host[0], max(1, put.host[1])))
+        number = h.high + 1 if len(self.work.spots.rim(h.part)) else h.low - 1
+        record = Placed(part, Spot(host, float(number), None, put.span), span=put.span)
+        self.stand.place(record)
+        return [record]
+
     def _joint(self, put: Put) -> list[Placed] | None:
         """A head on a body, whichever of the two is open."""
         assert put.host is not None
         part, host = put.copies[0][0].copy(1), put.host[0].copy(1)
         if len(put.copies) > 1 or self._lies(put.host):
             return None
+        if put.host[0] == self.work.main and self.work.nose_first(put.copies[0][0]):
+            return self._hung(put, part, host)
         own, other = self.work.open(part), self.work.open(host)
         h = self.work.host(put.host)
         span = put.span
@@ -345,5 +368,22 @@ class Putter(Beside):
         if pole is None:
             return None
         record = Placed(part, replace(pole, span=span), span=span)
+        self.stand.place(record)
+        return [record]
+
+    def _hung(self, put: Put, part: str, host: str) -> list[Placed] | None:
+        """A head that was worked from its nose lies on the body: the body's end is sewn to its underside."""
+        assert put.host is not None
+        work, index = self.work, self.work.spots.parts[part]
+        if not work.open(host) and self.work.host(put.host).pole(np.array([0.0, 1.0, 0.0])) is None:
+            return None
+        self.stand.set_up(index, "side")
+        head = work.host((put.copies[0][0], 1))
+        spot = replace(head.near(head.towards(_UNDER)), span=put.span)
+        record = Placed(host, spot, span=put.span)
+        if not self.stand.there(spot):
+            return None
+        work.made.ups.pop(put.host[0].name, None)
+        work.made.ups[put.copies[0][0].name] = "side"
         self.stand.place(record)
         return [record]

@@ -19,6 +19,11 @@ _PLACES: Final = frozenset(
     "front back hind fore rear upper lower top bottom inner outer under side large small big little".split()
 )
 """Words of parts' names that say which of several on one toy is meant."""
+_AHEAD: Final = re.compile(
+    r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?(?:tip of\s+(?:the\s+)?)?"
+    r"(?:nose|snout|muzzle|front|bow|head end|face end)\b(?! (?:leg|paw|loop))"
+)
+_FIRST: Final = re.compile(r"\b(?:1st (?:rnd|round|row)|(?:round|rnd|row)s? 1\b)")
 _TALL: Final = 0.6
 """A part with so many rounds to a stitch of its widest is longer than wide."""
 
@@ -27,7 +32,8 @@ _TALL: Final = 0.6
 class Assembled:
     """What came of it: records in order; which way parts stand; what was guessed (part → words); what says no place.
 
-    apart : parts that nothing places, which stand beside the toy; unstuffed : those that nobody fills, by their names
+    apart : parts that nothing places, which stand beside the toy; unstuffed : those that nobody fills; behind : second layers of ears
+    and the like, of which nothing is seen; by their names
     """
 
     finish: list[Finish] = field(default_factory=list)
@@ -37,6 +43,7 @@ class Assembled:
     lost: list[Span] = field(default_factory=list)
     apart: list[str] = field(default_factory=list)
     unstuffed: list[str] = field(default_factory=list)
+    behind: list[str] = field(default_factory=list)
 
 
 class Toy:
@@ -75,7 +82,7 @@ class Toy:
 
     def of_kind(self, *kinds: str) -> Made | None:
         """The largest part of a kind that is made once."""
-        found = [p for p in self.parts if p.copies == 1 and p.kind in kinds]
+        found = [p for p in self.parts if p.single and p.kind in kinds]
         return max(found, key=self.size, default=None)
 
     def host(self, copy: Copy, region: str = "") -> Host:
@@ -83,13 +90,27 @@ class Toy:
         name = copy[0].copy(copy[1])
         part = self.spots.parts[name]
         low, high = numbers_of(self.spots, part)
-        alone = not [p for p in self.parts if p != copy[0] and p.copies == 1 and p.kind in ("head", "body")]
+        alone = not [p for p in self.parts if p != copy[0] and p.single and p.kind in ("head", "body")]
         waist = (neck(self.spots, part) or self._half(part, low, high)) if region and alone else None
         if waist is not None:
             x, own = self.stand.x, self.stand.nodes(part)
             down = x[own[0], 1] > x[own[-1], 1] if abs(x[own[0], 1] - x[own[-1], 1]) > 2.0 else True
             low, high = (low, waist) if (region == "head") == bool(down) else (waist, high)
         return Host(self.stand, name, low, high)
+
+    def ahead(self, made: Made) -> bool:
+        """Whether a part is worked from its nose, or from a vehicle's front: its first rounds look ahead."""
+        if set(made.kinds) & {"nose", "muzzle"} and self.size(made) > 150:
+            return True
+        part = next(p for p in self.built.pattern.parts if p.name == made.name)
+        begin = max(self.text.rfind("\n\n", 0, max(part.span.start, 0)) + 1, part.span.start - 120)
+        first = _FIRST.search(self.text, part.span.start)
+        end = first.start() if first else part.lines[0].span.end if part.lines else part.span.end
+        return _AHEAD.search(self.text[begin : min(end, part.span.start + 300)]) is not None
+
+    def nose_first(self, made: Made) -> bool:
+        """Whether a head is worked from its nose to its back."""
+        return made.kind == "head" and "body" not in made.kinds and self.ahead(made)
 
     def _half(self, part: int, low: int, high: int) -> int | None:
         """The round in the middle of a part that is clearly longer than wide; None of a ball."""

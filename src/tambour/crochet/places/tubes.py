@@ -22,6 +22,9 @@ _SIDES: Final = re.compile(
 )
 _SHORT: Final = re.compile(r"\b(?:sew|seam|join|whip\s?stitch)[^.\n]{0,40}\bshort (?:edges?|ends?|sides?)\b" + _SEWN)
 _BACK: Final = re.compile(r"\b(?:sew|seam)\s+(?:the\s+)?(?:back|centre back|center back)\s+seam\b")
+_FOLDED: Final = re.compile(
+    r"\bfold[^.\n]{0,40}\bin half lengthwise\b[^\n]{0,60}\b(?:both thicknesses|along edge|edges)\b"
+)
 _LEAST: Final = 4
 """A piece of fewer rows is no tube."""
 _SAME: Final = 0.6
@@ -50,14 +53,15 @@ def tubes(built: Built) -> list[tuple[int, int]]:
         section = pattern.parts[fact.section]
         end = next((k for k in starts if k > section.span.start), len(text))
         said = text[section.span.start : end]
-        if not spots.in_rows[part] or Made(section.name, 1).worn or not re.search(r"\bstuff", said):
+        folded = _FOLDED.search(said) is not None  # an arm, a leg: two layers thick, with nothing in it or little
+        if not spots.in_rows[part] or Made(section.name, 1).worn or not (folded or re.search(r"\bstuff", said)):
             continue
         rows = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part]
         widest = max((len(r) for r in rows), default=0)
         rows = [r for r in rows if len(r) >= max(2, _SAME * widest)]
         if len(rows) < _LEAST:
             continue
-        across = _ROWS.search(said) or (_SHORT.search(said) and len(rows) > widest)
+        across = folded or _ROWS.search(said) or (_SHORT.search(said) and len(rows) > widest)
         along = _SIDES.search(said) or _BACK.search(said) or _SHORT.search(said)
         x = spots.layout[:, 0]
         if across:

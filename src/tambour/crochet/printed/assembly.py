@@ -75,6 +75,7 @@ def assembled(built: Built, said: list[Said], phrases: Phrases, palette: Palette
             (made.loose, found.loose),
             (made.apart, found.apart),
             (made.unstuffed, found.unstuffed),
+            (made.behind, found.behind),
         ):
             whole += more
         made.lost += found.lost

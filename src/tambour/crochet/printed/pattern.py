@@ -11,6 +11,8 @@ from tambour.crochet.language.finishes import GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import MOST
 from tambour.crochet.language.tree import Action, Again, Group, Line, Pattern
+from tambour.crochet.places.halves import joined as halved
+from tambour.crochet.places.onward import worked_on
 from tambour.crochet.places.tubes import closed
 from tambour.crochet.printed.anew import anew
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
@@ -106,7 +108,7 @@ class Printed(State):
             for problem in found.doubts:
                 source.doubt(problem.message, problem.hint, problem.span or Span(0, 0))
             if built is not None:
-                built = closed(built)
+                built = worked_on(halved(closed(built)))
                 pattern = self._assemble(pattern, built, usual)
         errors = [p for p in (*source.problems, *self.unread) if not p.warning]
         if errors:
@@ -148,6 +150,11 @@ class Printed(State):
             hint = "say where they are sewn: sew the part to the body between rounds 5 and 6"
             source.doubt(
                 f"no sentence places these, so they stand beside it: {', '.join(found.apart)}", hint, Span(0, 0)
+            )
+        if found.behind:
+            hint = "they are worked and counted: work through both layers as the text says"
+            source.doubt(
+                f"pieces that lie behind others like them are not shown: {', '.join(found.behind)}", hint, Span(0, 0)
             )
         for record in found.finish:
             # What is guessed wrongly is told, and does not refuse the whole text.

@@ -13,6 +13,9 @@ from tambour.core.kernels import kernel
 from tambour.geometry.motion import dot, fit, turned
 from tambour.geometry.surface import vertex_normals
 
+ROUND, WHOLE, FLAT = 16, 0.9, 0.3
+"""Seams of so many stitches that are as wide as this share of both parts run all round them; a part is flat whose middle is
+no farther than this from its edge's, in stitches."""
 GAP = 2.0
 """Stitches between pieces that are not joined, and between the two sides of a seam at first."""
 
@@ -131,7 +134,8 @@ def arrange(graph: StitchGraph, x: Array, held: Array | None = None) -> Array:
             if b is None:
                 break
             seam = _seam(sewn, owner, b, placed)
-            x[bodies[b]], turn = _attach(x, outward, bodies[b], seam)
+            base = np.flatnonzero(np.isin(owner, np.unique(owner[seam[:, 1]])))
+            x[bodies[b]], turn = _attach(x, outward, bodies[b], seam, base)
             outward[bodies[b]] = turned(outward[bodies[b]], turn)
             placed.append(b)
         nodes = np.flatnonzero(piece == k)
@@ -148,10 +152,16 @@ def _seam(sewn: Array, owner: Array, b: int, placed: list[int]) -> Array:
     return np.concatenate([forward, backward[:, ::-1]])
 
 
-def _attach(x: Array, outward: Array, nodes: Array, seam: Array) -> tuple[Array, Array]:
-    """The part ``nodes`` brought to its seam: its positions and its rotation."""
+def _attach(x: Array, outward: Array, nodes: Array, seam: Array, base: Array) -> tuple[Array, Array]:
+    """The part ``nodes`` brought to its seam with the nodes ``base``: its positions and its rotation."""
     own, other = x[seam[:, 0]], x[seam[:, 1]]
     out = outward[seam[:, 1]].mean(0)
+    if len(seam) >= ROUND and min(_spread(own) / _spread(x[nodes]), _spread(other) / _spread(x[base])) > WHOLE:
+        out = other.mean(0) - x[base].mean(
+            0
+        )  # edge to edge: it closes what the other begins, and lies on its hollow side
+        if np.sqrt((out**2).sum()) < FLAT:
+            out = -outward[base].mean(0)
     if np.sqrt((out**2).sum()) < 1e-6:
         out = other.mean(0) - x[nodes].mean(0) + [0.0, 1e-3, 0.0]
     out = out / np.sqrt((out**2).sum())
@@ -164,3 +174,8 @@ def _attach(x: Array, outward: Array, nodes: Array, seam: Array) -> tuple[Array,
     # No stitch of it may begin behind the fabric that it is sewn to.
     behind = float(dot(other.mean(0) - moved, out).max())
     return moved + max(behind + 0.5 * GAP, 0.0) * out, turn
+
+
+def _spread(points: Array) -> float:
+    """How far points (K, 3) are from their middle, root of the mean of squares."""
+    return float(np.sqrt(((points - points.mean(0)) ** 2).sum(1).mean())) + 1e-9
