@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.core.errors import Problem
 from tambour.core.graph import SEWN
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.graph.built import Built
@@ -68,6 +69,24 @@ def faults(built: Built, x: Array, parts: Iterable[int], upright: Array | None =
         *(Fault("sunk", names[k], names[j]) for k, j in _sunk(built, fabric, width)),
         *(Fault("covered", "eye", names[j]) for j in _covered(built, x, fabric, width, upright)),
     ]
+
+
+def told(built: Built, x: Array, parts: Iterable[int] | None, upright: Array | None = None) -> list[Problem]:
+    """The same as doubts, each kind once, with what can be done; ``parts`` None: all of them."""
+    found = faults(built, x, range(len(built.graph.parts)) if parts is None else parts, upright)
+    made = []
+    for what, message, hint in _WORDS:
+        names = dict.fromkeys(f"{f.part} ({f.other})" if f.other else f.part for f in found if f.what == what)
+        if names:
+            made.append(Problem(f"{message}: {', '.join(names)}", hint, None, built.pattern.text, warning=True))
+    return made
+
+
+_WORDS: Final = (
+    ("floating", "these touch nothing of the toy", "say where they are sewn, or whether they are worn"),
+    ("sunk", "these are for the most part inside of another part", "say the rounds between which they are sewn"),
+    ("covered", "an eye is behind another part", "say the round of the eyes, and how many stitches they are apart"),
+)
 
 
 def _floating(built: Built, fabric: dict[int, _Fabric], width: float) -> list[int]:
