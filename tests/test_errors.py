@@ -29,8 +29,8 @@ def test_places_are_right_at_the_edges() -> None:
     assert SOURCE.place(9) == (1, 10)
     assert SOURCE.place(10) == (2, 1)
     assert SOURCE.place(10_000) == (3, 1)
-    assert SOURCE.line(1) == "R1: MR(6)"
-    assert SOURCE.line(9) == ""
+    assert SOURCE.line(0) == SOURCE.line(9) == "R1: MR(6)"
+    assert Text("a\r\nb").line(1) == "a" and Text("a\nb").line(99) == "b" and Text("").line(0) == ""
 
 
 def test_a_long_line_is_shown_around_its_mistake() -> None:

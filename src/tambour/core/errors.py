@@ -74,13 +74,14 @@ class Text:
 
     def place(self, offset: int) -> tuple[int, int]:
         """Line and column of a character offset, both counted from 1."""
-        before = self.text[: max(0, min(offset, len(self.text)))]
-        return before.count("\n") + 1, len(before) - (before.rfind("\n") + 1) + 1
+        offset = max(0, min(offset, len(self.text)))
+        return self.text.count("\n", 0, offset) + 1, offset - self.text.rfind("\n", 0, offset)
 
-    def line(self, number: int) -> str:
-        """The text of line ``number`` (from 1), without its end."""
-        lines = self.text.split("\n")
-        return lines[number - 1].rstrip("\r") if 0 < number <= len(lines) else ""
+    def line(self, offset: int) -> str:
+        """The line in which a character stands, without its end."""
+        offset = max(0, min(offset, len(self.text)))
+        end = self.text.find("\n", offset)
+        return self.text[self.text.rfind("\n", 0, offset) + 1 : len(self.text) if end < 0 else end].rstrip("\r")
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +115,7 @@ class Problem:
         lines: list[str] = []
         if self.span is not None and self.source is not None:
             row, column = self.source.place(self.span.start)
-            line = self.source.line(row)
+            line = self.source.line(self.span.start)
             lines.append(f"{self.source.name}:{row}:{column}: {kind}{self.message}")
             if line.strip():
                 # A very long line is shown by the part around its mistake.

@@ -31,6 +31,11 @@ _PIXELS = (".png", ".jpg", ".jpeg", ".webp", ".tif", ".tiff", ".bmp")
 
 _USD = (".usd", ".usda", ".usdc", ".usdz")
 
+LARGEST = 200_000_000
+"""Bytes of a file, above which it is not read. What a reader bounds besides stands in its module: ``docs/trust.md`` lists all."""
+MOVING = 1_000_000_000
+"""The same of meshes that hold frames."""
+
 READ: dict[str, dict[str, str]] = {
     ".acl": {"Text": "text:read_text"},
     ".txt": {"Text": "text:read_text"},
@@ -127,6 +132,11 @@ def read(path: str | Path, types: Iterable[str]) -> Any:
                 raise TambourError("there is no such file", hint=did_you_mean(path.name, near), where=str(path))
             if path.is_dir():
                 raise TambourError("this is a folder, a file is wanted", where=str(path))
+            if path.is_char_device() or path.is_block_device():
+                raise TambourError("this is a device, a file is wanted", where=str(path))
+            most = MOVING if suffix in (*_USD, ".npz", ".glb") else LARGEST
+            if path.stat().st_size > most:
+                raise TambourError(f"a file of more than {most // 1_000_000} MB is not read", where=str(path))
             try:
                 return _load(readers[kind])(path)
             except OSError as error:

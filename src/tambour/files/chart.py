@@ -18,7 +18,7 @@ from tambour.core.errors import LawError, Problem, TambourError
 from tambour.core.palette import Palette
 from tambour.core.rgb import hexed, unhexed
 from tambour.files.sink import Sink
-from tambour.files.text import read_text, write_json
+from tambour.files.text import decoded, write_json
 
 _COLOURS = 64
 """Distinct colours above which a picture is a photograph, not a chart."""
@@ -129,7 +129,7 @@ def read_csv(path: Path) -> Chart:
 
     Commas, semicolons or tabs; an empty field is a cell without stitch. Raises TambourError listing every short row.
     """
-    source = read_text(path)
+    source = decoded(path)
     head = source.text[:4096]
     mark = max(",;\t", key=head.count)
     rows = list(csv.reader(source.text.splitlines(), delimiter=mark))
@@ -171,7 +171,7 @@ def write_json_chart(value: Chart, sink: Sink) -> None:
 
 def read_json(path: Path) -> Chart:
     """A chart from a project file, whatever else stands in it. Raises TambourError when it is none."""
-    source = read_text(path)
+    source = decoded(path)
     try:
         told = json.loads(source.text)
     except RecursionError:

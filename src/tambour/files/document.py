@@ -5,44 +5,25 @@ from __future__ import annotations
 import base64
 import re
 import zipfile
+from collections.abc import Iterator
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from tambour.core.errors import TambourError, Text
+from tambour.files.text import WORDS
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
 _MOST: Final = 200_000_000
-"""Bytes that a document may hold unpacked."""
+"""Bytes that a document may hold unpacked, and those of its pictures, each as often as it is shown."""
+_DEEPEST: Final = 250
+"""How deep the parts of a document may lie in one another."""
+_CODES: Final = re.compile(rb"(?i)(utf|iso|us-ascii|latin|windows|cp|koi8|mac|shift|sjis|euc|gb|big5)[\w-]*")
+"""Character sets that pages are written in. Python knows others, which are none, or take the square of a page's length."""
 _BLOCKS: Final = frozenset(
-    [
-        "p",
-        "div",
-        "section",
-        "article",
-        "main",
-        "ul",
-        "ol",
-        "table",
-        "tr",
-        "h1",
-        "h2",
-        "h3",
-        "h4",
-        "h5",
-        "h6",
-        "blockquote",
-        "pre",
-        "figure",
-        "figcaption",
-        "dl",
-        "dt",
-        "dd",
-        "hr",
-        "li",
-    ]
+    "p div section article main ul ol table tr h1 h2 h3 h4 h5 h6 blockquote pre figure figcaption dl dt dd hr li".split()
 )
 _SKIPPED: Final = frozenset(
     ["script", "style", "noscript", "template", "nav", "aside", "form", "button", "svg", "iframe", "select", "head"]
@@ -54,12 +35,13 @@ _HREF: Final = "{http://www.w3.org/1999/xlink}href"
 
 
 class Pages:
-    """A document's text as it is gathered: lines, and photos (where they stand, their bytes)."""
+    """A document's text as it is gathered: lines, and photos (where they stand, their bytes). TambourError where it is too much."""
 
-    def __init__(self) -> None:
+    def __init__(self, path: Path) -> None:
+        self.path = path
         self.lines: list[str] = []
         self.photos: list[tuple[int, bytes]] = []
-        self._length = 0
+        self._length = self._shown = 0
 
     def line(self, words: str, before: str = "") -> None:
         """A line; several where the words have breaks of their own."""
@@ -84,53 +66,73 @@ class Pages:
         """A photo at this place."""
         if data:
             self.photos.append((self._length, data))
+            self._shown += len(data)
+            if self._shown > _MOST:
+                raise TambourError(f"its pictures take more than {_MOST // 1_000_000} MB", where=str(self.path))
 
     def _add(self, line: str) -> None:
         if line or (self.lines and self.lines[-1]):
             self.lines.append(line)
             self._length += len(line) + 1
+            if self._length > WORDS:
+                raise TambourError(f"a text of more than {WORDS // 1_000_000} MB is no pattern", where=str(self.path))
 
-    def text(self, path: Path) -> Text:
+    def text(self) -> Text:
         """All of it; TambourError where there are no words."""
         if not any(self.lines):
-            raise TambourError("this document holds no text", hint="a photo of a page cannot be read", where=str(path))
-        return Text("\n".join(self.lines).rstrip("\n") + "\n", str(path), tuple(self.photos))
+            hint = "a photo of a page cannot be read"
+            raise TambourError("this document holds no text", hint=hint, where=str(self.path))
+        return Text("\n".join(self.lines).rstrip("\n") + "\n", str(self.path), tuple(self.photos))
 
 
 def read_docx(path: Path) -> Text:
     """A Word document (OOXML)."""
     import docx
     from docx.oxml.ns import qn
-    from docx.table import Table
-    from docx.text.paragraph import Paragraph
 
-    _packed(path)
+    _packed(path).close()
     try:
         document: Any = docx.Document(str(path))
-    except (KeyError, ValueError) as error:
+        body = document.element.body
+        styles = {style.style_id: style.name or "" for style in document.styles}
+        usual = next((s.style_id for s in document.styles if s.type == 1 and s.element.default), "")
+    except Exception as error:  # noqa: BLE001 - the library and its parser raise whatever a hostile file makes them raise
         raise TambourError(f"this is no Word document: {error}", where=str(path)) from None
-    pages, numbered = Pages(), 0
-    for part in document.element.body.iterchildren():
+    pages, numbered = Pages(path), 0
+    for part in body.iterchildren(qn("w:tbl"), qn("w:p")):
         if part.tag == qn("w:tbl"):
-            for row in Table(part, document).rows:
-                pages.row(list(dict.fromkeys(cell.text for cell in row.cells)))
+            for row in _rows(part):
+                pages.row(list(dict.fromkeys(row)))
             continue
-        if part.tag != qn("w:p"):
-            continue
-        paragraph: Any = Paragraph(part, document)
-        style = (paragraph.style.name or "") if paragraph.style is not None else ""
+        words = part.text
+        style = styles.get(part.style or usual, "")
         listed = style.startswith("List") or bool(part.xpath("./w:pPr/w:numPr"))
         numbered = numbered + 1 if style.startswith("List Number") else 0
         if style.startswith(("Heading", "Title")):
-            pages.heading(paragraph.text)
-        elif listed and paragraph.text.strip():
-            pages.line(paragraph.text, f"{numbered}. " if numbered else "- ")
+            pages.heading(words)
+        elif listed and words.strip():
+            pages.line(words, f"{numbered}. " if numbered else "- ")
         else:
-            pages.line(paragraph.text)
+            pages.line(words)
         for blip in part.xpath(".//a:blip/@r:embed"):
             image = document.part.related_parts.get(str(blip))
-            pages.photo(image.blob if image is not None else b"")
-    return pages.text(path)
+            pages.photo(getattr(image, "blob", b""))
+    return pages.text()
+
+
+def _rows(table: Any) -> Iterator[list[str]]:
+    """The rows of a Word table as their cells' words; a cell that goes on from the row above says again what stands there."""
+    from docx.oxml.ns import qn
+
+    above: list[str] = []
+    for row in table.iterchildren(qn("w:tr")):
+        said: list[str] = []
+        for k, cell in enumerate(row.iterchildren(qn("w:tc"))):
+            words = "\n".join(paragraph.text for paragraph in cell.iterchildren(qn("w:p")))
+            goes_on = cell.xpath("./w:tcPr/w:vMerge[not(@w:val) or @w:val='continue']")
+            said.append(above[k] if goes_on and k < len(above) else words)
+        above = said
+        yield said
 
 
 def read_odt(path: Path) -> Text:
@@ -145,14 +147,15 @@ def read_odt(path: Path) -> Text:
             body = fromstring(pack.read("content.xml"))
         except (KeyError, ParseError, DefusedXmlException) as error:
             raise TambourError(f"this is no OpenDocument text: {error}", where=str(path)) from None
-        pages = Pages()
-        names = set(pack.namelist())
+        pages = Pages(path)
+        pictures = dict.fromkeys(pack.namelist(), b"")
 
         def photos(node: Element) -> None:
             for image in node.iter(f"{_DRAW}image"):
                 name = image.get(_HREF, "")
-                if name in names:
-                    pages.photo(pack.read(name))
+                if name in pictures:
+                    pictures[name] = pictures[name] or pack.read(name)
+                    pages.photo(pictures[name])
 
         def walk(node: Element, before: str) -> None:
             for child in node:
@@ -168,8 +171,18 @@ def read_odt(path: Path) -> Text:
                 else:
                     walk(child, before)
 
+        if _deeper(body):
+            raise TambourError("its parts lie too deep in one another", where=str(path))
         walk(body, "")
-    return pages.text(path)
+    return pages.text()
+
+
+def _deeper(body: Element) -> bool:
+    """Whether the parts of a document lie deeper in one another than ``_DEEPEST``."""
+    level = [body]
+    for _ in range(_DEEPEST):
+        level = [child for node in level for child in node]
+    return bool(level)
 
 
 def _words(node: Element) -> str:
@@ -202,14 +215,20 @@ def read_html(path: Path) -> Text:
     raw = path.read_bytes()
     found = re.search(rb"charset=[\"']?([\w-]+)", raw[:2000])
     try:
-        text = raw.decode(found[1].decode("ascii") if found else "utf-8-sig")
+        text = raw.decode(found[1].decode("ascii") if found and _CODES.fullmatch(found[1]) else "utf-8-sig")
     except (UnicodeDecodeError, LookupError):
         text = raw.decode("cp1252", errors="replace")
     page = _Page(path)
-    page.feed(text)
-    page.close()
+    # A tag that is not closed is looked for to the end of the page, from each that is opened: none is, so far.
+    whole = text.rfind(">") + 1
+    try:
+        page.feed(text[:whole])
+        page.close()
+    except AssertionError as error:
+        raise TambourError(f"this page is damaged: {error}", where=str(path)) from None
+    page.handle_data(text[whole:])
     page.end()
-    return page.pages.text(path)
+    return page.pages.text()
 
 
 class _Page(HTMLParser):
@@ -217,7 +236,8 @@ class _Page(HTMLParser):
 
     def __init__(self, path: Path) -> None:
         super().__init__(convert_charrefs=True)
-        self.path, self.pages = path, Pages()
+        self.path, self.pages = path, Pages(path)
+        self.beside: dict[str, bytes] = {}
         self.said: list[str] = []
         self.cells: list[str] | None = None
         self.lists: list[int] = []  # the number that comes next in every list that is open, -1 in one with dots
@@ -287,8 +307,8 @@ class _Page(HTMLParser):
                 return base64.b64decode(where.partition(",")[2], validate=False)
             except ValueError:
                 return b""
-        beside = self.path.parent / where
-        folder = self.path.parent.resolve()
-        if ":" in where or not where or not beside.is_file() or folder not in beside.resolve().parents:
-            return b""
-        return beside.read_bytes()
+        if where not in self.beside:
+            beside, folder = self.path.parent / where, self.path.parent.resolve()
+            there = bool(where) and ":" not in where and beside.is_file() and folder in beside.resolve().parents
+            self.beside[where] = beside.read_bytes() if there and beside.stat().st_size <= _MOST else b""
+        return self.beside[where]

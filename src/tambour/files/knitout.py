@@ -14,7 +14,7 @@ from tambour.core.chart import Chart
 from tambour.core.errors import LawError, Problem, Span, TambourError, Text
 from tambour.core.palette import Palette
 from tambour.core.rgb import unhexed
-from tambour.files.text import read_text
+from tambour.files.text import decoded
 
 _SHADES = ((255, 255, 255), (0, 0, 0), (128, 128, 128), (200, 200, 200), (64, 64, 64))
 
@@ -29,7 +29,7 @@ def read(path: Path) -> Chart:
     extensions make no stitch, and what is dropped while the work goes on (a yarn's first loops beside it) is no part of it.
     Three yarns and more in a row are intarsia. Raises TambourError, with the place, for files that do more: transfers, ribs, shaping.
     """
-    source = read_text(path)
+    source = decoded(path)
     text = source.text
     head = text.split("\n", 1)[0]
     if not re.match(r";!knitout-\d+", head):
@@ -40,6 +40,7 @@ def read(path: Path) -> Chart:
     ways: set[tuple[str, str]] = set()
     yarns: dict[str, str] = {}
     problems: list[Problem] = []
+    told_of: set[str] = set()
     offset = 0
     for line in text.split("\n"):
         told = re.match(r";yarn (\d+) (.*)", line) or re.match(r";;Yarn-(\S+?):\s*(.*)", line)
@@ -52,7 +53,8 @@ def read(path: Path) -> Chart:
             if word == "drop" and arguments and arguments[0] in stitches:
                 waste.setdefault(arguments[0], []).extend(stitches.pop(arguments[0]))
             message = _step(word, arguments, loops, stitches, ways)
-            if message and message not in {p.message for p in problems}:
+            if message and message not in told_of:
+                told_of.add(message)
                 problems.append(Problem(message, span=span, source=source))
             if message.endswith("plain knitting"):
                 break  # another kind of knitting: one line says so

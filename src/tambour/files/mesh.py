@@ -85,7 +85,7 @@ def read_obj(path: Path) -> Mesh:
     corners: dict[tuple[int, int], int] = {}
     faces: list[tuple[int, int, int]] = []
     groups: list[int] = []
-    names = [""]
+    names = {"": 0}
     group = 0
     text = path.read_bytes().decode("utf-8", errors="replace").replace("\\\n", " ")
     for number, line in enumerate(text.splitlines(), 1):
@@ -100,10 +100,7 @@ def read_obj(path: Path) -> Mesh:
             elif words[0] == "vt":
                 textures.append([float(words[1]), float(words[2]) if len(words) > 2 else 0.0])
             elif words[0] in ("g", "o", "usemtl"):
-                name = " ".join(words[1:])
-                if name not in names:
-                    names.append(name)
-                group = names.index(name)
+                group = names.setdefault(" ".join(words[1:]), len(names))
             elif words[0] == "f":
                 ring = []
                 for word in words[1:]:
@@ -193,6 +190,14 @@ def _fan(ring: list[int]) -> list[list[int]]:
     return [[ring[0], ring[k], ring[k + 1]] for k in range(1, len(ring) - 1)]
 
 
+def _length(told: Any) -> int:
+    """How long a list is; one that is shorter than nothing would lead back, and never end."""
+    size = int(told)
+    if size < 0:
+        raise ValueError(f"a list of {size}")
+    return size
+
+
 def _ply_text(raw: bytes, elements: list[tuple[str, int, list[list[str]]]]) -> dict[str, Any]:
     lines = iter(raw.decode("ascii", errors="replace").splitlines())
     tables: dict[str, Any] = {"faces": []}
@@ -203,7 +208,7 @@ def _ply_text(raw: bytes, elements: list[tuple[str, int, list[list[str]]]]) -> d
             row, at = [], 0
             for prop in properties:
                 if prop[0] == "list":
-                    size = int(words[at])
+                    size = _length(words[at])
                     if prop[-1] in ("vertex_indices", "vertex_index"):
                         tables["faces"] += _fan([int(w) for w in words[at + 1 : at + 1 + size]])
                     at += 1 + size
@@ -243,7 +248,7 @@ def _ply_binary(raw: bytes, at: int, elements: list[tuple[str, int, list[list[st
                 if prop[0] != "list":
                     at += np.dtype(_PLY_TYPES[prop[0]]).itemsize
                     continue
-                size = int(np.frombuffer(raw, order + _PLY_TYPES[prop[1]], 1, at)[0])
+                size = _length(np.frombuffer(raw, order + _PLY_TYPES[prop[1]], 1, at)[0])
                 at += np.dtype(_PLY_TYPES[prop[1]]).itemsize
                 ring = np.frombuffer(raw, order + _PLY_TYPES[prop[2]], size, at).tolist()
                 at += np.dtype(_PLY_TYPES[prop[2]]).itemsize * size

@@ -56,12 +56,15 @@ def unpacked(raw: bytes, where: str = "") -> Packed:
         raise TambourError(f"this pack is of version {version}, known is {VERSION}", where=where)
     try:
         head = json.loads(raw[16 : 16 + size])
-        arrays = {}
+        arrays, held = {}, 0
         for name, it in head["arrays"].items():
             if it["dtype"] not in KINDS or min([it["offset"], *it["shape"]]) < 0:
                 raise ValueError(name)
             count = int(np.prod(it["shape"], dtype=np.float64))
             values = np.frombuffer(raw, "<" + it["dtype"], count, 16 + size + int(it["offset"]))
+            held += values.nbytes
+            if held > len(raw):
+                raise ValueError("arrays that lie over one another")
             arrays[str(name)] = values.astype(values.dtype.newbyteorder("=")).reshape(it["shape"])
         return Packed(arrays, dict(head["facts"]))
     except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):

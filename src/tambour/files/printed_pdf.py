@@ -1,9 +1,16 @@
-"""PDFs as text: columns one after the other, tables by rows, running heads and page numbers left out. Scans are refused."""
+"""PDFs as text: columns one after the other, tables by rows, running heads and page numbers left out. Scans are refused.
+
+A process of its own opens them: a few bytes of PDF can ask their library for hours and any memory, and nothing stops it from inside.
+"""
 
 from __future__ import annotations
 
 import io
+import json
 import re
+import subprocess
+import sys
+from base64 import b64decode, b64encode
 from collections import Counter
 from dataclasses import dataclass
 from itertools import pairwise
@@ -24,6 +31,12 @@ _CELL: Final = 14
 """Characters that the cells of a table's first column have at the most, half of them."""
 _LEAST: Final = 120
 """Pixels across that a picture has at the least to be a photo."""
+_PIXELS: Final = 50_000_000
+"""Those that a photo has at the most: a few bytes can claim any number."""
+SECONDS: Final = 60
+"""Of a processor, for one PDF; a book of three hundred pages takes ten."""
+MEMORY: Final = 2_000_000_000
+_CHILD: Final = "import sys; n, *bounds = sys.argv[1:4]; sys.path[:] = sys.argv[4:]; from tambour.files.printed_pdf import answer; answer(n, *bounds)"
 
 
 @dataclass(frozen=True)
@@ -44,7 +57,47 @@ class Run:
 
 
 def read_pdf(path: Path) -> Text:
-    """The text of a PDF; TambourError where its pages are pictures."""
+    """The text of a PDF; TambourError where its pages are pictures, or ask for more than a minute or 2 GB."""
+    much = f"this PDF asks for more than {SECONDS} s or {MEMORY / 10**9:g} GB"
+    try:
+        ran = subprocess.run(
+            [sys.executable, "-c", _CHILD, str(path), str(SECONDS), str(MEMORY), *sys.path],
+            capture_output=True,
+            timeout=10 * SECONDS + 10,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        raise TambourError(much, where=str(path)) from None
+    if ran.returncode < 0 or b"MemoryError" in ran.stderr or b"failed to map" in ran.stderr:
+        raise TambourError(much, where=str(path))
+    if ran.returncode:
+        raise RuntimeError(ran.stderr.decode(errors="replace"))
+    told = json.loads(ran.stdout)
+    if "problem" in told:
+        raise TambourError(told["problem"], hint=told["hint"], where=str(path))
+    return Text(told["text"], str(path), tuple((at, b64decode(data)) for at, data in told["photos"]))
+
+
+def answer(name: str, seconds: str, memory: str) -> None:
+    """What ``read_pdf`` asks of its process: the text as JSON on standard output, within the bounds."""
+    try:
+        import resource
+    except ImportError:  # no such bounds on this system: the clock's is left
+        pass
+    else:
+        for what, most in ((resource.RLIMIT_CPU, int(seconds)), (resource.RLIMIT_AS, int(memory))):
+            hard = resource.getrlimit(what)[1]
+            resource.setrlimit(what, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
+    try:
+        text = extracted(Path(name))
+        told: dict[str, Any] = {"text": text.text, "photos": [(at, b64encode(p).decode()) for at, p in text.photos]}
+    except TambourError as error:
+        told = {"problem": error.problems[0].message, "hint": error.problems[0].hint}
+    sys.stdout.write(json.dumps(told))
+
+
+def extracted(path: Path) -> Text:
+    """The text of a PDF, in this process and without bounds of time."""
     import pypdfium2
 
     try:
@@ -58,6 +111,8 @@ def read_pdf(path: Path) -> Text:
             heights.append(high)
             sheets.append(_runs(page, number, high))
             photos.append(_photos(page, high))
+    except pypdfium2.PdfiumError as error:
+        raise TambourError(f"this PDF is damaged: {error}", where=str(path)) from None
     finally:
         document.close()
     if not any(sheets):
@@ -65,7 +120,7 @@ def read_pdf(path: Path) -> Text:
         raise TambourError("the pages of this PDF are pictures, there is no text in them", hint=hint, where=str(path))
     sheets = _without_heads(sheets, heights)
     usual = median([run.high for sheet in sheets for run in sheet] or [1.0])
-    pages = Pages()
+    pages = Pages(path)
     for sheet, pictures in zip(sheets, photos):
         waiting = list(pictures)
         before: Run | None = None
@@ -88,7 +143,7 @@ def read_pdf(path: Path) -> Text:
         for _, data in waiting:
             pages.photo(data)
         pages.line("")
-    return pages.text(path)
+    return pages.text()
 
 
 def _runs(page: Any, number: int, high: float) -> list[Run]:
@@ -129,8 +184,9 @@ def _photos(page: Any, high: float) -> list[tuple[float, bytes]]:
     made = []
     for found in page.get_objects(filter=(raw.FPDF_PAGEOBJ_IMAGE,)):
         left, bottom, right, top = found.get_pos() if hasattr(found, "get_pos") else found.get_bounds()
-        image = found.get_bitmap().to_pil()
-        if min(image.size) >= _LEAST and right > left and top > bottom:
+        wide, tall = found.get_px_size()
+        if min(wide, tall) >= _LEAST and wide * tall <= _PIXELS and right > left and top > bottom:
+            image = found.get_bitmap().to_pil()
             data = io.BytesIO()
             image.convert("RGB").save(data, "PNG")
             made.append((high - top, data.getvalue()))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import zipfile
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -12,6 +13,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import LawError, TambourError
 from tambour.core.mesh import Mesh
+from tambour.files import MOVING
 from tambour.files.mesh import read_obj as read_one
 
 
@@ -51,8 +53,14 @@ def read_npz(path: Path) -> Mesh:
     Raises TambourError for a file that holds no mesh.
     """
     try:
+        with zipfile.ZipFile(path) as packed:
+            size = sum(entry.file_size for entry in packed.infolist())
+        if size > MOVING:
+            raise TambourError(f"its arrays take more than {MOVING // 1_000_000} MB", where=str(path))
         with path.open("rb") as stream, np.load(stream, allow_pickle=False) as held:
             arrays = {name: held[name] for name in held.files}
+    except TambourError:
+        raise
     except Exception as error:  # noqa: BLE001 - zip, zlib, header and type errors alike: NumPy lets them all through
         raise TambourError(f"this is not an NPZ file that can be read ({error})", where=str(path)) from None
     names = [n[: -len("faces")] for n in arrays if n == "faces" or n.endswith(".faces")]

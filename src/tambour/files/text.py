@@ -13,9 +13,19 @@ from typing import Any
 from tambour.core.errors import TambourError, Text
 from tambour.files.sink import Sink
 
+WORDS = 2_000_000
+"""Bytes of a text, or characters of a document, above which it is no pattern: the longest books of them hold a third."""
+
 
 def read_text(path: Path) -> Text:
-    """A text file: UTF-8 (with or without mark) or, failing that, Windows-1252; any line ends."""
+    """A text file: UTF-8 (with or without mark) or, failing that, Windows-1252; any line ends. TambourError above 2 MB."""
+    if path.stat().st_size > WORDS:
+        raise TambourError(f"a text of more than {WORDS // 1_000_000} MB is no pattern", where=str(path))
+    return decoded(path)
+
+
+def decoded(path: Path) -> Text:
+    """A text file of any size."""
     raw = path.read_bytes()
     if b"\0" in raw:
         raise TambourError("this is not a text file (it holds zero bytes)", where=str(path))

@@ -69,7 +69,8 @@ class Walk(Dyes):
                 self.before = None
                 c.at = at
                 c.at = self.end_of_sentence()
-                body.left.append(c.tokens[at : c.at])
+                if c.at > at:  # else all of it was read
+                    body.left.append(c.tokens[at : c.at])
             if c.look() is not None:
                 c.at += 1
         body.pending = self.ring is not None

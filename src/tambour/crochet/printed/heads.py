@@ -8,6 +8,8 @@ from tambour.core.errors import Span
 from tambour.crochet.printed.cursor import OPEN, Cursor
 from tambour.crochet.printed.tokens import Token
 
+MOST_AT_ONCE = 10_000
+"""Rounds that one head names: a range of more is cut, and told where it is worked."""
 STARS = ("**", "***", "****", "*****")
 _STARRED = frozenset(STARS)
 _BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))
@@ -157,7 +159,7 @@ def list_of_numbers(c: Cursor, numbers: list[int]) -> bool:
         ):
             return True
         if ranged and last > numbers[-1]:
-            numbers.extend(range(numbers[-1] + 1, min(last, numbers[-1] + 10_000) + 1))
+            numbers.extend(range(numbers[-1] + 1, min(last, numbers[-1] + MOST_AT_ONCE) + 1))
         else:
             numbers.append(last)
         c.at += ahead + 1
@@ -206,7 +208,7 @@ def list_of_ordinals(c: Cursor, numbers: list[int]) -> bool:
     c.at = at + 1
     for k, n in enumerate(found):
         if n == -1:
-            numbers.extend(range(found[k - 1] + 1, min(found[k + 1], found[k - 1] + 10_000)))
+            numbers.extend(range(found[k - 1] + 1, min(found[k + 1], found[k - 1] + MOST_AT_ONCE)))
         else:
             numbers.append(n)
     return True

@@ -14,7 +14,7 @@ from tambour.crochet.printed.curls import looped, rooted
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.doubts import after, chainless, fixed, reached, rounds_until
 from tambour.crochet.printed.foundations import founded
-from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.heads import MOST_AT_ONCE, Head
 from tambour.crochet.printed.items import (
     bare_count,
     begins_ring,
@@ -37,6 +37,8 @@ from tambour.crochet.printed.tokens import Token
 _CLOSED = (
     8  # an end of so few stitches is drawn together when the yarn is fastened off; of more, right after decreasing
 )
+MOST_ROUNDS = 20_000
+"""Rounds of a part; a few lines that repeat each other's rounds can ask for any number."""
 _MARKED = 50  # rounds that a marked stitch is followed through
 _LOOPS = ("flo", "blo", "bl")
 _LIFT = 5  # chains at a round's beginning that only lift the yarn
@@ -236,6 +238,8 @@ class Draft:
 
     def _numbered(self, source: Source, head: Head, steady: bool) -> None:
         """Doubts about numbers that do not follow."""
+        if len(head.numbers) >= MOST_AT_ONCE:
+            source.error(f"more than {MOST_AT_ONCE:,} rounds at once", "a lower number", head.span)
         first, before = head.numbers[0], self.last
         if steady and self.last and not self.parted and first not in (1, before + 1):
             said = "is there already" if first <= before else "leaves rounds out"
@@ -291,14 +295,19 @@ class Draft:
                 ]
                 self.lines, self.chain, self.flat = [*own, *origin.lines[:first]], None, origin.flat
         number = numbers[0] if numbers else self.last + 1
+        at = head.span if head is not None and numbers else refers.span
         first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
+        if number + total > MOST_ROUNDS:
+            source.error(f"more than {MOST_ROUNDS:,} rounds in one part", "a lower number", at)
+            return True
         moves, lines = self._lifted(lines)
+        # Lines that work others again, as those others: round upon round said so would lead too deep.
+        lines = tuple(one for line in lines for one in ((line,) if line.again is None else line.rounds()))
         said = [i for i in body.items if isinstance(i, Action) and i.name in ("color", "turn")]
         later = tuple(i for i in said if i.span.start > refers.span.start)  # "Rep Row 2 changing to B in last sc"
         later += tuple(hue for hue, _ in body.later if isinstance(hue, Action))
         lead = (*moves, *(i for i in said if i.name == "color" and i not in later))
         again = Again(lines, first_number, last_number, "" if origin is self else origin.name, refers.span)
-        at = head.span if head is not None and numbers else refers.span
         line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
         if numbers and head is not None:
             self._numbered(source, head, True)
