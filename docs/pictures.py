@@ -1,6 +1,6 @@
-"""Make the pictures of the README and the docs anew: ``make docs``.
+"""Make the pictures of the README and the docs anew, and the page that shows them with their commands: ``make docs``.
 
-Each line of PICTURES is a picture, the command that makes it, and its width in pixels.
+Each line of PICTURES is a picture, the command that makes it, its width in pixels, and what it shows.
 """
 
 from __future__ import annotations
@@ -22,13 +22,23 @@ KNIT = (
     " --colors #28425f --colors #f3ead8 -o {out}.worn.png"
 )
 PICTURES = [
-    ("readme-bear.jpg", "crochet {x}/crochet/bear.txt -o {out}.png", 900),
-    ("readme-frog.jpg", "crochet {x}/crochet/frog.acl -o {out}.png", 900),
-    ("readme-knit.jpg", KNIT, 900),
-    ("readme-scroll.jpg", "ink --seed 8 --span 2700 -o {out}.png", 1800),
-    ("ink-specimens.jpg", "ink --specimen all --seed 3 --pixels 1600 -o {out}.png", 1600),
-    ("ink-plotter.png", "ink --seed 31 --from 700 --span 1000 --plotter --pens 3 -o {out}.png", 1400),
-    ("readme-embroidery.jpg", "embroidery {x}/embroidery/logo.svg -o {out}.png", 900),
+    ("readme-bear.jpg", "crochet {x}/crochet/bear.txt -o {out}.png", 900, "A bear, from a printed pattern"),
+    ("readme-frog.jpg", "crochet {x}/crochet/frog.acl -o {out}.png", 900, "A frog, in the language's own words"),
+    ("readme-knit.jpg", KNIT, 900, "A round yoke, seen from above"),
+    ("readme-scroll.jpg", "ink --seed 8 --span 2700 -o {out}.png", 1800, "A piece of the scroll of seed 8"),
+    (
+        "ink-specimens.jpg",
+        "ink --specimen all --seed 3 --pixels 1600 -o {out}.png",
+        1600,
+        "Every kind of thing that a scroll is made of",
+    ),
+    (
+        "ink-plotter.png",
+        "ink --seed 31 --from 700 --span 1000 --plotter --pens 3 -o {out}.png",
+        1400,
+        "The same for three pens",
+    ),
+    ("readme-embroidery.jpg", "embroidery {x}/embroidery/logo.svg -o {out}.png", 900, "A drawing as thread"),
 ]
 
 
@@ -163,7 +173,7 @@ def strip(name: str, commands: list[str]) -> None:
     whole.save(HERE / "pictures" / name, quality=85, optimize=True)
 
 
-def make(name: str, command: str, width: int) -> None:
+def make(name: str, command: str, width: int, shows: str) -> None:
     """Run one command and keep its picture, scaled down."""
     image = picture(command)
     if image.width > width:
@@ -171,7 +181,35 @@ def make(name: str, command: str, width: int) -> None:
     image.save(HERE / "pictures" / name, quality=85, optimize=True)
 
 
+def spelt(command: str, out: str, **words: str) -> str:
+    """A command as somebody would type it who has copied the examples."""
+    return f"tambour {shlex.join(shlex.split(command.format(x='examples', out=out, **words)))}"
+
+
+def gallery() -> str:
+    """The page of the pictures that commands make."""
+    page = [
+        "# Gallery",
+        "",
+        "Each picture is what its commands make, after `tambour examples examples`; `make docs` makes them and this page anew.",
+    ]
+
+    def shown(name: str, title: str, lines: list[str]) -> None:
+        page.extend(["", f"## {title}", "", f"![{title}](pictures/{name})", "", "```", *lines, "```"])
+
+    for name, command, _, shows in PICTURES:
+        shown(name, shows, [spelt(command, name.removeprefix("readme-").rsplit(".", 1)[0])])
+    for name, command, names, *_ in SHEETS:
+        shown(name, f"{', '.join(names).capitalize()}", [spelt(command, one, name=one) for one in names])
+    for name, commands in STRIPS:
+        title = name.rsplit(".", 1)[0]
+        lines = [spelt(command, f"{title}-{k}") for k, command in enumerate(commands, 1)]
+        shown(name, f"{title.replace('-', ': ').capitalize()}", lines)
+    return "\n".join(page) + "\n"
+
+
 if __name__ == "__main__":
+    (HERE / "gallery.md").write_text(gallery(), encoding="utf-8")
     (HERE / "pictures").mkdir(exist_ok=True)
     wanted = sys.argv[1:]
     for entry in PICTURES:

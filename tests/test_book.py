@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import re
 from pathlib import Path
 
@@ -15,6 +16,14 @@ def test_every_page_stands_in_the_book() -> None:
     assert listed == {p.name for p in (ROOT / "docs").glob("*.md")}
 
 
+def test_the_gallery_is_what_its_pictures_are_made_by() -> None:
+    spec = importlib.util.spec_from_file_location("pictures", ROOT / "docs" / "pictures.py")
+    assert spec is not None and spec.loader is not None
+    pictures = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(pictures)
+    assert (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8") == pictures.gallery()
+
+
 @pytest.mark.slow
 def test_the_book_is_built_without_a_warning(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     commands = pytest.importorskip("mkdocs.commands.build")
@@ -26,3 +35,4 @@ def test_the_book_is_built_without_a_warning(tmp_path: Path, monkeypatch: pytest
     api = (tmp_path / "api.html").read_text(encoding="utf-8")
     for name in ("tambour.run.run", "tambour.core.chart.Chart", "tambour.files.write"):
         assert f'id="{name}"' in api
+    assert "blockquote" not in api and api.count('class="gp"') > 100, "examples are shown as Python's dialogue"

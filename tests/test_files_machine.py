@@ -55,7 +55,7 @@ def test_what_is_written_is_read_back(tmp_path, suffix, seed):
     assert np.array_equal(p, q)
     assert np.array_equal(c, d)
     assert suffix in ("jef", "sew") or not (t & ~u).any()
-    assert "doubts" not in back.about
+    assert all("mm long" in doubt for doubt in back.about.get("doubts", "").splitlines())  # the step of 100 mm
 
 
 @pytest.mark.parametrize("suffix", ALL)
@@ -257,4 +257,44 @@ def test_a_header_that_was_never_filled_in_is_no_doubt(tmp_path):
         for wrong in (True, False):
             raw[at : at + 4] = b"\x01\x02\x01\x02" if wrong else blank
             path.write_bytes(raw)
-            assert ("doubts" in files.read(path, ("ThreadPlan",)).about) == wrong, suffix
+            assert ("declares" in files.read(path, ("ThreadPlan",)).about.get("doubts", "")) == wrong, suffix
+
+
+def rows(n: int = 400) -> ThreadPlan:
+    """A field of stitches 3 mm long, as designs have them."""
+    k = np.arange(n)
+    xy = np.stack([3.0 * np.abs((k % 20) - 10), 0.4 * (k // 10)], axis=1)
+    command = np.zeros(n, np.uint8)
+    command[-1], xy[-1] = END, xy[-2]
+    return ThreadPlan(xy - xy.mean(axis=0), command, np.zeros(n, np.int16), THREADS[:1])
+
+
+@pytest.mark.parametrize("suffix", ALL)
+def test_a_stitch_out_of_all_proportion_is_told(tmp_path, suffix):
+    path, plan = tmp_path / f"a.{suffix}", rows()
+    files.write(plan, path)
+    assert "doubts" not in files.read(path, ("ThreadPlan",)).about
+    moved = plan.xy.copy()
+    moved[200:, 1] += 11.0  # what one changed byte does: all that follows lies elsewhere
+    files.write(ThreadPlan(moved, plan.command, plan.thread, plan.threads), path)
+    assert "one stitch is up to 1" in files.read(path, ("ThreadPlan",)).about["doubts"]
+
+
+def test_bytes_lost_from_the_head_of_a_sew_file_are_told(tmp_path):
+    path = tmp_path / "a.sew"
+    files.write(rows(), path)
+    raw = path.read_bytes()
+    for lost in (1, 2, 6, 40):
+        path.write_bytes(raw[:3000] + raw[3000 + lost :])
+        assert "should begin at byte" in files.read(path, ("ThreadPlan",)).about["doubts"]
+
+
+def test_wide_satin_beside_small_stitches_is_no_doubt(tmp_path):
+    path = tmp_path / "a.exp"
+    plan = rows()
+    wide = np.stack([np.where(np.arange(40) % 2, 9.0, 0.0), 0.2 * np.arange(40)], axis=1) + plan.xy[-1]
+    xy = np.vstack([plan.xy[:-1], wide, wide[-1:]])
+    command = np.zeros(len(xy), np.uint8)
+    command[-1] = END
+    files.write(ThreadPlan(xy, command, np.zeros(len(xy), np.int16), THREADS[:1]), path)
+    assert "doubts" not in files.read(path, ("ThreadPlan",)).about

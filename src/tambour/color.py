@@ -25,32 +25,52 @@ _LAB = np.array(
 
 
 def linear(srgb: Array) -> Array:
-    """Linear light in 0…1 of sRGB code values in 0…1 (any shape)."""
+    """Linear light in 0…1 of sRGB code values in 0…1 (any shape).
+
+    >>> round(float(linear(0.5)), 4)
+    0.214
+    """
     srgb = np.asarray(srgb, np.float64)
     return np.where(srgb <= 0.04045, srgb / 12.92, ((np.maximum(srgb, 0) + 0.055) / 1.055) ** 2.4)
 
 
 def coded(light: Array) -> Array:
-    """sRGB code values in 0…1 of linear light in 0…1 (any shape)."""
+    """sRGB code values in 0…1 of linear light in 0…1 (any shape).
+
+    >>> round(float(coded(0.214)), 2)
+    0.5
+    """
     light = np.asarray(light, np.float64)
     return np.where(light <= 0.0031308, light * 12.92, 1.055 * np.maximum(light, 0) ** (1 / 2.4) - 0.055)
 
 
 def oklab(rgb: Array) -> Array:
-    """Oklab (…, 3) of sRGB (…, 3): uint8, or floats in 0…1."""
+    """Oklab (…, 3) of sRGB (…, 3): uint8, or floats in 0…1.
+
+    >>> oklab(np.array([255, 255, 255], np.uint8)).round(3).tolist()[0]
+    1.0
+    """
     rgb = np.asarray(rgb)
     light = linear(rgb / 255.0 if rgb.dtype == np.uint8 else rgb)
     return np.asarray(np.cbrt(light @ _LMS.T) @ _LAB.T)
 
 
 def from_oklab(lab: Array) -> Array:
-    """sRGB (…, 3) uint8 of Oklab (…, 3), clipped to the gamut."""
+    """sRGB (…, 3) uint8 of Oklab (…, 3), clipped to the gamut.
+
+    >>> from_oklab(oklab(np.array([200, 30, 40], np.uint8))).tolist()
+    [200, 30, 40]
+    """
     lms = (np.asarray(lab, np.float64) @ np.linalg.inv(_LAB).T) ** 3
     return np.round(np.clip(coded(np.clip(lms @ np.linalg.inv(_LMS).T, 0, 1)), 0, 1) * 255).astype(np.uint8)
 
 
 def luminance(rgb: Array) -> Array:
-    """Relative luminance (…) in 0…1 of sRGB (…, 3) uint8 (WCAG 2 weights)."""
+    """Relative luminance (…) in 0…1 of sRGB (…, 3) uint8 (WCAG 2 weights).
+
+    >>> round(float(luminance(np.array([255, 255, 255], np.uint8))), 3)
+    1.0
+    """
     return np.asarray(linear(np.asarray(rgb) / 255.0) @ np.array([0.2126, 0.7152, 0.0722]))
 
 
@@ -58,6 +78,10 @@ def nearest_distinct(rgb: Array, palette: Array) -> Array:
     """Index (N,) of the palette colour (K, 3) that stands best for each colour (N, 3) uint8 where the choice is small:
     in Oklab, hue counts double and lightness half. No entry stands for two colours while some are free: two colours
     stay two, and one colour stays one however often it comes.
+
+    >>> wool = np.array([[250, 250, 250], [200, 30, 40], [30, 30, 90]], np.uint8)
+    >>> nearest_distinct(np.array([[180, 0, 20], [255, 255, 240]], np.uint8), wool).tolist()
+    [1, 0]
     """
     _, first, which = np.unique(np.asarray(rgb).reshape(-1, 3), axis=0, return_index=True, return_inverse=True)
     came = np.argsort(first)  # the colours in the order in which they come
@@ -87,13 +111,21 @@ _NAMES = {
 
 
 def plain_name(rgb: Array) -> str:
-    """What one would call a colour, (3,) uint8: the nearest of 34 words, such as "bottle green"."""
+    """What one would call a colour, (3,) uint8: the nearest of 34 words, such as "bottle green".
+
+    >>> plain_name(np.array([30, 74, 50], np.uint8))
+    'bottle green'
+    """
     shades = np.array([unhexed(v) for v in _NAMES.values()], np.uint8)
     return list(_NAMES)[int(((oklab(shades) - oklab(rgb)) ** 2).sum(axis=1).argmin())]
 
 
 def family(color: RGB) -> str:
-    """The plainest name of a colour: one of fourteen, which every language of patterns has a word for."""
+    """The plainest name of a colour: one of fourteen, which every language of patterns has a word for.
+
+    >>> family((200, 30, 40))
+    'red'
+    """
     import colorsys
 
     red, green, blue = (c / 255 for c in color)

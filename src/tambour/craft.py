@@ -36,6 +36,9 @@ class Lazy:
     """A function by its place, ``package.module:name``, imported when it is first called.
 
     So a craft's table names all that it can do, and loads none of it.
+
+    >>> Lazy("math:sqrt")(9)
+    3.0
     """
 
     where: str
@@ -45,7 +48,12 @@ class Lazy:
 
     @property
     def found(self) -> Callable[..., Any]:
-        """The function itself."""
+        """The function itself.
+
+        >>> import math
+        >>> Lazy("math:sqrt").found is math.sqrt
+        True
+        """
         module, name = self.where.split(":")
         function: Callable[..., Any] = getattr(import_module(module), name)
         return function
@@ -56,6 +64,10 @@ class View:
     """One way to look at a piece: ``make(piece)`` gives a value of type ``value``.
 
     ``suffixes``: the file types whose default view this is. ``stage``: the stage of the report that its time counts to.
+
+    >>> view = View(len, "dict", "how long it is", (".json",))
+    >>> view.make([1, 2])
+    2
     """
 
     make: Callable[[Any], Any]
@@ -76,6 +88,10 @@ class Change:
     words : how one is spelt after ``KIND:``, its fields in braces: ``{row},{stitch}={yarn}``
     before : (source, params, edits) → (source, params), for what is changed before the piece is made; or
     after : (piece, edits, progress) → piece, for what is changed on the made piece
+
+    >>> from tambour.run import craft
+    >>> craft("knit").changes["stitch"].words
+    '{row},{stitch}={yarn}'
     """
 
     help: str
@@ -101,6 +117,11 @@ class Craft:
     check : (params, the views that are asked for); raises TambourError, before any work, for what cannot be made of them
     changes : name → Change, the edits that it understands
     prefer : params → {suffix: view} where they choose another default view than the views' own suffixes do
+
+    >>> from tambour.run import craft
+    >>> knit = craft("knit")
+    >>> knit.reads, "chart" in knit.views
+    (('Picture', 'Chart'), True)
     """
 
     name: str
@@ -120,6 +141,10 @@ class Craft:
         """Edits as values, checked: each as text (``stitch:12,30=CC``) or as data (``{"edit": "stitch", "row": 12, …}``).
 
         TambourError with all that is wrong in them.
+
+        >>> from tambour.run import craft
+        >>> craft("knit").edits(["stitch:12,30=CC"])[0][1].row
+        12
         """
         made: list[tuple[str, Params]] = []
         problems: list[Problem] = []
@@ -159,5 +184,10 @@ def _edit(craft: Craft, given: Edit | str) -> tuple[str, Params]:
 
 
 def plain_edit(kind: str, edit: Params) -> Edit:
-    """An edit as data, as reports and files of edits hold it."""
+    """An edit as data, as reports and files of edits hold it.
+
+    >>> from tambour.run import craft
+    >>> plain_edit(*craft("knit").edits(["stitch:12,30=CC"])[0])
+    {'edit': 'stitch', 'row': 12, 'stitch': 30, 'yarn': 'CC'}
+    """
     return {"edit": kind, **{name: value for name, value in edit.plain().items() if name != "edition"}}

@@ -12,7 +12,11 @@ _LEFT_OUT = (".py", ".pyc")
 
 
 def folder() -> Path:
-    """Where the examples lie: inside the installed package, or beside the sources."""
+    """Where the examples lie: inside the installed package, or beside the sources.
+
+    >>> (folder() / "crochet" / "frog.acl").is_file()
+    True
+    """
     inside = _HERE / "examples"
     return inside if inside.is_dir() else _HERE.parents[1] / "examples"
 
@@ -21,6 +25,9 @@ def copy(to: Path) -> list[Path]:
     """Copies of all examples in the folder ``to``, which is made; gives what was written.
 
     Raises TambourError, and writes nothing, where a file of that name is there already and holds something else.
+
+    >>> [p.name for p in copy(Path("mine")) if p.name == "frog.acl"]
+    ['frog.acl']
     """
     source = folder()
     if not source.is_dir():

@@ -13,13 +13,21 @@ from tambour.core.kernels import kernel
 
 
 def key(*names: str | int) -> int:
-    """64 bits from names (a seed, an edition, a tile, what is drawn): SHA-256, the same in every process."""
+    """64 bits from names (a seed, an edition, a tile, what is drawn): SHA-256, the same in every process.
+
+    >>> key("pine", 7) == key("pine", 7) != key("pine", 8)
+    True
+    """
     text = "\x1f".join(f"{type(n).__name__[0]}{n}" for n in names)
     return int.from_bytes(hashlib.sha256(text.encode()).digest()[:8], "little")
 
 
 def stream(*names: str | int) -> np.random.Generator:
-    """A NumPy generator of its own for these names."""
+    """A NumPy generator of its own for these names.
+
+    >>> stream("pine", 7).random() == stream("pine", 7).random()
+    True
+    """
     return np.random.Generator(np.random.PCG64(key(*names)))
 
 
@@ -39,7 +47,11 @@ def uniform(key: np.uint64, counter: np.uint64) -> float:
 
 
 def lattice(*names: str | int) -> Array:
-    """A table (4096,) float64 of uniforms in [0, 1): the lattice values of :func:`value`."""
+    """A table (4096,) float64 of uniforms in [0, 1): the lattice values of :func:`value`.
+
+    >>> lattice("hill").shape
+    (4096,)
+    """
     return stream("lattice", *names).random(4096)
 
 

@@ -34,7 +34,11 @@ CRAFTS: dict[str, tuple[str, str]] = {
 
 
 def craft(name: str) -> Craft:
-    """The craft called ``name``; TambourError when there is none."""
+    """The craft called ``name``; TambourError when there is none.
+
+    >>> craft("ink").reads
+    ()
+    """
     if name not in CRAFTS:
         raise TambourError(
             f'there is no craft "{name}"', hint=did_you_mean(name, CRAFTS) or f"known: {', '.join(CRAFTS)}"
@@ -46,7 +50,11 @@ def craft(name: str) -> Craft:
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """A file asked for: where, by which view, of which value type."""
+    """A file asked for: where, by which view, of which value type.
+
+    >>> outputs(craft("ink"), ["hill.png"], "")[0].suffix
+    '.png'
+    """
 
     path: Path
     view: str
@@ -60,6 +68,9 @@ def outputs(
 
     ``name.VIEW.suffix`` takes a view only when VIEW is one of the craft's; else ``prefer`` (suffix → view) comes
     before the views' own suffixes. All that is wrong is raised at once.
+
+    >>> [(o.view, o.suffix) for o in outputs(craft("knit"), ["rose.chart.pdf", "rose.k"], "rose")]
+    [('chart', '.pdf'), ('knitout', '.k')]
     """
     prefer = prefer or {}
     found: list[Output] = []
@@ -106,7 +117,12 @@ def outputs(
 
 
 def load_files(params: Params) -> Params:
-    """Params with every field that names a file replaced by the value read from it."""
+    """Params with every field that names a file replaced by the value read from it.
+
+    >>> given = craft("embroidery").params(cloth="wave")
+    >>> load_files(given).cloth
+    'wave'
+    """
     loaded: dict[str, Any] = {}
     problems: list[Problem] = []
     for name, kind in params.files().items():
@@ -136,6 +152,10 @@ class Made:
     source : path (where it was read from one) and sha256 of the source, or None
     stem : the name of files that are asked for by suffix alone
     progress : the stages' seconds and the warnings of the making
+
+    >>> made = make("knit", "examples/knit/rose.png", craft("knit").params(stitches=24))
+    >>> made.stem, sorted(made.source)
+    ('rose', ['path', 'sha256'])
     """
 
     craft: Craft
@@ -162,6 +182,10 @@ def make(
     edits : what is changed by hand, in this order; see :meth:`tambour.craft.Craft.edits`
 
     Raises TambourError for input that cannot be used.
+
+    >>> chart = make("knit", "examples/knit/rose.png", craft("knit").params(stitches=24)).piece.chart
+    >>> chart.shape[1]
+    24
     """
     what = craft(what) if isinstance(what, str) else what
     progress = progress or Progress()
@@ -195,6 +219,10 @@ def edited(made: Made, edits: Sequence[Edit | str], progress: Progress | None = 
     """A piece with all of ``edits``: those of kinds that come before the making it was made with; the others are made on it.
 
     Raises TambourError for edits that cannot be made.
+
+    >>> made = make("knit", "examples/knit/rose.png", craft("knit").params(stitches=24))
+    >>> int(edited(made, ["stitch:1,1=CC"]).piece.chart.cells[0, 0])
+    1
     """
     what, progress = made.craft, progress or made.progress
     changed, piece = what.edits(edits), made.piece
@@ -231,6 +259,10 @@ def write(
 
     All files appear, or, on any error, none. Raises TambourError. The report holds craft, version, edition, params,
     source, edits, the craft's facts, warnings, files, how its kernels ran, and seconds per stage.
+
+    >>> made = make("knit", "examples/knit/rose.png", craft("knit").params(stitches=24))
+    >>> write(made, ["rose.csv"])["files"]
+    ['rose.csv']
     """
     from tambour import __version__
     from tambour.core.kernels import ways
@@ -279,7 +311,15 @@ def write(
 
 
 def guard(plan: Sequence[Output], source: str | Path | None, report: str | Path | None) -> None:
-    """Refuse files that would overwrite the source or each other; TambourError."""
+    """Refuse files that would overwrite the source or each other; TambourError.
+
+    >>> try:
+    ...     guard(outputs(craft("knit"), ["rose.png"], ""), "rose.png", None)
+    ... except TambourError as error:
+    ...     print(error)
+    rose.png: this is the source, it would be overwritten
+      name another file
+    """
     problems = [
         Problem("this is the source, it would be overwritten", "name another file", where=str(item.path))
         for item in plan
@@ -319,6 +359,10 @@ def run(
     """:func:`make` and :func:`write` in one; what cannot be written is told before anything is made.
 
     began : ``time.perf_counter()`` at the process's start, so that imports count to the stage "start"
+
+    >>> report = run("ink", params=craft("ink").params(seed="7", span=200), out=["hills.svg"])
+    >>> report["files"], report["craft"]
+    (['hills.svg'], 'ink')
     """
     begin = time.perf_counter() if began is None else began
     what = craft(what) if isinstance(what, str) else what

@@ -15,6 +15,9 @@ class Weight:
     single : single crochets in 4 in, the middle of the range; hook : mm, the middle of the range (lace: hands' usual)
     amigurumi : mm, the hook for toys, several sizes smaller, so that no stuffing shows
     metres : in 100 g, typically; skein : grams, typically
+
+    >>> WEIGHTS["dk"].knit
+    (22.0, 30.0)
     """
 
     number: int

@@ -21,7 +21,11 @@ LONGEST = 20_000
 
 @dataclass(frozen=True, slots=True)
 class Gauge:
-    """Stitches and rows per 10 cm."""
+    """Stitches and rows per 10 cm.
+
+    >>> Gauge(stitches=22, rows=30).width
+    4.545454545454546
+    """
 
     stitches: float
     rows: float
@@ -32,12 +36,20 @@ class Gauge:
 
     @property
     def width(self) -> float:
-        """Width of one stitch, mm."""
+        """Width of one stitch, mm.
+
+        >>> Gauge(25, 40).width
+        4.0
+        """
         return 100.0 / self.stitches
 
     @property
     def height(self) -> float:
-        """Height of one row, mm."""
+        """Height of one row, mm.
+
+        >>> Gauge(25, 40).height
+        2.5
+        """
         return 100.0 / self.rows
 
 
@@ -60,6 +72,11 @@ class Chart:
     backing : of jacquard, what the back bed knits: birdseye (the colours by turns), stripes (each colour a whole row) or
         picture, which is ``behind``
     behind : (R, C) uint8 → palette, or None: what the back bed knits, columns as for ``cells``
+
+    >>> wool = Palette(np.array([[240, 230, 210], [40, 60, 120]]), ("cream", "navy"))
+    >>> chart = Chart(np.array([[0, 1, 0, 1], [1, 1, 0, 0]]), wool, gauge=Gauge(22, 30))
+    >>> chart.shape, chart.technique
+    ((2, 4), 'stranded')
     """
 
     cells: Array
@@ -101,11 +118,19 @@ class Chart:
 
     @property
     def shape(self) -> tuple[int, int]:
-        """Rows and stitches."""
+        """Rows and stitches.
+
+        >>> Chart(np.zeros((3, 8)), Palette(np.zeros((1, 3)))).shape
+        (3, 8)
+        """
         return int(self.cells.shape[0]), int(self.cells.shape[1])
 
     def plain(self) -> dict[str, Any]:
-        """All of the chart as plain JSON: rows by their number, the top row first; :meth:`of` is the way back."""
+        """All of the chart as plain JSON: rows by their number, the top row first; :meth:`of` is the way back.
+
+        >>> Chart(np.zeros((1, 4)), Palette(np.zeros((1, 3)))).plain()["cells"]
+        {'1': '0000'}
+        """
         rows, stitches = self.shape
         order = range(rows - 1, -1, -1)
         masks = {
@@ -142,6 +167,10 @@ class Chart:
         """The chart that :meth:`plain` told; keys it does not know are left aside.
 
         Raises ValueError naming the key that is missing or wrong.
+
+        >>> chart = Chart(np.zeros((3, 8)), Palette(np.zeros((1, 3))))
+        >>> Chart.of(chart.plain()).shape
+        (3, 8)
         """
         if told.get("format") != FORMAT:
             raise ValueError(f'"format" is {told.get("format")!r}, wanted {FORMAT!r}')

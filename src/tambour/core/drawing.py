@@ -26,6 +26,9 @@ class Styles:
     evenodd : (S,) bool, fill rule (False: non-zero)
     cap, join : (S,) uint8 → CAPS, JOINS: how strokes end and turn; left empty, all round
     miter : (S,) float64, how many widths a mitre may be long; left empty, 4
+
+    >>> len(Styles.of(((200, 30, 30, 255), None, 0.0)))
+    1
     """
 
     fill: Array
@@ -57,7 +60,12 @@ class Styles:
 
     @classmethod
     def of(cls, *styles: tuple[tuple[int, int, int, int] | None, tuple[int, int, int, int] | None, float]) -> Styles:
-        """A table from ``(fill, stroke, width)`` triples; None for no fill or no stroke."""
+        """A table from ``(fill, stroke, width)`` triples; None for no fill or no stroke.
+
+        >>> red, line = Styles.of(((200, 30, 30, 255), None, 0.0), (None, (0, 0, 0, 255), 0.5)).fill.tolist()
+        >>> red, line
+        ([200, 30, 30, 255], [0, 0, 0, 0])
+        """
         none = (0, 0, 0, 0)
         return cls(
             np.array([s[0] or none for s in styles], np.uint8).reshape(-1, 4),
@@ -73,6 +81,10 @@ class Groups:
     children), ``layer`` (G,) bool (written as a layer where the format has them), ``data`` attributes per group.
 
     zero : (G,) float64, or empty: the x that text files count a top group's shapes from, so that numbers stay short
+
+    >>> import numpy as np
+    >>> len(Groups(("hat", "brim"), ("Hat", "Brim"), np.array([-1, 0])))
+    2
     """
 
     ids: tuple[str, ...] = ()
@@ -100,7 +112,11 @@ class Groups:
 @dataclass(frozen=True, slots=True)
 class Label:
     """A line of text: ``x, y`` is its baseline's start, middle or end (``anchor``); ``size`` the font size; both in the
-    drawing's units; ``angle`` in radians, counter-clockwise as seen."""
+    drawing's units; ``angle`` in radians, counter-clockwise as seen.
+
+    >>> Label("Rnd 1", 10, 20, 4).anchor
+    'start'
+    """
 
     text: str
     x: float
@@ -149,6 +165,13 @@ class Drawing:
     background : RGBA of the sheet or None
     about : facts for the file's metadata (title, source, seed, …); no dates
     terse : None, or decimals (0…3) for text files that spell ways in short steps: for scenes of a million points
+
+    >>> from tambour import Paths
+    >>> square = Paths.of([[(0, 0), (9, 0), (9, 9), (0, 9), (0, 0)]])
+    >>> red = Styles.of(((200, 30, 30, 255), None, 0.0))
+    >>> drawing = Drawing(square, np.zeros(1, np.int32), red, np.array([10.0, 10.0]))
+    >>> len(drawing), drawing.unit
+    (1, 1.0)
     """
 
     paths: Paths

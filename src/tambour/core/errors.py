@@ -23,7 +23,11 @@ LONGEST_TEXT = 10_000
 
 
 def unspeakable(text: str) -> str:
-    """Why a text from outside cannot be a parameter or a name; empty when it can."""
+    r"""Why a text from outside cannot be a parameter or a name; empty when it can.
+
+    >>> unspeakable("a name"), unspeakable("a\x1b[31mname")
+    ('', 'holds a control character')
+    """
     try:
         text.encode()
     except UnicodeEncodeError:
@@ -34,7 +38,11 @@ def unspeakable(text: str) -> str:
 
 
 def shown(text: str) -> str:
-    """A text from a file or a command line as it may stand in a terminal: a visible sign for each control character."""
+    r"""A text from a file or a command line as it may stand in a terminal: a visible sign for each control character.
+
+    >>> shown("a\x1b[31mname")
+    'a␛[31mname'
+    """
 
     def sign(found: re.Match[str]) -> str:
         code = ord(found[0])
@@ -44,12 +52,22 @@ def shown(text: str) -> str:
 
 
 def option(name: str) -> str:
-    """The command line's spelling of a parameter: ``max_float`` or ``max-float`` is ``--max-float``."""
+    """The command line's spelling of a parameter: ``max_float`` or ``max-float`` is ``--max-float``.
+
+    >>> option("max_float")
+    '--max-float'
+    """
     return "--" + name.rstrip("_").replace("_", "-")
 
 
 def spelt(text: str, spell: Callable[[str], str] = option) -> str:
-    """A message with each parameter that it names, written ``{--max-float}``, in the caller's spelling."""
+    """A message with each parameter that it names, written ``{--max-float}``, in the caller's spelling.
+
+    >>> spelt("give {--max-float}")
+    'give --max-float'
+    >>> spelt("give {--max-float}", lambda name: name.replace("-", " "))
+    'give max float'
+    """
     return _OPTION.sub(lambda found: spell(found[1]), text)
 
 
@@ -66,6 +84,9 @@ class Text:
     """A text and the name it is known by (a path, ``<stdin>``): the source of every craft that reads language.
 
     photos : pictures that stood in it, each with its offset and the bytes of its file
+
+    >>> Text("R1: MR(6)", "ball.acl").name
+    'ball.acl'
     """
 
     text: str
@@ -73,12 +94,20 @@ class Text:
     photos: tuple[tuple[int, bytes], ...] = field(default=(), compare=False, repr=False)
 
     def place(self, offset: int) -> tuple[int, int]:
-        """Line and column of a character offset, both counted from 1."""
+        r"""Line and column of a character offset, both counted from 1.
+
+        >>> Text("R1: MR(6)\nR2: 6 inc").place(14)
+        (2, 5)
+        """
         offset = max(0, min(offset, len(self.text)))
         return self.text.count("\n", 0, offset) + 1, offset - self.text.rfind("\n", 0, offset)
 
     def line(self, offset: int) -> str:
-        """The line in which a character stands, without its end."""
+        r"""The line in which a character stands, without its end.
+
+        >>> Text("R1: MR(6)\nR2: 6 inc").line(14)
+        'R2: 6 inc'
+        """
         offset = max(0, min(offset, len(self.text)))
         end = self.text.find("\n", offset)
         return self.text[self.text.rfind("\n", 0, offset) + 1 : len(self.text) if end < 0 else end].rstrip("\r")
@@ -86,10 +115,14 @@ class Text:
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """One thing that is wrong (or, as a ``warning``, doubtful) with an input.
+    r"""One thing that is wrong (or, as a ``warning``, doubtful) with an input.
 
     ``where`` names the file, option or field when there is no text to point into; ``hint`` is the remedy. Parameters
     stand in all three as ``{--max-float}``: who tells the problem spells them (:func:`spelt`).
+
+    >>> print(Problem("there is no such file", "did you mean \"bear.txt\"?", where="baer.txt"))
+    baer.txt: there is no such file
+      did you mean "bear.txt"?
     """
 
     message: str
@@ -101,7 +134,12 @@ class Problem:
 
     def plain(self) -> dict[str, Any]:
         """The problem as data: message, hint, line and column (from 1) and length (None without a place in a text),
-        where (a file, an option), warning."""
+        where (a file, an option), warning.
+
+        >>> told = Problem("the round makes 11", span=Span(4, 9), source=Text("R2: 6 inc (11)")).plain()
+        >>> told["line"], told["column"], told["length"]
+        (1, 5, 5)
+        """
         at: tuple[int | None, int | None, int | None] = (None, None, None)
         if self.span is not None and self.source is not None:
             at = (*self.source.place(self.span.start), max(1, self.span.end - self.span.start))
@@ -137,6 +175,13 @@ class TambourError(Exception):
 
     Raised as ``TambourError("message", hint="…", where="--width")`` for one problem, or with a list of
     :class:`Problem`.
+
+    >>> try:
+    ...     raise TambourError("too narrow", hint="at least {--width} 5mm", where="logo.svg")
+    ... except TambourError as error:
+    ...     print(error)
+    logo.svg: too narrow
+      at least --width 5mm
     """
 
     def __init__(
@@ -159,7 +204,11 @@ class LawError(ValueError):
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """The hint ``did you mean "x" or "y"?`` for a misspelt word, or an empty string when nothing is near."""
+    """The hint ``did you mean "x" or "y"?`` for a misspelt word, or an empty string when nothing is near.
+
+    >>> did_you_mean("crotchet", ["crochet", "knit"])
+    'did you mean "crochet"?'
+    """
     import difflib
 
     near = difflib.get_close_matches(word, list(known), n=2, cutoff=0.65)

@@ -69,6 +69,11 @@ class StitchGraph:
     parts : tuple[Part]
     anchors, anchor_offsets : ragged list (N + 1 offsets) of the nodes each node is worked into, in order
     previous : (N,) int32, the node that the yarn comes from, -1 at a start
+
+    >>> from tambour.run import make
+    >>> graph = make("crochet", "examples/crochet/coaster.acl").piece.built.graph
+    >>> len(graph.kind) == len(graph), "sc" in graph.kinds
+    (True, True)
     """
 
     kind: Array
@@ -136,6 +141,11 @@ class StitchGraph:
 
     @property
     def stitch_width(self) -> float:
-        """Width of a stitch, mm: the mean rest length along the yarn; 5 where there is no such edge."""
+        """Width of a stitch, mm: the mean rest length along the yarn; 5 where there is no such edge.
+
+        >>> from tambour.run import make
+        >>> make("crochet", "examples/crochet/coaster.acl").piece.built.graph.stitch_width > 2
+        True
+        """
         along = self.edge_kind == YARN
         return float(self.rest[along].mean()) if along.any() else 5.0

@@ -24,6 +24,10 @@ class Mesh:
         that a long sequence never lies in memory whole
     frame_count : number of frames (1 for a still mesh); seconds_per_frame their distance in time
     smooth : the shape is meant to be round between its vertices (shading, glTF normals)
+
+    >>> one = Mesh(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 2]]))
+    >>> one.vertices.dtype.name, one.frame_count
+    ('float64', 1)
     """
 
     vertices: Array
@@ -56,7 +60,12 @@ class Mesh:
         put(self, vertices=vertices, faces=faces, color=color, uv=uv, face_group=group, frames=frames)
 
     def positions(self) -> Iterator[Array]:
-        """Every frame's vertices (V, 3), one at a time; the rest position for a still mesh."""
+        """Every frame's vertices (V, 3), one at a time; the rest position for a still mesh.
+
+        >>> moving = Mesh(np.zeros((3, 3)), np.array([[0, 1, 2]]), frames=np.zeros((24, 3, 3)))
+        >>> len(list(moving.positions()))
+        24
+        """
         if self.frames is None:
             yield self.vertices
         elif callable(self.frames):
@@ -70,6 +79,9 @@ class Binding:
     """Points that ride on a mesh: at barycentric ``uv`` of ``face``, ``elevation`` along the normal there.
 
     face : (P,) int32; uv : (P, 2) float64, the weights of the face's second and third vertex; elevation : (P,) mm
+
+    >>> Binding(np.array([0]), np.array([[0.25, 0.25]]), np.array([0.4])).elevation.tolist()
+    [0.4]
     """
 
     face: Array

@@ -17,6 +17,9 @@ class Palette:
     rgb : (K, 3) uint8 sRGB, K ≤ 256
     names : K names (empty strings where there are none)
     codes : K catalogue codes (empty strings where there are none)
+
+    >>> len(Palette(np.array([[240, 230, 210], [40, 60, 120]]), ("cream", "navy")))
+    2
     """
 
     rgb: Array

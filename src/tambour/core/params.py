@@ -28,7 +28,11 @@ _NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-zA-Z
 
 
 def measure(value: Any, units: dict[str, float], plain: float = 1.0) -> Any:
-    """A number with a unit (``"2.5cm"``) in the base unit; a bare number counts ``plain``."""
+    """A number with a unit (``"2.5cm"``) in the base unit; a bare number counts ``plain``.
+
+    >>> measure("2h", {"s": 1.0, "h": 3600.0})
+    7200.0
+    """
     if not isinstance(value, str):
         return value
     found = _NUMBER.match(value)
@@ -38,7 +42,11 @@ def measure(value: Any, units: dict[str, float], plain: float = 1.0) -> Any:
 
 
 def length(value: Any) -> Any:
-    """A length in mm from a number or a text such as ``0.4mm``, ``2.5cm``, ``1in``."""
+    """A length in mm from a number or a text such as ``0.4mm``, ``2.5cm``, ``1in``.
+
+    >>> length("2.5cm"), length(4)
+    (25.0, 4)
+    """
     return measure(value, _LENGTHS)
 
 
@@ -80,7 +88,13 @@ def edited(default: tuple[str, ...] = ()) -> Any:
 
 
 class Params(BaseModel):
-    """Base of every craft's parameters: frozen, unknown names refused, docstrings under fields are their help."""
+    r"""Base of every craft's parameters: frozen, unknown names refused, docstrings under fields are their help.
+
+    >>> class Socks(Params):
+    ...     size: int = 38
+    >>> Socks(size="41").size
+    41
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True, allow_inf_nan=False)
 
@@ -100,12 +114,22 @@ class Params(BaseModel):
 
     @classmethod
     def files(cls) -> dict[str, str]:
-        """Fields that name a file → the value type they are read as."""
+        """Fields that name a file → the value type they are read as.
+
+        >>> from tambour.run import craft
+        >>> craft("embroidery").params.files()["font"]
+        'Font'
+        """
         return dict(_files(cls))
 
     @classmethod
     def words(cls, name: str) -> tuple[str, ...]:
-        """The words that the file field ``name`` takes in a file's place."""
+        """The words that the file field ``name`` takes in a file's place.
+
+        >>> from tambour.run import craft
+        >>> "wave" in craft("embroidery").params.words("cloth")
+        True
+        """
         extra = cls.model_fields[name].json_schema_extra
         listed = extra.get("words", []) if isinstance(extra, dict) else []
         return tuple(map(str, listed)) if isinstance(listed, list) else ()
@@ -122,14 +146,24 @@ class Params(BaseModel):
 
     @classmethod
     def asked(cls) -> dict[str, Any]:
-        """The fields that options and forms ask for: all but those that edits set."""
+        """The fields that options and forms ask for: all but those that edits set.
+
+        >>> from tambour.run import craft
+        >>> "max_float" in craft("knit").params.asked()
+        True
+        """
         extras = {name: f.json_schema_extra for name, f in cls.model_fields.items()}
         edits = {name for name, e in extras.items() if isinstance(e, dict) and "edited" in e}
         return {name: f for name, f in cls.model_fields.items() if name not in edits}
 
     @classmethod
     def help(cls, name: str) -> str:
-        """What the field ``name`` is for: the text that stands under it, in one line."""
+        """What the field ``name`` is for: the text that stands under it, in one line.
+
+        >>> from tambour.run import craft
+        >>> craft("ink").params.help("span") != ""
+        True
+        """
         said = cls.model_fields[name].description or _texts(cls).get(name, "")
         return said.strip().replace("\n", " ")
 
@@ -139,6 +173,10 @@ class Params(BaseModel):
         exclusiveMinimum, exclusiveMaximum), choices, file (the value type read from it), many, default, when.
 
         Help names other fields as ``{--max-float}``; see :func:`tambour.core.errors.spelt`.
+
+        >>> from tambour.run import craft
+        >>> craft("embroidery").params.form()["width"]["unit"]
+        'mm'
         """
         of_group = {name: group for group, names in cls.groups.items() for name in names.split()}
         made = {}
@@ -167,7 +205,12 @@ class Params(BaseModel):
 
     @classmethod
     def model_json_schema(cls, *args: Any, **options: Any) -> dict[str, Any]:
-        """Pydantic's schema, and with each property what :meth:`form` knows of it."""
+        """Pydantic's schema, and with each property what :meth:`form` knows of it.
+
+        >>> from tambour.run import craft
+        >>> craft("ink").params.model_json_schema()["properties"]["seed"]["type"]
+        'string'
+        """
         made = super().model_json_schema(*args, **options)
         for name, told in cls.form().items():
             for part in made["properties"][name].get("anyOf", ()):
@@ -177,7 +220,12 @@ class Params(BaseModel):
         return made
 
     def idle(self) -> list[Problem]:
-        """Warnings about the fields that are set and have no effect, by ``when``."""
+        """Warnings about the fields that are set and have no effect, by ``when``.
+
+        >>> from tambour.run import craft
+        >>> [p.where for p in craft("embroidery").params(place_group="hat").idle()]
+        ['{--place-group}']
+        """
         problems = []
         for name, needs in self.when.items():
             unmet = [(k, v) for k, v in needs.items() if not _holds(getattr(self, k), v)]
@@ -188,7 +236,15 @@ class Params(BaseModel):
 
     @classmethod
     def of(cls, values: dict[str, Any], spell: str = "{{--{}}}") -> Any:
-        """Validated params; all that is wrong at once as a TambourError whose places are the fields."""
+        """Validated params; all that is wrong at once as a TambourError whose places are the fields.
+
+        >>> from tambour.run import craft
+        >>> try:
+        ...     craft("embroidery").params.of({"width": "3 parsecs"})
+        ... except TambourError as error:
+        ...     print(error.problems[0].where)
+        {--width}
+        """
         try:
             return cls(**values)
         except ValidationError as error:
@@ -204,11 +260,22 @@ class Params(BaseModel):
             ) from None
 
     def plain(self) -> dict[str, Any]:
-        """The values that differ from nothing: plain JSON, files by the name they were given by."""
+        """The values that differ from nothing: plain JSON, files by the name they were given by.
+
+        >>> from tambour.run import craft
+        >>> craft("knit").params(max_float="5").plain()["max_float"]
+        '5'
+        """
         return self.model_dump(mode="json", exclude=set(self.files()))
 
     def key(self) -> str:
-        """Content hash: equal for equal params, whatever the files they came from are called."""
+        """Content hash: equal for equal params, whatever the files they came from are called.
+
+        >>> from tambour.run import craft
+        >>> knit = craft("knit").params
+        >>> knit(max_float=5).key() == knit(max_float="5").key() != knit(max_float=7).key()
+        True
+        """
         from tambour.core.digest import digest
 
         return digest([type(self).__name__, self.plain(), {name: getattr(self, name) for name in self.files()}])

@@ -19,6 +19,10 @@ class Paths:
     offsets : (N + 1,) int64; path i is ``coords[offsets[i]:offsets[i + 1]]``; rises from 0 to P
     parts : (M + 1,) int64 or None; when given, shape m is made of the paths ``parts[m]`` to ``parts[m + 1]``: rings that
         repeat their first point (a polygon's outline and holes), or open lines
+
+    >>> both = Paths.of([[(0, 0), (3, 4)], [(1, 1), (2, 1), (2, 2)]])
+    >>> len(both), both[1].tolist()
+    (2, [[1.0, 1.0], [2.0, 1.0], [2.0, 2.0]])
     """
 
     coords: Array
@@ -42,12 +46,21 @@ class Paths:
 
     @property
     def shapes(self) -> int:
-        """How many shapes these are: polygons where there are parts, else paths."""
+        """How many shapes these are: polygons where there are parts, else paths.
+
+        >>> ring = [(0, 0), (9, 0), (0, 9), (0, 0)]
+        >>> Paths.of([ring, ring]).shapes
+        2
+        """
         return len(self) if self.parts is None else len(self.parts) - 1
 
     @classmethod
     def of(cls, lines: Iterable[ArrayLike], dimensions: int = 2) -> Paths:
-        """Paths from a sequence of (n, 2) or (n, 3) arrays."""
+        """Paths from a sequence of (n, 2) or (n, 3) arrays.
+
+        >>> Paths.of([[(0, 0), (3, 4)]]).offsets.tolist()
+        [0, 2]
+        """
         arrays = [np.asarray(line, np.float64) for line in lines]
         if not arrays:
             return cls(np.zeros((0, dimensions)), np.zeros(1, np.int64))

@@ -15,6 +15,10 @@ class Picture:
 
     rgba : (H, W, 4) uint8 sRGB with straight alpha, row 0 on top
     pixel : size of one pixel in mm, or None when it is not known
+
+    >>> white = Picture(np.full((40, 60, 4), 255), pixel=0.25)
+    >>> white.rgba.shape, white.rgba.dtype.name
+    ((40, 60, 4), 'uint8')
     """
 
     rgba: Array

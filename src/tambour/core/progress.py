@@ -25,6 +25,12 @@ class Progress:
 
     ``show(stage, done, total)`` is called on every change: a bar in the terminal, nothing in batch. It may raise
     :class:`Stopped`, which ends the work. ``watch`` is shown what is being made, at most every 16 ms. ``seconds`` holds the time spent in each stage, nested stages taken out of their surroundings.
+
+    >>> progress = Progress()
+    >>> with progress.stage("settle"):
+    ...     progress.step(1, 2)
+    >>> list(progress.seconds)
+    ['settle']
     """
 
     def __init__(self, show: Show | None = None, watch: Callable[[Any], None] | None = None) -> None:
@@ -38,7 +44,14 @@ class Progress:
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
-        """Work done inside is counted as stage ``name``."""
+        """Work done inside is counted as stage ``name``.
+
+        >>> progress = Progress()
+        >>> with progress.stage("read"):
+        ...     pass
+        >>> progress.seconds["read"] >= 0
+        True
+        """
         self._switch()
         self._open.append(name)
         self._show(name, 0, 0)
@@ -49,24 +62,45 @@ class Progress:
             self._open.pop()
 
     def step(self, done: int, total: int) -> None:
-        """The open stage has done ``done`` of ``total``."""
+        """The open stage has done ``done`` of ``total``.
+
+        >>> progress = Progress(lambda stage, done, total: print(stage, done, "of", total))
+        >>> progress.step(1, 2)
+         1 of 2
+        """
         self._show(self._open[-1] if self._open else "", done, total)
 
     def look(self, make: Callable[[], Any]) -> None:
-        """Show who watches what is being made: ``make()`` is called only when somebody does and the last look is over."""
+        """Show who watches what is being made: ``make()`` is called only when somebody does and the last look is over.
+
+        >>> Progress(watch=print).look(lambda: "half a ball")
+        half a ball
+        """
         now = time.perf_counter()
         if self._watch is not None and now - self._looked >= LOOK:
             self._watch(make())
             self._looked = time.perf_counter()
 
     def copy(self) -> Progress:
-        """Another one for the same caller, with what was told so far: where work goes on from a state that is kept."""
+        """Another one for the same caller, with what was told so far: where work goes on from a state that is kept.
+
+        >>> progress = Progress()
+        >>> progress.warn("a doubt")
+        >>> len(progress.copy().warnings)
+        1
+        """
         made = Progress(self._show, self._watch)
         made.warnings, made.seconds = list(self.warnings), dict(self.seconds)
         return made
 
     def warn(self, problem: Problem | str, hint: str = "", where: str = "") -> None:
-        """Note a doubt; it is printed, and stands in the report, but stops nothing."""
+        """Note a doubt; it is printed, and stands in the report, but stops nothing.
+
+        >>> progress = Progress()
+        >>> progress.warn("the pattern names no yarn", where="bear.txt")
+        >>> print(progress.warnings[0])
+        bear.txt: warning: the pattern names no yarn
+        """
         if isinstance(problem, str):
             problem = Problem(problem, hint=hint, where=where)
         self.warnings.append(

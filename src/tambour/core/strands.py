@@ -23,6 +23,10 @@ class Strands:
     strand_data, point_data : named attributes, one row per strand (N, …) or per point (P, …)
     frames : None, or a function that starts a new iterator of (P, 3) positions
     frame_count, seconds_per_frame : as in Mesh
+
+    >>> yarn = Strands(Paths.of([[(0, 0, 0), (9, 0, 0)]]), np.array([1.5, 1.5]), np.array([[200, 30, 40]]))
+    >>> len(yarn.paths), yarn.source.tolist()
+    (1, [-1])
     """
 
     paths: Paths

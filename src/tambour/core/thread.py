@@ -22,7 +22,11 @@ COMMANDS: Final = ("stitch", "jump", "trim", "stop", "color", "end")
 
 @dataclass(frozen=True, slots=True)
 class Thread:
-    """A thread: sRGB colour, name, catalogue and code one can buy it by."""
+    """A thread: sRGB colour, name, catalogue and code one can buy it by.
+
+    >>> Thread((200, 30, 40), "Red").code
+    ''
+    """
 
     rgb: tuple[int, int, int]
     name: str = ""
@@ -41,6 +45,11 @@ class ThreadPlan:
     limit : longest step that is not a jump, mm, or None when no machine has been chosen
     about : facts for the file (``title``), wishes to a format (``pes`` "1" or "6", ``jef-trims`` "yes"), and what a
         reader doubted (``doubts``, one to a line)
+
+    >>> way = np.array([[0, 0], [2, 0], [2, 2], [2, 2]])
+    >>> plan = ThreadPlan(way, np.array([STITCH, STITCH, STITCH, END]), np.zeros(4), (Thread((200, 30, 40), "Red"),))
+    >>> len(plan), [COMMANDS[c] for c in plan.command]
+    (4, ['stitch', 'stitch', 'stitch', 'end'])
     """
 
     xy: Array

@@ -32,7 +32,7 @@ _PAIR = re.compile(r"\s*(\d+\.?\d*)\s*=\s*(\d+\.?\d*)\s*")
 def widened(width: float, pull: float, percent: float) -> float:
     """mm that each side of a satin stitch of ``width`` mm is drawn out by.
 
-    >>> widened(4.0, 0.2, 5.0)
+    >>> round(widened(4.0, 0.2, 5.0), 3)
     0.3
     """
     return min(MOST, pull + width * percent / 200.0)

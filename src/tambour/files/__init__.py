@@ -121,6 +121,9 @@ def read(path: str | Path, types: Iterable[str]) -> Any:
     """The file's value, as the first of ``types`` that its suffix can be read as.
 
     Raises TambourError when the file is missing, its suffix unknown, or its content not what the suffix says.
+
+    >>> read("examples/crochet/ball.acl", ["Text"]).name
+    'examples/crochet/ball.acl'
     """
     path, types = Path(path), tuple(types)
     suffix = path.suffix.lower()
@@ -148,7 +151,11 @@ def read(path: str | Path, types: Iterable[str]) -> Any:
 
 
 def can_write(suffix: str, kind: str) -> bool:
-    """Whether there is a writer for this suffix and value type."""
+    """Whether there is a writer for this suffix and value type.
+
+    >>> can_write(".dst", "ThreadPlan"), can_write(".dst", "Chart")
+    (True, False)
+    """
     return (suffix, kind) in WRITE
 
 
@@ -156,6 +163,11 @@ def write(value: Any, path: str | Path, kind: str | None = None) -> None:
     """Write a value by the suffix of ``path``; ``kind`` names its type where the value cannot (a stream, a booklet).
 
     The file and its companions appear whole, or, on any failure, not at all.
+
+    >>> from tambour import Text
+    >>> write(Text("R1: MR(6)"), "ball.acl")
+    >>> read("ball.acl", ["Text"]).text
+    'R1: MR(6)'
     """
     from tambour.files.sink import Writing
 
@@ -165,7 +177,15 @@ def write(value: Any, path: str | Path, kind: str | None = None) -> None:
 
 
 def leave(value: Any, sink: Sink, kind: str | None = None) -> None:
-    """Write a value into a sink, as :func:`write` does."""
+    """Write a value into a sink, as :func:`write` does.
+
+    >>> from tambour import Text
+    >>> from tambour.files.sink import Writing
+    >>> with Writing() as writing:
+    ...     leave(Text("R1: MR(6)"), writing.sink("one.acl"))
+    ...     leave(Text("R1: MR(8)"), writing.sink("two.acl"))
+    ...     writing.commit()
+    """
     kind = kind or type(value).__name__
     name = WRITE.get((sink.suffix, kind))
     if name is None:

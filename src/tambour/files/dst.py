@@ -13,7 +13,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, ThreadPlan
-from tambour.files.records import Records, load, needle_points, plan_of, records, same, split
+from tambour.files.records import Records, load, needle_points, plan_of, records, same, split, strange
 from tambour.files.sink import Sink
 
 LIMIT = 121
@@ -161,6 +161,8 @@ def read_plan(path: Path) -> ThreadPlan:
     if off:
         told = ", ".join(f"{k} {said[k] / 10:g} mm (the stitches: {max(0, int(holds[k])) / 10:g})" for k in off)
         doubts.append(f"the header declares other extents: {told}")
+    if said_so := strange(xy, command):
+        doubts.append(said_so)
     if sequins:
         doubts.append(f"{sequins} sequins are left out")
     about = {"title": raw[3:19].split(b"\r")[0].decode("ascii", "replace").strip(), "format": "DST"}

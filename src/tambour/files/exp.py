@@ -14,7 +14,7 @@ from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.kernels import kernel
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, ThreadPlan
-from tambour.files.records import Records, load, needle_points, plan_of, records, same, split
+from tambour.files.records import Records, load, needle_points, plan_of, records, same, split, strange
 from tambour.files.sink import Sink
 
 LIMIT = 127
@@ -94,13 +94,16 @@ def read_plan(path: Path) -> ThreadPlan:
     raw = load(path)
     xy, command, stopped = decode(raw)
     about = {"format": "EXP"}
+    doubts = [strange(xy, command)]
     if stopped < 0:
-        about["doubts"] = (
+        doubts.append(
             f"unknown control byte 0x{raw[-stopped]:02x} at byte {-stopped}: what follows is left out "
             f"({len(raw) + stopped} bytes)"
         )
     elif stopped != len(raw):
-        about["doubts"] = "the file ends within a record"
+        doubts.append("the file ends within a record")
+    if any(doubts):
+        about["doubts"] = "\n".join(filter(None, doubts))
     try:
         return plan_of(xy, command, [], about)
     except TambourError as error:

@@ -33,6 +33,7 @@ def _u32(raw: bytes, at: int, order: Any = "little", size: int = 4) -> int:
 
 
 _ROUGH = ("z01", "pcm")
+_SEW = 0x1D78  # where a SEW file's stitches begin
 
 
 def doubts(kind: str, raw: bytes, stream: Watched, pattern: Any) -> list[str]:
@@ -88,9 +89,12 @@ def _jef(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
 
 def _sew(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
     stop, held = stream.tell(), raw.rstrip(b"\0")  # some programs fill up the last block behind the mark
-    if b"\x80\x10" in (held[-2:], held[-3:-1], held[-4:-2]):
-        return []
-    return [f"the stitches end at byte {stop} of {len(raw)}, before their end mark"]
+    said = []
+    if any(raw[_SEW - 8 : _SEW]):  # nothing stands before them, unless bytes were lost and they moved there
+        said.append(f"the stitches should begin at byte {_SEW}, something stands before them")
+    if b"\x80\x10" not in (held[-2:], held[-3:-1], held[-4:-2]):
+        said.append(f"the stitches end at byte {stop} of {len(raw)}, before their end mark")
+    return said
 
 
 def _xxx(raw: bytes, stream: Watched, pattern: Any) -> list[str]:

@@ -8,7 +8,7 @@ back and compared before it is left. DST and EXP have codecs of their own (``fil
 from __future__ import annotations
 
 import io
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +18,7 @@ from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
 from tambour.files.headers import Watched, doubts
-from tambour.files.records import Records, blocks, load, needle_points, plan_of, records, same, split
+from tambour.files.records import Records, blocks, load, needle_points, plan_of, records, same, split, strange
 from tambour.files.sink import Sink
 
 
@@ -228,7 +228,12 @@ def read_plan(path: Path) -> ThreadPlan:
     kind = path.suffix.lower()[1:]
     raw = load(path)
     try:
-        return _decode(raw, kind)
+        made = _decode(raw, kind)
+        said = strange(np.rint(made.xy * 10), made.command)
+        if not said:
+            return made
+        about = {**made.about, "doubts": "\n".join(filter(None, (made.about.get("doubts", ""), said)))}
+        return replace(made, about=about)
     except TambourError as error:
         raise TambourError(
             f"this is not a {kind.upper()} design: {error.problems[0].message}", where=str(path)

@@ -91,9 +91,9 @@ def sweep(
     that fails is a result. Leaving the iterator (``close``, ``break``) ends what is being made.
 
     >>> from tambour.sweep import sweep
-    >>> for made in sweep("ink", axes={"seed": range(3), "span": [300]}):
-    ...     print(made.name, made.status)  # doctest: +SKIP
-    ink-seed=0-span=300 made
+    >>> for made in sweep("ink", axes={"seed": ["1"], "span": [100]}, jobs=1):
+    ...     print(made.name, made.status)
+    ink-seed=1-span=100 made
     """
     made, limited, _, _ = planned(craft, sources, axes, files, edits, limit, sheet and out is not None, out)
     return course(made, out, pool(jobs, limited, scheduler, cluster), again, sheet)
