@@ -8,6 +8,8 @@ import pytest
 from tambour.core.errors import Text
 from tambour.crochet.piece import Plush
 from tambour.crochet.played import Held, Worked
+from tambour.crochet.settle.body import displacement
+from tambour.crochet.settle.rest import tolerance
 from tambour.run import craft, make
 
 BALL = "R1: MR(6) (6)\nR2: 6 inc (12)\nR3: [sc, inc] x 6 (18)\nR4-R6: 18 sc (18)\nR7: [sc, dec] x 6 (12)\nR8: 6 dec (6)\nFO\n"
@@ -38,6 +40,24 @@ def test_what_nothing_holds_does_not_move(piece):
     held.hear({"type": "release"})
     run(held)
     assert np.abs(at(held) - piece.positions).max() < 0.01 * piece.stitch[0]
+
+
+def test_the_hand_pulls_at_the_very_body_that_came_to_rest(piece):
+    """No force is made up to keep it as it is: the settling that shaped it, seams and stuffing too, would stop here at once."""
+    held = Held(piece)
+    left = np.sqrt((displacement(held.body, held.state, False) ** 2).sum(1))
+    assert left.max() <= 2 * tolerance(
+        len(held.body)
+    )  # it was turned and rounded since; without its seams it is 300 times that
+
+
+def test_a_shape_that_was_not_settled_is_its_rest_too():
+    what = craft("crochet")
+    held = Held(make(what, Text(TOY, "toy.acl"), what.params.of({"solver": "none"})).piece)
+    for word in ({"type": "pin", "node": 3}, {"type": "loose"}):
+        held.hear(word)
+        run(held)
+    assert (held.state.x == held.rest).all()
 
 
 def test_a_held_stitch_is_where_the_hand_is_and_goes_back(piece):

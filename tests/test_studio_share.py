@@ -56,6 +56,7 @@ def test_a_phone_that_was_let_in_follows_its_piece_and_does_nothing_else(door: t
     assert status == 303 and headers["location"] == f"/follow/{piece}"
     cookie = headers["set-cookie"].split(";")[0]
     assert asked(at, code)[0] == 401  # once
+    assert "content-security-policy" in headers and "cross-origin-opener-policy" not in headers
     assert asked(at, f"/follow/{piece}", cookie)[0] == 200 and asked(at, f"/api/pieces/{piece}", cookie)[0] == 200
     place = {"step": 2, "unit": 9, "at": 5}
     assert asked(at, f"/api/pieces/{piece}/place", cookie, "PUT", place)[0] == 200

@@ -14,7 +14,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.packed import Packed
 from tambour.crochet.piece import Plush
-from tambour.crochet.settle.body import Body, State, build, centroid_counts, displacement, joined_up
+from tambour.crochet.settle.body import Body, State, build, centroid_counts
 
 MOST = 60
 """Evaluations after each word of the hand: by then what it pulls has come to rest, or is on its way."""
@@ -25,30 +25,27 @@ WHOLE = 8.0
 """Seconds that a piece takes at the least to be worked one by one: it is done to be seen."""
 
 
-def _body(piece: Plush) -> tuple[Body, Array]:
-    """The piece's body, its parts sewn on as they are; and how many centroids each part has."""
+def _worked(piece: Plush) -> tuple[Body, Array]:
+    """The piece's body before anything is sewn on, and how many centroids each part has."""
     graph, width = piece.built.graph, piece.stitch[0]
     shell = replace(graph, faces=graph.faces[piece.built.shell])
     counts = centroid_counts(shell, piece.params, [part.centroids for part in piece.built.parts])
     used = counts if piece.stuffing == "centroid" else np.zeros_like(counts)
-    body, joined = build(shell, piece.params, width, piece.stuffing, used), piece.shape.joined
-    if joined is not None:
-        body = joined_up(body, np.arange(len(graph)), joined.stays, joined.rest, joined.lying)
-    return body, used
+    return build(shell, piece.params, width, piece.stuffing, used), used
 
 
 class Held:
     """A finished toy, some of whose stitches a hand holds or pins; the rest follows, and goes back when it lets go.
 
-    The shape that it has is its rest: what its forces leave there is balanced by forces that stay the same.
+    It is moved by the settling that shaped it, of the very body that came to rest there. A shape that was not
+    settled (--solver steps, none) finds its own while it is held, and is as it was when it is let go.
     """
 
     def __init__(self, piece: Plush) -> None:
         self.width = piece.stitch[0]
-        self.body, _ = _body(piece)
+        self.body = piece.shape.body() or _worked(piece)[0]
         self.state = State(piece.positions / self.width, piece.centroids / self.width, np.zeros(len(self.body.amount)))
         self.rest = self.state.x.copy()
-        self.balance = -displacement(self.body, self.state, False)
         self.pins: set[int] = set()
         self.grab: Array = np.zeros(0, int)
         self.stand: Array = np.zeros(0, int)
@@ -100,7 +97,7 @@ class Held:
             self._solves = {key: laplacian(self.body, held)}
         self.state.listed = None
         goal = 10.0 * tolerance(len(self.body))
-        self._work = settle(self.body, self.state, goal, MOST, held, self._solves[key], self.balance)
+        self._work = settle(self.body, self.state, goal, MOST, held, self._solves[key])
 
     def move(self) -> float:
         """One move, and seconds to wait after it; the last one brings back exactly what nothing holds any more."""
@@ -123,7 +120,7 @@ class Worked:
 
     def __init__(self, piece: Plush) -> None:
         self.piece, self.width = piece, piece.stitch[0]
-        self.whole, self.counts = _body(replace(piece, shape=replace(piece.shape, joined=None)))
+        self.whole, self.counts = _worked(piece)
         self.playing, self.wanted = False, 0
         self._anew()
 

@@ -69,6 +69,9 @@ class Guard:
     ) -> None:
         self.app, self.tokens, self.hosts, self.body = app, tokens, frozenset(hosts), body
         self.followed, self.narrow = followed, narrow
+        self.headers = dict(HEADERS)
+        if narrow:  # browsers refuse it, aloud, where the address is not one's own machine's
+            del self.headers["cross-origin-opener-policy"]
         self.sockets: Counter[str] = Counter()
         self.opened: deque[float] = deque()
 
@@ -77,7 +80,7 @@ class Guard:
         if scope["type"] == "lifespan":
             await self.app(scope, receive, send)
             return
-        send = _with_headers(send)
+        send = _with_headers(send, self.headers)
         try:
             session = self._enter(scope)
         except Refused as refused:
@@ -206,14 +209,14 @@ def _headers(scope: Scope) -> dict[str, list[str]]:
     return found
 
 
-def _with_headers(send: Send) -> Send:
-    """``send`` that sets HEADERS where the answer does not say otherwise."""
+def _with_headers(send: Send, headers: dict[str, str]) -> Send:
+    """``send`` that sets ``headers`` where the answer does not say otherwise."""
 
     async def sent(message: Message) -> None:
         if message["type"] in ("http.response.start", "websocket.http.response.start"):
             own = list(message.get("headers", []))
             there = {bytes(name).lower() for name, _ in own}
-            own += [(n.encode(), v.encode()) for n, v in HEADERS.items() if n.encode() not in there]
+            own += [(n.encode(), v.encode()) for n, v in headers.items() if n.encode() not in there]
             message = {**message, "headers": own}
         await send(message)
 

@@ -41,6 +41,7 @@ class Shape:
     settled : the goal was reached (for steps and none: nothing was promised)
     hurried : building one by one was cut short; worked : the nodes that had their place by then
     joined : how placed parts were sewn on, None where none are; x there is from before they settled together
+    task : what was brought to rest at last: with its seams, and stuffed as its parts hold it; None where nothing was settled
     """
 
     x: Array
@@ -53,6 +54,16 @@ class Shape:
     hurried: bool = False
     worked: int = -1
     joined: Joined | None = None
+    task: Task | None = None
+
+    def body(self) -> Body | None:
+        """The body that is at rest in ``x`` and ``c``: what pulls at it now meets the forces that shaped it."""
+        if self.task is None:
+            return None
+        body = self.task.body(self.task.graph, self.task.used)
+        if self.joined is not None:
+            body = joined_up(body, np.arange(len(body)), self.joined.stays, self.joined.rest, self.joined.lying)
+        return body
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -287,7 +298,7 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
             x, c = _apart(task, x, c, piece)
     residual, move = max(e.residual for e in ends.values()), max(e.move for e in ends.values())
     settled = all(e.settled for e in ends.values())
-    return Shape(x, c, residual, move, evaluations, settled, volume, hurried, -1, joined)
+    return Shape(x, c, residual, move, evaluations, settled, volume, hurried, -1, joined, task)
 
 
 def _standing(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:

@@ -168,14 +168,12 @@ def settle(
     most: int | None = None,
     held: Array | None = None,
     solve: Callable[[Array], Array] | None = None,
-    pull: Array | None = None,
 ) -> Generator[tuple[int, int], None, Rest]:
     """Bring ``state`` to rest; a generator, so that whoever runs it can look at ``state.x`` after every move.
 
     goal : largest residual force in stitches; None takes :func:`tolerance` and asks for a short last move as well
     most : evaluations at the most; None takes :func:`budget`, and four times it for a goal that was set
     held : (N,) bool, nodes that stay where they are; solve : the :func:`laplacian` of the same edges, if there is one
-    pull : (N, 3) forces that stay the same, on top of the body's own
 
     Yields the evaluations so far and the most there will be, after every accepted move; returns how it ended.
     """
@@ -193,8 +191,6 @@ def settle(
 
     def forces() -> Array:
         D = displacement(body, state, held=fixed)
-        if pull is not None:
-            D += pull * ~fixed[:, None]
         rigid(state.x, label, loose, D)
         return D.ravel()
 
