@@ -19,7 +19,9 @@ from tambour.crochet.language.parse import parse
 from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.fronts import Fronts
 from tambour.crochet.model.geodesic import girth
+from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
+from tambour.crochet.model.tips import mirror
 from tambour.crochet.model.whole import bodies, volume
 from tambour.crochet.page.own import pattern as printed_anew
 from tambour.crochet.params import CrochetParams
@@ -176,3 +178,41 @@ def test_handles_are_told_with_where_they_are() -> None:
     faces = np.concatenate([np.stack([k, corner, right], -1), np.stack([k, up, corner], -1)]).reshape(-1, 3)
     with pytest.raises(TambourError, match=r"a handle .*near \d+ % of its width"):
         made(Mesh(x, faces))
+
+
+def horned(radius: float = 40.0, long: float = 1.5, wide: float = 0.3) -> tuple[Array, Array]:
+    """A ball with two long bumps, mirrored left and right."""
+    x, faces = globe(radius, 40)
+    way = x / np.sqrt((x**2).sum(1))[:, None]
+    for side in (-1.0, 1.0):
+        to = np.array([side * 0.8, 0.6, 0.0])
+        x = x + (x * long) * np.exp(-((np.arccos(np.clip((way * to).sum(1), -1, 1)) / wide) ** 4))[:, None]
+    return x, faces
+
+
+@pytest.mark.slow
+def test_mirrored_limbs_are_one_part_made_twice_and_sewn_on() -> None:
+    piece, told = made(Mesh(*horned()), stitches=900)
+    assert piece.aim is not None and piece.joining is not None
+    text = printed_anew(piece.built).text
+    assert "(make 2) ==" in text
+    first, second = piece.joining.steps
+    assert first[0].tilt == second[0].tilt and first[0].spot.part == "Body"
+    assert piece.aim.distance["mean"] < 0.6, piece.aim.distance
+    assert not tech_edit(piece.built)
+    ends = [piece.positions[piece.built.graph.parts[k].start] for k in (1, 2)]
+    middle = piece.positions[: piece.built.graph.parts[0].end].mean(0)
+    tall = [float(np.sqrt(((end - middle) ** 2).sum())) for end in ends]
+    assert tall[0] == pytest.approx(tall[1], rel=0.06)
+
+
+def test_a_ball_has_no_limbs_and_a_horned_one_has_two() -> None:
+    x, faces = globe(12.0, 20)
+    x, faces, _ = bodies(Mesh(x, faces), [])[0]
+    assert limbs(x, faces, mirror(x, faces), [])[2] == []
+    x, faces, _ = bodies(Mesh(*horned(12.0)), [])[0]
+    body, rest, groups = limbs(x, faces, mirror(x, faces), [])
+    assert [len(group) for group in groups] == [2]
+    pairs = np.sort(np.concatenate([rest[:, :2], rest[:, 1:], rest[:, ::2]]), axis=1)
+    assert (np.unique(pairs, axis=0, return_counts=True)[1] == 2).all()
+    assert np.sqrt((body**2).sum(1)).max() < 16.0

@@ -25,6 +25,7 @@ class Aim:
     vertices (V, 3) mm, faces (F, 3) : the model, laid upon the plush
     distance : how far the plush lies from it, as reports hold it; off : (N,) mm, how far outside of it every stitch lies
     history : part → the mean distances, in stitches, that its corrections went through
+    parts : part → how far it lies, by itself, from its own piece of the model
     """
 
     vertices: Array
@@ -32,6 +33,7 @@ class Aim:
     distance: dict[str, float]
     off: Array
     history: dict[str, list[float]]
+    parts: dict[str, dict[str, float]]
 
 
 @dataclass(frozen=True, eq=False)

@@ -238,7 +238,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
     for f, end in joining.steps:
         part, other = spots.parts[f.part], spots.parts[f.spot.part]
         own = bodies[body[part]]
-        frame = _frame(joining, x, f, end, upright, bodies[body[other]])
+        frame = frame_of(joining, x, f, end, upright, bodies[body[other]])
         how = sewing.held(x, own, end)
         straight = sewing.brought(x, own, end, how, *sewing.ways(f, end, frame, False), frame.points[0])
         ways = sewing.ways(f, end, frame)
@@ -273,7 +273,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
     )
 
 
-def _frame(joining: Joining, x: Array, placed: Placed, end: sewing.End, upright: Array, target: Array) -> Frames:
+def frame_of(joining: Joining, x: Array, placed: Placed, end: sewing.End, upright: Array, target: Array) -> Frames:
     """The frame at the spot of ``placed``, level with as much of the fabric (its nodes are ``target``) as its end covers."""
     built = joining.built
     frame = frames(joining.spots, x, [placed.spot], upright)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from tambour.core.rgb import hexed
 
 if TYPE_CHECKING:
-    from tambour.crochet.piece import Plush
+    from tambour.crochet.piece import Aim, Plush
 
 
 def facts(piece: Plush) -> dict[str, Any]:
@@ -57,7 +57,7 @@ def facts(piece: Plush) -> dict[str, Any]:
             for k, p in enumerate(g.parts)
         ],
         "rounds": [{"part": r.part, "number": r.number, "stitches": r.count} for r in built.rounds],
-        **({"distance": piece.aim.distance, "history": piece.aim.history} if piece.aim is not None else {}),
+        **(_aim(piece.aim) if piece.aim is not None else {}),
         "size": measured,
         "size_mm": [measured[side]["mm"] for side in ("width", "height", "depth")],
         "size_in": [measured[side]["in"] for side in ("width", "height", "depth")],
@@ -75,6 +75,11 @@ def facts(piece: Plush) -> dict[str, Any]:
             assembly(piece.joining, shape.joined, x) if piece.joining is not None and shape.joined is not None else []
         ),
     }
+
+
+def _aim(aim: Aim) -> dict[str, Any]:
+    """How far the plush lies from its model."""
+    return {"distance": aim.distance, "distance_of_parts": aim.parts, "history": aim.history}
 
 
 def _yarn(piece: Plush) -> dict[str, Any]:

@@ -31,12 +31,11 @@ def aimed(made: Design, piece: Plush) -> Aim:
 
     graph, x = piece.built.graph, piece.positions
     target = Target.of(made.vertices, made.faces, samples=4000)
-    known = np.isfinite(made.goals).all(1)
-    start = fit(x[known], made.goals[known], np.ones(int(known.sum())))
+    start = fit(x, made.goals, np.ones(len(x)))
     lain = distance(target, x, graph.faces[piece.built.shell], start, samples=4000)
     off = signed(target, x, lain)
     back = turned(made.vertices - lain.shift, lain.turn.T)
-    return Aim(back, made.faces, lain.plain(piece.stitch[0]), off, made.history)
+    return Aim(back, made.faces, lain.plain(piece.stitch[0]), off, made.history, made.parts)
 
 
 def compare(piece: Plush) -> Picture:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,11 +13,17 @@ from tambour.core.errors import TambourError, Text
 from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
 from tambour.crochet.model import tips
-from tambour.crochet.model.distance import Target
-from tambour.crochet.model.fronts import Fronts, fronts
-from tambour.crochet.model.loop import Task, Tried, looped, tried
-from tambour.crochet.model.rounds import printed
+from tambour.crochet.model.assemble import Nudges, Piece, nudged, placed
+from tambour.crochet.model.distance import Target, distance
+from tambour.crochet.model.fronts import Fronts, fronts, laid
+from tambour.crochet.model.limbs import Limb, limbs
+from tambour.crochet.model.loop import GAIN, TRIES, Task, Tried, looped, tried
+from tambour.crochet.model.named import names
+from tambour.crochet.model.rounds import pattern, printed
+from tambour.crochet.model.settled import together
 from tambour.crochet.model.whole import area, bodies, refined
+from tambour.geometry.closest import nearest
+from tambour.geometry.motion import fit
 
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
@@ -30,6 +36,14 @@ FINE = 1.0
 """The longest edge of the surface that rounds are led over, in stitches."""
 BEGINNINGS = 2
 """How many tips are tried in the simulation."""
+LARGE = 4000
+"""Stitches of a part that is corrected fewer times than a smaller one, as its simulation takes longer."""
+SEATINGS = 4
+"""How often the parts are put together at the most."""
+PAIR = 0.05
+"""How much farther off, in stitches, a toy whose pairs say the same angles may be."""
+LOST = 0.03
+"""A larger share of the surface than this that no round follows is told."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -38,8 +52,9 @@ class Design:
 
     text : the pattern, in tambour's own language
     vertices (V, 3), faces (F, 3) : the model as the pattern aims at it, mm, y up, z ahead
-    goals : (N, 3) mm, where every node of the pattern belongs; NaN where nowhere
+    goals : (N, 3) mm, where every node of the pattern belongs
     history : part → the mean distances, in stitches, that its corrections went through
+    parts : part → how far it lies from its own piece of the model, in stitches
     """
 
     text: Text
@@ -47,6 +62,7 @@ class Design:
     faces: Array
     goals: Array
     history: dict[str, list[float]]
+    parts: dict[str, dict[str, float]]
 
 
 def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "model") -> Design:
@@ -61,26 +77,66 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
         turn = tips.level(found[0][0], found[0][1], params.model_up)
         size = _scale([(x @ turn.T, faces) for x, faces, _ in found], params, stitch)
         whole = [(size / stitch[0] * (x @ turn.T), faces) for x, faces, _ in found]
-    made: list[tuple[Tried, list[float]]] = []
-    for k, (x, faces) in enumerate(whole):
-        title = "Body" if len(whole) == 1 else f"Body {_NUMBERS[k] if k < len(_NUMBERS) else k + 1}"
-        with progress.stage("rounds"):
-            first = _first(title, x, faces, params, stitch)
-        with progress.stage("loop"):
-            made.append(looped(*first))
+    pieces: list[Piece] = []
+    history: dict[str, list[float]] = {}
+    for x, faces in whole:
+        made = _pieces(x, faces, params, stitch, progress, tell, pieces, history)
+        pieces += made
+    target = Target.of(np.concatenate([x for x, _ in whole]), _one([f for _, f in whole], [len(x) for x, _ in whole]))
+    with progress.stage("assembly"):
+        lines = _assembled(pieces, target, params, stitch, tips.mirror(target.vertices, target.faces), history)
     for line in tell:
         progress.warn(line)
-    parts = [one.rounds for one, _ in made]
-    text = printed(parts, (), name, [f"Made for the model {name}"])
-    vertices = np.concatenate([x for x, _ in whole]) * stitch[0]
-    first_of = np.cumsum([0] + [len(x) for x, _ in whole])
-    faces = np.concatenate([f + n for (_, f), n in zip(whole, first_of)])
-    goals = np.concatenate([one.goal for one, _ in made]) * stitch[0]
-    history = {one.rounds.name: [round(v, 4) for v in way] for one, way in made}
-    return Design(text, vertices, faces, goals, history)
+    text = printed([p.rounds for p in pieces], lines, name)
+    return Design(
+        text,
+        target.vertices * stitch[0],
+        target.faces,
+        np.concatenate([goal for p in pieces for goal in p.goals]) * stitch[0],
+        history,
+        {p.rounds.name: p.tried.distance.plain() for p in pieces},
+    )
 
 
-_NUMBERS = ("One", "Two", "Three", "Four", "Five", "Six")
+def _one(faces: list[Array], counts: list[int]) -> Array:
+    """The faces of several bodies, their vertices one after the other."""
+    first = np.cumsum([0, *counts])
+    return np.concatenate([f + n for f, n in zip(faces, first)])
+
+
+def _assembled(
+    pieces: list[Piece],
+    target: Target,
+    params: CrochetParams,
+    stitch: tuple[float, float],
+    plane: tips.Mirror | None,
+    history: dict[str, list[float]],
+) -> list[str]:
+    """The lines that sew the parts on, corrected by how the whole comes to rest."""
+    if all(base is None for p in pieces for base in p.bases):
+        return []
+    even = plane is not None and abs(float(plane.normal[0])) > 0.9
+    goal = np.concatenate([g for p in pieces for g in p.goals])
+    best: tuple[float, list[str]] | None = None
+    way: list[float] = []
+    for mirrored in (True, False) if even else (False,):
+        nudges: Nudges = {}
+        last = math.inf
+        for _ in range(SEATINGS):
+            lines = placed(pieces, nudges, mirrored)
+            built, x = together(pattern([p.rounds for p in pieces], lines), params, stitch)
+            lain = distance(target, x, built.graph.faces[built.shell], fit(x, goal, np.ones(len(x))))
+            way.append(round(lain.mean, 4))
+            price = lain.mean - (PAIR if mirrored else 0.0)
+            if best is None or price < best[0]:
+                best = price, lines
+            if lain.mean > last - GAIN:
+                break
+            last = lain.mean
+            nudges = nudged(pieces, x, lain, nudges)
+    history["assembly"] = way
+    assert best is not None
+    return best[1]
 
 
 def _scale(whole: list[tuple[Array, Array]], params: CrochetParams, stitch: tuple[float, float]) -> float:
@@ -101,16 +157,73 @@ def _scale(whole: list[tuple[Array, Array]], params: CrochetParams, stitch: tupl
     return float(size)
 
 
-def _first(name: str, x: Array, faces: Array, params: CrochetParams, stitch: tuple[float, float]) -> tuple[Task, Tried]:
+def _pieces(
+    x: Array,
+    faces: Array,
+    params: CrochetParams,
+    stitch: tuple[float, float],
+    progress: Progress,
+    tell: list[str],
+    known: list[Piece],
+    history: dict[str, list[float]],
+) -> list[Piece]:
+    """The parts of one body of the model, the one that the others stand on first.
+
+    known : those that there are already
+    """
+    with progress.stage("model"):
+        y, fine, _ = refined(x, faces, FINE)
+        plane = tips.mirror(x, faces)
+        body, rest, groups = limbs(y, fine, plane, tell)
+        said = names((body, rest), groups, {p.rounds.name for p in known})
+    with progress.stage("rounds"):
+        task, first = _first(said[0], body, rest, plane, params, stitch)
+    if task.way.lost > LOST:
+        tell.append(f"{100 * task.way.lost:.0f} % of {said[0]} is left out: bumps beside the way of its rounds")
+    count = sum(first.counts)
+    tries = max(2, round(TRIES * min(1.0, LARGE / max(count, 1))))
+    with progress.stage("loop"):
+        best, history[said[0]] = _looped(task, first, tries)
+    made = [Piece(best.rounds, best, (best.goal,), (None,), ((0, 0),))]
+    targets = [[task.target]]
+    for title, group in zip(said[1:], groups):
+        targets.append([Target.of(limb.vertices, limb.faces[limb.own]) for limb in group])
+        ways = [_way(limb, stitch) for limb in group]
+        task = Task(title, ways[0], targets[-1][0], _hidden(ways[0]), params.plain_, "", params, stitch)
+        with progress.stage("rounds"):
+            first = tried(task, task.way.girths)
+        with progress.stage("loop"):
+            best, history[title] = _looped(task, first, tries)
+        goals = [best.goal]
+        for way in ways[1:]:
+            goals.append(np.concatenate([way.tip[None], *laid(way, best.counts, _hidden(way))]))
+        copies = replace(best.rounds, copies=len(group))
+        made.append(Piece(copies, best, tuple(goals), tuple(limb.base for limb in group), ()))
+    for k, group in enumerate(groups):
+        onto = tuple(_owner(limb, k + 1, targets, len(known)) for limb in group)
+        made[k + 1] = replace(made[k + 1], onto=onto)
+    return made
+
+
+def _looped(task: Task, first: Tried, tries: int) -> tuple[Tried, list[float]]:
+    best, way = looped(task, first, tries)
+    return best, [round(v, 4) for v in way]
+
+
+def _first(
+    name: str, x: Array, faces: Array, plane: tips.Mirror | None, params: CrochetParams, stitch: tuple[float, float]
+) -> tuple[Task, Tried]:
     """The task of a body worked in one piece, with its first rounds, from the tip that the simulation likes best."""
     target = Target.of(x, faces)
-    y, fine, _ = refined(x, faces, FINE)
-    plane = tips.mirror(x, faces)
     best: tuple[Task, Tried] | None = None
-    for tip, f in tips.choose(y, fine, plane, params.tip, BEGINNINGS):
+    for tip, f in tips.choose(x, faces, plane, params.tip, BEGINNINGS):
         rows = max(3, round(float(f.max()) * stitch[0] / stitch[1]) - 1)
-        way = fronts(y, fine, f, rows, tip)
-        task = _task(name, way, target, params, stitch)
+        way = fronts(x, faces, f, rows, tip)
+        ahead = way.tip - way.end
+        side = int(np.abs(ahead).argmax())
+        up = "" if side == 1 and ahead[1] < 0 else "start" if side == 1 else "side"
+        seam = np.array([0.0, 0.0, -1.0]) if side == 1 else np.array([0.0, -1.0, 0.0])
+        task = Task(name, way, target, seam, params.plain_, up, params, stitch)
         now = tried(task, task.way.girths)
         if best is None or now.distance.mean < best[1].distance.mean:
             best = task, now
@@ -118,10 +231,24 @@ def _first(name: str, x: Array, faces: Array, params: CrochetParams, stitch: tup
     return best
 
 
-def _task(name: str, way: Fronts, target: Target, params: CrochetParams, stitch: tuple[float, float]) -> Task:
-    """The task of a part by itself: which way up it is worked, and its seam at the back."""
-    ahead = way.tip - way.end
-    side = int(np.abs(ahead).argmax())
-    up = "" if side == 1 and ahead[1] < 0 else "start" if side == 1 else "side"
-    seam = np.array([0.0, 0.0, -1.0]) if side == 1 else np.array([0.0, -1.0, 0.0])
-    return Task(name, way, target, seam, params.plain_, up, params, stitch)
+def _way(limb: Limb, stitch: tuple[float, float]) -> Fronts:
+    rows = max(2, round(limb.rim * stitch[0] / stitch[1]))
+    return fronts(limb.vertices, limb.faces, limb.f, rows, limb.tip, limb.rim)
+
+
+def _hidden(way: Fronts) -> Array:
+    """Where the seam of a limb is least seen: behind it, below one that points ahead."""
+    axis = way.end - way.tip
+    ahead = abs(float(axis[2])) > 0.8 * float(np.sqrt((axis**2).sum()))
+    return np.array([0.0, -1.0, 0.0]) if ahead else np.array([0.0, 0.0, -1.0])
+
+
+def _owner(limb: Limb, k: int, targets: list[list[Target]], first: int) -> tuple[int, int]:
+    """The piece, and which copy of it, that a limb was cut off: the body, or a limb that was cut off later."""
+    found = [(float(nearest(targets[0][0].tree, limb.base[None])[2][0]), first, 0)]
+    for j in range(k + 1, len(targets)):
+        found += [
+            (float(nearest(one.tree, limb.base[None])[2][0]) + 0.3, first + j, c) for c, one in enumerate(targets[j])
+        ]
+    _, piece, copy = min(found)
+    return piece, copy

@@ -13,6 +13,8 @@ from tambour.crochet.model.rounds import WORDS, Round, even
 
 NEAR = 3
 """How many stitches a count may be moved, at the most, for a round that reads better."""
+STRICT = 6.0
+"""What a round that is no plain one costs at the most, in square stitches that a count is off."""
 LEAST, MOST_RING = 4, 8
 """Stitches of a ring."""
 
@@ -39,7 +41,7 @@ def counts(wanted: Sequence[float], plain: float, closed: bool) -> list[int]:
             for before, (cost, _) in best[-1].items():
                 if n > 2 * before or 2 * n < before:
                     continue
-                now = cost + off + 4.0 * plain * trouble(before, n)
+                now = cost + off + STRICT * plain * trouble(before, n)
                 if n not in here or now < here[n][0]:
                     here[n] = (now, before)
         if not here:  # too steep: as far as rounds can go
@@ -62,7 +64,7 @@ def trouble(below: int, above: int) -> float:
     units = math.gcd(below, change)
     if units < 2 and change > 1:
         return 1.0
-    return 0.12 + 0.22 * min(change / units - 1.0, 4.0) if change > 1 else 0.35
+    return 0.3 + 0.2 * min(change / units - 1.0, 3.0) if change > 1 else 0.5
 
 
 def words(below: Array, above: Array, plain: float) -> tuple[str, ...]:

@@ -10,6 +10,8 @@ from tambour.core.graph import StitchGraph
 from tambour.crochet.model.rounds import Rounds, pattern
 
 if TYPE_CHECKING:
+    from tambour.crochet.graph.built import Built
+    from tambour.crochet.language.tree import Pattern
     from tambour.crochet.params import CrochetParams
 
 
@@ -42,3 +44,27 @@ def settled(part: Rounds, params: CrochetParams, stitch: tuple[float, float] = (
     )
     shape = simulate(task)
     return Settled(task.graph, shape.x, shape.settled)
+
+
+def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float]) -> tuple[Built, Array]:
+    """A pattern worked, its parts sewn on and brought to rest together: positions (N, 3) in stitches."""
+    import numpy as np
+
+    from tambour.crochet.finish.joining import prepare
+    from tambour.crochet.finish.shape import Task, simulate
+    from tambour.crochet.graph.build import build
+
+    built = build(pattern, stitch=stitch)
+    graph = built.graph
+    stuffing = params.stuffing or "pressure"
+    task = Task(
+        replace(graph, faces=graph.faces[built.shell]),
+        params,
+        stitch[0],
+        stuffing,
+        "rounds",
+        np.zeros(len(graph.parts), np.int64),
+        stuffing == "pressure",
+        prepare(built),
+    )
+    return built, simulate(task).x

@@ -142,7 +142,10 @@ def choose(
         # A round that is wide from its first rows on is no tip: the ring lies in a hollow, or on an edge.
         first = lines(vertices, faces, f, 2.0)
         wide = max((girth(line) for line in first), default=0.0) / (4.0 * np.pi)
-        price = lost(vertices, faces, f) + 0.05 * max(wide - 1.05, 0.0) - 0.02 * float(f.max()) / size
+        # A part can be stood on its end or laid with its start ahead: one that leans is shown leaning.
+        axis = vertices[tip] - vertices[int(f.argmax())]
+        leans = 1.0 - max(abs(float(axis[1])), float(axis[2])) / (float(np.sqrt((axis**2).sum())) + 1e-9)
+        price = lost(vertices, faces, f) + 0.05 * max(wide - 1.05, 0.0) - 0.02 * float(f.max()) / size + 0.05 * leans
         scored.append((price, tip, f))
     scored.sort(key=lambda item: item[0])
     return [(tip, f) for _, tip, f in scored[:few]]

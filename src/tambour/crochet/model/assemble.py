@@ -1,0 +1,203 @@
+"""Assemble: parts of a model brought back to where they were cut off, as lines that say where they are sewn on."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import ROOT, TIP
+from tambour.crochet.finish.joining import Joining, frame_of, join
+from tambour.crochet.finish.placing import Frames
+from tambour.crochet.finish.sewing import UNDER, End, end_of, held, leaning
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Placed, Spot
+from tambour.crochet.model.distance import Distance
+from tambour.crochet.model.loop import Tried
+from tambour.crochet.model.rounds import Rounds, pattern
+from tambour.crochet.settle.arrange import parts
+from tambour.geometry.motion import dot, fit, length, turned
+
+QUARTER = 0.25
+"""Places are said to a quarter of a round and of a stitch, angles to five degrees."""
+STEEP = 85.0
+"""How far a part leans at the most, in degrees."""
+NUDGE = 0.7
+"""How much of what a part is off it is moved at once."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Piece:
+    """A part and where each of its copies belongs.
+
+    rounds : the part, with its copies; tried : what the simulation made of one
+    goals : of every copy (n, 3), where its nodes belong; bases : the middles (3,) of their ends, None for what is sewn to nothing
+    onto : for every copy the piece, and the copy of it, that it is sewn to
+    """
+
+    rounds: Rounds
+    tried: Tried
+    goals: tuple[Array, ...]
+    bases: tuple[Array | None, ...]
+    onto: tuple[tuple[int, int], ...]
+
+    def name(self, copy: int) -> str:
+        """What a copy is called."""
+        return f"{self.rounds.name}.{copy + 1}" if self.rounds.copies > 1 else self.rounds.name
+
+
+Key = tuple[int, int]
+"""A piece and a copy of it."""
+Nudges = dict[Key, tuple[Array, Array]]
+"""How a copy is aimed elsewhere than where it belongs: a turn (3, 3) and a shift (3,), in the model's frame."""
+
+
+def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
+    """The lines, such as ``place(Arm.1, Body, round=17.5, stitch=8.5, tilt=70, towards=150)``, that sew every piece on.
+
+    even : the model is its own mirror image, left and right, and so are the angles of a pair
+    """
+    built = build(pattern([p.rounds for p in pieces]))
+    spots, graph = Spots(built), built.graph
+    alone = np.concatenate([p.tried.worked.x for p in pieces for _ in p.goals])
+    goal = np.concatenate([g for p in pieces for g in p.goals])
+    bodies = parts(graph)
+    number = {(k, c): spots.parts[p.name(c)] for k, p in enumerate(pieces) for c in range(len(p.goals))}
+    steps: dict[Key, tuple[Placed, End]] = {}
+    waiting = [(k, c) for k, p in enumerate(pieces) for c, base in enumerate(p.bases) if base is not None]
+    standing = set(number) - set(waiting)
+    while ready := [key for key in waiting if pieces[key[0]].onto[key[1]] in standing]:
+        joining = Joining(built, spots, tuple(steps.values()), ())
+        joined = join(joining, alone, bodies)
+        for k, c in ready:
+            piece, base = pieces[k], pieces[k].bases[c]
+            assert base is not None
+            there, here = graph.parts[number[piece.onto[c]]], graph.parts[number[k, c]]
+            turn, shift = fit(
+                goal[there.start : there.end], joined.x[there.start : there.end], np.ones(there.end - there.start)
+            )
+            aim, to = nudges.get((k, c), (np.eye(3), np.zeros(3)))
+            point = turned(base + to, turn) + shift
+            other = pieces[piece.onto[c][0]].name(piece.onto[c][1])
+            spot = _spot(spots, joined.x, number[piece.onto[c]], other, point)
+            plain = Placed(piece.name(c), spot)
+            end = end_of(built, spots, plain)
+            frame = frame_of(joining, joined.x, plain, end, joined.upright, bodies_of(bodies, there.start))
+            nodes = bodies_of(bodies, here.start)
+            how = held(alone, nodes, end)
+            lay, _ = fit(alone[nodes], goal[nodes], np.ones(len(nodes)))
+            axis, front = (turned(turned(turned(way, lay), aim), turn) for way in (how.axis, how.front))
+            steps[k, c] = angled(plain, frame, axis, front), end
+        waiting = [key for key in waiting if key not in ready]
+        standing |= set(ready)
+        if even:
+            for k, c in ready:
+                if pieces[k].rounds.copies == 2 and c == 0 and (k, 1) in steps:
+                    one, two = mirrored(steps[k, 0][0], steps[k, 1][0])
+                    steps[k, 0], steps[k, 1] = (one, steps[k, 0][1]), (two, steps[k, 1][1])
+    return [_line(said) for said, _ in steps.values()]
+
+
+def angled(plain: Placed, frame: Frames, axis: Array, front: Array) -> Placed:
+    """``plain`` with the angles at which its axis and its front point as wanted, to five degrees."""
+    n, along, up = frame.normals[0], frame.along[0], frame.up[0]
+    tilt = _five(min(math.degrees(math.acos(float(np.clip(dot(n, axis), -1.0, 1.0)))), STEEP))
+    flat = axis - dot(n, axis) * n
+    towards = _five(math.degrees(math.atan2(-float(dot(flat, along)), float(dot(flat, up)))))
+    said = replace(plain, tilt=tilt, towards=towards if tilt else 0.0)
+    back = turned(front, leaning(said, frame).T)
+    ahead = up if n[1] < UNDER else -up
+    return replace(
+        said, across=_five(math.degrees(math.atan2(float(dot(back, np.cross(n, ahead))), float(dot(back, ahead)))))
+    )
+
+
+def mirrored(one: Placed, two: Placed) -> tuple[Placed, Placed]:
+    """A pair with the angles of each other's mirror image: what both say on the average, at the same round."""
+    tilt = _five(0.5 * (one.tilt + two.tilt))
+    half = [_between(getattr(one, name), -getattr(two, name)) for name in ("towards", "across")]
+    rounds = round(0.5 * (one.spot.round + two.spot.round) / QUARTER) * QUARTER
+    first = replace(one, tilt=tilt, towards=_five(half[0]) if tilt else 0.0, across=_five(half[1]))
+    second = replace(two, tilt=tilt, towards=_five(-half[0]) if tilt else 0.0, across=_five(-half[1]))
+    return replace(first, spot=replace(one.spot, round=rounds)), replace(second, spot=replace(two.spot, round=rounds))
+
+
+def _between(a: float, b: float) -> float:
+    """The angle in the middle between two, in degrees."""
+    x = math.cos(math.radians(a)) + math.cos(math.radians(b))
+    y = math.sin(math.radians(a)) + math.sin(math.radians(b))
+    return math.degrees(math.atan2(y, x))
+
+
+def nudged(pieces: list[Piece], x: Array, lain: Distance, nudges: Nudges) -> Nudges:
+    """Where parts are to be aimed next, so that they come to rest where they belong.
+
+    x : (N, 3) all parts at rest together; lain : what lays them upon the model
+    """
+    there = turned(x, lain.turn) + lain.shift
+    made: Nudges = {}
+    at = 0
+    for k, p in enumerate(pieces):
+        for c, goal in enumerate(p.goals):
+            own = there[at : at + len(goal)]
+            at += len(goal)
+            base = p.bases[c]
+            if base is None:
+                continue
+            aim, to = nudges.get((k, c), (np.eye(3), np.zeros(3)))
+            turn, shift = fit(own, goal, np.ones(len(goal)))
+            off = base - (turned(base - shift, turn.T))
+            made[k, c] = turned(aim.T, turn).T, to + NUDGE * off
+    return made
+
+
+def bodies_of(bodies: list[Array], node: int) -> Array:
+    """The body of fabric that a node belongs to."""
+    return next(nodes for nodes in bodies if node in nodes)
+
+
+def _five(angle: float) -> float:
+    return float(5 * round(angle / 5) % 360)
+
+
+def _line(said: Placed) -> str:
+    more = "".join(f", {name}={getattr(said, name):g}" for name in ("across", "tilt", "towards") if getattr(said, name))
+    spot = said.spot
+    stitch = "" if spot.stitch is None else f", stitch={spot.stitch:g}"
+    return f"place({said.part}, {spot.part}, round={spot.round:g}{stitch}{more})"
+
+
+def _spot(spots: Spots, x: Array, part: int, name: str, point: Array) -> Spot:
+    """The place of a part, to a quarter of a round and of a stitch, that is nearest to ``point``."""
+    built = spots.built
+    graph = built.graph
+    own = np.arange(graph.parts[part].start, graph.parts[part].end)
+    plain = own[~np.isin(graph.peculiarity[own], (ROOT, TIP))]
+    node = int(plain[int(length(x[plain] - point).argmin())])
+    k = int(graph.round[node])
+    number = built.rounds[k].number
+    numbers = [r.number for r in built.rounds if r.part == part]
+    nodes = spots.stitches(k)
+    at = int(np.flatnonzero(nodes == node)[0])
+    best: tuple[float, Spot] | None = None
+    for r in np.arange(number - 1.0, number + 1.01, QUARTER):
+        if not min(numbers) <= r <= max(numbers):
+            continue
+        low = math.floor(r)
+        low_k = spots.round_at(part, low)
+        if low_k is None:
+            continue
+        count = len(spots.stitches(low_k))
+        middle = at if low_k == k else (at + 0.5) / len(nodes) * count - 0.5
+        for s in np.arange(round(middle) - 1.5, round(middle) + 1.51, QUARTER):
+            stitch = float(s % count) + 1.0
+            place = spots.place(Spot(name, float(r), stitch))
+            there = (np.array(place.weights)[:, None] * x[list(place.nodes)]).sum(0)
+            off = float(length(there - point))
+            if best is None or off < best[0] - 1e-9:
+                best = off, Spot(name, float(r), stitch)
+    assert best is not None
+    return best[1]
