@@ -67,6 +67,7 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
     bodies = parts(graph)
     number = {(k, c): spots.parts[p.name(c)] for k, p in enumerate(pieces) for c in range(len(p.goals))}
     steps: dict[Key, tuple[Placed, End]] = {}
+    points: dict[Key, Array] = {}
     waiting = [(k, c) for k, p in enumerate(pieces) for c, base in enumerate(p.bases) if base is not None]
     standing = set(number) - set(waiting)
     while ready := [key for key in waiting if pieces[key[0]].onto[key[1]] in standing]:
@@ -91,13 +92,17 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
             lay, _ = fit(alone[nodes], goal[nodes], np.ones(len(nodes)))
             axis, front = (turned(turned(turned(way, lay), aim), turn) for way in (how.axis, how.front))
             steps[k, c] = angled(plain, frame, axis, front), end
+            points[k, c] = point
         waiting = [key for key in waiting if key not in ready]
         standing |= set(ready)
         if even:
             for k, c in ready:
                 if pieces[k].rounds.copies == 2 and c == 0 and (k, 1) in steps:
-                    one, two = mirrored(steps[k, 0][0], steps[k, 1][0])
-                    steps[k, 0], steps[k, 1] = (one, steps[k, 0][1]), (two, steps[k, 1][1])
+                    pair = mirrored(steps[k, 0][0], steps[k, 1][0])
+                    for n, one in enumerate(pair):
+                        on = number[pieces[k].onto[n]]
+                        spot = _spot(spots, joined.x, on, one.spot.part, points[k, n], one.spot.round)
+                        steps[k, n] = replace(one, spot=spot), steps[k, n][1]
     return [_line(said) for said, _ in steps.values()]
 
 
@@ -170,8 +175,8 @@ def _line(said: Placed) -> str:
     return f"place({said.part}, {spot.part}, round={spot.round:g}{stitch}{more})"
 
 
-def _spot(spots: Spots, x: Array, part: int, name: str, point: Array) -> Spot:
-    """The place of a part, to a quarter of a round and of a stitch, that is nearest to ``point``."""
+def _spot(spots: Spots, x: Array, part: int, name: str, point: Array, only: float | None = None) -> Spot:
+    """The place of a part, to a quarter of a round and of a stitch, that is nearest to ``point``; in the round ``only``."""
     built = spots.built
     graph = built.graph
     own = np.arange(graph.parts[part].start, graph.parts[part].end)
@@ -184,7 +189,7 @@ def _spot(spots: Spots, x: Array, part: int, name: str, point: Array) -> Spot:
     at = int(np.flatnonzero(nodes == node)[0])
     best: tuple[float, Spot] | None = None
     for r in np.arange(number - 1.0, number + 1.01, QUARTER):
-        if not min(numbers) <= r <= max(numbers):
+        if not min(numbers) <= r <= max(numbers) or (only is not None and r != only):
             continue
         low = math.floor(r)
         low_k = spots.round_at(part, low)
@@ -199,5 +204,4 @@ def _spot(spots: Spots, x: Array, part: int, name: str, point: Array) -> Spot:
             off = float(length(there - point))
             if best is None or off < best[0] - 1e-9:
                 best = off, Spot(name, float(r), stitch)
-    assert best is not None
-    return best[1]
+    return best[1] if best is not None else Spot(name, number, at + 1.0)
