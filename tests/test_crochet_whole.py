@@ -86,6 +86,12 @@ def test_two_alike_in_rows_are_sewn_all_round_with_stuffing_between() -> None:
     assert (piece.shape.volume > 0.0).all()  # both show their outside
 
 
+def test_two_sides_that_are_sewn_together_beside_a_body_do_not_stop_the_reading() -> None:
+    box = SLAB.replace("Body (make 2)", "Box Side (make 2)").replace("body pieces", "pieces")
+    pattern = read(f"{box}\nCab Body\n{CLOSED}")
+    assert len(halves(pattern.built)) == 1
+
+
 @pytest.mark.parametrize(
     ("ears", "said", "shown"),
     [

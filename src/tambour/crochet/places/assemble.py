@@ -26,8 +26,10 @@ _TOP: Final = re.compile(
 )
 _CAPPED: Final = re.compile(r"\b(?:mushroom|toadstool|fungi|fungus|acorn)s?\b")
 """Toys, by their titles, whose caps are full."""
-_SHAPED: Final = re.compile(r"(?:^|\n)\s*(?:shap(?:e|ing) (?:the )?)?(head|body)(?: shap\w+)?\s*:", re.MULTILINE)
-"""Where in one piece the body ends and the head begins, or the other way."""
+_SHAPED: Final = re.compile(
+    r"(?:^|\n)\s*(?:shap(?:e|ing) (?:the )?)?(head|body|tail)(?: shap\w+)?\s*:\s*(?:\d|rnd|round|next)"
+)
+"""Where in one piece another end of the toy begins."""
 _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
 _HIND: Final = 0.75
@@ -116,10 +118,10 @@ class Assembly(Toy):
         if body is None or self.of_kind("head") is not None or "head" in body.kinds:
             return
         nose = self.of_kind("muzzle", "nose")
-        if nose is not None and 2 * self.size(nose) > self.size(body) and re.search(r"\bhead\b", self.text):
+        if nose is not None and 4 * self.size(nose) > self.size(body) and re.search(r"\bhead\b", self.text):
             self._likely(nose, "head")  # worked from its nose, and called so
             return
-        others = [p for p in bare if not p.kind and not self.spots.in_rows[self.spots.parts[p.name]]]
+        others = [p for p in bare if not p.kind and not self.spots.in_rows[self.spots.parts[p.copy(1)]]]
         large = max(others, key=self.size, default=None)
         if large is not None and 3 * self.size(large) > self.size(body):
             self._likely(large, "head")
@@ -220,6 +222,9 @@ class Assembly(Toy):
     def _upright(self, main: Made, part: int) -> str:
         low, high = numbers_of(self.spots, part)
         legs = sum(p.copies for p in self.parts if p.kind in ("leg",))
+        legs = (
+            2 if any(p.kind == "arm" for p in self.parts) else legs
+        )  # it has arms: four are legs and the trousers on them
         swims = any(p.kind == "fluke" or "fluke" in p.words for p in self.parts)
         head = self.of_kind("head")
         faces = [f.where.rounds[0] for f in self.heard.features if f.where.rounds and self._is_on(f, main)]
@@ -240,8 +245,8 @@ class Assembly(Toy):
         )
         if self.ahead(main):
             return "side"
-        if (above := self._head_above(main)) is not None:
-            return "end" if above else "start"
+        if not self.spots.in_rows[part] and (said := self._shapes(main)) is not None:
+            return said
         if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
             return "side"
         if head is not None and head != main:
@@ -270,15 +275,13 @@ class Assembly(Toy):
             else "end"
         )
 
-    def _head_above(self, main: Made) -> bool | None:
-        """Whether the text shapes a head behind the body of one piece (True), or the body behind the head; None unsaid."""
+    def _shapes(self, main: Made) -> str | None:
+        """Which end of one piece is up where its text shapes the head behind the body, or the body, or a tail, behind the head."""
         part = next(p for p in self.built.pattern.parts if p.name == main.name)
         after = (p.span.start for p in self.built.pattern.parts if p.span.start > part.span.start)
         said = self.text[part.span.start : min(after, default=len(self.text))]
-        found = _SHAPED.search(said)
-        if found is None or not said[: found.start()].strip():
-            return None
-        return found[1] == "head"
+        found = [m for m in _SHAPED.finditer(said) if said[: m.start()].strip()]
+        return {"head": "end", "body": "start", "tail": "side"}[found[0][1]] if found else None
 
     def _mouth_below(self, main: Made) -> bool | None:
         """Whether the mouth is in earlier rounds than the eyes, so that the first rounds are below; None where it is not said."""

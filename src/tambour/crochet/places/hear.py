@@ -88,7 +88,8 @@ class Put:
         """What the parts are: of "Arms and legs" what the sentence calls them."""
         made = self.copies[0][0]
         said = kind_of(self.word)
-        return said if said in made.kinds and len(made.kinds) > 1 and made.kind == "arm" else made.kind
+        some = len(self.copies) < made.copies  # "arms and legs", all four of them, are two and two
+        return said if some and said in made.kinds and len(made.kinds) > 1 and made.kind == "arm" else made.kind
 
 
 @dataclass

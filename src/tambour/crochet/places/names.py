@@ -133,6 +133,8 @@ class Made:
             return "bow"
         if {"arm", "leg"} <= set(found):
             return "arm"
+        if found[0] == "spot" and "eye" in found:
+            return "eye"  # patches about the eyes
         joined = set(found) <= {"head", "body", "neck", "leg"} or re.search(r"\band\b|&", self.name.lower())
         return next((k for k in ("body", "head") if joined and k in found), found[0])
 

@@ -25,6 +25,8 @@ _WIDE: Final = 1.15
 """An open end wider than this, as a share of what it is put over, is sewn by a narrower round."""
 _ROUND: Final = 1.5
 """How much more the way out of an ellipsoid counts than that of the fabric before it is stuffed."""
+_ROUGHLY: Final = 0.6
+"""An end is on top that looks so nearly upwards, as a cosine, for what goes on top."""
 _ON_TOP: Final = frozenset(("head", "body", "hat", "neck", "stem", "base", "inner"))
 """What goes on an end of what it is sewn to, without a word."""
 
@@ -159,7 +161,7 @@ class Putter(Beside):
             pole = self._far_end(host)
             if pole is not None:
                 return replace(pole, span=put.span), way
-        pole = host.pole(direction) if len(put.copies) == 1 else None
+        pole = host.pole(direction, _ROUGHLY if put.kind in _ON_TOP else 0.9) if len(put.copies) == 1 else None
         if pole is not None:
             return replace(pole, span=put.span), way
         near = host.near(host.towards(direction))
@@ -221,7 +223,7 @@ class Putter(Beside):
         if "inner" in copy[0].words:
             return False  # it lies on what it is the inner side of
         if self.work.spots.in_rows[self.work.spots.parts[name]]:
-            return copy[0].kind in _LAID
+            return copy[0].kind in _LAID or (not copy[0].kind and copy[0].name in self.work.made.unstuffed)
         if copy[0].name in self.work.made.unstuffed and copy[0].kind in _PINCHED:
             return edge >= 4
         if way.flat is None:

@@ -128,13 +128,13 @@ class Host:
         after, before = (ring[int(middle - 1 + k) % len(ring), 0] for k in (1, -1))
         return round(middle + (stitches if after > before else -stitches), 3)
 
-    def pole(self, direction: Array) -> Spot | None:
-        """The middle of an end that looks in ``direction``: the ring, the tip, or the middle of the opening."""
-        if float(self.axis @ direction) > 0.9 and self.high == self._ends[1]:
+    def pole(self, direction: Array, least: float = 0.9) -> Spot | None:
+        """The middle of an end that looks in ``direction`` (by ``least``, a cosine): the ring, the tip, or the middle of the opening."""
+        if float(self.axis @ direction) > least and self.high == self._ends[1]:
             g, p = self.stand.spots.built.graph, self.stand.spots.built.graph.parts[self.part]
             if (g.peculiarity[p.start : p.end] == TIP).any() or len(self.stand.spots.rim(self.part)):
                 return Spot(self.name, float(self.high + 1), None)
-        if float(self.axis @ direction) < -0.9 and self.low == self._ends[0]:
+        if float(self.axis @ direction) < -least and self.low == self._ends[0]:
             g, p = self.stand.spots.built.graph, self.stand.spots.built.graph.parts[self.part]
             if (g.peculiarity[p.start : p.end] == ROOT).any() or len(self.stand.spots.begun(self.part)):
                 return Spot(self.name, float(self.low - 1), None)

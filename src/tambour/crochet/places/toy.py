@@ -149,7 +149,7 @@ def toys(built: Built, faces: set[str] | frozenset[str] = frozenset()) -> list[l
     """The parts of every toy that a pattern makes, by name.
 
     Another begins where a part has a name that is there already (they are numbered on then), or at another body behind
-    limbs; and only if it has a head or body of its own. Or at each of the ``faces``, parts that are a toy for themselves.
+    limbs, or another head with a body of its own; and only if it has a head or body of its own. Or at each of the ``faces``, parts that are a toy for themselves.
     """
     parts = [Made(section.name, section.copies) for section in built.pattern.parts]
     trunk = [part.kind in ("head", "body") for part in parts]
@@ -158,6 +158,13 @@ def toys(built: Built, faces: set[str] | frozenset[str] = frozenset()) -> list[l
         before = parts[begin:k]
         again = any(part.words == other.words for other in before) and bool(part.kind) and not part.worn
         body = part.kind == "body" and any(other.kind == "body" for other in before) and not trunk[k - 1]
+        body = body or (
+            part.kind == "head"
+            and any(other.kind == "head" for other in before)
+            and any(other.kind == "body" for other in before)
+            and not trunk[k - 1]
+            and any(other.kind == "body" for other in parts[k:])
+        )
         own = part.name in faces and any(other.name in faces for other in before)
         if own or ((again or body) and any(trunk[begin:k]) and any(trunk[k:])):
             starts.append(k)

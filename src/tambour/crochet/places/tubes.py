@@ -25,6 +25,7 @@ _BACK: Final = re.compile(r"\b(?:sew|seam)\s+(?:the\s+)?(?:back|centre back|cent
 _FOLDED: Final = re.compile(
     r"\bfold[^.\n]{0,40}\bin half lengthwise\b[^\n]{0,60}\b(?:both thicknesses|along edge|edges)\b"
 )
+_TUBE: Final = re.compile(r"\b(?:sew|seam)[^.\n]{0,60}\bto form (?:a )?(?:tube|ring)\b")
 _LEAST: Final = 4
 """A piece of fewer rows is no tube."""
 _SAME: Final = 0.6
@@ -53,8 +54,10 @@ def tubes(built: Built) -> list[tuple[int, int]]:
         section = pattern.parts[fact.section]
         end = next((k for k in starts if k > section.span.start), len(text))
         said = text[section.span.start : end]
-        folded = _FOLDED.search(said) is not None  # an arm, a leg: two layers thick, with nothing in it or little
-        if not spots.in_rows[part] or Made(section.name, 1).worn or not (folded or re.search(r"\bstuff", said)):
+        # An arm, a leg that is folded is two layers thick, with nothing in it or little; a hat is a tube without any.
+        folded = _FOLDED.search(said) is not None
+        hollow = folded or _TUBE.search(said) is not None
+        if not spots.in_rows[part] or Made(section.name, 1).worn or not (hollow or re.search(r"\bstuff", said)):
             continue
         rows = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part]
         widest = max((len(r) for r in rows), default=0)
