@@ -11,6 +11,8 @@ from tambour.crochet.views import VIEWS
 
 
 def _prefer(params: CrochetParams) -> Mapping[str, str]:
+    if params.specimen == "all":
+        return dict.fromkeys((".png", ".jpg", ".svg", ".pdf"), "specimens")
     return {".png": "photo", ".jpg": "photo"} if params.photo else {}
 
 
@@ -19,6 +21,7 @@ CRAFT = Craft(
     help="Turn an amigurumi pattern into the stuffed plush in 3-D, its size, its yarn and its mistakes; or a closed model into a pattern.",
     params=CrochetParams,
     reads=("Text", "Mesh"),
+    optional_source=True,
     make=Lazy("tambour.crochet.plush:make"),
     views=VIEWS,
     facts=Lazy("tambour.crochet.maker.facts:facts"),

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, ClassVar, Literal
 
 from pydantic import Field, field_validator
 
-from tambour.core.errors import TambourError
+from tambour.core.errors import TambourError, did_you_mean
 from tambour.core.params import Length, Params, edited
+from tambour.crochet.specimens import SPECIMENS
 from tambour.crochet.words.table import TERMS
 from tambour.crochet.yarns import WEIGHTS, class_of, ravelled
 
@@ -24,9 +25,9 @@ class CrochetParams(Params):
     """Parameters of crochet. Where a pattern's ``@`` parameter can speak, None leaves it the word."""
 
     groups: ClassVar = {
-        "Pattern": "terms size strict check max_stitches",
+        "Pattern": "terms size strict check max_stitches specimen",
         "From a model": "stitches height tip model_up plain_",
-        "Yarn and gauge": "yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
+        "Yarn and gauge": "hand yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
         "Pictures and pages": "detail material photo page ink large_print title designer",
         "Shape": "stuffing contact solver steps tolerance start link_distance single_loop_force bending",
         "Stuffing": "pressure centroids nodes_per_centroid centroid_force centroid_cap weight_peak weight_width skeleton_force",
@@ -96,6 +97,9 @@ class CrochetParams(Params):
     yarn_under: bool = False
     """The yarn is laid under the hook: single crochets show an x instead of a V, in straighter columns, and are smaller."""
 
+    hand: Literal["right", "left"] = "right"
+    """The hand that holds the hook: a left hand works the same words to the piece's mirror image, in pictures, places and charts."""
+
     material: Literal["wool", "cotton", "acrylic", "chenille", "mohair"] = "wool"
     """What the yarn is of, as pictures and 3-D files show it: plies, sheen, thickness and the fibres about it."""
 
@@ -127,6 +131,8 @@ class CrochetParams(Params):
     """The words of written instructions: US or UK terms, another language, or letters (else the pattern's own, else US)."""
     size: str | None = Field(default=None, max_length=40)
     """Which of several sizes of a printed pattern is made ("S (M, L)"): its name, or its place in the list (else the first)."""
+    specimen: str | None = Field(default=None, json_schema_extra={"choices": list(SPECIMENS)})
+    """Instead of a pattern: a small piece in one stitch, or all of them (a sheet with their names)."""
     strict: bool = False
     """Stated counts that do not agree with the work, and other doubts, are errors."""
     max_stitches: int = Field(default=200_000, ge=1, le=5_000_000)
@@ -164,6 +170,14 @@ class CrochetParams(Params):
     """One by one: the next node comes once the last one's displacement is below this."""
     wait_steps: int = Field(default=100, ge=1, le=1_000_000)
     """One by one: or after so many steps."""
+
+    @field_validator("specimen")
+    @classmethod
+    def _specimen(cls, value: str | None) -> str | None:
+        if value is not None and value not in SPECIMENS:
+            near = did_you_mean(value, SPECIMENS) or f"there are {', '.join(SPECIMENS)}"
+            raise ValueError(f'there is no specimen "{value}"; {near}')
+        return value
 
     @field_validator("gauge")
     @classmethod

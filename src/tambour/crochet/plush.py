@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Problem, TambourError, Text
 from tambour.core.progress import Progress
@@ -17,21 +17,36 @@ if TYPE_CHECKING:
     from tambour.crochet.graph.built import Built
     from tambour.crochet.yarns import Gauge
 
+MIRROR: Final = (-1.0, 1.0, 1.0)
 
-def make(source: Text | Mesh, params: CrochetParams, progress: Progress) -> Plush:
-    """The plush of a pattern's text, or of the pattern that a model becomes; TambourError with all that is wrong in it."""
+
+def make(source: Text | Mesh | None, params: CrochetParams, progress: Progress) -> Plush:
+    """The plush of a pattern's text, of the pattern that a model becomes, or of a specimen; TambourError with all that is
+    wrong in it."""
+    if (source is None) == (params.specimen is None):
+        both = source is not None
+        raise TambourError(
+            "a specimen needs no pattern" if both else "crochet needs a source",
+            hint="leave out the pattern, or {--specimen}" if both else "name a pattern, or take {--specimen} all",
+        )
+    if source is None:
+        from tambour.crochet.specimens import text
+
+        source = Text(text(str(params.specimen)), f"{params.specimen}.acl")
     if params.photo:
         from tambour.render.photo import tracer
 
         tracer()  # what is missing is told before the work, not after it
     if not isinstance(source, Text):
-        return _modelled(source, params, progress)
+        piece = _modelled(source, params, progress)
+        return mirrored(piece) if params.hand == "left" else piece
     for name in ("stitches", "height", "tip", "model_up"):
         if getattr(params, name) is not None:
             option = name.replace("_", "-")
             progress.warn("has no effect on a pattern: it is for models (.stl .obj .ply .glb)", where=f"{{--{option}}}")
     built, joining, known = _built(source, params, progress)
-    return _shaped(built, joining, params, known, progress)
+    piece = _shaped(built, joining, params, known, progress)
+    return mirrored(piece) if params.hand == "left" else piece
 
 
 def _modelled(mesh: Mesh, params: CrochetParams, progress: Progress) -> Plush:
@@ -157,6 +172,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
             raise TambourError(found)
     for doubt in doubts(built, x):
         progress.warn(doubt)
+<<<<<<< HEAD
     piece = Plush(built, params, stitch, known, stuffing, start, shape, x, c, joining)
     if built.pattern.terms and params.solver == "settle" and joining is not None and joining.joins:
         from tambour.crochet.finish.sound import told
@@ -165,3 +181,23 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
         for doubt in told(built, x, in_sight(piece), piece.upright):
             progress.warn(doubt)
     return piece
+=======
+    return Plush(built, params, stitch, known, stuffing, start, shape, x, c, joining)
+
+
+def mirrored(piece: Plush) -> Plush:
+    """What a left hand makes of the same words: the mirror image, left and right changed.
+
+    The yarn follows: it is led along the graph's own ways.
+    """
+    graph, joined, shape = piece.built.graph, piece.shape.joined, piece.shape
+    turned = replace(graph, faces=graph.faces[:, ::-1].copy(), plane=graph.plane[:, [0, 2, 1]].copy())
+    if joined is not None:
+        shape = replace(shape, joined=replace(joined, upright=joined.upright * MIRROR))
+    return replace(
+        piece,
+        built=replace(piece.built, graph=turned),
+        shape=shape,
+        positions=piece.positions * MIRROR,
+        centroids=piece.centroids * MIRROR,
+    )

@@ -61,6 +61,11 @@ VIEWS: dict[str, View] = {
         (".mp4", ".gif", ".png"),
         "film",
     ),
+    "specimens": View(
+        Lazy("tambour.crochet.specimens:sheet"),
+        "Drawing",
+        "a sheet of stitches, each a small piece with its name",
+    ),
     "diagram": View(Lazy("tambour.crochet.page.diagram:view"), "Drawing", "a chart in the usual symbols", (".svg",)),
     "page": View(
         Lazy("tambour.crochet.page.booklet:pages"), "Drawing", "the pattern as a booklet to sell", (".pdf",), "page"

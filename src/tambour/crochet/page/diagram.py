@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import PurePath
+from typing import Any
 
 from tambour.core.drawing import Drawing
 from tambour.core.graph import BACK, FRONT, JOIN, ROOT
@@ -30,26 +31,29 @@ _SHOWS = 6.0  # contrast of a symbol with its patch (WCAG 2: 4.5 for text, 7 for
 
 def view(piece: Plush) -> Drawing:
     """The chart of a piece."""
-    return diagram(piece.built)
+    return diagram(piece.built, left=piece.params.hand == "left")
 
 
-def diagram(built: Built) -> Drawing:
-    """The chart of a pattern: every piece a disc of rounds (flat pieces: rows), its counts, and a legend; mm."""
+def diagram(built: Built, *, left: bool = False) -> Drawing:
+    """The chart of a pattern: every piece a disc of rounds (flat pieces: rows), its counts, and a legend; mm.
+
+    left : mirrored, for the left hand
+    """
     sheet = Page(0.0, 0.0, ink=_INK)
     found = charts(built)
     margin, title = 8.0, 9.0
-    sizes = [_extent(chart) for chart in found]
+    sizes = [_extent(chart, left) for chart in found]
     tall = max((up + down for _, _, up, down in sizes), default=0.0) * CELL + 2 * margin + title
     # In columns as tall as the tallest chart.
     x = y = width = 0.0
-    for k, (chart, (left, right, up, down)) in enumerate(zip(found, sizes)):
+    for k, (chart, (before, behind, up, down)) in enumerate(zip(found, sizes)):
         high = (up + down) * CELL + 2 * margin + title
         if y and y + high > tall:
             x, y, width = x + width, 0.0, 0.0
-        _chart(sheet, built, chart, x + margin + left * CELL, y + margin + title + up * CELL)
+        _chart(sheet, built, chart, x + margin + before * CELL, y + margin + title + up * CELL, left)
         said = _title(sheet, built, found, k, x + margin, y + margin)
         y += high
-        width = max(width, (left + right) * CELL + 2 * margin, said + 2 * margin)
+        width = max(width, (before + behind) * CELL + 2 * margin, said + 2 * margin)
     width += x
     height = _legend(sheet, built, margin, tall)
     width = max(width, *(label.x + 0.6 * label.size * len(label.text) for label in sheet.labels), 60.0)
@@ -57,13 +61,16 @@ def diagram(built: Built) -> Drawing:
     return sheet.drawing(title=PurePath(built.pattern.text.name).stem)
 
 
-def plates(built: Built) -> list[tuple[int, bool, Drawing]]:
-    """Every chart by itself without words, with the number of its part and whether it is read in rows; mm."""
+def plates(built: Built, *, left: bool = False) -> list[tuple[int, bool, Drawing]]:
+    """Every chart by itself without words, with the number of its part and whether it is read in rows; mm.
+
+    left : mirrored, for the left hand
+    """
     made = []
     for chart in charts(built):
-        left, right, up, down = _extent(chart)
-        sheet = Page((left + right) * CELL, (up + down) * CELL, ink=_INK)
-        _chart(sheet, built, chart, left * CELL, up * CELL)
+        before, behind, up, down = _extent(chart, left)
+        sheet = Page((before + behind) * CELL, (up + down) * CELL, ink=_INK)
+        _chart(sheet, built, chart, before * CELL, up * CELL, left)
         made.append((chart.part, chart.rows, sheet.drawing(title="")))
     return made
 
@@ -80,17 +87,32 @@ def symbols(built: Built) -> list[tuple[str, Drawing]]:
     return made
 
 
-def _extent(chart: Chart) -> tuple[float, float, float, float]:
-    """Room to the left, right, above and below the chart's origin, in cells."""
+class _Mirror:
+    """A sheet on which what is drawn lies mirrored about the line x = ``x``; words stay readable."""
+
+    def __init__(self, sheet: Page, x: float) -> None:
+        self._sheet, self._x = sheet, x
+
+    def shape(self, points: Sequence[tuple[float, float]], *how: Any) -> None:
+        self._sheet.shape([(2.0 * self._x - px, py) for px, py in points], *how)
+
+    def text(self, words: str, x: float, y: float, size: float, *, anchor: str) -> None:
+        self._sheet.text(words, 2.0 * self._x - x, y, size, anchor="middle")
+
+
+def _extent(chart: Chart, left: bool) -> tuple[float, float, float, float]:
+    """Room before, behind, above and below the chart's origin, in cells; ``left``: where it is mirrored."""
     if not chart.rows:
         reach = max(chart.reach, 1.0) + 0.6
         return reach + chart.half, reach + chart.half, reach, reach
     xs = [cell.at for cell in chart.cells.values()] or [0.0]
-    return 2.2 - min(xs), max(xs) + 2.2, chart.reach + 0.5, 0.8
+    sides = 2.2 - min(xs), max(xs) + 2.2
+    return sides[left], sides[not left], chart.reach + 0.5, 0.8
 
 
-def _chart(sheet: Page, built: Built, chart: Chart, x: float, y: float) -> None:
-    """One chart with its origin at x, y mm."""
+def _chart(page: Page, built: Built, chart: Chart, x: float, y: float, left: bool) -> None:
+    """One chart with its origin at x, y mm, mirrored for the ``left`` hand."""
+    sheet = _Mirror(page, x) if left else page
     graph = built.graph
     colors = graph.color.tolist()
     anchors, cuts = graph.anchors.tolist(), graph.anchor_offsets.tolist()
@@ -236,7 +258,7 @@ def _legs(
     return [(foot, head) for foot in feet]
 
 
-def _numbers(sheet: Page, chart: Chart, x: float, y: float) -> None:
+def _numbers(sheet: Page | _Mirror, chart: Chart, x: float, y: float) -> None:
     """The number of each round where it begins."""
     for this in chart.rounds:
         cell = chart.cells[this.first]

@@ -30,6 +30,7 @@ _LARGEST = 0.55
 """Scale at which a chart is large enough: a stitch is 3.9 mm wide."""
 _READ: Final = {"chart rounds": False, "chart rows": True, "chart patch": None}
 """How charts are read → whether that is said of those in rows."""
+_LEFT: Final = {"chart rounds": "chart rounds left"}
 
 
 def rounds(book: Book) -> list[Chunk]:
@@ -110,7 +111,8 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
 
 def charts(book: Book) -> None:
     """The diagrams, as large as they may be, several on a page where they fit; the symbols on the first page."""
-    found = plates(book.piece.built)
+    left = book.piece.params.hand == "left"
+    found = plates(book.piece.built, left=left)
     if not found:
         return
     wide = book.size[0] - 2 * MARGIN
@@ -125,7 +127,9 @@ def charts(book: Book) -> None:
         sheet.line(MARGIN, y + HEAD * 1.2 + 0.6, MARGIN + wide, y + HEAD * 1.2 + 0.6, HAIR)
         y += HEAD * 1.2 + 3.0
     ways = {rows for _, rows, _ in found}
-    note = " ".join(book.own[key] for key, there in _READ.items() if there in ways or there is None)
+    note = " ".join(
+        book.own[_LEFT.get(key, key) if left else key] for key, there in _READ.items() if there in ways or there is None
+    )
     y = sheet.paragraph(wrap(note, BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
     y = _symbols(book, sheet, MARGIN, y, wide)
     names = {block.part: block.title if len(book.said.blocks) > 1 else "" for block in book.said.blocks}

@@ -352,8 +352,10 @@ def place(
                 top[1, c], low[1, c] = low[1, c], top[1, c]
         else:
             if root[a]:
+                # Taller stitches are drawn as close together at their feet.
+                ring = RING * (0.5 + 0.5 / high)
                 for c in range(3):
-                    low[0, c] = x[a, c] + RING * (top[0, c] - x[a, c])
+                    low[0, c] = x[a, c] + ring * (top[0, c] - x[a, c])
                     low[1, c] = 0.5 * (normal[a, c] + top[1, c])
                     low[2, c] = 0.5 * (top[0, c] - x[a, c])
             else:

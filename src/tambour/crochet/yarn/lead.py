@@ -24,6 +24,7 @@ from tambour.crochet.yarn.loops import (
     with_rows,
 )
 from tambour.geometry.motion import length
+from tambour.noise import stream
 
 # What a node is to the yarn.
 NONE, STITCH, CHAINED = 0, 1, 2
@@ -57,19 +58,35 @@ _SLIP = np.array(
 LOOPED = 8
 _HANGING = np.array(
     [
-        (0.12, 0.1, 0.75),
-        (0.2, -0.4, 1.3),
-        (0.12, -1.1, 1.45),
-        (0.0, -1.3, 1.4),
-        (-0.1, -1.1, 1.3),
-        (-0.1, -0.3, 1.1),
-        (0.0, 0.0, 0.7),
+        (-0.08, 0.10, 0.62),
+        (-0.26, -0.30, 0.95),
+        (-0.34, -1.00, 1.10),
+        (-0.22, -1.60, 1.05),
+        (0.02, -1.85, 1.00),
+        (0.26, -1.60, 1.05),
+        (0.36, -1.00, 1.10),
+        (0.24, -0.30, 0.95),
+        (0.06, 0.05, 0.60),
+    ]
+)
+SWAY = 0.5
+"""How far the lower end of one hanging loop lies beside another's, in widths; their lengths differ by as much."""
+# The tops of a popcorn's stitches, folded together in front, before its head; out as far as it bulges.
+_CROWN = np.array(
+    [
+        (0.1 + 0.42 * t, 0.86 + (0.16 if k % 2 else -0.1), 0.12 - 0.35 * t * t)
+        for k, t in enumerate(np.linspace(-1, 1, 9))
     ]
 )
 _SEAM = np.array([(0.0, -0.1, -0.45), (0.0, -0.1, 0.12)])
 
+OPEN = 1.3
+"""A magic ring of stitches as high as this stays open: its end is woven in behind them, and does not cross it."""
 TIGHT = 0.6
 """As far along the work, in stitches, a head keeps its place that is drawn tight."""
+
+# How far kinds bulge, against a bobble: clusters lie flat, popcorns stand out.
+_BULGE = {"cl": 0.5, "popcorn": 1.25, "puff": 0.85}
 
 # What comes first where several things happen at one place of the yarn.
 _AFTER, _END, _BREAK, _START = range(4)
@@ -126,6 +143,10 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     cell, below, at = np.zeros(total, np.int32), np.zeros(total, np.int32), np.zeros((total, 3))
     ridge = np.zeros(n, np.bool_)
     ridge[graph.parent[(graph.loop == BACK) & (graph.parent >= 0)]] = True
+    sunk = np.zeros(n, np.bool_)
+    wide = np.flatnonzero(np.diff(graph.anchor_offsets) > 1)
+    sunk[np.maximum(graph.previous[graph.anchors[graph.anchor_offsets[wide]]], 0)] = True
+    sunk &= role == STITCH
     ring = (graph.parent >= 0) & (graph.peculiarity[np.maximum(graph.parent, 0)] == ROOT) & (role == STITCH)
     lead(
         role,
@@ -135,6 +156,7 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         graph.height,
         np.where(ring, 0, graph.loop.astype(np.int64)),
         ridge,
+        sunk,
         np.stack([single, with_rows(single, FRONT_ONLY), with_rows(single, BACK_ONLY)]),
         CHAIN,
         *_shapes(graph),
@@ -159,8 +181,12 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     on[role == STITCH] = graph.anchors[graph.anchor_offsets[1:][role == STITCH] - 1]
     pieces = _Pieces()
     for i, loops in _loops(graph):
-        for _ in range(loops):
-            pieces.put(int(start[i]) + LOOPED, _AFTER, i, int(on[i]), _HANGING)
+        for k in range(loops):
+            pieces.put(int(start[i]) + LOOPED, _AFTER, i, int(on[i]), _hanging(i, k, loops))
+    for i, out in _crowned(graph):
+        loops = int(np.diff(graph.anchor_offsets)[i])
+        crown = _CROWN * (1.0, 1.0, out) + (0.0, 0.0, out)
+        pieces.put(int(start[i]) + 5 + 14 * loops, _AFTER, i, int(on[i]), crown, float(graph.height[i]) - 1)
     _tight(graph, role, follows, start, at)
     drop = np.zeros(total, np.bool_)
     for i in worked[~follows[worked]].tolist():
@@ -228,9 +254,27 @@ def _shapes(graph: StitchGraph) -> tuple[Array, Array, Array]:
             deep[k] = 1.0
     count = np.diff(graph.anchor_offsets)
     # It bulges outwards, also where rows are seen from their back.
-    flat = np.array([0.5 if kind.startswith("cl") else 1.0 for kind in graph.kinds])[graph.kind]
+    flat = np.array([_BULGE.get(kind, 1.0) for kind in graph.kinds])[graph.kind]
     bump = np.where(count > 1, 0.3 + 0.16 * np.minimum(count, 6), 0.0) * flat * graph.direction
     return deep[graph.kind], relief[graph.kind], bump
+
+
+def _hanging(i: int, k: int, loops: int) -> Array:
+    """The ``k``-th loop that hangs out of stitch ``i``: no two fall alike; the later ones lie farther out."""
+    longer, aside, out = stream("hanging", i, k).uniform(-1.0, 1.0, 3)
+    down = np.clip(-_HANGING[:, 1] / 1.85, 0.0, 1.0)
+    made = _HANGING * (1.0, 1.15 + 0.35 * longer * SWAY, 1.0)
+    made[:, 0] += down * SWAY * aside + (k - 0.5 * (loops - 1)) * 0.3 * down
+    made[:, 2] += (0.25 * out + 0.35 * k) * down
+    return made
+
+
+def _crowned(graph: StitchGraph) -> list[tuple[int, float]]:
+    """Popcorns, and how far they bulge, negative to the other side."""
+    if "popcorn" not in graph.kinds:
+        return []
+    bump = _shapes(graph)[2]
+    return [(n, 0.8 * float(bump[n])) for n in np.flatnonzero(graph.kind == graph.kinds.index("popcorn")).tolist()]
 
 
 def _loops(graph: StitchGraph) -> list[tuple[int, int]]:
@@ -274,8 +318,11 @@ def _begun(
         k = i
         while k < len(graph) and ring[k] and graph.parent[k] == graph.parent[i] and (k == i or follows[k]):
             k += 1
-        pieces.put(where, _START, (i + k) // 2, on, _behind(graph, i, _FAR))
-        pieces.put(where, _START, i, -2 - on, _behind(graph, i, _MIDDLE))
+        if graph.height[i] < OPEN:
+            pieces.put(where, _START, (i + k) // 2, on, _behind(graph, i, _FAR))
+            pieces.put(where, _START, i, -2 - on, _behind(graph, i, _MIDDLE))
+        else:
+            pieces.put(where, _START, i, on, _behind(graph, i, _BEGIN))
         pieces.put(where, _START, i, on, _RING)
         for n in range(i, k):
             pieces.put(where, _START, n, on, _ROUND)

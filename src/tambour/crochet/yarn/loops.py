@@ -99,6 +99,9 @@ FRONT_ONLY: Final[dict[int, tuple[float, float, float]]] = {
 CHAIN: Final[Array] = np.array([(-0.234, 0.535, -0.313), (0.04, 0.52, -0.33), (0.34, 0.48, -0.31), (0.62, 0.47, -0.22)])
 """What comes before the head in a chain: the bump behind it."""
 
+SUNK: Final = (0.2, 0.2)
+"""How far down and in the front strand of a head is drawn that lies before a decrease: no loop covers it."""
+
 SHEAR: Final = 0.5
 """A tall stitch's next loop comes through the arch of the last, which lies this far from a hole's place."""
 
@@ -141,6 +144,7 @@ def lead(
     height: F8x1,
     table_of: I8x1,
     ridge: B1x1,
+    sunk: B1x1,
     tables: F8x3,
     chain: F8x2,
     deep: F8x1,
@@ -153,7 +157,8 @@ def lead(
     """Fill cell, below (P,) and at (P, 3), from ``start[i]`` on, with the course of the yarn through every node.
 
     table_of : (N,) which of ``tables`` (K, 46, 3) is the course by the loops worked under, 0 being both
-    ridge : (N,) whether a stitch above leaves this one's front strand free; chain : (4, 3), before a chain's loop
+    ridge : (N,) whether a stitch above leaves this one's front strand free; sunk : (N,) whether its head is drawn in, since
+    the loops of a decrease lean away from it; chain : (4, 3), before a chain's loop
     deep : (N,) how far below its row a stitch is worked (around a post, in the row below); relief : (N,) how far it stands
     out; bump : (N,) how far the loops of one that are all in one anchor bulge, negative to the other side
     """
@@ -193,10 +198,12 @@ def lead(
                     # Loops of one anchor stand around a bulge, and gather at its head.
                     t = min(1.0, max(0.0, (_stretched(v, part - 1.0) + 0.2) / (high + 0.1)))
                     out = math.sin(math.pi * t) * bump[i]
-                    u = 0.75 * u + abs(out) * math.sin(2.4 * beside)
+                    u = 0.1 + 0.6 * (u - 0.1) + 0.75 * abs(out) * math.sin(2.4 * beside)
                     w = w + out * (0.35 + 0.65 * math.cos(2.4 * beside))
                 elif v > 0.3 and story == 0 and last - first > 1:
-                    u, v, w = u + 0.3 * beside, v - 0.1 * (0.5 - beside), w - 0.2 * (0.5 - beside)
+                    # Wide below, where each stands in its own hole.
+                    aside = 0.3 + 0.6 * max(0.0, 1.0 - abs(v / part - 0.5) / 0.35)
+                    u, v, w = u + aside * beside, v - 0.1 * (0.5 - beside), w - 0.2 * (0.5 - beside)
                 cell[p], below[p] = i, anchors[min(first + number, last - 1)]
                 at[p, 0], at[p, 1], at[p, 2] = u, part * story + _stretched(v, part - 1.0), w
                 p += 1
@@ -211,6 +218,9 @@ def lead(
             if ridge[i] and 30 <= k <= 34:
                 at[p, 1] -= 0.06
                 at[p, 2] += 0.12
+            if sunk[i] and k >= 25 and k <= 36:
+                at[p, 1] -= SUNK[0]
+                at[p, 2] -= SUNK[1]
             p += 1
         if deep[i] != 0.0 or relief[i] != 0.0:
             for q in range(begin, p):

@@ -1,0 +1,125 @@
+"""Specimens: a small piece in each stitch, as a pattern of tambour's own language; and the sheet that shows them all."""
+
+from __future__ import annotations
+
+from math import pi, radians
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:
+    from tambour.core.drawing import Drawing
+    from tambour.core.picture import Picture
+    from tambour.crochet.piece import Plush
+
+_FLAT = "@stuffing = none\ncolor(#c98f6b)\n"
+
+
+def _rows(tall: str, lift: str, times: int, *, back: str = "") -> str:
+    """A swatch of 12 stitches: a row of single crochets, then ``times`` rows of ``tall``, by turns with ``back``."""
+    lines = [f"R1: 13 ch, turn\nR2: 12 sc, turn, {lift if not back else 'ch'}"]
+    for k in range(times):
+        end = f", turn, {lift}" if k + 1 < times or back else ""
+        lines.append(f"R{len(lines) + 2}: {tall}{end.replace(lift, 'ch') if back else end}")
+        if back:
+            lines.append(f"R{len(lines) + 2}: {back}" + (f", turn, {lift}" if k + 1 < times else ""))
+    return _FLAT + "\n".join(lines) + "\n"
+
+
+def _rounds(*lines: str) -> str:
+    """A disc of three rounds, then ``lines``."""
+    every = ("MR(6)", "6 inc", "[sc, inc] x 6", *lines)
+    return _FLAT + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\n"
+
+
+def _tube(*lines: str) -> str:
+    """A piece in the round, on a ring of 24 chains."""
+    every = ("24 ch, join, ch", "24 sc", *lines)
+    return _FLAT + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\n"
+
+
+TABLE: Final[dict[str, tuple[str, str]]] = {
+    "ch": ("chain", _FLAT + "R1: 14 ch\n"),
+    "sc": ("single crochet, in rounds", _tube(*["24 sc"] * 6)),
+    "rows": ("single crochet, in rows", _rows("12 sc", "ch", 8)),
+    "joined": ("single crochet, joined rounds", _tube("join, ch, 24 sc", *["join, ch, 24 sc"] * 5)),
+    "hdc": ("half double crochet", _rows("12 hdc", "2 ch", 5)),
+    "dc": ("double crochet", _rows("12 dc", "2 ch", 4)),
+    "tr": ("treble", _rows("12 tr", "3 ch", 3)),
+    "inc": ("a magic ring and increases", _rounds("[2 sc, inc] x 6", "[3 sc, inc] x 6")),
+    "dec": ("decreases", _tube("24 sc", "24 sc", "[2 sc, dec] x 6", "18 sc", "[sc, dec] x 6")),
+    "blo": ("back loops only, in rounds", _tube(*["BLO, 24 sc", "24 sc"] * 3)),
+    "flo": ("front loops only, in rounds", _tube(*["FLO, 24 sc", "24 sc"] * 3)),
+    "ribs": ("back loops only, in rows", _rows("BLO, 12 sc", "ch", 8)),
+    "fpdc": ("front post double crochet", _tube("join, 3 ch, 24 dc", "24 fpdc", "24 fpdc")),
+    "bpdc": ("back post double crochet", _tube("join, 3 ch, 24 dc", "24 bpdc", "24 bpdc")),
+    "posts": ("front and back posts by turns", _tube("24 dc", *["[fpdc, bpdc] x 12"] * 3)),
+    "bobble": ("bobbles", _rows("[2 sc, bobble] x 4", "ch", 3, back="12 sc")),
+    "popcorn": ("popcorns", _rows("[2 sc, popcorn] x 4", "ch", 3, back="12 sc")),
+    "puff": ("puffs", _rows("[2 sc, puff] x 4", "ch", 3, back="12 sc")),
+    "cl": ("clusters", _rows("cl, [ch, sk, cl] x 5, dc", "2 ch", 3)),
+    "shell": ("shells", _FLAT + "R1: 20 ch, turn\nR2-R4: 19 sc, turn, ch\nR5: sc, [2 sk, {5 dc}, 2 sk, sc] x 3\n"),
+    "mesh": ("double crochets and chains", _rows("dc, [ch, sk, dc] x 5, dc", "2 ch", 4)),
+    "picot": ("picots", _rows("12 sc", "ch", 2).rstrip() + ", turn, ch\nR5: [3 sc, picot] x 4\n"),
+    "crab": ("reverse single crochet", _rows("12 sc", "ch", 3).rstrip() + ", turn, ch\nR6: 12 crab\n"),
+    "spike": ("spike stitches", _tube("24 sc", "color(#f2e6d8), [3 sc, spike] x 6", "24 sc", "color(#c98f6b), 24 sc")),
+    "loopst": ("loop stitches", _tube("24 sc", "24 loopst", "24 sc", "24 loopst", "24 sc")),
+    "fur": ("fur stitches", _tube("24 sc", "24 fur", "24 sc", "24 fur", "24 sc")),
+    "granny": (
+        "a granny square",
+        _FLAT + "R1: MR{[3 dc, 2 ch] x 4}, join\nR2: [3 sk, sp{3 dc, 2 ch, 3 dc}, ch] x 4, join\n",
+    ),
+}
+"""Name → what it is called, and its pattern."""
+
+SPECIMENS: Final = ("all", *TABLE)
+"""What ``--specimen`` knows."""
+
+WIDE: Final = 46.0
+"""Width of a specimen on the sheet, mm."""
+PIXELS: Final = 420
+ACROSS: Final = 6
+FLAT: Final = 0.3
+"""What is less deep than so much of its width is a swatch."""
+LIGHTS: Final = 30
+
+
+def text(name: str) -> str:
+    """The pattern of one specimen, or of all of them, a part for each."""
+    if name != "all":
+        return TABLE[name][1]
+    return "\n".join(
+        f"== {called.replace(',', '').replace(':', '')} ==\n{pattern}" for called, pattern in TABLE.values()
+    )
+
+
+def sheet(piece: Plush) -> Drawing:
+    """Every specimen, or the one that was asked for, near to, with its name; mm. Each is made as ``piece`` was asked to be."""
+    from tambour.core.progress import Progress
+    from tambour.crochet.plush import make
+    from tambour.render.page import GREY, Page
+
+    asked = piece.params.specimen
+    names = list(TABLE) if asked in (None, "all") else [str(asked)]
+    across, high = min(ACROSS, len(names)), WIDE + 10.0
+    down = -(-len(names) // across)
+    page = Page(across * (WIDE + 4.0) + 12.0, down * high + 12.0)
+    for k, name in enumerate(names):
+        made = make(None, piece.params.model_copy(update={"specimen": name, "photo": False}), Progress())
+        x, y = 8.0 + k % across * (WIDE + 4.0), 8.0 + k // across * high
+        page.image(near(made, PIXELS), x, y, WIDE, WIDE, photo=True)
+        page.text(TABLE[name][0], x, y + WIDE + 4.0, 3.0)
+        page.text(name, x, y + WIDE + 7.4, 2.4, color=GREY)
+    return page.drawing(title="stitches")
+
+
+def near(piece: Plush, width: int) -> Picture:
+    """A small piece as large as it fits a square picture: a swatch from its right side, a disc from above."""
+    import numpy as np
+
+    from tambour.crochet.looks import toy
+    from tambour.crochet.page.pictures import lies
+    from tambour.render.raster import picture
+
+    wide, _, deep = np.ptp(piece.positions, axis=0).tolist()
+    flat = deep < FLAT * wide
+    azimuth, elevation = (0.0, radians(70.0)) if lies(piece) else (pi, radians(4.0)) if flat else (0.3, radians(14.0))
+    return picture(toy(piece), width=width, height=width, azimuth=azimuth, elevation=elevation, lights=LIGHTS)
