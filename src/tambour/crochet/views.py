@@ -62,7 +62,7 @@ VIEWS: dict[str, View] = {
         "film",
     ),
     "specimens": View(
-        Lazy("tambour.crochet.specimens:sheet"),
+        Lazy("tambour.crochet.swatches:sheet"),
         "Drawing",
         "a sheet of stitches, each a small piece with its name",
     ),

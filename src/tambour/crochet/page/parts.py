@@ -111,8 +111,8 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
 
 def charts(book: Book) -> None:
     """The diagrams, as large as they may be, several on a page where they fit; the symbols on the first page."""
-    left = book.piece.params.hand == "left"
-    found = plates(book.piece.built, left=left)
+    mirrored = book.piece.params.hand == "left"
+    found = plates(book.piece.built, left=mirrored)
     if not found:
         return
     wide = book.size[0] - 2 * MARGIN
@@ -128,7 +128,9 @@ def charts(book: Book) -> None:
         y += HEAD * 1.2 + 3.0
     ways = {rows for _, rows, _ in found}
     note = " ".join(
-        book.own[_LEFT.get(key, key) if left else key] for key, there in _READ.items() if there in ways or there is None
+        book.own[_LEFT.get(key, key) if mirrored else key]
+        for key, there in _READ.items()
+        if there in ways or there is None
     )
     y = sheet.paragraph(wrap(note, BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
     y = _symbols(book, sheet, MARGIN, y, wide)
