@@ -22,7 +22,7 @@ from tambour.geometry.motion import length
 from tambour.geometry.tube import sweep
 from tambour.noise import stream
 
-LOOKS = 12
+LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
 _DETAIL = {"low": (1, 1.0), "medium": (2, 0.3), "high": (3, 0.03)}
@@ -122,7 +122,7 @@ SIDES = {"low": 4, "medium": 6, "high": 10, "near": 10}
 """Detail → corners of the yarn's cross-section; near: for pictures that show few stitches."""
 NEAR = 1200
 """Pictures of fewer stitches show their yarn near to: as round as in high detail."""
-UNEVEN = 0.035
+UNEVEN = 0.03
 """How far single stitches lie out of line, in widths: hands are not machines."""
 
 

@@ -99,7 +99,7 @@ FRONT_ONLY: Final[dict[int, tuple[float, float, float]]] = {
 CHAIN: Final[Array] = np.array([(-0.234, 0.535, -0.313), (0.04, 0.52, -0.33), (0.34, 0.48, -0.31), (0.62, 0.47, -0.22)])
 """What comes before the head in a chain: the bump behind it."""
 
-SUNK: Final = (0.2, 0.2)
+SUNK: Final = (0.1, 0.1)
 """How far down and in the front strand of a head is drawn that lies before a decrease: no loop covers it."""
 
 SHEAR: Final = 0.5
