@@ -17,6 +17,7 @@ import numpy as np
 
 from tambour.core.arrays import F8x1, F8x2
 from tambour.core.kernels import kernel
+from tambour.crochet.yarn import clearance, loops
 from tambour.crochet.yarn.loops import BAR, LOOP, RATIO, TOP
 
 LENGTH = 8.0
@@ -179,6 +180,37 @@ def table(x: np.ndarray, up: np.ndarray) -> np.ndarray:
     return np.array(rows)
 
 
+def rested(line: np.ndarray, high: float, lean: float, rounds: int = 160) -> np.ndarray:
+    """The table (46, 3) as :mod:`tambour.crochet.yarn.clearance` leaves it: its few points cut the corners of the course,
+    so that a lattice of it is pushed apart as pieces are, until nothing in it is nearer than the yarn's width."""
+    made, ends = line.copy(), np.arange(8) * 9 * len(line)
+
+    def lattice() -> np.ndarray:
+        rows = [
+            np.column_stack([made[:, 0] - lean * (made[:, 1] + row) + column, high * (made[:, 1] + row), made[:, 2]])
+            for row in range(7)
+            for column in range(9)
+        ]
+        return np.concatenate(rows) / RATIO
+
+    for _ in range(rounds):
+        before = lattice()
+        after = before.copy()
+        near = clearance._pairs(after, ends, 1.15, clearance.ALONG)
+        clearance.push(after, near, 1.005, 2, np.zeros_like(after), np.zeros(len(after)))
+        # What happens to the stitches in the middle happens to all.
+        move = RATIO * (after - before).reshape(7, 9, len(line), 3)[2:5, 3:6].mean((0, 1))
+        made += np.column_stack([move[:, 0] + lean * move[:, 1] / high, move[:, 1] / high, move[:, 2]])
+        one = np.array([1.0, 0.0, 0.0])
+        around = np.vstack([made[-1:] - one, made, made[:1] + one])
+        back, on = (np.linalg.norm(np.diff(around, axis=0)[k : k + len(made)], axis=1) for k in (0, 1))
+        way = around[2:] - around[:-2]
+        slide = 0.05 * (on - back)[:, None] * way / np.linalg.norm(way, axis=1)[:, None]
+        slide[[0, BAR[1], LOOP[1], loops.HEAD]] = 0.0
+        made += slide
+    return made
+
+
 def main(arguments: list[str]) -> None:
     """Find the course, print it and how it was found."""
     under = "--under" in arguments
@@ -197,7 +229,7 @@ def main(arguments: list[str]) -> None:
     print(
         f"# {length:.2f} widths of yarn, nothing nearer than {near:.3f} of the yarn's width, a lean of {-up[0]:.3f} widths a row"
     )
-    for k, (u, v, w) in enumerate(table(x, up).tolist()):
+    for k, (u, v, w) in enumerate(rested(table(x, up), high, -up[0]).tolist()):
         print(f"({u:.3f}, {v:.3f}, {w:.3f}),", end="\n" if k % 4 == 3 else " ")
     print()
 

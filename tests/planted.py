@@ -80,6 +80,12 @@ FAULTS = [
     Fault("knit/machines/knitout.py", "way = first if row % 2 == 0 else other(first)\n        columns", "way = first\n        columns", "knit_knitout"),
     Fault("files/mesh.py", 'f"{k / 255:.4f}"', 'f"{k / 256:.4f}"', "files_mesh"),
     # -- crochet
+    Fault("crochet/yarn/course.py", "k = a + 1\n", "k = a + 2\n", "crochet_fabric"),
+    Fault("crochet/yarn/course.py", "k = int(after[a])", "k = int(a)", "crochet_fabric"),
+    Fault("crochet/yarn/course.py", "drift - drift[still]", "drift", "crochet_fabric"),
+    Fault("crochet/yarn/loops.py", "(-0.158, 0.023, 0.101)", "(-0.158, 0.093, 0.101)", "crochet_fabric"),
+    Fault("crochet/plush.py", "MIRROR: Final = (-1.0, 1.0, 1.0)", "MIRROR: Final = (-1.0, 1.0, -1.0)", "crochet_specimens"),
+    Fault("crochet/plush.py", "faces=graph.faces[:, ::-1].copy()", "faces=graph.faces.copy()", "crochet_specimens"),
     Fault("crochet/yarns.py", "IN_A_STITCH: Final = 8.0", "IN_A_STITCH: Final = 9.0", "crochet_size"),
     Fault("crochet/yarns.py", "SQUARE: Final = 3.0 / math.pi", "SQUARE: Final = 1.0", P),
     Fault("crochet/yarns.py", "0.15 + 0.85 * hook / kind.hook", "0.85 * hook / kind.hook",

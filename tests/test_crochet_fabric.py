@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import Text
-from tambour.core.graph import StitchGraph
+from tambour.core.graph import JOIN, StitchGraph
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.layout import rounds
 from tambour.crochet.language.parse import parse
@@ -192,6 +192,80 @@ def test_a_picture_stays_where_its_nodes_are() -> None:
     host, slip = course.leaning(graph, 0.25)
     white = np.flatnonzero((graph.color == 255).all(1))
     assert abs((host + slip)[white] - white).max() < 1.0
+
+
+def test_an_open_end_stays_at_its_nodes_and_the_ring_too() -> None:
+    """What is sewn is sewn at nodes: a rim that had glided on left a hole where its last stitches should have been."""
+    graph, _ = spiral(8)
+    host, slip = course.leaning(graph, 0.27)
+    moved = host + slip - np.arange(len(graph))
+    assert abs(moved[-6:]).max() < 0.1 and abs(moved[1:4]).max() < 0.1
+    assert moved.max() > 1.5
+
+
+@pytest.mark.parametrize("hold", ["over", "under"])
+def test_in_the_lattice_that_it_was_found_in_the_course_has_its_room(hold: str) -> None:
+    """The table's few points are straight between: it is the lines through them that must not come too near."""
+    table, lean, high = (loops.SINGLE, loops.LEAN["over"], 1.0) if hold == "over" else (loops.UNDER, 0.08, 0.9)
+    rows = [
+        np.column_stack([table[:, 0] - lean * (table[:, 1] + r) + k, high * (table[:, 1] + r), table[:, 2]])
+        for r in range(4)
+        for k in range(5)
+    ]
+    ends = np.arange(5) * 5 * len(table)
+    _, found = clearance.distances(np.concatenate(rows) / loops.RATIO, ends, 1.0, 0.99)
+    assert found.size == 0
+
+
+def around_plainly(graph: StitchGraph, x: np.ndarray, i: int, following: dict[int, int]) -> int:
+    """The stitch that the last one of a round lies over to, or -1: joined to it, or next to it in the fabric."""
+    tied = [earlier for later, earlier in graph.edges[graph.edge_kind == JOIN].tolist() if later == i]
+    if tied:
+        first = min(tied, key=lambda k: float(np.linalg.norm(x[k] - x[i])))
+    else:
+        below = int(graph.anchors[graph.anchor_offsets[i + 1] - 1])
+        if graph.kinds[graph.kind[below]] == "ring":
+            first = below + 1
+        elif graph.direction[below] == graph.direction[i]:
+            first = following.get(below, -1)
+        else:
+            return -1
+    same = (
+        first != i
+        and first >= 0
+        and graph.part[first] == graph.part[i]
+        and graph.direction[first] == graph.direction[i]
+    )
+    return first if same and np.linalg.norm(x[first] - x[i]) < 2 * graph.stitch_width else -1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ": MR(6)\n: 6 inc\n: 12 sc\n",
+        ": MR(6), join\n: ch, 6 inc, join\n: ch, 12 sc, join\n",
+        ": 11 ch, turn\n: 10 sc, turn, ch\n: 10 sc\n",
+        "== A ==\n: MR(8)\n== B ==\n: MR(5)\n: 5 inc\n",
+    ],
+)
+def test_the_last_head_lies_over_to_its_rounds_first_stitch(text: str) -> None:
+    graph, x = piece(text)
+    led = course.course(graph, x)
+    follows = {
+        int(p): i
+        for i, p in reversed(list(enumerate(graph.previous.tolist())))
+        if p >= 0 and graph.part[p] == graph.part[i]
+    }
+    ends = [
+        i
+        for i in range(len(graph))
+        if np.diff(graph.anchor_offsets)[i] > 0
+        and i not in follows
+        and graph.kinds[graph.kind[i]] not in ("ring", "tip")
+    ]
+    assert ends
+    for i in ends:
+        assert led.after[i] == around_plainly(graph, x, i, follows)
 
 
 @pytest.mark.parametrize("name", list(fibres.KINDS))

@@ -64,7 +64,11 @@ def course(graph: StitchGraph, x: Array, lean: float = 0.0) -> Course:
 
 def _around(graph: StitchGraph, x: Array, plain: Array, after: Array) -> None:
     """A round's last stitch, that none follows, lies over to the round's first: it is joined to it, or stands next to it."""
-    joined = dict(graph.edges[graph.edge_kind == JOIN].tolist())
+    joined: dict[int, int] = {}
+    for i, k in graph.edges[graph.edge_kind == JOIN].tolist():
+        # A chain that lifts the round is joined too: the nearer of both.
+        if i not in joined or length((x[k] - x[i])[None])[0] < length((x[joined[i]] - x[i])[None])[0]:
+            joined[i] = k
     worked = np.diff(graph.anchor_offsets) > 0
     for i in np.flatnonzero(plain & worked & (after < 0)).tolist():
         a = int(graph.anchors[graph.anchor_offsets[i + 1] - 1])
