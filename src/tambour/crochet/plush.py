@@ -172,7 +172,6 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
             raise TambourError(found)
     for doubt in doubts(built, x):
         progress.warn(doubt)
-<<<<<<< HEAD
     piece = Plush(built, params, stitch, known, stuffing, start, shape, x, c, joining)
     if built.pattern.terms and params.solver == "settle" and joining is not None and joining.joins:
         from tambour.crochet.finish.sound import told
@@ -181,8 +180,6 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
         for doubt in told(built, x, in_sight(piece), piece.upright):
             progress.warn(doubt)
     return piece
-=======
-    return Plush(built, params, stitch, known, stuffing, start, shape, x, c, joining)
 
 
 def mirrored(piece: Plush) -> Plush:
