@@ -1,6 +1,7 @@
-"""The studio in CPU seconds and bytes: a warm worker, first views, checks while typing, tiles, states over the socket.
+"""The studio in CPU seconds, bytes and ratios: a warm worker, first views, checks while typing, tiles, states over the socket.
 
-Run: python bench/studio.py [worker view check tile stream edit hand first frames scroll]; the last three need Chromium and the page built
+Run: python bench/studio.py [worker view check tile stream edit hand first shown frames scroll]; the last four need Chromium and the page
+built, `stream` a server.
 """
 
 from __future__ import annotations
@@ -11,10 +12,10 @@ import resource
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.files.packed import packed
 from tambour.run import CRAFTS, craft, make
@@ -86,18 +87,48 @@ def tile() -> None:
 
 
 def stream() -> None:
-    """States of a settling piece to a page that reads slowly: nothing piles up."""
-    from tambour.core.packed import Packed
+    """States of a settling ball of 5,000 stitches over the socket, to a page that reads as fast as it can and to a slow one."""
+    import asyncio
+    import http.client
+    import json
 
-    states: list[int] = []
-    slow = Progress(watch=lambda value: (states.append(1), time.sleep(0.05)) if isinstance(value, Packed) else None)
-    what = craft("crochet")
-    text = Text((EXAMPLES / "crochet" / "frog.acl").read_text(), "frog.acl")
-    begun, clock = spent(), time.perf_counter()
-    what.make(text, what.params(), slow)
-    print(
-        f"states shown to who needs 50 ms for each: {len(states)} in {time.perf_counter() - clock:.1f} s, {spent() - begun:.2f} CPU s"
-    )
+    import websockets
+    from crochet import SHAPES
+
+    async def heard(address: str, pid: int, pause: float, name: str) -> None:
+        base, place = address.split("/?")[0], address.split("//")[1].split("/")[0]
+        line = http.client.HTTPConnection(place)
+        line.request("GET", address.removeprefix(base))
+        cookie = str(line.getresponse().getheader("set-cookie")).split(";")[0]
+        heads = {"Cookie": cookie, "Origin": base, "Content-Type": "application/json"}
+        told = {"craft": "crochet", "source": {"text": f"{SHAPES['ball5k']}# {name}\n", "name": "ball.acl"}}
+        line = http.client.HTTPConnection(place)
+        line.request("POST", "/api/pieces", json.dumps(told), heads)
+        revision = json.load(line.getresponse())["revision"]["id"]
+        live = f"{base.replace('http', 'ws')}/api/live"
+        async with websockets.connect(
+            live, additional_headers={"Cookie": cookie}, origin=base, max_size=None
+        ) as socket:  # type: ignore[arg-type]
+            held, begun, cost, states, sent = [_held(pid)], time.perf_counter(), _spent(pid), 0, 0
+            await socket.send(json.dumps({"type": "watch", "revision": revision, "rate": 60}))
+            while True:
+                got = await socket.recv()
+                if isinstance(got, str):
+                    if json.loads(got)["type"] in ("made", "failed"):
+                        break
+                    continue
+                states, sent = states + 1, sent + len(got)
+                held.append(_held(pid))
+                await asyncio.sleep(pause)
+            took = time.perf_counter() - begun
+        if name != "warm":
+            print(f"5k stitches settling, to who needs {1000 * pause:.0f} ms for a state: {states} states, {states / took:.0f}/s, {sent / 1e6:.1f} MB in {took:.1f} s,"
+                  f" {_spent(pid) - cost:.1f} CPU s; server and workers {held[0]:.0f} MB, at the most {max(held):.0f}")  # fmt: skip
+
+    with _studio() as (address, pid):
+        time.sleep(1)
+        for pause, name in ((0.0, "warm"), (0.0, "quick"), (0.25, "slow")):
+            asyncio.run(heard(address, pid, pause, name))
 
 
 def edit() -> None:
@@ -146,52 +177,41 @@ def hand() -> None:
         )
 
 
-def _page(flags: dict[str, Any], shelf: bool = True) -> Any:
-    """A page of a studio of its own in Chromium, at the shelf unless it is to be opened later; the studio's process, its address."""
-    import contextlib
-    import shutil
+FLAGS = ["--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+
+
+@contextmanager
+def _studio() -> Iterator[tuple[str, int]]:
+    """A studio of its own: its address with the token, and its process."""
     import subprocess
     import tempfile
 
+    with tempfile.TemporaryDirectory() as folder:
+        words = [sys.executable, "-m", "tambour", "studio", "--no-open", "--port", "0", "--library", f"{folder}/l.db"]
+        with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as started:
+            assert started.stdout is not None
+            try:
+                yield started.stdout.readline().strip(), started.pid
+            finally:
+                started.terminate()
+
+
+@contextmanager
+def _page(flags: dict[str, Any]) -> Iterator[tuple[Any, int]]:
+    """A page of a studio of its own in Chromium, at the shelf; the studio's process."""
+    import shutil
+
     from playwright.sync_api import sync_playwright
 
-    @contextlib.contextmanager
-    def opened() -> Iterator[Any]:
-        with tempfile.TemporaryDirectory() as folder:
-            words = [
-                sys.executable,
-                "-m",
-                "tambour",
-                "studio",
-                "--no-open",
-                "--port",
-                "0",
-                "--library",
-                f"{folder}/library.db",
-            ]
-            with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as started, contextlib.ExitStack() as ended:
-                it = ended.enter_context(sync_playwright())
-                assert started.stdout is not None
-                address = started.stdout.readline().strip()
-                ended.callback(started.terminate)
-                given = [
-                    "--headless",
-                    "--no-sandbox",
-                    "--use-gl=angle",
-                    "--use-angle=swiftshader",
-                    "--enable-unsafe-swiftshader",
-                ]
-                browser = it.chromium.launch(executable_path=shutil.which("chromium"), args=given)
-                page = browser.new_page(viewport={"width": 1000, "height": 600}, **flags)
-                page.set_default_timeout(180_000)
-                page.route("**/api/examples/**", lambda route: route.fulfill(body=b""))
-                if shelf:
-                    page.goto(address)
-                    page.wait_for_selector(".cardx")
-                yield page, started.pid, address
-                browser.close()
-
-    return opened()
+    with _studio() as (address, pid), sync_playwright() as it:
+        browser = it.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        page = browser.new_page(viewport={"width": 1000, "height": 600}, **flags)
+        page.set_default_timeout(180_000)
+        page.route("**/api/examples/**", lambda route: route.fulfill(body=b""))
+        page.goto(address)
+        page.wait_for_selector(".stand")
+        yield page, pid
+        browser.close()
 
 
 NEW = """async body => {
@@ -202,14 +222,23 @@ NEW = """async body => {
 
 def _processes(pid: int) -> list[int]:
     """A process and all that it started."""
-    children = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+    try:
+        children = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+    except OSError:  # it ended meanwhile
+        return []
     return [pid, *(found for c in children for found in _processes(int(c)))]
 
 
 def _held(pid: int) -> float:
     """MB of a process and all that it started, pages that they share counted once."""
-    told = [Path(f"/proc/{p}/smaps_rollup").read_text().splitlines() for p in _processes(pid)]
-    return sum(int(line.split()[1]) for lines in told for line in lines if line.startswith("Pss:")) / 1000
+    total = 0
+    for process in _processes(pid):
+        try:
+            told = Path(f"/proc/{process}/smaps_rollup").read_text().splitlines()
+        except OSError:  # it ended meanwhile
+            continue
+        total += sum(int(line.split()[1]) for line in told if line.startswith("Pss:"))
+    return total / 1000
 
 
 FRAME = """async ([id, times]) => {
@@ -239,17 +268,10 @@ FRAME = """async ([id, times]) => {
 
 def frames() -> None:
     """Balls of 1k, 5k and 20k stitches turned before the camera: CPU seconds of all the browser's processes for a picture of 900 x 800."""
-    import os
-
     from crochet import SHAPES
 
-    times, tick = 5, os.sysconf("SC_CLK_TCK")
-
-    def browsers() -> float:
-        own = {p: Path(f"/proc/{p}/stat").read_text().rsplit(")", 1) for p in _processes(os.getpid())}
-        return sum(sum(map(int, rest.split()[11:13])) for name, rest in own.values() if "chrom" in name) / tick
-
-    with _page({}) as (page, _, _):
+    times = 5
+    with _page({}) as (page, _):
         for name in ("ball1k", "ball5k", "ball20k"):
             body = {"craft": "crochet", "source": {"text": SHAPES[name], "name": "ball.acl"}, "title": name}
             told = page.evaluate(
@@ -258,10 +280,10 @@ def frames() -> None:
                 body,
             )
             stitches, points, renderer = page.evaluate(FRAME, [told["revision"]["id"], times])
-            begun = browsers()
+            begun = _browsers()
             page.evaluate("() => window.turned()")
             print(
-                f"a frame of {stitches:,} stitches, {points:,} points: {(browsers() - begun) / times:.2f} CPU s, {renderer}"
+                f"a frame of {stitches:,} stitches, {points:,} points: {(_browsers() - begun) / times:.2f} CPU s, {renderer}"
             )
 
 
@@ -273,17 +295,81 @@ TOLD = """() => [performance.now(), performance.getEntriesByType('resource').red
     performance.getEntriesByType('resource').filter(r => r.name.includes('/web/')).length]"""
 
 
+BARE = "data:text/html,<!doctype html><title>bare</title><h1>See it made.</h1><textarea></textarea>"
+
+
 def first() -> None:
-    """The first page that a studio serves, once it is up: painted, then whole with its cards; what it costs the server, and all its bytes."""
-    with _page({}, shelf=False) as (page, pid, address):
-        begun = _spent(pid)
-        page.goto(address, wait_until="commit")
-        painted, answered = page.evaluate(PAINT)
-        cost = _spent(pid) - begun
-        page.wait_for_selector(".stand")
-        whole, sent, files = page.evaluate(TOLD)
-        print(f"first page: painted {painted:.0f} ms after it was asked for (answered after {answered:.0f}), {cost:.2f} CPU s of the server till then;"
-              f" whole after {whole:.0f} ms, {sent / 1000:.0f} kB in {files} files; load of the machine {Path('/proc/loadavg').read_text().split()[0]}")  # fmt: skip
+    """The first page that a studio serves, in a browser just begun, by turns with a bare page of a heading and a field: when it is painted,
+    and the processor seconds of browser and server till then; then when it is whole, and its bytes."""
+    import shutil
+
+    from playwright.sync_api import sync_playwright
+
+    told: dict[str, list[tuple[float, float]]] = {"bare": [], "studio": []}
+    whole = ""
+    with _studio() as (address, pid), sync_playwright() as it:
+        time.sleep(1)
+        for name, at in (("bare", BARE), ("studio", address)) * 5:
+            browser = it.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+            page = browser.new_page(viewport={"width": 1000, "height": 600})
+            begun = _browsers() + _spent(pid)
+            page.goto(at, wait_until="commit")
+            painted = float(page.evaluate(PAINT)[0])
+            told[name].append((painted, _browsers() + _spent(pid) - begun))
+            if name == "studio":
+                page.wait_for_selector(".stand")
+                after, sent, files = page.evaluate(TOLD)
+                whole = f"whole after {after:.0f} ms, {sent / 1000:.0f} kB in {files} files"
+            browser.close()
+    for name, rows in told.items():
+        at, cost = (sorted(column)[len(rows) // 2] for column in zip(*rows, strict=True))
+        print(f"first page, {name}: painted {at:.0f} ms after it was asked for ({min(rows)[0]:.0f} at the best of {len(rows)}), {cost:.2f} CPU s of browser and server till then"
+              f"; {whole if name == 'studio' else 'nothing served'}; load of the machine {Path('/proc/loadavg').read_text().split()[0]}")  # fmt: skip
+
+
+TILES = """async n => {
+    const base = document.querySelector('script[type=module]').src;
+    const [{Painter}, {unpack}] = await Promise.all(['ink/tiles', 'pack'].map(name => import(base.replace('main', name))));
+    const body = JSON.stringify({params: {seed: 'plum'}}), headers = {'Content-Type': 'application/json'};
+    const told = await (await fetch('/api/ink/scroll', {method: 'POST', body, headers})).json(), painter = new Painter();
+    window.tiles = async (from, to) => {
+        let sum = 0;
+        for (let k = from; k < to; k++) {
+            const raw = await (await fetch(`/api/ink/tiles/${told.key}/${k}.pack`)).arrayBuffer();
+            sum += raw.byteLength;
+            (await painter.paint(unpack(raw), 800 / told.height)).close();
+        }
+        return sum;
+    };
+    await window.tiles(-2, 0);
+}"""
+
+
+def shown() -> None:
+    """Tiles of a scroll end to end: planned, drawn, packed, sent, unpacked, painted 800 pixels high; of all processes."""
+    count = 10
+    with _page({"reduced_motion": "reduce"}) as (page, pid):
+        page.evaluate(TILES)
+        begun, server = _browsers(), _spent(pid)
+        sent = page.evaluate("n => window.tiles(0, n)", count)
+        browser, server = _browsers() - begun, _spent(pid) - server
+        print(
+            f"a tile end to end: {server / count:.3f} CPU s of the server, {browser / count:.3f} of the browser, {sent / count:,.0f} bytes in the mean of {count}"
+        )
+
+
+def _browsers() -> float:
+    """Processor seconds of all the browser's processes that this one started."""
+    import os
+
+    total = 0
+    for process in _processes(os.getpid()):
+        try:
+            name, rest = Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)
+        except OSError:  # it ended meanwhile
+            continue
+        total += sum(map(int, rest.split()[11:13])) if "chrom" in name else 0
+    return total / os.sysconf("SC_CLK_TCK")
 
 
 def _spent(pid: int) -> float:
@@ -296,7 +382,7 @@ def _spent(pid: int) -> float:
 
 def scroll() -> None:
     """As many tiles as ten minutes of drifting show, ten times over: what the page and the server hold meanwhile."""
-    with _page({"reduced_motion": "reduce"}) as (page, pid, _):
+    with _page({"reduced_motion": "reduce"}) as (page, pid):
         page.evaluate(NEW, {"craft": "ink", "seed": "plum"})
         page.wait_for_selector(".seal")
         page.focus(".scroll canvas")
@@ -313,7 +399,7 @@ def scroll() -> None:
 
 if __name__ == "__main__":
     every = {
-        "worker": worker, "view": view, "check": check, "tile": tile, "stream": stream, "edit": edit, "hand": hand, "first": first, "frames": frames, "scroll": scroll,
+        "worker": worker, "view": view, "check": check, "tile": tile, "stream": stream, "edit": edit, "hand": hand, "first": first, "shown": shown, "frames": frames, "scroll": scroll,
     }  # fmt: skip
     sys.stdout = io.TextIOWrapper(sys.stdout.buffer, line_buffering=True)
     for name in sys.argv[1:] or every:

@@ -78,6 +78,10 @@ export function shelf(element, left) {
     painted.then(() => import("./moving.js")).then(({ moving }) => gone || movers.push(moving(canvas, craft, example)));
   };
   const example = (/** @type {any} */ craft) => SHELF[craft.name]?.find((n) => craft.examples.some((/** @type {any} */ e) => e.name === n)) ?? craft.examples[0]?.name;
+  const titled = (/** @type {any} */ craft, /** @type {string} */ name) => {
+    const title = craft.examples.find((/** @type {any} */ e) => e.name === name)?.title;
+    return title ? html`<b class="title">${title}</b>: ` : "";
+  };
   const away = (/** @type {any} */ piece) => attempt(async () => {
     await ask(`/api/pieces/${piece.id}`, { method: "DELETE" });
     pieces.value = pieces.value.filter((p) => p !== piece);
@@ -93,7 +97,7 @@ export function shelf(element, left) {
       const others = craft.examples.filter((/** @type {any} */ e) => e.name !== name).slice(0, 7);
       return html`<div class="stand"><button class="cardx" ?disabled=${!name && craft.name !== "ink"} @click=${() => attempt(() => begin({ craft: craft.name, example: name }))}>
         <span class="picture"><img src=${new URL(`../pictures/${craft.name}.webp`, import.meta.url).href} alt=""><canvas aria-hidden="true" ${ref(mover(craft.name, name))}></canvas></span>
-        <span class="under"><b>${CRAFTS[craft.name]}</b><span>${LINES[craft.name] ?? craft.help}</span></span></button>
+        <span class="under"><b>${CRAFTS[craft.name]}</b><span>${titled(craft, name)}${LINES[craft.name] ?? craft.help}</span></span></button>
         <p class="others">${craft.name === "ink" ? WORDS.map((w) => html`<button class="link" @click=${() => fromText(w)}>${w}</button> `)
           : others.map((/** @type {any} */ e) => html`<button class="link" @click=${() => attempt(() => begin({ craft: craft.name, example: e.name }))}>${e.title}</button> `)}</p></div>`;
     })}</div>

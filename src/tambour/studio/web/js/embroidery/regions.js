@@ -36,13 +36,19 @@ export function regions(piece, hands) {
         @drop=${(/** @type {DragEvent} */ e) => (e.preventDefault(), e.stopPropagation(), move(Number(e.dataTransfer?.getData("text/tambour-region")), at))}>
       <button class="rowbutton" aria-pressed=${chosen.value === k} @click=${() => (chosen.value = chosen.value === k ? -1 : k)}>
         <i class="swatch" ${ref(dyed(r.color))}></i> ${r.id || `region ${k + 1}`}<span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.count)}</span></button>
-      ${chosen.value === k ? html`${one(r, k, form, hands)}
+      ${chosen.value === k ? html`${one(piece, r, k, form, hands)}
         <div class="inside tools"><button class="button" ?disabled=${!at} @click=${() => move(at, at - 1)}>Sew earlier</button><button class="button" ?disabled=${at + 1 >= order.length} @click=${() => move(at, at + 1)}>Sew later</button></div>` : ""}</li>`;
   })}</ol>${threads(piece)}`;
 }
 
-/** @param {any} r @param {number} k @param {any} form @param {Hands} hands */
-function one(r, k, form, { change, lay }) {
+/** A region's ends that a hand may hold. @type {Record<string, string>} */
+const HELD = { start: "its beginning", end: "its end" };
+
+/** @param {Piece} piece @param {any} r @param {number} k @param {any} form @param {Hands} hands */
+function one(piece, r, k, form, { change, lay }) {
+  const edits = piece.revision.value.edits, name = called(piece.live.value?.facts.regions, k);
+  const byHand = edits.filter((/** @type {any} */ e) => e.edit === "region" && e.region === name && HELD[e.field]), ends = byHand.map((/** @type {any} */ e) => e.field);
+  const free = () => piece.change({ edits: edits.filter((/** @type {any} */ e) => !byHand.includes(e)), said: `${name}: ends as they were`.slice(0, 100) });
   const stitches = form.stitch.choices ?? [], spell = speller(form);
   return html`<div class="inside form">
     <div class="field"><label class="name" for="stitch-${k}">Stitch</label><select id="stitch-${k}" @change=${(/** @type {any} */ e) => change(k, "stitch", e.target.value)}>
@@ -52,7 +58,8 @@ function one(r, k, form, { change, lay }) {
       <input id="${f}-${k}" type="text" title=${spell(form[f].help)} .value=${live(shown(r.params?.[f] ?? form[f].default))} @change=${(/** @type {any} */ e) => e.target.value.trim() && change(k, f, e.target.value.trim())}></div>`)}
     ${[["trim", "Cut the thread after it"], ["stop", "Stop the machine after it"]].map(([f, label]) => html`<div class="field tick"><input type="checkbox" id="${f}-${k}" .checked=${live(Boolean(r[f]))} @change=${(/** @type {any} */ e) => change(k, f, e.target.checked)}><label for="${f}-${k}">${label}</label></div>`)}
     ${r.role === "line" ? "" : html`<p><button class="button" @click=${() => lay(k)}>${r.rails ? "Rails back to its shape" : "Lay rails for satin"}</button></p>`}
-    <p class="quiet">On the cloth: the green dot is where its thread begins, the red one where it ends${r.rails ? ", the squares are its rails" : ""}. Drag them.</p></div>`;
+    <p class="quiet">On the cloth: the green dot is where its thread begins, the red one where it ends${r.rails ? ", the squares are its rails" : ""}. Drag them.
+      ${ends.length ? html`Held by your hand: ${ends.map((/** @type {string} */ f) => HELD[f]).join(" and ")}. <button class="link" @click=${free}>Let it lie where it sews best</button>` : "Both lie where it sews best, till you drag one."}</p></div>`;
 }
 
 const shown = (/** @type {any} */ v) => (v === null || v === undefined ? "" : typeof v === "number" ? String(Math.round(v * 100) / 100) : String(v));

@@ -35,6 +35,7 @@ export function screen(root, piece) {
     if (all()[k].rails) change(k, "rails", null);
     else change(k, "rails", spelt(alongside(pack, k)));
   };
+  stage.camera.foot = 56; // the row of looks
   const overlay = new Overlay(at.view, stage, (k, field, value) => change(k, field, value));
   at.view.insertBefore(overlay.host, at.blank);
   stage.ondraw = () => overlay.draw();

@@ -24,6 +24,7 @@ export class Camera {
     this.yaw = this.home.yaw;
     this.pitch = this.home.pitch;
     this.width = this.height = 1;
+    this.foot = 0; // pixels at the foot of the picture that something lies over: what is fitted stays above
     /** @type {[Vec, Vec]|null} */
     this.box = null;
     /** Told of every move by hand. */
@@ -36,7 +37,7 @@ export class Camera {
     if (turn) Object.assign(this, this.home);
     this.center = /** @type {Vec} */ (low.map((v, k) => (v + high[k]) / 2));
     this.reach = Math.max(1, Math.hypot(...sub(high, low)) / 2);
-    const aspect = this.width / Math.max(1, this.height);
+    const free = Math.max(1, this.height - this.foot), aspect = this.width / free;
     const [right, up] = this.axes();
     let wide = 0, tall = 0;
     for (let k = 0; k < 8; k++) {
@@ -44,8 +45,9 @@ export class Camera {
       wide = Math.max(wide, Math.abs(dot(at, right)));
       tall = Math.max(tall, Math.abs(dot(at, up)));
     }
-    const half = Math.max(tall, wide / aspect) * (this.flat ? 1.1 : 1.16);
+    const half = (Math.max(tall, wide / aspect) * (this.flat ? 1.1 : 1.16) * this.height) / free;
     this.distance = half / Math.tan(this.fov / 2) + (this.flat ? 0 : this.reach * 0.25);
+    this.center = this.under(this.width / 2, (this.height + this.foot) / 2);
   }
 
   /** Right, up and towards the eye, in the world. @returns {[Vec, Vec, Vec]} */

@@ -240,11 +240,13 @@ export function screen(root, piece) {
     ${yarns(piece, yarn)}
     ${held() ? html`<p class="quiet">${counted(held(), "stitch", "stitches")} held${piece.params.value.lock ? "" : " by hand"}. <button class="link" @click=${letGo}>Let all go</button></p>` : ""}`));
   stop.push(show(at.right, () => facts(piece)));
+  const tooLong = (/** @type {any} */ wrong) => piece.craft.value?.form?.floats && /^the floats in row/.test(wrong.message) && piece.params.value.floats !== "caught";
+  const caught = () => piece.change({ params: { floats: "caught" }, said: "long floats are caught" });
   stop.push(show(at.top, () => {
     const [x, y] = spot.value, pack = piece.live.value, wrong = piece.failed.value[0], form = piece.craft.value?.form ?? {}, spell = speller(form);
     return html`${working(piece.going.value)}${usual(piece)}
       ${wrong && !piece.going.value ? html`<div class="said" role="alert">${pack ? html`<span class="quiet">This is how it was before; the facts are of then.</span><br>` : ""}<b>${spell(wrong.message)}</b><br>${spell(wrong.hint ?? "")}
-        <br><button class="button" @click=${() => piece.step("undo")}>Undo</button> ${named(form, wrong.hint).map(([name, f]) => html`<button class="button" @click=${() => toField(name)}>${f.label} …</button> `)}</div>` : ""}
+        <br><button class="button" @click=${() => piece.step("undo")}>Undo</button> ${tooLong(wrong) ? html`<button class="button act" @click=${caught}>Keep it so, and catch the long floats</button> ` : ""}${named(form, wrong.hint).map(([name, f]) => html`<button class="button" @click=${() => toField(name)}>${f.label} …</button> `)}</div>` : ""}
       ${x >= 0 && pack && chart.data ? html`<div class="said">row <b>${y + 1}</b> · stitch <b>${chart.columns - x}</b> · ${pack.facts.names[chart.data[y * chart.columns + x]] ?? ""}</div>` : ""}`;
   }));
   stop.push(show(at.bottom, () => html`<div class="seg" role="group" aria-label="how it is seen">${LAYERS.map(([name, label]) => html`
