@@ -346,8 +346,7 @@ class _Worker:
         match action.name:
             case "mr":
                 self.rings += 1
-                if self.rings > 1 and not action.numbers[1]:
-                    self._doubt("a further magic ring in this part", "a part of its own: == name ==", action.span)
+                self._further(action.span, bool(action.numbers[1]))
                 hook.magic_ring(action.numbers[0])
             case "flo" | "blo" | "bl":
                 hook.loops({"flo": FRONT, "blo": BACK, "bl": BOTH}[action.name])
@@ -356,6 +355,7 @@ class _Worker:
                 hook.color = (red, green, blue)
             case "mark":
                 hook.mark(labels[0])
+                self.rings = 0  # the edge is kept: another ring may begin beside it
             case "goto":
                 hook.goto(labels[0])
             case "attach":
@@ -384,6 +384,11 @@ class _Worker:
             hook.last_mark = None
         self._note(action)
 
+    def _further(self, span: Span, named: bool = False) -> None:
+        """Doubts a ring beside an edge that no mark keeps."""
+        if self.rings > 1 and not named:
+            self._doubt("a further magic ring in this part", "a part of its own: == name ==", span)
+
     def _work(self, stitch: Stitch, action: Action) -> None:
         """The stitch as often as the action says, into what it is worked into."""
         if stitch.approximate and action.name not in self._approximate:
@@ -392,8 +397,7 @@ class _Worker:
         self.stitched = self.stitched or stitch.name != "ch"
         if stitch.where == "ring":
             self.rings += 1
-            if self.rings > 1:
-                self._doubt("a further magic ring in this part", "a part of its own: == name ==", action.span)
+            self._further(action.span)
             ring(self.hook, stitch)
         elif stitch.where == "sp":
             into_space(self.hook, stitch, action.times)

@@ -19,14 +19,18 @@ def named(names: list[str], words: str) -> int | None:
     want = [_one(w) for w in words.lower().split() if w not in _SMALL]
     if not want:
         return -1
-    best: tuple[int, int] | None = None
+    said = set(words.lower().split())
+    best: tuple[int, int, int] | None = None
     for at, called in enumerate(names):
         name = [_one(w) for w in called.lower().replace("_", " ").split()]
         common = len(set(want) & set(name))
         if common and (common == len(set(want)) or common == len(set(name))):
-            rank = (common * 4 - abs(len(name) - common), at)
+            ordered = len(
+                said & set(called.lower().replace("_", " ").split()) & _SMALL
+            )  # "First Leg" is not the second
+            rank = (common * 4 - abs(len(name) - common) + 2 * ordered, ordered, at)
             best = rank if best is None else max(best, rank)
-    return best[1] if best is not None else None
+    return best[2] if best is not None else None
 
 
 def _one(word: str) -> str:

@@ -59,6 +59,7 @@ class Draft:
     others : "11th and alt rows": that row, and its number
     spread : where lines begin that fit the round below them only;
     marked : which stitch of its last round is marked, from 0; spoken : where lines begin → the words they were read from
+    merged : it has become part of another piece
     loops : "flo" or "blo" where all its rounds are worked into those
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
@@ -90,6 +91,7 @@ class Draft:
     offset: int = 0
     others: tuple[int, Line] | None = None
     edges: dict[int, int] = field(default_factory=dict)
+    merged: bool = False
 
     def begun(self) -> bool:
         """Whether anything but colours stands in it."""
@@ -97,6 +99,11 @@ class Draft:
             line.again is not None or any(not isinstance(i, Action) or i.name != "color" for i in line.items)
             for line in self.lines
         )
+
+    def kept(self) -> bool:
+        """Whether its last line is a marker, which keeps its edge for later."""
+        items = self.lines[-1].items if self.lines else ()
+        return len(items) == 1 and isinstance(items[0], Action) and items[0].name == "mark"
 
     def add(self, source: Source, head: Head | None, body: Body, span: Span, notes: tuple[Span, ...] = ()) -> None:
         """A round, or a line of its own, that ``body`` says."""
@@ -211,7 +218,7 @@ class Draft:
         before = self.edge
         for _ in range(min(times, _MARKED) if worked else 0):
             self.marked = middle(items, self.edge or 0, self.ahead(), source.stitches)
-        edge = reached(items, self.edge, source.stitches, times)
+        edge = body.edge or reached(items, self.edge, source.stitches, times)
         spaced = fixed(items, source.stitches) if edge is None and times == 1 else None  # worked into spaces
         if spaced is not None and spaced[1] and body.stated == spaced[0] - spaced[1]:
             edge = spaced[0]

@@ -37,6 +37,7 @@ from tambour.crochet.printed.remarks import remark
 from tambour.crochet.printed.state import Height, State, plain_height
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unheaded import unheaded
+from tambour.crochet.printed.united import united
 from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs
 from tambour.crochet.words.phrases import Phrases
 
@@ -79,7 +80,7 @@ class Printed(State):
             raise TambourError(NOTHING, hint=hint, where=source.text.name)
         if self.lead and self.parts:
             self.parts[-1].lines += self.lead
-        self.parts = [draft for draft in self.parts if draft.begun()]
+        self.parts = [draft for draft in self.parts if draft.begun() and not draft.merged]
         if (self.sentences or len(self.parts) > 1) and self.parts and not self.parts[0].name:
             words = [self.source.text.text[one.span.start : one.span.end] for one in self.sentences]
             nameless = self.parts[0]  # sentences want a name
@@ -315,8 +316,14 @@ class Printed(State):
             else None
         )
         self.source.marked = draft.ahead()
+        both = united(
+            self, draft, tokens, lambda some, edge: decided(self.source, some, self.palette, edge, self.phrases), span
+        )
+        if both is not None and head.numbers and head.numbers[0] <= draft.last:
+            draft.offset = draft.last
+            head = replace(head, numbers=tuple(n + draft.offset for n in head.numbers))
         try:
-            read = decided(self.source, tokens, self.palette, draft.edge, self.phrases, times, chain)
+            read = both or decided(self.source, tokens, self.palette, draft.edge, self.phrases, times, chain)
         except NotUnderstood as wrong:
             self._gap(draft, head, tokens, span, wrong)
             return
@@ -324,7 +331,7 @@ class Printed(State):
             # The round before does not make its own count: this one may stand on either.
             second = decided(self.source, tokens, self.palette, draft.other, self.phrases, times, chain)
             read, draft.edge = (second, draft.other) if second.fit else (read, draft.edge)
-        if read.pending and not any(is_start(i, self.source.stitches) for i in read.items):
+        if both is None and read.pending and not any(is_start(i, self.source.stitches) for i in read.items):
             ring = next((t for t in tokens if t.kind == "key" and t.value == "ring"), first)
             self._gap(
                 draft,

@@ -264,7 +264,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         if chosen(tokens) and instructs(p, tokens):
             p.source.doubt(CHOICE, "say what is made, without an if", span)
             return True
-    if established(p, tokens):
+    if established(p, tokens) or _joined_pieces(tokens):
         return True
     p.handed = False
     if numbered(p.palette, text):
@@ -321,6 +321,8 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     if body.refers is not None and draft is not None:
         return _referred(p, body, tokens)
     if body.pending:
+        for left in body.left:
+            left_over(p, left)
         p.lead += [Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False)] if body.items else []
         return True
     if body.doings and not body.items and not body.left:
@@ -351,6 +353,12 @@ def _flat(item: Item) -> list[Action]:
     return [item] * item.times if isinstance(item, Action) else [i for i in item.items if isinstance(i, Action)]
 
 
+def _joined_pieces(tokens: list[Token]) -> bool:
+    """Whether a sentence only heads the round that joins two pieces: "Join Legs", "Joining the legs"."""
+    plain = all(t.kind in ("word", "ordinal") or t.value == "and" for t in tokens[1:])
+    return tokens[0].value == "join" and 1 < len(tokens) <= 5 and plain and bool(kind_of(one(tokens[-1].word)))
+
+
 def _once_more(tokens: list[Token]) -> bool:
     """Whether a sentence has what hands just did done again: "Repeat for second ear"."""
     return repeats_for(tokens, ("for", "in", "with", "as", "once", "twice", "other", "until"))
@@ -378,6 +386,8 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
     draft = p.parts[-1]
     if draft.again(p.source, None, body, span, p.parts, p.height()):
         p.understood += 1
+        for left in body.left:
+            left_over(p, left)
         for more in body.more:
             if not draft.again(p.source, None, Body(refers=more), more.span, p.parts, p.height()):
                 p.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)

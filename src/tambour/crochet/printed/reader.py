@@ -43,6 +43,7 @@ class Body:
     moved : it is worked elsewhere than where the hook is; edged : sentences that work along an edge after the round
     later : colours that are changed to at the end of its rounds, or of the one with that number
     pending : a magic ring still wants its stitches
+    edge : stitches on the edge after it, where it goes over two pieces
     fit : 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit
     """
 
@@ -74,6 +75,7 @@ class Body:
     moved: Moved | None = None
     edged: list[Span] = field(default_factory=list)
     later: list[tuple[Item, int]] = field(default_factory=list)
+    edge: int | None = None
     fit: int = 2
 
 

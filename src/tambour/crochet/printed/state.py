@@ -109,6 +109,9 @@ class State:
     def begin(self, first: bool, span: Span) -> None:
         """Goes on with the part, or begins another."""
         last = self.parts[-1] if self.parts else None
+        if first and last is not None and self.heading is None and last.kept():
+            last.last, last.edge = 0, None  # a marker keeps the edge, and a second piece begins beside it
+            return
         title = self.heading is not None and self.title is not None and self.heading.span == self.title[1]
         if (
             last is not None
