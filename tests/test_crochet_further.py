@@ -313,3 +313,128 @@ def test_stitches_along_an_edge_up_to_a_piece(to: str) -> None:
 )
 def test_a_remark_on_where_a_decrease_lies(bracket: str) -> None:
     assert counts(f"{STRIP}Row 2: Ch 1. Sc2tog {bracket}. 1 sc in each of next 6 sc. Turn. 7 sts.\n")[-1] == 7
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Rows 3 to 5: Rep last row 4 times more. 10 sts.",
+        "Rows 3-5: Repeat last row 4 times. 10 sts.",
+        "3rd to 5th rows: Rep last row 4 times more. 10 sts rem.",
+    ],
+)
+def test_of_two_numbers_of_rounds_the_count_speaks_for_one(words: str) -> None:
+    strip = f"{YARN}STRIP\nWith A, ch 21.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn. (20)\nRow 2: Ch 1, sc2tog, sc in each sc to last 2 sts, sc2tog, turn. (18)\n"
+    assert counts(f"{strip}{words}\n")[-1] == 10
+    assert any("are said here" in p.message for p in read(Text(f"{strip}{words}\n", "toy.txt")).warnings)
+
+
+@pytest.mark.parametrize(
+    "place", ["1 sc in same sp as last sl st", "1 sc in same st as last sl st", "1 sc in same sc as last sl st"]
+)
+def test_a_stitch_in_the_place_of_the_last_of_several_slip_stitches(place: str) -> None:
+    words = f"{STRIP}2nd row: Sl st in each of first 3 sts. Ch 1. {place} and in each sc to end of row. 6 sc.\n"
+    assert counts(words) and build(read(Text(words, "toy.txt"))).worked[-1].made == 6
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Working in rem loops along foundation ch. 1 sc in each ch to last ch. 2 sc in last ch.",
+        "Working in rem loops of foundation ch, 1 sc in each ch to last ch. 2 sc in last ch.",
+        "Working in remaining loops along foundation ch, 1 sc in each ch to last ch. 2 sc in last ch.",
+    ],
+)
+def test_the_other_side_of_the_foundation_chain(said: str) -> None:
+    words = f"{YARN}FOOT\nWith A, ch 6.\n1st rnd: 1 sc in 2nd ch from hook. 1 sc in each ch to last ch. 3 sc in last ch. {said} Join. 12 sc.\n"
+    assert counts(words) == [12]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Sew two halves together around outer edges; repeat for 2nd tire.",
+        "Stuff lightly. Repeat for other wheel.",
+        "Whipstitch the halves together. Repeat on second side.",
+    ],
+)
+def test_hands_do_it_once_more(said: str) -> None:
+    assert counts(f"{BODY}Rnd 3: Sc in each sc around. (12) Fasten off. {said}\n") == [6, 12, 12]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Repeat on other armhole.",
+        "Repeat on second strap.",
+        "Repeat along opposite edge.",
+    ],
+)
+def test_an_edge_once_more_is_told_as_not_drawn(said: str) -> None:
+    pattern = read(Text(f"{STRIP}Row 2: Ch 1, sc in each sc across. Fasten off. {said}\n", "toy.txt"))
+    assert not told(pattern) and any("it is not drawn" in p.message for p in pattern.warnings)
+
+
+LEGS = f"{YARN}PAPA LEGS (make 2)\nWith A, ch 2.\nRnd 1: 6 sc in 2nd ch from hook. (6)\nRnd 2: 2 sc in each sc around, change to B in last st. (12)\nRnd 3: Sc in each sc around. (12)\n"
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Work same as papa legs through Rnd 3, using C for shoe and A for legs.",
+        "Work as given for Papa Legs, using C for shoe (Rnds 1 and 2) and A for leg (Rnd 3).",
+        "Work same as papa legs, using C for shoes, and A for the legs.",
+    ],
+)
+def test_another_version_in_its_own_yarns(words: str) -> None:
+    pattern = read(Text(f"{LEGS}\nBOY LEGS (make 2)\n{words}\n", "toy.txt"))
+    assert not told(pattern)
+    own = [i.numbers for n in pattern.parts[0].lines for i in n.items if isinstance(i, Action) and i.name == "color"]
+    hues = [
+        i.numbers
+        for n in pattern.parts[1].lines
+        if n.in_round
+        for i in n.items
+        if isinstance(i, Action) and i.name == "color"
+    ]
+    assert len(own) == len(hues) == 2 and hues[1] == own[0] and hues[0] not in own
+
+
+@pytest.mark.parametrize(
+    "tail, rows",
+    [
+        ("Rep last row, dec 2 sts every row to 8 sts.", 6),
+        ("Rep last row until 10 sts rem, ending on a WS row.", 5),
+        ("Rep last row 3 times more, stuffing very lightly (to keep the limbs soft) as you work.", 5),
+    ],
+)
+def test_what_is_said_behind_a_repeat(tail: str, rows: int) -> None:
+    strip = f"{YARN}STRIP\nWith A, ch 19.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn. (18)\nRow 2: Ch 1, sc2tog, sc in each sc to last 2 sts, sc2tog, turn. (16)\n"
+    assert len(counts(f"{strip}{tail}\n")) == rows
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        "change colors every 8 rows until there are 8 blocks",
+        "shape the third corner by 2 sc each",
+        "and then 4 rows of bobbles",
+    ],
+)
+def test_what_is_not_understood_behind_a_repeat_is_told(more: str) -> None:
+    pattern = read(
+        Text(f"{STRIP}Row 2: Ch 1, sc in each sc across, turn.\nRep last row 3 times more, {more}.\n", "toy.txt")
+    )
+    assert any(more in said for said in told(pattern))
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Make this little car, then make a few more in other colors for fun.",
+        "Make a few more for your own farm.",
+        "Make your own collection of them.",
+    ],
+)
+def test_an_invitation_instructs_nothing(said: str) -> None:
+    assert counts(f"{BODY}Rnd 3: Sc in each sc around. (12)\n\n{said}\n") == [6, 12, 12]

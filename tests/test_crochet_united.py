@@ -44,7 +44,10 @@ def test_two_legs_become_one_body(joined: str, made: int) -> None:
 
 
 def test_a_wrong_count_of_both_is_told() -> None:
-    words = TWO + "Rnd 6: Sc in each sc around Second Leg, sc in each sc around First Leg. 25 sc.\nRnd 7: 1 sc in each sc around.\n"
+    words = (
+        TWO
+        + "Rnd 6: Sc in each sc around Second Leg, sc in each sc around First Leg. 25 sc.\nRnd 7: 1 sc in each sc around.\n"
+    )
     pattern = read(Text(words, "bear.txt"))
     said = [*build(pattern).warnings, *pattern.unread]
     assert any(p.span is not None and pattern.text.text[p.span.start : p.span.end].startswith("25") for p in said)

@@ -111,10 +111,16 @@ def repeats_for(tokens: list[Token], after: tuple[str, ...]) -> bool:
     )
 
 
+def another(tokens: list[Token]) -> bool:
+    """Whether a sentence has what was just done by hand done once more: "repeat for 2nd tire", "repeat on other side"."""
+    other = any(t.word in _OTHER or t.value in ("other", 2) for t in tokens[2:])
+    return other and repeats_for(tokens, ("for", "in", "to", "with"))
+
+
 def again_made(p: State, tokens: list[Token]) -> bool:
     """Takes "Repeat for other legs" for copies of the part just made, and "Repeat on other armhole" for an edge that is worked once
     more, which is told; whether a sentence is either."""
-    if not p.parts or not repeats_for(tokens, ("for", "in", "to", "with")):
+    if not p.parts or not repeats_for(tokens, ("for", "in", "to", "with", "around")):
         return False
     draft, rest = p.parts[-1], tokens[2:]
     others = [

@@ -30,6 +30,9 @@ _FLAT: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "
 _ENDED_SO: Final = frozenset(("seam", "attach", "finish", "secure", "complete", "cover", "shape"))
 
 
+_AS: Final = frozenset("you work needed desired shown pictured required progresses".split())
+
+
 class Walk(Dyes):
     """Reads one body, clause after clause."""
 
@@ -170,6 +173,8 @@ class Walk(Dyes):
             bracket(self, found, token)
         elif token.kind == "mark" and token.word in ("*", "**"):
             star(self, found, token)
+        elif self.body.refers is not None and self.versions():
+            return  # "same as papa's legs, using A for shoe and D for legs"
         elif self.phrase(found, token) or count(self, found) or self.color(found):
             return
         elif token.kind == "number" and isinstance(token.value, int):
@@ -415,6 +420,7 @@ class Walk(Dyes):
 
     def again(self, found: list[Item], token: Token) -> None:
         """``repeat Rnd 4``, ``as Rnds 2-3 of Head``, or a repeat of all that was said."""
+        c = self.c
         lead, inner = led(found)
         if not self.depth and (said := refers(self)) is not None:
             if any(map(makes, inner)) or self.body.refers is not None:
@@ -422,8 +428,15 @@ class Walk(Dyes):
             else:
                 self.body.refers = said
             return
+        if token.value == "as" and ((after := c.look(1)) is None or after.kind == "mark" or after.word in _AS):
+            self.to_separator()  # "stuffing lightly as you work"
+            return
         if token.value != "repeat":
             raise NotUnderstood(token, f'"{token.word}" is not understood here', "say which rounds: as Rnds 2-4")
+        starred = any(t.word == "*" for t in c.tokens[c.at : self.end_of_sentence()])
+        elsewhere = c.key("for", "in", "with", ahead=1) or (c.key("around", ahead=1) and c.kind("word", 2))
+        if not self.depth and elsewhere and not starred:
+            raise NotUnderstood(token, "what is repeated here is not understood", "say which round: repeat Rnd 4")
         if not inner:
             raise NotUnderstood(token, "there is nothing to repeat here", "say which round: repeat Rnd 4")
         found[:] = lead

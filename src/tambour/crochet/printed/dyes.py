@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.core.rgb import RGB
 from tambour.crochet.language.tree import Action, Item
 from tambour.crochet.printed.colors import LETTERS
 from tambour.crochet.printed.courses import Courses
 
+_STOPPED: Final = (",", ".", ";", "(", "[", ")", "]")
 _STRANDS: Final = frozenset(("strand", "strands", "length", "lengths", "double", "separate"))
 _HOOKS: Final = frozenset(("smaller", "larger", "size", "small", "large", "hook"))
 
@@ -31,6 +33,37 @@ class Dyes(Courses):
         self.to_separator()
         number = next((t.value for t in c.tokens[begin : c.at] if isinstance(t.value, int)), 0)
         self.body.later.append((found.pop(), number))
+
+    def versions(self) -> bool:
+        """Takes the yarns of another version, "A for shoe and D for legs", in their order; whether they are said at the cursor."""
+        c, begin = self.c, self.c.at
+        hues: list[RGB] = []
+        if not c.skip_key("with"):
+            return False
+        while (shade := self.palette.color(c) or self.palette.letter(c, c.at)) is not None:
+            c.at += shade[1]
+            if not c.key("for"):
+                break
+            hues.append(shade[0])
+            while c.look() is not None and not c.mark(*_STOPPED) and not (c.key("and") and self._yarn_next()):
+                c.at += 1
+            if c.mark("(", "["):
+                c.at = next(
+                    (k + 1 for k in range(c.at, len(c.tokens)) if c.tokens[k].word in (")", "]")), len(c.tokens)
+                )
+            c.at += c.mark(",") and (self._yarn_next() or (c.key("and", ahead=1)))
+            c.skip_key("and")
+        if not hues:
+            c.at = begin
+            return False
+        self.body.hues = hues
+        return True
+
+    def _yarn_next(self) -> bool:
+        """Whether the token behind the one at the cursor is a yarn."""
+        return self.palette.color(self.c, self.c.at + 1) is not None or (
+            (token := self.c.look(1)) is not None and token.word in LETTERS
+        )
 
     def color(self, found: list[Item]) -> bool:
         """A change of colour at the cursor: ``change to brown``, ``with white yarn``, ``in Brown``, ``White:``."""

@@ -31,6 +31,7 @@ from tambour.crochet.printed.items import (
 from tambour.crochet.printed.marked import middle
 from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.redyed import colored, redyed
 from tambour.crochet.printed.slips import lowered
 from tambour.crochet.printed.tokens import Token
 
@@ -210,7 +211,7 @@ class Draft:
         else:
             self.parted = True
             made = [replace(line, number=n) for n in numbers]
-        made = _colored(made, body.later)
+        made = colored(made, body.later)
         self.lines += made
         self.spread |= {span.start} if body.spread else set()
         if worked:
@@ -278,6 +279,11 @@ class Draft:
         numbers = head.numbers if head is not None else ()
         once = sum(line.times for line in lines)
         total = len(numbers) or (head.many if head is not None and head.many > 1 else once * (refers.times or 1))
+        if numbers and refers.times and body.stated is not None and once * refers.times != total:
+            fair = [n for n in (total, once * refers.times) if _reach(lines, n, self.edge, source) == body.stated]
+            message = f"{total} rounds are said here, and {once * refers.times} further on"
+            source.doubt(message, "make them agree", refers.span, True)
+            total = fair[0] if len(fair) == 1 else total
         if total > once and total % once and origin is not self and not refers.times:
             total = once
         if refers.length is not None:
@@ -318,7 +324,11 @@ class Draft:
         line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
         if numbers and head is not None:
             self._numbered(source, head, True)
-        self.lines += [line, *([Line(later, span, False)] if later else [])]
+        made = redyed(line, origin.lines, body.hues) if body.hues else [line]
+        if body.hues:
+            message = "these yarns are taken in the order in which colours come there"
+            source.doubt(message, "nothing is amiss", refers.span)
+        self.lines += [*made, *([Line(later, span, False)] if later else [])]
         self.last, before = number + total - 1, self.edge
         for one in line.rounds():
             before, self.edge = self.edge, after(one.items, self.edge, source.stitches)
@@ -454,22 +464,9 @@ class Draft:
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
 
 
-def _colored(lines: list[Line], later: list[tuple[Item, int]]) -> list[Line]:
-    """``lines`` with the colours behind them that are changed to when they are worked, or in the midst of them: "Rounds 3-6: …; change
-    to B at end of Round 4"."""
-    for hue, number in later:
-        dyed = Line((hue,), span_of(hue), False)
-        at = next(
-            (k for k, n in enumerate(lines) if n.number is not None and n.number <= number < n.number + n.times - 1),
-            None,
-        )
-        if at is None:
-            lines = [*lines, dyed]
-            continue
-        line = lines[at]
-        done = number - (line.number or 0) + 1
-        rest = line.times - done
-        first = replace(line, times=done, times_span=line.times_span if done > 1 else None)
-        more = replace(line, times=rest, times_span=line.times_span if rest > 1 else None, number=number + 1)
-        lines = [*lines[:at], first, dyed, more, *lines[at + 1 :]]
-    return lines
+def _reach(lines: tuple[Line, ...], total: int, edge: int | None, source: Source) -> int | None:
+    """Stitches on the edge after so many rounds, ``lines`` again and again."""
+    every = [one for line in lines for one in line.rounds()]
+    for k in range(min(total, _MARKED)):
+        edge = after(every[k % len(every)].items, edge, source.stitches)
+    return edge

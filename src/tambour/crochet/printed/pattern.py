@@ -18,7 +18,7 @@ from tambour.crochet.printed.anew import anew
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.bases import MOST as _MOST
 from tambour.crochet.printed.bases import based, elsewhere, is_first
-from tambour.crochet.printed.beyond import EDGED, edging
+from tambour.crochet.printed.beyond import EDGED, again_made, another, edging
 from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import NotUnderstood
@@ -352,9 +352,12 @@ class Printed(State):
         ):
             read = based(self, draft, head, read, span, (tokens, times)) or read
         unread = []
+        handed = bool(read.doings)
         for left in read.left:
-            if not finishing(self, left) and not edging(self, left):
+            put = finishing(self, left)
+            if not put and not edging(self, left) and not again_made(self, left) and not (handed and another(left)):
                 unread.append(left)
+            handed = handed or put
         instructive = [left for left in unread if instructs(self, left) and not remark(self.source.text.text, left)]
         notes = tuple(Span(d[0].start, d[-1].end) for d in read.doings if d)
         for done in read.doings:

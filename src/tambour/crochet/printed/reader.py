@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from tambour.core.errors import Span
+from tambour.core.rgb import RGB
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Item
 from tambour.crochet.printed.clauses import Where
@@ -43,6 +44,7 @@ class Body:
     moved : it is worked elsewhere than where the hook is; edged : sentences that work along an edge after the round
     later : colours that are changed to at the end of its rounds, or of the one with that number
     pending : a magic ring still wants its stitches
+    hues : the yarns of what it refers to, in the order in which they come there
     edge : stitches on the edge after it, where it goes over two pieces
     fit : 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit
     """
@@ -75,6 +77,7 @@ class Body:
     moved: Moved | None = None
     edged: list[Span] = field(default_factory=list)
     later: list[tuple[Item, int]] = field(default_factory=list)
+    hues: list[RGB] = field(default_factory=list)
     edge: int | None = None
     fit: int = 2
 

@@ -116,6 +116,8 @@ def refers(r: Reader) -> Refers | None:
             ):
                 words += [] if token.word in _GIVEN or token.word == "alternately" else [token.word]
             c.at += 1
+    to_count = _shaped(c) or to_count
+    _sided(c)
     part = " ".join(words)
     if not (numbers or found.latest or found.marks or part):
         c.at = begin
@@ -138,6 +140,33 @@ def refers(r: Reader) -> Refers | None:
         upto,
         vague,
     )
+
+
+def _shaped(c: Cursor) -> int:
+    """Goes past ", dec 2 sts every row to 8 sts" behind a reference to a row that does so, and gives the number; 0 where something else is
+    said."""
+    shapes = c.mark(",") and c.kind("stitch", 1) and c.look(1).value in ("inc", "dec")  # type: ignore[union-attr]
+    if not shapes or c.whole(2) is None or not c.key("stitch", ahead=3):
+        return 0
+    begin = c.at
+    c.at += 4
+    while c.key("each", "round", "row"):
+        c.at += 1
+    many = until(c)
+    c.at = c.at if many else begin
+    return many
+
+
+def _sided(c: Cursor) -> None:
+    """Goes past ", ending on a WS row", behind how long something goes on."""
+    first = c.look(1)
+    if c.mark(",") and first is not None and first.word in ("ending", "end"):
+        ahead = 2
+        while c.look(ahead) is not None and c.look(ahead).kind != "mark":  # type: ignore[union-attr]
+            ahead += 1
+        said = [c.look(k) for k in range(2, ahead)]
+        if any(t is not None and t.word in ("ws", "rs", "wrong", "right") for t in said):
+            c.at += ahead
 
 
 def _in_all(c: Cursor) -> int:

@@ -40,6 +40,10 @@ def remark(text: str, tokens: list[Token]) -> bool:
         for k, t in enumerate(tokens)
     )
     first = tokens[0]
+    if first.value == "make" and any(t.word in ("few", "fun", "more", "own", "collection") for t in tokens):
+        return not any(
+            t.kind in ("number", "stitch") for t in tokens
+        )  # "Make this car, then a few more in other colors"
     verb = next((k for k, t in enumerate(tokens[:12]) if t.word in _IS), -1)
     if counted or any(works(tokens, k) and k > verb for k in range(len(tokens))):
         return False

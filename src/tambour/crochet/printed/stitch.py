@@ -100,6 +100,8 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         and not _stands(found[-1])
     ):
         place.kind = "first"  # the stitch that the yarn was joined to
+    if place is not None and place.kind in ("same", "joined") and _slipped(found):
+        place.kind = "first"  # "sl st in each of first 7 sts, ch 1, sc in same st as last sl st"
     if place is not None and place.kind in ("joined", "first") and found and _stands(found[-1]):
         place.kind = "same"  # the chains stand there already
     if place is not None and place.kind == "joined":
@@ -222,6 +224,18 @@ def _spaced(r: Reader, found: list[Item], number: Token | None, token: Token) ->
     if not space or r.c.mark("(", "["):
         return False
     found += [Action(_STANDING[number.value - space], token.span), Action("ch", token.span, space)]  # type: ignore[union-attr]
+    return True
+
+
+def _slipped(found: list[Item]) -> bool:
+    """Takes the last of slip stitches at a row's beginning back, since a stitch goes into the same place; whether there is one."""
+    at = len(found) - 1
+    while at >= 0 and isinstance(found[at], Action) and found[at].name in ("ch", "flo", "blo", "color"):  # type: ignore[union-attr]
+        at -= 1
+    last = found[at] if 0 <= at < len(found) - 1 else None
+    if not isinstance(last, Action) or last.name != "slst" or last.times < 2 or any(map(makes, found)):
+        return False
+    found[at] = replace(last, times=last.times - 1)
     return True
 
 

@@ -14,9 +14,9 @@ from tambour.crochet.words.table import TERMS, Heard
 _SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
 _JOINS: Final = frozenset("-.'/")
 _YARNS: Final = frozenset(
-    ("with", "to", "color", "colour", "yarn", "in", "join", "attach", "add", "drop", "break", "carry", ".")
+    ("with", "to", "color", "colour", "yarn", "in", "join", "attach", "add", "drop", "break", "carry", ".", "using")
 )
-_ENDED: Final = frozenset(("=", ":", ",", ".", ";", ")", "and", "or"))  # no article stands before these
+_ENDED: Final = frozenset(("=", ":", ",", ".", ";", ")", "and", "or", "for"))  # no article stands before these
 _ARTICLES: Final = frozenset(("the", "a", "your"))
 _SIGNS: Final = frozenset("xX×*")
 _LATER: Final = frozenset(

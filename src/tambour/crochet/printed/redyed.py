@@ -1,0 +1,47 @@
+"""Printed patterns, redyed: rounds that change their yarn at the end of one of them, and rounds worked again in other yarns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from tambour.core.rgb import RGB
+from tambour.crochet.language.tree import Action, Group, Item, Line
+from tambour.crochet.printed.items import span_of
+
+
+def colored(lines: list[Line], later: list[tuple[Item, int]]) -> list[Line]:
+    """``lines`` with the colours behind them that are changed to when they are worked, or in the midst of them: "Rounds 3-6: …; change
+    to B at end of Round 4"."""
+    for hue, number in later:
+        dyed = Line((hue,), span_of(hue), False)
+        at = next(
+            (k for k, n in enumerate(lines) if n.number is not None and n.number <= number < n.number + n.times - 1),
+            None,
+        )
+        if at is None:
+            lines = [*lines, dyed]
+            continue
+        line = lines[at]
+        done = number - (line.number or 0) + 1
+        rest = line.times - done
+        first = replace(line, times=done, times_span=line.times_span if done > 1 else None)
+        more = replace(line, times=rest, times_span=line.times_span if rest > 1 else None, number=number + 1)
+        lines = [*lines[:at], first, dyed, more, *lines[at + 1 :]]
+    return lines
+
+
+def redyed(line: Line, lines: list[Line], hues: list[RGB]) -> list[Line]:
+    """The rounds of ``line``, which are some of ``lines``, in other yarns: these take the place of the colours there in their order."""
+    seen = [i.numbers for one in lines for i in one.items if isinstance(i, Action) and i.name == "color"]
+    dyes = dict(zip(dict.fromkeys(seen), hues, strict=False))
+    made = [replace(one, items=tuple(_dyed(i, dyes) for i in one.items)) for one in line.rounds()]
+    begun = Action("color", line.span, numbers=hues[0])
+    return [replace(made[0], items=(begun, *made[0].items)), *made[1:]]
+
+
+def _dyed(item: Item, hues: Mapping[tuple[int, ...], RGB]) -> Item:
+    """``item`` with other colours in place of those it changes to."""
+    if isinstance(item, Group):
+        return replace(item, items=tuple(_dyed(i, hues) for i in item.items))
+    return replace(item, numbers=hues.get(item.numbers, item.numbers)) if item.name == "color" else item
