@@ -438,3 +438,39 @@ def test_what_is_not_understood_behind_a_repeat_is_told(more: str) -> None:
 )
 def test_an_invitation_instructs_nothing(said: str) -> None:
     assert counts(f"{BODY}Rnd 3: Sc in each sc around. (12)\n\n{said}\n") == [6, 12, 12]
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Join A with sl st in 5th sc of Rnd 1. (Ch 15, sl st in same st as joining sl st) 5 times.",
+        "With B, work 3 more petals around Rnd 2. Sew 2 beads on.",
+        "Sc in next 3 sc of the 2nd fringe, ch 7, twist.",
+    ],
+)
+def test_sentences_before_a_heading_of_their_line_are_no_part_of_its_name(said: str) -> None:
+    pattern = read(
+        Text(
+            f"{BODY}Rnd 3: Sc in each sc around. (12)\nFasten off.\n{said} Ties (make 2)\nWith C, ch 30. Fasten off.\n",
+            "toy.txt",
+        )
+    )
+    assert pattern.parts[-1].name == "Ties" and pattern.parts[-1].copies == 2
+    first = said.split(".")[0]
+    seen = [*told(pattern), *(pattern.text.text[a.start : a.end] for a in pattern.passed)]
+    assert any(s in first or first in s for s in seen) or len(pattern.parts[0].lines) > 3 or len(pattern.parts) > 2
+
+
+@pytest.mark.parametrize("said", ["Leave 4 sts unworked.", "Leave the last 2 sc unworked."])
+def test_a_round_that_leaves_nothing_unworked_though_it_says_so_is_told(said: str) -> None:
+    pattern = read(Text(f"{BODY}Rnd 3: Sc in each sc around. (12) {said}\n", "toy.txt"))
+    assert any("unworked" in p.message for p in pattern.warnings)
+
+
+@pytest.mark.parametrize("said", ["Now work in rows.", "Now continue in rows.", "Begin stuffing here."])
+def test_what_stands_behind_a_count_is_kept_with_its_round(said: str) -> None:
+    pattern = read(
+        Text(f"{BODY}Rnd 3: Sc in each sc around. (12) {said}\nRnd 4: Sc in each sc around. (12)\n", "toy.txt")
+    )
+    notes = [pattern.text.text[a.start : a.end] for line in pattern.parts[0].lines for a in line.notes]
+    assert len(notes) == 1 and notes[0].strip(". ") in said

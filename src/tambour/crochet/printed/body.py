@@ -33,6 +33,10 @@ _ENDED_SO: Final = frozenset(("seam", "attach", "finish", "secure", "complete", 
 _AS: Final = frozenset("you work needed desired shown pictured required progresses".split())
 
 
+_NEAR: Final = 8  # characters between a count and the bracket that ends it
+_COURSED: Final = ("leave", "in", "begin", "make", "with", "over")
+
+
 class Walk(Dyes):
     """Reads one body, clause after clause."""
 
@@ -41,6 +45,7 @@ class Walk(Dyes):
         body, c = self.body, self.c
         while c.look() is not None:
             at, made = c.at, len(body.items)
+            self.begun = at
             if self.hands():
                 c.at += 1
                 continue
@@ -74,13 +79,26 @@ class Walk(Dyes):
                 c.at = self.end_of_sentence()
                 if c.at > at:  # else all of it was read
                     body.left.append(c.tokens[at : c.at])
-            if c.look() is not None:
+            if c.at == at or c.mark(*_ENDS):
                 c.at += 1
+            self._idle(at, made)
         body.pending = self.ring is not None
         idle = not any(makes(i) or slips(i) for i in body.items)
         if body.wrong is not None and idle and body.refers is None:
             raise body.wrong
         return body
+
+    def _idle(self, at: int, made: int) -> None:
+        """Keeps a sentence that was read and works nothing ("Now work in rows"), so that it stands with its round."""
+        body, said = self.body, self.c.tokens[at : self.c.at]
+        words = [t for t in said if t.kind != "mark"]
+        works = (
+            len(body.items) > made
+            or body.stated_span in [t.span for t in said]
+            or any(said[0] in left for left in body.left)
+        )
+        if words and not works and words[0].kind == "key" and words[0].value in _COURSED[1:]:
+            body.doings.append(said)
 
     def hands(self) -> bool:
         """Goes past what hands do here, up to its point, and keeps it; whether the sentence is such a doing."""
@@ -127,11 +145,23 @@ class Walk(Dyes):
         while (token := c.look()) is not None:
             if token.kind == "mark" and token.word in closers:
                 return
-            counted = closers is _ENDS and token.capital and c.at > 0 and c.tokens[c.at - 1].word in (")", "]", "}")
-            if counted and self.hands():  # "(12) Stuff lightly."
-                return
+            opens = token.capital or (token.kind == "key" and token.value in _COURSED)
+            if closers is _ENDS and opens and self._behind_count():
+                return  # "(12) Stuff lightly."
             if not self.between(token):
                 self.clause(found, token)
+
+    def _behind_count(self) -> bool:
+        """Whether the cursor stands right behind the bracket that held the count of the round: a sentence of its own begins."""
+        stated, before = self.body.stated_span, self.c.look(-1)
+        if self.c.at == self.begun:
+            return False
+        return (
+            before is not None
+            and before.word in (")", "]", "}")
+            and stated is not None
+            and 0 <= before.start - stated.end < _NEAR
+        )
 
     def between(self, token: Token) -> bool:
         """Goes past what only stands between clauses."""

@@ -182,6 +182,9 @@ def decided(
         return _fits(body, below, source.stitches, times)
 
     body = read()
+    if edge and unworked and _told_rest(body.items, edge, source.stitches):
+        at = next(t for t in tokens if t.word == "unworked")
+        source.doubt("no stitches are left to be unworked here", "say how many are worked", at.span)
     one = body.items[0] if len(body.items) == 1 else None
     if (
         isinstance(one, Action)
@@ -244,6 +247,12 @@ def decided(
                 span,
             )
     return body
+
+
+def _told_rest(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> bool:
+    """Whether items use up all stitches of the round below."""
+    done = worked(items, edge, stitches)
+    return done is not None and done[1] >= edge
 
 
 def _rest_left(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:

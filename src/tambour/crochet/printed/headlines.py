@@ -43,6 +43,15 @@ def headed(text: str, row: Row, tokens: list[Token]) -> int:
     return at if found is not None and found.strong else 0
 
 
+def trailing(p: State, row: Row, tokens: list[Token]) -> int:
+    """Where the sentences of a line end that the heading of the next part stands behind: "Fasten off. Ties (make 2)"; 0 where none does."""
+    line = p.source.text.text[row.tokens[0].start : row.tokens[-1].end]
+    if "(" not in line or copied(p, row, line) is None:
+        return 0
+    bracket = max(k for k, t in enumerate(tokens) if t.word == "(") if any(t.word == "(" for t in tokens) else 0
+    return next((k for k in range(bracket - 2, 1, -1) if tokens[k].word in (".", "!") and not tokens[k + 1].glued), 0)
+
+
 def copied(p: State, row: Row, line: str) -> Heading | None:
     """A heading that says its copies as the table of terms does: ``Arm (make 2)``."""
     mark = line.rfind("(")

@@ -143,7 +143,7 @@ def _shaken(section: Section, span: Span, alarms: set[Span | None], unread: list
     if at is None:
         return False
     again = section.lines[at].again
-    if again is not None and any(line.gap or line.stated_span in alarms for line in again.lines):
+    if again is not None and any(line.gap or (again.part and line.stated_span in alarms) for line in again.lines):
         return True  # a count that is worked again is none
     begin = section.span.start
     for line in reversed(section.lines[:at]):

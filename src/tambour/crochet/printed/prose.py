@@ -21,7 +21,7 @@ from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
-from tambour.crochet.printed.headlines import below, colorless, copied, headed, named_color
+from tambour.crochet.printed.headlines import below, colorless, copied, headed, named_color, trailing
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.items import bare_count
 from tambour.crochet.printed.notes import (
@@ -68,7 +68,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     title = p.title is not None and p.heading is not None and p.heading.span == p.title[1]
     if title and p.heading is not None and p.heading.copies_span is None and tokens[0].word not in OPEN:
         p.heading = None  # what stands over the whole pattern names no part
-    if p.mode not in ("materials", "abbreviations") and (at := headed(text, row, tokens)):
+    if p.mode not in ("materials", "abbreviations") and (at := headed(text, row, tokens) or trailing(p, row, tokens)):
         cut = tokens[at].end
         for part, some in ((tokens[: at + 1], True), (tokens[at + 1 :], False)):
             raw = [t for t in row.tokens if (t.end <= cut) == some]
