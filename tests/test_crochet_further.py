@@ -467,7 +467,7 @@ def test_a_round_that_leaves_nothing_unworked_though_it_says_so_is_told(said: st
     assert any("unworked" in p.message for p in pattern.warnings)
 
 
-@pytest.mark.parametrize("said", ["Now work in rows.", "Now continue in rows.", "Begin stuffing here."])
+@pytest.mark.parametrize("said", ["Now work in rows.", "Now work in joined rounds.", "Begin stuffing here."])
 def test_what_stands_behind_a_count_is_kept_with_its_round(said: str) -> None:
     pattern = read(
         Text(f"{BODY}Rnd 3: Sc in each sc around. (12) {said}\nRnd 4: Sc in each sc around. (12)\n", "toy.txt")
