@@ -10,6 +10,7 @@ import pytest
 
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.graph.build import build
+from tambour.crochet.language.parse import parse
 from tambour.crochet.printed.pattern import read_printed
 
 BALL = "Rnd 1: 6 sc in magic ring [6]\nRnd 2: sc around [6]\n"
@@ -63,3 +64,16 @@ def test_printed_words_at_random_are_a_graph_or_a_located_error() -> None:
         else:
             made += len(built.worked) > 0
     assert made > 50
+
+
+def test_parts_made_more_often_than_a_machine_can_count_are_refused_at_once() -> None:
+    """Their names were listed one by one: a hundred million strings."""
+    with pytest.raises(TambourError, match="the pattern makes more than"):
+        build(
+            parse(
+                Text("== A (make 999999999) ==\n: MR(6)\nFO\n== B ==\n: MR(6)\nplace(A.7, B, round=1)\n"),
+                max_stitches=2000,
+            )
+        )
+    with pytest.raises(TambourError, match=r'no part "A\.3"'):
+        parse(Text("== A (make 2) ==\n: MR(6)\nFO\n== B ==\n: MR(6)\nplace(A.3, B, round=1)\n"))

@@ -229,8 +229,10 @@ def test_a_wrong_count_is_told_with_the_fault_that_follows():
     ],
 )
 def test_too_many_stitches_is_said_at_the_count(text, place):
-    ((message, where),) = problems(text)
-    assert where == place and message.startswith("the pattern makes ")
+    with pytest.raises(TambourError) as caught:
+        build(parse(Text(text), max_stitches=20_000))
+    (problem,) = caught.value.problems
+    assert text[problem.span.start : problem.span.end] == place and problem.message.startswith("the pattern makes ")
 
 
 def test_copies_have_marks_of_their_own():

@@ -12,6 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tambour.core.errors import TambourError, Text
+from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.crochet import CRAFT
 from tambour.crochet.looks import graph
@@ -145,12 +146,14 @@ def test_warnings_reach_the_report() -> None:
 
 
 @pytest.mark.slow
-def test_views_exist_for_their_suffixes() -> None:
+def test_views_exist_for_their_suffixes(monkeypatch: pytest.MonkeyPatch) -> None:
+    grey = Picture(np.full((4, 4, 4), 128, np.uint8))
+    monkeypatch.setattr("tambour.render.raster.picture", lambda *_, **__: grey)  # what they show: tests of the sides
     piece = made(BALL, solver="none")
     for name, view in CRAFT.views.items():
-        if name in ("photo", "page", "making"):
+        if name in ("photo", "page", "making", "compare"):
             # An extra, and minutes: tests/test_render_photo.py; a booklet: tests/test_crochet_page.py; pictures one after
-            # the other: tests/test_crochet_making.py
+            # the other: tests/test_crochet_making.py; what a model alone has: tests/test_crochet_model.py
             continue
         value = view.make(piece)
         assert type(value).__name__ == view.value, name

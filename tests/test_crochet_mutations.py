@@ -1,4 +1,4 @@
-"""Two thousand damaged patterns: each gives a graph or an error with a place, never anything else."""
+"""Damaged patterns, seven hundred by day and two thousand by night: each gives a graph or an error with a place, never anything else."""
 
 import time
 from pathlib import Path
@@ -8,6 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from night import NIGHT
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.graph.build import build
 from tambour.crochet.language.parse import parse
@@ -54,7 +55,7 @@ def damaged(text, edits, moves):
 
 
 @pytest.mark.slow
-@settings(max_examples=2000, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+@settings(max_examples=2000 if NIGHT else 700, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(st.sampled_from(TEXTS), st.lists(EDIT, min_size=1, max_size=4), st.lists(LINES, max_size=1))
 def test_a_damaged_pattern_is_a_graph_or_a_located_error(whole, edits, moves):
     text = damaged(whole, edits, moves)

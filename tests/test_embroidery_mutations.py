@@ -7,6 +7,7 @@ import warnings
 import numpy as np
 import pytest
 
+from night import NIGHT
 from tambour import files
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
@@ -76,11 +77,12 @@ def mutated(text, draw):
 
 
 @pytest.mark.slow
-def test_two_thousand_mutations(tmp_path):
+def test_mutations(tmp_path):
     draw = np.random.Generator(np.random.PCG64(11))
     path = tmp_path / "m.svg"
     made = refused = 0
-    for k in range(2000):
+    count = 2000 if NIGHT else 700
+    for k in range(count):
         path.write_text(mutated(SEEDS[k % len(SEEDS)], draw), encoding="utf-8", errors="replace")
         try:
             with warnings.catch_warnings():
@@ -93,4 +95,4 @@ def test_two_thousand_mutations(tmp_path):
         except TambourError as error:
             assert error.problems and all(p.message and "\n" not in p.message for p in error.problems)
             refused += 1
-    assert made + refused == 2000 and made > 300 and refused > 300
+    assert made + refused == count and min(made, refused) > 0.15 * count

@@ -280,10 +280,18 @@ def parts_of(finish: Finish) -> list[tuple[str, Span]]:
 
 def check_names(source: Source, copies: dict[str, int], finishes: list[Finish]) -> None:
     """Tells ``source`` of parts that are not there. copies : the name of every part → how often it is made."""
-    known = [f"{name}.{k}" for name, n in copies.items() for k in range(1, n + 1)] + [n for n in copies if n]
+
+    def there(name: str) -> bool:
+        whole, _, number = name.rpartition(".")
+        numbered = re.fullmatch(r"[1-9]\d{0,8}", number) and int(number) <= copies.get(whole, 0)
+        return bool((name and name in copies) or numbered)
+
     for finish in finishes:
         for name, at in parts_of(finish):
-            if name not in known:
+            if not there(name):
+                known = [f"{n}.{k}" for n, many in copies.items() for k in range(1, min(many, 9) + 1)] + [
+                    n for n in copies if n
+                ]
                 hint = did_you_mean(name, known) or f"parts are {', '.join(n for n in copies if n)}"
                 source.error(f'there is no part "{name}"', hint, at)
             elif copies.get(name, 1) > 1:

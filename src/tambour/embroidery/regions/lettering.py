@@ -84,7 +84,8 @@ def lettered(
             )
     if not isinstance(font, Alphabet) and font != COLUMNS:
         rings = [r for letters, _, _ in lines for it in letters for r in it.shape.paths]
-        lines = [([_sewn(it, how_sewn(rings, size)) for it in letters], wide, lacks) for letters, wide, lacks in lines]
+        how = how_sewn(rings, size)
+        lines = [([_sewn(it, how) for it in letters], wide, lacks) for letters, wide, lacks in lines]
     placed: list[Drawing] = []
     ways = _baselines(drawing)
     if arc is None and ways and len(lines) > len(ways):
