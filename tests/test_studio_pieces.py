@@ -43,13 +43,39 @@ def revise(ours: TestClient, piece: dict[str, Any], base: int, **told: Any) -> A
 def test_what_is_pasted_or_dropped_finds_its_craft(ours: TestClient) -> None:
     assert new(ours, source={"text": BALL})[0]["craft"] == "crochet"
     assert new(ours, seed="plum")[0] | {"id": 0} and new(ours, seed="plum")[1]["params"] == {"seed": "plum"}
-    for name, likely in (("a.svg", "embroidery"), ("a.png", "knit"), ("a.dst", "embroidery"), ("a.PDF", "crochet")):
+    for name, likely in (
+        ("a.svg", "embroidery"),
+        ("a.png", "knit"),
+        ("a.dst", "embroidery"),
+        ("a.PDF", "crochet"),
+        ("a.stl", "crochet"),
+    ):
         kept = ours.post("/api/files", params={"name": name}, content=b"<svg/>").json()
         assert kept["crafts"][0] == likely
         piece, revision = new(ours, source={"sha256": kept["sha256"], "name": name})
         assert piece["craft"] == likely and revision["source"]["sha256"] == kept["sha256"]
     assert ours.post("/api/pieces", json={"source": {"text": "x", "name": "a.exe"}}).status_code == 422
     assert ours.post("/api/pieces", json={"source": {"sha256": "0" * 64, "name": "a.svg"}}).status_code == 404
+
+
+@pytest.mark.slow
+def test_the_words_of_a_model_are_the_pattern_that_it_became(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from tambour.core.progress import Progress
+    from tambour.studio.worker import Desk
+
+    corners = [(0, 0, 30), (0, 0, -30), (25, 0, 0), (0, 25, 0), (-25, 0, 0), (0, -25, 0)]
+    faces = [(t, 2 + k, 2 + (k + 1) % 4) if t == 0 else (t, 2 + (k + 1) % 4, 2 + k) for t in (0, 1) for k in range(4)]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in faces]
+    (tmp_path / "ball.obj").write_text("\n".join(lines) + "\n")
+    monkeypatch.chdir(tmp_path)
+    job = {"craft": "crochet", "key": "k", "base": "b", "params": {}, "edits": [], "source": "ball.obj", "files": {}}
+    told = Desk().do({**job, "do": "read", "folder": str(tmp_path)}, Progress())
+    assert told["name"] == "ball.acl"
+    read = Desk().do(
+        {"do": "check", "craft": "crochet", "text": told["text"], "name": told["name"], "params": {}, "edits": []},
+        Progress(),
+    )
+    assert not read["problems"] and len(read["steps"]) > 3
 
 
 def test_undo_never_fails_and_no_branch_is_lost(ours: TestClient) -> None:

@@ -122,9 +122,12 @@ class Desk:
         return examined(job)
 
     def read(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
-        """The text that a file is read as."""
+        """The text that a file is read as; of a model, the pattern that it became."""
         from tambour import files
 
+        if "Text" not in files.READ.get(Path(job["source"]).suffix, {}):
+            self.make(job, progress)
+            return {"text": _words(self.made), "name": Path(job["source"]).with_suffix(".acl").name}
         os.chdir(job["folder"])
         text = files.read(job["source"], ("Text",))
         return {"text": text.text, "name": text.name}

@@ -6,7 +6,7 @@ import { ask } from "./wire.js";
 
 /** What a craft begins with. @type {Record<string, {head: string, words?: string, such?: string, rows?: number, file?: string, of?: (text: string) => object}>} */
 const WITH = {
-  crochet: { head: "Crochet", words: "Paste or type a pattern", such: "Rnd 1: 6 sc in magic ring. [6]", rows: 5, file: "Choose a file: a pattern as text, PDF or Word", of: (text) => ({ source: { text, name: "pattern.txt" }, title: named(text) }) },
+  crochet: { head: "Crochet", words: "Paste or type a pattern", such: "Rnd 1: 6 sc in magic ring. [6]", rows: 5, file: "Choose a file: a pattern (text, PDF, Word), or a model (STL, OBJ, PLY, GLB)", of: (text) => ({ source: { text, name: "pattern.txt" }, title: named(text) }) },
   knit: { head: "Knit", file: "Choose a file: a photo, a picture or a chart" },
   ink: { head: "Ink", words: "A word or a sentence: the seed of a scroll", such: "first snow", rows: 1, of: (text) => ({ seed: text, title: text }) },
   embroidery: { head: "Embroidery", words: "A name or a word to stitch", such: "Anna", rows: 1, file: "Choose a file: a drawing (SVG), a photo, or a machine's file", of: (text) => ({ params: { text }, title: text }) },

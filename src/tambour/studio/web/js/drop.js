@@ -49,7 +49,7 @@ export async function begin(what) {
 /** Two crafts can take it: which? Asked where it was dropped. @param {string} name the file's @param {string[]} crafts @returns {Promise<string|undefined>} */
 function chosen(name, crafts) {
   if (!crafts.length) {
-    tell("No craft can begin with this file. A pattern (text, PDF, Word), a picture, an SVG or a machine's stitch file can.");
+    tell("No craft can begin with this file. A pattern (text, PDF, Word), a model (STL, OBJ, PLY, GLB), a picture, an SVG or a machine's stitch file can.");
     return Promise.resolve(undefined);
   }
   document.querySelector(".choice")?.remove();

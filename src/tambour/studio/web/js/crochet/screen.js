@@ -17,6 +17,9 @@ import { facts } from "./parts.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
+/** A source that is a model: its pattern is worked out. */
+const MODEL = /\.(stl|obj|ply|glb)$/i;
+
 /** @param {HTMLElement} root @param {Piece} piece @param {{over: HTMLElement, extra: URLSearchParams}} how @returns {() => void} */
 export function screen(root, piece, { over }) {
   const at = frame(root, { left: "Words", words: true, right: "Facts", view: "Toy" });
@@ -44,7 +47,7 @@ export function screen(root, piece, { over }) {
   const stepOf = (/** @type {number} */ point) => steps().find((s) => s.span && s.span[0] <= point && point < s.span[1]);
   const editor = new Editor(host, {
     text: source?.text ?? "",
-    own: /\.acl$/.test(source?.name ?? ""),
+    own: /\.acl$/.test(source?.name ?? "") || MODEL.test(source?.name ?? ""),
     onchange: (text) => {
       check(text);
       commit(text);
@@ -58,7 +61,12 @@ export function screen(root, piece, { over }) {
       return s ? `${s.part ? `${s.part}, ` : ""}${s.label}: makes ${counted(s.count, "stitch", "stitches")}` : null;
     },
   });
-  if (source && source.text === null) attempt(async () => editor.set((await ask(`/api/revisions/${piece.revision.value.id}/text`)).text));
+  // Words that are in no text: of a PDF or a document at once, of a model when its pattern is worked out, each time anew.
+  const words = () => attempt(async () => editor.set((await ask(`/api/revisions/${piece.revision.value.id}/text`)).text));
+  if (source && source.text === null && !MODEL.test(source.name)) words();
+  stop.push(effect(() => {
+    if (piece.live.value && piece.revision.value?.source?.text === null && MODEL.test(piece.revision.value.source.name)) untracked(words);
+  }));
   /** One question at a time; what was typed meanwhile is asked next, the latest alone. */
   let asking = false, next = /** @type {string|null} */ (null);
   const gone = new AbortController();
@@ -76,7 +84,7 @@ export function screen(root, piece, { over }) {
     next = null;
     if (then !== null && !gone.signal.aborted) check(then);
   };
-  const commit = (/** @type {string} */ text) => piece.change({ source: { text, name: source?.name?.replace(/\.(pdf|docx|html?)$/i, ".txt") ?? "pattern.txt" }, merge: true }, 600);
+  const commit = (/** @type {string} */ text) => piece.change({ source: { text, name: source?.name?.replace(/\.(pdf|docx|html?)$/i, ".txt").replace(MODEL, ".acl") ?? "pattern.txt" }, merge: true }, 600);
   stop.push(() => (gone.abort(), editor.view.destroy()));
   stop.push(effect(() => {
     const text = piece.revision.value?.source?.text;
