@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import shapely
 
+from tambour import files
 from tambour.core.drawing import Drawing, Groups, Styles
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
@@ -199,3 +200,16 @@ def test_flow_follows_its_guide(guide):
                 x, y = direction(grid, left, top, cell, *((a + b) / 2), *d)
                 off.append(math.degrees(math.acos(min(1.0, (x * d[0] + y * d[1]) / n))))
     assert np.median(off) <= 5
+
+
+@pytest.mark.parametrize("high, rows", [(6, False), (20, True)])
+def test_narrow_areas_have_no_rows_below_but_the_edge_walk(tmp_path, high, rows):
+    (tmp_path / "a.svg").write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="40mm"><rect width="180" height="{high / 25.4 * 96}"/></svg>'
+    )
+    made = make(files.read(tmp_path / "a.svg", ("Drawing",)), EmbroideryParams(stitch="tatami", angle=0), Progress())
+    under = made.plan.xy[(made.kind == UNDERLAY) & (made.plan.command == STITCH)]
+    inside = (high / 2 - np.abs(under[:, 1]) > 2.5) & (
+        np.abs(under[:, 0]) < 20
+    )  # farther from the edges than their walk
+    assert len(under) > 20 and inside.any() == rows

@@ -1,5 +1,6 @@
 """The fewest changes of thread that what lies over what allows."""
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -7,8 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tambour.core.progress import Progress
+from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.plan import order as room
-from tambour.embroidery.plan.order import blocks
+from tambour.embroidery.plan.make import make
+from tambour.embroidery.plan.order import blocks, order
 
 
 @st.composite
@@ -73,3 +77,18 @@ def test_thousands_are_ordered_in_bounded_work():
     colors = (np.arange(n) % 40).tolist()
     waits = [set(draw.integers(max(0, i - 60), i, 2).tolist()) if i else set() for i in range(n)]
     assert sum(map(len, blocks(colors, waits))) == n
+
+
+@pytest.mark.parametrize("words", ["Anna", "Hello to you"])
+def test_letters_are_sewn_as_one_reads(words):
+    piece = make(None, EmbroideryParams(text=words, text_size=12, text_arc=40 if " " in words else None), Progress())
+    sewn = [k for k in dict.fromkeys(piece.region.tolist()) if k >= 0]
+    assert len(sewn) == len(words.replace(" ", ""))
+    assert sewn == sorted(sewn)
+
+
+def test_letters_of_two_threads_save_the_change():
+    a = make(None, EmbroideryParams(text="abcd", text_size=12), Progress()).regions
+    two = [replace(r, color=(200, 0, 0)) if k in (0, 2) else r for k, r in enumerate(a)]
+    made = order(two, "auto")
+    assert [two[k].color for k in made] in ([c, c, d, d] for c, d in pairwise([a[0].color, (200, 0, 0), a[0].color]))

@@ -45,7 +45,8 @@ class Region:
     width : width of a line, mm (0 for areas)
     guide : lines that guided, flow and ripple stitches follow, or None
     start, end : places asked for by the source (command symbols), or None
-    flags : "trim" and "stop": what is done after it; "whole": laid out by hand, and not to be cut or joined
+    flags : "trim" and "stop": what is done after it; "whole": laid out by hand, and not to be cut or joined;
+        "letter": of a line of text, which is sewn in the order in which it is read
     cap : of lines, how they end, as in Styles
     alpha : how much of its colour covers what is below, 0 … 1; 1 for all once the drawing is flat
     rank : its place in the order of sewing among those that have one, or None

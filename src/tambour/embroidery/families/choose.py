@@ -27,6 +27,7 @@ from tambour.embroidery.stitches import Stitches, join, line_stitches
 from tambour.noise import key
 
 Place = tuple[float, float] | None
+NARROW = 8.0  # mm: where an area is no wider, as a column might be, its edge walk is underlay enough
 COVERED = ("tatami", "contour", "spiral", "radial", "guided", "flow", "gradient", "satin")
 
 
@@ -180,12 +181,14 @@ def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -
     if region.start is not None:  # the way from there lies below all the rest
         begin = nearest_on_outline(area, np.array(region.start))[2]
         parts.insert(0, Stitches.of(np.array([begin]), TRAVEL))
-    if end is not None and (parts or start is not None):
+    leave = None if end is None else nearest_on_outline(area, np.array(end))[2]
+    if leave is not None and parts and math.hypot(*(leave - np.array(end))) > p.trim and region.end is None:
+        leave = None  # the thread is cut there all the same: a way to it would only lie below the rows
+    if leave is not None and (parts or start is not None):
         # The fill begins, and so ends, at the place nearest to where the thread goes on; the way there lies below it.
-        here = nearest_on_outline(area, np.array(end))[2]
-        start = (float(here[0]), float(here[1]))
+        start = _place(leave)
     elif parts:
-        start = (float(parts[-1].xy[-1, 0]), float(parts[-1].xy[-1, 1]))
+        start = _place(parts[-1].xy[-1])
     if region.stitch == "satin":
         satin, left = branched(polygon_of(area), p, region.id, start)
         rest = _rest(left, region, parts, satin)
@@ -295,33 +298,36 @@ def area_underlay(polygon: Paths, p: EmbroideryParams, start: Place) -> list[Sti
         return []
     here = start
     for piece in _split(inner):
-        area = rings(piece)
-        if "edge" in words or ("auto" in words and float(np.ptp(piece.coords, axis=0).min()) > wide):
-            made.append(weave(list(piece), area, min(p.length, 2.5), 1.0, kind=UNDERLAY, start=here, stagger=1))
+        broad = float(np.ptp(piece.coords, axis=0).min()) > wide
+        if "edge" in words or ("auto" in words and broad):
+            made.append(weave(list(piece), rings(piece), min(p.length, 2.5), 1.0, kind=UNDERLAY, start=here, stagger=1))
             here = _last(made, here)
-        if (
-            "tatami" in words
-            or "zigzag" in words
-            or ("auto" in words and float(np.ptp(piece.coords, axis=0).min()) > wide)
-        ):
+        if "tatami" in words or "zigzag" in words or ("auto" in words and broad):
             across = math.radians((p.angle or 0.0) + 90)
-            made.append(
-                tatami(
-                    rings(piece, across),
-                    across,
-                    3 * p.row_spacing,
-                    p.length,
-                    stagger=p.stagger,
-                    start=here,
-                    kind=UNDERLAY,
+            # The edge walk holds narrow places; rows there would be all ends, and ways between them.
+            body = piece if words == ["tatami"] else opened(piece, NARROW)
+            for part in [] if body is None else _split(body):
+                made.append(
+                    tatami(
+                        rings(part, across),
+                        across,
+                        3 * p.row_spacing,
+                        p.length,
+                        stagger=p.stagger,
+                        start=here,
+                        kind=UNDERLAY,
+                    )
                 )
-            )
-            here = _last(made, here)
+                here = _last(made, here)
     return [m for m in made if len(m)]
 
 
 def _last(made: list[Stitches], here: Place) -> Place:
-    return (float(made[-1].xy[-1, 0]), float(made[-1].xy[-1, 1])) if made and len(made[-1]) else here
+    return _place(made[-1].xy[-1]) if made and len(made[-1]) else here
+
+
+def _place(point: Array) -> Place:
+    return float(point[0]), float(point[1])
 
 
 def linked(parts: list[Stitches], area: Rings, length: float) -> Stitches:
@@ -354,6 +360,17 @@ def grown(area: Paths, by: float, empty: bool = False) -> Any:
 
     made = of_shapely(shapely.union_all([a.buffer(by, join_style="mitre", mitre_limit=2) for a in to_shapely(area)]))
     return (None if empty else area) if made is None else made
+
+
+def opened(area: Paths, width: float) -> Paths | None:
+    """An area without what is narrower than ``width``; None where it is so everywhere."""
+    import shapely
+
+    from tambour.geometry.areas import of_shapely, to_shapely
+
+    shape = shapely.union_all(to_shapely(area))
+    body = shape.buffer(-width / 2, quad_segs=4)
+    return of_shapely(body.buffer(width / 2, quad_segs=4).intersection(shape))
 
 
 def polygon_parts(polygon: Paths) -> Paths:

@@ -18,7 +18,7 @@ def order(regions: Sequence[Region], how: str) -> list[int]:
     """The order of work: ``file`` keeps painter's order; ``auto`` changes it where nothing on top would come below.
 
     A region waits for all earlier ones that it overlaps. Changes of thread are as few as that allows (exactly so up to
-    ``WORK``); within a thread the nearest that may come is next.
+    ``WORK``); within a thread the nearest that may come is next, but for letters of a text: they are sewn as one reads.
     """
     n = len(regions)
     if how == "file" or n < 2:
@@ -39,12 +39,27 @@ def order(regions: Sequence[Region], how: str) -> list[int]:
         left = np.array(block)
         while len(left):
             ready = left[waiting[left] == 0]
-            pick = int(ready[np.hypot(*(middle[ready] - here).T).argmin()])
+            pick = _read(regions, ready.tolist(), done) or int(ready[np.hypot(*(middle[ready] - here).T).argmin()])
+            first = pick
+            while first - 1 in left and _both(regions, first):
+                first -= 1  # a text is begun at its first letter
+            pick = next(k for k in range(first, pick + 1) if k in ready)
             done.append(pick)
             waiting[frees[pick]] -= 1
             left = left[left != pick]
             here = middle[pick]
     return done
+
+
+def _both(regions: Sequence[Region], k: int) -> bool:
+    """Whether a region and the one before it in the drawing are letters."""
+    return 0 < k < len(regions) and all("letter" in regions[j].flags for j in (k - 1, k))
+
+
+def _read(regions: Sequence[Region], ready: Sequence[int], done: Sequence[int]) -> int | None:
+    """The letter that is read after the one just sewn, where it may be sewn now."""
+    after = done[-1] + 1 if done else 0
+    return after if after in ready and _both(regions, after) else None
 
 
 def ranked(regions: Sequence[Region], sequence: Sequence[int]) -> list[int]:

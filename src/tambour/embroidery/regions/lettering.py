@@ -213,7 +213,7 @@ def _carried(data: Any, move: Callable[[Array], Array]) -> dict[str, str]:
 def _moved(shape: Drawing, turn: Array, at: Array, name: str) -> Drawing:
     """A letter's shapes turned (a 2 x 2 matrix) and moved, under its name."""
     paths = Paths(shape.paths.coords @ turn.T + at, shape.paths.offsets, shape.paths.parts)
-    data = tuple(_carried(d, lambda p: turn @ p + at) for d in shape.groups.data)
+    data = tuple({**_carried(d, lambda p: turn @ p + at), "letter": "yes"} for d in shape.groups.data)
     n = len(shape.groups)
     ids = tuple(name if n == 1 else f"{name} {k + 1}" for k in range(n))
     return replace(shape, paths=paths, groups=replace(shape.groups, ids=ids, names=ids, data=data))

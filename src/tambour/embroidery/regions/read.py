@@ -160,7 +160,8 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
             "start": _point(data, ("inkstitch-command-starting_point", "inkstitch-command-fill_start"), scale, shift),
             "end": _point(data, ("inkstitch-command-ending_point", "inkstitch-command-fill_end"), scale, shift),
             "flags": inkstitch_flags(data)
-            | ({"whole"} if any(key.startswith("inkstitch-") for key in data) else set()),
+            | ({"whole"} if any(key.startswith("inkstitch-") for key in data) else set())
+            | {word for word in ("letter",) if word in data},
         }
         name = name or f"shape {m + 1}"
         common |= _by_hand(data, name, common, problems)
