@@ -152,3 +152,21 @@ def family(color: RGB) -> str:
         (301, "purple"),
     )
     return next((name for edge, name in edges if hue < edge), "pink" if hue < 345 else "red")
+
+
+def families(colors: list[RGB]) -> list[str]:
+    """The names of several colours together: of two that are called alike the paler one gets that of its next kin,
+    as long as that is free.
+
+    >>> families([(111, 168, 63), (219, 229, 166)])
+    ['green', 'ivory']
+    """
+    made = [family(c) for c in colors]
+    pale = sorted(range(len(colors)), key=lambda k: sum(colors[k]), reverse=True)
+    for k in pale:
+        if made.count(made[k]) > 1:
+            red, green, blue = colors[k]
+            bright, dull = max(red, green, blue), max(red, green, blue) - min(red, green, blue)
+            near = ["ivory", "beige"] if bright > 190 and dull < 110 else ["brown"] if bright < 150 else []
+            made[k] = next((name for name in near if name not in made), made[k])
+    return made

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import PurePath
 from typing import Final
 
-from tambour.color import family
+from tambour.color import families, family
 from tambour.core.errors import TambourError, Text
 from tambour.core.graph import TIP
 from tambour.core.rgb import RGB, hexed
@@ -269,8 +269,10 @@ class _Writer:
             finish = [self._sentence(self.phrases.finish(record)) for record in self.pattern.finish]
         special = self._special()
         materials = [f"{self.terms.word(key)}: {said}" for key in _STATED if (said := self._stated(key))]
+        names = families(list(self.phrases.legend.values()))
         colors = [
-            (x, self.terms.colors[family(h)][0], h, self._legend_line(x, h)) for x, h in self.phrases.legend.items()
+            (x, self.terms.colors[name][0], h, self._legend_line(x, name, h))
+            for (x, h), name in zip(self.phrases.legend.items(), names)
         ]
         return Words(
             self.terms,
@@ -298,9 +300,9 @@ class _Writer:
         title = _TERMS_SAID.sub("", title)
         return "" if title.strip("<> ") in ("", "text", "stdin") else title[:1].upper() + title[1:]
 
-    def _legend_line(self, letter: str, hue: RGB) -> str:
-        name = self.terms.colors[family(hue)][0]
-        return self._sentence(self.phrases.say("legend", letter=letter, name=name, hex=hexed(hue)), "")
+    def _legend_line(self, letter: str, name: str, hue: RGB) -> str:
+        said = self.phrases.say("legend", letter=letter, name=self.terms.colors[name][0], hex=hexed(hue))
+        return self._sentence(said, "")
 
     def _abbreviations(self) -> tuple[tuple[str, str], ...]:
         meaning, word = self.terms.meaning, self.terms.word
@@ -362,7 +364,7 @@ class _Writer:
         g = self.built.graph
         here = g.parts[part]
         closing = bool((g.peculiarity[here.start : here.end] == TIP).any())
-        stuffing = self._stuffing(section)
+        stuffing = self._stuffing(section, part)
         worked = {d.what for line in written for unit, _ in line.pieces for d in unit}
         kind = "row" if "turn" in worked and not worked & {"mr", "join", "oval"} else "round"
         self.begun = False
@@ -391,13 +393,23 @@ class _Writer:
             return f"{part}: {name}"
         return name
 
-    def _stuffing(self, section: Section) -> list[str]:
+    def _stuffing(self, section: Section, part: int) -> list[str]:
+        if section.stuffing is None and not self.exact and self._fills(part):
+            return [self._sentence(self.phrases.say("stuff medium"))]
         if section.stuffing is None or (section.guessed and not self.exact):
             return []
         amount = next((w for w, factor in STUFFING.items() if factor == section.stuffing), None)
         if amount is not None:
             return [self._sentence(self.phrases.say(f"stuff {amount}"))]
         return [self._sentence(self.phrases.say("stuff factor", factor=section.stuffing))]
+
+    def _fills(self, part: int) -> bool:
+        """Whether a part is stuffed though nobody says so: its rounds end narrower than they were."""
+        counts = [r.count for r in self.built.rounds if r.part == part]
+        rows = (
+            self.built.graph.direction[[n for r in self.built.rounds if r.part == part for n in (r.first, r.last)]] < 0
+        ).any()
+        return self.built.graph.parts[part].stuffing > 0.0 and len(counts) > 2 and counts[-1] < max(counts) and not rows
 
     def _alone(self, line: Written, closing: bool) -> list[Row]:
         """Lines outside rounds: a sentence each, but stitches in a row stay together."""

@@ -304,19 +304,44 @@ def _names(book: Book, step: Step) -> str:
     return ", ".join(name for name in found if name)
 
 
+def _by_marks(book: Book, found: list[Step]) -> list[list[str]] | None:
+    """Seams from marker to marker, a sentence for every part that is sewn on, by steps; None where stitches have no marks."""
+    built = book.piece.built
+    label = {node: name for name, node in built.marks.items()}
+    if not len(built.sewn) or not all(int(n) in label for pair in built.sewn for n in pair):
+        return None
+    part, names = built.graph.part, [p.name for p in built.graph.parts]
+    made: list[list[str]] = []
+    for step in found:
+        sewn: dict[tuple[int, int], list[str]] = {}
+        for a, b in built.sewn.tolist():
+            one, other = (a, b) if int(part[a]) in step.fresh else (b, a)
+            if step.seams and int(part[one]) in step.fresh:
+                said = (label[n].rsplit(".", 1)[0] for n in (one, other))
+                pair = book.own["mark to"].format(**dict(zip(("one", "other"), said)))
+                sewn.setdefault((int(part[one]), int(part[other])), []).append(pair)
+        lines = [
+            book.own["sewn by marks"].format(part=names[one], host=names[other], pairs=", ".join(pairs))
+            for (one, other), pairs in sewn.items()
+        ]
+        made.append(lines)
+    return made
+
+
 def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
     """The assembly's sentences, each with the step that it belongs to: the designer's own where there are, else ours."""
     built, seams = book.piece.built, book.said.seams
     text, finish = built.pattern.text.text, built.pattern.finish
     made: list[list[str]] = [[] for _ in found]
     part = built.graph.part
-    for k, line in enumerate(seams):
+    marked = _by_marks(book, found)
+    for k, line in enumerate(seams if marked is None else ()):
         at = 0
         if len(seams) == len(built.sewn):
             ends = set(part[built.sewn[k]].tolist())
             at = next((i for i, step in enumerate(found) if ends & set(step.fresh) and step.seams), 0)
         made[at].append(line)
-    made = [[" ".join(lines)] if lines else [] for lines in made]
+    made = marked if marked is not None else [[" ".join(lines)] if lines else [] for lines in made]
     told: set[str] = set()
     for i, step in enumerate(found):
         records = [finish[n] for n in step.records]
