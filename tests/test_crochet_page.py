@@ -364,3 +364,41 @@ def test_little_ink_has_white_grounds_and_large_print_the_same_paper() -> None:
     assert sizes[1] > 1.2 * sizes[0]
     words_of = [sorted(" ".join(label.text for s in sheets for label in s.labels).split()) for sheets in (full, large)]
     assert set(words_of[0]) - set(words_of[1]) <= {"continued", *(w for w in words_of[0] if not w.isalpha())}
+
+
+MARKED = """\
+== Body ==
+color(#6fa83f)
+R1: MR(6) (6)
+R2: 6 inc (12)
+R3: 12 sc (12)
+R4: sc, mark(br), 3 sc, mark(bu), 3 sc, mark(bl), 3 sc, mark(bd), 2 sc (12)
+R5: 6 dec (6)
+FO
+== Arm (make 2) ==
+color(#dbe5a6)
+R1: MR(6) (6)
+R2: 6 sc (6)
+R3: sc, mark(ar), sc, mark(au), 2 sc, mark(al), sc, mark(ad), sc (6)
+sew(ar.1, br)
+sew(au.1, bu)
+sew(al.1, bl)
+"""
+
+
+def test_what_is_sewn_by_marks_is_a_sentence_for_every_part() -> None:
+    from tambour.crochet.page.book import Book
+    from tambour.crochet.page.parts import _sentences
+
+    piece = make(Text(MARKED, "toy.acl"), CrochetParams(solver="none"), Progress())
+    found = steps(piece)
+    said = [line for lines in _sentences(Book(piece), found) for line in lines]
+    assert said == ["Sew Arm 1 to Body, marker to marker: ar to br, au to bu, al to bl."]
+
+
+def test_stuffing_has_its_moment_though_nobody_says_it_and_two_greens_have_two_names() -> None:
+    said = words(make(Text(MARKED, "toy.acl"), CrochetParams(solver="none"), Progress()).built, exact=False)
+    body, arm = ([row.words for row in part.lines] for part in said.parts)
+    assert body.index("Stuff.") < next(k for k, row in enumerate(body) if "fasten off" in row)
+    assert "Stuff." not in arm  # it ends as wide as it is: an open tube
+    assert [name for _, name, _, _ in said.colors] == ["green", "ivory"]
