@@ -171,3 +171,18 @@ def test_what_floats_what_is_sunk_and_what_covers_an_eye_is_found() -> None:
     front = x.copy()
     front[arm.start : arm.end] += at.points[0] + 7.0 * at.normals[0] - x[arm.start : arm.end].mean(0)
     assert "covered" in [f.what for f in faults(eyed, front, parts.values(), piece.upright)]
+
+
+def test_what_was_sewn_closed_is_what_is_sewn_on_next() -> None:
+    flower = "Rnd 1: 6 sc in MR (6)\nFasten off.\n"
+    said = "Sew top of legs closed. Sew to bottom of body. Sew flower to head."
+    text = f"Doll\n\nBody\n{CLOSED}\nHead\n{CLOSED}\nLeg (make 2)\n{TUBE}\nFlower\n{flower}\n{said}\n"
+    where = {f.part: f.spot.part for f in read(text).finish if isinstance(f, Placed)}
+    assert where["Leg.1"] == where["Leg.2"] == "Body" and where["Flower"] == "Head"
+
+
+def test_a_stray_ring_at_the_end_of_a_part_is_not_what_it_is_sewn_by() -> None:
+    text = f"Toy\n\nHead\n{CLOSED}\nBody\n{BALL}Fasten off, leaving it open.\n(worked from the back)\nRnd 12: 6 sc in MR (6)\n"
+    built = read(text + "\nAssembly\nSew head to body.\n").built
+    spots = Spots(built)
+    assert len(spots.rim(spots.parts["Body"])) == 18

@@ -38,6 +38,7 @@ class Spots:
         self.numbers = [r.number for r in built.rounds]
         self._at: dict[tuple[int, int], list[int]] = {}
         self._open: dict[int, list[Array]] = {}
+        self._ends: dict[int, int] = {}
         self._standing: dict[tuple[int, int], tuple[Array, Array]] = {}
         for k, (round_, number) in enumerate(zip(built.rounds, self.numbers)):
             self._at.setdefault((round_.part, number), []).append(k)
@@ -209,13 +210,27 @@ class Spots:
             self._open[part] = found
         return self._open[part]
 
+    def _end(self, part: int) -> int:
+        """The last node of a part; of one that hangs together with nothing of the rest, a stray ring, that of the rest."""
+        if part not in self._ends:
+            graph, p = self.built.graph, self.built.graph.parts[part]
+            inside = graph.edges[(graph.edges >= p.start).all(1) & (graph.edges < p.end).all(1)] - p.start
+            over = np.zeros(p.end - p.start + 1, int)  # how many edges lead over the gap before each node
+            np.add.at(over, inside.min(1) + 1, 1)
+            np.add.at(over, inside.max(1) + 1, -1)
+            cuts = [0, *(np.flatnonzero(np.cumsum(over)[1:-1] == 0) + 1).tolist(), p.end - p.start]
+            longest = max(pairwise(cuts), key=lambda ends: ends[1] - ends[0])
+            self._ends[part] = p.start + longest[1] - 1
+        return self._ends[part]
+
     def edge(self, part: int, at: int | None = None) -> Array:
         """The edge of a part that its last stitch (or node ``at``) is on, all round: nodes in order; empty where none is."""
         graph = self.built.graph
         p = graph.parts[part]
-        if at is None and p.end > p.start and graph.peculiarity[p.end - 1] == TIP:
+        end = self._end(part)
+        if at is None and p.end > p.start and graph.peculiarity[end] == TIP:
             return np.zeros(0, int)
-        node = p.end - 1 if at is None else at
+        node = end if at is None else at
         return np.asarray(next((r for r in self._loops(part) if node in r), np.zeros(0, int)), int)
 
     def sewn_rim(self, part: int) -> Array:
@@ -235,12 +250,13 @@ class Spots:
 
     def rim(self, part: int) -> Array:
         """The edge of a part that was worked last, where it is open: nodes in the order of work; empty where it is closed."""
-        graph, p, loop = self.built.graph, self.built.graph.parts[part], self.edge(part)
+        graph, loop = self.built.graph, self.edge(part)
         if not len(loop):
             return loop
-        last = int(np.flatnonzero(loop == p.end - 1)[0])
+        end = self._end(part)
+        last = int(np.flatnonzero(loop == end)[0])
         loop = np.roll(loop, -1 - last)  # the stitch worked last comes last
-        if len(loop) > 2 and loop[0] == p.end - 2:
+        if len(loop) > 2 and loop[0] == end - 1:
             loop = np.append(loop[:-1][::-1], loop[-1])
         # Where a spiral ends the edge steps down by a stitch that is worked into already: no needle goes there.
         free = loop[~np.isin(loop, graph.anchors)]

@@ -269,7 +269,8 @@ class _Writer:
             finish = [self._sentence(self.phrases.finish(record)) for record in self.pattern.finish]
         special = self._special()
         materials = [f"{self.terms.word(key)}: {said}" for key in _STATED if (said := self._stated(key))]
-        names = families(list(self.phrases.legend.values()))
+        hues = list(self.phrases.legend.values())
+        names = [family(h) for h in hues] if self.exact else families(hues)
         colors = [
             (x, self.terms.colors[name][0], h, self._legend_line(x, name, h))
             for (x, h), name in zip(self.phrases.legend.items(), names)
@@ -405,6 +406,8 @@ class _Writer:
 
     def _fills(self, part: int) -> bool:
         """Whether a part is stuffed though nobody says so: its rounds end narrower than they were."""
+        if self.pattern.terms:
+            return False  # what people write is printed as they say it
         counts = [r.count for r in self.built.rounds if r.part == part]
         rows = (
             self.built.graph.direction[[n for r in self.built.rounds if r.part == part for n in (r.first, r.last)]] < 0

@@ -77,7 +77,7 @@ class Assembly(Toy):
         self.sewn = {int(k) for a, b in built.sewn.tolist() for k in (of[a], of[b]) if of[a] != of[b]}
         if self.parts:
             self._shaped()
-        self.heard = Heard(self.parts, sentences)
+        self.heard = Heard(self.parts, sentences, self.text)
         self.made.lost = self.heard.lost
         self.dog = re.search(r"\b(?:dog|puppy|pup|hound|dachshund|spaniel|poodle)\b", self.text[:200]) is not None
         if self.parts:

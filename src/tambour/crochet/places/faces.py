@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Final
 
@@ -46,6 +47,8 @@ class Facer(Putter):
         wide = 2.0 * float(host.box[1][0]) * self.work.stitch
         big = big or float(min(18.0, max(5.0, round(2.0 * _OF_A_HEAD * wide) / 2.0)))
         color = f.color or Eye(Spot("", 0.0, None)).color
+        # "on one side of the face", and then on the other: they are two
+        single = single and not (f.where.stitch is None and re.search(r"\bside\b", f.text))
         if single and f.where.rounds is not None:
             level = 0.5 * (f.where.rounds[0] + f.where.rounds[1])
             spots = [Spot(host.name, level, f.where.stitch, f.span)]

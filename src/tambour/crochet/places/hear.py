@@ -52,6 +52,8 @@ _IT: Final = re.compile(
     r"evenly\b|down\b|across\b|centered\b|under\b|below\b|above\b|along\b|each\b|using\b|as\b)"
 )
 """A sentence that says what is done with the part that it stands in."""
+_CLOSED: Final = re.compile(r"\b(?:sew|seam|whip|stitch|close)\w*\b.*\b(?:closed|shut|close)\b|^\W*stuff\b")
+"""What is done with a part before "it" is sewn on."""
 _NEAR: Final = re.compile(
     r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|behind|in front of|level with|in line with|"
     r"on (?:either|both|each) sides? of|as|from|towards?)\s+(?:the\s+|each\s+|both\s+|its\s+)*$"
@@ -149,15 +151,16 @@ def assembling(text: str, names: list[str]) -> bool:
 
 
 class Heard:
-    """What the sentences say. parts : those that are there; lost : sentences that put nothing anywhere."""
+    """What the sentences say. parts : those that are there; text : all of it, in small letters; lost : sentences that put nothing anywhere."""
 
-    def __init__(self, parts: list[Made], sentences: list[Sentence]) -> None:
+    def __init__(self, parts: list[Made], sentences: list[Sentence], text: str = "") -> None:
         self.parts = parts
         self.puts: list[Put] = []
         self.features: list[Feature] = []
         self.exact: list[tuple[Finish, int]] = []
         self.lost: list[Span] = []
         self.everything = False  # "sew everything as shown"
+        self._text = text
         for order, sentence in enumerate(sentences):
             self._hear(sentence, order)
 
@@ -253,6 +256,9 @@ class Heard:
             objects = [m for m in found if m.end <= verb.start()]
         if not objects and found and found[0].end <= verb.start() and _FIRST_DONE.search(low[: found[0].start]):
             objects = [m for m in found if m.end <= verb.start()]
+        if not objects and _IT.match(low, verb.start()) and (meant := self._just_closed(sentence)):
+            objects = meant
+            hosts = [m for m in hosts if m.copies[0][0] != meant[0].copies[0][0]]
         if not objects and sentence.part and _IT.match(low, verb.start()):
             known = next((p for p in self.parts if p.name == sentence.part), None)
             if known is not None:
@@ -275,6 +281,14 @@ class Heard:
                 Put(group, host, self._region(low, host), at, sentence.span, order, word=one(word[group[0][0]]))
             )
         return True
+
+    def _just_closed(self, sentence: Sentence) -> list[Mention]:
+        """The part of which the sentence before speaks: "Sew top of legs closed. Sew to bottom of body."."""
+        before = re.split(
+            r"[.!\n]", self._text[max(0, sentence.span.start - 120) : sentence.span.start].rstrip(" .!\n")
+        )[-1]
+        found = mentions(before, self.parts) if _CLOSED.search(before) else []
+        return found if found and found[0].copies[0][0].name != sentence.part else []
 
     @staticmethod
     def _particle(low: str, verb: re.Match[str], found: list[Mention], sentence: Sentence) -> int:
