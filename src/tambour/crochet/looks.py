@@ -40,6 +40,7 @@ def toy(piece: Plush) -> Mesh:
 
     from tambour.core.paths import Paths
     from tambour.crochet.finish.features import joined, meshes
+    from tambour.crochet.graph.spots import whole
     from tambour.crochet.yarn.fabric import NEAR, mesh
 
     parts, detail = in_sight(piece), str(piece.params.detail)
@@ -50,11 +51,14 @@ def toy(piece: Plush) -> Mesh:
     if parts is None:
         parts = list(range(len(piece.built.graph.parts)))
     graph, led = piece.built.graph, piece.yarn
-    wanted = np.isin(np.arange(len(graph.parts)), parts)
+    wanted = np.zeros(len(graph), bool)
+    for k in parts:
+        first, last = whole(graph, k)
+        wanted[first:last] = True
     shift = gathered(graph, piece.positions, wanted)
     positions = piece.positions + shift
     ends, stitch = led.paths.offsets, led.point_data["stitch"]
-    keep = np.flatnonzero(np.minimum.reduceat(wanted[graph.part[stitch]], ends[:-1]))
+    keep = np.flatnonzero(np.minimum.reduceat(wanted[stitch], ends[:-1]))
     points = np.concatenate([np.arange(ends[k], ends[k + 1]) for k in keep])
     made = replace(
         led,
@@ -67,7 +71,7 @@ def toy(piece: Plush) -> Mesh:
         point_data={name: values[points] for name, values in led.point_data.items()},
     )
     face, made = meshes(piece.built, positions, made, detail=detail, upright=piece.upright)
-    fabric = replace(graph, faces=graph.faces[wanted[graph.part[graph.faces[:, 0]]]])
+    fabric = replace(graph, faces=graph.faces[wanted[graph.faces].all(1)])
     worked = mesh(fabric, positions, detail=detail, made=made, material=piece.params.material)
     return joined([worked, *face]) if face else worked
 
@@ -82,7 +86,7 @@ def gathered(graph: StitchGraph, x: Array, wanted: Array) -> Array:
     from tambour.crochet.settle.arrange import clusters
 
     label, shift = clusters(graph), np.zeros_like(x)
-    groups = [np.flatnonzero((label == k) & wanted[graph.part]) for k in range(int(label.max(initial=-1)) + 1)]
+    groups = [np.flatnonzero((label == k) & wanted) for k in range(int(label.max(initial=-1)) + 1)]
     groups = sorted((nodes for nodes in groups if len(nodes)), key=lambda nodes: -float(np.ptp(x[nodes, 1])))
     if len(groups) < 2:
         return shift

@@ -12,7 +12,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.errors import Problem
-from tambour.core.graph import ROOT, TIP
+from tambour.core.graph import ROOT, TIP, StitchGraph
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.lids import lids
 from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Spot
@@ -213,14 +213,7 @@ class Spots:
     def _end(self, part: int) -> int:
         """The last node of a part; of one that hangs together with nothing of the rest, a stray ring, that of the rest."""
         if part not in self._ends:
-            graph, p = self.built.graph, self.built.graph.parts[part]
-            inside = graph.edges[(graph.edges >= p.start).all(1) & (graph.edges < p.end).all(1)] - p.start
-            over = np.zeros(p.end - p.start + 1, int)  # how many edges lead over the gap before each node
-            np.add.at(over, inside.min(1) + 1, 1)
-            np.add.at(over, inside.max(1) + 1, -1)
-            cuts = [0, *(np.flatnonzero(np.cumsum(over)[1:-1] == 0) + 1).tolist(), p.end - p.start]
-            longest = max(pairwise(cuts), key=lambda ends: ends[1] - ends[0])
-            self._ends[part] = p.start + longest[1] - 1
+            self._ends[part] = whole(self.built.graph, part)[1] - 1
         return self._ends[part]
 
     def edge(self, part: int, at: int | None = None) -> Array:
@@ -295,3 +288,17 @@ class Spots:
         if spot.stitch is not None and counts and spot.stitch >= max(counts) + 1:
             message = f'round {spot.round:g} of "{spot.part}" has {max(counts)} stitches, not {spot.stitch:g}'
             yield Problem(message, "count from its first stitch, which is 1", spot.span, text)
+
+
+def whole(graph: StitchGraph, part: int) -> tuple[int, int]:
+    """The nodes of a part, from the first to the one behind the last, without those that hang together with nothing of the
+    rest: stray rings, which the reader took for rounds of it."""
+    p = graph.parts[part]
+    inside = graph.edges[(graph.edges >= p.start).all(1) & (graph.edges < p.end).all(1)] - p.start
+    over = np.zeros(p.end - p.start + 1, int)  # how many edges lead over the gap before each node
+    if len(inside):
+        np.add.at(over, inside.min(1) + 1, 1)
+        np.add.at(over, inside.max(1) + 1, -1)
+    cuts = [0, *(np.flatnonzero(np.cumsum(over)[1:-1] == 0) + 1).tolist(), p.end - p.start]
+    first, last = max(pairwise(cuts), key=lambda ends: ends[1] - ends[0])
+    return p.start + first, p.start + last

@@ -17,7 +17,7 @@ from tambour.crochet.graph.built import Built, Done
 from tambour.crochet.language.finishes import Embroidery, Hair
 from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section
-from tambour.crochet.page.plain import reach, spelled, unmarked, with_eyes
+from tambour.crochet.page.plain import fills, reach, spelled, unmarked, with_eyes
 from tambour.crochet.page.written import Written, sections
 from tambour.crochet.piece import Plush
 from tambour.crochet.printed.shades import spoken
@@ -395,7 +395,7 @@ class _Writer:
         return name
 
     def _stuffing(self, section: Section, part: int) -> list[str]:
-        if section.stuffing is None and not self.exact and self._fills(part):
+        if section.stuffing is None and not self.exact and fills(self.built, part):
             return [self._sentence(self.phrases.say("stuff medium"))]
         if section.stuffing is None or (section.guessed and not self.exact):
             return []
@@ -403,16 +403,6 @@ class _Writer:
         if amount is not None:
             return [self._sentence(self.phrases.say(f"stuff {amount}"))]
         return [self._sentence(self.phrases.say("stuff factor", factor=section.stuffing))]
-
-    def _fills(self, part: int) -> bool:
-        """Whether a part is stuffed though nobody says so: its rounds end narrower than they were."""
-        if self.pattern.terms:
-            return False  # what people write is printed as they say it
-        counts = [r.count for r in self.built.rounds if r.part == part]
-        rows = (
-            self.built.graph.direction[[n for r in self.built.rounds if r.part == part for n in (r.first, r.last)]] < 0
-        ).any()
-        return self.built.graph.parts[part].stuffing > 0.0 and len(counts) > 2 and counts[-1] < max(counts) and not rows
 
     def _alone(self, line: Written, closing: bool) -> list[Row]:
         """Lines outside rounds: a sentence each, but stitches in a row stay together."""

@@ -61,6 +61,18 @@ def reach(rounds: Sequence[tuple[int, bool]]) -> int:
     return max((k for k, (count, makes) in enumerate(rounds) if makes and most and 2 * count >= most), default=-1)
 
 
+def fills(built: Built, part: int) -> bool:
+    """Whether a part is stuffed though its pattern says nothing of it: its rounds end narrower than they were.
+
+    What people write is printed as they say it.
+    """
+    mine = [r for r in built.rounds if r.part == part]
+    counts, ends = [r.count for r in mine], [n for r in mine for n in (r.first, r.last)]
+    if built.pattern.terms or len(counts) < 3 or counts[-1] == max(counts):
+        return False
+    return built.graph.parts[part].stuffing > 0.0 and not bool((built.graph.direction[ends] < 0).any())
+
+
 def eyes_now(page: Mapping[str, str], said: Sequence[str]) -> str:
     """What is said of eyes between the rounds: when, and where; ``page`` : the booklet's words."""
     first, *others = said

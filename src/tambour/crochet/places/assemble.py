@@ -121,6 +121,12 @@ class Assembly(Toy):
         if nose is not None and 4 * self.size(nose) > self.size(body) and re.search(r"\bhead\b", self.text):
             self._likely(nose, "head")  # worked from its nose, and called so
             return
+        neck = self.of_kind("neck")
+        if neck is not None and re.search(
+            r"\b(?:ears?|eyes?|face)\b[^.\n]{0,30}\b(?:to|on) (?:the )?head\b", self.text
+        ):
+            self._likely(neck, "head")  # neck and head in one
+            return
         others = [p for p in bare if not p.kind and not self.spots.in_rows[self.spots.parts[p.copy(1)]]]
         large = max(others, key=self.size, default=None)
         if large is not None and 3 * self.size(large) > self.size(body):
