@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -16,9 +17,11 @@ from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
 from tambour.crochet.language.parse import parse
+from tambour.crochet.model.couple import couple
 from tambour.crochet.model.distance import Target, distance
-from tambour.crochet.model.fronts import Fronts
-from tambour.crochet.model.geodesic import girth
+from tambour.crochet.model.dyed import dye, dyed
+from tambour.crochet.model.fronts import Fronts, fronts, laid
+from tambour.crochet.model.geodesic import distances, girth
 from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
 from tambour.crochet.model.tips import mirror
@@ -216,3 +219,25 @@ def test_a_ball_has_no_limbs_and_a_horned_one_has_two() -> None:
     pairs = np.sort(np.concatenate([rest[:, :2], rest[:, 1:], rest[:, ::2]]), axis=1)
     assert (np.unique(pairs, axis=0, return_counts=True)[1] == 2).all()
     assert np.sqrt((body**2).sum(1)).max() < 16.0
+
+
+def test_colours_become_yarns_and_single_stitches_go() -> None:
+    x, faces, _ = bodies(Mesh(*globe(12.0, 20)), [])[0]
+    color = np.where(x[:, 1:2] > 2.0, [200, 30, 40], [240, 238, 230]).astype(np.uint8)
+    color[np.argmin(((x - [0.0, -6.0, 10.4]) ** 2).sum(1))] = (200, 30, 40)
+    target = Target.of(x, faces)
+    how = dye(target.tree, faces, color, target.points, None)
+    assert how is not None and len(how.yarns) == 2
+    tip = int(x[:, 1].argmax())
+    f = distances(x, faces, np.array([tip]))
+    way = fronts(x, faces, f, 30, tip)
+    counts = [max(6, round(g)) for g in way.girths]
+    points = laid(way, counts, np.array([0.0, 0.0, -1.0]))
+    rounds = tuple(Round(couple(a, b)) for a, b in pairwise(points))
+    part = dyed(Rounds("Ball", counts[0], rounds), np.concatenate([way.tip[None], *points]), how)
+    shades = [part.color, *(c for one in part.rounds for c in one.colors)]
+    assert len(set(shades)) == 2
+    changes = sum(a != b for one in part.rounds for a, b in pairwise(one.colors))
+    assert changes <= 2  # where the spiral comes to the other colour; the single spot is gone
+    height = [float(p[1]) for row in points[1:] for p in row[:1]]
+    assert all((one.colors[0] != part.color) == (h < 1.5) for one, h in zip(part.rounds, height) if abs(h - 2.0) > 1.2)

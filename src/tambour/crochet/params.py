@@ -26,7 +26,7 @@ class CrochetParams(Params):
 
     groups: ClassVar = {
         "Pattern": "terms size strict check max_stitches specimen",
-        "From a model": "stitches height tip model_up plain_",
+        "From a model": "stitches height tip model_up plain_ colors",
         "Yarn and gauge": "hand yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
         "Pictures and pages": "detail material photo page ink large_print title designer",
         "Shape": "stuffing contact solver steps tolerance start link_distance single_loop_force bending",
@@ -124,6 +124,9 @@ class CrochetParams(Params):
     """The axis of a model that is upwards (else it is found out: y, or z of what stands so)."""
     plain_: float = Field(default=0.5, ge=0, le=1)
     """Rounds of a model's pattern: 0 follow its shape most faithfully, 1 are the easiest to work."""
+
+    colors: int | None = Field(default=None, ge=1, le=24)
+    """How many yarns a model's colours become (else as many as they need, six at the most)."""
 
     check: bool = False
     """Tech edit: every mistake and doubt of the pattern is an error, told with its place; nothing is made."""

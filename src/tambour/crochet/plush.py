@@ -40,7 +40,7 @@ def make(source: Text | Mesh | None, params: CrochetParams, progress: Progress) 
     if not isinstance(source, Text):
         piece = _modelled(source, params, progress)
         return mirrored(piece) if params.hand == "left" else piece
-    for name in ("stitches", "height", "tip", "model_up"):
+    for name in ("stitches", "height", "tip", "model_up", "colors"):
         if getattr(params, name) is not None:
             option = name.replace("_", "-")
             progress.warn("has no effect on a pattern: it is for models (.stl .obj .ply .glb)", where=f"{{--{option}}}")

@@ -15,6 +15,7 @@ from tambour.core.progress import Progress
 from tambour.crochet.model import tips
 from tambour.crochet.model.assemble import Nudges, Piece, nudged, placed
 from tambour.crochet.model.distance import Target, distance
+from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
 from tambour.crochet.model.limbs import Limb, limbs
 from tambour.crochet.model.loop import GAIN, TRIES, Task, Tried, looped, tried
@@ -85,6 +86,13 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
     target = Target.of(np.concatenate([x for x, _ in whole]), _one([f for _, f in whole], [len(x) for x, _ in whole]))
     with progress.stage("assembly"):
         lines = _assembled(pieces, target, params, stitch, tips.mirror(target.vertices, target.faces), history)
+    if mesh.color is not None:
+        first = np.concatenate([origin for _, _, origin in found])
+        how = dye(target.tree, target.faces, mesh.color[first], target.points, params.colors)
+        if how is not None:
+            pieces = [replace(p, rounds=dyed(p.rounds, p.goals[0], how)) for p in pieces]
+    elif params.colors is not None:
+        progress.warn("has no effect: the model has no colours", where="{--colors}")
     for line in tell:
         progress.warn(line)
     text = printed([p.rounds for p in pieces], lines, name)
