@@ -38,6 +38,12 @@ PICTURES = [
         1400,
         "The same for three pens",
     ),
+    (
+        "embroidery-letters.png",
+        "embroidery --text Tambour --text-size 25mm -o {out}.png",
+        900,
+        "Letters of the typeface that comes along, satin by their middle lines",
+    ),
     ("readme-embroidery.jpg", "embroidery {x}/embroidery/logo.svg -o {out}.png", 900, "A drawing as thread"),
 ]
 

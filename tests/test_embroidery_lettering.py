@@ -18,6 +18,7 @@ from tambour.core.font import Font
 from tambour.core.paths import Paths
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
+from tambour.core.thread import STITCH
 from tambour.embroidery.columns.medial import limbs
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import LOCK, RUNNING, SATIN, TRAVEL
@@ -320,3 +321,14 @@ def test_traced_pictures_are_rows_not_ways(root):
     assert (size[rows] < 0.4).mean() < 0.05
     assert (size[rows] < 0.3 - 1e-9).mean() < 0.001
     assert size[(made.kind[end] == TRAVEL) & (size > 0.8)].sum() < 0.10 * size.sum()
+
+
+def test_the_bar_of_an_h_lies_below_one_stem_and_ends_at_the_other():
+    piece = make(None, EmbroideryParams(text="H", text_size=25, pull=0, pull_percent=0), Progress())
+    end = np.flatnonzero((piece.plan.command[1:] == STITCH) & (piece.kind[1:] == SATIN)) + 1
+    a, b = piece.plan.xy[end - 1], piece.plan.xy[end]
+    bar = (np.abs(a - b)[:, 1] > 2) & (np.abs(a - b)[:, 0] < 1)  # its stitches run up and down, the stems' to and fro
+    x = np.abs((a + b)[bar, 0] / 2)
+    inner = np.abs(a[~bar, 0]).min()  # where the stems begin
+    left, right = (x[(a + b)[bar, 0] * sign > 0].max() for sign in (-1, 1))
+    assert min(left, right) < inner + 0.6 and max(left, right) > inner + 1

@@ -10,7 +10,9 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.embroidery.columns.medial import Limb, limbs
 from tambour.embroidery.columns.satin import Column, drawn_back, there_and_back
+from tambour.embroidery.columns.stroke import covered, satin_below
 from tambour.embroidery.params import EmbroideryParams
+from tambour.embroidery.piece import SATIN
 from tambour.embroidery.stitches import Stitches
 
 
@@ -18,12 +20,16 @@ def branched(area: Any, params: EmbroideryParams, name: str, start: Any = None) 
     """Satin of a shapely polygon: threads in order (each begins about where the one before ends), and the area left.
 
     A walk over the skeleton, depth first: travel is always underlay that a later satin covers. A limb that ends below
-    another is sewn when that one's underlay comes by, so that the stroke that goes through lies on top.
+    another is sewn when that one's underlay comes by, so that the stroke that goes through lies on top. A limb between two
+    strokes that go through cannot lie below both: it ends at the edge of the one that it leads to.
     """
+    from shapely import union_all
+
     found, left = limbs(area, 2 * params.split)
     todo = set(range(len(found)))
     met = Counter(f for limb in found for f in (limb.start, limb.end, *(fork for fork, _ in limb.through)))
     parts: list[Stitches] = []
+    laid: dict[int, list[Any]] = {}  # by fork, what is sewn there before the limb that led to it
 
     def sew(k: int, turned: bool) -> None:
         todo.discard(k)
@@ -39,7 +45,10 @@ def branched(area: Any, params: EmbroideryParams, name: str, start: Any = None) 
                 branch(fork)
                 there = _slice(there, cut, len(there))
         parts.append(there)
-        branch(limb.start if turned else limb.end)
+        last = limb.start if turned else limb.end
+        branch(last)
+        if last in laid and len(back) and back.kind[-1] == SATIN:
+            back = satin_below(column.reversed(), params, f"{name} {k}", union_all(laid[last]))
         parts.append(back)
 
     def branch(fork: int) -> None:
@@ -51,6 +60,7 @@ def branched(area: Any, params: EmbroideryParams, name: str, start: Any = None) 
             elif any(f == fork for f, _ in found[j].through):
                 # Come upon in its middle, a limb is sewn as two that begin there.
                 todo.discard(j)
+                laid.setdefault(fork, []).append(covered(found[j].column))
                 for half in _halves(found[j], fork):
                     found.append(half)
                     sew(len(found) - 1, False)
