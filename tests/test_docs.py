@@ -76,6 +76,11 @@ def workplace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     corners = np.array([(0, 0, 0), (60, 0, 0), (60, 60, 0), (0, 60, 10)], float)
     files.write(Mesh(corners, np.array([(0, 1, 2), (0, 2, 3)])), tmp_path / "plush.surface.glb", "Mesh")
     files.write(Mesh(corners, np.array([(0, 1, 2), (0, 2, 3), (0, 3, 1), (1, 3, 2)])), tmp_path / "bunny.stl", "Mesh")
+    half = '<path id="Head" d="M0 5 C20 5 33 18 37 35 C42 60 30 80 19 80" fill="none" stroke="black"/>'
+    for name in ("pear.svg", "head.svg", "bear.outline.svg"):
+        (tmp_path / name).write_text(
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="80mm" height="90mm" viewBox="0 0 80 90">{half}</svg>'
+        )
     return tmp_path
 
 

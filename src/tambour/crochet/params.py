@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
-from pydantic import Field, field_validator
+from pydantic import Field, field_validator, model_validator
 
 from tambour.core.errors import TambourError, did_you_mean
-from tambour.core.params import Length, Params, edited
+from tambour.core.params import Length, Params, edited, file
 from tambour.crochet.specimens import SPECIMENS
 from tambour.crochet.words.table import TERMS
 from tambour.crochet.yarns import WEIGHTS, class_of, ravelled
@@ -25,7 +25,7 @@ class CrochetParams(Params):
     """Parameters of crochet. Where a pattern's ``@`` parameter can speak, None leaves it the word."""
 
     groups: ClassVar = {
-        "Pattern": "terms size strict check max_stitches specimen",
+        "Pattern": "terms size strict check reshape reshape_part max_stitches specimen",
         "From a model": "stitches height tip model_up plain_ colors",
         "Yarn and gauge": "hand yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
         "Pictures and pages": "detail material photo page ink large_print title designer",
@@ -43,6 +43,7 @@ class CrochetParams(Params):
     when: ClassVar = {
         "stitches": {"height": False},
         "steps": {"solver": ("steps",)},
+        "reshape_part": {"reshape": True},
         "tolerance": {"solver": ("settle",)},
         "stuffing": {"solver": ("settle", "steps")},
         "gauge": {"gauge_circle": False},
@@ -115,21 +116,27 @@ class CrochetParams(Params):
     """Who designed it, for the booklet's cover and foot."""
 
     stitches: int | None = Field(default=None, ge=40, le=60_000)
-    """A model becomes a pattern of about so many stitches (else 2,000)."""
+    """A model or a profile becomes a pattern of about so many stitches (else a model 2,000, a profile as large as drawn)."""
     height: Length | None = Field(default=None, gt=0, le=5000)
-    """A model becomes a toy of this height, by the gauge; in place of {--stitches}."""
+    """A model or a profile becomes a toy of this height, by the gauge; in place of {--stitches}."""
     tip: Literal["top", "bottom", "front", "back", "left", "right"] | None = None
     """The side of a model that its main part is begun at (else where that leaves least out)."""
     model_up: Literal["y", "z", "x"] | None = None
     """The axis of a model that is upwards (else it is found out: y, or z of what stands so)."""
     plain_: float = Field(default=0.5, ge=0, le=1)
-    """Rounds of a model's pattern: 0 follow its shape most faithfully, 1 are the easiest to work."""
+    """Rounds of a model's or a profile's pattern: 0 follow its shape most faithfully, 1 are the easiest to work."""
 
     colors: int | None = Field(default=None, ge=1, le=24)
     """How many yarns a model's colours become (else as many as they need, six at the most)."""
 
     check: bool = False
     """Tech edit: every mistake and doubt of the pattern is an error, told with its place; nothing is made."""
+    reshape: Any = file(
+        "Drawing",
+        "Redraw the outline of a part: Head=profile.svg, half its outline in mm, upright; rounds that still fit are kept.",
+    )
+    reshape_part: str | None = Field(default=None, max_length=200)
+    """Which part {--reshape} redraws (as in Head=profile.svg), where the line in the drawing does not bear its name."""
     terms: Code | None = None
     """The words of written instructions: US or UK terms, another language, or letters (else the pattern's own, else US)."""
     size: str | None = Field(default=None, max_length=40)
@@ -173,6 +180,16 @@ class CrochetParams(Params):
     """One by one: the next node comes once the last one's displacement is below this."""
     wait_steps: int = Field(default=100, ge=1, le=1_000_000)
     """One by one: or after so many steps."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _redrawn(cls, given: Any) -> Any:
+        """``reshape="Head=profile.svg"`` says part and file in one."""
+        if isinstance(given, dict) and isinstance(given.get("reshape"), str):
+            part, sign, path = given["reshape"].partition("=")
+            if sign and part.strip() and not set(part) & set("/\\."):
+                return {"reshape_part": part.strip(), **given, "reshape": path}
+        return given
 
     @field_validator("specimen")
     @classmethod

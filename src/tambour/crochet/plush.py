@@ -11,7 +11,8 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 
 if TYPE_CHECKING:
-    from tambour.core.mesh import Mesh
+    from tambour.core.drawing import Drawing
+    from tambour.core.mesh import Mesh as Model
     from tambour.crochet.finish.joining import Joining
     from tambour.crochet.finish.shape import Look
     from tambour.crochet.graph.built import Built
@@ -20,8 +21,8 @@ if TYPE_CHECKING:
 MIRROR: Final = (-1.0, 1.0, 1.0)
 
 
-def make(source: Text | Mesh | None, params: CrochetParams, progress: Progress) -> Plush:
-    """The plush of a pattern's text, of the pattern that a model becomes, or of a specimen; TambourError with all that is
+def make(source: Text | Drawing | Model | None, params: CrochetParams, progress: Progress) -> Plush:
+    """The plush of a pattern's text, of the pattern that drawn profiles or a model become, or of a specimen; TambourError with all that is
     wrong in it."""
     if (source is None) == (params.specimen is None):
         both = source is not None
@@ -37,19 +38,17 @@ def make(source: Text | Mesh | None, params: CrochetParams, progress: Progress) 
         from tambour.render.photo import tracer
 
         tracer()  # what is missing is told before the work, not after it
-    if not isinstance(source, Text):
+    from tambour.core.mesh import Mesh
+
+    if isinstance(source, Mesh):
         piece = _modelled(source, params, progress)
         return mirrored(piece) if params.hand == "left" else piece
-    for name in ("stitches", "height", "tip", "model_up", "colors"):
-        if getattr(params, name) is not None:
-            option = name.replace("_", "-")
-            progress.warn("has no effect on a pattern: it is for models (.stl .obj .ply .glb)", where=f"{{--{option}}}")
-    built, joining, known = _built(source, params, progress)
+    built, joining, known = _built(_text(source, params, progress), params, progress)
     piece = _shaped(built, joining, params, known, progress)
     return mirrored(piece) if params.hand == "left" else piece
 
 
-def _modelled(mesh: Mesh, params: CrochetParams, progress: Progress) -> Plush:
+def _modelled(mesh: Model, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of the pattern that a model becomes, and how far it lies from the model."""
     from tambour.crochet.model.compare import aimed
     from tambour.crochet.model.design import design
@@ -59,6 +58,34 @@ def _modelled(mesh: Mesh, params: CrochetParams, progress: Progress) -> Plush:
     piece = _shaped(built, joining, params, known, progress)
     with progress.stage("compare"):
         return replace(piece, aim=aimed(made, piece))
+
+
+def _text(source: Text | Drawing, params: CrochetParams, progress: Progress) -> Text:
+    """The text of what is a text; of a drawing or a formula that of the bodies it turns; with what is to be redrawn."""
+    turned = not isinstance(source, Text)
+    if isinstance(source, Text) and source.text.lstrip()[:1] == "r":
+        from tambour.crochet.model.outline import is_formula
+
+        turned = is_formula(source)
+    for name in (*(() if turned else ("stitches", "height")), "tip", "model_up", "colors"):
+        if getattr(params, name) is not None:
+            option = name.replace("_", "-")
+            what = "a profile" if turned else "a pattern"
+            progress.warn(f"has no effect on {what}: it is for models (.stl .obj .ply .glb)", where=f"{{--{option}}}")
+    if turned:
+        from tambour.crochet.model.drawn import drawn
+
+        with progress.stage("model"):
+            source = drawn(source, params, progress)
+    assert isinstance(source, Text)
+    if params.reshape is None:
+        return source
+    from tambour.crochet.model.drawn import redrawn
+
+    plain = params.model_copy(update={"check": False, "strict": False})
+    built, _, known = _built(source, plain, Progress())
+    with progress.stage("model"):
+        return redrawn(built, plain, (known.width, known.height), progress)
 
 
 def worked(source: Text, params: CrochetParams) -> tuple[Built, list[Problem]]:

@@ -80,6 +80,16 @@ VIEWS: dict[str, View] = {
         (".md",),
     ),
     "plain": View(Lazy("tambour.crochet.page.instructions:plain"), "Text", "the same as plain text", (".txt",)),
+    "source": View(
+        Lazy("tambour.crochet.model.reshape:source"),
+        "Text",
+        "the pattern's own text, with what was redrawn ({--reshape})",
+    ),
+    "outline": View(
+        Lazy("tambour.crochet.model.profile:view"),
+        "Drawing",
+        "half the outline of every part, to be redrawn for {--reshape}",
+    ),
     "annotated": View(
         Lazy("tambour.crochet.page.annotated:view"),
         "Text",
