@@ -78,6 +78,7 @@ def test_rows_that_are_lower_than_wide_are_more() -> None:
     assert off(part, shape("ball"), (5.0, 4.2)).mean < 0.3
 
 
+@pytest.mark.slow
 def test_an_underside_that_is_drawn_hollow_stays_hollow() -> None:
     outline = Outline(np.array(MUSHROOM, float))
     part = lathe(outline, STITCH)

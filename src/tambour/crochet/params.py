@@ -25,7 +25,7 @@ class CrochetParams(Params):
     """Parameters of crochet. Where a pattern's ``@`` parameter can speak, None leaves it the word."""
 
     groups: ClassVar = {
-        "Pattern": "terms size strict check reshape reshape_part max_stitches specimen",
+        "Pattern": "terms size strict check reshape reshape_part target max_stitches specimen",
         "From a model": "stitches height tip model_up plain_ colors",
         "Yarn and gauge": "hand yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
         "Pictures and pages": "detail material photo page ink large_print title designer",
@@ -137,6 +137,10 @@ class CrochetParams(Params):
     )
     reshape_part: str | None = Field(default=None, max_length=200)
     """Which part {--reshape} redraws (as in Head=profile.svg), where the line in the drawing does not bear its name."""
+    target: Any = file(
+        "Mesh",
+        "Compare the plush with this shape (mm, upright): the report's distance, the view compare, a sweep's score.",
+    )
     terms: Code | None = None
     """The words of written instructions: US or UK terms, another language, or letters (else the pattern's own, else US)."""
     size: str | None = Field(default=None, max_length=40)

@@ -41,11 +41,20 @@ def make(source: Text | Drawing | Model | None, params: CrochetParams, progress:
     from tambour.core.mesh import Mesh
 
     if isinstance(source, Mesh):
+        if params.target is not None:
+            progress.warn("has no effect on a model: the plush is compared with the model itself", where="{--target}")
         piece = _modelled(source, params, progress)
         return mirrored(piece) if params.hand == "left" else piece
     built, joining, known = _built(_text(source, params, progress), params, progress)
     piece = _shaped(built, joining, params, known, progress)
-    return mirrored(piece) if params.hand == "left" else piece
+    if params.hand == "left":
+        piece = mirrored(piece)
+    if params.target is None:
+        return piece
+    from tambour.crochet.model.aim import sought
+
+    with progress.stage("compare"):
+        return replace(piece, aim=sought(params.target, piece))
 
 
 def _modelled(mesh: Model, params: CrochetParams, progress: Progress) -> Plush:

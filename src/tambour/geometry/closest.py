@@ -16,6 +16,8 @@ from tambour.core.threads import share
 
 _LEAF = 4
 _RUN = 512  # points that one thread takes in a row, each starting from where the last one ended
+_FEW = 5000
+"""So few points are found sooner than threads for them begin."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,7 +174,7 @@ def nearest(t: Tree, points: Array, near: Array | None = None) -> tuple[Array, A
     close = np.zeros(0, np.int32) if near is None else np.ascontiguousarray(near, np.int32)
     share(
         len(points),
-        _RUN,
+        _RUN if len(points) > _FEW else _FEW,
         lambda low, high: _nearest(low, high, points, t.box, t.child, t.order, t.corner, close, face, uv, far),
     )
     return face, uv, np.sqrt(far)

@@ -140,11 +140,10 @@ def checked(what: Craft, content: Content) -> Content:
 def crafts_of(name: str) -> list[str]:
     """The crafts that a file can be the source of, the likeliest first."""
     kinds = set(files.READ.get(Path(name).suffix, {}))
-    order = (
-        ("crochet", "embroidery", "knit")
-        if kinds & {"Text", "Mesh", "Drawing", "ThreadPlan"}
-        else ("knit", "embroidery")
+    drawn = (
+        ("embroidery", "crochet", "knit") if kinds & {"Drawing", "ThreadPlan"} else ("knit", "embroidery", "crochet")
     )
+    order = ("crochet", "embroidery", "knit") if "Text" in kinds else drawn
     return [c for c in order if kinds & set(craft(c).reads)]
 
 

@@ -24,14 +24,15 @@ from tambour.files.sink import Room, Stream, refused, settle, undisturbed
 from tambour.sweep.plan import Piece
 from tambour.work.piece import Done
 
-COLUMNS = ("key", "craft", "source", "params", "status", "reason", "seconds", "files")
+COLUMNS = ("key", "craft", "source", "params", "status", "reason", "seconds", "score", "files")
 FORMULA = ("=", "+", "-", "@", "\t", "\r")
 REPORTS, THUMBS, INDEX, LOCK = "reports", "thumbs", "index.csv", ".tambour-lock"
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """What the index says of a piece, and its ``name``; ``sizes`` are the bytes of its ``files``, ``kinds`` what was asked for."""
+    """What the index says of a piece, and its ``name``; ``score`` is its mean distance from the shape that was aimed at, in
+    stitches of crochet, None where there is none; ``sizes`` are the bytes of its ``files``, ``kinds`` what was asked for."""
 
     name: str
     key: str
@@ -41,6 +42,7 @@ class Row:
     status: str
     reason: str
     seconds: float
+    score: float | None
     files: tuple[str, ...]
     sizes: tuple[int, ...]
     kinds: tuple[str, ...]
@@ -58,6 +60,7 @@ class Row:
             str(told["status"]),
             str(told.get("reason", "")),
             round(sum(spent.values()), 6),
+            None if "distance" not in told else float(told["distance"]["mean"]),
             tuple(map(str, told.get("files", ()))),
             tuple(map(int, told.get("sizes", ()))),
             tuple(map(str, told.get("kinds", ()))),
@@ -67,7 +70,7 @@ class Row:
         """The columns of the index; a table must not take a text for a formula."""
         texts = [self.key, self.craft, self.source, self.params, self.status, self.reason, ";".join(self.files)]
         safe = [f"'{text}" if text[:1] in FORMULA else text for text in texts]
-        return [*safe[:-1], self.seconds, safe[-1]]
+        return [*safe[:-1], self.seconds, "" if self.score is None else self.score, safe[-1]]
 
 
 class Folder:

@@ -53,7 +53,7 @@ def lathe(
     >>> from tambour.core.errors import Text
     >>> egg = formula(Text("r = 25 * sin(pi * t) * (1.2 - 0.4 * t)\nheight = 60"))
     >>> lathe(egg, (5.0, 5.0)).counts()[:4]
-    [6, 12, 18, 24]
+    [5, 10, 15, 20]
     """
     wide, high = (side * (1.0 + stretch(stuffing)) for side in stitch)
     line = outline.line / high

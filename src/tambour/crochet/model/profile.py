@@ -16,6 +16,7 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.model.outline import Outline
 
 if TYPE_CHECKING:
+    from tambour.core.mesh import Mesh
     from tambour.crochet.params import CrochetParams
     from tambour.crochet.piece import Plush
 
@@ -62,6 +63,47 @@ def outline_of(built: Built, part: int, params: CrochetParams, stitch: tuple[flo
     rings, ends = turning(graph, x)
     line = np.concatenate([ends[:1], rings, ends[1:]])
     return Outline(line[np.isfinite(line).all(1)] * stitch[0], name)
+
+
+def swept(outline: Outline, around: int = 48, along: int = 72) -> tuple[Array, Array]:
+    """The surface that an outline sweeps about its axis: vertices (V, 3) mm and faces (F, 3), up +y, seen from outside."""
+    line = outline.at(np.linspace(0.0, outline.way[-1], along))
+    angle = np.arange(around) * (2.0 * np.pi / around)
+    ring = np.column_stack([np.cos(angle), np.zeros(around), -np.sin(angle)])
+    vertices = line[:, None, :1] * ring + line[:, None, 1:] * np.array([0.0, 1.0, 0.0])
+    a = np.arange(around)
+    b = (a + 1) % around
+    strip = np.concatenate([np.column_stack([a, b, a + around]), np.column_stack([b, b + around, a + around])])
+    faces = (np.arange(along - 1)[:, None, None] * around + strip).reshape(-1, 3)
+    return vertices.reshape(-1, 3), faces.astype(np.int32)
+
+
+def girths(mesh: Mesh, levels: int = 120) -> Outline:
+    """The outline of a body of revolution as wide, all the way up, as the mesh is round: at every height the girth of its
+    section, shared by 2π. TambourError where it has no height."""
+    x = np.asarray(mesh.vertices, float)[mesh.faces]
+    low, high = float(x[..., 1].min()), float(x[..., 1].max())
+    if high - low <= 1e-6 * float(np.ptp(x.reshape(-1, 3), axis=0).max()):
+        raise TambourError("the target is flat", hint="a body of some height is wanted, upright")
+    # Fine at the ends, where a round end widens at once.
+    level = low + (high - low) * 0.5 * (1.0 - np.cos(np.pi * (np.arange(levels) + 0.5) / levels))
+    line = np.zeros((levels + 2, 2))
+    line[1:-1, 1], line[0, 1], line[-1, 1] = level, low, high
+    for k, at in enumerate(level, start=1):
+        side = x[..., 1] - at
+        cut = x[(side.min(1) < 0.0) & (side.max(1) >= 0.0)]
+        ends = []
+        for i, j in ((0, 1), (1, 2), (2, 0)):
+            a, b = cut[:, i], cut[:, j]
+            crosses = (a[:, 1] < at) != (b[:, 1] < at)
+            t = np.where(crosses, (at - a[:, 1]) / np.where(crosses, b[:, 1] - a[:, 1], 1.0), np.nan)[:, None]
+            ends.append(a + t * (b - a))
+        three = np.stack(ends, axis=1)
+        known = np.isfinite(three[..., 0])
+        pair = np.argsort(~known, axis=1, kind="stable")[:, :2]
+        two = np.take_along_axis(three, pair[..., None], axis=1)[known.sum(1) == 2]
+        line[k, 0] = np.sqrt(((two[:, 0] - two[:, 1]) ** 2).sum(1)).sum() / (2.0 * np.pi)
+    return Outline(line)
 
 
 def view(piece: Plush) -> Drawing:
