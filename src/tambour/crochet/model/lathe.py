@@ -29,6 +29,8 @@ OPEN = 8
 LEAST_GIRTH = 8.0
 """Stitches round of the thinnest body that is made, and rounds of the shortest."""
 FEWEST = 3
+MANY = 60_000
+"""More stitches are no toy."""
 
 
 def lathe(
@@ -72,6 +74,14 @@ def lathe(
         raise TambourError(
             f"the profile is {whole:.1f} rows long and {across:.1f} stitches round: too small to be worked",
             hint="draw it larger, or take a finer {--gauge}",
+            where=outline.name,
+        )
+    middle = 0.5 * (made.line[1:, 0] + made.line[:-1, 0])
+    stitches = girth * float((middle * np.diff(made.way)).sum())
+    if stitches > MANY:
+        raise TambourError(
+            f"that is about {stitches:,.0f} stitches, more than {MANY:,}",
+            hint="draw it smaller, or take {--height} or {--stitches}",
             where=outline.name,
         )
     way = np.arange(1, rows + 1) * whole / (rows + 1 if closed else rows)
