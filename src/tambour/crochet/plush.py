@@ -22,8 +22,8 @@ MIRROR: Final = (-1.0, 1.0, 1.0)
 
 
 def make(source: Text | Drawing | Model | None, params: CrochetParams, progress: Progress) -> Plush:
-    """The plush of a pattern's text, of the pattern that drawn profiles or a model become, or of a specimen; TambourError with all that is
-    wrong in it."""
+    """The plush of a pattern's text, of the pattern that drawn profiles or a model become, or of a specimen; TambourError
+    with all that is wrong in it."""
     if (source is None) == (params.specimen is None):
         both = source is not None
         raise TambourError(
