@@ -228,6 +228,20 @@ def test_a_wider_part_comes_out_as_drawn() -> None:
         assert apart.mean() < 0.5, (factor, apart.mean())
 
 
+def test_what_is_sewn_by_number_is_told() -> None:
+    from tambour.crochet.model.reshape import reshaped
+
+    sewn = PATTERN + "place(Ear.1, Head, round=4, stitch=5)\n"
+    built = build(parse(Text(sewn)))
+    old = outline_of(built, 0, CrochetParams(), STITCH)
+    warned: list[Problem] = []
+    reshaped(built, [Outline(old.line * 1.4, "Head")], "", CrochetParams(), STITCH, warned.append)
+    assert ["what is sewn or put on it stays" in w.message for w in warned] == [True]
+    warned.clear()
+    assert reshaped(built, [Outline(old.line, "Head")], "", CrochetParams(), STITCH, warned.append).text == sewn
+    assert not warned
+
+
 def test_what_cannot_be_reshaped_is_told() -> None:
     from tambour.crochet.model.reshape import reshaped
 

@@ -128,8 +128,8 @@ def test_no_name_and_no_reason_is_taken_for_a_formula(tmp_path: Path) -> None:
     names = [piece.name for piece in made.pieces()]
     assert len(set(names)) == 4 and all(name[0] not in "=+-@" for name in names)
     assert doubt.message == "1 of 5 files are left out, 1 for their names: one holds bytes that are no text"
-    row = Row("a", "k", "knit", "+s.png", "{}", "failed", "=cmd|' /C calc'!A0", 0.0, ("@a",), (1,), (".csv",))
-    assert [cell for cell in map(str, row.told()) if cell[0] in "=+-@\t\r"] == []
+    row = Row("a", "k", "knit", "+s.png", "{}", "failed", "=cmd|' /C calc'!A0", 0.0, None, ("@a",), (1,), (".csv",))
+    assert [cell for cell in map(str, row.told()) if cell and cell[0] in "=+-@\t\r"] == []
 
 
 def test_a_key_is_all_that_the_piece_is_made_of(photos: Path, monkeypatch: pytest.MonkeyPatch) -> None:

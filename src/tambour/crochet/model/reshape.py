@@ -240,12 +240,14 @@ def _changes(
             out.append(f"{many if many > 1 else ''}:{body}")
         j += many
     out += [between[line] for line in waiting if between[line]]
-    if len(goal) != len(now) and _mentioned(built, part):
+    if _mentioned(built, part):
         name = built.pattern.parts[built.parts[part].section].name
+        told = f"{len(goal)} rounds now, it had {len(now)}" if len(goal) != len(now) else "other counts now"
+        hint = "look whether they are still meant"
         warn(
             Problem(
-                f"{name} has {len(goal)} rounds now, it had {len(now)}: what is sewn or put on it by a round's number stays at that number",
-                "look whether these numbers are still meant",
+                f"{name} has {told}: what is sewn or put on it stays at the rounds and stitches that are written",
+                hint,
                 where=text.name,
                 warning=True,
             )
