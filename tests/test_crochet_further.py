@@ -474,3 +474,50 @@ def test_what_stands_behind_a_count_is_kept_with_its_round(said: str) -> None:
     )
     notes = [pattern.text.text[a.start : a.end] for line in pattern.parts[0].lines for a in line.notes]
     assert len(notes) == 1 and notes[0].strip(". ") in said
+
+
+HEAD = f"{YARN}HEAD\nWith A, ch 2.\nRnd 1: 6 sc in 2nd ch from hook. (6)\nRnd 2: 2 sc in each sc around. (12)\nRnd 3: Sc in each sc around.\nRnd 4: [Sc in next sc, 2 sc in next sc] 6 times. (18)\n"
+
+
+@pytest.mark.parametrize(
+    "words, made",
+    [
+        ("Rnds 1-4: Work same as Rnds 1-3 of head—18 sc.", 18),
+        ("Rounds 1–3: Work same as Rounds 1 and 2 of Head. 12 sc.", 12),
+        ("1st to 4th rnds: As 1st to 3rd rnds of Head. 18 sc.", 18),
+    ],
+)
+def test_rounds_of_another_part_whose_numbers_do_not_agree(words: str, made: int) -> None:
+    text = f"{HEAD}\nBODY\nWith B, ch 2.\n{words}\nNext rnd: Sc in each sc around. {made} sc.\n"
+    assert counts(text)[-1] == made
+    assert any("the count speaks for" in p.message for p in read(Text(text, "toy.txt")).warnings)
+
+
+@pytest.mark.parametrize(
+    "note",
+    [
+        "Note: Work in back loops only throughout wing.",
+        "Work in back loops only.",
+        "NOTE: Work in back loops only throughout.",
+    ],
+)
+def test_loops_said_between_the_chain_and_the_first_row(note: str) -> None:
+    pattern = read(
+        Text(
+            f"{HEAD}\nWING (make 2)\nWith B, ch 8. {note}\nRow 1: Sc in 2nd ch from hook and in each ch across, turn. 7 sc.\nRow 2: Ch 1, sc in each sc across, turn. 7 sc.\n",
+            "toy.txt",
+        )
+    )
+    assert not told(pattern)
+    assert any(isinstance(i, Action) and i.name == "blo" for i in pattern.parts[1].lines[-1].items)
+
+
+@pytest.mark.parametrize("or_else", [", or desired length", ", or until desired length", " or to desired length"])
+def test_a_length_or_another_as_one_likes(or_else: str) -> None:
+    words = f'{STRIP}Row 2: Ch 1, sc in each sc across, turn.\nRep last row until piece measures about 2" (5 cm) from beginning{or_else}.\n'
+    assert len(counts(words)) == 10
+
+
+def test_a_joined_round_that_leaves_a_stitch_over_and_counts_it_is_a_mistake() -> None:
+    words = f"{BODY}Rnd 3: Ch 1. 1 sc in each of next 10 sc. 2 sc in next sc. Join. 13 sc.\nRnd 4: Ch 1. 1 sc in each sc around. Join. 13 sc.\n"
+    assert any("the pattern says 13" in p.message for p in build(read(Text(words, "toy.txt"))).warnings)

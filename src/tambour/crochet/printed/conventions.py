@@ -49,7 +49,8 @@ def convention(p: State, tokens: list[Token]) -> bool:
     )
     loops = next((_LOOPS[t.value] for t in tokens if t.kind == "key" and t.value in _LOOPS), None)
     if loops is not None:
-        bare = len(tokens) <= _BARE and (p.heading is not None or not p.parts) and not p.palette.pure
+        ahead = p.heading is not None or not p.parts or not p.parts[-1].last  # before the first round of a part
+        bare = len(tokens) <= _BARE and ahead and not p.palette.pure
         return plain and (bare or bool(words & _WHOLE) or bool(keys & {"rest", "each"})) and _throughout(p, loops)
     if plain and words & _COURSE and ("round" in keys or "row" in keys or {"spiral", "spirals"} & words):
         said = not {"repeat", "as", "same"} & keys or ("as" in keys and "follows" in words)

@@ -284,7 +284,16 @@ class Draft:
             message = f"{total} rounds are said here, and {once * refers.times} further on"
             source.doubt(message, "make them agree", refers.span, True)
             total = fair[0] if len(fair) == 1 else total
+        alike = tuple(written(origin.lines, numbers[0], numbers[-1])) if len(numbers) > once and refers.numbers else ()
+        fits = alike and body.stated is not None and sum(one.times for one in alike) == total
+        if fits and origin is not self and _reach(alike, total, self.edge, source) == body.stated:
+            # "Rounds 1-6: same as Rounds 1-5 of Head, 36 sc"
+            message = f"{total} rounds are said here, and {once} there: the count speaks for {total}"
+            source.doubt(message, "make them agree", refers.span, True)
+            lines, once = alike, total
         if total > once and total % once and origin is not self and not refers.times:
+            message = f"{total} rounds are said here, and {once} there: {once} are worked"
+            source.doubt(message, "make them agree", refers.span, True)
             total = once
         if refers.length is not None:
             done = self.last if refers.whole else 0

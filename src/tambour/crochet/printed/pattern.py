@@ -24,6 +24,7 @@ from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.doubts import decided
+from tambour.crochet.printed.doubts import worked as stitches_of
 from tambour.crochet.printed.heads import STARS, Head, heads
 from tambour.crochet.printed.items import works as worked
 from tambour.crochet.printed.lines import goes_on, rounds, wrapped
@@ -398,7 +399,8 @@ class Printed(State):
             if not draft.started(self.source):
                 self._gap(draft, head, tokens, span, NotUnderstood(first, "what this is worked on is not known"))
                 return
-            if read.stated is not None and read.fit:
+            used = stitches_of(read.items, edge or 0, self.source.stitches) if read.fit == 1 else None
+            if read.stated is not None and read.fit and (used is None or used[0] == read.stated):
                 draft.sure = True
                 self.sound.add(span.start)
         self.understood += 1

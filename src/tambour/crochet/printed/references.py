@@ -160,6 +160,15 @@ def _shaped(c: Cursor) -> int:
 def _sided(c: Cursor) -> None:
     """Goes past ", ending on a WS row", behind how long something goes on."""
     first = c.look(1)
+    if (
+        c.mark(",")
+        and first is not None
+        and first.word == "or"
+        and any(t.word in ("desired", "until") for t in c.tokens[c.at : c.at + 4])
+    ):
+        while (c.look(1)) is not None and c.look(1).kind != "mark":  # type: ignore[union-attr]
+            c.at += 1
+        c.at += 1  # ", or desired length"
     if c.mark(",") and first is not None and first.word in ("ending", "end"):
         ahead = 2
         while c.look(ahead) is not None and c.look(ahead).kind != "mark":  # type: ignore[union-attr]

@@ -50,11 +50,17 @@ def plain_height(stated: Mapping[str, tuple[str, Span]]) -> float:
 
 
 _LONG: Final = 50  # characters of a line that was broken
+_BODY: Final = "instructions"
+_FEW: Final = 15  # lines that say nothing of a column's width
 _COLUMN: Final = 75  # characters of a line in a narrow column, at most
 
 
 def _long(rows: list[Row]) -> float:
     """The fewest characters of a line that was broken where the page ended: fewer in the narrow columns of a PDF."""
+    begun = next(
+        (k for k, row in enumerate(rows) if len(row.tokens) <= 2 and row.tokens[:1] and row.tokens[0].word == _BODY), 0
+    )
+    rows = rows[begun:] if len(rows) - begun > _FEW else rows  # lists of materials are no columns
     lengths = sorted(row.end - row.start for row in rows if len(row.tokens) > 4)
     width = lengths[len(lengths) * 9 // 10] if lengths else 0
     return 0.6 * width if 0 < width <= _COLUMN else _LONG
