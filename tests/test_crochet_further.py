@@ -521,3 +521,15 @@ def test_a_length_or_another_as_one_likes(or_else: str) -> None:
 def test_a_joined_round_that_leaves_a_stitch_over_and_counts_it_is_a_mistake() -> None:
     words = f"{BODY}Rnd 3: Ch 1. 1 sc in each of next 10 sc. 2 sc in next sc. Join. 13 sc.\nRnd 4: Ch 1. 1 sc in each sc around. Join. 13 sc.\n"
     assert any("the pattern says 13" in p.message for p in build(read(Text(words, "toy.txt"))).warnings)
+
+
+@pytest.mark.parametrize(
+    "tied",
+    [
+        "sc in 5 sts, holding ear in place, join to next st with sc through all layers, sc in next 6 sts.",
+        "1 sc in each of next 5 sc, join with sc in next st, 1 sc in each of next 6 sc.",
+        "sc in next 11 sts, join to next st with a sc through both layers.",
+    ],
+)
+def test_a_piece_that_is_tied_in_by_a_stitch(tied: str) -> None:
+    assert counts(f"{BODY}Rnd 3: {tied} (12)\nRnd 4: Sc in each sc around. (12)\n") == [6, 12, 12, 12]

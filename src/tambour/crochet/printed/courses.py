@@ -173,6 +173,13 @@ class Courses(Reader):
             self.body.moved = self.body.moved or elsewhere
             found += _joining_stitch(c.tokens[begin : c.at])
             return
+        by_sc = next((t for t in c.tokens[begin : c.at] if t.value == "sc"), None)
+        if worked and by_sc is not None and any(t.value == "next" for t in c.tokens[begin : c.at]):
+            found.append(
+                Action("sc", by_sc.span)
+            )  # "join to next st with sc through all layers": another piece is tied in
+            self.body.both = True
+            return
         found.append(Action("join", token.span))
 
 

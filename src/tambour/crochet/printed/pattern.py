@@ -399,7 +399,8 @@ class Printed(State):
             if not draft.started(self.source):
                 self._gap(draft, head, tokens, span, NotUnderstood(first, "what this is worked on is not known"))
                 return
-            used = stitches_of(read.items, edge or 0, self.source.stitches) if read.fit == 1 else None
+            joined = any(isinstance(i, Action) and i.name == "join" for i in read.items[:-1])
+            used = stitches_of(read.items, edge or 0, self.source.stitches) if read.fit == 1 and not joined else None
             if read.stated is not None and read.fit and (used is None or used[0] == read.stated):
                 draft.sure = True
                 self.sound.add(span.start)
