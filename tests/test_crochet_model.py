@@ -234,10 +234,41 @@ def test_colours_become_yarns_and_single_stitches_go() -> None:
     counts = [max(6, round(g)) for g in way.girths]
     points = laid(way, counts, np.array([0.0, 0.0, -1.0]))
     rounds = tuple(Round(couple(a, b)) for a, b in pairwise(points))
-    part = dyed(Rounds("Ball", counts[0], rounds), np.concatenate([way.tip[None], *points]), how)
+    plain = Rounds("Ball", counts[0], rounds, closed=False)
+    part = dyed(plain, np.concatenate([way.tip[None], *points]), how, build(pattern([plain])).graph, "over")
     shades = [part.color, *(c for one in part.rounds for c in one.colors)]
     assert len(set(shades)) == 2
     changes = sum(a != b for one in part.rounds for a, b in pairwise(one.colors))
     assert changes <= 2  # where the spiral comes to the other colour; the single spot is gone
     height = [float(p[1]) for row in points[1:] for p in row[:1]]
     assert all((one.colors[0] != part.color) == (h < 1.5) for one, h in zip(part.rounds, height) if abs(h - 2.0) > 1.2)
+
+
+def revolved(profile: list[tuple[float, float]], around: int = 36) -> tuple[Array, Array]:
+    """A closed surface of revolution about y: radii and heights from one end on the axis to the other."""
+    turn = 2 * np.pi * np.arange(around) / around
+    inner = [np.column_stack([r * np.sin(turn), 0 * turn + y, r * np.cos(turn)]) for r, y in profile[1:-1]]
+    ends = np.array([[0.0, profile[0][1], 0.0], [0.0, profile[-1][1], 0.0]])
+    x = np.concatenate([*inner, ends])
+    k, after = np.arange(around), (np.arange(around) + 1) % around
+    faces = [np.column_stack([k, after, 0 * k + len(x) - 2])[:, [1, 0, 2]]]
+    for j in range(len(inner) - 1):
+        a, b = j * around + k, j * around + after
+        faces += [np.column_stack([a, b, b + around]), np.column_stack([a, b + around, a + around])]
+    last = (len(inner) - 1) * around
+    faces.append(np.column_stack([last + k, last + after, 0 * k + len(x) - 1]))
+    return x, np.concatenate(faces)
+
+
+@pytest.mark.slow
+def test_the_inside_of_a_cup_is_pushed_in() -> None:
+    wall = [(30.0, 10.0 * k) for k in range(7)]
+    inside = [(20.0, 60.0 - 10.0 * k) for k in range(6)]
+    x, faces = revolved([(0, 0), (10, 0), (20, 0), *wall, (25, 60), *inside, (10, 10), (0, 10)])
+    piece, _ = made(Mesh(x, faces), stitches=700)
+    said = printed_anew(piece.built).text
+    assert "@hollow = " in said
+    assert piece.aim is not None and piece.aim.distance["mean"] < 1.0
+    loose, _ = (make(Text(said.replace("@hollow", "# hollow"), "a.acl"), CrochetParams(), Progress()), None)
+    tall, wide = np.ptp(piece.positions[:, 1]), np.ptp(loose.positions[:, 1])
+    assert tall < 0.8 * wide  # without it the inside stands out

@@ -43,6 +43,8 @@ SEATINGS = 4
 """How often the parts are put together at the most."""
 PAIR = 0.05
 """How much farther off, in stitches, a toy whose pairs say the same angles may be."""
+INSIDE = -0.3
+"""Rounds that look so far inwards lie inside: of a cup, say."""
 LOST = 0.03
 """A larger share of the surface than this that no round follows is told."""
 
@@ -90,7 +92,9 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
         first = np.concatenate([origin for _, _, origin in found])
         how = dye(target.tree, target.faces, mesh.color[first], target.points, params.colors)
         if how is not None:
-            pieces = [replace(p, rounds=dyed(p.rounds, p.goals[0], how)) for p in pieces]
+            pieces = [
+                replace(p, rounds=dyed(p.rounds, p.goals[0], how, p.tried.worked.graph, params.hold)) for p in pieces
+            ]
     elif params.colors is not None:
         progress.warn("has no effect: the model has no colours", where="{--colors}")
     for line in tell:
@@ -227,11 +231,17 @@ def _first(
     for tip, f in tips.choose(x, faces, plane, params.tip, BEGINNINGS):
         rows = max(3, round(float(f.max()) * stitch[0] / stitch[1]) - 1)
         way = fronts(x, faces, f, rows, tip)
-        ahead = way.tip - way.end
+        ahead = way.tip - np.mean([line.mean(0) for line in way.lines], axis=0)
         side = int(np.abs(ahead).argmax())
         up = "" if side == 1 and ahead[1] < 0 else "start" if side == 1 else "side"
         seam = np.array([0.0, 0.0, -1.0]) if side == 1 else np.array([0.0, -1.0, 0.0])
         task = Task(name, way, target, seam, params.plain_, up, params, stitch)
+        looks = [tips.inward(x, faces, line) for line in way.lines]
+        inside = [k + 1 for k, value in enumerate(looks) if value < INSIDE]
+        if len(inside) > 2 and inside[0] > 3:
+            task = replace(
+                task, hollow=(inside[0], len(looks)) if inside[-1] > 0.8 * len(looks) else (inside[0], inside[-1])
+            )
         now = tried(task, task.way.girths)
         if best is None or now.distance.mean < best[1].distance.mean:
             best = task, now

@@ -10,13 +10,16 @@ import numpy as np
 
 from tambour.color import from_oklab, nearest_distinct, oklab
 from tambour.core.check import Array
+from tambour.core.graph import StitchGraph
 from tambour.core.rgb import RGB
 from tambour.crochet.model.rounds import WORDS, Rounds
 from tambour.crochet.printed.shades import YARNS
+from tambour.crochet.yarn.course import leaning
+from tambour.crochet.yarn.loops import LEAN
 from tambour.geometry.closest import Tree, nearest
 
-ENOUGH: Final = 0.05
-"""Where no number of yarns is asked for: as many as bring the colours so near, in Oklab, on the average."""
+ENOUGH: Final = 0.12
+"""Where no number of yarns is asked for: as many as bring all but two per cent of the surface so near, in Oklab."""
 MOST_YARNS: Final = 6
 """But never more than this."""
 TURNS: Final = 12
@@ -45,15 +48,20 @@ class Dye:
         return np.asarray(((lab[:, None] - self.means) ** 2).sum(2).argmin(1))
 
 
+def _corner(tree: Tree, faces: Array, points: Array) -> Array:
+    """The nearest corner (K,) of the triangle that points (K, 3) lie on: where two colours meet there is no third one."""
+    face, uv, _ = nearest(tree, points)
+    weight = np.column_stack([1.0 - uv.sum(1), uv])
+    return np.asarray(faces[face, weight.argmax(1)])
+
+
 def dye(tree: Tree, faces: Array, color: Array, points: Array, count: int | None) -> Dye | None:
     """The yarns of a surface with colours (V, 3) uint8; None where it has one colour only and that is white or none.
 
     points : (P, 3) even over it, by which colours count; count : of the yarns, None for as many as it takes, six at most
     """
     lab = oklab(color)
-    face, uv, _ = nearest(tree, points)
-    corner = lab[faces[face]]
-    seen = (1.0 - uv.sum(1, keepdims=True)) * corner[:, 0] + uv[:, :1] * corner[:, 1] + uv[:, 1:] * corner[:, 2]
+    seen = lab[_corner(tree, faces, points)]
     means, off = _means(seen, count or 1)
     while count is None and off > ENOUGH and len(means) < MOST_YARNS:
         means, off = _means(seen, len(means) + 1)
@@ -76,36 +84,47 @@ def _means(seen: Array, count: int) -> tuple[Array, float]:
         own = ((seen[:, None] - means) ** 2).sum(2).argmin(1)
         means = np.array([seen[own == k].mean(0) if (own == k).any() else means[k] for k in range(len(means))])
     off = np.sqrt(((seen[:, None] - means) ** 2).sum(2).min(1))
-    return means, float(off.mean())
+    return means, float(np.quantile(off, 0.98))
 
 
-def dyed(part: Rounds, goal: Array, how: Dye) -> Rounds:
-    """A part with the yarn of every stitch. goal : (N, 3) where its nodes belong, the ring's middle first.
+def dyed(part: Rounds, goal: Array, how: Dye, graph: StitchGraph, hold: str) -> Rounds:
+    """A part with the yarn of every stitch. goal : (N, 3) where the nodes of its ``graph`` belong, the ring's middle first.
 
     Rounds are a spiral: from a round's first stitch to its last they climb by a row, and so does where their colour is looked up.
+    Columns of stitches lean, by how the yarn is held, and pictures in them: a stitch has the colour of where it shows.
     Single stitches of a colour among others take that of their neighbours.
     """
     counts = part.counts()
     first = np.concatenate([[1], 1 + np.cumsum(counts)])
-    rows = [goal[a:b] for a, b in pairwise(first)]
-    found: list[Array] = []
-    for k, row in enumerate(rows):
-        n = len(row)
-        above = rows[k + 1] if k + 1 < len(rows) else None
-        if above is not None:
-            share = (np.arange(n) + 0.5) / n
-            ahead = above[np.minimum((share * len(above)).astype(int), len(above) - 1)]
-            row = row + (share - 0.5)[:, None] * (ahead - row)
-        found.append(how.yarn(row))
+    spiral = _climbed(goal, first)
+    color = graph.color.copy()
+    color[1 : first[-1]] = how.yarns[how.yarn(spiral[1 : first[-1]])]
+    host, slip = leaning(replace(graph, color=color), LEAN[hold])
+    after = np.minimum(host + 1, len(goal) - 1)
+    yarn = how.yarn(spiral[host] + slip[:, None] * (spiral[after] - spiral[host]))
+    found = [yarn[a:b] for a, b in pairwise(first)]
     for _ in range(2):
         found = _calmed(found)
-    main = int(np.bincount(np.concatenate(found)).argmax())
-    base = _rgb(how, int(np.bincount(found[0]).argmax()) if len(found) else main)
+    base = _rgb(how, int(np.bincount(found[0]).argmax()))
     rounds = []
     for one, yarns in zip(part.rounds, found[1:]):
         ends = np.cumsum([WORDS[word][1] for word in one.words]) - 1
         rounds.append(replace(one, colors=tuple(_rgb(how, int(yarns[e])) for e in ends)))
     return replace(part, color=base, rounds=tuple(rounds))
+
+
+def _climbed(goal: Array, first: Array) -> Array:
+    """The nodes (N, 3) on one spiral: each round, begun at the nodes ``first``, climbs by a row from its start to its end."""
+    made = goal.copy()
+    for k, (a, b) in enumerate(pairwise(first)):
+        share = (np.arange(b - a) + 0.5) / (b - a) - 0.5
+        for way, half in ((1, share > 0.0), (-1, share < 0.0)):
+            if 0 <= k + way < len(first) - 1:
+                other = goal[first[k + way] : first[k + way + 1]]
+                at = np.minimum(((share[half] + 0.5) * len(other)).astype(int), len(other) - 1)
+                own = np.flatnonzero(half) + a
+                made[own] += np.abs(share[half])[:, None] * (other[at] - goal[own])
+    return made
 
 
 def _rgb(how: Dye, yarn: int) -> RGB:

@@ -50,7 +50,7 @@ class Tried:
 class Task:
     """A part to be found rounds for. All lengths in stitches, the model's frame.
 
-    way : the lines of its rounds; target : its surface; seam : (3,) where its rounds begin; plain : 0 to 1
+    way : the lines of its rounds; target : its surface; seam : (3,) where its rounds begin; plain : 0 to 1; hollow : its rounds that lie inside
     """
 
     name: str
@@ -62,6 +62,7 @@ class Task:
     params: CrochetParams
     stitch: tuple[float, float]
     stuffing: str = ""
+    hollow: tuple[int, int] = (0, 0)
 
 
 def drafted(task: Task, wanted: Array) -> tuple[Rounds, list[int], Array]:
@@ -70,7 +71,7 @@ def drafted(task: Task, wanted: Array) -> tuple[Rounds, list[int], Array]:
     points = laid(task.way, made, task.seam)
     rounds = [Round(readable.words(a, b, task.plain)) for a, b in pairwise(points)]
     closed = task.way.closed and made[-1] <= DRAWN
-    part = Rounds(task.name, made[0], tuple(rounds), closed, stuffing=task.stuffing, up=task.up)
+    part = Rounds(task.name, made[0], tuple(rounds), closed, stuffing=task.stuffing, up=task.up, hollow=task.hollow)
     tip = [task.way.end[None]] if closed else []
     return part, made, np.concatenate([task.way.tip[None], *points, *tip])
 

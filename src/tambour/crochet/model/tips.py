@@ -123,6 +123,17 @@ def lost(vertices: Array, faces: Array, f: Array) -> float:
     return beside / max(total, 1e-12)
 
 
+def inward(vertices: Array, faces: Array, line: Array) -> float:
+    """How far the surface along a closed line (K, 3) looks away from the line's middle: 1 on a rod, -1 inside of a cup."""
+    from tambour.geometry.surface import vertex_normals
+
+    own = np.unique(faces)
+    near = own[np.array([int(((vertices[own] - p) ** 2).sum(1).argmin()) for p in line[:: max(1, len(line) // 24)]])]
+    off = vertices[near] - line.mean(0)
+    off = off / np.maximum(np.sqrt((off**2).sum(1, keepdims=True)), 1e-9)
+    return float((off * vertex_normals(vertices, faces)[near]).sum(1).mean())
+
+
 def choose(
     vertices: Array, faces: Array, plane: Mirror | None, side: str | None, few: int = 2
 ) -> list[tuple[int, Array]]:
@@ -142,10 +153,18 @@ def choose(
         # A round that is wide from its first rows on is no tip: the ring lies in a hollow, or on an edge.
         first = lines(vertices, faces, f, 2.0)
         wide = max((girth(line) for line in first), default=0.0) / (4.0 * np.pi)
+        # Nor is the inside of a cup one: rounds there would be begun where no hand comes.
+        hollow = float((inward(vertices, faces, first[0]) if first else 0.0) < -0.1)
         # A part can be stood on its end or laid with its start ahead: one that leans is shown leaning.
         axis = vertices[tip] - vertices[int(f.argmax())]
         leans = 1.0 - max(abs(float(axis[1])), float(axis[2])) / (float(np.sqrt((axis**2).sum())) + 1e-9)
-        price = lost(vertices, faces, f) + 0.05 * max(wide - 1.05, 0.0) - 0.02 * float(f.max()) / size + 0.05 * leans
+        price = (
+            lost(vertices, faces, f)
+            + 0.05 * max(wide - 1.05, 0.0)
+            - 0.02 * float(f.max()) / size
+            + 0.05 * leans
+            + hollow
+        )
         scored.append((price, tip, f))
     scored.sort(key=lambda item: item[0])
     return [(tip, f) for _, tip, f in scored[:few]]

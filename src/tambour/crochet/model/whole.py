@@ -59,6 +59,11 @@ def bodies(mesh: Mesh, tell: list[str]) -> list[tuple[Array, Array, Array]]:
         found.append((share, mine))
     if small:
         tell.append(f"{small} small bodies of the model are left out: together they are hardly a stitch")
+    if not found:
+        raise TambourError(
+            f"the model is {small:,} pieces that hang together nowhere",
+            hint="weld its corners, then export it once more",
+        )
     found.sort(key=lambda item: -item[0])
     made = []
     for _, mine in found:
