@@ -12,6 +12,7 @@ from tambour.core.errors import Problem, TambourError, Text
 from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
 from tambour.crochet.language.parse import parse
+from tambour.crochet.language.tree import Pattern
 from tambour.crochet.model.distance import Distance, Target, distance
 from tambour.crochet.model.lathe import lathe
 from tambour.crochet.model.outline import Outline, formula, outlines
@@ -20,6 +21,7 @@ from tambour.crochet.model.rounds import Rounds, printed
 from tambour.crochet.model.settled import settled
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
+from tambour.crochet.printed.choose import read as printed_read
 from tambour.files import read
 from tambour.run import run
 
@@ -174,6 +176,10 @@ def test_the_same_outline_changes_nothing(name: str, tmp_path: Path) -> None:
     assert (tmp_path / "again.source.txt").read_text() == text(name)
 
 
+def printed_as(pattern: str) -> Pattern:
+    return printed_read(Text(pattern, "mine.txt"))
+
+
 PATTERN = """# my bear
 == Head ==
 color(#b5793f)
@@ -228,6 +234,40 @@ def test_a_wider_part_comes_out_as_drawn() -> None:
         assert apart.mean() < 0.5, (factor, apart.mean())
 
 
+PRINTED = """Little whale
+
+Body
+Rnd 1: 6 sc in magic ring [6]
+Rnd 2: inc in each st around [12]
+Rnd 3: (sc, inc) x 6 [18]
+Rnd 4: (2 sc, inc) x 6 [24]
+Rnds 5-9: sc in each st around [24]
+Stuff firmly.
+Rnd 10: (2 sc, dec) x 6 [18]
+Rnd 11: (sc, dec) x 6 [12]
+Rnd 12: dec x 6 [6]
+Fasten off, leaving a long tail.
+"""
+
+
+def test_a_printed_pattern_is_redrawn_in_its_own_way() -> None:
+    from tambour.crochet.model.reshape import reshaped
+
+    built = build(printed_as(PRINTED))
+    old = outline_of(built, 0, CrochetParams(), STITCH)
+    assert reshaped(built, [old], "", CrochetParams(), STITCH, lambda p: None).text == PRINTED
+    wide = old.line * [1.4, 1.0]
+    new = reshaped(built, [Outline(wide)], "", CrochetParams(), STITCH, lambda p: None).text
+    assert (
+        new.startswith(PRINTED[: PRINTED.index("Rnd 2")])
+        and "\nStuff firmly.\n" in new
+        and new.endswith("a long tail.\n")
+    )
+    again = build(printed_as(new))
+    assert all(w.line.stated == w.edge for w in again.worked if w.line.in_round) and not again.warnings
+    assert max(w.edge for w in again.worked) > 30
+
+
 def test_what_is_sewn_by_number_is_told() -> None:
     from tambour.crochet.model.reshape import reshaped
 
@@ -247,7 +287,7 @@ def test_what_cannot_be_reshaped_is_told() -> None:
 
     def said(pattern: str, *lines: Outline, name: str = "") -> str:
         with pytest.raises(TambourError) as error:
-            reshaped(build(parse(Text(pattern))), list(lines), name, CrochetParams(), STITCH, lambda p: None)
+            reshaped(build(printed_as(pattern)), list(lines), name, CrochetParams(), STITCH, lambda p: None)
         return str(error.value)
 
     line = shape("egg").line
@@ -256,4 +296,5 @@ def test_what_cannot_be_reshaped_is_told() -> None:
     )
     assert "a line has no name" in said(PATTERN, Outline(line))
     assert "does not go on from the whole round" in said(": MR(6)\n: 6 inc\n: 6 sc\n: 6 sc\n", Outline(line))
+    assert "head would not be kept" in said(PRINTED.replace("Rnd 4:", "4th rnd:"), Outline(line, "Body"))
     assert "magic ring" in said(": ch(12), join\n: 12 sc\n: 12 sc\n", Outline(line))

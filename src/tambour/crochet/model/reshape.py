@@ -25,6 +25,9 @@ _HEAD = re.compile(r"(?P<word>[ \t*•-]*(?:R|Rnd|Rnds|Round|Rounds)?[ \t.]*)(?P
 _SIMPLE = re.compile(r"[\s\d,.;()\[\]x*×=-]*(?:(?:sc|inc|dec|in|BLO|FLO|mr|magic|ring|around|each|st|sts|stitches|rounds?|rnds?)[\s\d,.;()\[\]x*×=-]*)*(?:#.*)?$", re.I)  # fmt: skip
 
 
+_COUNT = re.compile(r"\(\d+\)|\[\d+\]|\{\d+\}")
+
+
 @dataclass(frozen=True, slots=True)
 class Row:
     """A round as it is written: its count, the line (start and end in the text) that it is one of, its number, and whether
@@ -104,6 +107,11 @@ def reshaped(
             raise TambourError(
                 [Problem(f"{section.name or 'the piece'} cannot be reshaped: {mine}", _ONLY, section.span, text)]
             )
+        for row in mine:
+            head = _HEAD.match(text.text[row.line[0] : row.line[1]])
+            if head is None or (row.number is not None and head["first"] is None):
+                hint = "head rounds as Rnd 3: or R3:, or write it in tambour's own language first: -o mine.acl"
+                raise TambourError([Problem("this round's head would not be kept", hint, Span(*row.line), text)])
         old = outline_of(built, part, params, stitch)
         new = _laid(outline, built, stitch[0])
         changes += _changes(built, part, mine, old, new, stitch, warn)
@@ -199,6 +207,8 @@ def _changes(
     word = next(
         (m["word"] for row in mine if (m := _HEAD.match(text.text[row.line[0] : row.line[1]])) and m["first"]), "R"
     )
+    ends = next((m[0] for row in mine if (m := _COUNT.search(text.text[row.line[0] : row.line[1]]))), "(0)")
+    count = ends[0] + "{}" + ends[-1]
     # What every round says, and the line of hers that it is from.
     said: list[tuple[str, tuple[int, int] | None]] = []
     for j, k in enumerate(serve):
@@ -208,10 +218,10 @@ def _changes(
             said.append((text.text[line[0] + (head.end() if head else 0) : line[1]], line))
         elif j:
             loop = mine[k].loop if k >= 0 else ""
-            said.append((f" {loop}{_words(counts[j - 1], counts[j], j)} ({counts[j]})", None))
+            said.append((f" {loop}{_words(counts[j - 1], counts[j], j)} {count.format(counts[j])}", None))
         else:
             ring = f"{counts[0]} sc in magic ring" if built.pattern.terms else f"MR({counts[0]})"
-            said.append((f" {ring} ({counts[0]})", None))
+            said.append((f" {ring} {count.format(counts[0])}", None))
     # Lines between rounds (colours, marks, remarks) stay before the round that they stood before.
     lines = list(dict.fromkeys(row.line for row in mine))
     between = {b: text.text[a[1] : b[0]].strip("\n") for a, b in pairwise(lines)}
@@ -230,12 +240,10 @@ def _changes(
         a, b = first + j, first + j + many - 1
         if own is not None and [r.number for r in mine if r.line == own] == list(range(a, b + 1)):
             out.append(text.text[own[0] : own[1]])
+        elif numbered and word.strip() == "R":
+            out.append(f"{word}{a}{f'-R{b}' if b > a else ''}:{body}")
         elif numbered:
-            out.append(
-                f"{word}{a}{f'-{b}' if b > a else ''}:{body}"
-                if word.strip() != "R"
-                else f"R{a}{f'-R{b}' if b > a else ''}:{body}"
-            )
+            out.append(f"{word.rstrip()}{'s' if b > a else ''} {a}{f'-{b}' if b > a else ''}:{body}")
         else:
             out.append(f"{many if many > 1 else ''}:{body}")
         j += many
