@@ -533,3 +533,14 @@ def test_a_joined_round_that_leaves_a_stitch_over_and_counts_it_is_a_mistake() -
 )
 def test_a_piece_that_is_tied_in_by_a_stitch(tied: str) -> None:
     assert counts(f"{BODY}Rnd 3: {tied} (12)\nRnd 4: Sc in each sc around. (12)\n") == [6, 12, 12, 12]
+
+
+@pytest.mark.parametrize("name", ["ruffle", "Ruffle", "ear hole", "petals", "tail"])
+def test_a_name_in_the_head_of_a_round_is_no_stitch(name: str) -> None:
+    words = f"{BODY}Rnd 3 ({name}): Sc in first sc., sc in next sc, [sc2tog] 5 times. (7)\n"
+    assert counts(words) == [6, 12, 7]
+
+
+def test_a_colour_in_the_head_of_a_round_stays_one() -> None:
+    hues = dyes(f"{BODY}Rnd 3 (Yellow): Sc in each sc around. (12)\n")
+    assert hues[2] != hues[1]

@@ -21,7 +21,7 @@ from tambour.crochet.printed.bases import based, elsewhere, is_first
 from tambour.crochet.printed.beyond import EDGED, again_made, another, edging
 from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.counted import count_in
-from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.cursor import Cursor, NotUnderstood
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.doubts import worked as stitches_of
@@ -252,6 +252,9 @@ class Printed(State):
         if starred or self.starred:
             draft.marks.append((starred or self.starred, 0 if self.starred and not draft.last else len(draft.lines)))
             self.starred = ""
+        if head.extra and all(t.kind == "word" for t in head.extra) and self._plain(head.extra):
+            self.passed.append(Span(head.extra[0].start, head.extra[-1].end))
+            head = replace(head, extra=())  # "Row 20 (Ruffle):"
         body = [*head.extra, Token("mark", ",", head.span.end, head.span.end), *tokens] if head.extra else tokens
         if self.tied is not None:
             body, self.tied = [self.tied, Token("mark", ",", span.start, span.start), *body], None
@@ -263,6 +266,11 @@ class Printed(State):
         if head.other and len(draft.lines) > before and head.numbers:
             draft.others = (head.numbers[-1], draft.lines[-1])
         self._end_marks(draft)
+
+    def _plain(self, words: tuple[Token, ...]) -> bool:
+        """Whether words name no yarn."""
+        c = Cursor(list(words))
+        return all(self.palette.color(c, k) is None and self.palette.letter(c, k) is None for k in range(len(words)))
 
     def _end_marks(self, draft: Draft) -> None:
         """Puts the asterisks that end a round behind what it works."""
