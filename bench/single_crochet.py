@@ -55,6 +55,10 @@ HEAD = [
     (0.42, 0.71, -0.09, 0.03), (0.62, 0.69, -0.11, 0.02),
 ]  # fmt: skip
 
+# Where the loop's legs stand in the end, from the column's foot (row of the table, u with the lean taken off): close together
+# in their hole and apart above, a V, as close-ups of amigurumi show it; drawn tight alone they stay parallel.
+LEGS = {7: -0.02, 8: -0.06, 9: -0.12, 10: -0.12, 14: 0.42, 15: 0.37, 16: 0.28, 17: 0.20, 18: 0.17}
+
 
 def evenly(course: np.ndarray, count: int) -> np.ndarray:
     """A course (N, 4) of a stitch, the next one behind it, as a smooth line of ``count`` points at even distances."""
@@ -180,8 +184,8 @@ def table(x: np.ndarray, up: np.ndarray) -> np.ndarray:
     return np.array(rows)
 
 
-def rested(line: np.ndarray, high: float, lean: float, rounds: int = 160) -> np.ndarray:
-    """The table (46, 3) as :mod:`tambour.crochet.yarn.clearance` leaves it: its few points cut the corners of the course,
+def rested(line: np.ndarray, high: float, lean: float, legs: dict[int, float], rounds: int = 300) -> np.ndarray:
+    """The table (46, 3), the legs of its loop drawn to where hands leave them, as :mod:`tambour.crochet.yarn.clearance` leaves it: its few points cut the corners of the course,
     so that a lattice of it is pushed apart as pieces are, until nothing in it is nearer than the yarn's width."""
     made, ends = line.copy(), np.arange(8) * 9 * len(line)
 
@@ -193,7 +197,14 @@ def rested(line: np.ndarray, high: float, lean: float, rounds: int = 160) -> np.
         ]
         return np.concatenate(rows) / RATIO
 
-    for _ in range(rounds):
+    for number in range(rounds):
+        for k, u in legs.items() if number < rounds - 60 else ():
+            made[k, 0] += 0.15 * (u + lean * made[k, 1] - made[k, 0])
+        if legs and number < rounds - 60:  # and the yarn is drawn tight, for the legs take more
+            one = np.array([1.0, 0.0, 0.0])
+            made += 0.0008 * (
+                0.5 * (np.vstack([made[-1:] - one, made[:-1]]) + np.vstack([made[1:], made[:1] + one])) - made
+            )
         before = lattice()
         after = before.copy()
         near = clearance._pairs(after, ends, 1.15, clearance.ALONG)
@@ -229,7 +240,7 @@ def main(arguments: list[str]) -> None:
     print(
         f"# {length:.2f} widths of yarn, nothing nearer than {near:.3f} of the yarn's width, a lean of {-up[0]:.3f} widths a row"
     )
-    for k, (u, v, w) in enumerate(rested(table(x, up), high, -up[0]).tolist()):
+    for k, (u, v, w) in enumerate(rested(table(x, up), high, -up[0], {} if under else LEGS).tolist()):
         print(f"({u:.3f}, {v:.3f}, {w:.3f}),", end="\n" if k % 4 == 3 else " ")
     print()
 

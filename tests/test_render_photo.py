@@ -1,22 +1,17 @@
-"""Photos: framed as the raster frames, lit from above, the same bytes twice, and a remedy where mitsuba is missing."""
+"""Photos: framed as the raster frames, lit from above, the same bytes by any number of threads, with grain."""
 
 from __future__ import annotations
 
 import subprocess
 import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pytest
 
 from tambour import run as runner
 from tambour.color import linear
-from tambour.core.errors import TambourError
 from tambour.core.mesh import Mesh
 from tambour.render import photo, raster
-
-ball_pattern = "R1: MR(6) (6)\nR2: [inc] around (12)\nR3: 12 sc (12)\nR4: [dec] x 6 (6)\nFO\n"
 
 
 def sphere(color: tuple[int, int, int] = (120, 160, 90)) -> Mesh:
@@ -30,19 +25,6 @@ def sphere(color: tuple[int, int, int] = (120, 160, 90)) -> Mesh:
     return Mesh(points, faces.reshape(-1, 3), color=np.full((len(points), 3), color, np.uint8))
 
 
-def test_a_photo_without_mitsuba_names_the_remedy(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setitem(sys.modules, "mitsuba", None)
-    with pytest.raises(TambourError, match="needs mitsuba") as caught:
-        photo.picture(sphere(), width=8, samples=1)
-    assert caught.value.problems[0].hint == "pip install tambour[photo]"
-    pattern = tmp_path / "ball.acl"
-    pattern.write_text(ball_pattern)
-    crochet = runner.craft("crochet")
-    with pytest.raises(TambourError, match="needs mitsuba"):
-        runner.run(crochet, pattern, crochet.params.of({"photo": True}), [tmp_path / "ball.png"])
-    assert not (tmp_path / "ball.png").exists()
-
-
 def test_the_option_chooses_the_default_view_of_pictures() -> None:
     crochet = runner.craft("crochet")
 
@@ -54,13 +36,8 @@ def test_the_option_chooses_the_default_view_of_pictures() -> None:
     assert views(True) == ["photo", "photo", "yarn", "photo", "yarn"]
 
 
-@pytest.fixture(scope="module")
-def tracer() -> Any:
-    return pytest.importorskip("mitsuba", reason="mitsuba is not installed (the extra photo)")
-
-
-def test_a_ball_is_lit_from_above_and_stands_where_the_raster_puts_it(tracer: Any) -> None:
-    made = photo.picture(sphere(), width=64, height=64, samples=4).rgba.astype(float)
+def test_a_ball_is_lit_from_above_and_stands_where_the_raster_puts_it() -> None:
+    made = photo.picture(sphere(), width=64, height=64, samples=2, lights=30).rgba.astype(float)
     drawn = raster.picture(sphere(), width=64, height=64).rgba.astype(float)
     green = [shot[..., 1] - shot[..., 2] > 25 for shot in (made, drawn)]
     assert (green[0] != green[1]).mean() < 0.04
@@ -85,12 +62,12 @@ from tambour.render.photo import picture
 turn = np.linspace(0, 6, 80)
 line = np.stack([8 * np.cos(turn), 2 * turn, 8 * np.sin(turn)], axis=1)
 coil = Strands(Paths.of([line]), np.full(80, 2.0), np.array([[180, 60, 40]], np.uint8))
-shot = picture(sweep(coil), width=64, samples=4).rgba
+shot = picture(sweep(coil), width=64, samples=2, lights=30).rgba
 """
 ALONE = "import os\nif hasattr(os, 'sched_setaffinity'):\n    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})\n"
 
 
-def test_the_same_bytes_in_any_process_and_by_any_number_of_threads(tracer: Any) -> None:
+def test_the_same_bytes_in_any_process_and_by_any_number_of_threads() -> None:
     shots = []
     for _ in range(2):
         names: dict[str, Any] = {}
@@ -101,6 +78,8 @@ def test_the_same_bytes_in_any_process_and_by_any_number_of_threads(tracer: Any)
     assert shots[0] == shots[1] == shots[2]
 
 
-def test_an_empty_mesh_is_the_bare_floor(tracer: Any) -> None:
-    made = photo.picture(Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), width=16, samples=4).rgba[..., :3]
+def test_an_empty_mesh_is_the_bare_floor() -> None:
+    made = photo.picture(Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), width=16, samples=2, lights=30).rgba[
+        ..., :3
+    ]
     assert made.min() > 150

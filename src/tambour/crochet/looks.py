@@ -1,4 +1,4 @@
-"""Looks: a piece as meshes (in its yarn, with its doubts in red, as a bare surface), path-traced, and as data."""
+"""Looks: a piece as meshes (in its yarn, with its doubts in red, as a bare surface), and as data."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ if TYPE_CHECKING:
     from tambour.core.check import Array
     from tambour.core.graph import StitchGraph
     from tambour.core.mesh import Mesh
-    from tambour.core.picture import Picture
 
 LEAST: Final = 0.1
 """A toy beside the largest one has so much of its stitches or more."""
@@ -34,8 +33,8 @@ def yarn(piece: Plush, *, detail: str | None = None) -> Mesh:
     return joined([worked, *face]) if face else worked
 
 
-def toy(piece: Plush) -> Mesh:
-    """The piece in yarn as pictures show it: only the parts that are :func:`in_sight`."""
+def toy(piece: Plush, *, detail: str | None = None) -> Mesh:
+    """The piece in yarn as pictures show it: only the parts that are :func:`in_sight`; detail : else as fits its size."""
     import numpy as np
 
     from tambour.core.paths import Paths
@@ -43,9 +42,10 @@ def toy(piece: Plush) -> Mesh:
     from tambour.crochet.graph.spots import whole
     from tambour.crochet.yarn.fabric import NEAR, mesh
 
-    parts, detail = in_sight(piece), str(piece.params.detail)
-    if detail == "medium" and len(piece.built.graph) < NEAR:
-        detail = "near"
+    parts = in_sight(piece)
+    if detail is None:
+        near = piece.params.detail == "medium" and len(piece.built.graph) < NEAR
+        detail = "near" if near else piece.params.detail
     if parts is None and not piece.built.pattern.terms:
         return yarn(piece, detail=detail)
     if parts is None:
@@ -151,13 +151,6 @@ def checked(piece: Plush) -> Mesh:
     wrong = doubtful(piece.built, [*problems, *size_edit(piece.built, tuple(np.ptp(piece.positions, axis=0)))])
     color = np.where(wrong[:, None], DOUBT, (0.25 * graph.color + 0.75 * np.array(PALE)).astype(np.uint8))
     return mesh(replace(graph, color=color.astype(np.uint8)), piece.positions, detail=piece.params.detail)
-
-
-def photo(piece: Plush) -> Picture:
-    """The piece in yarn, path-traced."""
-    from tambour.render.photo import picture
-
-    return picture(toy(piece))
 
 
 def surface(piece: Plush) -> Mesh:

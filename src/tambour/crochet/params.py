@@ -78,7 +78,7 @@ class CrochetParams(Params):
     detail: Literal["low", "medium", "high"] = "medium"
     """How finely the yarn is swept in 3-D files and pictures."""
     photo: bool = False
-    """Path-trace the picture with mitsuba: slow, soft light; needs the extra photo."""
+    """The picture as a camera would take it: soft light, more fibres, grain; several times as slow."""
 
     stitch_width: Length | None = Field(default=None, ge=0.1, le=1000)
     """Width of a single crochet (else 5 mm)."""

@@ -34,10 +34,6 @@ def make(source: Text | Drawing | Model | None, params: CrochetParams, progress:
         from tambour.crochet.specimens import text
 
         source = Text(text(str(params.specimen)), f"{params.specimen}.acl")
-    if params.photo:
-        from tambour.render.photo import tracer
-
-        tracer()  # what is missing is told before the work, not after it
     from tambour.core.mesh import Mesh
 
     if isinstance(source, Mesh):

@@ -9,7 +9,7 @@ _FLAT = "@stuffing = none\ncolor(#c98f6b)\n"
 
 def _rows(tall: str, lift: str, times: int, *, back: str = "") -> str:
     """A swatch of 12 stitches: a row of single crochets, then ``times`` rows of ``tall``, by turns with ``back``."""
-    lines = [f"R1: 13 ch, turn\nR2: 12 sc, turn, {lift if not back else 'ch'}"]
+    lines = [f"R1: 13 ch, turn\nR2: 12 sc, turn, {lift}"]
     for k in range(times):
         end = f", turn, {lift}" if k + 1 < times or back else ""
         lines.append(f"R{len(lines) + 2}: {tall}{end.replace(lift, 'ch') if back else end}")
@@ -24,37 +24,55 @@ def _rounds(*lines: str) -> str:
     return _FLAT + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\n"
 
 
-def _tube(*lines: str) -> str:
-    """A piece in the round, on a ring of 24 chains."""
-    every = ("24 ch, join, ch", "24 sc", *lines)
+def _tube(*lines: str, lift: str = "ch") -> str:
+    """A piece in joined rounds, on a ring of 24 chains; ``lines`` end where they are joined."""
+    rounds = ["24 sc", *lines]
+    every = ["24 ch, join, ch", *(f"{line}, join, {lift}" for line in rounds[:-1]), f"{rounds[-1]}, join"]
+    return _FLAT + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\n"
+
+
+def _ball(*middle: str) -> str:
+    """A stuffed ball of 30 stitches, ``middle`` its rounds between the increases and the decreases."""
+    up = ("MR(6)", "6 inc", "[sc, inc] x 6", "[2 sc, inc] x 6", "[3 sc, inc] x 6")
+    down = ("[3 sc, dec] x 6", "[2 sc, dec] x 6", "[sc, dec] x 6", "6 dec")
+    every = (*up, *middle, *down)
+    return _FLAT.replace("none", "firm") + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\nFO\n"
+
+
+def _bowl(*wall: str) -> str:
+    """A basket: a disc of 30 stitches and its wall; one looks into it."""
+    every = ("MR(6)", "6 inc", "[sc, inc] x 6", "[2 sc, inc] x 6", "[3 sc, inc] x 6", *wall)
     return _FLAT + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\n"
 
 
 TABLE: Final[dict[str, tuple[str, str]]] = {
     "ch": ("chain", _FLAT + "R1: 14 ch\n"),
-    "sc": ("single crochet, in rounds", _tube(*["24 sc"] * 6)),
+    "sc": ("single crochet, in rounds", _ball(*["30 sc"] * 6)),
     "rows": ("single crochet, in rows", _rows("12 sc", "ch", 8)),
-    "joined": ("single crochet, joined rounds", _tube("join, ch, 24 sc", *["join, ch, 24 sc"] * 5)),
+    "joined": ("single crochet, joined rounds", _tube(*["24 sc"] * 6)),
     "hdc": ("half double crochet", _rows("12 hdc", "2 ch", 5)),
     "dc": ("double crochet", _rows("12 dc", "2 ch", 4)),
-    "tr": ("treble", _rows("12 tr", "3 ch", 3)),
+    "tr": ("treble", _rows("12 tr", "3 ch", 2, back="12 sc")),
     "inc": ("a magic ring and increases", _rounds("[2 sc, inc] x 6", "[3 sc, inc] x 6")),
-    "dec": ("decreases", _tube("24 sc", "24 sc", "[2 sc, dec] x 6", "18 sc", "[sc, dec] x 6")),
-    "blo": ("back loops only, in rounds", _tube(*["BLO, 24 sc", "24 sc"] * 3)),
-    "flo": ("front loops only, in rounds", _tube(*["FLO, 24 sc", "24 sc"] * 3)),
+    "dec": ("decreases", _ball(*["30 sc"] * 2)),
+    "blo": ("back loops only, in rounds", _tube("BLO, 24 sc", "24 sc", "BLO, 24 sc", "24 sc", "BLO, 24 sc", "24 sc")),
+    "flo": ("front loops only, in rounds: the ridge is inside", _bowl("FLO, 30 sc", "30 sc", "FLO, 30 sc", "30 sc")),
     "ribs": ("back loops only, in rows", _rows("BLO, 12 sc", "ch", 8)),
-    "fpdc": ("front post double crochet", _tube("join, 3 ch, 24 dc", "24 fpdc", "24 fpdc")),
-    "bpdc": ("back post double crochet", _tube("join, 3 ch, 24 dc", "24 bpdc", "24 bpdc")),
-    "posts": ("front and back posts by turns", _tube("24 dc", *["[fpdc, bpdc] x 12"] * 3)),
+    "fpdc": ("front post double crochet", _tube("24 dc", *["[fpdc, dc] x 12"] * 3, lift="2 ch")),
+    "bpdc": ("back post double crochet", _tube("24 dc", *["[bpdc, dc] x 12"] * 3, lift="2 ch")),
+    "posts": ("front and back posts by turns", _tube("24 dc", *["[2 fpdc, 2 bpdc] x 6"] * 3, lift="2 ch")),
     "bobble": ("bobbles", _rows("[2 sc, bobble] x 4", "ch", 3, back="12 sc")),
     "popcorn": ("popcorns", _rows("[2 sc, popcorn] x 4", "ch", 3, back="12 sc")),
-    "puff": ("puffs", _rows("[2 sc, puff] x 4", "ch", 3, back="12 sc")),
+    "puff": ("puffs", _rows("[2 hdc, puff] x 4", "2 ch", 3, back="12 sc")),
     "cl": ("clusters", _rows("cl, [ch, sk, cl] x 5, dc", "2 ch", 3)),
     "shell": ("shells", _FLAT + "R1: 20 ch, turn\nR2-R4: 19 sc, turn, ch\nR5: sc, [2 sk, {5 dc}, 2 sk, sc] x 3\n"),
     "mesh": ("double crochets and chains", _rows("dc, [ch, sk, dc] x 5, dc", "2 ch", 4)),
     "picot": ("picots", _rows("12 sc", "ch", 2).rstrip() + ", turn, ch\nR5: [3 sc, picot] x 4\n"),
-    "crab": ("reverse single crochet", _rows("12 sc", "ch", 3).rstrip() + ", turn, ch\nR6: 12 crab\n"),
-    "spike": ("spike stitches", _tube("24 sc", "color(#f2e6d8), [3 sc, spike] x 6", "24 sc", "color(#c98f6b), 24 sc")),
+    "crab": ("reverse single crochet, an edge", _rows("12 sc", "ch", 4).rstrip() + ", turn, ch\nR7: 12 crab\n"),
+    "spike": (
+        "spike stitches",
+        _tube("24 sc", "color(#f2e6d8), [3 sc, spike] x 6", "24 sc", "color(#c98f6b), [sc, spike, 2 sc] x 6", "24 sc"),
+    ),
     "loopst": ("loop stitches", _tube("24 sc", "24 loopst", "24 sc", "24 loopst", "24 sc")),
     "fur": ("fur stitches", _tube("24 sc", "24 fur", "24 sc", "24 fur", "24 sc")),
     "granny": (

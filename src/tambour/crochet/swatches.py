@@ -19,6 +19,8 @@ ACROSS: Final = 6
 FLAT: Final = 0.3
 """What is less deep than so much of its width is a swatch."""
 LIGHTS: Final = 30
+INSIDE: Final = ("flo",)
+"""Specimens that one looks into."""
 
 
 def sheet(piece: Plush) -> Drawing:
@@ -52,4 +54,6 @@ def near(piece: Plush, width: int) -> Picture:
     wide, _, deep = np.ptp(piece.positions, axis=0).tolist()
     flat = deep < FLAT * wide
     azimuth, elevation = (0.0, radians(70.0)) if lies(piece) else (pi, radians(4.0)) if flat else (0.3, radians(14.0))
+    if piece.params.specimen in INSIDE:
+        elevation = radians(42.0)
     return picture(toy(piece), width=width, height=width, azimuth=azimuth, elevation=elevation, lights=LIGHTS)

@@ -33,9 +33,9 @@ VIEWS: dict[str, View] = {
         stage="fabric",
     ),
     "photo": View(
-        Lazy("tambour.crochet.looks:photo"),
+        Lazy("tambour.crochet.page.portrait:photo"),
         "Picture",
-        "the piece in its yarn, path-traced (needs the extra photo)",
+        "the toy as a camera would take it: soft light, every fibre; slow",
         stage="photo",
     ),
     **{

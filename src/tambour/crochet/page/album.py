@@ -87,7 +87,9 @@ class Album:
         )
         inside = graph.faces[(wanted & ~known)[graph.part[graph.faces[:, 0]]]]
         shown = replace(graph, faces=inside, color=_pale(graph.color, quiet[graph.part]))
-        return joined([mesh(shown, self.piece.positions, detail="low", made=made), *extra])
+        return joined(
+            [mesh(shown, self.piece.positions, detail="low", made=made, material=self.piece.params.material), *extra]
+        )
 
     def light(
         self, parts: Sequence[int], face: Sequence[Finish], azimuth: float, many: tuple[int, int] = FEW

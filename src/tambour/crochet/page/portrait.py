@@ -38,15 +38,30 @@ def portrait(piece: Plush, side: str, *, width: int = 1200, height: int | None =
 
 def whole(piece: Plush, *, width: int = 1200) -> Picture:
     """The toy as one looks at it: its face ahead, from a little above; what lies flat from higher."""
-    import numpy as np
-
     from tambour.crochet.looks import toy
-    from tambour.crochet.page.pictures import lies
     from tambour.render.raster import picture
 
-    _, high, deep = np.ptp(piece.positions, axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
-    azimuth, elevation = ABOVE if lies(piece) else ASIDE if deep > _LONG * high else AHEAD
+    azimuth, elevation = stand(piece)
     return picture(toy(piece), width=width, azimuth=azimuth, elevation=elevation)
+
+
+def photo(piece: Plush) -> Picture:
+    """The toy as a camera would take it: its yarn near to, in soft light, a little grain."""
+    from tambour.crochet.looks import toy
+    from tambour.render.photo import picture
+
+    azimuth, elevation = stand(piece)
+    return picture(toy(piece, detail="photo"), azimuth=azimuth, elevation=elevation)
+
+
+def stand(piece: Plush) -> tuple[float, float]:
+    """Azimuth and elevation, radians, of one who looks at a piece as a whole."""
+    import numpy as np
+
+    from tambour.crochet.page.pictures import lies
+
+    _, high, deep = np.ptp(piece.positions, axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
+    return ABOVE if lies(piece) else ASIDE if deep > _LONG * high else AHEAD
 
 
 front, back, left, right, top = (partial(portrait, side=side) for side in SIDES)

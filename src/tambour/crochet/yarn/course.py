@@ -8,7 +8,7 @@ import numpy as np
 
 from tambour.core.arrays import B1x1, F8x1, F8x2, I1x1, I4x1, I8x1
 from tambour.core.check import Array
-from tambour.core.graph import JOIN, ROOT, TIP, StitchGraph
+from tambour.core.graph import JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.core.kernels import kernel
 from tambour.geometry.motion import length
 from tambour.geometry.surface import vertex_normals
@@ -18,7 +18,7 @@ RING = 0.43
 
 
 EASE = 3.0
-"""Turns of a spiral from a ring over which its columns come to lean."""
+"""Turns of a spiral before its open end over which its columns come back."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,8 +93,8 @@ def leaning(graph: StitchGraph, lean: float) -> tuple[Array, Array]:
 
     A stitch's head lies to the right of its post, so in rounds that are not turned every stitch stands a little to the
     right of the one that it is worked into: columns lean, pictures in them too. The shape is as round as before, so the
-    stitches glide along their own spiral. An open end, which may be sewn to something, stays where its nodes are, and so
-    does the middle of a picture in a part, else a part's middle; towards a ring and a tip the gliding fades over EASE turns.
+    stitches glide along their own spiral. Where a part holds a picture, its middle stays where its nodes are. An end that is sewn
+    to something stays too: half the part's turns before it, EASE at the least, the gliding begins to fade.
     Parts with turns, joins or anything but a spiral from a ring keep their columns.
     """
     n = len(graph)
@@ -103,6 +103,8 @@ def leaning(graph: StitchGraph, lean: float) -> tuple[Array, Array]:
         return host, slip
     joined = np.zeros(n, np.bool_)
     joined[graph.edges[graph.edge_kind == JOIN].ravel()] = True
+    sewn = np.zeros(n, np.bool_)
+    sewn[graph.edges[graph.edge_kind == SEWN].ravel()] = True
     single = np.diff(graph.anchor_offsets) > 0
     for part in graph.parts:
         first, last, end = part.start + 1, part.end, part.end
@@ -125,23 +127,14 @@ def leaning(graph: StitchGraph, lean: float) -> tuple[Array, Array]:
         turns = np.cumsum(1.0 / around)
         drift = -lean * np.cumsum(1.0 / around**2)
         seen = _pictured(graph, own)
-        still = seen if seen >= 0 else len(number) - 1 if last == end else len(number) // 2
-        ease = min(EASE, turns[-1] / 3.0)
-        fade = (
-            _eased(turns / ease)
-            if still == len(number) - 1
-            else _eased(turns / ease) * _eased((turns[-1] - turns) / ease)
-        )
-        where = np.interp(turns + fade * (drift - drift[still]), turns, number)
+        slip_of = drift - (drift[seen] if seen >= 0 else 0.0)
+        if last == end and sewn[own][-3:].any():
+            # Towards an end that is sewn to something the gliding fades.
+            slip_of *= np.clip((turns[-1] - turns) / max(EASE, 0.5 * turns[-1]), 0.0, 1.0)
+        where = np.interp(turns + slip_of, turns, number)
         host[own] = first + where.astype(np.int32)
         slip[own] = where - where.astype(np.int32)
     return host, slip
-
-
-def _eased(t: Array) -> Array:
-    """Smoothly from 0 to 1 as t goes from 0 to 1."""
-    t = np.clip(t, 0.0, 1.0)
-    return np.asarray(t * t * (3.0 - 2.0 * t))
 
 
 def _pictured(graph: StitchGraph, own: slice) -> int:

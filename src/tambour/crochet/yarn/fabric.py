@@ -118,11 +118,13 @@ def _dense(coords: Array, ends: Array, stitch: Array, longest: float) -> tuple[A
     return (1 - part) * coords[of] + part * coords[after], begin[ends], stitch[of]
 
 
-SIDES = {"low": 4, "medium": 6, "high": 10, "near": 10}
-"""Detail → corners of the yarn's cross-section; near: for pictures that show few stitches."""
+SIDES = {"low": 4, "medium": 6, "high": 10, "near": 10, "photo": 10}
+"""Detail → corners of the yarn's cross-section; near: for pictures that show few stitches, photo: for those of a camera."""
+FIBRES = 5.0
+"""So many times the fibres stand about the yarn in a photo."""
 NEAR = 1200
 """Pictures of fewer stitches show their yarn near to: as round as in high detail."""
-UNEVEN = 0.03
+UNEVEN = 0.02
 """How far single stitches lie out of line, in widths: hands are not machines."""
 
 
@@ -140,13 +142,13 @@ def mesh(
     """
     kind = KINDS[material]
     made = strands(graph, positions, detail=detail, bloom=BLOOM * kind.full) if made is None else made
-    if detail == "near":
+    if detail in ("near", "photo"):
         coords, ends, of = _rounder(made.paths.coords, np.asarray(made.paths.offsets), 2)
         data = {name: values[of] for name, values in made.point_data.items()}
         made = replace(made, paths=Paths(coords, ends), radius=made.radius[of], point_data=data)
     yarn = sweep(made, sides=SIDES[detail], material=kind.surface)
     inner = lining(graph, positions, graph.stitch_width)
-    every = (yarn, inner) if detail == "low" else (yarn, inner, halo(made, kind))
+    every = (yarn, inner) if detail == "low" else (yarn, inner, halo(made, kind, FIBRES if detail == "photo" else 1.0))
     first = np.cumsum([0, *(len(m.vertices) for m in every)])
     return Mesh(
         np.vstack([m.vertices for m in every]),

@@ -42,8 +42,9 @@ KINDS: Final[dict[str, Fibre]] = {
 a thick pile without plies; mohair, a thin core in long hair."""
 
 
-def halo(yarn: Strands, kind: Fibre) -> Mesh:
-    """The single fibres (each a closed needle of four faces) that stand about the yarn, in its colours."""
+def halo(yarn: Strands, kind: Fibre, dense: float = 1.0) -> Mesh:
+    """The single fibres (each a closed needle of four faces) that stand about the yarn, in its colours; ``dense`` times as
+    many as in a usual picture."""
     coords, offsets = yarn.paths.coords, np.asarray(yarn.paths.offsets)
     tangent, across = np.zeros_like(coords), np.zeros_like(coords)
     frames(coords, offsets, tangent, across, np.zeros((0, 3)))
@@ -51,7 +52,7 @@ def halo(yarn: Strands, kind: Fibre) -> Mesh:
     step[:-1] = np.sqrt((np.diff(coords, axis=0) ** 2).sum(1))
     step[offsets[1:][offsets[1:] > 0] - 1] = 0.0
     radius = float(yarn.radius[0]) if len(yarn.radius) else 1.0
-    total = int(step.sum() * kind.count / max(radius, 1e-9))
+    total = int(dense * step.sum() * kind.count / max(radius, 1e-9))
     draw = stream("halo", total).random((total, 6))
     # Evenly along the yarn, each a little off its place.
     along = (np.arange(total) + draw[:, 0]) / max(total, 1) * step.sum()

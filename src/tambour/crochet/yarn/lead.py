@@ -78,6 +78,10 @@ _CROWN = np.array(
         for k, t in enumerate(np.linspace(-1, 1, 9))
     ]
 )
+# The yarn over of a half double lies behind its top: the third loop; v from the top.
+_THIRD = np.array(
+    [(0.80, -0.36, -0.32), (0.90, -0.24, -0.42), (0.45, -0.20, -0.46), (0.0, -0.26, -0.42), (0.04, -0.42, -0.32)]
+)
 _SEAM = np.array([(0.0, -0.1, -0.45), (0.0, -0.1, 0.12)])
 
 OPEN = 1.3
@@ -164,6 +168,13 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         below,
         at,
     )
+    if "crab" in graph.kinds:
+        # Worked backwards: the legs cross over to where the work came from, and the head lies as a knot outside.
+        back = graph.kind[cell] == graph.kinds.index("crab")
+        at[back, 0] -= 0.6 * np.clip(at[back, 1] - 0.2, 0.0, 0.8)
+        knot = back & (at[:, 1] > 0.9)
+        at[knot, 2] += 0.3 * graph.direction[cell[knot]]
+        at[knot, 1] -= 0.15
     # A seam draws the heads of a part's last round down to what they are sewn to.
     sewn = np.zeros(n, np.bool_)
     sewn[graph.edges[graph.edge_kind == SEWN].ravel()] = True
@@ -187,6 +198,8 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         loops = int(np.diff(graph.anchor_offsets)[i])
         crown = _CROWN * (1.0, 1.0, out) + (0.0, 0.0, out)
         pieces.put(int(start[i]) + 5 + 14 * loops, _AFTER, i, int(on[i]), crown, float(graph.height[i]) - 1)
+    for i, before, rows, rise in _overs(graph, role):
+        pieces.put(int(start[i]) + before, _AFTER, i, int(on[i]), rows, rise)
     _tight(graph, role, follows, start, at)
     drop = np.zeros(total, np.bool_)
     for i in worked[~follows[worked]].tolist():
@@ -267,6 +280,16 @@ def _hanging(i: int, k: int, loops: int) -> Array:
     made[:, 0] += down * SWAY * aside + (k - 0.5 * (loops - 1)) * 0.3 * down
     made[:, 2] += (0.25 * out + 0.35 * k) * down
     return made
+
+
+def _overs(graph: StitchGraph, role: Array) -> list[tuple[int, int, Array, float]]:
+    """The third loops of half doubles: the stitch, before which of its points, where, and how high up."""
+    half = (role == STITCH) & (graph.height > 1.3) & (graph.height < 1.75)
+    count, first = np.diff(graph.anchor_offsets), graph.anchors[graph.anchor_offsets[:-1] % max(len(graph.anchors), 1)]
+    last = graph.anchors[graph.anchor_offsets[1:] - 1]
+    # Many loops in one place hide them.
+    half &= (count == 1) | (first != last)
+    return [(i, 5 + 14 * int(count[i]), _THIRD, float(graph.height[i])) for i in np.flatnonzero(half).tolist()]
 
 
 def _crowned(graph: StitchGraph) -> list[tuple[int, float]]:
