@@ -91,3 +91,11 @@ def test_charts_for_the_left_hand_go_clockwise_and_their_numbers_stay_readable()
     assert (np.diff(angles) < 0).all()
     numbers = [[(label.text, round(label.y, 3)) for label in d.labels if label.text.isdigit()] for d in (right, left)]
     assert numbers[0] == numbers[1]
+
+
+@pytest.mark.parametrize("name", ["ch", "hdc", "crab", "granny"])
+def test_yarn_is_led_through_a_specimen(name: str) -> None:
+    graph = build(parse(Text(text(name)))).graph
+    led = lead.way(graph)
+    worked = set(np.flatnonzero(lead.roles(graph)).tolist())
+    assert worked <= set(led.cell.tolist()) and np.isfinite(led.at).all()

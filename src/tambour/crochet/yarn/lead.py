@@ -285,11 +285,12 @@ def _hanging(i: int, k: int, loops: int) -> Array:
 def _overs(graph: StitchGraph, role: Array) -> list[tuple[int, int, Array, float]]:
     """The third loops of half doubles: the stitch, before which of its points, where, and how high up."""
     half = (role == STITCH) & (graph.height > 1.3) & (graph.height < 1.75)
-    count, first = np.diff(graph.anchor_offsets), graph.anchors[graph.anchor_offsets[:-1] % max(len(graph.anchors), 1)]
-    last = graph.anchors[graph.anchor_offsets[1:] - 1]
-    # Many loops in one place hide them.
-    half &= (count == 1) | (first != last)
-    return [(i, 5 + 14 * int(count[i]), _THIRD, float(graph.height[i])) for i in np.flatnonzero(half).tolist()]
+    made = []
+    for i in np.flatnonzero(half).tolist():
+        own = graph.anchors[graph.anchor_offsets[i] : graph.anchor_offsets[i + 1]]
+        if len(own) == 1 or own[0] != own[-1]:  # many loops in one place hide them
+            made.append((i, 5 + 14 * len(own), _THIRD, float(graph.height[i])))
+    return made
 
 
 def _crowned(graph: StitchGraph) -> list[tuple[int, float]]:
