@@ -97,7 +97,8 @@ def _materials(book: Book, width: float) -> list[Atom]:
     for line in book.said.materials:
         made += paragraph(line, width)
     if not any(yarn_name(book).lower() in line.lower() for line in book.said.materials):
-        named = f"{book.said.terms.word('yarn')}: {weight_name(book)}"
+        fibre = own.get(f"of {book.piece.params.material}", "")
+        named = f"{book.said.terms.word('yarn')}: {weight_name(book)}" + (f", {fibre}" if fibre else "")
         made += paragraph(named, width, BODY, None, 1.0 if made else 0.0, True)
     for yarn in found["yarn"]:
         color = unhexed(yarn["color"])
