@@ -269,3 +269,17 @@ def test_the_inside_of_a_cup_is_pushed_in() -> None:
     said = printed_anew(piece.built).text
     assert "@hollow = " in said
     assert piece.aim is not None and piece.aim.distance["mean"] < 1.0
+
+
+def test_a_model_thinner_than_its_stitches_is_told_in_one_line() -> None:
+    x, faces = globe(10.0, tall=200.0)
+    with pytest.raises(TambourError, match="too thin for its stitches") as told:
+        made(Mesh(x, faces), stitches=100)
+    assert len(told.value.problems) == 1
+
+
+def test_a_mesh_of_crumbs_is_told_in_one_line() -> None:
+    x, faces = globe(10.0)
+    loose = x[faces].reshape(-1, 3) + 0.01 * np.sin(np.arange(3 * faces.size)).reshape(-1, 3)
+    with pytest.raises(TambourError, match="hang together nowhere"):
+        made(Mesh(loose, np.arange(faces.size).reshape(-1, 3)))

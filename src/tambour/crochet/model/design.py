@@ -22,7 +22,7 @@ from tambour.crochet.model.loop import GAIN, TRIES, Task, Tried, looped, tried
 from tambour.crochet.model.named import names
 from tambour.crochet.model.rounds import pattern, printed
 from tambour.crochet.model.settled import together
-from tambour.crochet.model.whole import area, bodies, refined
+from tambour.crochet.model.whole import area, bodies, refined, volume
 from tambour.geometry.closest import nearest
 from tambour.geometry.motion import fit
 
@@ -33,6 +33,8 @@ STITCHES = 2000
 """Stitches of a model where neither they nor its height are asked for."""
 FEW, MANY = 40, 60_000
 """Fewer stitches than this show no shape; more are no toy."""
+THIN = 3.0
+"""A model whose parts are thinner around than this, in stitches and on the average, is none for crochet."""
 FINE = 1.0
 """The longest edge of the surface that rounds are led over, in stitches."""
 BEGINNINGS = 2
@@ -80,6 +82,13 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
         turn = tips.level(found[0][0], found[0][1], params.model_up)
         size = _scale([(x @ turn.T, faces) for x, faces, _ in found], params, stitch)
         whole = [(size / stitch[0] * (x @ turn.T), faces) for x, faces, _ in found]
+    for x, faces in whole:
+        around = 4.0 * math.pi * volume(x, faces) / float(area(x, faces).sum())  # of a rod, what it is around
+        if around < THIN:
+            raise TambourError(
+                f"the model is too thin for its stitches: about {around:.1f} around, on the average",
+                hint="more {--stitches}, or a stouter model",
+            )
     pieces: list[Piece] = []
     history: dict[str, list[float]] = {}
     for x, faces in whole:
