@@ -67,6 +67,8 @@ export function screen(root, piece, { over }) {
   stop.push(effect(() => {
     if (piece.live.value && piece.revision.value?.source?.text === null && MODEL.test(piece.revision.value.source.name)) untracked(words);
   }));
+  /** The file that the words stand in once a hand was laid on them; by its suffix it is known which language they are in. */
+  const called = source?.name?.replace(/\.(pdf|docx|html?)$/i, ".txt").replace(MODEL, ".acl") ?? "pattern.txt";
   /** One question at a time; what was typed meanwhile is asked next, the latest alone. */
   let asking = false, next = /** @type {string|null} */ (null);
   const gone = new AbortController();
@@ -74,7 +76,7 @@ export function screen(root, piece, { over }) {
     if (asking) return void (next = text);
     asking = true;
     try {
-      const found = await ask("/api/check/crochet", { body: { text, params: piece.params.value }, signal: gone.signal });
+      const found = await ask("/api/check/crochet", { body: { text, name: called, params: piece.params.value }, signal: gone.signal });
       if (text === editor.text) checked.value = found;
     } catch {
       // the page was left, or the server is away, which the bar says
@@ -84,7 +86,7 @@ export function screen(root, piece, { over }) {
     next = null;
     if (then !== null && !gone.signal.aborted) check(then);
   };
-  const commit = (/** @type {string} */ text) => piece.change({ source: { text, name: source?.name?.replace(/\.(pdf|docx|html?)$/i, ".txt").replace(MODEL, ".acl") ?? "pattern.txt" }, merge: true }, 600);
+  const commit = (/** @type {string} */ text) => piece.change({ source: { text, name: called }, merge: true }, 600);
   stop.push(() => (gone.abort(), editor.view.destroy()));
   stop.push(effect(() => {
     const text = piece.revision.value?.source?.text;
