@@ -21,7 +21,8 @@ AXE = FRONT.parent / "build" / "axe.js"
 """The accessibility checker of the tests; no part of the page."""
 FONTS = FRONT.parent / "src" / "tambour" / "render" / "fonts"
 BUNDLES = ("ui.js", "editor.js")
-ALONE = LIB.parent / "js" / "alone.js"
+JS = LIB.parent / "js"
+ALONE = JS / "alone.js"
 """Our own: the page that needs no server, in one file."""
 LATIN = [*range(0x20, 0x17F), *map(ord, "–—‘’“”•…×−½⅓¼¾→←↑↓↶↷▸▾▶⏸°′″✓·≈≤≥⌘⇧↵")]
 """What of the typeface the page needs."""
@@ -29,7 +30,11 @@ LATIN = [*range(0x20, 0x17F), *map(ord, "–—‘’“”•…×−½⅓¼¾�
 
 def build() -> None:
     """Bring ``lib`` up to date."""
-    ours = [ALONE, ALONE.with_name("pack.js"), *sorted((ALONE.parent / "gl").glob("*.js"))]
+    ours = [
+        *(JS / f"{n}.js" for n in ("alone", "pack", "view", "theme", "timeline")),
+        *sorted(JS.glob("gl/*.js")),
+        *sorted(JS.glob("follow/*.js")),
+    ]
     sources = [FRONT / n for n in ("package-lock.json", "build.py", *BUNDLES)]
     mark = hashlib.sha256(b"".join(path.read_bytes() for path in [*sources, *ours]))
     made = LIB / "made.json"
@@ -42,6 +47,8 @@ def build() -> None:
         told = ["--bundle", "--minify", "--format=esm", "--target=es2022", "--legal-comments=none"]
         told += ["--banner:js=// @ts-nocheck", f"--outdir={out}"]
         _call([*_node(), str(esbuild), *given, *told], folder)
+        shutil.rmtree(LIB, ignore_errors=True)
+        shutil.copytree(out, LIB)  # our own modules take them from there
         told = ["--bundle", "--minify", "--format=iife", "--target=es2022", f"--outfile={out / 'alone.js'}"]
         _call([*_node(), str(esbuild), str(ALONE), *told], folder)
         AXE.parent.mkdir(exist_ok=True)

@@ -508,6 +508,34 @@ def test_the_page_for_a_shop_shows_the_piece_without_a_server(page, tmp_path):
     shop.close()
 
 
+def test_the_file_to_keep_is_followed_without_a_server(page, tmp_path):
+    told = {"example": "cat.png", "title": "Band", "params": {"stitches": 40, "floats": "caught"}}
+    new(page, told)
+    made(page)
+    page.keyboard.press("Control+s")
+    with page.expect_download() as waiting:
+        page.click("text=Follow, to keep")
+    assert waiting.value.suggested_filename == "Band follow.html"
+    waiting.value.save_as(tmp_path / "band.html")
+    phone = page.context.browser.new_page(viewport={"width": 390, "height": 844})
+    asked: list[str] = []
+    phone.on("request", lambda r: asked.append(r.url))
+    phone.goto((tmp_path / "band.html").as_uri())
+    phone.wait_for_selector(".hands .on")
+    phone.click(".hands .on")
+    until(phone, "document.querySelector('.words .row').textContent === 'Row 2'")
+    for _ in range(40):  # runs, and where what lies behind is caught
+        if "catch at" in phone.inner_text(".tokens"):
+            break
+        phone.keyboard.press("PageDown")
+    assert "catch at" in phone.inner_text(".tokens")
+    row = phone.inner_text(".words .row")
+    phone.reload()
+    until(phone, f"document.querySelector('.words .row')?.textContent === {row!r}")
+    assert all(url.startswith(("file:", "blob:", "data:")) for url in asked)
+    phone.close()
+
+
 def test_pictures_of_each_step_and_a_film_come_from_the_scrub(page, tmp_path):
     import io
     import zipfile

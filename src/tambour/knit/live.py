@@ -8,7 +8,7 @@ import numpy as np
 
 from tambour.core.packed import Packed
 from tambour.core.steps import Step, told
-from tambour.knit.hands.working import floats, roles, wrong_side
+from tambour.knit.hands.working import catches, floats, roles, wrong_side
 from tambour.knit.hands.written import sentence
 from tambour.knit.hands.yarn import gauge_of
 from tambour.knit.piece import Piece
@@ -19,14 +19,19 @@ def live(piece: Piece) -> Packed:
 
     ``cells``, ``start`` (R, C) → ``palette`` (K, 3); ``tone`` (R, C) the brightness aimed at, 0…255; ``pairs`` (R, 2 or K)
     the yarns that a row may be knitted with; ``longest`` (R,) the longest float of each row; ``no_stitch``,
-    ``relaxed``, ``locked`` (R, C) where the chart has them.
+    ``relaxed``, ``locked``, ``caught`` (stitches at which a float is caught behind) (R, C) where the chart has them.
     """
     chart = piece.chart
     rows, stitches = chart.shape
     behind = floats(chart, not piece.free_edges)
     longest = np.zeros(rows, np.int64)
     np.maximum.at(longest, behind.row, behind.length)
-    masks = {"no_stitch": chart.no_stitch, "relaxed": chart.relaxed, "locked": chart.locked}
+    caught = (
+        catches(chart, piece.limit, not piece.free_edges)
+        if piece.limit and longest.max(initial=0) > piece.limit
+        else None
+    )
+    masks = {"no_stitch": chart.no_stitch, "relaxed": chart.relaxed, "locked": chart.locked, "caught": caught}
     arrays = {
         "cells": chart.cells,
         "start": piece.start,

@@ -67,7 +67,8 @@ export async function takeAway(over, piece, { follow }) {
       <div class="first">${first.map(({ file, title, line }, k) => html`<button class="button ${k ? "" : "act"}" ?disabled=${busy.has(file)} @click=${() => get(file)}>
           <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}${file.size === null ? "" : ` · ${size(file.size)}`}</span></button>`)}
         ${piece.address ? html`<button class="button" @click=${() => (box.close(), copied(piece))}><b>Copy the address</b><span>of this place, to send</span></button>`
-          : html`<button class="button" @click=${() => (box.close(), follow())}><b>Follow</b><span>on a phone, stitch by stitch</span></button>`}
+          : html`<button class="button" @click=${() => (box.close(), follow())}><b>Follow</b><span>on a phone, stitch by stitch</span></button>
+          <button class="button" @click=${() => attempt(() => followPage(piece))}><b>Follow, to keep</b><span>one file for any phone, HTML</span></button>`}
         ${piece.live.value?.arrays.points && craft.name !== "ink" ? html`<button class="button" @click=${alone}><b>For your shop</b><span>one page that shows it, HTML</span></button>` : ""}
         ${piece.live.value && craft.name !== "ink" ? html`<button class="button" @click=${() => filmed("photos")}><b>Step by step</b><span>a picture of each step, JPG</span></button>
           <button class="button" @click=${() => filmed("film")}><b>Upright film</b><span>of the making, 9:16</span></button>` : ""}
@@ -108,17 +109,30 @@ export function save(blob, name) {
   tell(html`<b>${name}</b> is in your downloads.`, { calm: true });
 }
 
-/** One page with the drawing code and the piece in it: works from any place, with no server. @param {Piece} piece */
-async function shopPage(piece) {
+/** One file with all that it needs. @param {Piece} piece @param {object} more @param {string} style @param {string} after what its file is called, after the title */
+async function wholePage(piece, more, style, after) {
   const id = piece.revision.value.id, title = piece.piece.value.title;
-  const [code, pack] = await Promise.all([fetch(new URL("../lib/alone.js", import.meta.url)).then((a) => a.text()), bytes(`/api/revisions/${id}/live.pack`)]);
-  const steps = JSON.stringify((piece.steps.value?.steps ?? []).map(({ label, words, first, end }) => ({ label, words, first, end })));
+  const [code, pack] = await Promise.all([web("lib/alone.js"), bytes(`/api/revisions/${id}/live.pack`)]);
+  const told = JSON.stringify({ title, craft: piece.craft.value.name, steps: piece.steps.value?.steps ?? [], ...more });
   const raw = new Uint8Array(pack);
   let text = "";
   for (let k = 0; k < raw.length; k += 32768) text += String.fromCharCode(...raw.subarray(k, k + 32768));
   const safe = (/** @type {string} */ s) => s.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
-  const page = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>${safe(title)}</title>
-<body data-title="${safe(title)}"><script type="application/json" id="steps">${steps.replaceAll("<", "\\u003c")}</script>
+  const page = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1, viewport-fit=cover"><title>${safe(title)}</title>
+<style>${style}</style><body><main id="follow"></main><script type="application/json" id="told">${told.replaceAll("<", "\\u003c")}</script>
 <script type="text/plain" id="pack">${btoa(text)}</script><script>${code.replaceAll("</script", "<\\/script")}</script></body></html>\n`;
-  save(new Blob([page], { type: "text/html" }), `${title.replace(/[^\p{L}\p{N} _-]/gu, "").trim() || "piece"}.html`);
+  save(new Blob([page], { type: "text/html" }), `${title.replace(/[^\p{L}\p{N} _-]/gu, "").trim() || "piece"}${after}.html`);
+}
+
+/** A file of the page as text. @param {string} path */
+const web = async (path) => (await fetch(new URL(`../${path}`, import.meta.url))).text();
+
+/** A page that shows the piece, for a shop. @param {Piece} piece */
+const shopPage = (piece) => wholePage(piece, {}, "", "");
+
+/** The making to follow, in one file for a phone. @param {Piece} piece */
+async function followPage(piece) {
+  const sheets = await Promise.all(["tokens", "controls", "follow"].map((name) => web(`css/${name}.css`)));
+  const key = `tambour.place.${piece.id}.${piece.revision.value.id}`;
+  return wholePage(piece, { key }, sheets.join("\n").replace(/@font-face \{[^}]*\}/g, ""), " follow");
 }

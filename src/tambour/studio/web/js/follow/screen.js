@@ -1,32 +1,21 @@
 // Follow: on a phone beside the yarn: the picture worked up to here, this round in large words, one button.
 import { Chart } from "../gl/chart.js";
 import { Stage } from "../gl/stage.js";
-import { unpack } from "../pack.js";
 import { night } from "../theme.js";
 import { bare } from "../timeline.js";
 import { colored, dyed, effect, html, number, ref, render, show, signal } from "../view.js";
-import { Trouble, ask, bytes, patiently } from "../wire.js";
-import { Place } from "./place.js";
 import { awake } from "./wake.js";
 
-const root = /** @type {HTMLElement} */ (document.getElementById("follow"));
-const id = /^\/follow\/([\w-]+)/.exec(location.pathname)?.[1] ?? "";
 const NAMES = { crochet: "Round done", knit: "Row done", ink: "Next", embroidery: "Done, next" };
-/** The computer that Tambour runs on may do all; a phone that was let in may follow this piece alone. */
-const OWN = /^(localhost$|127\.|\[::1\])/.test(location.hostname);
 const MANY = 120; // stitches as tokens; more are shown as runs
 
-begin().catch((error) => {
-  if (!(error instanceof Trouble)) throw error;
-  render(html`<div class="words"><h1>${error.problems[0].message}</h1><p>${error.problems[0].hint ?? ""}</p></div>`, root);
-});
-
-async function begin() {
-  const { piece } = await ask(`/api/pieces/${id}`), head = piece.head;
-  const [pack, { steps }] = await patiently(() => Promise.all([bytes(`/api/revisions/${head}/live.pack`).then((b) => unpack(b)), ask(`/api/revisions/${head}/steps.json`)]));
-  const place = new Place(id), typing = signal(false), sleeps = signal(false);
-  await place.open();
-  document.title = `${piece.title} · Tambour`;
+/**
+ * @param {HTMLElement} root
+ * @param {{title: string, craft: string, pack: import("../pack.js").Pack, steps: any[], place: import("./kept.js").Kept, to?: string}} told to: the address of the piece, for who may go there
+ */
+export async function follow(root, { title, craft, pack, steps, place, to }) {
+  const typing = signal(false), sleeps = signal(false);
+  document.title = `${title} · Tambour`;
   render(html`<header class="headline"></header><div class="picture"><canvas role="img" aria-label="the work so far"></canvas><div class="over"></div></div>
     <section class="words" aria-live="polite"></section><p class="then"></p><div class="hands"></div>`, root);
   const one = (/** @type {string} */ q) => /** @type {any} */ (root.querySelector(q));
@@ -96,13 +85,13 @@ async function begin() {
       typing.value = false;
       if (n >= 1 && n <= alike.length) place.go(steps.indexOf(alike[n - 1]), alike[n - 1].first);
     };
-    return html`<b>${piece.title}</b><span class="part">${step.part}</span><span class="count">${typing.value
+    return html`<b>${title}</b><span class="part">${step.part}</span><span class="count">${typing.value
       ? html`<input type="text" inputmode="numeric" aria-label="go to number" placeholder="1 to ${alike.length}" ${ref((el) => el && queueMicrotask(() => /** @type {any} */ (el).focus()))} @change=${jump} @blur=${() => (typing.value = false)}>`
       : html`<button class="button" @click=${() => (typing.value = true)} aria-label="go to another">${done ? "finished" : `${step.label} / ${alike.length}`}</button>`}</span><span class="unseen">step ${k + 1} of ${steps.length}</span>`;
   });
   show(one(".words"), () => {
     const { step, unit, done } = at();
-    if (done) return html`<div class="row">Finished</div><h1>${piece.title} is made.</h1>`;
+    if (done) return html`<div class="row">Finished</div><h1>${title} is made.</h1>`;
     return html`<div class="row">${step.label}</div>${step.stop ? html`<p class="stop">${colored(step.stop)}</p>` : ""}
       <h1>${colored(bare(step.words))}${step.count && !/[[(]\s*\d+\s*[\])]\s*$|^[\d,]+ stitches/.test(step.words) ? html` <span class="quiet">${number(step.count)}</span>` : ""}</h1>
       <div class="tokens">${tokens(step).map((t) => html`<button class=${t.end <= unit ? "done" : t.first <= unit ? "now" : ""} @click=${() => place.go(at().k, t.first)}>
@@ -112,10 +101,10 @@ async function begin() {
     const { k, done } = at(), next = steps[k + 1];
     return done || !next ? "" : html`then ${next.label}: ${colored(bare(next.words))}`;
   });
-  show(one(".hands"), () => html`<button class="back" @click=${back}>back</button><button class="on" @click=${on} ?disabled=${at().done}>${NAMES[piece.craft] ?? "Done"}</button>`);
+  show(one(".hands"), () => html`<button class="back" @click=${back}>back</button><button class="on" @click=${on} ?disabled=${at().done}>${NAMES[craft] ?? "Done"}</button>`);
   show(one(".over"), () => html`<details class="menu"><summary class="icon button" aria-label="more">⋯</summary><div>
-      <button class="button" @click=${() => place.go(0, 0)}>Begin again</button> ${OWN ? html`<a class="button" role="button" href="/#/piece/${id}">To the piece</a>` : ""}
-      <p class="quiet">${place.unsent.value ? "Wi-Fi is away: your place is kept in this page. Do not load it again until it is back." : "Your place is kept on the computer too."}
+      <button class="button" @click=${() => place.go(0, 0)}>Begin again</button> ${to ? html`<a class="button" role="button" href=${to}>To the piece</a>` : ""}
+      <p class="quiet">${place.word}
         ${sleeps.value ? " This phone's screen may go dark: it does not let a page keep it awake." : ""}</p></div></details>`);
 
   /** @param {any} step @returns {{first: number, end: number, text: string, color?: ArrayLike<number>}[]} */
@@ -129,8 +118,8 @@ async function begin() {
       let j = i + 1;
       if (a.cells) {
         while (j < step.end && same(i, j)) j++;
-        const v = cell(step, i);
-        found.push({ first: i, end: j, text: String(j - i), color: a.palette.subarray(3 * v, 3 * v + 3) });
+        const v = cell(step, i), hooks = Array.from({ length: j - i }, (_, k) => k).filter((k) => caught(step, i + k)).map((k) => k + 1);
+        found.push({ first: i, end: j, text: `${j - i}${hooks.length ? ` · catch at ${hooks.join(", ")}` : ""}`, color: a.palette.subarray(3 * v, 3 * v + 3) });
       } else {
         while (j < step.end && into(i, j)) j++;
         const text = name(i, j - i), last = found.at(-1);
@@ -141,10 +130,18 @@ async function begin() {
     }
     return found;
   }
+  /** Where the i-th stitch in the order of work lies in the chart. @param {any} step @param {number} i */
+  function chartAt(step, i) {
+    const c = pack.shapes.cells[1], row = Math.floor(step.first / c), k = i - step.first;
+    return row * c + (step.direction > 0 ? k : c - 1 - k);
+  }
   /** @param {any} step @param {number} i the yarn of the i-th stitch in the order of work */
   function cell(step, i) {
-    const c = pack.shapes.cells[1], row = Math.floor(step.first / c), k = i - step.first;
-    return pack.arrays.cells[row * c + (step.direction > 0 ? k : c - 1 - k)];
+    return pack.arrays.cells[chartAt(step, i)];
+  }
+  /** @param {any} step @param {number} i whether what lies behind it is caught there */
+  function caught(step, i) {
+    return Boolean(pack.arrays.caught?.[chartAt(step, i)]);
   }
   /** Whether stitch j is worked into the same as i: one increase. @param {number} i @param {number} j */
   function into(i, j) {
@@ -167,6 +164,6 @@ async function begin() {
     navigator.vibrate?.(12);
   });
   one(".hands").addEventListener("click", () => navigator.vibrate?.(12));
-  addEventListener("beforeunload", (event) => place.unsent.value && event.preventDefault());
+  addEventListener("beforeunload", (event) => place.loose && event.preventDefault());
   sleeps.value = !(await awake());
 }
