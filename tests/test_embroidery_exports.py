@@ -205,3 +205,11 @@ def test_exports_are_sewn(tmp_path, program):
         piece = make(files.read(path, ("Drawing",)), EmbroideryParams(width=100.0), Progress())
         threads = {"#" + bytes(t.rgb).hex() for t in piece.plan.threads}
         assert threads == {c for c, a in expected(items).items() if a > 1}
+
+
+def test_a_span_in_another_typeface_is_told(tmp_path):
+    (tmp_path / "a.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="90" height="40"><text x="2" y="30" style="font-family:sans-serif">'
+        '<tspan style="font-family:Oxanium">Club</tspan><tspan> and</tspan></text></svg>'
+    )
+    assert files.read(tmp_path / "a.svg", ("Drawing",)).about["ignored"] == "the font Oxanium (Inter is used)"

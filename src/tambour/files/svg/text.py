@@ -47,9 +47,6 @@ def outlined(
 
     ways : the id of a path → its line (n, 2), for text on a path; ``leave`` is told what has no place in them.
     """
-    family = look.props.get("font-family", "").split(",")[0].strip("'\" ")
-    if family and family.lower() not in ("inter", "sans-serif", "sans"):
-        leave(f"the font {family} (Inter is used)")
     letters: list[_Letter] = []
     _spread(node, look, view, looks, ways, leave, letters, {}, None, 0.0)
     while letters and letters[-1].text == " ":
@@ -89,6 +86,10 @@ def _spread(
     begin: float,
 ) -> None:
     """Add the letters of an element and of all below it; ``lists`` are the places given by its surroundings."""
+    if any(words.strip() for words in (element.text or "", *(child.tail or "" for child in element.children))):
+        family = look.props.get("font-family", "").split(",")[0].strip("'\" ")
+        if family and family.lower() not in ("inter", "sans-serif", "sans"):
+            leave(f"the font {family} (Inter is used)")
     size = float(look.props.get("font-size", "16"))
     spacing = look.props.get("letter-spacing", "normal")
     try:
