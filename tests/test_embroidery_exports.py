@@ -213,3 +213,46 @@ def test_a_span_in_another_typeface_is_told(tmp_path):
         '<tspan style="font-family:Oxanium">Club</tspan><tspan> and</tspan></text></svg>'
     )
     assert files.read(tmp_path / "a.svg", ("Drawing",)).about["ignored"] == "the font Oxanium (Inter is used)"
+
+
+def test_canva_cuts_its_pictures_by_clips_and_by_pictures_in_masks(tmp_path):
+    """Its transparent pictures are two: the colours, and behind filters in a mask the light that lets them through."""
+    import base64
+    import io
+
+    from PIL import Image
+
+    def png(array):
+        held = io.BytesIO()
+        Image.fromarray(array).save(held, "PNG")
+        return f"data:image/png;base64,{base64.b64encode(held.getvalue()).decode()}"
+
+    red = np.zeros((40, 60, 3), np.uint8)
+    red[..., 0] = 200
+    light = np.zeros((40, 60, 3), np.uint8)
+    light[10:30, 15:45] = 255
+    place = 'x="0" y="0" width="60" height="40" preserveAspectRatio="xMidYMid meet"'
+    (tmp_path / "a.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="120" height="80" viewBox="0 0 120 80"><defs>'
+        '<filter id="f"><feColorMatrix values="0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 0.2126 0.7152 0.0722 0 0"/></filter>'
+        '<clipPath id="c"><path d="M0 0H60V80H0Z"/></clipPath>'
+        f'<mask id="m"><g filter="url(#f)"><g filter="url(#f)" transform="scale(2)"><image {place} xlink:href="{png(light)}"/></g></g></mask></defs>'
+        f'<g clip-path="url(#c)"><g mask="url(#m)"><g transform="scale(2)"><image {place} xlink:href="{png(red)}"/></g></g></g></svg>'
+    )
+    made = files.read(tmp_path / "a.svg", ("Drawing",))
+    (picture,) = made.images
+    expected = np.zeros((40, 60), bool)
+    expected[10:30, 15:30] = True  # the mask's light, left of the clip's edge
+    assert ((picture.picture.rgba[..., 3] > 127) == expected).all() and not made.about.get("ignored")
+    piece = make(made, EmbroideryParams(width=60), Progress())
+    assert sum(r.color[0] > 150 and max(r.color[1:]) < 60 for r in piece.regions) >= 1
+
+
+def test_shapes_in_a_mask_that_is_a_picture_are_whole_and_it_is_told(tmp_path):
+    (tmp_path / "a.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="40"><mask id="m"><image width="9" height="9" href="data:image/png;base64,'
+        'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg=="/></mask>'
+        '<rect width="30" height="30" mask="url(#m)"/></svg>'
+    )
+    made = files.read(tmp_path / "a.svg", ("Drawing",))
+    assert len(made.paths) == 1 and made.about["ignored"] == "a mask that is a picture"

@@ -15,6 +15,7 @@ from tambour.files.svg.tree import Node
 from tambour.files.svg.windows import Window, both, clipped, masked, ring
 
 if TYPE_CHECKING:
+    from tambour.core.drawing import Placed
     from tambour.files.svg.read import Reader
 
 
@@ -35,11 +36,35 @@ def framed(reader: Reader, node: Node, look: Look) -> Look | None:
         if f"{name} {found[1]}" in look.using:  # type: ignore[index]
             reader.doubt(node, f"{name} {text} cuts itself")
             return None
-        seen = _frame(reader, target, node, replace(look, using=look.using | {f"{name} {found[1]}"}))  # type: ignore[index]
+        inner = replace(look, using=look.using | {f"{name} {found[1]}"})  # type: ignore[index]
+        if name == "mask" and _holds(target, "image"):
+            look = replace(look, veils=(*look.veils, *_veils(reader, target, inner)))
+            if not _holds(node, "image"):
+                reader.leave("a mask that is a picture")
+            continue
+        seen = _frame(reader, target, node, inner)
         look = replace(look, window=both(look.window, seen))
         if not look.window:
             return None
     return look
+
+
+def _holds(node: Node, name: str) -> bool:
+    """Whether an element is of this name, or holds one that is."""
+    return node.name == name or any(_holds(child, name) for child in node.children)
+
+
+def _veils(reader: Reader, mask: Node, look: Look) -> list[Placed]:
+    """The pictures that a mask is made of, in their places; filters on them take their light, as a mask does anyway."""
+    kept, ignored = len(reader.images), dict(reader.ignored)
+    around = Look(look.matrix, view=look.view, using=look.using, group=-1)
+    own = reader.look(mask, around)
+    if own is not None:
+        reader.copied(mask, max(1, len(mask.children)))
+        reader.drawn(mask.children, own)
+    made, reader.images[kept:] = reader.images[kept:], []
+    reader.ignored = ignored
+    return made
 
 
 def _frame(reader: Reader, frame: Node, node: Node, look: Look) -> Window:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
 from tambour.core.check import Array
+from tambour.core.drawing import Placed
 from tambour.files.svg import css
 from tambour.files.svg.path import IDENTITY
 from tambour.files.svg.tree import Node
@@ -34,6 +35,7 @@ class Look:
     matrix : (2, 3) from its units to mm; props : its properties; met : the rules met so far; group : of the drawing
     view : what per cent are of, in its units; window : what of it shows; shown : the opacity of it all
     using : ids of what is being copied, so that nothing copies itself; clip : it cuts others, and has no colours
+    veils : pictures (Placed) whose light is a mask: of pictures only
     """
 
     matrix: Array = field(default_factory=lambda: IDENTITY)
@@ -46,6 +48,7 @@ class Look:
     shown: float = 1.0
     using: frozenset[str] = frozenset()
     clip: bool = False
+    veils: tuple[Placed, ...] = ()
 
     @property
     def visible(self) -> bool:
