@@ -17,6 +17,8 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.lids import lids
 from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Spot
 
+MOSTLY = 0.25
+"""The first stretch of a part that has this share of its nodes is the part; what hangs together with nothing of it is not."""
 GATHERED = 8
 """An open end of so few stitches is drawn together."""
 
@@ -300,5 +302,7 @@ def whole(graph: StitchGraph, part: int) -> tuple[int, int]:
         np.add.at(over, inside.min(1) + 1, 1)
         np.add.at(over, inside.max(1) + 1, -1)
     cuts = [0, *(np.flatnonzero(np.cumsum(over)[1:-1] == 0) + 1).tolist(), p.end - p.start]
-    first, last = max(pairwise(cuts), key=lambda ends: ends[1] - ends[0])
+    pieces = list(pairwise(cuts))
+    least = MOSTLY * (p.end - p.start)
+    first, last = next((ends for ends in pieces if ends[1] - ends[0] >= least), pieces[0])
     return p.start + first, p.start + last
