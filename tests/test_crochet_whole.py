@@ -186,3 +186,9 @@ def test_a_stray_ring_at_the_end_of_a_part_is_not_what_it_is_sewn_by() -> None:
     built = read(text + "\nAssembly\nSew head to body.\n").built
     spots = Spots(built)
     assert len(spots.rim(spots.parts["Body"])) == 18
+
+
+def test_the_rounds_of_a_stray_ring_are_no_rounds_of_the_part() -> None:
+    text = f"Toy\n\nHead\n{CLOSED}\nBody\n{BALL}Fasten off, leaving it open.\n(worked from the back)\nRnd 12: 6 sc in MR (6)\n"
+    spots = Spots(read(text + "\nAssembly\nSew head to body.\n").built)
+    assert spots.rounds_of(spots.parts["Body"]) == list(range(1, 12))

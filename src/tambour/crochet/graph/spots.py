@@ -41,6 +41,7 @@ class Spots:
         self._at: dict[tuple[int, int], list[int]] = {}
         self._open: dict[int, list[Array]] = {}
         self._ends: dict[int, int] = {}
+        self._numbers: dict[int, list[int]] = {}
         self._standing: dict[tuple[int, int], tuple[Array, Array]] = {}
         for k, (round_, number) in enumerate(zip(built.rounds, self.numbers)):
             self._at.setdefault((round_.part, number), []).append(k)
@@ -85,6 +86,14 @@ class Spots:
         """The last round of a part, an index of Built.rounds."""
         return max(k for k, r in enumerate(self.built.rounds) if r.part == part)
 
+    def rounds_of(self, part: int) -> list[int]:
+        """The numbers of a part's rounds, in order; those of stray rings are none of it."""
+        if part not in self._numbers:
+            end = self._end(part)
+            mine = [(r.first, n) for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
+            self._numbers[part] = [n for first, n in mine if first <= end] or [n for _, n in mine]
+        return self._numbers[part]
+
     def round_at(self, part: int, number: int) -> int | None:
         """The round of a part that bears ``number``: the last, if there are several; None where there is none."""
         found = self._at.get((part, number))
@@ -93,7 +102,7 @@ class Spots:
     def _special(self, part: int, number: int) -> int | None:
         """The ring's root for the number before the first round's, the tip for the one after the last's."""
         p, graph = self.built.graph.parts[part], self.built.graph
-        mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
+        mine = self.rounds_of(part)
         if not mine:
             return None
         kind = ROOT if number == min(mine) - 1 else TIP
@@ -104,7 +113,7 @@ class Spots:
 
     def opening(self, part: int, number: float) -> Array:
         """The rim of an open part, in the order of work: ``number`` is the one after its last round's, or before its first's."""
-        mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
+        mine = self.rounds_of(part)
         if not mine or self.in_rows[part] or number not in (min(mine) - 1, max(mine) + 1):
             return np.zeros(0, int)
         return self.rim(part) if number > max(mine) else self.begun(part)
@@ -270,7 +279,7 @@ class Spots:
 
     def _problem(self, spot: Spot) -> Iterator[Problem]:
         part, text = self.parts[spot.part], self.built.pattern.text
-        mine = [n for r, n in zip(self.built.rounds, self.numbers) if r.part == part]
+        mine = self.rounds_of(part)
         wanted = [math.floor(spot.round), math.ceil(spot.round)]
         there = [
             self.round_at(part, n) is not None

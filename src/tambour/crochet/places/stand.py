@@ -262,7 +262,7 @@ def _alike(ring: Array, n: int) -> Array:
 
 def numbers_of(spots: Spots, part: int) -> tuple[int, int]:
     """The numbers of the first and the last round of a part."""
-    mine = [n for r, n in zip(spots.built.rounds, spots.numbers) if r.part == part]
+    mine = spots.rounds_of(part)
     return (min(mine), max(mine)) if mine else (1, 1)
 
 
