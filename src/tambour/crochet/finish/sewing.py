@@ -11,7 +11,7 @@ from tambour.core.check import Array
 from tambour.core.graph import ROOT, TIP, StitchGraph
 from tambour.crochet.finish.placing import Frames
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots
+from tambour.crochet.graph.spots import Spots, whole
 from tambour.crochet.language.finishes import Placed
 from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.near import assigned, nearest
@@ -73,8 +73,8 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
             nodes = spots.stitches(spots.last(part))
     nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
     if len(nodes) < 2:
-        p = graph.parts[part]
-        nodes = np.arange(max(p.start, p.end - 3), p.end)
+        first, last = whole(graph, part)
+        nodes = np.arange(max(first, last - 3), last)
     m = len(nodes)
     pinch = placed.flat and not rows
     pairs = np.column_stack([nodes[: m // 2], nodes[::-1][: m // 2]]) if pinch else none

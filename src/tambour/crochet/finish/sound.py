@@ -13,7 +13,7 @@ from tambour.core.errors import Problem
 from tambour.core.graph import SEWN
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots
+from tambour.crochet.graph.spots import Spots, whole
 from tambour.crochet.language.finishes import Eye
 from tambour.crochet.settle.arrange import clusters
 from tambour.geometry.closest import Tree, nearest, tree
@@ -58,9 +58,10 @@ def faults(built: Built, x: Array, parts: Iterable[int], upright: Array | None =
     shell = graph.faces[built.shell]
     fabric: dict[int, _Fabric] = {}
     for k in parts:
-        faces = shell[graph.part[shell[:, 0]] == k]
+        first, last = whole(graph, k)
+        faces = shell[(shell >= first).all(1) & (shell < last).all(1)]
         if len(faces):
-            own = x[graph.parts[k].start : graph.parts[k].end]
+            own = x[first:last]
             corners = x[faces.ravel()]
             fabric[k] = _Fabric(own, tree(x, faces), face_normals(x, faces), corners.min(0), corners.max(0))
     names = [p.name for p in graph.parts]

@@ -84,7 +84,9 @@ class Spots:
 
     def last(self, part: int) -> int:
         """The last round of a part, an index of Built.rounds."""
-        return max(k for k, r in enumerate(self.built.rounds) if r.part == part)
+        end = self._end(part)
+        mine = [(r.first, k) for k, r in enumerate(self.built.rounds) if r.part == part]
+        return max((k for first, k in mine if first <= end), default=mine[-1][1])
 
     def rounds_of(self, part: int) -> list[int]:
         """The numbers of a part's rounds, in order; those of stray rings are none of it."""
