@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from tambour.core.arrays import B1x1, F4x2, F8x1, F8x2, I4x1, I4x2, I8x1
@@ -30,8 +32,9 @@ def _segments(coords: F8x2, ends: I8x1, strand: I4x1, arc: F8x1, middle: F8x2, h
                 size = 0.0
                 for c in range(3):
                     middle[i, c] = 0.5 * (coords[i, c] + coords[i + 1, c])
-                    size += (coords[i + 1, c] - coords[i, c]) ** 2
-                half[i] = 0.5 * size**0.5
+                    step = coords[i + 1, c] - coords[i, c]
+                    size += step * step
+                half[i] = 0.5 * math.sqrt(size)
                 strand[i] = s
                 arc[i] = run + half[i]
                 run += 2.0 * half[i]
@@ -151,10 +154,12 @@ def close_pairs(
                             # Nor by its distance from the line of the one or of the other.
                             square = dx * dx + dy * dy + dz * dz
                             t = dx * near[k, 5] + dy * near[k, 6] + dz * near[k, 7]
-                            if square - t * t >= (wide + near[m, 3]) ** 2:
+                            most = wide + near[m, 3]
+                            if square - t * t >= most * most:
                                 continue
                             t = dx * near[m, 5] + dy * near[m, 6] + dz * near[m, 7]
-                            if square - t * t >= (wide + near[k, 3]) ** 2:
+                            most = wide + near[k, 3]
+                            if square - t * t >= most * most:
                                 continue
                             i, j = order[k], order[m]
                             if nearest(coords, i, j, found) < reach * reach:
@@ -182,13 +187,13 @@ def push(coords: F8x2, pairs: I4x2, apart: float, rounds: int, move: F8x2, weigh
             i, j = pairs[k, 0], pairs[k, 1]
             gap = nearest(coords, i, j, found)
             if gap >= apart * apart:
-                wait[k] = min(3, int((gap**0.5 / apart - 1.0) / 0.02))
+                wait[k] = min(3, int((math.sqrt(gap) / apart - 1.0) / 0.02))
                 continue
-            gap = max(gap**0.5, 1e-9)
+            gap = max(math.sqrt(gap), 1e-9)
             s, t = found[0], found[1]
             # The four ends move so that the nearest points part by what is missing.
             share = 0.5 * (apart - gap) / gap
-            own, other = (1 - s) ** 2 + s * s, (1 - t) ** 2 + t * t
+            own, other = (1 - s) * (1 - s) + s * s, (1 - t) * (1 - t) + t * t
             for c in range(3):
                 d = (
                     coords[i, c]

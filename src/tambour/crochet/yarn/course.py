@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -212,7 +213,7 @@ def _vectors(
                 count[a] = 1.0
     for i in range(n):
         # A chain that is worked into on both its sides has no way up.
-        size = (up[i, 0] ** 2 + up[i, 1] ** 2 + up[i, 2] ** 2) ** 0.5
+        size = math.sqrt(up[i, 0] * up[i, 0] + up[i, 1] * up[i, 1] + up[i, 2] * up[i, 2])
         if plain[i] and offsets[i + 1] == offsets[i] and size < 0.3 * width * count[i]:
             count[i] = 0.0
     for i in range(n):
@@ -225,7 +226,7 @@ def _vectors(
             up[i, 0] = along[i, 1] * normal[i, 2] - along[i, 2] * normal[i, 1]
             up[i, 1] = along[i, 2] * normal[i, 0] - along[i, 0] * normal[i, 2]
             up[i, 2] = along[i, 0] * normal[i, 1] - along[i, 1] * normal[i, 0]
-        size = (up[i, 0] ** 2 + up[i, 1] ** 2 + up[i, 2] ** 2) ** 0.5
+        size = math.sqrt(up[i, 0] * up[i, 0] + up[i, 1] * up[i, 1] + up[i, 2] * up[i, 2])
         if size < 0.3 * width:
             if size > 0.0:
                 up[i] *= 0.3 * width / size
@@ -365,7 +366,7 @@ def place(
         for c in range(3):
             low[1, c] = (1.0 - t) * low[1, c] + t * top[1, c]
             size += low[1, c] * low[1, c]
-        size = w / max(size, 1e-9) ** 0.5
+        size = w / math.sqrt(max(size, 1e-9))
         for c in range(3):
             out[p, c] = (1.0 - t) * low[0, c] + t * top[0, c] + size * low[1, c]
             if v < 0.0:

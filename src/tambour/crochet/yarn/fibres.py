@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -96,7 +97,7 @@ def _needles(
         lean = 1.6 * (draw[k, 3] - 0.5)
         t, a = tangent[i], across[i]
         b0, b1, b2 = t[1] * a[2] - t[2] * a[1], t[2] * a[0] - t[0] * a[2], t[0] * a[1] - t[1] * a[0]
-        size = max((p * p + q * q) ** 0.5, 1e-6)
+        size = max(math.sqrt(p * p + q * q), 1e-6)
         p, q = p / size, q / size
         for c in range(3):
             b = b0 if c == 0 else b1 if c == 1 else b2

@@ -49,7 +49,8 @@ def thin(coords: F8x2, offsets: I8x1, tolerance: float, keep: B1x1) -> None:
             for k in range(a + 1, b):
                 px, py, pz = coords[k, 0] - coords[a, 0], coords[k, 1] - coords[a, 1], coords[k, 2] - coords[a, 2]
                 t = (px * dx + py * dy + pz * dz) / size
-                far = max(far, (px - t * dx) ** 2 + (py - t * dy) ** 2 + (pz - t * dz) ** 2)
+                px, py, pz = px - t * dx, py - t * dy, pz - t * dz
+                far = max(far, px * px + py * py + pz * pz)
             if far > tolerance * tolerance or b - a > 6:
                 keep[i] = True
                 a = i
