@@ -283,3 +283,8 @@ def test_a_mesh_of_crumbs_is_told_in_one_line() -> None:
     loose = x[faces].reshape(-1, 3) + 0.01 * np.sin(np.arange(3 * faces.size)).reshape(-1, 3)
     with pytest.raises(TambourError, match="hang together nowhere"):
         made(Mesh(loose, np.arange(faces.size).reshape(-1, 3)))
+
+
+def test_a_model_far_from_its_origin_keeps_its_inside() -> None:
+    found = bodies(Mesh(BOX + 1e9, SIDES), [])
+    assert volume(*found[0][:2]) == pytest.approx(1.0, rel=1e-3)

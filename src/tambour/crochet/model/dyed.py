@@ -18,7 +18,7 @@ from tambour.crochet.yarn.course import leaning
 from tambour.crochet.yarn.loops import LEAN
 from tambour.geometry.closest import Tree, nearest
 
-ENOUGH: Final = 0.12
+ENOUGH: Final = 0.05
 """Where no number of yarns is asked for: as many as bring all but two per cent of the surface so near, in Oklab."""
 MOST_YARNS: Final = 6
 """But never more than this."""

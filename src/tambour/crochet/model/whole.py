@@ -38,7 +38,8 @@ def bodies(mesh: Mesh, tell: list[str]) -> list[tuple[Array, Array, Array]]:
         raise TambourError("all corners of the model lie in one place", hint="export it once more")
     if extent.min() < THIN * size:
         raise TambourError(FLAT[0], hint=FLAT[1])
-    x, faces, origin = welded(mesh.vertices, mesh.faces, WELD * size)
+    # About its own middle: far from it volumes drown in the last bits.
+    x, faces, origin = welded(mesh.vertices - mesh.vertices[used].mean(0), mesh.faces, WELD * size)
     faces = faces[(faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])]
     faces = faces[np.sort(np.unique(np.sort(faces, axis=1), axis=0, return_index=True)[1])]
     if len(faces) < 4:
