@@ -87,17 +87,6 @@ def teddy() -> Mesh:
 
 def whale() -> Mesh:
     """A whale with flukes and fins, its belly white."""
-
-    def body(p: Array) -> Array:
-        t = np.clip((p[..., 2] + 5.0) / 9.0, 0.0, 1.0)
-        r = 0.55 + 2.0 * np.sin(0.5 * np.pi * np.clip(t, 0, 1)) ** 1.2
-        end = np.maximum(np.abs(p[..., 2] + 0.5) - 4.5, 0.0)
-        centre = np.stack([0 * t, 1.4 * (1 - t) ** 2], -1)
-        off = np.sqrt(((p[..., :2] - centre) ** 2).sum(-1))
-        return np.asarray(
-            np.sqrt(np.maximum(off - 0.0, 0.0) ** 2 + end**2) - r * np.sqrt(np.clip(1 - (end / 2.6) ** 2, 0.0, 1.0))
-        )
-
     return mesh(
         [
             (rod((0, 0.2, 1.6), (0, 1.0, -4.6), 2.5, 0.7), BLUE),
@@ -127,14 +116,20 @@ def cactus() -> Mesh:
     )
 
 
+def _about(p: Array) -> Array:
+    """How far points lie from the upright axis."""
+    return np.asarray(np.sqrt(p[..., 0] ** 2 + p[..., 2] ** 2))
+
+
 def cup() -> Mesh:
     """A beaker: a thick wall about a hollow."""
-    outer: Solid = lambda p: np.maximum(
-        np.sqrt(p[..., 0] ** 2 + p[..., 2] ** 2) - 3.0 - 0.08 * p[..., 1], np.abs(p[..., 1]) - 3.2
-    )  # noqa: E731
-    inner: Solid = lambda p: np.maximum(
-        np.sqrt(p[..., 0] ** 2 + p[..., 2] ** 2) - 2.0 - 0.08 * p[..., 1], -(p[..., 1] + 2.0)
-    )  # noqa: E731
+
+    def outer(p: Array) -> Array:
+        return np.asarray(np.maximum(_about(p) - 3.0 - 0.08 * p[..., 1], np.abs(p[..., 1]) - 3.2))
+
+    def inner(p: Array) -> Array:
+        return np.asarray(np.maximum(_about(p) - 2.0 - 0.08 * p[..., 1], -(p[..., 1] + 2.0)))
+
     return mesh([(outer, RED)], 0.1, 4.6, inner)
 
 
