@@ -256,3 +256,13 @@ def test_shapes_in_a_mask_that_is_a_picture_are_whole_and_it_is_told(tmp_path):
     )
     made = files.read(tmp_path / "a.svg", ("Drawing",))
     assert len(made.paths) == 1 and made.about["ignored"] == "a mask that is a picture"
+
+
+def test_a_mask_with_a_filter_hides_nothing_and_is_told(tmp_path):
+    """Canva makes things translucent so: a black rectangle whose opacity a filter turns into light."""
+    (tmp_path / "a.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="40"><filter id="f"/><mask id="m"><g filter="url(#f)">'
+        '<rect width="40" height="40" fill-opacity=".7"/></g></mask><rect width="30" height="30" mask="url(#m)"/></svg>'
+    )
+    made = files.read(tmp_path / "a.svg", ("Drawing",))
+    assert len(made.paths) == 1 and made.about["ignored"] == "a mask with a filter"

@@ -42,6 +42,9 @@ def framed(reader: Reader, node: Node, look: Look) -> Look | None:
             if not _holds(node, "image"):
                 reader.leave("a mask that is a picture")
             continue
+        if name == "mask" and _holds(target, "filter"):
+            reader.leave("a mask with a filter")
+            continue
         seen = _frame(reader, target, node, inner)
         look = replace(look, window=both(look.window, seen))
         if not look.window:
@@ -50,8 +53,8 @@ def framed(reader: Reader, node: Node, look: Look) -> Look | None:
 
 
 def _holds(node: Node, name: str) -> bool:
-    """Whether an element is of this name, or holds one that is."""
-    return node.name == name or any(_holds(child, name) for child in node.children)
+    """Whether an element is of this name or has an attribute of it, or holds one that does."""
+    return name in (node.name, *node.attributes) or any(_holds(child, name) for child in node.children)
 
 
 def _veils(reader: Reader, mask: Node, look: Look) -> list[Placed]:
