@@ -73,7 +73,7 @@ planted: $(VENV)/ready
 disk: $(VENV)/ready
 	TAMBOUR_PLACES=64 TAMBOUR_KILLS=200 $(BIN)/python -m pytest -m slow tests/disk
 
-SAMPLED := tests/test_fuzz.py tests/test_crochet_mutations.py tests/test_embroidery_mutations.py tests/test_embroidery_lettering.py
+SAMPLED := tests/test_fuzz.py tests/test_crochet_mutations.py tests/test_embroidery_mutations.py tests/test_embroidery_lettering.py tests/test_ways.py
 # Three thousand spoilt files and odd options of each craft, other ones every day; an hour at the most.
 fuzz: $(VENV)/ready
 	TAMBOUR_FUZZ=3000 TAMBOUR_FUZZ_SEED=$$(date +%F) TAMBOUR_NIGHT=1 $(BIN)/python -m pytest -s -m slow $(SAMPLED)

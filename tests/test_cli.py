@@ -8,6 +8,7 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -131,3 +132,40 @@ def test_a_number_of_threads_that_is_none_is_told(tmp_path: Path) -> None:
     for bad in ("x", "0", "-1", "9" * 5000):
         told = shell(f"TAMBOUR_THREADS={bad} tambour ink --span 300", tmp_path)
         assert told.returncode == 2 and told.stderr == "TAMBOUR_THREADS: wanted a number of threads from 1 to 256\n"
+
+
+BALL = b": MR(6)\n: 6 inc (12)\n: 6 dec (6)\nFO\n"
+
+
+def piped(*words: str, given: bytes = b"", cwd: Path) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run(
+        [sys.executable, "-m", "tambour", *words], input=given, capture_output=True, cwd=cwd, check=False
+    )
+
+
+@pytest.mark.slow
+def test_standard_input_and_output_are_files(tmp_path: Path, root: Path) -> None:
+    (tmp_path / "ball.acl").write_bytes(BALL)
+    piped("crochet", "ball.acl", "-o", "ball.svg", cwd=tmp_path)
+    made = piped("crochet", "-", "-o", "-.svg", "-o", "ball.graph.json", given=BALL, cwd=tmp_path)
+    assert (
+        made.returncode == 0 and made.stdout.replace(b"&lt;stdin&gt;", b"ball") == (tmp_path / "ball.svg").read_bytes()
+    )
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["ball.acl", "ball.graph.json", "ball.svg"]
+    rose = (root / "examples" / "knit" / "rose.png").read_bytes()
+    chart = piped("knit", "-", "--stitches", "12", "-o", "-.csv", given=rose, cwd=tmp_path)
+    assert chart.returncode == 0 and chart.stdout.count(b"\n") > 5 and b"#" in chart.stdout, chart.stderr
+    wrong = piped("crochet", "-", "--check", given=b": MR(6)\n: 6 inx (12)\n", cwd=tmp_path)
+    assert wrong.returncode == 2 and b"<stdin>:2:" in wrong.stderr and not wrong.stdout
+
+
+def test_standard_output_takes_one_file_of_a_kind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
+    monkeypatch.chdir(tmp_path)
+    for words, told in (
+        (["-o", "-"], "such as: -o -.svg"),
+        (["-o", "-.svg", "-o", "-.png"], "standard output takes one file"),
+    ):
+        with pytest.raises(SystemExit) as left:
+            main(["ink", "--seed", "1", "--span", "60", *words])
+        assert left.value.code == 2 and told in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

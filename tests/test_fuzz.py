@@ -24,6 +24,7 @@ from tambour.work.limit import Limit
 from tambour.work.local import Local
 from tambour.work.piece import Done, Job
 from test_bad_values import BAD
+from test_files_bounds import whole
 from test_files_sink import value
 
 pytestmark = pytest.mark.slow
@@ -54,6 +55,11 @@ def seeds(name: str, root: Path, folder: Path) -> dict[str, bytes]:
             path = folder / f"{kind}{suffix}"
             files.write(value(kind), path, kind)
             found[path.name] = path.read_bytes()
+    if "Text" in wanted:
+        for suffix in (".html", ".docx", ".odt"):
+            document = folder / f"words{suffix}"
+            whole(document)
+            found[document.name] = document.read_bytes()
     if "Font" in wanted:
         for path in (root / "src" / "tambour" / "render" / "fonts").glob("*.[ot]tf"):
             found[path.name] = path.read_bytes()

@@ -1,4 +1,4 @@
-"""Kernels built, compiled by Numba and plain give the same files: every golden case, and small pieces of each craft."""
+"""Kernels built, compiled by Numba and plain give the same files: every golden case (by Numba at night), and small pieces of each craft."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ import sys
 from pathlib import Path
 
 import pytest
+
+from night import NIGHT
 
 PROGRAM = """
 import contextlib, io, json, sys
@@ -42,13 +44,14 @@ SMALL = [
 """Pieces small enough for plain Python that go through what goldens leave out: settling, yarn, pictures of cloth, rows in single precision."""
 
 
-def made(way: str, folder: Path, root: Path) -> dict[str, bytes]:
+def made(way: str, folder: Path, root: Path, golden: bool = True) -> dict[str, bytes]:
     """All files that the golden commands and the small ones leave, by their names; reports without what a run measures."""
     (folder / "ball.acl").write_text(BALL)
     (folder / "patch.svg").write_text(HEART)
     jobs = [
         (path.read_text(), path.parent, f"{path.parts[-3]}-{path.parts[-2]}")
         for path in sorted((root / "tests" / "golden").glob("*/*/command.txt"))
+        if golden
     ]
     jobs += [(words, folder, "small") for words in SMALL]
     lines = []
@@ -87,6 +90,8 @@ def native(root: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, by
 def test_files_are_the_same_whichever_way_kernels_run(
     way: str, native: dict[str, bytes], root: Path, tmp_path: Path
 ) -> None:
-    other = made(way, tmp_path, root)
-    assert native.keys() == other.keys() and len(other) >= 40
+    golden = NIGHT or way == "python"  # Numba compiles for two minutes what the golden pieces ask for: by night
+    other = made(way, tmp_path, root, golden)
+    assert native.keys() >= other.keys() and len(other) >= (40 if golden else 10)
+    assert not golden or native.keys() == other.keys()
     assert [name for name in other if native[name] != other[name]] == []

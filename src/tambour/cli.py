@@ -24,7 +24,7 @@ atexit.register(gc.freeze)  # what is left at the end is the system's to clear, 
 import click  # noqa: E402
 
 from tambour import __version__  # noqa: E402
-from tambour.core.errors import Problem, TambourError, did_you_mean, shown, spelt  # noqa: E402
+from tambour.core.errors import Problem, TambourError, Text, did_you_mean, shown, spelt  # noqa: E402
 from tambour.core.progress import Stopped  # noqa: E402
 from tambour.run import CRAFTS  # noqa: E402
 from tambour.sweep import command as sweep  # noqa: E402
@@ -148,7 +148,13 @@ def craft_command(name: str) -> click.Command:
 
     @click.command(name, help=text)
     @options(what.params)
-    @click.option("-o", "out", multiple=True, metavar="OUT", help="A file to write; may be given several times.")
+    @click.option(
+        "-o",
+        "out",
+        multiple=True,
+        metavar="OUT",
+        help="A file to write; may be given several times. -.svg: standard output.",
+    )
     @click.option("--edit", "edit", multiple=True, metavar="KIND:PLACE=VALUE", help=_edits(what))
     @click.option(
         "--edits", "edits", metavar="FILE", help="A JSON file of edits, such as a report; before those of --edit."
@@ -185,13 +191,64 @@ def run_craft(
 
     values = {name: value for name, value in given.items() if value is not None and value != ()}
     params = what.params.of(values)
-    with _bar(quiet) as progress:
+    with _bar(quiet) as progress, _streams(what, source, out) as (given_source, places):
         changed = [*(read_edits(edits) if edits else ()), *edit]
-        made = run(what, source, params, out, progress, BEGAN, report, changed)
+        made = run(what, given_source, params, places, progress, BEGAN, report, changed)
     for problem in progress.warnings:
         click.echo(str(problem), err=True)
-    if not quiet:
+    if not quiet and places == out:  # else standard output is the piece
         summary(made)
+
+
+_BEGINS = (
+    (b"\x89PNG", ".png"),
+    (b"\xff\xd8", ".jpg"),
+    (b"RIFF", ".webp"),
+    (b"<", ".svg"),
+    (b"glTF", ".glb"),
+    (b"%PDF", ".pdf"),
+)
+
+
+@contextmanager
+def _streams(what: Any, source: str | None, out: tuple[str, ...]) -> Iterator[tuple[Any, tuple[str, ...]]]:
+    """The source and the outputs, where ``-`` is standard input, of the kind that its first bytes say (else text), and ``-.svg`` standard output."""
+    from dataclasses import replace
+    from pathlib import Path
+    from tempfile import TemporaryDirectory
+
+    from tambour.files import LARGEST, read
+    from tambour.files.sink import refused
+
+    to = [name for name in out if name == "-" or name.startswith("-.")]
+    if "-" in to or len(to) > 1:
+        message = "standard output takes one file" if len(to) > 1 else "the kind of file is missing"
+        raise TambourError(message, hint="such as: -o -.svg", where="-o -")
+    if not to and source != "-":
+        yield source, out
+        return
+    with TemporaryDirectory(prefix="tambour-") as folder:
+        value: Any = source
+        if source == "-":
+            raw = sys.stdin.buffer.read(LARGEST + 1)
+            place = Path(folder) / f"stdin{next((s for start, s in _BEGINS if raw.lstrip().startswith(start)), '.txt')}"
+            place.write_bytes(raw)
+            try:
+                value = read(place, what.reads)
+            except TambourError as error:
+                raise TambourError([replace(p, where="<stdin>") for p in error.problems]) from None
+            if isinstance(value, Text):
+                value = replace(value, name="<stdin>")
+        room = Path(folder) / "out"
+        room.mkdir()
+        yield value, tuple(str(room / f"stdout{name[1:]}") if name in to else name for name in out)
+        made = sorted(room.iterdir())
+        if len(made) > 1:
+            raise TambourError(f"this makes {len(made)} files, standard output takes one", where=f"-o {to[0]}")
+        with refused(Path(f"-o {to[0]}" if to else "-")):
+            for one in made:
+                sys.stdout.buffer.write(one.read_bytes())
+                sys.stdout.buffer.flush()
 
 
 def summary(report: dict[str, Any]) -> None:
