@@ -219,6 +219,12 @@ def test_a_small_file_that_asks_for_much_is_read_or_refused_soon(name: str, tmp_
     assert str(path) in str(caught.value)
 
 
+def test_a_page_whose_character_set_is_none_is_read_as_it_stands(tmp_path: Path) -> None:
+    path = tmp_path / "a.html"
+    path.write_text("<meta charset=punycode><p>a-b: 6 sc</p>")
+    assert files.read(path, ("Text",)).text.strip() == "a-b: 6 sc"
+
+
 def pdf(path: Path, *objects: bytes) -> None:
     """A PDF of one page whose objects follow the fifth, its typeface."""
     first = (b"<</Type/Catalog/Pages 2 0 R>>", b"<</Type/Pages/Kids[3 0 R]/Count 1>>")
