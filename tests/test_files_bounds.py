@@ -219,6 +219,17 @@ def test_a_small_file_that_asks_for_much_is_read_or_refused_soon(name: str, tmp_
     assert str(path) in str(caught.value)
 
 
+@pytest.mark.parametrize("at", [0, 40])
+def test_a_document_whose_archive_is_damaged_is_refused(at: int, tmp_path: Path) -> None:
+    path = tmp_path / "a.odt"
+    odt(path, "<text:p>Rnd 1: 6 sc in magic ring</text:p>" * 50)
+    raw = bytearray(path.read_bytes())
+    raw[at : at + 30] = bytes(30)  # the head of its first file, or what is packed in it
+    path.write_bytes(raw)
+    with pytest.raises(TambourError, match="damaged"):
+        files.read(path, ("Text",))
+
+
 def test_a_page_whose_character_set_is_none_is_read_as_it_stands(tmp_path: Path) -> None:
     path = tmp_path / "a.html"
     path.write_text("<meta charset=punycode><p>a-b: 6 sc</p>")

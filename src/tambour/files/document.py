@@ -144,7 +144,7 @@ def read_odt(path: Path) -> Text:
 
     with _packed(path) as pack:
         try:
-            body = fromstring(pack.read("content.xml"))
+            body = fromstring(_unpacked(pack, "content.xml", path))
         except (KeyError, ParseError, DefusedXmlException) as error:
             raise TambourError(f"this is no OpenDocument text: {error}", where=str(path)) from None
         pages = Pages(path)
@@ -154,7 +154,7 @@ def read_odt(path: Path) -> Text:
             for image in node.iter(f"{_DRAW}image"):
                 name = image.get(_HREF, "")
                 if name in pictures:
-                    pictures[name] = pictures[name] or pack.read(name)
+                    pictures[name] = pictures[name] or _unpacked(pack, name, path)
                     pages.photo(pictures[name])
 
         def walk(node: Element, before: str) -> None:
@@ -208,6 +208,16 @@ def _packed(path: Path) -> zipfile.ZipFile:
     if sum(entry.file_size for entry in pack.infolist()) > _MOST:
         raise TambourError(f"this document unpacks to more than {_MOST // 1_000_000} MB", where=str(path))
     return pack
+
+
+def _unpacked(pack: zipfile.ZipFile, name: str, path: Path) -> bytes:
+    """A file of the archive; KeyError where there is none of the name, TambourError where its bytes are damaged."""
+    try:
+        return pack.read(name)
+    except KeyError:
+        raise
+    except Exception as error:  # noqa: BLE001 - zip, zlib, a wrong sum, a cipher: Python lets them all through
+        raise TambourError(f"this document is damaged ({error})", where=str(path)) from None
 
 
 def read_html(path: Path) -> Text:
