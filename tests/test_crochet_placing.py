@@ -22,6 +22,7 @@ from tambour.crochet.page.own import pattern
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 from tambour.crochet.plush import make
+from tambour.crochet.printed.choose import read
 from tambour.crochet.settle.contact import BESIDE, lie
 
 BALL = """== Head ==
@@ -63,6 +64,16 @@ def test_a_whole_stitch_is_its_node_and_shares_are_between() -> None:
     assert up.nodes == (first + 4, built.rounds[6].first + 4) and up.weights == (0.5, 0.5)
     row = built.rounds[9].first
     assert spots.place(Spot("Head", 9.5, 3.5)).nodes == (built.rounds[8].first + 2, built.rounds[8].first + 3, row + 2)
+
+
+@pytest.mark.parametrize("stitch", [None, 1.0, 3.0])
+def test_a_row_of_no_stitch_lies_on_the_one_below(stitch: float | None) -> None:
+    known = Spots(build(read(Text("Row 1: Ch 7, sc across\nRow 2: ch 1, turn\nRow 3: ch 1, turn\n", "ear.txt"))))
+    name, below = next(iter(known.parts)), known.round_at(0, 1)
+    assert known.built.rounds[-1].number == 2 and not len(known.stitches(len(known.built.rounds) - 1))
+    places = [known.place(Spot(name, at, stitch)) for at in (1.0, 1.5, 2.0)]
+    assert known.round_at(0, 2) == below
+    assert places[0] == places[1] == places[2] and sum(places[0].weights) == 1.0
 
 
 def test_frames_lie_on_the_fabric() -> None:

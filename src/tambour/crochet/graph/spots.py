@@ -43,8 +43,13 @@ class Spots:
         self._ends: dict[int, int] = {}
         self._numbers: dict[int, list[int]] = {}
         self._standing: dict[tuple[int, int], tuple[Array, Array]] = {}
+        made: dict[int, int] = {}  # part → its last round with stitches
         for k, (round_, number) in enumerate(zip(built.rounds, self.numbers)):
-            self._at.setdefault((round_.part, number), []).append(k)
+            if round_.count > 0 or len(self.stitches(k)):
+                made[round_.part] = k
+            if round_.part in made:
+                # A round of no stitch, chains that lift and a turn, is a place all the same: it lies on the one below.
+                self._at.setdefault((round_.part, number), []).append(made[round_.part])
 
     @cached_property
     def parts(self) -> dict[str, int]:
@@ -97,7 +102,9 @@ class Spots:
         return self._numbers[part]
 
     def round_at(self, part: int, number: int) -> int | None:
-        """The round of a part that bears ``number``: the last, if there are several; None where there is none."""
+        """The round of a part that bears ``number``: the last, if there are several; None where there is none.
+
+        Of a round that made no stitch it is the one below."""
         found = self._at.get((part, number))
         return found[-1] if found else None
 
