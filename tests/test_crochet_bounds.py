@@ -23,6 +23,14 @@ def test_rounds_that_each_repeat_the_one_before_are_worked_however_many() -> Non
     assert [w.made for w in built.worked if w.line.in_round] == [6] * 1499
 
 
+@pytest.mark.parametrize("many", [20, 70])
+def test_rows_that_double_again_and_again_are_told_at_once(many: int) -> None:
+    """After seventy of them a row has more stitches than a list has places; after twenty the list was of millions."""
+    text = f"Ch 9.\nRow 1: Sc in 2nd ch from hook and in each ch across.\nRows 2-{many}: (Sc, hdc) in each st across, turn.\n"
+    pattern = read_printed(Text(text + "Next row: Ch 3, dc in each st across.\n", "scarf.txt"), max_stitches=2000)
+    assert [u.message for u in pattern.unread] == ["the pattern makes more than 2000 stitches: this round is left out"]
+
+
 def test_a_colour_said_in_a_chain_of_repeats_stays() -> None:
     more = "Rnd 3: Repeat Rnd 2, changing to red.\nRnd 4: Repeat Rnd 3.\nRnds 5-6: Repeat Rnds 3-4.\n"
     built = build(read_printed(Text(BALL + more, "tube.txt")))

@@ -4,25 +4,29 @@ and where rounds carry it, so that the next can go "to marked sc"."""
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Final
 
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Group, Item
 from tambour.crochet.printed.cursor import Cursor
 
 _MIDDLE = frozenset(("center", "centre", "middle"))
+_MOST: Final = 5000  # stitches of a round that are followed
 
 
 def _steps(items: tuple[Item, ...] | list[Item], edge: int, stitches: dict[str, Stitch]) -> Iterator[tuple[int, int]]:
-    """How many stitches each of ``items`` takes of an edge of so many, and makes, one after the other."""
+    """How many stitches each of ``items`` takes of an edge of so many, and makes, one after the other; of an item not many
+    more than _MOST: rows that double, again and again, outgrow every machine."""
     left = edge
     for item in items:
         if isinstance(item, Group):
             once = sum(t for t, _ in _steps(item.items, left, stitches))
             times = item.times if item.times is not None else (max(0, left - item.leaves) // once if once else 0)
-            one = list(_steps(item.items, left, stitches)) * times
+            one = list(_steps(item.items, left, stitches))
+            one *= min(times, _MOST // max(len(one), 1) + 1)
         else:
             kind = stitches.get(item.name)
-            one = [] if kind is None or item.name == "ch" else [(kind.takes, kind.makes)] * item.times
+            one = [] if kind is None or item.name == "ch" else [(kind.takes, kind.makes)] * min(item.times, _MOST)
         left -= sum(t for t, _ in one)
         yield from one
 
