@@ -16,7 +16,8 @@ import pytest
 
 import tambour as package
 from tambour.core.kernels import signature
-from tambour.run import CRAFTS
+from tambour.files import WRITE, can_write
+from tambour.run import CRAFTS, craft
 
 HEAVY = {"numpy", "numba", "scipy", "shapely", "skia", "PIL", "pydantic", "rich", "pystitch", "fontTools"}
 
@@ -60,7 +61,6 @@ def test_public_names_are_there() -> None:
 
 def test_every_lazy_name_is_there() -> None:
     from tambour.craft import Lazy
-    from tambour.run import craft
 
     named = [f for c in map(craft, CRAFTS) for f in [c.make, c.facts, *(v.make for v in c.views.values())]]
     assert all(callable(f.found) for f in named if isinstance(f, Lazy))
@@ -162,3 +162,16 @@ def test_benches_and_examples_name_what_is_there() -> None:
                     if not hasattr(module, a.name) and importlib.util.find_spec(f"{node.module}.{a.name}") is None
                 ]
     assert not gone
+
+
+def test_what_a_view_is_written_as_has_a_writer_and_what_is_written_a_view() -> None:
+    seen = {
+        (suffix, view.value, f"{name}'s view {called}")
+        for name in CRAFTS
+        for called, view in craft(name).views.items()
+        for suffix in view.suffixes
+    }
+    assert [where for suffix, kind, where in sorted(seen) if not can_write(suffix, kind)] == []
+    # Pictures and pages in another coat have no view of their own: `-o NAME.VIEW.tif` asks for them.
+    coats = {".bmp", ".tif", ".tiff", ".html"}
+    assert {suffix for suffix, _ in WRITE} - {suffix for suffix, *_ in seen} == coats

@@ -23,7 +23,11 @@ GAIN = 0.01
 
 @dataclass(frozen=True, slots=True)
 class Improved:
-    """text : the pattern, the same as before where nothing came nearer; before, after : its scores; history : of all tries, the mean."""
+    """text : the pattern, the same as before where nothing came nearer; before, after : its scores; history : of all tries, the mean.
+
+    >>> Improved(Text("R1: MR(6)"), Score(1.5), Score(0.2), (1.5, 0.4, 0.2)).after.mean
+    0.2
+    """
 
     text: Text
     before: Score

@@ -22,6 +22,9 @@ class Score:
 
     mean : of both surfaces, each from the other: the smaller, the better; p95, largest : of 100 points 95, and all, are nearer
     stitches : of the pattern; settled : whether its shape is at rest
+
+    >>> min([Score(0.7), Score(0.3), Score(float("inf"), reason="no ring")], key=lambda one: one.mean).mean
+    0.3
     """
 
     mean: float
@@ -76,7 +79,12 @@ def score(
 
 
 def aimed_at(target: Mesh | Outline | Target) -> Target:
-    """A shape made ready to be measured against, again and again."""
+    r"""A shape made ready to be measured against, again and again. Raises TambourError for a mesh without faces.
+
+    >>> from tambour.crochet.model.outline import formula
+    >>> round(aimed_at(formula(Text("r = 20\nheight = 30"))).size, 1)
+    64.0
+    """
     from tambour.crochet.model.distance import Target as Ready
     from tambour.crochet.model.outline import Outline as Drawn
 

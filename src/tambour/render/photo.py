@@ -42,8 +42,8 @@ def picture(
 
     The same bytes for any number of threads. Raises nothing for any mesh that is one.
 
-    >>> picture(Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), width=16, samples=1, lights=5).rgba.shape
-    (20, 16, 4)
+    >>> picture(Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), width=16, height=12, samples=1, lights=5).rgba.shape
+    (12, 16, 4)
     """
     seen = raster.picture(
         mesh,
