@@ -68,7 +68,9 @@ def read_pdf(path: Path) -> Text:
         )
     except subprocess.TimeoutExpired:
         raise TambourError(much, where=str(path)) from None
-    if ran.returncode < 0 or b"MemoryError" in ran.stderr or b"failed to map" in ran.stderr:
+    # Python itself may run short while it loads the library: a SystemError without a reason.
+    short = (b"MemoryError", b"SystemError", b"failed to map")
+    if ran.returncode < 0 or any(said in ran.stderr for said in short):
         raise TambourError(much, where=str(path))
     if ran.returncode:
         raise RuntimeError(ran.stderr.decode(errors="replace"))

@@ -102,7 +102,7 @@ def picture(
     table = np.array([MATERIALS[name] for name in names] or [MATERIALS[""]])
     group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
     # The strands' radius in samples, in the middle of the picture.
-    thick = radius(mesh) * camera.scale * samples * float(np.median(z)) if table[:, STRAY].any() else 0.0
+    thick = radius(mesh) * camera.scale * samples * float(np.median(z)) if len(z) and table[:, STRAY].any() else 0.0
     palette = linear(np.arange(256) / 255.0)
     color = np.broadcast_to(np.array(PLAIN, np.uint8), mesh.vertices.shape) if mesh.color is None else mesh.color
     arguments = (

@@ -10,7 +10,7 @@ import { Trouble, ask, bytes } from "./wire.js";
 /** What people take first: [view, suffix, title, line]. */
 const FIRST = {
   crochet: [["page", ".pdf", "Print it", "the pattern as a booklet, PDF"], ["yarn", ".png", "Picture", "the toy in its yarn, PNG"], ["instructions", ".txt", "Words", "as makers print them, text"],
-    ["diagram", ".svg", "Symbols", "a chart of its stitches, SVG"], ["yarn", ".glb", "3-D", "for any viewer, GLB"]],
+    ["yarn", ".glb", "3-D", "for any viewer, GLB"]],
   knit: [["pattern", ".pdf", "Print it", "the chart over pages, PDF"], ["fabric", ".jpg", "Picture", "as it will be knitted, JPG"], ["stitches", ".png", "Chart", "a pixel for each stitch, PNG"],
     ["written", ".txt", "Rows in words", "to read aloud, text"], ["knitout", ".k", "Machine", "knitout"], ["project", ".json", "To go on elsewhere", "all of it, JSON"]],
   ink: [["picture", ".png", "Picture", "this window, painted, PNG"], ["scroll", ".svg", "Vectors", "a group for each hill, SVG"], ["sheet", ".pdf", "Print it", "on one page, PDF"],
