@@ -17,6 +17,7 @@ from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
 from tambour.crochet.language.parse import parse
+from tambour.crochet.maker.facts import facts
 from tambour.crochet.model.couple import couple
 from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.dyed import dye, dyed
@@ -125,6 +126,15 @@ def test_the_loop_mends_rounds_that_began_too_wide(monkeypatch: pytest.MonkeyPat
     way = piece.aim.history["Body"]
     assert way[0] > 0.5 > 0.3 > min(way)
     assert piece.aim.distance["mean"] == pytest.approx(min(way), abs=0.05)
+
+
+@pytest.mark.slow
+def test_what_misses_its_model_is_told_with_its_part_and_round_and_a_ball_is_not() -> None:
+    box, told = made(Mesh(40.0 * BOX * [1.0, 1.0, 0.4], SIDES), stitches=800)
+    assert [w.message[:23] for w in told.warnings] == ["Body misses its model: "]
+    assert "about its round 1, which lies outside of it" in told.warnings[0].message
+    assert facts(box)["off_the_model"].startswith(f"mean {box.aim.distance['mean']:.2g} stitches (")  # type: ignore[union-attr]
+    assert not made(Mesh(*globe(40.0)), stitches=300)[1].warnings
 
 
 def test_options_of_models_are_told_to_do_nothing_on_a_pattern() -> None:

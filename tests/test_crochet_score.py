@@ -133,6 +133,7 @@ def test_a_target_is_in_the_report_and_scores_a_sweep(tmp_path: Path) -> None:
     (tmp_path / "ball.acl").write_text(ball(5, 3))
     params = CrochetParams(target=str(tmp_path / "egg.stl"))
     told = run("crochet", tmp_path / "ball.acl", params, [tmp_path / "b.acl", tmp_path / "b.compare.png"])
+    assert told["off_the_model"].startswith(f"mean {told['distance']['mean']:.2g} stitches (")
     assert told["distance"]["mean"] == pytest.approx(next(score([ball(5, 3)], EGG)).mean, abs=2e-3)
     axes = {"target": [str(tmp_path / "egg.stl"), str(tmp_path / "large.stl")]}
     list(sweep("crochet", [tmp_path / "ball.acl"], axes, tmp_path / "out", [".acl"], jobs=1, sheet=False))

@@ -79,7 +79,12 @@ def facts(piece: Plush) -> dict[str, Any]:
 
 def _aim(aim: Aim) -> dict[str, Any]:
     """How far the plush lies from its model."""
-    return {"distance": aim.distance, "distance_of_parts": aim.parts, "history": aim.history}
+    d = aim.distance
+    names = {"mean": "mean", "p95": "95 %", "largest": "largest"}
+    said = ", ".join(
+        f"{name} {d[key]:.2g} stitches ({d[key + '_percent']:.2g} % of its size)" for key, name in names.items()
+    )
+    return {"off_the_model": said, "distance": d, "distance_of_parts": aim.parts, "history": aim.history}
 
 
 def _yarn(piece: Plush) -> dict[str, Any]:

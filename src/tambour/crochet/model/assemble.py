@@ -15,7 +15,7 @@ from tambour.crochet.finish.sewing import UNDER, End, end_of, held, leaning
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, Spot
-from tambour.crochet.model.distance import Distance
+from tambour.crochet.model.distance import Distance, Target
 from tambour.crochet.model.loop import Tried
 from tambour.crochet.model.rounds import Rounds, pattern
 from tambour.crochet.settle.arrange import parts
@@ -33,13 +33,14 @@ NUDGE = 0.7
 class Piece:
     """A part and where each of its copies belongs.
 
-    rounds : the part, with its copies; tried : what the simulation made of one
+    rounds : the part, with its copies; tried : what the simulation made of one; target : the piece of the model that one is
     goals : of every copy (n, 3), where its nodes belong; bases : the middles (3,) of their ends, None for what is sewn to nothing
     onto : for every copy the piece, and the copy of it, that it is sewn to
     """
 
     rounds: Rounds
     tried: Tried
+    target: Target
     goals: tuple[Array, ...]
     bases: tuple[Array | None, ...]
     onto: tuple[tuple[int, int], ...]

@@ -18,7 +18,7 @@ from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
 from tambour.crochet.model.limbs import Limb, limbs
-from tambour.crochet.model.loop import GAIN, TRIES, Task, Tried, looped, tried
+from tambour.crochet.model.loop import GAIN, TRIES, Task, Tried, looped, missed, tried
 from tambour.crochet.model.named import names
 from tambour.crochet.model.rounds import pattern, printed
 from tambour.crochet.model.settled import together
@@ -49,6 +49,8 @@ INSIDE = -0.3
 """Rounds that look so far inwards lie inside: of a cup, say."""
 LOST = 0.03
 """A larger share of the surface than this that no round follows is told."""
+OFF = 1.2
+"""A part of which a twentieth lies farther from its model than this, in stitches, is told."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -106,7 +108,7 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
             ]
     elif params.colors is not None:
         progress.warn("has no effect: the model has no colours", where="{--colors}")
-    for line in tell:
+    for line in [*tell, *(line for p in pieces for line in _missed(p))]:
         progress.warn(line)
     text = printed([p.rounds for p in pieces], lines, name)
     return Design(
@@ -117,6 +119,18 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
         history,
         {p.rounds.name: p.tried.distance.plain() for p in pieces},
     )
+
+
+def _missed(piece: Piece) -> list[str]:
+    """What is said of a part that does not come out as its model."""
+    far = piece.tried.distance.p95
+    if far <= OFF:
+        return []
+    number, how = missed(piece.target, piece.tried)
+    return [
+        f"{piece.rounds.name} misses its model: a twentieth of it by more than {far:.1f} stitches, most about its round {number}, "
+        f"which lies {how} of it; the view compare shows where"
+    ]
 
 
 def _one(faces: list[Array], counts: list[int]) -> Array:
@@ -205,7 +219,7 @@ def _pieces(
     tries = max(2, round(TRIES * min(1.0, LARGE / max(count, 1))))
     with progress.stage("loop"):
         best, history[said[0]] = _looped(task, first, tries)
-    made = [Piece(best.rounds, best, (best.goal,), (None,), ((0, 0),))]
+    made = [Piece(best.rounds, best, task.target, (best.goal,), (None,), ((0, 0),))]
     targets = [[task.target]]
     for title, group in zip(said[1:], groups):
         targets.append([Target.of(limb.vertices, limb.faces[limb.own]) for limb in group])
@@ -219,7 +233,7 @@ def _pieces(
         for way in ways[1:]:
             goals.append(np.concatenate([way.tip[None], *laid(way, best.counts, _hidden(way))]))
         copies = replace(best.rounds, copies=len(group))
-        made.append(Piece(copies, best, tuple(goals), tuple(limb.base for limb in group), ()))
+        made.append(Piece(copies, best, task.target, tuple(goals), tuple(limb.base for limb in group), ()))
     for k, group in enumerate(groups):
         onto = tuple(_owner(limb, k + 1, targets, len(known)) for limb in group)
         made[k + 1] = replace(made[k + 1], onto=onto)

@@ -119,3 +119,14 @@ def signed(target: Target, x: Array, lain: Distance) -> Array:
     corner = target.vertices[target.faces[face]]
     at = corner[:, 0] + uv[:, :1] * (corner[:, 1] - corner[:, 0]) + uv[:, 1:] * (corner[:, 2] - corner[:, 0])
     return np.asarray(far * np.sign(((points - at) * target.normals[face]).sum(1)))
+
+
+def missed(target: Target, made: Tried) -> tuple[int, str]:
+    """The round that lies farthest from ``target``, and on which side of it that is."""
+    off = signed(target, made.worked.x, made.distance)
+    number = np.clip(made.worked.graph.round, 0, len(made.counts) - 1)
+    nodes = np.bincount(number)
+    size, lean = (np.bincount(number, value) / nodes for value in (np.abs(off), off))
+    worst = int(size.argmax())
+    side = "outside" if lean[worst] > 0 else "inside"
+    return worst + 1, "partly outside, partly inside" if abs(lean[worst]) < 0.5 * size[worst] else side
