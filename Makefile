@@ -35,8 +35,9 @@ $(VENV)/studio: $(VENV)/used front/package-lock.json
 	$(BIN)/python front/build.py
 	touch $@
 
+# A file's tests stay together: what they share is made once.
 test: $(VENV)/ready
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
 
 kernels: $(VENV)/ready
 	$(BIN)/python -m kernels
