@@ -34,6 +34,9 @@ BOUNDS = [
     ("sequence", "MOVING", 10, "a.npz"),
     ("printed_pdf", "SECONDS", 0, "a.pdf"),
     ("printed_pdf", "MEMORY", 10**6, "a.pdf"),
+    ("usd", "SECONDS", 0, "a.usda"),
+    pytest.param("", "MOVING", 10, "a.usda", marks=pytest.mark.slow),
+    pytest.param("usd", "MEMORY", 10**6, "a.usda", marks=pytest.mark.slow),
     ("picture", "LARGEST", 100, "a.png"),
     ("svg.tree", "LARGEST", 100, "a.svg"),
     ("svg.tree", "MOST", 5, "a.svg"),
@@ -62,7 +65,7 @@ def laid(path: Path, root: Path) -> Path:
         with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as made:
             made.writestr("word/document.xml" if path.suffix == ".docx" else "content.xml", "<a>" + "x" * 4000 + "</a>")
     else:
-        kinds = {".png": "Picture", ".csv": "Chart", ".json": "Chart", **dict.fromkeys(MESHES, "Mesh"), ".npz": "Scene"}
+        kinds = {".png": "Picture", ".csv": "Chart", ".json": "Chart", **dict.fromkeys(MESHES, "Mesh"), ".npz": "Scene", ".usda": "Scene"}
         kinds |= dict.fromkeys((".acl", ".txt", ".md", ".k", ".html", ".pdf"), "Text")
         kind = kinds.get(path.suffix, "ThreadPlan")
         files.write(value(kind), path, kind)
@@ -112,6 +115,8 @@ def read(path: Path) -> Any:
 def test_what_is_beyond_a_readers_bound_is_refused_with_its_place(
     module: str, bound: str, small: int, name: str, root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    if name.endswith(".usda"):
+        pytest.importorskip("pxr")
     path = laid(tmp_path / name, root)
     if path.suffix not in (".docx", ".odt") or path.stem == "whole":  # the others are no documents, but their packing
         read(path)
@@ -280,4 +285,72 @@ def test_forms_within_forms_of_a_pdf_end_at_its_bound(tmp_path: Path, monkeypatc
     pdf(path, stream("", b"/A Do " * 10), FONT, *forms)
     with pytest.raises(TambourError, match="asks for more than") as caught:
         files.read(path, ("Text",))
+    assert str(path) in str(caught.value)
+
+
+TRIANGLE = 'def Mesh "m" {{\n point3f[] points = [(0, 0, 0), ({}, 0, 0), (0, 1, 0)]\n int[] faceVertexCounts = [{}]\n int[] faceVertexIndices = [0, 1, {}]\n }}\n'
+
+
+@pytest.mark.parametrize(
+    ("far", "counts", "last", "words"),
+    [
+        ("1", "2000000000", "2", "other corners than it counts"),
+        ("1", "-3, 6", "2", "other corners than it counts"),
+        ("1", "3", "3", "points that are not there"),
+        ("nan", "3", "2", "NaN"),
+        ("1", "3", "2", ""),
+    ],
+)
+def test_what_a_usd_file_claims_is_held_against_what_it_has(
+    far: str, counts: str, last: str, words: str, tmp_path: Path
+) -> None:
+    pytest.importorskip("pxr")
+    from tambour.files.usd import unpack
+
+    path = tmp_path / "a.usda"
+    path.write_text("#usda 1.0\n" + TRIANGLE.format(far, counts, last))
+    if not words:
+        assert unpack(path, str(tmp_path))["frames"] == 1
+        return
+    with pytest.raises(TambourError, match=words):
+        unpack(path, str(tmp_path))
+
+
+def test_the_frames_of_a_usd_file_are_bounded_and_of_the_same_points(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("pxr")
+    from tambour.files import usd
+
+    path = tmp_path / "a.usda"
+    three, two = "[(0, 0, 0), (1, 0, 0), (0, 1, 0)]", "[(0, 0, 0), (1, 0, 0)]"
+
+    def moving(*frames: str) -> str:
+        samples = ",\n".join(f"{k}: {frame}" for k, frame in enumerate(frames))
+        still = TRIANGLE.format(1, 3, 2).removesuffix("}\n")
+        return f"#usda 1.0\n{still}point3f[] points.timeSamples = {{\n{samples}\n}}\n}}\n"
+
+    path.write_text(moving(three, two))
+    with pytest.raises(TambourError, match="not of the same points"):
+        usd.unpack(path, str(tmp_path))
+    path.write_text(moving(three, three))
+    assert usd.unpack(path, str(tmp_path))["frames"] == 2
+    monkeypatch.setattr(usd, "MOVING", 100)
+    with pytest.raises(TambourError, match="frames take more"):
+        usd.unpack(path, str(tmp_path))
+
+
+@pytest.mark.slow
+def test_references_within_references_of_a_usd_file_end_at_its_bound(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two times two times … a triangle, forty times: composing them is the library's, and never ends."""
+    pytest.importorskip("pxr")
+    monkeypatch.setattr("tambour.files.usd.SECONDS", 2)
+    each = 'def Xform "a{0}" {{\n def "x" (references = </a{1}>) {{}}\n def "y" (references = </a{1}>) {{}}\n }}\n'
+    path = tmp_path / "a.usda"
+    nodes = "".join(each.format(k, k + 1) for k in range(40))
+    path.write_text("#usda 1.0\n" + nodes + TRIANGLE.format(1, 3, 2).replace('"m"', '"a40"'))
+    with pytest.raises(TambourError, match="asks for more than") as caught:
+        files.read(path, ("Mesh",))
     assert str(path) in str(caught.value)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import shutil
 import signal
 import stat
 import subprocess
@@ -328,6 +329,29 @@ def test_a_room_swept_before_it_was_locked_is_made_anew(tmp_path: Path, monkeypa
     other.clear()
     room.clear()
     assert holds(tmp_path) == {}
+
+
+def test_a_room_that_another_command_is_sweeping_is_not_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two commands begin in one folder: one sees the other's room before it is locked, locks it, and clears it away a moment later."""
+    import fcntl
+
+    make, taken = tempfile.mkdtemp, []
+
+    def seen(**where: Any) -> str:
+        made = make(**where)
+        if not taken:
+            taken.append((made, os.open(made, os.O_RDONLY)))
+            fcntl.flock(taken[0][1], fcntl.LOCK_EX)
+        return made
+
+    monkeypatch.setattr(tempfile, "mkdtemp", seen)
+    with Writing() as writing:
+        writing.sink(tmp_path / "a.txt").put(b"new")
+        folder, lock = taken[0]
+        shutil.rmtree(folder)
+        os.close(lock)
+        writing.commit()
+    assert holds(tmp_path) == {"a.txt": b"new"}
 
 
 def test_signals_wait_until_all_is_moved() -> None:

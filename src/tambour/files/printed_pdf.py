@@ -1,15 +1,12 @@
 """PDFs as text: columns one after the other, tables by rows, running heads and page numbers left out. Scans are refused.
 
-A process of its own opens them: a few bytes of PDF can ask their library for hours and any memory, and nothing stops it from inside.
+A process of its own opens them (``files.apart``).
 """
 
 from __future__ import annotations
 
 import io
-import json
 import re
-import subprocess
-import sys
 from base64 import b64decode, b64encode
 from collections import Counter
 from dataclasses import dataclass
@@ -19,6 +16,7 @@ from statistics import median
 from typing import Any, Final
 
 from tambour.core.errors import TambourError, Text
+from tambour.files.apart import apart
 from tambour.files.document import Pages
 
 _GUTTER: Final = 12.0
@@ -36,7 +34,6 @@ _PIXELS: Final = 50_000_000
 SECONDS: Final = 60
 """Of a processor, for one PDF; a book of three hundred pages takes ten."""
 MEMORY: Final = 2_000_000_000
-_CHILD: Final = "import sys; n, *bounds = sys.argv[1:4]; sys.path[:] = sys.argv[4:]; from tambour.files.printed_pdf import answer; answer(n, *bounds)"
 
 
 @dataclass(frozen=True)
@@ -58,44 +55,14 @@ class Run:
 
 def read_pdf(path: Path) -> Text:
     """The text of a PDF; TambourError where its pages are pictures, or ask for more than a minute or 2 GB."""
-    much = f"this PDF asks for more than {SECONDS} s or {MEMORY / 10**9:g} GB"
-    try:
-        ran = subprocess.run(
-            [sys.executable, "-c", _CHILD, str(path), str(SECONDS), str(MEMORY), *sys.path],
-            capture_output=True,
-            timeout=10 * SECONDS + 10,
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        raise TambourError(much, where=str(path)) from None
-    # Python itself may run short while it loads the library: a SystemError without a reason.
-    short = (b"MemoryError", b"SystemError", b"failed to map")
-    if ran.returncode < 0 or any(said in ran.stderr for said in short):
-        raise TambourError(much, where=str(path))
-    if ran.returncode:
-        raise RuntimeError(ran.stderr.decode(errors="replace"))
-    told = json.loads(ran.stdout)
-    if "problem" in told:
-        raise TambourError(told["problem"], hint=told["hint"], where=str(path))
+    told = apart("printed_pdf:plain", path, "PDF", SECONDS, MEMORY)
     return Text(told["text"], str(path), tuple((at, b64decode(data)) for at, data in told["photos"]))
 
 
-def answer(name: str, seconds: str, memory: str) -> None:
-    """What ``read_pdf`` asks of its process: the text as JSON on standard output, within the bounds."""
-    try:
-        import resource
-    except ImportError:  # no such bounds on this system: the clock's is left
-        pass
-    else:
-        for what, most in ((resource.RLIMIT_CPU, int(seconds)), (resource.RLIMIT_AS, int(memory))):
-            hard = resource.getrlimit(what)[1]
-            resource.setrlimit(what, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
-    try:
-        text = extracted(Path(name))
-        told: dict[str, Any] = {"text": text.text, "photos": [(at, b64encode(p).decode()) for at, p in text.photos]}
-    except TambourError as error:
-        told = {"problem": error.problems[0].message, "hint": error.problems[0].hint}
-    sys.stdout.write(json.dumps(told))
+def plain(path: Path) -> dict[str, Any]:
+    """The text of a PDF and its photos, as JSON holds them."""
+    text = extracted(path)
+    return {"text": text.text, "photos": [(at, b64encode(photo).decode()) for at, photo in text.photos]}
 
 
 def extracted(path: Path) -> Text:

@@ -114,9 +114,10 @@ class Room:
         sweep(parent)
         while True:
             folder = Path(tempfile.mkdtemp(prefix=PREFIX, dir=parent))
-            lock = _locked(folder)
-            if lock is not None or folder.is_dir():
-                break  # else somebody swept it before it was locked
+            with suppress(BlockingIOError):  # somebody sweeps it this moment, before it could be locked
+                lock = _locked(folder)
+                if lock is not None or folder.is_dir():
+                    break  # else somebody swept it
         for name in ("new", "old"):
             (folder / name).mkdir()
         return Room(folder, lock)
@@ -129,7 +130,7 @@ class Room:
 
 
 def _locked(folder: Path) -> int | None:
-    """The open, locked folder; None where another process holds it, it is gone, or locks are not to be had."""
+    """The open, locked folder; None where it is gone, or locks are not to be had. BlockingIOError: another process holds it."""
     try:
         import fcntl
 
@@ -140,8 +141,11 @@ def _locked(folder: Path) -> int | None:
         fcntl.flock(number, fcntl.LOCK_EX | fcntl.LOCK_NB)
         if os.path.samestat(os.fstat(number), os.stat(folder)):
             return number
-    except OSError:
-        pass
+    except OSError as error:
+        os.close(number)
+        if isinstance(error, BlockingIOError):
+            raise
+        return None
     os.close(number)
     return None
 
@@ -152,7 +156,10 @@ def sweep(parent: Path) -> None:
     Where one was killed amid the moving of its files, the rest of them follow first, if nothing has changed since.
     """
     for folder in parent.glob(f"{PREFIX}*"):
-        lock = _locked(folder)
+        try:
+            lock = _locked(folder)
+        except BlockingIOError:
+            continue  # its process lives
         if lock is None:
             continue
         with suppress(OSError):

@@ -10,18 +10,25 @@ import errno
 import os
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from tempfile import TemporaryDirectory
+from typing import Any, Final
 
 import numpy as np
 
 from tambour.color import linear
 from tambour.core.check import Array
-from tambour.core.errors import TambourError
+from tambour.core.errors import LawError, TambourError
 from tambour.core.mesh import Mesh
 from tambour.core.scene import Scene
 from tambour.core.strands import Strands
+from tambour.files import MOVING
+from tambour.files.apart import apart
 from tambour.files.scene import positions
 from tambour.files.sink import Sink
+
+SECONDS: Final = 60
+"""Of a processor, for one file that is read."""
+MEMORY: Final = 4_000_000_000
 
 
 def _library(path: Path) -> Any:
@@ -181,14 +188,55 @@ def _material(pxr: Any, stage: Any, prim: Any, place: str, thread: bool) -> None
 def read_mesh(path: Path) -> Mesh:
     """The meshes of a USD stage as one, in mm and y up, with all its time samples as frames; faces are cut into fans.
 
-    Raises TambourError for a file that is none, that holds no mesh, or whose meshes change their faces over time.
+    Raises TambourError for a file that is none, that holds no mesh, whose meshes change their faces over time, or that
+    asks for more than SECONDS of a processor, MEMORY, or MOVING bytes of frames.
     """
+    with TemporaryDirectory(prefix="tambour-", ignore_cleanup_errors=True) as folder:
+        told = apart("usd:unpack", path, "USD file", SECONDS, MEMORY, [folder])
+        with (Path(folder) / "still.npz").open("rb") as stream, np.load(stream) as held:
+            still = dict(held)
+        moving = told["frames"] > 1
+        shape = (told["frames"], *still["vertices"].shape)
+        # Left on the disk: on most systems a file that was removed can be read on by who has it open.
+        kept = np.memmap(Path(folder) / "frames", np.float64, "r", shape=shape) if moving else None
+    return Mesh(
+        **still,
+        group_names=tuple(told["names"]),
+        frames=None if kept is None else lambda: iter(np.asarray(kept)),
+        frame_count=told["frames"],
+        seconds_per_frame=told["seconds"],
+    )
+
+
+def unpack(path: Path, folder: str) -> dict[str, Any]:
+    """The mesh's arrays as files in a folder, ``still.npz`` and where it moves ``frames``; what else there is to say is given."""
+    try:
+        mesh = _extracted(path)
+    except LawError as error:
+        raise TambourError(f"its mesh makes no sense ({error})", where=str(path)) from None
+    size = mesh.vertices.nbytes * mesh.frame_count
+    if size > MOVING:
+        raise TambourError(f"its frames take more than {MOVING // 1_000_000} MB", where=str(path))
+    arrays = {"vertices": mesh.vertices, "faces": mesh.faces, "uv": mesh.uv, "face_group": mesh.face_group}
+    with (Path(folder) / "still.npz").open("wb") as out:
+        np.savez(out, allow_pickle=False, **{name: held for name, held in arrays.items() if held is not None})
+    if mesh.frame_count > 1:
+        with (Path(folder) / "frames").open("wb") as out:
+            for frame in mesh.positions():
+                if frame.shape != mesh.vertices.shape or not np.isfinite(frame).all():
+                    raise TambourError("its frames are not of the same points, or not finite", where=str(path))
+                out.write(frame.tobytes())
+    return {"names": mesh.group_names, "frames": mesh.frame_count, "seconds": mesh.seconds_per_frame}
+
+
+def _extracted(path: Path) -> Mesh:
+    """The mesh in this process, and within no bounds."""
     pxr = _library(path)
     usd, geom = pxr.Usd, pxr.UsdGeom
     try:
         stage = usd.Stage.Open(str(path))
     except pxr.Tf.ErrorException as error:
-        first = str(error).strip().splitlines()[-1].strip()
+        first = str(error).strip().splitlines()[-1].rsplit(" : ", 1)[-1].strip("' ")
         raise TambourError(f"this is not a USD file that can be read ({first[:120]})", where=str(path)) from None
     prims = [geom.Mesh(p) for p in stage.Traverse() if p.IsA(geom.Mesh)]
     prims = [p for p in prims if p.GetPointsAttr().Get(usd.TimeCode.EarliestTime())]
@@ -221,6 +269,8 @@ def read_mesh(path: Path) -> Mesh:
     for k, p in enumerate(prims):
         counts = np.array(p.GetFaceVertexCountsAttr().Get(usd.TimeCode.EarliestTime()))
         index = np.array(p.GetFaceVertexIndicesAttr().Get(usd.TimeCode.EarliestTime()))
+        if (counts < 0).any() or counts.sum(dtype=np.int64) != len(index):
+            raise TambourError("its faces have other corners than it counts", where=str(path))
         fan = _fans(counts, index)
         if p.GetOrientationAttr().Get() == geom.Tokens.leftHanded:
             fan = fan[:, ::-1]
