@@ -213,6 +213,16 @@ def test_damaged_files_give_a_mesh_or_an_error(tmp_path_factory: pytest.TempPath
     assert np.isfinite(mesh.vertices).all()
 
 
+@pytest.mark.parametrize("suffix", ["obj", "ply", "stl", "glb"])
+def test_a_mesh_as_far_as_the_stars_is_refused(tmp_path: Path, suffix: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    far = np.array([[0, 0, 1e30], [1, 0, 0], [0, 1, 0]])
+    with monkeypatch.context() as patched:
+        patched.setattr("tambour.core.mesh.FARTHEST", 10**300)
+        files.write(Mesh(far, [[0, 1, 2]]), tmp_path / f"a.{suffix}")
+    with pytest.raises(TambourError, match=r"a\.\w+: .*Mesh\.vertices"):
+        files.read(tmp_path / f"a.{suffix}", ("Mesh",))
+
+
 def test_empty_mesh_is_still_a_glb(tmp_path: Path) -> None:
     files.write(Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), tmp_path / "m.glb")
     with pytest.raises(TambourError, match="no triangles"):

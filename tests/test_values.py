@@ -55,6 +55,8 @@ BROKEN: list[tuple[str, Any]] = [
     ("ThreadPlan.xy", lambda: ThreadPlan([[0, 0], [9, 0], [9, 0]], [1, 0, 5], [0, 0, 0], (Thread((0, 0, 0)),), 8.0)),
     ("Mesh.faces", lambda: Mesh(np.zeros((2, 3)), [[0, 1, 2]])),
     ("Mesh.color", lambda: Mesh(np.zeros((3, 3)), [[0, 1, 2]], np.zeros((2, 3)))),
+    ("Mesh.vertices", lambda: Mesh(np.full((3, 3), -1e308), [[0, 1, 2]])),
+    ("Mesh.frames", lambda: Mesh(np.zeros((3, 3)), [[0, 1, 2]], frames=np.full((2, 3, 3), 1e10))),
     ("Binding.uv", lambda: Binding([0], [[0.0, 0.0, 0.0]], [0.0])),
     ("Strands.paths", lambda: Strands(Paths.of([LINE]), [1.0] * 3, [[0, 0, 0]])),
 ]

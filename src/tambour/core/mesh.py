@@ -10,6 +10,9 @@ import numpy as np
 from tambour.core.check import Array, array, put, within
 from tambour.core.errors import LawError
 
+FARTHEST = 10**9
+"""Of a vertex from the middle of space along an axis, mm: a thousand kilometres. Squares and volumes beyond it are no numbers."""
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Mesh:
@@ -43,6 +46,7 @@ class Mesh:
 
     def __post_init__(self) -> None:
         vertices = array("Mesh.vertices", self.vertices, np.float64, (None, 3))
+        within("Mesh.vertices", vertices, -FARTHEST, FARTHEST + 1)
         n = len(vertices)
         faces = array("Mesh.faces", self.faces, np.int32, (None, 3))
         within("Mesh.faces", faces, 0, n)
@@ -54,6 +58,7 @@ class Mesh:
         frames = self.frames
         if frames is not None and not callable(frames):
             frames = array("Mesh.frames", frames, np.float64, (None, n, 3))
+            within("Mesh.frames", frames, -FARTHEST, FARTHEST + 1)
             if self.frame_count not in (1, len(frames)):
                 raise LawError(f"Mesh.frame_count: {self.frame_count}, but frames holds {len(frames)}")
             put(self, frame_count=len(frames))
