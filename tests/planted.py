@@ -77,6 +77,7 @@ FAULTS = [
     Fault("core/errors.py", "cutoff=0.65", "cutoff=0.99", "errors cli"),
     Fault("core/chart.py", "return 100.0 / self.stitches", "return 10.0 / self.stitches", "values knit_yarns knit_craft"),
     Fault("core/check.py", "made[-1] != total or ", "", "values"),
+    Fault("core/mesh.py", 'within("Mesh.vertices", vertices, -FARTHEST, FARTHEST + 1)', "pass", "values files_mesh"),
     Fault("core/graph.py", "self.edge_kind == YARN", "self.edge_kind != YARN", "promises"),
     Fault("geometry/surface.py", "where=length > 0", "where=length > 1", P),
     Fault("render/camera.py", "margin = 0.86", "margin = 1.3", "render_raster"),

@@ -65,7 +65,14 @@ def laid(path: Path, root: Path) -> Path:
         with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as made:
             made.writestr("word/document.xml" if path.suffix == ".docx" else "content.xml", "<a>" + "x" * 4000 + "</a>")
     else:
-        kinds = {".png": "Picture", ".csv": "Chart", ".json": "Chart", **dict.fromkeys(MESHES, "Mesh"), ".npz": "Scene", ".usda": "Scene"}
+        kinds = {
+            ".png": "Picture",
+            ".csv": "Chart",
+            ".json": "Chart",
+            **dict.fromkeys(MESHES, "Mesh"),
+            ".npz": "Scene",
+            ".usda": "Scene",
+        }
         kinds |= dict.fromkeys((".acl", ".txt", ".md", ".k", ".html", ".pdf"), "Text")
         kind = kinds.get(path.suffix, "ThreadPlan")
         files.write(value(kind), path, kind)

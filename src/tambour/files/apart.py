@@ -64,9 +64,7 @@ def answer(function: str, seconds: str, memory: str, name: str, *words: str) -> 
             resource.setrlimit(what, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
     module, called = function.split(":")
     try:
-        told: dict[str, Any] = {
-            "made": getattr(import_module(f"tambour.files.{module}"), called)(Path(name), *words)
-        }
+        told: dict[str, Any] = {"made": getattr(import_module(f"tambour.files.{module}"), called)(Path(name), *words)}
     except TambourError as error:
         told = {"problem": error.problems[0].message, "hint": error.problems[0].hint}
     sys.stdout.write(json.dumps(told))
