@@ -10,7 +10,7 @@ from tambour.core.graph import JOIN, StitchGraph
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.layout import rounds
 from tambour.crochet.language.parse import parse
-from tambour.crochet.yarn import clearance, course, fabric, fibres, loops, surface
+from tambour.crochet.yarn import clearance, course, fabric, loops, surface
 from tambour.geometry.surface import closed
 
 STRIPES = """
@@ -94,7 +94,7 @@ def test_same_yarn_every_time(striped: tuple[StitchGraph, np.ndarray]) -> None:
 def test_mesh_is_closed_yarn_over_a_closed_lining(striped: tuple[StitchGraph, np.ndarray]) -> None:
     graph, x = striped
     made = fabric.mesh(graph, x)
-    assert made.group_names == ("yarn", "lining", "fibres")
+    assert made.group_names == ("yarn", "lining")
     for group in (0, 1, 2):
         assert closed(made.faces[made.face_group == group])
     assert closed(surface.mesh(graph, x).faces)
@@ -273,13 +273,3 @@ def test_the_last_head_lies_over_to_its_rounds_first_stitch(text: str) -> None:
     assert ends
     for i in ends:
         assert led.after[i] == around_plainly(graph, x, i, follows)
-
-
-@pytest.mark.parametrize("name", list(fibres.KINDS))
-def test_fibres_are_closed_needles_on_the_yarn(name: str, striped: tuple[StitchGraph, np.ndarray]) -> None:
-    made = fabric.strands(*striped)
-    hair = fibres.halo(made, fibres.KINDS[name])
-    assert closed(hair.faces) and len(hair.faces) > 0
-    foot = hair.vertices.reshape(-1, 4, 3)[:, :3].mean(1)
-    near = np.array([np.sqrt(((made.paths.coords - f) ** 2).sum(1).min()) for f in foot[:50]])
-    assert near.max() < 2.5 * made.radius[0]

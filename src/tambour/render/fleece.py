@@ -1,4 +1,4 @@
-"""Fleece: what makes a strand look spun: the fibres along its surface, and how far single samples stray over its edge."""
+"""Fleece: what makes a strand look spun: the fibres along its surface, and how its dye wanders."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from tambour.noise import stream
 
 AROUND: Final = 96
 """Texels of the fibres' tile around a strand, and along one turn of its twist."""
-STRAY: Final = 128
-"""Samples along the side of the table of strays."""
+TONES: Final = 1024
+"""Rows of the table of tones."""
 
 
 @cache
@@ -32,13 +32,14 @@ def fibres() -> Array:
 
 
 @cache
-def strays() -> Array:
-    """(S, S, 2): how far samples stray, mean 0, within a circle of radius 1; neighbours stray together, as fibres do."""
-    rough = stream("fleece", 3).random((2, STRAY, STRAY))
-    way = np.stack([_even(_blurred(each, 2, 2)) + 1.2 * _even(each) for each in rough], axis=2)
-    way /= 1.6
-    size = np.sqrt((way * way).sum(2, keepdims=True))
-    return np.ascontiguousarray(way / np.maximum(1.0, size))
+def tones() -> Array:
+    """(N, 3): how light yarn is along its way, a row for every other turn of its twist, as shares of each colour's light."""
+    rough = stream("fleece", 3)
+    light, warm = (
+        _even(sum((_blurred(rough.random((1, TONES)), 0, far) for far in wide), np.zeros((1, TONES))))[0]
+        for wide in ((1, 6), (4,))
+    )
+    return np.ascontiguousarray(1.0 + 0.055 * light[:, None] + 0.018 * warm[:, None] * np.array([1.0, 0.0, -1.0]))
 
 
 def _blurred(field: Array, rows: int, columns: int) -> Array:

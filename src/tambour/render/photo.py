@@ -1,26 +1,44 @@
-"""Mesh → Picture as a camera would take it: the raster in soft, dense light, with a lens's falloff and a film's grain."""
+"""Mesh → Picture as a camera would take it: by a window, on a table, sharp where it is looked at, with a film's tone and grain."""
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import radians
 from typing import Final
 
 import numpy as np
 
+from tambour.color import coded
+from tambour.core.check import Array
 from tambour.core.mesh import Mesh
 from tambour.core.picture import Picture
+from tambour.core.threads import WORKERS
 from tambour.noise import stream
 from tambour.render import raster
 from tambour.render.camera import THREE_QUARTER
+from tambour.render.light import shine, window
 
 SAMPLES: Final = 4
 """Samples along each side of a pixel."""
-LIGHTS: Final = 240
-"""Lights that sky and lamp are made of."""
-FALLOFF: Final = 0.16
+LIGHTS: Final = 160
+"""Lights that sky and window are made of."""
+OPEN: Final = 0.022
+"""How wide the lens is open, as a share of the thing's size."""
+FALLOFF: Final = 0.3
 """How much less light the picture's corners get."""
-GRAIN: Final = 1.6
+EXPOSED: Final = 1.0
+"""How long the film sees it, against one that shows a white wall by the window just white."""
+GRAIN: Final = 0.8
 """Spread of the grain, in codes of 256."""
+CONTRAST: Final = 0.3
+"""How much steeper the film is in its middle."""
+SOFT: Final = 0.4
+"""How wide a point is drawn by the lens, in pixels."""
+SHARP: Final = 0.3
+"""How much a camera sets edges off."""
+FINEST: Final = 480
+"""Texels along the side of a shadow map."""
+_BLURS: Final = (0.0, 0.7, 1.4, 2.4, 4.0, 6.5)
 
 
 def picture(
@@ -33,19 +51,35 @@ def picture(
     lens: float = radians(26.0),
     samples: int = SAMPLES,
     lights: int = LIGHTS,
+    table: float = 90.0,
+    open: float = OPEN,
+    cast: Mesh | None = None,
 ) -> Picture:
-    """A picture of a mesh that stands on a floor, framed as :func:`tambour.render.raster.picture` does, and as it lit, only finer.
+    """A picture of a mesh on a wooden table, framed as :func:`tambour.render.raster.picture` does.
 
     width, height : pixels; without a height it follows the mesh's shape
     azimuth, elevation, lens : radians, see :func:`tambour.render.camera.look`
-    samples : along each side of a pixel; lights : parallel lights that sky and lamp are made of
+    samples : along each side of a pixel; lights : parallel lights that sky and window are made of
+    table : mm, how wide its boards are
+    open : how wide the lens is open, as a share of the thing's size; 0: all of the thing is sharp
+    cast : a mesh of fewer faces within the same surface, which throws the shadows
 
     The same bytes for any number of threads. Raises nothing for any mesh that is one.
 
     >>> picture(Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int32)), width=16, height=12, samples=1, lights=5).rgba.shape
     (12, 16, 4)
     """
-    seen = raster.picture(
+    lamps = max(1, lights // 5)
+    dark = mesh if cast is None else cast
+    lit = shine(
+        dark.vertices,
+        dark.faces,
+        *window(azimuth, lights - lamps, lamps),
+        size=FINEST,
+        threads=WORKERS,
+        shut=raster.shut(dark),
+    )
+    made = raster.shot(
         mesh,
         width=width,
         height=height,
@@ -54,13 +88,59 @@ def picture(
         lens=lens,
         samples=samples,
         lights=lights,
-    ).rgba
-    high, wide = seen.shape[:2]
+        lit=lit,
+        table=table,
+    )
+    thing = _focused(made, samples, open) if open else made.light
+    light = thing[..., :3] + (1.0 - thing[..., 3:]) * made.behind
+    high, wide = light.shape[:2]
+    # Glass and film scatter a little of what is bright.
+    light = 0.965 * light + 0.035 * _blurred(light, 0.012 * max(high, wide))
     y, x = np.linspace(-1.0, 1.0, high)[:, None], np.linspace(-1.0, 1.0, wide)[None]
     square = 0.5 * (x * x + y * y)
-    # Two rough fields, one of them twice as coarse: grain is no single dots.
-    rough = stream("grain", wide, high)
-    fine, coarse = (rough.random(shape) - 0.5 for shape in ((high, wide), (-(-high // 2), -(-wide // 2))))
-    grain = GRAIN * (2.4 * fine + 2.4 * np.repeat(np.repeat(coarse, 2, 0), 2, 1)[:high, :wide])
-    shown = seen[..., :3] * (1.0 - FALLOFF * square * square)[..., None] + grain[..., None]
-    return Picture(np.dstack([np.clip(np.round(shown), 0, 255).astype(np.uint8), seen[..., 3:]]))
+    light = light * (1.0 - FALLOFF * square)[..., None] * EXPOSED
+    # As cameras do: a lens's softness, and an edge set off against it.
+    light = _blurred(light, SOFT)
+    shown = coded(raster.film(np.maximum(light + SHARP * (light - _blurred(light, 1.0)), 0.0)))
+    shown = shown + CONTRAST * shown * (1.0 - shown) * (2.0 * shown - 1.0)
+    # Grain is no single dots.
+    grain = 3.0 * GRAIN * _blurred(stream("grain", wide, high).standard_normal((high, wide, 1)), 0.6)
+    codes = np.clip(np.round(255.0 * shown + grain), 0, 255).astype(np.uint8)
+    return Picture(np.dstack([codes, np.full((high, wide), 255, np.uint8)]))
+
+
+def _focused(made: raster.Shot, samples: int, open: float) -> Array:
+    """The thing's light and coverage (H, W, 4), blurred where it lies before or behind what is looked at."""
+    high, wide = made.light.shape[:2]
+    near = made.near.reshape(high, samples, wide, samples).max((1, 3)).astype(np.float64)
+    there = near > 0.0
+    if not there.any():
+        return made.light
+    # What lies a little before the middle of all that is seen is sharp.
+    sharp = float(np.quantile(near[there], 0.6))
+    spread = np.where(
+        there, 0.3 * open * made.size * made.camera.scale * np.abs(sharp - np.where(there, near, 0.0)), 0.0
+    )
+    # Around it, where only its hairs are, as beside.
+    share = _blurred(there.astype(np.float64)[..., None], 3.0)[..., 0]
+    spread = np.where(there, spread, _blurred(spread[..., None], 3.0)[..., 0] / np.maximum(share, 1e-6))
+    spread = np.clip(spread, 0.0, _BLURS[-1])
+    out = np.zeros(made.light.shape)
+    before: Array = made.light.astype(np.float64)
+    for low, up in pairwise(_BLURS):
+        after = _blurred(made.light, up)
+        t = (spread - low) / (up - low)
+        inside = (t >= 0.0) & (t <= 1.0)
+        out[inside] = ((1.0 - t)[..., None] * before + t[..., None] * after)[inside]
+        before = after
+    return out
+
+
+def _blurred(light: Array, spread: float) -> Array:
+    """A picture (H, W, C), float64, with every point a bell ``spread`` pixels wide."""
+    from scipy.ndimage import gaussian_filter1d
+
+    out = np.asarray(light, np.float64)
+    for axis in (0, 1):
+        out = gaussian_filter1d(out, spread, axis=axis, mode="nearest", truncate=3.0)
+    return np.asarray(out)

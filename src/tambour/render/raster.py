@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from functools import cache
 from math import radians
 
@@ -14,36 +15,53 @@ from tambour.core.mesh import Mesh
 from tambour.core.picture import Picture
 from tambour.core.threads import WORKERS
 from tambour.geometry.surface import closed, vertex_normals
-from tambour.render.camera import THREE_QUARTER, look
+from tambour.render.camera import THREE_QUARTER, Camera, look
 from tambour.render.cover import cover, turn
-from tambour.render.fleece import fibres, strays
-from tambour.render.light import Lights, floor_light, shine, studio
-from tambour.render.shade import STRAY, shade
+from tambour.render.fleece import fibres, tones
+from tambour.render.hair import hairs
+from tambour.render.light import Lights, floor_light, shine, studio, window
+from tambour.render.setting import OAK, behind, plain, wood
+from tambour.render.shade import HAIRS, shade
 
-# Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, stray, fibre (see shade).
+# Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, fibre; hairs, reach, fine (see shade).
 MATERIALS: dict[str, tuple[float, ...]] = {
-    "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0),
-    "yarn": (0.5, 0.25, 0.0, 1.0, 4.0, 0.22, 0.15, 0.014),
-    "cotton": (0.3, 0.15, 0.1, 14.0, 4.0, 0.24, 0.08, 0.012),
-    "acrylic": (0.45, 0.2, 0.05, 18.0, 4.0, 0.24, 0.1, 0.012),
-    "chenille": (0.9, 0.5, 0.0, 1.0, 0.0, 0.0, 0.35, 0.03),
-    "mohair": (0.9, 0.4, 0.0, 1.0, 2.0, 0.12, 0.45, 0.025),
-    "fibres": (0.5, 0.3, 0.0, 1.0, 0.0, 0.0, 0.1, 0.0),
-    "plied": (0.6, 0.25, 0.0, 1.0, 0.0, 0.0, 0.12, 0.012),
-    "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2, 0.0, 0.0),
-    "cloth": (0.5, 0.15, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0),
-    "felt": (0.5, 0.3, 0.0, 1.0, 0.0, 0.0, 0.1, 0.0),
-    "glass": (0.0, 0.0, 1.3, 420.0, 0.0, 0.0, 0.0, 0.0),
-    "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.1, 0.0),
+    "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    "yarn": (0.5, 0.25, 0.0, 1.0, 4.0, 0.38, 0.022, 22.0, 0.75, 0.0075),
+    "cotton": (0.3, 0.15, 0.1, 14.0, 4.0, 0.45, 0.014, 10.0, 0.5, 0.0075),
+    "acrylic": (0.45, 0.2, 0.05, 18.0, 4.0, 0.45, 0.016, 20.0, 0.7, 0.0075),
+    "chenille": (0.9, 0.5, 0.0, 1.0, 0.0, 0.0, 0.03, 60.0, 0.35, 0.025),
+    "mohair": (0.9, 0.4, 0.0, 1.0, 2.0, 0.12, 0.025, 16.0, 2.6, 0.010),
+    "plied": (0.6, 0.25, 0.0, 1.0, 0.0, 0.0, 0.012, 8.0, 0.75, 0.012),
+    "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2, 0.0, 0.0, 0.0, 0.0),
+    "cloth": (0.5, 0.15, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    "felt": (0.5, 0.3, 0.0, 1.0, 0.0, 0.0, 0.0, 12.0, 0.3, 0.012),
+    "glass": (0.0, 0.0, 1.3, 420.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    "lining": (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
 }
 
-FRAYED = 1.2
-"""Pixels that an edge of yarn frays out at most: nearer to, its single fibres are seen."""
+OPEN = 0.022
+"""How wide the lens is open before a table, as a share of the thing's size: its far edge is soft."""
 _FINEST = 480  # texels along the side of a shadow map
 _BRIGHTEST = 16.0  # what is lighter differs by less than a code
 
 PLAIN = (226, 221, 212)
 """Colour of a mesh that has none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shot:
+    """What a camera's opening lets in, before the film.
+
+    light : (H, W, 4) float32, linear light of the thing times its share of the pixel, and that share
+    behind : (H, W, 3) float32, linear light of what stands behind it; near : (H s, W s) float32, 1 / mm, -inf for nothing
+    camera : where it stood; size : mm, of the thing
+    """
+
+    light: Array
+    behind: Array
+    near: Array
+    camera: Camera
+    size: float
 
 
 def picture(
@@ -60,6 +78,7 @@ def picture(
     lights: int = 50,
     frame: Array | None = None,
     lit: Lights | None = None,
+    table: float = 0.0,
 ) -> Picture:
     """A shaded picture of a mesh that fills it, on a plain ground.
 
@@ -71,10 +90,47 @@ def picture(
     lights : parallel lights that sky and lamp are made of, at least 5
     frame : (P, 3) points that fill the picture and stand on the floor, instead of the mesh's: for several in one view
     lit : lights that the mesh stands in already: for several views in one light
+    table : mm, how wide the boards are of a wooden table that it stands on before a wall; 0 for none
 
     A face's group chooses its surface from MATERIALS ("yarn" and "thread" take ``uv`` as turns of their twist along
     and turns around). Deterministic; raises nothing for any mesh that is one: an empty one gives the background.
     """
+    made = shot(
+        mesh,
+        width=width,
+        height=height,
+        azimuth=azimuth,
+        elevation=elevation,
+        lens=lens,
+        samples=samples,
+        ground=ground,
+        background=background,
+        lights=lights,
+        frame=frame,
+        lit=lit,
+        table=table,
+    )
+    made.light[..., :3] += (1.0 - made.light[..., 3:]) * made.behind
+    return Picture(_developed(made.light))
+
+
+def shot(
+    mesh: Mesh,
+    *,
+    width: int,
+    height: int | None,
+    azimuth: float,
+    elevation: float,
+    lens: float,
+    samples: int,
+    ground: bool = True,
+    background: tuple[int, int, int] | None = None,
+    lights: int,
+    frame: Array | None = None,
+    lit: Lights | None = None,
+    table: float = 0.0,
+) -> Shot:
+    """What :func:`picture` develops."""
     points = shown(mesh) if frame is None else frame
     camera = look(points, width=width, height=height, azimuth=azimuth, elevation=elevation, lens=lens)
     height = camera.height
@@ -94,17 +150,20 @@ def picture(
         # A map as fine as the picture, as far as that is seen.
         size = min(_FINEST, max(_FINEST // 3, round(1.25 * min(width, height))))
         lamps = max(1, lights // 5)
-        all_of_them = studio(azimuth, lights - lamps, lamps)
+        all_of_them = studio(azimuth, lights - lamps, lamps) if not table else window(azimuth, lights - lamps, lamps)
         lit = shine(mesh.vertices, mesh.faces, *all_of_them, size=size, threads=threads, shut=rimless)
-    patch, plot = floor_light(lit, points.min(0), points.max(0)) if ground else (np.ones((1, 1, 3)), np.zeros(3))
+    pool, plot = floor_light(lit, points.min(0), points.max(0)) if ground else (np.ones((1, 1, 3)), np.zeros(3))
 
     names = [name if name in MATERIALS else "" for name in mesh.group_names]
-    table = np.array([MATERIALS[name] for name in names] or [MATERIALS[""]])
+    surfaces = np.array([MATERIALS[name] for name in names] or [MATERIALS[""]])
     group = np.zeros(len(mesh.faces), np.int32) if mesh.face_group is None else mesh.face_group
-    # The strands' radius in samples, in the middle of the picture.
-    thick = radius(mesh) * camera.scale * samples * float(np.median(z)) if len(z) and table[:, STRAY].any() else 0.0
+    thick = radius(mesh)
     palette = linear(np.arange(256) / 255.0)
     color = np.broadcast_to(np.array(PLAIN, np.uint8), mesh.vertices.shape) if mesh.color is None else mesh.color
+    color = palette[color]
+    uv = np.zeros((0, 2)) if mesh.uv is None else mesh.uv
+    normals = vertex_normals(mesh.vertices, mesh.faces)
+    view = (camera.eye, camera.axes, camera.scale)
     arguments = (
         near,
         face,
@@ -112,16 +171,14 @@ def picture(
         y,
         z,
         mesh.vertices,
-        vertex_normals(mesh.vertices, mesh.faces),
+        normals,
         mesh.faces,
         mesh.smooth,
-        palette[color],
-        np.zeros((0, 2)) if mesh.uv is None else mesh.uv,
+        color,
+        uv,
         group,
-        table,
-        camera.eye,
-        camera.axes,
-        camera.scale,
+        surfaces,
+        *view,
         lit.direction,
         lit.weight,
         lit.key,
@@ -129,21 +186,39 @@ def picture(
         lit.origin,
         lit.texel,
         lit.depth,
-        _backdrop(height, background),
-        float(points[:, 1].min()) if ground else np.nan,
-        patch,
-        plot,
         fibres(),
-        strays(),
-        thick,
-        min(thick * float(table[:, STRAY].max()), FRAYED * samples),
+        tones(),
+        # The strands' radius in samples, in the middle of the picture.
+        thick * camera.scale * samples * float(np.median(z)) if len(z) else 0.0,
     )
     out = np.zeros((height, width, 4), np.float32)
     # Rows are dealt out in bands; every band writes its own, so their number changes no byte.
     edges = np.linspace(0, height, 4 * threads + 1).astype(int).tolist()
-    with ThreadPoolExecutor(threads) as pool:
-        list(pool.map(lambda k: shade(out, edges[k], edges[k + 1], samples, *arguments), range(4 * threads)))
-    return Picture(_developed(out))
+    with ThreadPoolExecutor(threads) as pool_of:
+        list(pool_of.map(lambda k: shade(out, edges[k], edges[k + 1], samples, *arguments), range(4 * threads)))
+    if thick > 0.0 and surfaces[:, HAIRS].any():
+        hairs(
+            out, samples, near, x, y, z, mesh.vertices, normals, mesh.faces, color, uv, group, surfaces, thick, *view,
+            lit.direction, lit.weight, lit.axes, lit.origin, lit.texel, lit.depth, max(1, len(lit.direction) // 20),
+        )  # fmt: skip
+    large = float(np.linalg.norm(np.ptp(points, axis=0)))
+    focus = 0.5 * (points.min(0) + points.max(0)) + 0.1 * float(np.ptp(points[:, 1])) * camera.axes[2]
+    room = np.zeros((height, width, 3), np.float32)
+    behind(
+        room,
+        plain(height, background),
+        *view,
+        float(points[:, 1].min()) if ground else np.nan,
+        pool,
+        plot,
+        wood() if table else np.zeros((0, 0, 0), np.float32),
+        linear(np.array(OAK)),
+        1.9 * large,
+        focus,
+        OPEN * large,
+        table,
+    )
+    return Shot(out, room, near, camera, large)
 
 
 def radius(mesh: Mesh) -> float:
@@ -191,14 +266,6 @@ def _codes() -> Array:
     """The code values of light in even steps of its root, each far less than a code apart."""
     light = np.linspace(0.0, _BRIGHTEST**0.5, 1 << 16) ** 2
     return np.asarray(np.round(coded(film(light)) * 255).astype(np.uint8))
-
-
-def _backdrop(height: int, color: tuple[int, int, int] | None) -> Array:
-    """Linear light (height, 3) behind everything, row by row."""
-    if color is not None:
-        return np.broadcast_to(linear(np.array(color) / 255.0), (height, 3)).copy()
-    t = np.linspace(0, 1, height)[:, None]
-    return np.asarray(linear(np.array([0.925, 0.915, 0.9]) * (1 - t) + np.array([0.855, 0.84, 0.82]) * t))
 
 
 def film(light: Array) -> Array:

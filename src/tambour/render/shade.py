@@ -11,9 +11,10 @@ from tambour.core.kernels import kernel
 from tambour.render.light import seen
 
 # Columns of a material: fuzz (light that fibres scatter at the rim), wrap (light that creeps round the edge), gloss,
-# highlight's sharpness, plies twisted together (0: none), depth of the groove between them in radii, how far its fibres
-# stray over its edge, and how strongly they show on it, both in radii.
-FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, STRAY, FIBRE = range(8)
+# highlight's sharpness, plies twisted together (0: none), depth of the groove between them in radii, how strongly fibres show
+# on it, in radii; of the hairs that stand off it: how many on a square radius, how long and how thick, in radii.
+FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE = range(10)
+DYED = (0.028, 0.81)
 
 
 @kernel
@@ -53,30 +54,21 @@ def shade(
     origin: F8x2,
     texel: F8x1,
     depth: F4x3,
-    backdrop: F8x2,
-    ground: float,
-    pool: F8x3,
-    plot: F8x1,
     fleece: F8x3,
-    strays: F8x3,
+    tones: F8x2,
     radius: float,
-    stray: float,
 ) -> None:
-    """Fill rows ``first`` to ``last`` - 1 of ``out`` (H, W, 4) float32: linear light and coverage.
+    """Fill rows ``first`` to ``last`` - 1 of ``out`` (H, W, 4) float32: linear light times coverage, and coverage.
 
     samples : along each side of a pixel; near, face : (H s, W s) of :func:`cover`; x, y, z : (V,) as given to it
     vertices, normals, color (linear) : (V, 3); uv : (V, 2), or (0, 2) for none; material : (F,) rows of table (M, 6)
     eye, axes, scale : the camera; direction … depth : the lights
-    backdrop : (H, 3) linear; ground : height of the floor in mm, or NaN for none; pool, plot : its light
-    fleece, strays : the tables of :mod:`tambour.render.fleece`; radius : of the strands, in samples
-    stray : how far any fibre strays over an edge, in samples
+    fleece, tones : the tables of :mod:`tambour.render.fleece`; radius : of the strands, in samples
 
     The samples of a pixel share the lights out between them.
     """
     height, width = out.shape[0], out.shape[1]
     lights = len(direction)
-    has_ground = ground == ground
-    cells = len(pool)
     dealt = float(samples * samples)
     key_total = 0.0
     for k in range(lights):
@@ -104,37 +96,7 @@ def shade(
                     dx, dy, dz = dx / length, dy / length, dz / length
                     jitter = _noise(i, j)
                     f = face[i, j]
-                    if stray > 0.0 and (f < 0 or table[material[f], STRAY] > 0.0):
-                        # At an edge of spun yarn a sample sees now its fibres, now what is behind them.
-                        rows, columns = i % len(strays), j % len(strays)
-                        down = i + floor(stray * strays[rows, columns, 0] + 0.5)
-                        aside = j + floor(stray * strays[rows, columns, 1] + 0.5)
-                        if down >= 0 and aside >= 0 and down < height * samples and aside < width * samples:
-                            other = face[down, aside]
-                            if other < 0 or table[material[other], STRAY] > 0.0:
-                                f, i, j = other, down, aside
                     if f < 0:
-                        r, g, b = backdrop[row, 0], backdrop[row, 1], backdrop[row, 2]
-                        if has_ground and dy < -1e-6:
-                            away = (ground - eye[1]) / dy
-                            px, pz = eye[0] + away * dx, eye[2] + away * dz
-                            s = (px - plot[0]) / plot[2] - 0.5
-                            t = (pz - plot[1]) / plot[2] - 0.5
-                            if s >= 0.0 and t >= 0.0 and s < cells - 1 and t < cells - 1:
-                                u0, v0 = int(s), int(t)
-                                s, t = s - u0, t - v0
-                                r *= (1 - t) * ((1 - s) * pool[v0, u0, 0] + s * pool[v0, u0 + 1, 0]) + t * (
-                                    (1 - s) * pool[v0 + 1, u0, 0] + s * pool[v0 + 1, u0 + 1, 0]
-                                )
-                                g *= (1 - t) * ((1 - s) * pool[v0, u0, 1] + s * pool[v0, u0 + 1, 1]) + t * (
-                                    (1 - s) * pool[v0 + 1, u0, 1] + s * pool[v0 + 1, u0 + 1, 1]
-                                )
-                                b *= (1 - t) * ((1 - s) * pool[v0, u0, 2] + s * pool[v0, u0 + 1, 2]) + t * (
-                                    (1 - s) * pool[v0 + 1, u0, 2] + s * pool[v0 + 1, u0 + 1, 2]
-                                )
-                        total[0] += r
-                        total[1] += g
-                        total[2] += b
                         continue
                     a0, b0, c0 = faces[f, 0], faces[f, 1], faces[f, 2]
                     ax, ay = x[a0], y[a0]
@@ -173,6 +135,8 @@ def shade(
                     occlude = 1.0
                     for c in range(3):
                         albedo[c] = wa * color[a0, c] + wb * color[b0, c] + wc * color[c0, c]
+                        if table[m, HAIRS] > 0.0:
+                            albedo[c] = DYED[0] + DYED[1] * albedo[c]
                     plies, fibre = table[m, PLIES], table[m, FIBRE]
                     if (plies > 0.0 or fibre > 0.0) and len(uv) > 0:
                         # u: turns of the twist along the yarn, v: turns around it (it wraps).
@@ -182,6 +146,13 @@ def shade(
                         vc += floor(va - vc + 0.5)
                         around_at, along_at = wa * va + wb * vb + wc * vc, wa * ua + wb * ub + wc * uc
                         phase = pi * plies * (around_at - along_at)
+                        # It is dyed and spun a little unevenly along its way, and no two of its plies are alike.
+                        ta = 0.5 * along_at + 57.0 * floor(plies * (around_at - along_at) + 0.5) % max(plies, 1.0)
+                        tb = floor(ta)
+                        ta -= tb
+                        t0, t1 = int(tb) % len(tones), (int(tb) + 1) % len(tones)
+                        for c in range(3):
+                            albedo[c] *= (1.0 - ta) * tones[t0, c] + ta * tones[t1, c]
                         # Surface gradients of v and of the phase: a linear function's over a triangle.
                         pb, pc = pi * plies * (vb - ub - va + ua), pi * plies * (vc - uc - va + ua)
                         # Dual basis of the edges within the face's plane.
@@ -210,7 +181,7 @@ def shade(
                             n[1] -= steep * sy_
                             n[2] -= steep * sz_
                             crease = 1.0 - abs(ripple) if plies > 0.0 else 0.0
-                            occlude = 1.0 - 0.45 * crease * crease
+                            occlude = 1.0 - 0.5 * crease * (0.35 + 0.65 * crease)
                             if fibre > 0.0:
                                 # Fibres finer than a sample are not seen one by one.
                                 wide = len(fleece)
@@ -228,7 +199,7 @@ def shade(
                                 n[1] -= lift * (fleece[r_, c_, 1] * wy + fleece[r_, c_, 2] * ty_)
                                 n[2] -= lift * (fleece[r_, c_, 1] * wz + fleece[r_, c_, 2] * tz_)
                                 for c in range(3):
-                                    albedo[c] *= max(0.3, 1.0 + 0.09 * tone_of)
+                                    albedo[c] *= max(0.3, 1.0 + 0.12 * tone_of)
                     length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
                     if length == 0.0:
                         length = 1.0

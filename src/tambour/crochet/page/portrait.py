@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 from math import pi, radians
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
     from tambour.core.mesh import Mesh
@@ -25,6 +25,10 @@ AHEAD, ASIDE, ABOVE = (
     (radians(24.0), radians(52.0)),
 )
 """Azimuth and elevation for a toy that stands or sits, for one that lies or goes on four legs, for what is flat."""
+BOARDS: Final = 90.0
+"""Boards of the table that toys stand on, mm wide."""
+FLAT: Final = 0.3
+"""What is less deep than so much of its width and height is a sheet."""
 _LONG: Final = 1.25
 """A toy so much deeper than high is seen from the side as well."""
 
@@ -37,21 +41,48 @@ def portrait(piece: Plush, side: str, *, width: int = 1200, height: int | None =
 
 
 def whole(piece: Plush, *, width: int = 1200) -> Picture:
-    """The toy as one looks at it: its face ahead, from a little above; what lies flat from higher."""
-    from tambour.crochet.looks import toy
-    from tambour.render.raster import picture
-
-    azimuth, elevation = stand(piece)
-    return picture(toy(piece), width=width, azimuth=azimuth, elevation=elevation)
+    """The toy on a table as one looks at it: its face ahead, from a little above; what lies flat from higher."""
+    return _taken(piece, None, width=width, samples=3, lights=50, open=0.0)
 
 
 def photo(piece: Plush) -> Picture:
-    """The toy as a camera would take it: its yarn near to, in soft light, a little grain."""
+    """The toy as a camera would take it: its yarn near to, in soft light, sharp in its middle, a little grain."""
+    return _taken(piece, "photo")
+
+
+def _taken(piece: Plush, detail: str | None, **asked: Any) -> Picture:
+    """A photo of the toy on its table; detail : of its yarn; asked : of :func:`tambour.render.photo.picture`."""
     from tambour.crochet.looks import toy
     from tambour.render.photo import picture
 
-    azimuth, elevation = stand(piece)
-    return picture(toy(piece, detail="photo"), azimuth=azimuth, elevation=elevation)
+    (azimuth, elevation), made, cast = stand(piece), toy(piece, detail=detail), toy(piece, detail="low")
+    if sheet(piece):
+        azimuth, elevation = ABOVE
+        made, cast = laid(made), laid(cast)
+    return picture(made, azimuth=azimuth, elevation=elevation, table=BOARDS, cast=cast, **asked)
+
+
+def sheet(piece: Plush) -> bool:
+    """Whether the piece is a flat one that was worked upright: it stands on no table."""
+    import numpy as np
+
+    wide, high, deep = np.ptp(piece.positions, axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
+    return bool(deep < FLAT * min(wide, high))
+
+
+def laid(mesh: Mesh) -> Mesh:
+    """An upright sheet laid on a table, its right side up, as flat as it lies there: what it bows as a whole is smoothed out."""
+    from dataclasses import replace
+
+    import numpy as np
+
+    x, y, z = (-mesh.vertices[:, k] for k in (0, 2, 1))
+    a, b = (each - each.mean() for each in (x, z)) if len(x) else (x, z)
+    bow = np.stack([np.ones(len(a)), a, b, a * a, a * b, b * b], axis=1)
+    some = slice(None, None, max(1, len(a) // 5000))
+    return replace(
+        mesh, vertices=np.stack([x, y - bow @ np.linalg.lstsq(bow[some], y[some], rcond=None)[0], z], axis=1)
+    )
 
 
 def stand(piece: Plush) -> tuple[float, float]:

@@ -13,7 +13,7 @@ from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.crochet.yarn.clearance import clear
 from tambour.crochet.yarn.course import course, place
-from tambour.crochet.yarn.fibres import KINDS, halo
+from tambour.crochet.yarn.fibres import KINDS
 from tambour.crochet.yarn.lead import way
 from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
 from tambour.crochet.yarn.spline import smooth, thin
@@ -118,13 +118,24 @@ def _dense(coords: Array, ends: Array, stitch: Array, longest: float) -> tuple[A
     return (1 - part) * coords[of] + part * coords[after], begin[ends], stitch[of]
 
 
+def _spun(made: Strands) -> Strands:
+    """Yarn as thick and thin as spinning leaves it."""
+    n = len(made.radius)
+    rough = stream("spun").uniform(-1.0, 1.0, n // SLUB + 2)
+    return replace(
+        made, radius=made.radius * (1.0 + THIN * np.interp(np.arange(n) / SLUB, np.arange(len(rough)), rough))
+    )
+
+
 SIDES = {"low": 4, "medium": 6, "high": 10, "near": 10, "photo": 10}
 """Detail → corners of the yarn's cross-section; near: for pictures that show few stitches, photo: for those of a camera."""
-FIBRES = 5.0
-"""So many times the fibres stand about the yarn in a photo."""
 NEAR = 1200
 """Pictures of fewer stitches show their yarn near to: as round as in high detail."""
-UNEVEN = 0.02
+SLUB, THIN = 9, 0.07
+"""Yarn grows thicker and thinner every so many points, by so much of its radius."""
+PLIED = 400
+"""Pictures of fewer stitches show its plies in the yarn's outline."""
+UNEVEN = 0.03
 """How far single stitches lie out of line, in widths: hands are not machines."""
 
 
@@ -136,19 +147,19 @@ def mesh(
     made: Strands | None = None,
     material: str = "wool",
 ) -> Mesh:
-    """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, as tubes over a lining.
-
-    A halo of fibres stands about them but in low detail, which is for pictures too small to show it.
-    """
+    """The piece as one sees it: its yarn, ``made`` by :func:`strands` or here, as tubes over a lining."""
     kind = KINDS[material]
     made = strands(graph, positions, detail=detail, bloom=BLOOM * kind.full) if made is None else made
     if detail in ("near", "photo"):
         coords, ends, of = _rounder(made.paths.coords, np.asarray(made.paths.offsets), 2)
         data = {name: values[of] for name, values in made.point_data.items()}
         made = replace(made, paths=Paths(coords, ends), radius=made.radius[of], point_data=data)
-    yarn = sweep(made, sides=SIDES[detail], material=kind.surface)
+    if detail in ("near", "photo") and len(graph) < PLIED and kind.plies:
+        yarn = sweep(_spun(made), sides=18, plies=kind.plies, groove=0.2, material=kind.surface)
+    else:
+        yarn = sweep(_spun(made), sides=SIDES[detail], material=kind.surface)
     inner = lining(graph, positions, graph.stitch_width)
-    every = (yarn, inner) if detail == "low" else (yarn, inner, halo(made, kind, FIBRES if detail == "photo" else 1.0))
+    every = (yarn, inner)
     first = np.cumsum([0, *(len(m.vertices) for m in every)])
     return Mesh(
         np.vstack([m.vertices for m in every]),
@@ -156,5 +167,5 @@ def mesh(
         color=np.vstack([np.asarray(m.color) for m in every]),
         uv=np.vstack([np.zeros((len(m.vertices), 2)) if m.uv is None else m.uv for m in every]),
         face_group=np.repeat(np.arange(len(every), dtype=np.int32), [len(m.faces) for m in every]),
-        group_names=(kind.surface, "lining", "fibres")[: len(every)],
+        group_names=(kind.surface, "lining"),
     )

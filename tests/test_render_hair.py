@@ -1,0 +1,101 @@
+"""Hairs stand off yarn, thinner than a pixel, and only where nothing hides them; a table lies under what stands on it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tambour.core.mesh import Mesh
+from tambour.core.paths import Paths
+from tambour.core.strands import Strands
+from tambour.geometry.tube import sweep
+from tambour.render import hair, photo, raster
+from tambour.render.setting import LEVELS, SIDE, wood
+
+SHOT = {"height": 120, "azimuth": 0.0, "elevation": 0.0, "lens": 0.4, "samples": 2, "lights": 10, "ground": False}
+
+
+def rod(material: str, at: float = 0.0) -> Mesh:
+    line = np.array([[-30.0, at, 0], [0, at, 0], [30, at, 0]])
+    return sweep(
+        Strands(Paths.of([line]), np.full(3, 6.0), np.array([[200, 60, 40]], np.uint8)), sides=24, material=material
+    )
+
+
+def plate(mesh: Mesh, ahead: float) -> Mesh:
+    """The mesh and a bare plate across the view."""
+    corners = np.array([[-50.0, -28, ahead], [50, -28, ahead], [50, 28, ahead], [-50, 28, ahead]])
+    faces = np.array([[0, 1, 2], [0, 2, 3]]) + len(mesh.vertices)
+    count = len(mesh.faces)
+    return Mesh(
+        np.vstack([mesh.vertices, corners]),
+        np.vstack([mesh.faces, faces]),
+        color=np.vstack([np.asarray(mesh.color), np.full((4, 3), 90, np.uint8)]),
+        uv=np.vstack([np.asarray(mesh.uv), np.zeros((4, 2))]),
+        face_group=np.repeat(np.array([0, 1], np.int32), [count, 2]),
+        group_names=(*mesh.group_names, "plate"),
+    )
+
+
+def covered(mesh: Mesh, width: int = 120) -> np.ndarray:
+    return raster.shot(mesh, width=width, **{**SHOT, "height": width}).light[..., 3]
+
+
+@pytest.mark.parametrize("material", [name for name, row in raster.MATERIALS.items() if row[hair.HAIRS]])
+def test_hairs_stand_off_what_is_hairy_and_off_nothing_else(material: str) -> None:
+    bare, hairy = covered(rod("thread")), covered(rod(material))
+    outside = bare == 0
+    assert (hairy[~outside] >= bare[~outside] - 1e-6).all()
+    some = hairy[outside]
+    assert (some > 0).any() and some.max() < 1
+    # They reach no further than a hair is long.
+    rows = np.flatnonzero((hairy > 0).any(1))
+    grey = np.flatnonzero((bare > 0).any(1))
+    thick = (grey[-1] - grey[0] + 1) / 2
+    reach = raster.MATERIALS[material][hair.REACH] * 3.4 * thick
+    assert grey[0] - rows[0] <= reach + 2 and rows[-1] - grey[-1] <= reach + 2
+
+
+def test_a_hair_is_hidden_by_what_stands_before_it() -> None:
+    before = raster.shot(plate(rod("yarn"), 25.0), width=120, **SHOT).light
+    without = raster.shot(plate(rod("thread"), 25.0), width=120, **SHOT).light
+    np.testing.assert_array_equal(before, without)
+    behind = raster.shot(plate(rod("yarn"), -25.0), width=120, **SHOT).light
+    assert (behind != raster.shot(plate(rod("thread"), -25.0), width=120, **SHOT).light).any()
+
+
+def test_what_hairs_cover_does_not_hang_on_how_many_are_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    bare = covered(rod("thread"), 300)
+    shares = []
+    for most in (0.3, 0.05):
+        monkeypatch.setattr(hair, "MOST", most)
+        monkeypatch.setattr(raster, "hairs", hair.hairs.function)
+        shares.append(float((covered(rod("chenille"), 300) - bare).clip(0).sum()))
+    assert abs(shares[1] / shares[0] - 1) < 0.25
+
+
+def test_the_coarser_tiles_of_the_table_are_means_of_the_finest() -> None:
+    tiles = wood()
+    at = 0
+    for k in range(LEVELS):
+        n = SIDE >> k
+        level = tiles[:, at : at + n, :n].astype(np.float64)
+        whole = tiles[:, :SIDE].astype(np.float64).reshape(2, n, 1 << k, n, 1 << k).mean((2, 4))
+        np.testing.assert_allclose(level, whole, atol=1e-5)
+        at += n
+
+
+def test_a_table_ends_softly_before_a_wall_and_takes_the_shadow() -> None:
+    mesh = rod("yarn", 6.0)
+    shown = (
+        photo.picture(mesh, width=160, height=160, elevation=0.25, samples=2, lights=20, open=0.0)
+        .rgba[..., :3]
+        .astype(int)
+    )
+    wall, board = shown[4:12].mean((0, 1)), shown[-8:].mean((0, 1))
+    assert wall.min() > board.max() - 20 and wall[2] - wall[0] > board[2] - board[0] + 15  # the boards are browner
+    steps = np.abs(np.diff(shown[:, :12].mean((1, 2))))
+    edge = int(np.argmax(steps[:70]))
+    assert steps[edge] < 0.6 * abs(shown[edge - 12, :12].mean() - shown[edge + 12, :12].mean())
+    under = shown[105:135, 40:110].mean(-1)
+    assert under.min() < 0.75 * np.median(shown[-20:, :20].mean(-1))
