@@ -12,7 +12,7 @@ from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.core.thread import STITCH
 from tambour.embroidery.fabric import FABRICS, MOST, calibrated, widened
-from tambour.embroidery.families.choose import swept
+from tambour.embroidery.families.rows import swept
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import FILL, SATIN
 from tambour.embroidery.plan.facts import steps

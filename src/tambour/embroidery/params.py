@@ -50,7 +50,7 @@ class EmbroideryParams(Params):
 
     groups: ClassVar = {
         "Stitches": "stitch angle row_spacing row_spacing_end length min_length stagger jitter seed motif motif_size repeats",
-        "Satin and lines": "satin_from line_below split border blend jagged",
+        "Satin and lines": "satin_from line_below split rim border blend jagged",
         "Fabric": "fabric pull pull_percent push test_card measured underlay knockdown",
         "Thread": "thread travel locks trim catalogue",
         "Design": "width hoop order colors style keep_hidden text font text_size text_arc applique baste",
@@ -86,7 +86,7 @@ class EmbroideryParams(Params):
     min_length: Length = Field(default=0.3, ge=0, le=3)
     """Stitches shorter than this are joined with the next."""
 
-    stagger: int = Field(default=4, ge=1, le=32)
+    stagger: int = Field(default=8, ge=1, le=32)
     """Rows after which the needle points of a tatami fill repeat."""
 
     thread: Thread = 0.4
@@ -127,6 +127,9 @@ class EmbroideryParams(Params):
 
     blend: str | None = None
     """A second colour for fills of rows, such as #f4a261: it grows along the rows' way as the first thins out."""
+
+    rim: bool = True
+    """Fills of rows get a run along their rim, below the rows: the steps of rows show thread there and no cloth."""
 
     border: Length = Field(default=0.0, ge=0, le=12)
     """Fills get a satin border of this width along their edges, inside them, in the same thread."""

@@ -47,7 +47,7 @@ class Region:
     start, end : places asked for by the source (command symbols), or None
     flags : "trim" and "stop": what is done after it; "whole": laid out by hand, and not to be cut or joined;
         "letter": of a line of text, which is sewn in the order in which it is read
-    cap : of lines, how they end, as in Styles
+    cap, join : of lines, how they end and turn, as in Styles
     alpha : how much of its colour covers what is below, 0 … 1; 1 for all once the drawing is flat
     rank : its place in the order of sewing among those that have one, or None
     """
@@ -65,6 +65,7 @@ class Region:
     flags: frozenset[str] = frozenset()
     rank: int | None = None
     cap: int = 1
+    join: int = 1
     alpha: float = 1.0
 
     @property

@@ -21,6 +21,7 @@ from tambour.noise import key, uniform
 CROWDED = 0.25  # mm: where stitches of a bend come closer than this, some of them end before the inner side
 DRAWN = 0.45  # share of the width that they may end before it
 EDGE_INSET = 0.4  # mm that underlay keeps from a column's edges
+GOLDEN = (math.sqrt(5) - 1) / 2
 STEP = 0.1  # mm between samples of a column
 
 
@@ -193,16 +194,16 @@ def drawn_back(column: Column, start: float, end: float) -> Column:
 
 
 def split(points: Array, most: float) -> Array:
-    """Side-to-side points with needle points put into stitches longer than ``most``, shifted from stitch to stitch."""
+    """Side-to-side points with needle points put into stitches longer than ``most``, strewn from stitch to stitch."""
     size = np.hypot(*np.diff(points, axis=0).T)
     if not len(size) or size.max() <= most:
         return points
     parts = [points[:1]]
     for k, d in enumerate(size.tolist()):
         if d > most:
-            # Shifted by a third of a part to and fro, so that the places of neighbours form no line.
-            n = math.ceil(1.3 * d / most)
-            f = (np.arange(1, n) + 0.3 * (k % 3 - 1)) / n
+            # Strewn by the golden section over four fifths of a part, so that the places of neighbours form no line.
+            n = math.ceil(1.4 * d / most)
+            f = (np.arange(1, n) + 0.8 * (k * GOLDEN % 1 - 0.5)) / n
             parts.append(points[k] + f[:, None] * (points[k + 1] - points[k]))
         parts.append(points[k + 1 : k + 2])
     return np.concatenate(parts)

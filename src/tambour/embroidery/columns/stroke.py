@@ -31,8 +31,10 @@ CLOSED = 0.25  # widths: ends that lie no farther apart were meant to meet
 KEPT = 0.4  # mm that a column goes on below another that hides its end
 
 
-def from_stroke(line: Array, width: float) -> list[Column]:
+def from_stroke(line: Array, width: float, join: int = 1) -> list[Column]:
     """Columns of a line with a width: one, or several where the line turns by more than 75° at a corner.
+
+    ``join`` : how corners are drawn, as in Styles: round ones are rounded, the others meet in a mitre.
 
     What is smaller than a tenth of the width (hooks and jogs that drawing programs leave in their paths) is no corner.
     Along a bend the inner side is kept from folding over itself: where the bend's radius is below half the width the
@@ -55,8 +57,8 @@ def from_stroke(line: Array, width: float) -> list[Column]:
     for a, b in itertools.pairwise([0, *corners, len(line) - 1]):
         column = _swept(line[a : b + 1], width / 2, ring)
         if not ring:
-            column = _cornered(column, width / 2, float(turns[b]))
-            column = _cornered(column.reversed(), width / 2, -float(turns[a])).reversed()
+            column = _cornered(column, width / 2, float(turns[b]), join)
+            column = _cornered(column.reversed(), width / 2, -float(turns[a]), join).reversed()
         made.append(column)
     return made
 
@@ -123,9 +125,9 @@ def _corners(line: Array, turns: Array, width: float, closed: bool) -> list[int]
     return found
 
 
-def _cornered(column: Column, half: float, turn: float) -> Column:
-    """The column with its end made to meet the next one after a turn: slanted, or at a sharp corner rounded over it."""
-    if abs(turn) > SHARP:
+def _cornered(column: Column, half: float, turn: float, join: int) -> Column:
+    """The column with its end made to meet the next one after a turn: slanted, or at a sharp or a round corner rounded over it."""
+    if abs(turn) > SHARP or (turn and join == 0):
         return ended([column], half, 0, starts=False)[0]
     return _mitred(column, half, turn)
 

@@ -13,18 +13,17 @@ from tambour.core.paths import Paths
 from tambour.embroidery.columns.branch import branched
 from tambour.embroidery.columns.satin import drawn_back, from_rails
 from tambour.embroidery.columns.stroke import closed, ended, from_stroke, stroke_stitches
+from tambour.embroidery.families.rows import ROWS, body, compensated, filled, rim, rimmed
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines import curves, grids
-from tambour.embroidery.lines.fill import Rings, from_rows, polygon_of, rings
+from tambour.embroidery.lines.fill import Rings, polygon_of, rings
 from tambour.embroidery.lines.flow import flow
 from tambour.embroidery.lines.least import tidy
 from tambour.embroidery.lines.net import weave
 from tambour.embroidery.lines.run import bean, from_nearest, manual, motif, running
 from tambour.embroidery.lines.ways import nearest_on_outline, way
-from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import TRAVEL, UNDERLAY, Region
 from tambour.embroidery.stitches import Stitches, join, line_stitches
-from tambour.noise import key
 
 Place = tuple[float, float] | None
 NARROW = 8.0  # mm: where an area is no wider, as a column might be, its edge walk is underlay enough
@@ -61,7 +60,7 @@ def line_family(region: Region, start: Place, over: Any = None) -> list[Stitches
         free[k] = False
         line = from_nearest(lines[k], here)
         if region.stitch == "satin":
-            columns = from_stroke(line, region.width)
+            columns = from_stroke(line, region.width, region.join)
             if columns and not closed(line, region.width):
                 columns = ended(columns, region.width / 2, region.cap)
                 columns[0] = drawn_back(columns[0], p.push, 0.0)
@@ -102,7 +101,7 @@ def union(shapes: list[Any]) -> Any:
 
 def area_stitches(region: Region, start: Place, end: Place) -> list[Stitches]:
     """Every polygon of an area, nearest first."""
-    polygons = _split(compensated(region))
+    polygons = _split(sewn_area(region))
     made = []
     here = region.start or start
     while polygons:
@@ -125,59 +124,23 @@ def bordered(region: Region, here: Place) -> list[Stitches]:
     return [tidy(m, p.min_length) for m in made if len(m)]
 
 
-def compensated(region: Region) -> Paths:
-    """An area as it must be sewn to come out as drawn: rows longer by the pull on each side, the outermost rows in by
-    the push. Satin does so stitch by stitch; lines that bend follow all directions, and grow on all sides."""
-    p = region.params
-    if region.stitch == "satin":
-        return region.paths
-    if region.stitch not in ("tatami", "gradient"):
-        return grown(region.paths, p.pull) if region.stitch in COVERED else region.paths
-    import shapely
-    from shapely.affinity import translate
-
-    from tambour.geometry.areas import of_shapely, to_shapely
-
-    along = from_rows(np.array([[1.0, 0.0], [0.0, 1.0]]), region.turn)
-    made = []
-    for area in to_shapely(region.paths):
-        if p.push > 0:
-            moved = [translate(area, *(s * p.push * along[1])) for s in (-1, 1)]
-            # What only touches itself when moved leaves a line or a point: nothing to sew.
-            kept = shapely.MultiPolygon([a for a in _flat(shapely.intersection_all([area, *moved])) if a.area > 0])
-            area = area if kept.area < 0.5 * area.area else kept
-        made.append(swept(area, p.pull * along[0]))
-    found = of_shapely(shapely.union_all(made))
-    return region.paths if found is None else found
-
-
-def swept(area: Any, by: Array) -> Any:
-    """A shapely area moved from ``-by`` to ``by``: all that it passes."""
-    import shapely
-    from shapely.affinity import translate
-
-    if not by.any():
-        return area
-    parts = [translate(area, *-by), translate(area, *by)]
-    for polygon in _flat(area):
-        for ring in (polygon.exterior, *polygon.interiors):
-            line = shapely.get_coordinates(ring)
-            corners = np.stack([line[:-1] - by, line[1:] - by, line[1:] + by, line[:-1] + by], axis=1)
-            flat = np.abs((line[1:] - line[:-1]) @ np.array([-by[1], by[0]])) > 1e-12
-            parts += list(shapely.polygons(corners[flat]))
-    return shapely.union_all(parts)
-
-
-def _flat(shape: Any) -> list[Any]:
-    """The polygons of a shapely shape."""
-    return [part for part in getattr(shape, "geoms", [shape]) if part.geom_type == "Polygon"]
+def sewn_area(region: Region) -> Paths:
+    """An area as it must be sewn to come out as drawn: rows by their own law; satin is lengthened stitch by stitch; lines that
+    bend follow all directions, and grow on all sides."""
+    if region.stitch in ROWS:
+        return compensated(region)
+    return (
+        grown(region.paths, region.params.pull)
+        if region.stitch in COVERED and region.stitch != "satin"
+        else region.paths
+    )
 
 
 def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -> Stitches:
     """Underlay and fill of one connected polygon, without a jump."""
     p = region.params
     area = rings(polygon)
-    parts = area_underlay(polygon, p, start) if region.stitch in COVERED else []
+    parts = area_underlay(polygon, region, start) if region.stitch in COVERED else []
     if region.start is not None:  # the way from there lies below all the rest
         begin = nearest_on_outline(area, np.array(region.start))[2]
         parts.insert(0, Stitches.of(np.array([begin]), TRAVEL))
@@ -234,27 +197,8 @@ def fill(region: Region, polygon: Paths, area: Rings, start: Place) -> Stitches:
     """The visible stitches of one connected polygon."""
     p = region.params
     angle, name = region.turn, region.stitch
-    number = key(p.seed, region.id)
-    if name in ("tatami", "gradient"):
-        turned = rings(polygon, angle)
-        at = None
-        # Thin rows hide nothing.
-        travel = "outline" if name == "gradient" or p.row_spacing > 1.75 * p.thread else p.travel
-        if name == "gradient":
-            v = turned.points[:, 1]
-            at = gradient_levels(float(v.min()), float(v.max()), p.row_spacing, p.row_spacing_end or 3 * p.row_spacing)
-        return tatami(
-            turned,
-            angle,
-            p.row_spacing,
-            p.length,
-            stagger=p.stagger,
-            jitter=p.jitter,
-            key=number,
-            travel=travel,
-            start=start,
-            at=at,
-        )
+    if name in ROWS:
+        return rows_of(region, polygon, area, start)
     shape = polygon_of(area)
     if name == "meander":
         return grids.meander(shape, area, p.motif_size, p.length, f"{p.seed} {region.id}", start)
@@ -278,28 +222,39 @@ def fill(region: Region, polygon: Paths, area: Rings, start: Place) -> Stitches:
     return weave(lines, area, p.length, p.row_spacing, start=start, stagger=p.stagger, tolerance=0.05)
 
 
-def gradient_levels(low: float, high: float, first: float, last: float) -> Array:
-    """Row heights from ``high`` (drawn below) up to ``low``, their distance growing evenly from first to last."""
-    n = max(1, round((high - low) / ((first + last) / 2)))
-    gap = np.linspace(first, last, n)
-    at = high - first / 2 - np.r_[0, np.cumsum(gap[:-1])]
-    return np.ascontiguousarray(np.sort(at[(at > low) & (at < high)]))
+def rows_of(region: Region, polygon: Paths, area: Rings, start: Place) -> Stitches:
+    """The rows of one connected polygon: of each part of what lies inside the run along its rim, if it has one."""
+    if not rimmed(region):
+        return filled(region, polygon, start)
+    parts = _split(body(polygon, region))
+    made: list[Stitches] = []
+    here = start
+    while parts:
+        made.append(filled(region, parts.pop(_nearest(parts, here)), here))
+        here = _last(made, here)
+    return linked(made, area, region.params.length)
 
 
-def area_underlay(polygon: Paths, p: EmbroideryParams, start: Place) -> list[Stitches]:
-    """What lies below a fill: outlines drawn in, and thin rows across the fill's."""
+def area_underlay(polygon: Paths, region: Region, start: Place) -> list[Stitches]:
+    """What lies below a fill: a run along its rim or outlines drawn in, and thin rows across the fill's."""
+    p = region.params
     words = p.underlay.split("+")
     wide = 4 * 2 * p.row_spacing
     if "none" in words:
         return []
     made: list[Stitches] = []
+    here = start
+    under = rimmed(region)
+    edge = grown(polygon, -p.thread / 2, empty=True) if under else None
+    for piece in [] if edge is None else _split(edge):
+        made.append(rim(piece, region, here))
+        here = _last(made, here)
     inner = grown(polygon, -min(0.5, 1.25 * p.row_spacing) - max(p.pull, 0.0), empty=True)
     if inner is None:
-        return []
-    here = start
+        return made
     for piece in _split(inner):
         broad = float(np.ptp(piece.coords, axis=0).min()) > wide
-        if "edge" in words or ("auto" in words and broad):
+        if "edge" in words or ("auto" in words and broad and not under):
             made.append(weave(list(piece), rings(piece), min(p.length, 2.5), 1.0, kind=UNDERLAY, start=here, stagger=1))
             here = _last(made, here)
         if "tatami" in words or "zigzag" in words or ("auto" in words and broad):

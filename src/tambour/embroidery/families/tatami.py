@@ -20,6 +20,7 @@ TOLERANCE = 0.04  # mm that a way along an outline may cut its bends
 OVER = 4.0  # what a millimetre of travel on finished rows counts, beside 1 below later ones
 EDGE = 1.5  # what a millimetre of travel along the outline counts
 STARTS = 16
+GOLDEN = (3 - math.sqrt(5)) / 2
 
 
 @kernel
@@ -103,6 +104,7 @@ def emit(
     turned: B1x1,
     length: float,
     stagger: int,
+    stride: int,
     least: float,
     jitter: float,
     key: np.uint64,
@@ -206,7 +208,7 @@ def emit(
                 runs += 1
         # The row: needle points at fixed places of the plane, shifted by the row's place in the stagger.
         before = m
-        shift = (number[row[s]] % stagger) / stagger * length
+        shift = (number[row[s]] * stride % stagger) / stagger * length
         if jitter > 0:
             near_end = min(jitter, 0.3 * (hi[s] - lo[s]))
             a += (1 if b > a else -1) * near_end * uniform(np.uint64(key), np.uint64(4 * s))
@@ -242,6 +244,12 @@ def emit(
         run[before:m] = runs
         runs += 1
     return xy[:m].copy(), kind[:m].copy(), run[:m].copy(), ways, hidden_mm, covered
+
+
+def stride(stagger: int) -> int:
+    """How many of ``stagger`` equal parts of a stitch the needle points move by from row to row: near the golden section's share, so
+    that they lie like a honeycomb's and in no line that cuts the cloth; 1 of 4, 3 of 8."""
+    return min((k for k in range(1, stagger + 1) if math.gcd(k, stagger) == 1), key=lambda k: abs(k - GOLDEN * stagger))
 
 
 def tatami(
@@ -302,6 +310,7 @@ def tatami(
         turned,
         length,
         stagger,
+        stride(stagger),
         min(0.5, length / 4),
         jitter,
         np.uint64(key),

@@ -46,7 +46,7 @@ def stitches(plan: ThreadPlan) -> Array:
 def _paint(
     a: F8x2,
     b: F8x2,
-    base: F8x1,
+    base: F8x2,
     radius: float,
     scale: float,
     x0: float,
@@ -96,8 +96,9 @@ def _paint(
                     continue
                 v = d / wide
                 # At its hole it sinks into cloth, but less into thread, which is dense.
-                soft = min(1.0, base[s] / radius)
-                sunk = base[s] * (1.0 - (1.0 - up) * (0.65 - 0.5 * soft))
+                lies = base[s, 0] + (base[s, 1] - base[s, 0]) * min(1.0, max(0.0, t / length))
+                soft = min(1.0, lies / radius)
+                sunk = lies * (1.0 - (1.0 - up) * (0.65 - 0.5 * soft))
                 z = sunk + radius * ((1.4 - 0.5 * soft) * up - 0.7 + 0.5 * soft) + wide * np.sqrt(1.0 - v * v)
                 # Thread lies in sewing order; only where it dives to its hole can what is there already cover it.
                 if up > DIVES or z > top[j, i]:
@@ -153,7 +154,6 @@ def _light(
     across: F4x2,
     a: F8x2,
     b: F8x2,
-    base: F8x1,
     color: F8x2,
     tint: F4x2,
     ground: F8x1,
@@ -258,9 +258,17 @@ def _light(
                 out[j, i, c] = body * diffuse + gloss * (0.35 + 0.65 * np.sqrt(body)) * (0.25 + 0.75 * (body + 0.35))
 
 
+def _sloped(high: Array, joined: Array) -> Array:
+    """Heights (S, 2) of both ends of stitches that lie at ``high`` (S,): where two are joined they meet half-way, so that no
+    stitch stands out of its row."""
+    meets = np.where(joined, (high[:-1] + high[1:]) / 2, np.nan)
+    ends = np.c_[np.r_[np.nan, meets], np.r_[meets, np.nan]]
+    return np.ascontiguousarray(np.where(np.isnan(ends), high[:, None], ends))
+
+
 @dataclass(frozen=True, slots=True)
 class Field:
-    """A picture as it is painted: the stitches a → b (S, 2) with what lies below them and their colours, and per painted
+    """A picture as it is painted: the stitches a → b (S, 2) with what lies below both ends (S, 2) and their colours, and per painted
     pixel (H, W) what is on top, whose it is, where on it; ``light`` (H, W, 3) is its linear light."""
 
     a: Array
@@ -300,7 +308,7 @@ def field(
     made = Field(
         np.ascontiguousarray(plan.xy[k - 1]),
         np.ascontiguousarray(plan.xy[k]),
-        np.zeros(len(k)) if base is None else np.ascontiguousarray(np.asarray(base, np.float64)[k]),
+        np.zeros((len(k), 2)) if base is None else _sloped(np.asarray(base, np.float64)[k], np.diff(k) == 1),
         np.ascontiguousarray(linear(rgb)[plan.thread[k]]),
         thread / 2 * 1.06,  # threads spread a little under their tension
         linear(np.array(ground) / 255.0),
@@ -359,7 +367,7 @@ def relight(f: Field, window: tuple[int, int, int, int]) -> None:
     block = int(1.2 * scale) + 1
     thread = np.zeros((top.shape[0] // block + 3, top.shape[1] // block + 3), np.bool_)
     highest = _find(top, owner, block, thread)
-    painted = (top, owner, along, across, f.a, f.b, f.below, f.color, tint, f.ground, f.radius, scale, _LIGHT)
+    painted = (top, owner, along, across, f.a, f.b, f.color, tint, f.ground, f.radius, scale, _LIGHT)
 
     def light(low: int, high: int) -> None:
         _light(low + r0 - y0, high + r0 - y0, *painted, thread, block, highest, c0 - x0, c1 - x0, out)

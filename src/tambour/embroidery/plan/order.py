@@ -12,6 +12,7 @@ from tambour.embroidery.piece import Region
 
 WORK = 2_000_000  # regions looked at before the search for the fewest changes goes on along its best lines only
 LINES = 32  # so many of them at most, and as many as as much work again allows
+MOST = 500  # satin lines above which nobody looks which of them ends on which
 
 
 def order(regions: Sequence[Region], how: str) -> list[int]:
@@ -23,6 +24,8 @@ def order(regions: Sequence[Region], how: str) -> list[int]:
     n = len(regions)
     if how == "file" or n < 2:
         return list(range(n))
+    first = turned_under(regions)
+    regions = [regions[k] for k in first]
     boxes = np.array([[*r.paths.coords.min(0), *r.paths.coords.max(0)] for r in regions])
     waits = _waits(regions, boxes)
     known: dict[tuple[int, int, int], int] = {}
@@ -40,15 +43,69 @@ def order(regions: Sequence[Region], how: str) -> list[int]:
         while len(left):
             ready = left[waiting[left] == 0]
             pick = _read(regions, ready.tolist(), done) or int(ready[np.hypot(*(middle[ready] - here).T).argmin()])
-            first = pick
-            while first - 1 in left and _both(regions, first):
-                first -= 1  # a text is begun at its first letter
-            pick = next(k for k in range(first, pick + 1) if k in ready)
+            begin = pick
+            while begin - 1 in left and _both(regions, begin):
+                begin -= 1  # a text is begun at its first letter
+            pick = next(k for k in range(begin, pick + 1) if k in ready)
             done.append(pick)
             waiting[frees[pick]] -= 1
             left = left[left != pick]
             here = middle[pick]
-    return done
+    return [first[k] for k in done]
+
+
+def turned_under(regions: Sequence[Region]) -> list[int]:
+    """Painter's order, but that of two satin lines of one colour the one that ends on the other comes before it: what goes on
+    lies on top, and hides the end."""
+    n = len(regions)
+    lines = [k for k, r in enumerate(regions) if r.role == "line" and r.stitch == "satin"]
+    if not 1 < len(lines) <= MOST:
+        return list(range(n))
+    boxes = np.array([[*r.paths.coords.min(0), *r.paths.coords.max(0)] for r in regions])
+    waits = _waits(regions, boxes)
+
+    def behind(a: int, b: int) -> bool:
+        """Whether a waits for b in some other way than by itself."""
+        seen, todo = {a}, [k for k in waits[a] if k != b]
+        while todo:
+            k = todo.pop()
+            if k == b:
+                return True
+            if k not in seen:
+                seen.add(k)
+                todo += waits[k]
+        return False
+
+    for a in lines:
+        for b in sorted(waits[a] & set(lines)):
+            one, two = regions[a], regions[b]
+            if one.color == two.color and ends_on(one, two) and not ends_on(two, one) and not behind(a, b):
+                waits[a].discard(b)
+                waits[b].add(a)
+    made: list[int] = []
+    left = set(range(n))
+    while left:
+        pick = min(k for k in left if not waits[k] & left)
+        made.append(pick)
+        left.discard(pick)
+    return made
+
+
+def ends_on(a: Region, b: Region) -> bool:
+    """Whether a line of ``a`` ends within a line of ``b``, away from that one's own ends."""
+    import shapely
+
+    for line in a.paths:
+        if (line[0] == line[-1]).all():
+            continue
+        for other in b.paths:
+            way = shapely.LineString(other)
+            ends = np.zeros((0, 2)) if (other[0] == other[-1]).all() else other[[0, -1]]
+            for p in line[[0, -1]]:
+                free = bool((np.hypot(*(ends - p).T) > b.width / 2).all())
+                if free and way.distance(shapely.Point(p)) < b.width / 2:
+                    return True
+    return False
 
 
 def _both(regions: Sequence[Region], k: int) -> bool:
@@ -169,7 +226,9 @@ def _waits(regions: Sequence[Region], boxes: Array) -> list[set[int]]:
     after = later > earlier
     later, earlier = later[after], earlier[after]
     # Within one colour the file's order of what overlaps is kept too: it shows in the stitches' relief.
-    keep = np.array([regions[a].color == regions[b].color for a, b in zip(later, earlier)], bool)
+    color = np.unique([r.color for r in regions], axis=0, return_inverse=True)[1].reshape(-1)
+    line = np.array([r.role == "line" for r in regions])
+    keep = (color[later] == color[earlier]) & ~(line[later] & line[earlier])
     pairs = np.flatnonzero(~keep)
     shapes = {k: _shape(regions[k]) for k in np.unique(np.r_[later[pairs], earlier[pairs]]).tolist()}
     keep[pairs] = [shapely.intersects(shapes[later[k]], shapes[earlier[k]]) for k in pairs]

@@ -22,6 +22,8 @@ TOUCH = 0.02
 """mm: areas of one colour that are no farther apart are one."""
 BARE = 0.25
 """mm² of an area that must show for it to be sewn."""
+HAIR = 0.1
+"""mm: half of what holds two parts of an area together."""
 MOST = 1500
 """Regions above which nothing is cut."""
 CLOTH = (255, 255, 255)
@@ -188,6 +190,10 @@ def uncovered(found: Sequence[Region]) -> Flat:
     for k, region in enumerate(found):
         later = [j for j in tree.query(shapes[k]).tolist() if j > k and solid[j]]
         free = _free(region) or (region.role == "line" and "whole" not in region.flags)
+        if (
+            region.role == "line"
+        ):  # lines of one thread meet in joints (plan/joints): which of them lies below is not yet said
+            later = [j for j in later if found[j].role != "line" or found[j].color != region.color]
         over = [shapes[j] for j in later if shapes[j].intersects(shapes[k])] if free else []
         if not over:
             made.append(region)
@@ -214,7 +220,9 @@ def _area(region: Region, area: Any, cover: Any, over: list[Any]) -> Region:
     gone = shapely.union_all(cut)
     if gone.is_empty or gone.area < 1.0:
         return region
-    left = [p for p in shapely.get_parts(area.difference(gone)) if p.difference(cover).area > BARE / 5]
+    # What hangs together only by a thread's breadth of hidden rim is looked at apart.
+    rest = area.difference(gone).buffer(-HAIR, join_style="mitre").buffer(HAIR, join_style="mitre")
+    left = [p for p in shapely.get_parts(rest) if p.difference(cover).area > BARE / 5]
     paths = of_shapely(shapely.GeometryCollection(left))
     return region if paths is None else replace(region, paths=paths)
 

@@ -58,8 +58,8 @@ def extent(found: Sequence[Region], sewn: bool = False) -> tuple[Array, Array]:
         if r.role == "line" and r.stitch == "satin":
             lines = [shapely.LineString(line) for line in r.paths]
             half = r.width / 2 + sewn * max(0.0, r.params.pull)
-            cap = ("square", "flat", "square")[r.cap]
-            wide = shapely.buffer(lines, half, cap_style=cap, join_style="mitre", mitre_limit=1.5)
+            cap, join = ("round", "flat", "square")[r.cap], ("round", "mitre", "mitre")[r.join]
+            wide = shapely.buffer(lines, half, quad_segs=16, cap_style=cap, join_style=join, mitre_limit=1.5)
             box = np.array(shapely.total_bounds(wide))
             low, high = np.fmin(low, box[:2]), np.fmax(high, box[2:])
         elif r.role == "area":
@@ -195,8 +195,9 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
                 family = "satin" if satin else "bean" if bold else "running"
             made = Paths.of([line for line in lines if len(line) > 1])
             if len(made):
-                cap, alpha = int(drawing.styles.cap[style]), float(stroke[style, 3]) / 255 or 1.0
-                found.append(Region(name, made, family, rgb, own, role, width, cap=cap, alpha=alpha, **common))  # type: ignore[arg-type]
+                alpha = float(stroke[style, 3]) / 255 or 1.0
+                ends = {"cap": int(drawing.styles.cap[style]), "join": int(drawing.styles.join[style])}
+                found.append(Region(name, made, family, rgb, own, role, width, alpha=alpha, **ends, **common))  # type: ignore[arg-type]
     if problems:
         raise TambourError(problems)
     if not found:

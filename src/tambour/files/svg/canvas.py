@@ -138,7 +138,7 @@ def outlined(lines: list[Array], pen: Pen) -> Any:
 
     half = pen.width / 2
     cap, join = ("round", "flat", "square")[pen.cap], ("round", "mitre", "bevel")[pen.join]
-    steps = max(4, min(32, math.ceil(8 * math.sqrt(max(half, 0.01)))))
+    steps = max(16, min(32, math.ceil(8 * math.sqrt(max(half, 0.01)))))
     made = []
     for line in lines:
         if len(line) > 3 and (line[0] == line[-1]).all() and pen.join != 0:

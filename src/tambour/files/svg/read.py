@@ -29,7 +29,7 @@ from tambour.files.svg.tree import Node, parse
 from tambour.files.svg.windows import clipped, ring
 
 MM = 25.4 / 96  # per px
-CLOSE = 0.01  # mm that a chord may leave its curve
+CLOSE = 1e-4  # of the sheet's width or height, and at most 0.01 mm: so far a chord may leave its curve, however large it is drawn
 LARGEST = 20_000.0  # mm: a place farther out is a mistake, and would be embroidered for years
 POINTS = 4_000_000
 COPIES = 20_000
@@ -68,6 +68,7 @@ class Reader:
         self.images: list[Placed] = []
         self.noted = Noted()
         self.points = 0
+        self.close = CLOSE
         self.copies = 0
 
     def doubt(self, node: Node, message: str) -> None:
@@ -148,6 +149,7 @@ class Reader:
             raise TambourError(
                 f"the sheet is {max(size) * MM:.0f} mm wide", hint=hint, where=f"{self.path}:{root.line}"
             )
+        self.close = min(0.01, CLOSE * max(size) * MM)
         matrix = IDENTITY * MM
         if box:
             matrix = after(matrix, fitted(box, 0, 0, size[0], size[1], a.get("preserveAspectRatio", "")))
@@ -236,7 +238,7 @@ class Reader:
         """What an element draws; ValueError for what cannot be read."""
         a, view = node.attributes, look.view
         em = float(look.props["font-size"])
-        close = CLOSE / max(1e-9, look.scale)
+        close = self.close / max(1e-9, look.scale)
 
         def size(name: str, default: str = "0", whole: float = view[0]) -> float:
             text = a.get(name, default)
