@@ -70,6 +70,8 @@ FAULTS = [
     Fault("files/sink.py", "with suppress(BlockingIOError):", "with suppress(BlockingIOError, KeyError):\n                lock = None\n            with suppress(OSError):", "files_sink -k sweeping"),
     Fault("files/packed.py", "if held > len(raw):", "if held < 0:", "files_bounds -k pack"),
     Fault("files/records.py", "usual = float(np.quantile(long, 0.99))", "usual = float(long.max())", "files_machine"),
+    Fault("files/headers.py", "NEAR = 2", "NEAR = 12", "files_machine -k aside or records"),
+    Fault("files/dst.py", "if filled and not off", "if False and not off", "files_machine -k aside"),
     Fault("files/headers.py", "if any(raw[_SEW - 8 : _SEW]):", "if False:", "files_machine -k sew"),
     Fault("crochet/printed/parts.py", "if number + total > MOST_ROUNDS:", "if number < 0:", "crochet_bounds -k double"),
     Fault("crochet/printed/parts.py", "((line,) if line.again is None else line.rounds())", "(line,)", "crochet_bounds -k however_many"),

@@ -33,6 +33,8 @@ def _u32(raw: bytes, at: int, order: Any = "little", size: int = 4) -> int:
 
 
 _ROUGH = ("z01", "pcm")
+NEAR = 2
+"""By how many units, or records, a header may miss what its stitches are: other programs round, and miss by one."""
 _SEW = 0x1D78  # where a SEW file's stitches begin
 
 
@@ -55,7 +57,7 @@ def _pec(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
         said.append(f"the stitches should end at byte {end}, the file ends at byte {len(raw)}")
     if raw[stream.before - 2 : stream.before - 1] != b"\xff":
         said.append("the stitches end before their end mark")
-    elif abs(stream.before - end) > 2:
+    elif stream.before != end + 1:
         said.append(f"the stitches should end at byte {end}, their end mark stands at byte {stream.before - 2}")
     return said + _size(pattern, _u32(raw, block + 6, size=2), _u32(raw, block + 8, size=2))
 
@@ -69,7 +71,7 @@ def _size(pattern: Any, width: int, height: int) -> list[str]:
         if not some:
             return []
         w, h = (max(s[k] for s in some) - min(s[k] for s in some) for k in (0, 1))
-        if abs(w - width) <= 10 and abs(h - height) <= 10:
+        if abs(w - width) <= NEAR and abs(h - height) <= NEAR:
             return []
         said = said or f"the stitches fill {w / 10:g} x {h / 10:g} mm"
     return [f"the header declares {width / 10:g} x {height / 10:g} mm, {said}"]
@@ -82,7 +84,7 @@ def _jef(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
     if b"\x80\x10" not in (raw[stop - 2 : stop], raw[stop - 4 : stop - 2]):
         said.append(f"the stitches end at byte {stop} of {len(raw)}, before their end mark")
     held = (stop - start) // 2
-    if abs(held - pairs) > max(4, held // 50):
+    if abs(held - pairs) > NEAR:
         said.append(f"the header declares {pairs} records, the file holds {held}")
     return said + _size(pattern, _u32(raw, 36) + _u32(raw, 44), _u32(raw, 40) + _u32(raw, 48))
 
@@ -103,13 +105,19 @@ def _xxx(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
     if raw[end : end + 2] != b"\x7f\x7f":
         said.append(f"the stitches should end at byte {end} of {len(raw)}, there is no end mark")
     held = sum(1 for s in pattern.stitches if s[2] & 0xFF != 4)
-    if abs(held - count) > max(4, held // 20):
+    if abs(held - count) > NEAR:
         said.append(f"the header declares {count} records, the file holds {held}")
-    # Some programs write the size here, some where the last stitch lies.
-    x, y = np.frombuffer(raw, "<i2", 2, 0x2D).tolist()
-    last = pattern.stitches[-1] if pattern.stitches else (0, 0)
-    at_last = abs(last[0] - x) <= 10 and abs(last[1] + y) <= 10
-    return said if at_last or not _size(pattern, x, y) else [*said, "the header's size is not that of the stitches"]
+    # Some programs write the size and where the last stitch lies behind it, some that alone.
+    size, second = (np.frombuffer(raw, "<i2", 2, at).tolist() for at in (0x2D, 0x31))
+    if _last(pattern, size) and (not any(second) or _size(pattern, *size) or _last(pattern, second)):
+        said.append("the header's size, or where it ends, is not that of the stitches")
+    return said
+
+
+def _last(pattern: Any, place: list[int]) -> bool:
+    """Whether neither the last stitch nor the end lies there; y upwards."""
+    ends = [[s for s in pattern.stitches if s[2] & 0xFF == 0][-1:], pattern.stitches[-1:]]
+    return all(abs(s[0] - place[0]) > NEAR or abs(s[1] + place[1]) > NEAR for some in ends for s in some)
 
 
 def _u01(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
@@ -120,9 +128,12 @@ def _u01(raw: bytes, stream: Watched, pattern: Any) -> list[str]:
     count, held = _u32(raw, 0x8C), (stop - 0x100) // 3
     if raw[0x8C:0x90] == b"0000":  # digits as text: the field was never filled in
         return said
-    if abs(held - count) > 4:
+    if abs(held - count) > NEAR:
         said.append(f"the header declares {count} records, the file holds {held}")
     left, bottom, right, top = np.frombuffer(raw, "<i2", 4, 0x80).tolist()
+    last = np.frombuffer(raw, "<i2", 2, 0x90).tolist()
+    if any(last) and _last(pattern, last):
+        said.append(f"the header declares the end at {last[0] / 10:g}, {last[1] / 10:g} mm, the stitches end elsewhere")
     return said + _size(pattern, right - left, top - bottom)
 
 
