@@ -77,10 +77,13 @@ def properties(
     for name, value in given:
         value = value.strip()
         word = value.lower()
-        if not value or word in ("initial", "unset") or name not in css.PRESENTED:
+        if not value or name not in css.PRESENTED:
             continue
-        if word == "inherit":
+        if word == "inherit" or (word in ("unset", "revert") and name in css.INHERITED):
             own[name] = inherited.get(name, "")
+        elif word in ("initial", "unset", "revert"):
+            props.pop(name, None)
+            own[name] = "medium" if name == "font-size" else ""
         elif _usable(name, value):
             own[name] = value
         else:
