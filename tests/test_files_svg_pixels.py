@@ -58,7 +58,7 @@ GRADIENTS = {
     "of one colour": '<linearGradient id="g"><stop stop-color="#a1b2c3"/></linearGradient>',
     "round": f'<radialGradient id="g">{RED_BLUE}</radialGradient>',
     "round and repeated": f'<radialGradient id="g" r=".2" spreadMethod="repeat">{RED_BLUE}</radialGradient>',
-    "round of the sheet": f'<radialGradient id="g" gradientUnits="userSpaceOnUse" cx="50%" cy="40%" r="30%" gradientTransform="rotate(20) scale(1 .8)">'
+    "round of the sheet": '<radialGradient id="g" gradientUnits="userSpaceOnUse" cx="50%" cy="40%" r="30%" gradientTransform="rotate(20) scale(1 .8)">'
     '<stop offset=".2" stop-color="red"/><stop offset="60%" stop-color="lime"/><stop offset="1" stop-color="blue"/></radialGradient>',
     "seen from aside": f'<radialGradient id="g" fx=".3" fy=".4">{RED_BLUE}</radialGradient>',
 }

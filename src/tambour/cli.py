@@ -306,10 +306,12 @@ def again(report: str, out: tuple[str, ...]) -> None:
     from os.path import abspath
     from pathlib import Path
 
+    from tambour.files.text import small
     from tambour.run import craft, run
 
+    raw = small(report)
     try:
-        told = json.loads(Path(report).read_text())
+        told = json.loads(raw)
         name, values, source = told["craft"], dict(told["params"]), (told["source"] or {}).get("path")
         known, kept = (told["source"] or {}).get("sha256"), told.get("files", ())
         edits = list(told.get("edits", ()))

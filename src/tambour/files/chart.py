@@ -66,9 +66,9 @@ def read_png(path: Path) -> Chart:
 
     Image.MAX_IMAGE_PIXELS = None  # the limit is LONGEST
     try:
-        with warnings.catch_warnings():
+        with warnings.catch_warnings(), path.open("rb") as stream:
             warnings.simplefilter("ignore")
-            image: Any = Image.open(path)
+            image: Any = Image.open(stream)
             if max(image.size) > LONGEST:
                 raise TambourError(f"{image.width} x {image.height} stitches are too many for a chart", where=str(path))
             image.load()

@@ -16,6 +16,7 @@ from tambour.color import coded, linear
 from tambour.core.check import Array
 from tambour.core.errors import LawError, TambourError
 from tambour.core.mesh import Mesh
+from tambour.files import MOVING
 from tambour.files.gltf_motion import with_motion
 from tambour.files.sink import Sink
 from tambour.geometry.surface import closed, vertex_normals
@@ -244,6 +245,8 @@ def _buffer(buffer: dict[str, Any], chunk: bytes, path: Path) -> bytes:
         raise TambourError(f'its data "{uri}" lies outside its own folder', where=str(path))
     if not beside.exists():
         raise TambourError(f'its data file "{uri}" is missing', hint=f"put it beside {path.name}", where=str(path))
+    if not beside.is_file() or beside.stat().st_size > MOVING:
+        raise TambourError(f'its data "{uri}" is no file, or more than {MOVING // 1_000_000} MB', where=str(path))
     return beside.read_bytes()
 
 

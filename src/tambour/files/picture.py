@@ -61,7 +61,7 @@ def read_picture(path: Path) -> Picture:
                 try:
                     source = ImageCms.ImageCmsProfile(io.BytesIO(profile))
                     image = ImageCms.profileToProfile(image, source, ImageCms.createProfile("sRGB"), outputMode="RGB")
-                except ImageCms.PyCMSError:
+                except (ImageCms.PyCMSError, OSError):
                     pass  # a broken profile: the pixels are taken as sRGB, as every viewer does
             if image.mode.startswith("I") or image.mode == "F":
                 image = _eight_bits(image)

@@ -16,6 +16,9 @@ from tambour.files.sink import Sink
 WORDS = 2_000_000
 """Bytes of a text, or characters of a document, above which it is no pattern: the longest books of them hold a third."""
 
+SMALL = 20_000_000
+"""Bytes of a report or a list of edits, at the most."""
+
 
 def read_text(path: Path) -> Text:
     """A text file: UTF-8 (with or without mark) or, failing that, Windows-1252; any line ends. TambourError above 2 MB."""
@@ -36,15 +39,26 @@ def decoded(path: Path) -> Text:
     return Text(text.replace("\r\n", "\n").replace("\r", "\n"), str(path))
 
 
+def small(path: str | Path) -> bytes:
+    """The bytes of a file of SMALL at the most, or of a pipe; TambourError where it cannot be read, or goes on."""
+    try:
+        with Path(path).open("rb") as stream:
+            raw = stream.read(SMALL + 1)
+    except OSError as error:
+        raise TambourError(f"cannot be read: {error.strerror or error}", where=str(path)) from None
+    if len(raw) > SMALL:
+        raise TambourError(f"a file of more than {SMALL // 1_000_000} MB is not read", where=str(path))
+    return raw
+
+
 def read_edits(path: str | Path) -> list[Any]:
     """The edits in a JSON file: a list of them, or what a report has under "edits". TambourError for any other file."""
+    raw = small(path)
     try:
-        told = json.loads(Path(path).read_bytes())
+        told = json.loads(raw)
         edits = told["edits"] if isinstance(told, dict) else told
         if isinstance(edits, list):
             return edits
-    except OSError as error:
-        raise TambourError(f"cannot be read: {error.strerror or error}", where=str(path)) from None
     except (ValueError, KeyError, RecursionError):
         pass
     hint = 'such as [{"edit": "stitch", "row": 12, "stitch": 30, "yarn": "CC"}], or a report'
