@@ -3,7 +3,7 @@ export { EditorState, StateEffect, StateField, Compartment, RangeSetBuilder } fr
 export {
   Decoration, EditorView, drawSelection, highlightActiveLine, hoverTooltip, keymap, lineNumbers, placeholder,
 } from "@codemirror/view";
-export { defaultKeymap, history, historyKeymap, redo, undo } from "@codemirror/commands";
+export { defaultKeymap } from "@codemirror/commands";
 export { StreamLanguage, HighlightStyle, syntaxHighlighting } from "@codemirror/language";
 export { lintGutter, setDiagnostics } from "@codemirror/lint";
 export { tags } from "@lezer/highlight";

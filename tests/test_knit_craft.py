@@ -241,3 +241,17 @@ def test_lined_up_flips_are_few():
     ours = measure.lined_up(exact.solve(task) != task.start)
     theirs = measure.lined_up(paper.solve(task, "gsat", KnitParams()) != task.start)
     assert ours <= 20 and theirs > 4 * ours
+
+
+def test_a_drawing_is_knitted_as_its_picture_is(tmp_path: Path) -> None:
+    from tambour import files
+    from tambour.render.flat import picture
+    from tambour.run import make as made
+
+    drawn = "examples/embroidery/heart.svg"
+    files.write(picture(files.read(drawn, ("Drawing",))), tmp_path / "heart.png")
+    params = KnitParams(stitches=30)
+    one, two = (made("knit", source, params).piece.chart for source in (drawn, tmp_path / "heart.png"))
+    assert (
+        (one.cells == two.cells).all() and (one.palette.rgb == two.palette.rgb).all() and len(set(one.cells.flat)) > 1
+    )

@@ -56,6 +56,10 @@ def test_a_phone_that_was_let_in_follows_its_piece_and_does_nothing_else(door: t
     assert status == 303 and headers["location"] == f"/follow/{piece}"
     cookie = headers["set-cookie"].split(";")[0]
     assert asked(at, code)[0] == 401  # once
+    for again in (code, "/", "/pair/never"):  # but a phone that is in goes on to its piece, whatever it opens
+        status, headers, _ = asked(at, again, cookie)
+        assert (status, headers["location"]) == (303, f"/follow/{piece}") and "set-cookie" not in headers
+    assert laptop.get("/api/share").json()["came"] == 1
     assert "content-security-policy" in headers and "cross-origin-opener-policy" not in headers
     assert asked(at, f"/follow/{piece}", cookie)[0] == 200 and asked(at, f"/api/pieces/{piece}", cookie)[0] == 200
     place = {"step": 2, "unit": 9, "at": 5}
@@ -65,7 +69,6 @@ def test_a_phone_that_was_let_in_follows_its_piece_and_does_nothing_else(door: t
 
     assert asked(at, f"/api/revisions/{two['revision']['id']}/steps.json", cookie)[0] == 404  # another's
     refused = [
-        "/",
         "/api",
         "/api/pieces",
         f"/follow/{two['piece']['id']}",

@@ -12,12 +12,18 @@ if TYPE_CHECKING:
 
 
 def make(source: Any, params: KnitParams, progress: Progress) -> Piece:
-    """The piece of a Picture or a Chart; TambourError for what --stash or --machine cannot do."""
+    """The piece of a Picture, a Chart or a Drawing; TambourError for what --stash or --machine cannot do."""
     from dataclasses import replace
 
     from tambour.core.chart import Chart
+    from tambour.core.drawing import Drawing
     from tambour.knit.solve.make import make as solved
 
+    if isinstance(source, Drawing):
+        from tambour.render.flat import picture
+
+        with progress.stage("read"):
+            source = picture(source)
     piece = solved(source, params, progress)
     if isinstance(source, Chart) and piece.chart.gauge is None:
         piece = replace(piece, chart=replace(piece.chart, gauge=source.gauge))

@@ -57,11 +57,16 @@ async def put_place(studio: Studio, request: Request, body: PlaceIn) -> dict[str
 
 def _shared(studio: Studio) -> dict[str, Any]:
     phones = sum(bool(page.only) for page in studio.hub.pages)
-    return {"address": studio.share.base or None, "always": studio.share.always, "phones": phones}
+    return {
+        "address": studio.share.base or None,
+        "always": studio.share.always,
+        "phones": phones,
+        "came": studio.tokens.redeemed,
+    }
 
 
 async def shared(studio: Studio, request: Request) -> dict[str, Any]:
-    """Where phones come in, null where they do not; how many are following."""
+    """Where phones come in, null where they do not; how many are following, how many ever came in."""
     return _shared(studio)
 
 

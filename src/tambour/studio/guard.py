@@ -49,6 +49,10 @@ class Refused(Exception):
         self.status, self.message = status, message
 
 
+class Elsewhere(Exception):
+    """A phone that asks for what it may not see, but has a piece to go on with: its address."""
+
+
 class Guard:
     """The application behind its door.
 
@@ -86,6 +90,9 @@ class Guard:
         except Refused as refused:
             await _refuse(scope, receive, send, refused)
             return
+        except Elsewhere as there:
+            await _answer(send, 303, b"", ("location", str(there)))
+            return
         if session is None:
             await self._let_in(scope, send)
         elif scope["type"] == "websocket":
@@ -112,6 +119,8 @@ class Guard:
         if not session:
             raise Refused(401, "open the studio by the address that it was started with")
         only = self.tokens.only(session)
+        if only and scope["path"] == "/" and scope["type"] == "http":
+            raise Elsewhere(f"/follow/{only}")
         if (self.narrow and not only) or (only and not self.followed(scope.get("method", ""), scope["path"], only)):
             raise Refused(403, "a phone that was let in may follow its one piece, and nothing else")
         scope["only"] = only
@@ -129,16 +138,15 @@ class Guard:
 
     async def _let_in(self, scope: Scope, send: Send) -> None:
         """Who shows the token, or a code, gets a cookie and goes on to a clean address."""
-        only = ""
+        only, told = "", _headers(scope)
+        held = self.tokens.known("; ".join(told.get("cookie", [])))
         if scope["path"].startswith("/pair/"):
             led = self.tokens.redeem(scope["path"].removeprefix("/pair/"))
             if led is None or (self.narrow and not led):
-                await _answer(send, 401, _page("This code was used or is too old", "Ask the studio for a new one."))
+                await self._used(send, self.tokens.only(held) if held else "")
                 return
             only = led
         place = f"/follow/{only}" if only else "/"
-        told = _headers(scope)
-        held = self.tokens.known("; ".join(told.get("cookie", [])))
         if held and only and not self.tokens.only(held):  # the laptop's own browser keeps what it may do
             await _answer(send, 303, b"", ("location", place))
             return
@@ -150,6 +158,14 @@ class Guard:
             # A browser that comes from elsewhere (the page that opened it) sends no strict cookie along a redirect.
             refresh = f'<meta http-equiv="refresh" content="0; url={escape(place)}">'
             await _answer(send, 200, _page("Tambour", "Opening the studio …", refresh), cookie)
+
+    async def _used(self, send: Send, only: str) -> None:
+        """A code that lets nobody in any more: a phone that came in by it, or by another, goes on to its piece."""
+        if only:
+            await _answer(send, 303, b"", ("location", f"/follow/{only}"))
+        else:
+            words = "A code lets one phone in, once, and for two minutes. Press “Another code” on the computer, and photograph that one."
+            await _answer(send, 401, _page("This code was used or is too old", words))
 
     async def _request(self, scope: Scope, receive: Receive, send: Send) -> None:
         """A request whose body is measured while it comes."""
@@ -245,5 +261,6 @@ async def _answer(send: Send, status: int, body: bytes, *headers: tuple[str, str
 
 
 def _page(title: str, words: str, head: str = "") -> bytes:
-    text = f"<!doctype html><html lang=en><meta charset=utf-8>{head}<title>{escape(title)}</title>"
+    wide = "<meta name=viewport content='width=device-width, initial-scale=1'><meta name=color-scheme content='light dark'>"
+    text = f"<!doctype html><html lang=en><meta charset=utf-8>{wide}{head}<title>{escape(title)}</title>"
     return f"{text}<h1>{escape(title)}</h1><p>{escape(words)}</p></html>".encode()

@@ -17,15 +17,17 @@ if TYPE_CHECKING:
 
 
 class PlacePart(Body):
-    """The part, as patterns call it ("Ear.1"), and the stitch (a unit of the live view) that its middle goes to."""
+    """The part, as patterns call it ("Ear.1"), and the stitch (a unit of the live view) that its middle goes to; ``keep``:
+    whether it goes there, or only the words for it are asked for."""
 
     base: Annotated[int, Field(ge=1, lt=2**53)]
     part: Annotated[str, Field(max_length=200)]
     onto: Annotated[int, Field(ge=0, lt=2**31)]
+    keep: bool = True
 
 
 async def place_part(studio: Studio, request: Request, body: PlacePart) -> tuple[int, Plain]:
-    """A part is sewn on elsewhere: a revision whose text says so, and the sentence."""
+    """A part is sewn on elsewhere: a revision whose text says so, and the sentence; or the sentence alone, and nothing is kept."""
     name = request.path_params["id"]
     piece = await studio.library.do(studio.library.piece, name)
     old = await studio.library.do(studio.library.revision, body.base)
@@ -33,6 +35,8 @@ async def place_part(studio: Studio, request: Request, body: PlacePart) -> tuple
         raise Answer.of(422, "no part of this can be sewn elsewhere", where="base")
     spec = await studio.making.spec(piece.craft, old.content)
     told = await until_left(request, studio.pool.run({"do": "place", "part": body.part, "onto": body.onto}, spec))
+    if not body.keep:
+        return 200, {"sentence": told["sentence"]}
     own = Path(old.content.name)
     called = own.name if own.suffix in (".txt", ".acl", ".md") else f"{own.stem}.txt"
     content = replace(old.content, name=called, source="")

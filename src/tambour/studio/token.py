@@ -10,6 +10,9 @@ from http.cookies import CookieError, SimpleCookie
 
 from tambour.studio import limits
 
+_LETTERS = "abcdefghjkmnpqrstuvwxyz23456789"
+"""None looks like another: a code may be typed by hand. Sixteen are 79 bits, for two minutes."""
+
 
 class Tokens:
     """What opens this server; all of it ends with the process.
@@ -23,6 +26,8 @@ class Tokens:
         self._clock = clock
         self._sessions: dict[str, str] = {}
         self._codes: dict[str, tuple[float, str]] = {}
+        self.redeemed = 0
+        """How many codes let somebody in."""
 
     def is_token(self, given: str) -> bool:
         """Whether this is the token; in constant time."""
@@ -61,11 +66,14 @@ class Tokens:
         self._codes = {c: it for c, it in self._codes.items() if it[0] > now}
         while len(self._codes) >= limits.PAIRS:
             del self._codes[next(iter(self._codes))]
-        made = secrets.token_urlsafe(24)
+        made = "".join(secrets.choice(_LETTERS) for _ in range(16))
         self._codes[made] = (now + limits.PAIR_SECONDS, only)
         return made
 
     def redeem(self, code: str) -> str | None:
         """The piece that a code leads to ("" for the shelf), once; None when it is none, or too old."""
         until, only = self._codes.pop(code, (0.0, ""))
-        return only if until > self._clock() else None
+        if until <= self._clock():
+            return None
+        self.redeemed += 1
+        return only

@@ -199,6 +199,7 @@ def _named(report: dict[str, Any], words: str = "") -> dict[str, str]:
     own = {
         it[2].lower(): it[1]
         for it in re.finditer(r"(?m)(?:^|[:=,;])[ \t]*([A-Za-z][A-Za-z ]{0,30}?) ?\((#[0-9A-Fa-f]{6})\)", words)
+        if it[1].lower() not in ("color", "colour")  # the language's own word, not a name
     }
     return {color: own.get(color) or plain_name(np.array(unhexed(color), np.uint8)) for color in sorted(found)[:500]}
 

@@ -52,7 +52,7 @@ export function bar(element, over, piece) {
   return () => stop.forEach((s) => s());
 
   function view() {
-    const here = piece?.piece.value, craft = piece?.craft.value?.name;
+    const here = piece?.piece.value, revision = piece?.revision.value, craft = piece?.craft.value?.name;
     const saved = !piece ? "" : piece.refused.value ? "not saved" : !online.value || !welcome.value ? "kept here" : piece.saved.value ? "saved" : "saving";
     return html`<a class="mark" href="#" aria-label="Tambour: the shelf"><i></i><span>tambour</span></a>
       <nav aria-label="crafts">${Object.entries(CRAFTS).map(([name, label]) => html`<button aria-current=${name === craft ? "page" : nothing} @click=${() => fresh(name)} title="Begin with ${label.toLowerCase()}">${label}</button>`)}</nav>
@@ -63,7 +63,7 @@ export function bar(element, over, piece) {
         <button class="icon wide" @click=${turnTheme} aria-label="light or dark: ${theme.value}" title="Light or dark: ${theme.value}">${GLYPH[theme.value]}</button>
         <button class="icon wide" @click=${find} aria-label="find anything" title="Find anything (${written("mod+k")})">⌕</button>
         ${here ? html`
-          <button class="icon" ?disabled=${!here.undo} @click=${() => piece.step("undo")} aria-label="undo" title="Undo (${written("mod+z")})">↶</button>
+          <button class="icon" ?disabled=${!here.undo} @click=${() => piece.step("undo")} aria-label="undo" title="Undo${revision?.said ? `: ${revision.said}` : ""} (${written("mod+z")})">↶</button>
           <button class="icon wide" ?disabled=${!here.redo} @click=${() => piece.step("redo")} aria-label="redo" title="Redo">↷</button>
           ${craft === "ink" ? "" : html`<button class="button" @click=${follow}>Follow</button>`}
           <button class="button act" @click=${away}>Take away</button>` : ""}

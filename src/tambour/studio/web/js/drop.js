@@ -7,6 +7,9 @@ import { ask } from "./wire.js";
 /** What a craft makes of a file. */
 export const MAKES = { crochet: ["Crochet it", "a pattern to work"], knit: ["Knit it", "a chart of stitches"], embroidery: ["Stitch it", "thread on cloth"], ink: ["Paint it", "a scroll"] };
 
+/** What becomes of a drawing in each. @type {Record<string, string>} */
+const DRAWN = { embroidery: "thread on cloth, in its shapes and colours", crochet: "a toy turned about its outline", knit: "a chart of stitches, in its colours" };
+
 /** Make a piece of a file. @param {File} file @param {string} [craft] @returns {Promise<void>} */
 export async function fromFile(file, craft) {
   await attempt(async () => {
@@ -62,7 +65,7 @@ function chosen(name, crafts) {
     box.addEventListener("close", () => end(undefined));
     box.addEventListener("keydown", (event) => event.key === "Escape" && end(undefined));
     render(html`<p>What shall become of <b>${name}</b>?</p><div class="first">${crafts.map((c, k) => html`<button class="button ${k ? "" : "act"}" @click=${() => end(c)}>
-      <b>${MAKES[c][0]}</b><span>${MAKES[c][1]}</span></button>`)}</div><button class="icon plain shut" aria-label="nothing, let it be" @click=${() => end(undefined)}>×</button>`, box);
+      <b>${MAKES[c][0]}</b><span>${(/\.svgz?$/i.test(name) ? DRAWN[c] : undefined) ?? MAKES[c][1]}</span></button>`)}</div><button class="icon plain shut" aria-label="nothing, let it be" @click=${() => end(undefined)}>×</button>`, box);
     if (here) box.show();
     else box.showModal();
     box.querySelector("button")?.focus();

@@ -30,12 +30,12 @@ export function frame(root, { left, words = false, right, view }) {
 }
 
 const STAGES = {
-  check: "checking", read: "reading", parse: "reading the pattern", build: "counting stitches", settle: "finding its shape", fabric: "leading the yarn", tone: "looking at the picture",
+  check: "checking", read: "reading", parse: "reading the pattern", build: "counting stitches", settle: "settling into its shape", fabric: "leading the yarn", tone: "looking at the picture",
   solve: "keeping floats short", fill: "filling with thread", route: "finding the way", sequence: "putting in order", bind: "laying thread", paint: "painting", view: "making it ready",
 };
 
-/** How the making goes, in few words. @param {{stage: string, done: number, total: number}|null} going */
-export const working = (going) => going && html`<div class="said working" role="status"><span>${STAGES[going.stage] ?? going.stage ?? "beginning"} …</span>
+/** How the making goes, in few words, and what is seen meanwhile. @param {{stage: string, done: number, total: number}|null} going @param {string} [seen] */
+export const working = (going, seen = "") => going && html`<div class="said working" role="status"><span>${STAGES[going.stage] || going.stage || "beginning"} …${seen ? html` <span class="quiet">${seen}</span>` : ""}</span>
   ${going.total ? html`<progress max=${going.total} value=${going.done} aria-label="how far"></progress>` : ""}</div>`;
 
 /** Without WebGL2 the piece cannot be drawn here: say so, and show the pictures that Tambour paints itself. @param {import("./piece.js").Piece} piece @param {[string, string][]} views [view, what it is called] */

@@ -202,15 +202,24 @@ export class Piece {
     });
   }
 
-  /** @param {"undo"|"redo"} way */
+  /** There is one row of changes, whether keys, a hand or a button made them. @param {"undo"|"redo"} way */
   async step(way) {
     if (this.unsent.value) await this._send();
+    if (this.unsent.value && !this.sending.value && way === "undo") { // the server is away: what it has not yet is undone here
+      clearTimeout(this.due);
+      this.unsent.value = null;
+      keep(this.id, null);
+      this.revision.value = { ...this.revision.value };
+      return;
+    }
     if (this.unsent.value || this.sending.value || !this.piece.value?.[way]) return;
     clear();
     try {
-      const { piece, revision } = await ask(`/api/pieces/${this.id}/${way}`, { body: {} });
+      const before = this.revision.value, { piece, revision } = await ask(`/api/pieces/${this.id}/${way}`, { body: {} });
       this._take(piece, revision);
       this.refused.value = false;
+      const said = (way === "undo" ? before : revision).said;
+      tell(`${way === "undo" ? "Undone" : "Done again"}${said ? `: ${said}` : ""}.${piece[way] ? "" : way === "undo" ? " This is how it began." : " This is the latest."}`.replace("..", "."), { calm: true });
       this.watch();
     } catch (error) {
       if (!(error instanceof Trouble) || error.status !== 409) this._trouble(error);
@@ -225,14 +234,7 @@ export class Piece {
 
   /** The step that unit ``at`` is in, and its place in the list. @param {number} at */
   stepAt(at) {
-    const steps = this.steps.value?.steps ?? [];
-    let low = 0, high = steps.length - 1;
-    while (low < high) {
-      const mid = (low + high) >> 1;
-      if (steps[mid].end > at) high = mid;
-      else low = mid + 1;
-    }
-    return { index: low, step: steps[low] };
+    return stepAt(this.steps.value?.steps ?? [], at);
   }
 
   /** @returns {Promise<void>} when what was typed last is with the server, or after two seconds */
@@ -247,6 +249,17 @@ export class Piece {
       look();
     });
   }
+}
+
+/** The step that unit ``at`` is in, and its place in the list. @param {Step[]} steps @param {number} at */
+export function stepAt(steps, at) {
+  let low = 0, high = steps.length - 1;
+  while (low < high) {
+    const mid = (low + high) >> 1;
+    if (steps[mid].end > at) high = mid;
+    else low = mid + 1;
+  }
+  return { index: low, step: steps[low] };
 }
 
 /** A change and a later one as one. @param {Change|null} one @param {Change|null} later @returns {Change} */

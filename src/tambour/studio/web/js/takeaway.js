@@ -56,7 +56,7 @@ export async function takeAway(over, piece, { follow }) {
   const filmed = async (/** @type {"photos"|"film"} */ what) => {
     box.close();
     const made = await import("./film.js");
-    await made[what](over, piece);
+    await made[what](piece);
   };
   const view = () => {
     const first = (FIRST[craft.name] ?? []).map(([v, s, title, line]) => ({ file: files.find((f) => f.view === v && f.suffix === s), title, line })).filter((f) => f.file);
@@ -90,7 +90,7 @@ export async function copied(piece) {
   const address = piece.address?.() ?? "", edits = piece.revision.value?.edits?.length ? " What was left out by hand is not in it." : "";
   try {
     await navigator.clipboard.writeText(address);
-    tell(`The address of this place is copied: any studio makes this scroll of it, opened there or pasted on its shelf.${edits}`, { calm: !edits });
+    tell(html`Copied: <b class="address">${address}</b><br>A friend pastes it on the shelf of a studio of their own: it makes this scroll, at this place.${edits}`, { calm: !edits });
   } catch {
     tell(html`The address of this place: <b class="address">${address}</b>${edits}`);
   }

@@ -1,28 +1,41 @@
 // The hand on the toy: a click tells the stitch; a sewn part is dragged over the body and its sentence follows, with Shift it
 // leans; Alt pulls a stitch.
-import { signal } from "../view.js";
+import { later, signal } from "../view.js";
+import { Seats } from "./seat.js";
 
 /** @typedef {import("../gl/stage.js").Stage} Stage */
 /** @typedef {import("../piece.js").Piece} Piece */
 
+/** A part as patterns call it. @param {string} name */
+const pattern = (name) => name.replace(/ (\d+)$/, ".$1");
+
+const STEPS = 4; // that a button tries: words are in whole rounds, and in stitches between the edges
+
 export class Hand {
   /**
    * @param {Stage} stage @param {Piece} piece
-   * @param {{part: {value: number}, mode: {value: string}, dropped: (part: string, onto: number) => void, leaned: (part: string, tilt: number, towards: number) => void}} how
-   * dropped: a part was let go over the stitch ``onto``; leaned: it was leaned by so many degrees, towards so many from up, counter-clockwise
+   * @param {{part: {value: number}, mode: {value: string}, dropped: (part: string, onto: number) => void, asked: (part: string, onto: number) => Promise<string>, leaned: (part: string, tilt: number, towards: number) => void}} how
+   * dropped: a part was let go over the stitch ``onto``; asked: what the pattern would say then; leaned: it was leaned by so many degrees, towards so many from up, counter-clockwise
    */
-  constructor(stage, piece, { part, mode, dropped, leaned }) {
+  constructor(stage, piece, { part, mode, dropped, asked, leaned }) {
     this.stage = stage;
     this.piece = piece;
     this.part = part;
     this.mode = mode;
     this.dropped = dropped;
+    this.asked = asked;
     this.leaned = leaned;
     /** Stitches that are pinned; how many. @type {Set<number>} */
     this.pins = new Set();
     this.pinned = signal(0);
     this.due = 0;
-    this.pause = /** @type {any} */ (0);
+    /** Where the part that is dragged stands now, and what the words for it are, once they are known. @type {Seats|null} */
+    this.seats = null;
+    this.onto = -1;
+    this.start = { x: 0, y: 0 };
+    /** One question at a time: the words for the latest place. */
+    this.asking = false;
+    this.soon = later(() => this.ask(), 120);
     /** @type {({type: string} & Record<string, any>)|null} */
     this.wanted = null;
     /** What the hand is doing, in words. */
@@ -49,6 +62,8 @@ export class Hand {
       else if (this.pack.arrays.part[unit] > 0) {
         this.part.value = this.pack.arrays.part[unit];
         this.held = { kind: event.shiftKey && this.sewn(unit) ? "lean" : "part", unit, from, x, y };
+        this.seats = null;
+        this.onto = -1;
       } else return false;
       canvas.setPointerCapture(event.pointerId);
       return true;
@@ -60,7 +75,8 @@ export class Hand {
       else if (still && event.button === 0) clicked(this.stage.pick(event.offsetX, event.offsetY));
     });
     canvas.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") clicked(-1);
+      if (event.key === "Escape" && this.held?.kind === "part") this.let();
+      else if (event.key === "Escape") clicked(-1);
     });
   }
 
@@ -88,7 +104,7 @@ export class Hand {
 
   /** A part as patterns call it. @param {number} unit */
   called(unit) {
-    return this.pack.facts.parts[this.pack.arrays.part[unit]].name.replace(/ (\d+)$/, ".$1");
+    return pattern(this.pack.facts.parts[this.pack.arrays.part[unit]].name);
   }
 
   /** How the part leans when the hand is here: a pixel is half a degree. @param {number} x @param {number} y */
@@ -119,32 +135,89 @@ export class Hand {
       this.word.value = `${this.called(unit)} leans ${tilt}°, towards ${towards}°`;
       return;
     }
-    const part = this.pack.arrays.part, here = part[unit], by = new Float32Array(3 * part.length);
-    for (let i = 0; i < part.length; i++) if (part[i] === here) for (let k = 0; k < 3; k++) by[3 * i + k] = to[k] - from[k];
-    this.stage.move(by);
-    const own = this.pack.facts.parts[here];
-    this.word.value = `Put ${own.name} where it shall be sewn on`;
-    clearTimeout(this.pause);
-    this.pause = setTimeout(() => {
-      const onto = this.held ? this.onto(x, y) : -1, { step } = onto < 0 ? { step: null } : this.piece.stepAt(onto);
-      if (step) this.word.value = `${own.name} here: on ${[step.part, step.label].filter(Boolean).join(", ")}`;
-    }, 150);
+    const seats = (this.seats ??= this.seated(unit)), onto = seats.seen(this.stage.camera, this.start.x + x, this.start.y + y, this.onto < 0 ? seats.from : this.onto);
+    if (onto < 0 || onto === this.onto) return;
+    this.onto = onto;
+    this.due ||= requestAnimationFrame(() => {
+      this.due = 0;
+      if (this.held && this.seats) this.stage.move(this.seats.carried(this.onto));
+    });
+    this.word.value = this.where(onto);
+    this.soon();
   }
 
-  /** The stitch that a part is sewn on over when the hand is here: what lies under its seam, which went as far as the hand did; else under the hand. @param {number} x @param {number} y */
-  onto(x, y) {
-    const { unit, x: x0, y: y0 } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
-    const own = this.pack.facts.parts[this.pack.arrays.part[unit]], seam = this.stage.camera.seen(this.seam(own));
-    const under = this.stage.pick(seam.x + x - x0, seam.y + y - y0, own), onto = under < 0 ? this.stage.pick(x, y, own) : under;
-    return onto < 0 ? -1 : this.place(onto);
+  /** The part that a stitch is of, and its other copy, on what they are sewn to. @param {number} unit */
+  seated(unit) {
+    const here = this.pack.arrays.part[unit], seats = this.seatsOf(here), from = this.stage.camera.seen(seats.at(seats.from));
+    const { x, y } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
+    this.start = { x: from.x - x, y: from.y - y }; // the seam goes as far as the hand does
+    return seats;
+  }
+
+  /** @param {number} here a part's number */
+  seatsOf(here) {
+    const all = this.pack.facts.parts, stem = (/** @type {any} */ p) => p.name.replace(/ \d+$/, "");
+    const copies = all.flatMap((/** @type {any} */ p, /** @type {number} */ k) => (k !== here && stem(p) === stem(all[here]) ? [k] : []));
+    const sewn = this.piece.report.value?.assembly ?? [], along = [here];
+    for (const k of along) // those sewn to it, to those, and so on
+      along.push(...all.flatMap((/** @type {any} */ p, /** @type {number} */ j) => (!along.includes(j) && sewn.some((/** @type {any} */ a) => a.part === pattern(p.name) && a.on === pattern(all[k].name)) ? [j] : [])));
+    return new Seats(this.pack, here, copies.length === 1 ? copies[0] : undefined, along.slice(1));
+  }
+
+  /** @param {number} onto */
+  where(onto) {
+    const { step } = this.piece.stepAt(onto), own = this.pack.facts.parts[/** @type {Seats} */ (this.seats).moved];
+    return `${own.name} here: over ${step ? [step.part, step.label].filter(Boolean).join(", ") : "the fabric"}`;
+  }
+
+  /** What the pattern would say of the place under the hand. */
+  async ask() {
+    const onto = this.onto, held = this.held;
+    if (this.asking || !held || !this.seats || onto < 0) return;
+    this.asking = true;
+    const said = await this.asked(this.called(held.unit), onto);
+    this.asking = false;
+    if (this.held === held && this.onto === onto) this.word.value = `${this.where(onto)}. “${said}”`;
+    else if (this.held) this.soon();
+  }
+
+  /** A part goes a step: a round up or down, a stitch nearer to its other copy or farther, and on till the words say another place.
+   * @param {number} part @param {"higher"|"lower"|"nearer"|"farther"} way @param {string} text the pattern */
+  async nudge(part, way, text) {
+    const seats = this.seatsOf(part), name = pattern(this.pack.facts.parts[part].name), rounds = this.piece.steps.value?.steps ?? [];
+    let onto = seats.from;
+    for (let k = 0; k < STEPS; k++) {
+      const next = seats.beside(way, rounds, onto);
+      if (next < 0) break;
+      onto = next;
+      this.stage.move(seats.carried(onto));
+      this.word.value = `${name} ${{ higher: "a round higher", lower: "a round lower", nearer: "nearer", farther: "farther" }[way]} …`;
+      const said = await this.asked(name, onto);
+      if (!said || said.split(". ").every((s) => text.includes(s.replace(/\.$/, "")))) continue;
+      this.word.value = "";
+      return this.dropped(name, onto);
+    }
+    this.word.value = `${name} cannot go ${way === "nearer" || way === "farther" ? way : `a round ${way}`} from here`;
+    setTimeout(() => this.held || (this.word.value = ""), 4000);
+    return this.stage.move(null);
+  }
+
+  /** The part that is dragged stays where it was. */
+  let() {
+    this.soon.stop();
+    this.held = this.seats = null;
+    this.onto = -1;
+    this.word.value = "";
+    this.stage.move(null);
   }
 
   /** @param {number} x @param {number} y @param {boolean} still */
   drop(x, y, still) {
     const { kind, unit } = /** @type {NonNullable<Hand["held"]>} */ (this.held);
-    const lean = kind === "lean" && !still ? this.lean(x, y) : null, onto = kind === "part" && !still ? this.onto(x, y) : -1;
-    clearTimeout(this.pause);
-    this.held = null;
+    const lean = kind === "lean" && !still ? this.lean(x, y) : null, onto = kind === "part" && !still && this.onto !== this.seats?.from ? this.onto : -1;
+    this.soon.stop();
+    this.held = this.seats = null;
+    this.onto = -1;
     this.word.value = "";
     if (lean) return this.leaned(this.called(unit), lean.tilt, lean.towards);
     if (kind === "lean") return undefined;
@@ -154,33 +227,6 @@ export class Hand {
       return this.say({ type: "pin", node: unit });
     }
     if (kind === "stitch") return this.say({ type: "release" });
-    if (onto < 0) return this.stage.move(null);
-    return this.dropped(this.called(unit), onto);
-  }
-
-  /** Where a part is sewn on: the middle of its stitches that lie nearest to others. @param {{start: number, end: number}} part @returns {[number, number, number]} */
-  seam({ start, end }) {
-    const x = this.pack.arrays.positions, n = x.length / 3, near = [];
-    for (let i = start; i < end; i++) {
-      let least = Infinity;
-      for (let j = 0; j < n; j++)
-        if (j < start || j >= end) least = Math.min(least, (x[3 * i] - x[3 * j]) ** 2 + (x[3 * i + 1] - x[3 * j + 1]) ** 2 + (x[3 * i + 2] - x[3 * j + 2]) ** 2);
-      near.push({ i, least });
-    }
-    const held = near.sort((a, b) => a.least - b.least).slice(0, Math.max(1, Math.min(12, near.length >> 2)));
-    return /** @type {[number, number, number]} */ ([0, 1, 2].map((k) => held.reduce((sum, { i }) => sum + x[3 * i + k], 0) / held.length));
-  }
-
-  /** The stitch whose place on the fabric is where a stitch's yarn is seen: columns of yarn lean in a spiral, so that these are some stitches apart. @param {number} unit */
-  place(unit) {
-    const at = this.stage.strands?.middle(unit), { positions: x, part } = this.pack.arrays;
-    if (!at) return unit;
-    let best = unit, least = Infinity;
-    for (let i = 0; i < part.length; i++) {
-      if (part[i] !== part[unit]) continue;
-      const d = (x[3 * i] - at[0]) ** 2 + (x[3 * i + 1] - at[1]) ** 2 + (x[3 * i + 2] - at[2]) ** 2;
-      if (d < least) [least, best] = [d, i];
-    }
-    return best;
+    return onto < 0 ? this.stage.move(null) : this.dropped(this.called(unit), onto);
   }
 }

@@ -1,7 +1,7 @@
 // The pattern's text: CodeMirror in a shadow root, so that its sheets need no exception in the page's policy.
 import {
   Decoration, EditorState, EditorView, HighlightStyle, StateEffect, StateField, StreamLanguage, defaultKeymap, drawSelection,
-  highlightActiveLine, history, historyKeymap, hoverTooltip, keymap, lineNumbers, lintGutter, setDiagnostics, syntaxHighlighting, tags,
+  highlightActiveLine, hoverTooltip, keymap, lineNumbers, lintGutter, setDiagnostics, syntaxHighlighting, tags,
 } from "../../lib/editor.js";
 import { crochet } from "./language.js";
 
@@ -72,10 +72,10 @@ export function places(text) {
 export class Editor {
   /**
    * @param {HTMLElement} host
-   * @param {{text: string, own: boolean, onchange: (text: string) => void, onspot: (point: number) => void, tell: (point: number) => string|null}} how
-   * own: it is tambour's own language; onspot: the caret was moved by hand; tell: what is made at a place, for the hover
+   * @param {{text: string, own: boolean, onchange: (text: string) => void, back: (way: "undo"|"redo") => void, onspot: (point: number) => void, tell: (point: number) => string|null}} how
+   * own: it is tambour's own language; back: undo and redo, of the piece: there is one row of changes, whatever made them; onspot: the caret was moved by hand; tell: what is made at a place, for the hover
    */
-  constructor(host, { text, own, onchange, onspot, tell }) {
+  constructor(host, { text, own, onchange, back, onspot, tell }) {
     const shadow = host.attachShadow({ mode: "open" });
     const frame = document.createElement("div");
     shadow.append(frame);
@@ -95,9 +95,12 @@ export class Editor {
       root: shadow,
       parent: frame,
       state: EditorState.create({ doc: text, extensions: [
-        lineNumbers(), lintGutter(), history(), drawSelection(), highlightActiveLine(), marks, EditorView.lineWrapping, THEME,
+        lineNumbers(), lintGutter(), drawSelection(), highlightActiveLine(), marks, EditorView.lineWrapping, THEME,
         StreamLanguage.define(/** @type {any} */ (crochet(own))), syntaxHighlighting(LOOK), hover,
-        keymap.of([...defaultKeymap, ...historyKeymap]),
+        keymap.of([
+          { key: "Mod-z", run: () => (back("undo"), true), preventDefault: true }, { key: "Mod-Shift-z", run: () => (back("redo"), true), preventDefault: true },
+          { key: "Mod-y", run: () => (back("redo"), true), preventDefault: true }, ...defaultKeymap,
+        ]),
         EditorView.contentAttributes.of({ "aria-label": "the pattern", spellcheck: "false", autocapitalize: "off" }),
         EditorView.updateListener.of((update) => {
           if (update.docChanged && !this.quiet) onchange(this.text);
@@ -112,15 +115,15 @@ export class Editor {
     return this.view.state.doc.toString();
   }
 
-  /** Another text, from undo or another page: only what differs changes, the caret stays. @param {string} text */
-  set(text) {
+  /** Another text, from undo or another page: only what differs changes, the caret stays. @param {string} text @param {boolean} [look] what became otherwise comes into sight */
+  set(text, look = false) {
     const now = this.text;
     if (text === now) return;
     let from = 0, end = now.length, to = text.length;
     while (from < Math.min(end, to) && now[from] === text[from]) from++;
     while (end > from && to > from && now[end - 1] === text[to - 1]) (end--, to--);
     this.quiet = true;
-    this.view.dispatch({ changes: { from, to: end, insert: text.slice(from, to) } });
+    this.view.dispatch({ changes: { from, to: end, insert: text.slice(from, to) }, ...(look ? { effects: EditorView.scrollIntoView(from, { y: "center" }) } : {}) });
     this.quiet = false;
   }
 

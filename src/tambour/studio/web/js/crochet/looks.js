@@ -49,6 +49,15 @@ export function looks(pack, mode, { part = -1, spot = null } = {}) {
   return { tint, legend };
 }
 
+/** Whether stitches that follow each other in a part go the same way: else the yarn between them would be torn. @param {Float32Array} by (units × 3) mm @param {Pack} pack */
+export function whole(by, pack) {
+  const part = pack.arrays.part, most = 1.5 * (pack.facts.stitch?.[0] ?? 5);
+  let torn = 0;
+  for (let i = 1; i < part.length; i++)
+    if (part[i] === part[i - 1] && Math.hypot(by[3 * i] - by[3 * i - 3], by[3 * i + 1] - by[3 * i - 2], by[3 * i + 2] - by[3 * i - 1]) > most) torn++;
+  return torn < part.length / 200;
+}
+
 /** A chunky cord through stitches that have no yarn yet: what one sees while a toy is built. @param {Float32Array} positions (M × 3) mm @param {number} radius @returns {Pack} */
 export function cord(positions, radius) {
   const n = positions.length / 3, low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];

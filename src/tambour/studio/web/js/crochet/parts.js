@@ -5,10 +5,12 @@ import { counted, dyed, hex, html, number, ref } from "../view.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
+/** @type {["higher"|"lower"|"nearer"|"farther", string][]} */
+const WAYS = [["higher", "A round higher"], ["lower", "A round lower"], ["nearer", "A stitch nearer"], ["farther", "A stitch farther"]];
 const LEAN = [["tilt", "leans", 0, 180], ["towards", "towards", 0, 360], ["across", "turned", -180, 180]];
 
-/** @param {Piece} piece @param {{part: {value: number}, go: (problem: any) => void, at: (problem: any) => string, checked: any}} how */
-export function facts(piece, { part, go, at, checked }) {
+/** @param {Piece} piece @param {{part: {value: number}, go: (problem: any) => void, at: (problem: any) => string, checked: any, nudge: (part: number, way: "higher"|"lower"|"nearer"|"farther") => void}} how */
+export function facts(piece, { part, go, at, checked, nudge }) {
   const report = piece.report.value, pack = piece.live.value, craft = piece.craft.value;
   const problems = told(checked?.problems ?? (piece.failed.value.length ? piece.failed.value : piece.problems.value));
   const cm = (/** @type {number} */ mm) => (Math.round(mm) / 10).toFixed(1), inches = (/** @type {number} */ mm) => (mm / 25.4).toFixed(1);
@@ -22,7 +24,7 @@ export function facts(piece, { part, go, at, checked }) {
     ${pack ? html`<h2 class="head">Parts</h2><ul>${pack.facts.parts.map((/** @type {any} */ p, /** @type {number} */ k) => html`<li>
       <button class="rowbutton" aria-pressed=${part.value === k} @click=${() => (part.value = part.value === k ? -1 : k)}>
         <i class="swatch" ${ref(dyed(hue(pack, p)))}></i> ${p.name}<span class="number">${number(p.end - p.start)}</span></button>
-      ${part.value === k ? one(piece, report, p, k) : ""}</li>`)}</ul>` : ""}
+      ${part.value === k ? one(piece, report, p, k, nudge) : ""}</li>`)}</ul>` : ""}
     ${craft ? html`<h2 class="head">Gauge</h2>${report?.size?.gauge?.stitch_mm ? html`<p class="quiet">stitch ${report.size.gauge.stitch_mm.map((/** @type {number} */ v) => v.toFixed(1)).join(" × ")} mm${report.size.gauge.from ? `, from ${speller(craft.form)(report.size.gauge.from)}` : ""}</p>` : ""}
       <div class="gauge">${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.group === "Yarn and gauge" })}</div>` : ""}
     <h2 class="head">Checks</h2>
@@ -38,8 +40,8 @@ function hue(pack, p) {
   return hex([all[3 * c], all[3 * c + 1], all[3 * c + 2]]);
 }
 
-/** What is known of a part, and how it leans. @param {Piece} piece @param {any} report @param {any} p @param {number} k */
-function one(piece, report, p, k) {
+/** What is known of a part, and how it leans. @param {Piece} piece @param {any} report @param {any} p @param {number} k @param {(part: number, way: "higher"|"lower"|"nearer"|"farther") => void} nudge */
+function one(piece, report, p, k, nudge) {
   const size = report?.parts?.[k]?.size_mm, name = p.name.replace(/ (\d+)$/, ".$1");
   const sewn = report?.assembly?.find((/** @type {any} */ a) => a.part === name || a.part === p.name);
   const lean = (/** @type {string} */ angle, /** @type {number} */ degrees) => {
@@ -49,7 +51,8 @@ function one(piece, report, p, k) {
   const posed = piece.revision.value.edits.filter((/** @type {any} */ e) => e.edit === "pose" && sewn && e.part === sewn.part);
   const asSewn = () => piece.change({ edits: piece.revision.value.edits.filter((/** @type {any} */ e) => !posed.includes(e)), said: `${p.name} as it is sewn` });
   const firm = p.stuffing >= 0.9 ? "firmly stuffed" : p.stuffing > 0 ? "lightly stuffed" : "not stuffed";
-  return html`<div class="inside"><p class="quiet">${size ? `${size.map((/** @type {number} */ v) => (v / 10).toFixed(1)).join(" × ")} cm · ` : ""}${firm}${sewn ? html`<br>sewn to ${sewn.on}${sewn.round ? `, at round ${sewn.round}` : ""}; in the view “Parts”, drag it to another place` : ""}</p>
+  return html`<div class="inside"><p class="quiet">${size ? `${size.map((/** @type {number} */ v) => (v / 10).toFixed(1)).join(" × ")} cm · ` : ""}${firm}${sewn ? html`<br>sewn to ${sewn.on}${sewn.round ? `, at round ${sewn.round}` : ""}; in the view “Parts”, drag it to another place, or` : ""}</p>
+    ${sewn ? html`<div class="tools wide" role="group" aria-label="put ${p.name} elsewhere">${WAYS.map(([way, label]) => html`<button class="button" @click=${() => nudge(k, way)}>${label}</button>`)}</div>` : ""}
     ${sewn ? LEAN.map(([angle, label, low, high]) => html`<label class="lean"><span>${label}</span>
       <input type="range" min=${low} max=${high} step="5" .value=${String(Math.round(sewn[angle] ?? 0))} @change=${(/** @type {any} */ e) => lean(/** @type {string} */ (angle), Number(e.target.value))}>
       <span class="number">${Math.round(sewn[angle] ?? 0)}°</span></label>`) : ""}

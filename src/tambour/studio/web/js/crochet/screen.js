@@ -3,16 +3,16 @@ import { frame, withoutGl, working } from "../frame.js";
 import { settings } from "../forms.js";
 import { Stage } from "../gl/stage.js";
 import { offer } from "../keys.js";
-import { attempt, tell } from "../notes.js";
+import { attempt } from "../notes.js";
 import { unpack } from "../pack.js";
 import { list, told } from "../problems.js";
 import { night } from "../theme.js";
 import { Timeline, bare } from "../timeline.js";
 import { counted, dyed, effect, html, number, ref, show, signal, untracked } from "../view.js";
-import { ask } from "../wire.js";
+import { Trouble, ask } from "../wire.js";
 import { Hand } from "./drag.js";
 import { Editor } from "./editor.js";
-import { MODES, cord, looks } from "./looks.js";
+import { MODES, cord, looks, whole } from "./looks.js";
 import { facts } from "./parts.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
@@ -25,6 +25,8 @@ export function screen(root, piece, { over }) {
   const at = frame(root, { left: "Words", words: true, right: "Facts", view: "Toy" });
   const mode = signal("yarn"), part = signal(-1), spot = signal(/** @type {[number, number]|null} */ (null)), chosen = signal(-1);
   const checked = signal(/** @type {{problems: any[], steps: any[]}|null} */ (null));
+  /** What the pattern says now, of the part that was put elsewhere last. */
+  const placed = signal("");
   /** It is worked one by one while it moves: how many stitches there are. */
   const building = signal(false), worked = signal(0), running = signal(false);
   const stage = new Stage(at.canvas);
@@ -34,6 +36,7 @@ export function screen(root, piece, { over }) {
     stage.night = night.value;
     stage.touch();
   })];
+  stage.camera.foot = 52; // the row of looks
   if (!stage.gl) stop.push(show(at.blank, withoutGl(piece, [["front", "Front"], ["back", "Back"], ["left", "Left"], ["right", "Right"], ["top", "Top"]])));
   stage.resize();
 
@@ -52,6 +55,7 @@ export function screen(root, piece, { over }) {
       check(text);
       commit(text);
     },
+    back: (way) => void piece.step(way),
     onspot: (point) => {
       const found = (piece.steps.value?.steps ?? []).find((s) => s.span && s.span[0] <= point && point < s.span[1]);
       spot.value = found ? [found.first, found.end] : null;
@@ -86,11 +90,11 @@ export function screen(root, piece, { over }) {
     next = null;
     if (then !== null && !gone.signal.aborted) check(then);
   };
-  const commit = (/** @type {string} */ text) => piece.change({ source: { text, name: called }, merge: true }, 600);
+  const commit = (/** @type {string} */ text) => piece.change({ source: { text, name: called }, merge: true, said: "words" }, 600);
   stop.push(() => (gone.abort(), editor.view.destroy()));
   stop.push(effect(() => {
     const text = piece.revision.value?.source?.text;
-    if (typeof text === "string" && untracked(() => piece.saved.value)) editor.set(text);
+    if (typeof text === "string" && untracked(() => piece.saved.value)) editor.set(text, Boolean(untracked(() => piece.live.value)));
   }));
   stop.push(effect(() => {
     if (piece.woven.value !== null) editor.set(piece.woven.value);
@@ -99,7 +103,9 @@ export function screen(root, piece, { over }) {
   const problems = () => checked.value?.problems ?? (piece.failed.value.length ? piece.failed.value : piece.problems.value);
   stop.push(effect(() => editor.problems(problems())));
   stop.push(effect(() => {
-    if (piece.live.value) checked.value = null; // what was made knows as much, and more
+    if (!piece.live.value) return;
+    checked.value = null; // what was made knows as much, and more
+    placed.value = untracked(() => (piece.revision.value?.said === placed.value.slice(0, 120) ? placed.value : ""));
   }));
   const round = (/** @type {any} */ p) => {
     const s = p.span && stepOf(p.span[0]);
@@ -119,15 +125,21 @@ export function screen(root, piece, { over }) {
   const hand = new Hand(stage, piece, { part, mode, leaned: (name, tilt, towards) => {
     const others = (piece.revision.value.edits ?? []).filter((/** @type {any} */ e) => !(e.edit === "pose" && e.part === name && ["tilt", "towards"].includes(e.angle)));
     piece.change({ edits: [...others, { edit: "pose", part: name, angle: "tilt", degrees: tilt }, { edit: "pose", part: name, angle: "towards", degrees: towards }], said: `${name} leans` });
+  }, asked: async (name, onto) => {
+    try {
+      return (await ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto, keep: false } })).sentence;
+    } catch (error) {
+      return error instanceof Trouble ? error.problems.map((p) => p.message).join("; ") : "";
+    }
   }, dropped: async (name, onto) => {
-    if (!(await piece.flush())) return stage.move(null);
-    const answer = await attempt(() => ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto } }));
+    const answer = (await piece.flush()) && await attempt(() => ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto } }));
     if (!answer) return stage.move(null);
     piece.take(answer);
     const found = editor.text.indexOf(answer.sentence.split(". ")[0].split("; ")[0]);
     if (found >= 0) editor.show(found, answer.sentence.length);
-    tell(html`Now the pattern says: <b>${answer.sentence}</b>`, { calm: true });
+    placed.value = answer.sentence;
   } });
+
   let shown = /** @type {any} */ (null);
   stop.push(effect(() => {
     const pack = piece.live.value;
@@ -171,20 +183,19 @@ export function screen(root, piece, { over }) {
       if (x.length > 6) stage.camera.fit(by.facts.box, false);
       return;
     }
-    if (pack && x.length === pack.arrays.positions.length && !piece.unsent.value) {
-      if (stage.pack !== pack) {
-        stage.set(pack, false);
-        shown = pack;
-      }
-      const by = new Float32Array(x.length), rest = pack.arrays.positions;
-      for (let i = 0; i < x.length; i++) by[i] = x[i] - rest[i];
-      stage.move(by);
-    } else if (!pack || piece.going.value) {
+    if (!pack) {
       const by = cord(x, state.facts.radius ?? 2), begun = !stage.pack;
       stage.set(by, begun);
-      if (!begun && !pack) stage.camera.fit(by.facts.box, false); // it grows: all of it stays in view
+      if (!begun) stage.camera.fit(by.facts.box, false); // it grows: all of it stays in view
+    } else if (x.length === pack.arrays.positions.length && stage.pack === pack && !piece.unsent.value) {
+      const by = new Float32Array(x.length), rest = pack.arrays.positions;
+      for (let i = 0; i < x.length; i++) by[i] = x[i] - rest[i];
+      if (whole(by, pack)) stage.move(by); // where it is torn yet, it stands as it was
     }
   };
+  stop.push(effect(() => {
+    at.canvas.classList.toggle("settling", Boolean(piece.going.value && piece.live.value && !building.value));
+  }));
 
   const build = (/** @type {"play"|"pause"|"step"|"restart"} */ what, count = 1) => {
     if (!building.value) shown = null; // the toy comes back when this ends
@@ -216,11 +227,11 @@ export function screen(root, piece, { over }) {
   stop.push(show(at.top, () => {
     const pack = piece.live.value, i = chosen.value;
     const { step } = pack && i >= 0 ? piece.stepAt(i) : { step: null };
-    return html`${working(piece.going.value)}
+    return html`${working(piece.going.value, !pack ? "a bare cord first, then its yarn" : "shown as it was")}
       ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert">${pack ? "This is how it was: " : ""}the words cannot be made yet; see ${counted(told(piece.failed.value).length, "place")} in them.</div>` : ""}
       ${pack && step ? html`<div class="said" role="status"><b>${step.label}</b>, stitch ${i - step.first + 1} of ${step.end - step.first}
         · ${pack.facts.kinds[pack.arrays.kind[i]]}${pack.arrays.tension[i] > 0.08 ? html` · stretched ${Math.round(100 * pack.arrays.tension[i])} %` : ""}<br><span class="quiet">${bare(step.words)}</span></div>` : ""}
-      ${hand.word.value ? html`<div class="said">${hand.word.value}</div>` : ""}
+      ${hand.word.value ? html`<div class="said" role="status">${hand.word.value}</div>` : placed.value ? html`<div class="said" role="status">Now the pattern says: <b>${placed.value}</b> <button class="link" @click=${() => piece.step("undo")}>Undo</button></div>` : ""}
       ${hand.pinned.value ? html`<div class="said">${counted(hand.pinned.value, "stitch", "stitches")} pinned <button class="link" @click=${() => hand.loose()}>Let go</button></div>` : ""}
       ${building.value && pack ? html`<div class="said" role="group" aria-label="worked one by one"><b>${number(worked.value)}</b> of ${number(pack.arrays.positions.length / 3)} stitches
         <button class="button" @click=${() => build(running.value ? "pause" : "play")}>${running.value ? "Pause" : "Play"}</button> <button class="button" @click=${() => build("step")}>One stitch</button>
@@ -229,9 +240,9 @@ export function screen(root, piece, { over }) {
   stop.push(show(at.bottom, () => {
     const pack = piece.live.value, legend = pack ? looks(pack, mode.value, { part: part.value }).legend : [];
     return html`<div class="seg" role="group" aria-label="what colours say">${MODES.map(([name, label]) => html`<button aria-pressed=${mode.value === name} @click=${() => (mode.value = name)}>${label}</button>`)}</div>
-      ${legend.length ? html`<div class="said legend">${mode.value === "parts" && pack && pack.facts.parts.length > 1 ? html`<span>Drag a part to sew it on elsewhere; with Shift it leans.</span>` : ""}${legend.map(([c, text]) => html`<span><i class="swatch" ${ref(dyed(c))}></i> ${text}</span>`)}</div>` : ""}`;
+      ${legend.length ? html`<div class="said legend">${mode.value === "parts" && pack && pack.facts.parts.length > 1 ? html`<span>Drag a part to sew it on elsewhere; with Shift it leans.</span>` : ""}${(mode.value === "parts" ? [] : legend).map(([c, text]) => html`<span><i class="swatch" ${ref(dyed(c))}></i> ${text}</span>`)}</div>` : ""}`;
   }));
-  stop.push(show(at.right, () => facts(piece, { part, go, at: round, checked: checked.value })));
+  stop.push(show(at.right, () => facts(piece, { part, go, at: round, checked: checked.value, nudge: (k, way) => void hand.nudge(k, way, editor.text) })));
 
   stop.push(offer(() => [
     { name: "See all of it", key: "f", do: () => stage.fit() },

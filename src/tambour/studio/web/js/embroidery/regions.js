@@ -74,6 +74,19 @@ function threads(piece) {
 /** Hoops as they are sold where one measures in inches. @type {Record<string, string>} */
 const INCHES = { "100x100": "4×4 in", "130x180": "5×7 in", "160x260": "6×10 in", "200x300": "8×12 in" };
 
+/** Hoops to choose from, as they are sold: what is asked for, and what it is called. */
+const HOOPS = [["4x4", "4 × 4 in (100 × 100 mm)"], ["5x7", "5 × 7 in (130 × 180 mm)"], ["6x10", "6 × 10 in (160 × 260 mm)"], ["8x8", "8 × 8 in (200 × 200 mm)"], ["200x300", "8 × 12 in (200 × 300 mm)"], ["360x200", "14 × 8 in (360 × 200 mm)"]];
+
+/** The hoop: one of those that are sold, or another by its size. @param {Piece} piece */
+function hooped(piece) {
+  const now = piece.params.value.hoop ?? "", known = HOOPS.some(([size]) => size === now), set = (/** @type {string} */ hoop) => piece.change({ params: { hoop: hoop || null }, said: `hoop ${hoop || "none"}` });
+  const wrong = piece.failed.value.filter((p) => p.fields?.includes("hoop"));
+  return html`<div class="field ${wrong.length ? "wrong" : ""}"><label class="name" for="hoop-sold">Hoop</label><span class="pair"><select id="hoop-sold" .value=${live(known || !now ? now : "own")} @change=${(/** @type {any} */ e) => e.target.value !== "own" ? set(e.target.value) : document.getElementById("field-hoop")?.focus()}>
+      <option value="" ?selected=${!now}>any that takes it</option>${HOOPS.map(([size, label]) => html`<option value=${size} ?selected=${now === size}>${label}</option>`)}<option value="own" ?selected=${now && !known}>another size</option></select>
+      <input id="field-hoop" class="short" type="text" aria-label="hoop: width x height in mm" placeholder="120x90" .value=${live(now)} @change=${(/** @type {any} */ e) => set(e.target.value.trim())}></span>
+    ${wrong.map((p) => html`<span class="wrongness" role="alert">${p.message}</span>`)}</div>`;
+}
+
 /** Which hoops take it. @param {any} report @param {[number, number]|null|undefined} hoop the one that was asked for, mm */
 function fit(report, hoop) {
   if (hoop) {
@@ -90,14 +103,14 @@ export function facts(piece) {
   const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value } });
   const steps = piece.steps.value?.steps ?? [];
   return html`${report ? html`<h2 class="head">Size</h2><p class="big">${report.width_mm.toFixed(0)} × ${report.height_mm.toFixed(0)} mm</p>
-      <p class="quiet">${(report.width_mm / 25.4).toFixed(2)} × ${(report.height_mm / 25.4).toFixed(2)} in${fit(report, piece.live.value?.facts.hoop)}</p>
+      <p class="quiet">${(report.width_mm / 25.4).toFixed(2)} × ${(report.height_mm / 25.4).toFixed(2)} in${fit(report, piece.live.value?.facts.hoop)}</p>` : ""}${craft ? hooped(piece) : ""}${report ? html`
       <h2 class="head">At the machine</h2><ul class="facts"><li><span>Stitches</span><span class="number">${number(report.stitches)}</span></li>
       <li><span>Time</span><span class="number">${minutes(report.machine_seconds)}</span></li><li><span>Thread</span><span class="number">${report.thread_m.toFixed(1)} m</span></li>
       <li><span>Colour changes</span><span class="number">${report.color_changes}</span></li><li><span>Cuts</span><span class="number">${report.trims}</span></li>
       <li><span>Longest stitch</span><span class="number">${report.longest_mm.toFixed(1)} mm</span></li></ul>
       <h2 class="head">Stops</h2><ol class="facts">${steps.map((s) => html`<li><button class="link" @click=${() => (piece.at.value = s.first)}>${colored(s.stop || s.label)}</button><span class="number quiet">${number(s.count)}</span></li>`)}</ol>` : ""}
     <h2 class="head">Checks</h2>${problems.length ? list(problems, { spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ nothing doubtful to sew</p>` : ""}
-    ${craft ? html`<h2 class="head">How it is sewn</h2>${fields(craft.form, piece.params.value, { set, problems })}` : ""}`;
+    ${craft ? html`<h2 class="head">How it is sewn</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name) => name !== "hoop" })}` : ""}`;
 }
 
 /** @param {number} s */

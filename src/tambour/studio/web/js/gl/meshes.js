@@ -63,6 +63,7 @@ export class Meshes {
       this.all.push({ name, array, buffers: [...buffers, faces], birth, count: birth.length, follow, place: /** @type {Float32Array} */ (part("vertices")) });
     }
     this.moved = false;
+    this.stitches = /** @type {Float32Array|undefined} */ (pack.arrays.positions);
   }
 
   /** Let the meshes that follow stitches follow them. @param {Float32Array|null} by (units × 3) mm */
@@ -70,7 +71,9 @@ export class Meshes {
     const gl = this.gl;
     this.moved = by !== null;
     if (!by) return;
-    for (const { follow, buffers } of this.all) {
+    for (const mesh of this.all) {
+      mesh.follow ??= this.stitches && /** @type {any} */ (nearest(mesh.place, this.stitches)); // eyes go with the stitches that they sit on
+      const { follow, buffers } = mesh;
       if (!follow) continue;
       const shift = new Float32Array(follow.length * 3);
       for (let v = 0; v < follow.length; v++) shift.set(by.subarray(3 * follow[v], 3 * follow[v] + 3), 3 * v);
@@ -111,6 +114,19 @@ export class Meshes {
     }
     this.all = [];
   }
+}
+
+/** The stitch that is nearest to each vertex. @param {Float32Array} place (V × 3) @param {Float32Array} stitches (N × 3) */
+function nearest(place, stitches) {
+  const found = new Uint32Array(place.length / 3);
+  for (let v = 0; v < found.length; v++) {
+    let least = Infinity;
+    for (let i = 0; i < stitches.length; i += 3) {
+      const d = (place[3 * v] - stitches[i]) ** 2 + (place[3 * v + 1] - stitches[i + 1]) ** 2 + (place[3 * v + 2] - stitches[i + 2]) ** 2;
+      if (d < least) [least, found[v]] = [d, i / 3];
+    }
+  }
+  return found;
 }
 
 /** How many of rising numbers are at most ``k``. @param {Uint32Array} rising @param {number} k */

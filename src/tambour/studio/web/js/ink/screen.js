@@ -4,7 +4,7 @@ import { offer } from "../keys.js";
 import { list } from "../problems.js";
 import { copied, takeAway } from "../takeaway.js";
 import { Timeline } from "../timeline.js";
-import { effect, html, later, number, render, show, signal, untracked } from "../view.js";
+import { effect, html, later, live, number, render, show, signal, untracked } from "../view.js";
 import { Trouble, ask } from "../wire.js";
 import { address } from "./address.js";
 import { Tiles } from "./tiles.js";
@@ -17,11 +17,15 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 /** @param {HTMLElement} root @param {Piece} piece @param {{over: HTMLElement, extra: URLSearchParams}} how @returns {() => void} */
 export function screen(root, piece, { over, extra }) {
   render(html`<div class="scroll"><canvas tabindex="0" role="img" aria-label="the scroll"></canvas><div class="unseen" role="status"></div>
-    <div class="over top"></div><div class="making ink" role="group" aria-label="the painting"></div></div>`, root);
+    <div class="over top"></div><div class="over bottom"></div><div class="making ink" role="group" aria-label="the painting"></div></div>`, root);
   const one = (/** @type {string} */ q) => /** @type {any} */ (root.querySelector(q));
   const canvas = /** @type {HTMLCanvasElement} */ (one("canvas")), paint = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   const params = piece.params, problems = signal(/** @type {any[]} */ ([])), open = signal(false), drifting = signal(false), share = signal(1000);
   const scroll = signal(/** @type {{key: string, tile: number, height: number, background: number[]}|null} */ (null));
+  /** The left edge of what is in sight, as it is told: a little after it was moved. */
+  const left = signal(0);
+  /** Something in sight is not painted yet. */
+  const waiting = signal(true);
   let x = Number(extra.get("x") ?? params.value.from_ ?? 0), asked = 0, scale = 1, speed = 0;
   /** @type {Tiles|null} */
   let tiles = null;
@@ -40,10 +44,13 @@ export function screen(root, piece, { over, extra }) {
     paint.fillStyle = `rgb(${r} ${g} ${b})`;
     paint.fillRect(0, 0, canvas.width, canvas.height);
     tiles.show(x, x + wide(), scale);
+    let bare = false;
     for (let k = Math.floor(x / told.tile); k * told.tile < x + wide(); k++) {
       const bitmap = show_ ? parts.get(k) : tiles.all.get(k)?.bitmap;
+      bare ||= !show_ && !bitmap;
       if (bitmap) paint.drawImage(bitmap, Math.round((k * told.tile - x) * scale), 0, Math.ceil(told.tile * scale) + 1, canvas.height);
     }
+    waiting.value = bare;
     grain();
   }
   /** @type {CanvasPattern|null} */
@@ -60,8 +67,10 @@ export function screen(root, piece, { over, extra }) {
   }
   const place = later(() => {
     history.replaceState(null, "", `#/piece/${piece.id}?x=${Math.round(x)}`);
+    left.value = Math.round(x);
     one(".unseen").textContent = `from ${number(Math.round(x))} to ${number(Math.round(x + wide()))}`;
   }, 300);
+  left.value = Math.round(x);
   const go = (/** @type {number} */ to) => {
     x = to;
     if (share.value < 1000) share.value = 1000;
@@ -179,6 +188,13 @@ export function screen(root, piece, { over, extra }) {
   const link = () => copied(piece);
   const dice = () => piece.change({ params: { seed: Array.from(crypto.getRandomValues(new Uint8Array(3)), (v) => SYLLABLES[v % SYLLABLES.length]).join("") }, said: "another seed" });
 
+  const typed = (/** @type {any} */ event) => {
+    const to = Number(event.target.value.replace(/[\s\u2009,]/g, ""));
+    if (event.target.value.trim() && Number.isFinite(to)) go(Math.max(-1e9, Math.min(1e9, to)));
+    event.target.value = String(left.value);
+  };
+  stop.push(show(one(".over.bottom"), () => html`${waiting.value ? html`<div class="said" role="status">painting this stretch …</div>` : ""}<div class="said place"><label for="place">Place</label><input id="place" class="short" type="text" inputmode="numeric" .value=${live(String(left.value))} @change=${typed}
+    title="where the left edge is; type another to go there"></div>`));
   stop.push(show(one(".over.top"), () => {
     const craft = piece.craft.value;
     const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value }, said: name });
@@ -200,6 +216,7 @@ export function screen(root, piece, { over, extra }) {
     { name: "Drift on, stand still", key: "a", do: drift },
     { name: "Take this window", do: take },
     { name: "Copy the address of this place", do: link },
+    { name: "Go to a place", key: "g", do: () => /** @type {HTMLInputElement} */ (one("#place")).select() },
     { name: "To the beginning", do: () => go(0) },
   ], (event) => {
     const page = wide() * (event.shiftKey ? 0.9 : 0.08);

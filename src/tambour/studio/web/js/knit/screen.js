@@ -215,10 +215,15 @@ export function screen(root, piece) {
   at.canvas.addEventListener("contextmenu", (event) => event.preventDefault());
 
   const copy = () => chosen.value && (motif.value = cut(grid(), chosen.value));
-  const paste = (/** @type {boolean} */ all, drop = false) => {
+  /** What was copied is laid down, and chosen there: it can be mirrored, or repeated over all, at once. */
+  const paste = () => {
     const m = motif.value, to = chosen.value;
-    if (m && to) put(all ? repeated(grid(), m, [to[0], to[1]], drop) : laid(grid(), m, [to[0], to[1]]), all ? "repeated" : "pasted");
+    if (!m || !to) return;
+    put(laid(grid(), m, [to[0], to[1]]), "pasted");
+    chosen.value = [to[0], to[1], Math.min(chart.columns, to[0] + m.wide), Math.min(chart.rows, to[1] + m.high)];
   };
+  /** What is chosen, over the whole chart, from its own place on. */
+  const repeat = (/** @type {boolean} */ drop) => chosen.value && put(repeated(grid(), cut(grid(), chosen.value), [chosen.value[0], chosen.value[1]], drop), "repeated");
   const flip = (/** @type {boolean} */ across) => chosen.value && put(laid(grid(), mirrored(cut(grid(), chosen.value), across), [chosen.value[0], chosen.value[1]]), "mirrored");
   /** The chosen rows as [first, how many], numbered from 1; the chosen columns likewise, from the right. */
   const high = () => /** @type {[number, number]} */ (chosen.value ? [chosen.value[1] + 1, chosen.value[3] - chosen.value[1]] : [1, 0]);
@@ -229,8 +234,8 @@ export function screen(root, piece) {
       <button class="button" aria-pressed=${tool.value === name} title="${help} (${key.toUpperCase()})" @click=${() => (tool.value = name)}>${label}</button>`)}</div>
     <p class="quiet">${TOOLS.find(([n]) => n === tool.value)?.[3]}; shift or two fingers move the chart, the wheel comes nearer. What you paint is held: a dot; the rest gives way so that floats stay short.</p>
     ${chosen.value && tool.value === "select" ? html`<h2 class="head">Chosen: ${chosen.value[2] - chosen.value[0]} × ${chosen.value[3] - chosen.value[1]}</h2><div class="tools">
-      <button class="button" @click=${copy}>Copy</button><button class="button" ?disabled=${!motif.value} title=${motif.value ? "" : "Copy something first"} @click=${() => paste(false)}>Paste here</button>
-      <button class="button" ?disabled=${!motif.value} title=${motif.value ? "" : "Copy something first"} @click=${() => paste(true)}>Repeat over all</button><button class="button" ?disabled=${!motif.value} title=${motif.value ? "" : "Copy something first"} @click=${() => paste(true, true)}>Half-drop over all</button>
+      <button class="button" @click=${copy}>Copy</button><button class="button" ?disabled=${!motif.value} @click=${paste}>${motif.value ? "Paste here" : "Paste: copy first"}</button>
+      <button class="button" @click=${() => repeat(false)} title="what is chosen, over the whole chart">Repeat over all</button><button class="button" @click=${() => repeat(true)} title="every other column of it half its height lower">Half-drop over all</button>
       <button class="button" @click=${() => flip(true)}>Mirror ↔</button><button class="button" @click=${() => flip(false)}>Mirror ↕</button>
       <button class="button" @click=${() => put(within().map(([x, y]) => /** @type {Put} */ ([x, y, yarn.value])), "filled")}>Fill</button>
       <button class="button" @click=${() => put(within().map(([x, y]) => /** @type {Put} */ ([x, y, grid().data[y * columns() + x]])), "locked")}>Lock</button>
