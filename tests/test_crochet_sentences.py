@@ -496,3 +496,28 @@ def test_numbered_colors_are_those_of_the_first_version(said: str) -> None:
     pattern = read(Text(f"Toy\n\nINSTRUCTIONS\n{said}\n\nBODY\n{rounds}", "toy.txt"))
     colors = [i.numbers for s in pattern.parts for n in s.lines for i in n.items if getattr(i, "name", "") == "color"]
     assert colors == [shade("purple"), shade("yellow")]
+
+
+@pytest.mark.parametrize(
+    "said", ["Sl st to first sc and fasten off.", "sl st, FO and leave a tail for sewing.", "Sl st in next st and FO."]
+)
+def test_one_slip_stitch_at_the_end_is_no_round(said: str) -> None:
+    assert made(f"{BALL}{said}\n") == ([6, 12], [])
+
+
+def test_abbreviations_in_one_line_work_nothing() -> None:
+    pattern = read(
+        Text(f"Toy\n\nABBREVIATIONS\nch - chain; sc - single crochet; sl st - slip stitch\n\n{BALL[5:]}", "toy.txt")
+    )
+    assert [p.name for p in pattern.parts] == ["HEAD"]
+
+
+@pytest.mark.parametrize(
+    "head", ["**BODY** (start with blue, at the nose)", "** BODY ** make 2, in blue", "**BODY** (make two, blue)"]
+)
+def test_a_bold_name_heads_its_part_whatever_is_said_behind_it(head: str) -> None:
+    pattern = read(Text(f"Toy\n\nMaterials\nyarn in red and blue\n\n{head}\n{BALL.split('HEAD')[1][1:]}", "toy.txt"))
+    (part,) = pattern.parts
+    assert part.name == "BODY" and part.copies == (2 if "make" in head else 1)
+    red, _, blue = build(pattern).graph.color[-1].tolist()
+    assert blue > red

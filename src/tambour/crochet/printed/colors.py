@@ -57,9 +57,11 @@ class Palette:
         return next((self.given[k] for k in ("mc", "a", "") if k in self.given), None)
 
     def first(self, words: str) -> RGB | None:
-        """The first yarn that a heading asks for: "Make 1 with B and 1 with C", "Head (cream)", "Ears (blue yarn, make 2)"."""
+        """The first yarn that a heading asks for: "Make 1 with B and 1 with C", "Head (cream)", "Ears (blue yarn, make 2)",
+        "Fins, make 2, in blue"."""
         lettered = next((self.given[m[1].lower()] for m in _WITH.finditer(words) if m[1].lower() in self.given), None)
-        named = (self.name(" ".join(m[1].lower().split())) for m in _BESIDE.finditer(words))
+        found = sorted((m for said in (_BESIDE, _OF_YARN) for m in said.finditer(words)), key=lambda m: m.start())
+        named = (self.name(" ".join(m[1].lower().split())) for m in found)
         return lettered or next((hue for hue in named if hue is not None), None)
 
     def color(self, c: Cursor, at: int | None = None) -> tuple[RGB, int] | None:
@@ -106,6 +108,9 @@ class Palette:
 _WITH: Final = re.compile(r"\b(?:[Ww]ith|[Ii]n|[Uu]sing)\s+(?:[Cc]olou?r\s+)?(MC|CC|[A-K])\b")
 _BESIDE: Final = re.compile(
     r"(?:[(\[]|\bColou?r:)[ \t]*([A-Za-z]{3,}(?:[ -](?!yarn\b)[a-z]+)?)(?=[ \t]*(?:yarn\b[ \t]*)?(?:[),;\]\n]|$))"
+)
+_OF_YARN: Final = re.compile(
+    r"(?:\bwith|,[ \t]*in|\d[ \t]*,?[ \t]*in|\b[Mm]ake[ \t]+\w+[ \t]*,)[ \t]+([A-Za-z]{3,}(?:[ -](?:blue|green|brown|pink|gr[ae]y|red))?)\b"
 )
 _NUMBERED: Final = re.compile(r"(?:^|[,:]|\band)\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
 

@@ -22,7 +22,8 @@ def wrapped(p: State, row: Row, after: Row) -> bool:
     if row.end - row.start < p.long:
         return False
     first = p.source.text.text[after.tokens[0].start]
-    return (first.islower() or first.isdigit()) and not heads(p.vocabulary.read(after.tokens))
+    listed = p.mode == "materials" and first.isdigit()  # "3.5 mm hook" is the next thing of a list
+    return (first.islower() or (first.isdigit() and not listed)) and not heads(p.vocabulary.read(after.tokens))
 
 
 def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:

@@ -100,6 +100,8 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
         copies = int(ranks[2]) - int(ranks[1]) + 1  # "2nd to 8th Tentacles"
     colon = c.mark(":")
     c.at += colon
+    if row.marked and at is not None and c.mark(",") and len(tokens) - c.at < _WORDS:
+        c.at = len(tokens)  # "make 2, in blue": whose color is read with the part
     if c.look() is not None and not (c.mark(".", "-", "*") and c.look(1) is None):
         return None
     begin, end = name[0].start, name[-1].end
@@ -136,8 +138,12 @@ _NAMING: Final = frozenset(("fur", "loopst", "spike", "picot", "cl", "bobble")) 
 
 
 def _aside(tokens: list[Token]) -> bool:
-    """Whether words behind a bracket say no copies: "(see page 3)", "(Make with A for Bear, with B for Puppy)"."""
+    """Whether words behind a bracket say no copies: "(see page 3)", "(Make with A for Bear, with B for Puppy)",
+    "(start with blue, at the nose)"."""
     if tokens[0].word == "see":
+        return True
+    end = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), len(tokens))
+    if tokens[0].value in ("begin", "work", "with") and not any(t.kind in ("stitch", "number") for t in tokens[:end]):
         return True
     end = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), len(tokens))
     inner = tokens[:end]

@@ -23,7 +23,7 @@ from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
 from tambour.crochet.printed.headlines import below, colorless, copied, headed, named_color, trailing
 from tambour.crochet.printed.heads import STARS
-from tambour.crochet.printed.items import bare_count
+from tambour.crochet.printed.items import bare_count, works
 from tambour.crochet.printed.notes import (
     BELOW,
     MODES,
@@ -47,6 +47,11 @@ WRAPPED: Final = 12  # lines of a paragraph
 _SEWN: Final = re.compile(
     r"\bsew\b.{0,20}\b(?:in place|into place|behind|between|beneath|above|below|under)\b", re.IGNORECASE
 )
+_UNSAID: Final = re.compile(r"(?: [^\W\d_]+)+(?=[.;!\n]|$)")
+_BEFORE: Final = re.compile(r"(?:^|[.!?:)\]*•-]\s+)((?:[^\W\d_]+ )+)$")
+"""Words at the end and at the beginning of a sentence that are no tokens, since they work nothing: "The fins … spread evenly"."""
+_EXPLAINED: Final = re.compile(r"(?:^|[;|,•])[ \t]*[\w./()]{1,10}[ \t]*(?:=|:|[-–](?=\s))[ \t]*[^\W\d]")
+"""One abbreviation of a list that stands in a line: "ch - chain; sc - single crochet"."""
 CHOICE: Final = "this is said for one case or version: it is kept as written, and the piece is made without it"
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
@@ -73,6 +78,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         for part, some in ((tokens[: at + 1], True), (tokens[at + 1 :], False)):
             raw = [t for t in row.tokens if (t.end <= cut) == some]
             text_line(p, Row(raw, raw[0].start, raw[-1].end, row.marked if some else 0), part)
+        return
+    if p.mode == "abbreviations" and len(_EXPLAINED.findall(text[row.tokens[0].start : row.tokens[-1].end])) > 1:
+        p.passed.append(whole)  # several in one line
         return
     if p.mode == "abbreviations" and (mine := own_stitch(tokens)) is not None:
         for spelling in mine[0]:
@@ -344,9 +352,17 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         draft.lines += p.lead
         p.lead = []
     draft = p.parts[-1]
+    if draft.last and _smooths(body.items):
+        body.items = [Action("join", span)]  # one slip stitch at the end evens the edge, and is no round
     draft.add(p.source, None, body, span)
     p.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
     return True
+
+
+def _smooths(items: list[Item]) -> bool:
+    """Whether a sentence works one slip stitch and no more: "Sl st to first sc and fasten off"."""
+    worked = [i for i in items if not isinstance(i, Action) or works(i)]
+    return len(worked) == 1 and isinstance(worked[0], Action) and worked[0].name == "slst" and worked[0].times == 1
 
 
 def _flat(item: Item) -> list[Action]:
@@ -371,7 +387,11 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
     if not assembling(text, [draft.name for draft in p.parts]) and not _SEWN.search(text):
         return False
-    span = Span(tokens[0].start, tokens[-1].end)
+    whole = p.source.text.text
+    line = whole.rfind("\n", 0, tokens[0].start) + 1
+    before, rest = _BEFORE.search(whole[line : tokens[0].start]), _UNSAID.match(whole, tokens[-1].end)
+    begin = tokens[0].start if before is None else line + before.start(1)
+    span = Span(begin, tokens[-1].end if rest is None else rest.end())
     p.sentences.append(Said(tokens, p.parts[-1].name, span, p.heading is not None))
     return True
 

@@ -114,7 +114,9 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
     weights = [t for t in tokens if t.word in _WEIGHTS]
     if weights and not any(b.word in _WEIGHTS and a.word in _PAIRED for a, b in pairwise(tokens)):
         if len(weights) == 2 and tokens[0] is weights[0] and not marked:
-            marked = int(tokens[-1] is weights[1] or (tokens[-1].word == ":" and tokens[-2] is weights[1]))
+            after = tokens[tokens.index(weights[1]) + 1 :]
+            named = bool(after) and after[0].word in ("(", "make", "x") and len(after) < _ASIDE
+            marked = int(not after or (after[-1].word == ":" and len(after) == 1) or named)
         # A closing pair that a repeat follows is a repeat's sign; any other is weight.
         if len(weights) % 2 == 0:
             tokens = [t for t in tokens if t.word not in _WEIGHTS]
@@ -122,6 +124,8 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
 
 
 _PAIRED: Final = frozenset(("from", "to", "between"))  # "rep from ** to **": no weight
+_ASIDE: Final = 14
+"""So many words may follow a bold name on its line: "**Body** (start with blue, at the nose)", "**Fins** make 2, in blue"."""
 _WEIGHTS: Final = frozenset(("**", "***", "****", "__", "___"))
 _GOES_ON: Final = frozenset(("around", "across", "to", "until", "end", "all", "twice", "once"))  # "Rep from | * around"
 _LEADING: Final = frozenset("#>•◦▪●○■□★☆♥❤·*-+|")
