@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from tambour.core.rgb import RGB, unhexed
 from tambour.crochet.maker.materials import materials
 from tambour.crochet.maker.size import whole_size
@@ -71,12 +73,13 @@ def begin(book: Book) -> None:
     chunks += together(heading(book, word("materials"), width), _materials(book, width), word("materials"))
     size = whole_size(book.piece)
 
-    rows = [pair(what, much, width) for what, much in size_lines(book, size)]
+    rows = paragraph(book.said.size, width, bold=True) if book.said.size else []
+    rows += [pair(what, much, width) for what, much in size_lines(book, size)]
     if size.how in own:
         rows += paragraph(own[size.how], width, SMALL, SOFT, 1.0)
     chunks.append(Chunk([*heading(book, word("finished size"), width), *rows], word("finished size")))
     chunks.append(Chunk([*heading(book, word("gauge"), width), *_gauge(book, width)], word("gauge")))
-    said = [pair(word_, meaning, width, 0.26) for word_, meaning in book.said.abbreviations]
+    said = [pair(word_, meaning, width, 0.26) for word_, meaning in (*book.said.abbreviations, *_of_hers(book))]
     if said:
         name = word("abbreviations")
         chunks += together(heading(book, name, width, book.said.named), said, name)
@@ -88,15 +91,26 @@ def begin(book: Book) -> None:
     flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
 
 
+def _of_hers(book: Book) -> list[tuple[str, str]]:
+    """Her abbreviations that her own sentences use and ours do not explain."""
+    if book.hers is None:
+        return []
+    ours = {word.lower() for word, _ in book.said.abbreviations}
+    used = {word.lower() for words in book.hers.sentences for word in re.findall(r"[\w.]+", words)}
+    return [(said, meaning) for said, meaning in book.hers.terms.items() if said.lower() in used - ours]
+
+
 def _materials(book: Book, width: float) -> list[Atom]:
     """Yarn by colour with swatches, then all that else is needed."""
     own, number = book.own, book.number
     found = materials(book.piece)
     made: list[Atom] = []
     kind = WEIGHTS[book.piece.gauge.weight]
-    for line in book.said.materials:
+    hers = book.hers.materials if book.hers is not None else []
+    listed = hers or list(book.said.materials)
+    for line in listed:
         made += paragraph(line, width)
-    if not any(yarn_name(book).lower() in line.lower() for line in book.said.materials):
+    if not any(yarn_name(book).lower() in line.lower() for line in listed):
         fibre = own.get(f"of {book.piece.params.material}", "")
         named = f"{book.said.terms.word('yarn')}: {weight_name(book)}" + (f", {fibre}" if fibre else "")
         made += paragraph(named, width, BODY, None, 1.0 if made else 0.0, True)

@@ -87,7 +87,8 @@ class Book:
         stem = PurePath(piece.built.pattern.text.name).stem.replace("_", " ").strip("<> ")
         title = params.title or stated.get("title", ("",))[0] or self.said.title or stem
         self.title = " ".join(title.split()) or self.own["pattern"]
-        self.designer = " ".join((params.designer or stated.get("designer", ("",))[0]).split())
+        said = self.hers.designer if self.hers is not None else ""
+        self.designer = " ".join((params.designer or stated.get("designer", ("",))[0] or said).split())
         self.scale = LARGE if params.large_print else 1.0
         wide, high = PAPERS[params.page]
         self.paper, self.size = (wide, high), (wide / self.scale, high / self.scale)

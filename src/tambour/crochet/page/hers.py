@@ -9,7 +9,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.page.instructions import by_people
-from tambour.crochet.words.table import TERMS
+from tambour.crochet.words.table import TERMS, Terms
 
 _HEAD: Final = re.compile(r"^[\s#*_=|]*(.*?)[\s*_=:|]*$")
 _LISTED: Final = ("materials", "abbreviations", "gauge", "finished size", "special stitches", "yarn", "hook", "eyes")
@@ -24,6 +24,9 @@ _MORE: Final = frozenset(
         "measurements",
         "finished measurements",
         "stitches used",
+        "abbreviation",
+        "you'll need",
+        "you’ll need",
         "terms",
         "stitch guide",
         "legend",
@@ -34,6 +37,10 @@ _MORE: Final = frozenset(
         "material",
     ]
 )
+_NEEDED: Final = frozenset(
+    ("supplies", "you will need", "what you need", "material", "notions", "tools", "you'll need", "you’ll need")
+)
+_TERMS: Final = frozenset(("stitches used", "terms", "stitch guide", "legend", "abbreviation"))
 _ASSEMBLY: Final = frozenset(
     [
         "assembly",
@@ -54,18 +61,46 @@ _ASSEMBLY: Final = frozenset(
 _BULLET: Final = re.compile(r"^[\s#>*•–-]+(?=\S)")
 _SENTENCE: Final = re.compile(r"(?<=[.!?])\s+(?=[A-ZÀ-Þ\"“(])")
 _LETTER: Final = re.compile(r"[^\W\d_]{2}")
+_BY: Final = re.compile(
+    r"^[ \t#*_]*(?:(?:an? )?(?:amigurumi |crochet )*(?:pattern|design(?:ed)?|written|created|copyright)?[ \t]*(?:and \w+ )?by|designer)[: \t]+"
+    r"(?P<name>[A-ZÀ-Þ@][^\n,;|©]{1,50}?)[ \t*_.]*(?:[,;|©].*)?$",
+    re.IGNORECASE | re.MULTILINE,
+)
+"""A line near the top that says who made it: "Amigurumi pattern by Marlow & Hook"."""
+_TERM: Final = re.compile(
+    r"(?:^|[;|,•\n])[ \t]*(?P<said>[\w./()]{1,10})[ \t]*(?:=|:|[-–](?=\s))[ \t]*(?P<meaning>[^;|\n]{2,70}?)[ \t]*(?=[;|\n]|$)"
+)
+_MORE_OF: Final = re.compile(
+    r"(?:they|it|this|these|those|both|each|make sure|be sure|check|use|leave|stuff|add)\b", re.IGNORECASE
+)
+"""How a sentence begins that says more of the one before it."""
+_NOTES: Final = ("notes", "note", "pattern notes", "tips")
+_WORDS: Final = 5
+"""A line of so many words that ends as a sentence does is one, also below a list."""
 
 
 @dataclass
 class Hers:
     """A designer's sentences. intro : before the parts; closing : after them, but what puts the parts together.
 
+    materials : her list of them, line by line; terms : her abbreviations and what they mean; designer : "" unsaid
     inside : place of a part among the pattern's → (the round after which it stands, 0 before the first; sentence)
+    beside : of a sentence that puts something somewhere (from, to) → those behind it in its line that say more of it
     """
 
     intro: list[str] = field(default_factory=list)
+    materials: list[str] = field(default_factory=list)
+    terms: dict[str, str] = field(default_factory=dict)
+    designer: str = ""
     inside: dict[int, list[tuple[int, str, Span]]] = field(default_factory=dict)
+    beside: dict[tuple[int, int], list[str]] = field(default_factory=dict)
     closing: list[str] = field(default_factory=list)
+
+    @property
+    def sentences(self) -> list[str]:
+        """All that is set in her words among the rounds and behind them."""
+        among = [words for said in self.inside.values() for _, words, _ in said]
+        return [*among, *self.closing, *(words for said in self.beside.values() for words in said)]
 
 
 def hers(pattern: Pattern, code: str) -> Hers | None:
@@ -77,42 +112,31 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     if not by_people(pattern):
         return None
     made = Hers()
-    spoken = [s.lower() for name in _LISTED for s in (terms.word(name), name)]
-    listed = {*_MORE, *spoken}
     assembly = {*_ASSEMBLY, terms.word("assembly").lower()}
     lines = [(m.start(), m.end(), m[0]) for m in re.finditer(r"[^\n]+", text)]
     starts = sorted((s.span.start, k) for k, s in enumerate(pattern.parts))
     heads = {text.rfind("\n", 0, a) + 1 for a, _ in starts}
+    first = starts[0][0] if starts else 0
     last = starts[-1][0] if starts else len(text)
     after = next((a for a, _, line in lines if a > last and _plain(line) in assembly), len(text))
-    title = " ".join(pattern.stated["title"][0].split()).lower() if "title" in pattern.stated else ""
     named = [part.span for part in pattern.parts]
     covered = [line.span for part in pattern.parts for line in part.lines]
     loose = [s for s in pattern.passed if any(c.start < s.start and s.end <= c.end for c in covered)]
     finishing = {_span(record) for record in pattern.finish}
-    mode = ""
+    _before(made, pattern, terms, [one for one in lines if one[0] < first and one[0] not in heads])
     for a, b, line in lines:
-        plain = _plain(line)
-        if a < (starts[0][0] if starts else 0) and a not in heads:
-            if plain in listed or plain.rstrip("s") in listed:
-                mode = "listed"
-            elif plain in ("notes", "note", "pattern notes", "tips") or (
-                mode and not _BULLET.match(line) and len(plain) > 60
+        if a < first and a not in heads:
+            continue
+        if a >= after:
+            if _plain(line) not in assembly:
+                _closing(made, text, a, b, finishing)
+            continue
+        part = max(((start, k) for start, k in starts if start <= a), default=(0, 0))[1]
+        for words, span in _sentences(text, a, b):
+            if not any(c.start < span.end and span.start < c.end for c in named if a in heads) and not any(
+                c.start < span.end and span.start < c.end for c in covered
             ):
-                mode = ""
-            elif mode == "" and plain != title and _LETTER.search(plain) and not _stated(pattern, a, b):
-                made.intro.append(_clean(line))
-        elif a >= after:
-            made.closing += (
-                [] if plain in assembly else [s for s, span in _sentences(text, a, b) if not _among(span, finishing)]
-            )
-        else:
-            part = max(((start, k) for start, k in starts if start <= a), default=(0, 0))[1]
-            for words, span in _sentences(text, a, b):
-                if not any(c.start < span.end and span.start < c.end for c in named if a in heads) and not any(
-                    c.start < span.end and span.start < c.end for c in covered
-                ):
-                    made.inside.setdefault(part, []).append((_round(pattern, part, span.start), words, span))
+                made.inside.setdefault(part, []).append((_round(pattern, part, span.start), words, span))
     for span in loose:
         part = max(((start, k) for start, k in starts if start <= span.start), default=(0, 0))[1]
         words = _clean(text[span.start : span.end])
@@ -123,6 +147,51 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     return made
 
 
+def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, int, str]]) -> None:
+    """Sorts what stands before the parts: who made it, her lists, and her sentences."""
+    text = pattern.text.text
+    spoken = {key: {s.lower() for s in (terms.word(key), key)} for key in _LISTED}
+    title = " ".join(pattern.stated["title"][0].split()).lower() if "title" in pattern.stated else ""
+    mode = ""
+    end = -1
+    for a, b, line in lines:
+        plain, gap, end = _plain(line), "\n" in text[end + 1 : a] if end >= 0 else True, b
+        head = re.split(r"\s*[(\[:]|\s+[-–—]\s", plain)[0].strip()
+        by = _BY.match(line) if not made.designer and len(line) < 90 else None
+        sentence = line.rstrip().endswith((".", "!", "?")) and len(line.split()) >= _WORDS and not _BULLET.match(line)
+        if plain == title or not _LETTER.search(plain):
+            continue
+        if by is not None:
+            made.designer = " ".join(by["name"].split())
+        elif head in _NOTES:
+            mode = ""
+            made.intro += [_clean(line)] if plain != head else []
+        elif head in _MORE or head.rstrip("s") in _MORE or any(head in said for said in spoken.values()):
+            mode = "terms" if head in _TERMS or head in spoken["abbreviations"] else "listed"
+            mode = "materials" if head in _NEEDED or head in spoken["materials"] else mode
+        elif mode and not (gap and sentence):
+            if mode == "materials":
+                made.materials.append(" ".join(_BULLET.sub("", line).split()))
+        elif not _stated(pattern, a, b):
+            mode = ""
+            made.intro.append(_clean(line))
+        if mode == "terms":
+            made.terms |= {m["said"]: m["meaning"].strip() for m in _TERM.finditer(_BULLET.sub("", line))}
+
+
+def _closing(made: Hers, text: str, a: int, b: int, finishing: set[tuple[int, int]]) -> None:
+    """The sentences of a line of the assembly that no finishing record tells: they go with the one before them in their line."""
+    before: tuple[int, int] | None = None
+    for words, span in _sentences(text, a, b):
+        mine = next((one for one in finishing if one[0] < span.end and span.start < one[1]), None)
+        if mine is not None:
+            before = mine
+        elif before is not None and _MORE_OF.match(words):
+            made.beside.setdefault(before, []).append(words)
+        else:
+            made.closing.append(words)
+
+
 def _plain(line: str) -> str:
     found = _HEAD.match(line)
     return found[1].strip().lower() if found else ""
@@ -130,7 +199,7 @@ def _plain(line: str) -> str:
 
 def _clean(words: str) -> str:
     words = " ".join(_BULLET.sub("", words).replace("**", "").split())
-    return words if not words or words[-1] in ".!?:" else f"{words}."
+    return words if not words or words[-1] in ".!?:)" else f"{words}."
 
 
 def _sentences(text: str, a: int, b: int) -> list[tuple[str, Span]]:
@@ -159,7 +228,3 @@ def _stated(pattern: Pattern, a: int, b: int) -> bool:
 def _span(record: object) -> tuple[int, int]:
     span = getattr(record, "span", Span(0, 0))
     return span.start, span.end
-
-
-def _among(span: Span, spans: set[tuple[int, int]]) -> bool:
-    return any(a < span.end and span.start < b for a, b in spans)

@@ -350,7 +350,8 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
             words = " ".join(text[record.span.start : record.span.end].split()).rstrip(".") + "."
             if words not in told:
                 told.add(words)
-                made[i].append(words)
+                more = book.hers.beside.get((record.span.start, record.span.end), []) if book.hers is not None else []
+                made[i].append(" ".join([words, *more]))
         ours = [r for r in records if r not in own]
         made[i] += book.spoken(ours)
         if ours and book.hers is not None:
