@@ -13,6 +13,7 @@ from tambour.crochet.finish.placing import Frames
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
+from tambour.crochet.page.hers import hers
 from tambour.crochet.page.instructions import instructions
 from tambour.crochet.places.names import Made, mentions
 from tambour.crochet.places.said import clauses, where
@@ -213,7 +214,6 @@ def test_a_text_comes_back_with_its_counts_ticked_and_doubts_under_their_lines()
 
 
 def test_a_text_stays_its_designers():
-    from tambour.crochet.page.hers import hers
 
     text = f"""Rolf the Ball
 by Anna
@@ -233,7 +233,9 @@ Embroider a smile on the body. Give Rolf a hug.
 """
     pattern = read_printed(Text(text))
     said = hers(pattern, "us")
-    assert said.intro == ["by Anna.", "Rolf rolls.", "Please do not sell copies of this pattern."]
+    assert said.designer == "Anna"  # on the cover
+    assert said.intro == ["Rolf rolls.", "Please do not sell copies of this pattern."]
+    assert said.materials == ["yarn in red"]
     assert next((after, words) for after, words, _ in said.inside[0]) == (
         10,
         "Put the eyes in between rounds 8 and 9 now.",
@@ -462,6 +464,81 @@ def test_a_text_as_for_a_shop_is_placed_whole_or_told(name: str) -> None:
     assert len(set(copies) - placed) == 1  # but the one that they are put on
     assert not any(part.up == "side" for part in pattern.parts)
     assert len(built.graph) > 500
+
+
+@pytest.mark.parametrize("name, heads, main", [
+    ("willa", {"BODY": 1, "BELLY": 1, "TAIL FLUKES": 2, "SIDE FINS": 2}, "BODY"),
+    ("pickles", {"HEAD": 1, "BODY": 1, "SNOUT": 1, "EARS": 2, "FRONT LEGS": 2, "BACK LEGS": 2, "TAIL": 1}, "BODY"),
+    ("toadstool", {"WALLS": 1, "ROOF": 1, "DOOR": 1, "WINDOWS": 2, "SPOTS": 6}, "WALLS"),
+])  # fmt: skip
+def test_texts_as_makers_type_them_are_placed_whole(name: str, heads: dict[str, int], main: str) -> None:
+    """Bold names with asides behind them, abbreviations in one line, bullets, "go on", "scatter": nothing is lost, and her words stay whole."""
+    text = Text((SHOP / f"{name}.txt").read_text(encoding="utf-8"), f"{name}.txt")
+    pattern = read_printed(text)
+    assert {p.name: p.copies for p in pattern.parts} == heads
+    assert not [w for w in pattern.warnings if "where this goes" in w.message or "stand beside" in w.message]
+    copies = [p.name if p.copies == 1 else f"{p.name}.{k}" for p in pattern.parts for k in range(1, p.copies + 1)]
+    assert set(copies) - {r.part for r in pattern.finish if isinstance(r, Placed)} == {main}
+    for record in pattern.finish:  # a whole sentence, from its first word to its last
+        a, b = record.span.start, record.span.end
+        assert text.text[:a].rstrip(" ")[-1] in "\n.:" and text.text[b] in ".\n!", text.text[a:b]
+    said = hers(pattern, pattern.terms)
+    assert said.designer and said.materials and not any("single crochet" in words for words in said.intro)
+    hues = {p.name: colours(text.text).get(p.name) for p in pattern.parts}
+    assert None not in hues.values()
+    assert name != "willa" or hues["TAIL FLUKES"] == hues["BODY"] != hues["BELLY"]
+
+
+@pytest.mark.parametrize("apart, level", [(2, 2), (6, 3), (10, 4)])
+def test_two_that_are_apart_are_in_a_round_that_is_wide_enough(apart: int, level: int) -> None:
+    """At the bottom of a body its first rounds have 6 and 12 stitches: six between two legs do not go into them."""
+    pattern = toy(
+        f"Sew the head to the body. Sew the legs to the bottom of the body, {apart} stitches apart.", LEGS=CUP
+    )
+    one, other = (r.spot for r in pattern.finish if isinstance(r, Placed) and r.part.startswith("LEGS"))
+    assert one.round == other.round >= level
+    built = build(pattern)
+    count = next(r.count for r in built.rounds if built.parts[r.part].section == 0 and r.number == one.round)
+    across = abs(one.stitch - other.stitch)
+    assert min(across, count - across) >= apart
+
+
+def test_what_was_done_before_says_no_place_and_clothes_may_be_the_body() -> None:
+    after = toy("Sew the ears to the head. Add a bow after the head has been sewn to the tail.", EARS=CUP, TAIL=TUBE)
+    assert hosts(after)["HEAD"] == "BODY"
+    gnome = f"Gnome\n\nTUNIC\n{CLOSED}\nHEAD\n{BALL}Stuff.\n\nARMS (make 2)\n{TUBE}\n"
+    sewn = read_printed(Text(f"{gnome}Assembly\nSew head to top of tunic. Sew arms to sides of body.\n", "toy.txt"))
+    assert hosts(sewn) == {"HEAD": "TUNIC", "ARMS.1": "TUNIC", "ARMS.2": "TUNIC"}
+
+
+def test_a_roof_stands_on_the_open_end_and_a_door_on_its_lower_edge() -> None:
+    house = f"House\n\nWALLS\n{BALL}Stuff.\n\nROOF\n{BALL}\nDOOR\nCh 5.\nRow 1: 4 sc, turn (4)\nRows 2-4: ch 1, 4 sc, turn (4)\n"
+    pattern = read_printed(
+        Text(
+            f"{house}\nAssembly\nSew the roof onto the walls. Sew the door to the front of the walls, its straight edge on round 5.\n",
+            "house.txt",
+        )
+    )
+    assert next(p for p in pattern.parts if p.name == "WALLS").up != "start"
+    assert placed(pattern, "ROOF").spot.stitch is None and placed(pattern, "DOOR").spot.round >= 6.5
+
+
+@pytest.mark.parametrize("radius", [4.0, 6.0, 12.0])
+def test_a_disc_laid_on_a_ball_reaches_as_far_around_it_as_it_is_wide(radius: float) -> None:
+    """What is nearest to a circle in the tangent plane is too narrow; widened by ``_over`` it has the disc's own radius."""
+    from tambour.crochet.finish.sewing import _over
+
+    n, flat = np.array([0.0, 0.0, 1.0]), 3.0
+    angle = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
+    off = flat * np.column_stack([np.cos(angle), np.sin(angle), 0.0 * angle])
+
+    def nearest(points):
+        way = points + np.array([0.0, 0.0, radius])
+        return radius * way / np.sqrt((way**2).sum(1, keepdims=True)) - np.array([0.0, 0.0, radius])
+
+    found = nearest(off * _over(off, nearest(off), n))
+    around = radius * np.arccos(1.0 + found[:, 2] / radius)
+    assert np.allclose(around, flat, rtol=0.01)
 
 
 def test_a_mouth_in_earlier_rounds_than_the_eyes_says_what_is_below() -> None:

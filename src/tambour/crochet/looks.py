@@ -11,11 +11,14 @@ if TYPE_CHECKING:
     from tambour.core.check import Array
     from tambour.core.graph import StitchGraph
     from tambour.core.mesh import Mesh
+    from tambour.crochet.places.names import Made
 
 LEAST: Final = 0.1
 """A toy beside the largest one has so much of its stitches or more."""
 SPACE: Final = 3.0
 """Stitches between toys that stand beside each other in a picture."""
+BESIDE: Final = 0.12
+"""A thing beside the toy is shown that has so much of its stitches."""
 DOUBT: Final = (206, 42, 38)
 PALE: Final = (228, 224, 216)
 """Colours of the picture of a tech edit: stitches that it doubts, and what the others are mixed with."""
@@ -106,6 +109,14 @@ def gathered(graph: StitchGraph, x: Array, wanted: Array) -> Array:
     return shift
 
 
+def _thing(part: Made) -> bool:
+    """Whether a part that is sewn to nothing may be a thing beside the toy: a cup, a star; neither clothes nor limbs nor a rest."""
+    import re
+
+    named = not re.fullmatch(r"(?:part|piece)(?:_\w+)?|", part.name) and "edging" not in part.words
+    return named and not part.worn and part.kind in ("", "bow")
+
+
 def in_sight(piece: Plush) -> list[int] | None:
     """The parts that pictures of a printed pattern's toy show; None for all of them.
 
@@ -134,7 +145,9 @@ def in_sight(piece: Plush) -> list[int] | None:
     size = {c: sum(graph.parts[k].end - graph.parts[k].start for k in filled if at[k] == c) for c in at.values()}
     toys = {main, *(at[k] for k in seated if list(at.values()).count(at[k]) > 1 and size[at[k]] > LEAST * size[main])}
     if sum(c == main for c in at.values()) > 2:
-        aside = set(filled)  # a toy is there: what is sewn to nothing is no part of it
+        # A toy is there: what is sewn to nothing is no part of it, unless it is a thing for itself.
+        things = {k for k in filled if _thing(of[k]) and size[at[k]] > BESIDE * size[main]}
+        aside = set(filled) - things
     kept = [k for k in filled if k not in aside or at[k] in toys]
     return kept if len(kept) < len(filled) else None
 

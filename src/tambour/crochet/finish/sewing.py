@@ -26,6 +26,8 @@ AGAIN = 0.5
 """What it costs, in square stitches, to sew into a stitch that is sewn into already."""
 STAY = 2.5
 """How far from a seam's middle stays begin on the fabric, in stitches."""
+BEND = 1.0
+"""Radians that a flat piece reaches around what it is sewn to, at the most, from its middle."""
 DISC, GROWS = 24, 5.0
 """A flat circle has so many stitches or more round its edge, and so many for every round."""
 STRIP = 3
@@ -39,13 +41,14 @@ class End:
     """The stitches by which a part is sewn.
 
     nodes : (M,) in the order of work; ring : they run round; pinched : pairs (K, 2) of them that are drawn together
-    laid : it is the edge of a flat piece that lies on the fabric
+    laid : it is the edge of a flat piece that lies on the fabric; disc : of one that is a circle
     """
 
     nodes: Array
     ring: bool
     pinched: Array
     laid: bool = False
+    disc: bool = False
 
 
 def end_of(built: Built, spots: Spots, placed: Placed) -> End:
@@ -76,15 +79,17 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
         first, last = whole(graph, part)
         nodes = np.arange(max(first, last - 3), last)
     m = len(nodes)
+    if not placed.flat and not rows and graph.parts[part].stuffing == 0.0 and _disc(built, part, 1):
+        return End(nodes, True, none, laid=True, disc=True)
     pinch = placed.flat and not rows
     pairs = np.column_stack([nodes[: m // 2], nodes[::-1][: m // 2]]) if pinch else none
     return End(nodes, not rows and not placed.flat, pairs)
 
 
-def _disc(built: Built, part: int) -> bool:
-    """Whether a part is a flat circle: about six stitches more in every round."""
+def _disc(built: Built, part: int, least: int = 4) -> bool:
+    """Whether a part is a flat circle of ``least`` rounds or more: about six stitches more in every round."""
     counts = [r.count for r in built.rounds if r.part == part]
-    return len(counts) > 3 and counts[-1] == max(counts) and counts[-1] >= GROWS * len(counts)
+    return len(counts) >= least and counts[-1] == max(counts) and counts[-1] >= GROWS * len(counts)
 
 
 def _end_of_rows(built: Built, spots: Spots, part: int) -> Array:
@@ -219,7 +224,9 @@ def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array,
     if end.ring:
         length = np.sqrt((off**2).sum(1, keepdims=True))
         wanted = p + off / np.maximum(length, 1e-9) * (m / (2.0 * math.pi))
-        wanted = p + off if end.laid else wanted
+        if end.laid:
+            off = off if not end.disc else wanted - p
+            wanted = p + off * _over(off, x[target[_nearest(p + off, x[target])]] - p, n)
         return np.column_stack([end.nodes, target[_nearest(wanted, x[target])]])
     half = len(end.pinched)
     line = off[m // 2] - off[0] if half else off[-1] - off[0]
@@ -227,6 +234,17 @@ def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array,
     near = target[_nearest(wanted, x[target])]
     # Both sides of a pinched end go to the same stitches.
     return np.column_stack([end.nodes, np.concatenate([near, near[:half][::-1]])])
+
+
+def _over(off: Array, found: Array, n: Array) -> float:
+    """How much larger than flat (``off``, (M, 3)) an edge is wanted, so that the piece lies on fabric that curves away.
+
+    found : where the flat edge came to lie, from the spot; n : the fabric's normal there. Of a ball of radius R what is
+    nearest to a point r off its tangent plane's foot is atan(r / R) around it; r / R is wanted.
+    """
+    flat, came = (float(np.sqrt((v**2).sum(1)).mean()) for v in (off, found - dot(found, n)[:, None] * n))
+    bend = math.sqrt(max((flat / max(came, 1e-9)) ** 2 - 1.0, 0.0))
+    return math.tan(min(bend, BEND)) / bend if bend > 0.05 else 1.0
 
 
 def _nearest(wanted: Array, there: Array) -> Array:

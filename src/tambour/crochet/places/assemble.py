@@ -6,8 +6,6 @@ import re
 from dataclasses import replace
 from typing import Final
 
-import numpy as np
-
 from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Eye, Placed
@@ -18,22 +16,12 @@ from tambour.crochet.places.layers import layers
 from tambour.crochet.places.names import Made
 from tambour.crochet.places.onward import onward
 from tambour.crochet.places.said import Where
-from tambour.crochet.places.stand import numbers_of
-from tambour.crochet.places.toy import Assembled, Toy, versions
+from tambour.crochet.places.toy import Assembled, versions
+from tambour.crochet.places.upright import Upright
 
-_TOP: Final = re.compile(
-    r"\b(?:begin|start|work)\w*\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:top|crown)|from (?:the )?top (?:to|down|of)|top[- ]down\b"
-)
 _CAPPED: Final = re.compile(r"\b(?:mushroom|toadstool|fungi|fungus|acorn)s?\b")
 """Toys, by their titles, whose caps are full."""
-_SHAPED: Final = re.compile(
-    r"(?:^|\n)\s*(?:shap(?:e|ing) (?:the )?)?(head|body|tail)(?: shap\w+)?\s*:\s*(?:\d|rnd|round|next)"
-)
-"""Where in one piece another end of the toy begins."""
-_LOW: Final = 0.45
-"""A face in this first part of a piece's rounds says that the piece is worked from its top."""
-_HIND: Final = 0.75
-"""A tail before this part of a piece's rounds says that they are not its hind end."""
+_TAILED: Final = re.compile(r"\b(?:leav\w*|with)\b[^.]{0,30}\b(?:tail|end)\b")
 _NAMELESS: Final = re.compile(r"(?:part|piece)_\d+$")
 """What parts are called that no heading names."""
 _NO_GUESS: Final = Where(shown=True)
@@ -43,11 +31,13 @@ FLAT: Final = frozenset(
 """Kinds of parts that are not stuffed, unless it is said."""
 _SHEETS: Final = frozenset(("", "base", "stem", "bow", "shell", "handle", "branch", "neck"))
 """Kinds of parts that are flat where they are worked in rows, and no edges of them are sewn together."""
+_SMALL: Final = frozenset(("bow", "spot", "cheek", "tooth", "lamp"))
+"""Kinds of things that are small beside what they are put on."""
 DOMED: Final = frozenset(("muzzle", "nose"))
 """Kinds of parts that bulge, however flat they are worked: stuffing is put under them while they are sewn on."""
 
 
-class Assembly(Toy):
+class Assembly(Upright):
     """Puts a pattern together.
 
     built : the pattern worked; sentences : of its finishing, in order; stitch : a stitch's width, mm
@@ -115,6 +105,9 @@ class Assembly(Toy):
             self._likely(legs[-1], "body")  # the leg that goes on into the body
             return
         body = self.of_kind("body")
+        if body is None and self.of_kind("head") is not None and (clad := self._clad()) is not None:
+            self._likely(clad, "body")
+            return
         if body is None or self.of_kind("head") is not None or "head" in body.kinds:
             return
         nose = self.of_kind("muzzle", "nose")
@@ -131,6 +124,20 @@ class Assembly(Toy):
         large = max(others, key=self.size, default=None)
         if large is not None and 3 * self.size(large) > self.size(body):
             self._likely(large, "head")
+
+    def _clad(self) -> Made | None:
+        """The clothes that are a doll's body, of one that has no other: the head is sewn to the tunic, or limbs to a "body"."""
+        worn = [p for p in self.parts if p.single and p.worn]
+        for p in reversed(worn):
+            to = rf"\bhead\s+to\s+(?:the\s+)?(?:(?:top|neck)\s+of\s+)?(?:the\s+)?(?:\w+\s+)?{re.escape(p.words[-1])}\b"
+            if re.search(rf"{to}|\b{re.escape(p.words[-1])}\s+to\s+(?:the\s+)?head\b", self.text):
+                return p
+        if not re.search(r"\b(?:head|arms|legs)\b[^.]{0,30}\b(?:of|to) (?:the )?body\b", self.text):
+            return None
+        bare = [p for p in self.parts if p.single and p.kind == "" and not _NAMELESS.match(p.name)]
+        large = max([*worn, *bare], key=self.size, default=None)
+        head = self.of_kind("head")
+        return large if large is not None and head is not None and 3 * self.size(large) > self.size(head) else None
 
     def _likely(self, part: Made, kind: str) -> None:
         self.parts[self.parts.index(part)] = replace(part, likely=kind)
@@ -202,8 +209,8 @@ class Assembly(Toy):
             free = [c for c in free if self.spots.parts[c[0].copy(c[1])] not in self.sewn]
             if not free or part == main:
                 continue
-            if not part.kind or part.worn:
-                self.made.apart.append(part.name)
+            if not part.kind or part.worn or (part.kind in _SMALL and 2 * self.size(part) > self.size(main)):
+                self.made.apart.append(part.name)  # a star half as large as the toy is another toy
                 continue
             last = self.heard.puts[-1] if self.heard.puts else None
             if last is not None and last.guess and last.kind == part.kind == "tentacle":
@@ -215,105 +222,13 @@ class Assembly(Toy):
             )
             order += 1
 
-    def _stand_up(self) -> None:
-        """Which way parts stand that others stand on."""
-        main = self.main
-        part = self.spots.parts[f"{main.name}.1"]
-        if self.up.get(main.name) is None:
-            up = self._upright(main, part)
-            if up != "end":
-                self.made.ups[main.name] = up
-        self.stand.set_up(part, self.made.ups.get(main.name) or self.up.get(main.name) or "end")
-
-    def _upright(self, main: Made, part: int) -> str:
-        low, high = numbers_of(self.spots, part)
-        legs = sum(p.copies for p in self.parts if p.kind in ("leg",))
-        legs = (
-            2 if any(p.kind == "arm" for p in self.parts) else legs
-        )  # it has arms: four are legs and the trousers on them
-        swims = any(p.kind == "fluke" or "fluke" in p.words for p in self.parts)
-        head = self.of_kind("head")
-        faces = [f.where.rounds[0] for f in self.heard.features if f.where.rounds and self._is_on(f, main)]
-        faces += [
-            p.where.rounds[0]
-            for p in self.heard.puts
-            if p.where.rounds
-            and p.host
-            and p.host[0] == main
-            and p.copies[0][0].kind in ("eye", "muzzle", "nose", "beak")
-        ]
-        early = bool(faces) and (np.mean(faces) - low + 1) / (high - low + 1) < _LOW
-        mine = [p for p in self.heard.puts if p.host is not None and p.host[0] == main]
-        tails = [p.where.rounds for p in mine if p.kind in ("tail", "fluke") and p.where.rounds]
-        # What goes on four legs is worked from its nose or its neck to its tail, and its head is not on top.
-        stands = any((0.5 * (a + b) - low + 1) / (high - low + 1) < _HIND for a, b, _ in tails) or (
-            self.open(f"{main.name}.1") > 8 and any(p.kind == "head" and "top" in p.where.words for p in mine)
-        )
-        if self.ahead(main):
-            return "side"
-        if not self.spots.in_rows[part] and (said := self._shapes(main)) is not None:
-            return said
-        if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
-            return "side"
-        if head is not None and head != main:
-            return "end"
-        if (below := self._mouth_below(main)) is not None:
-            return "end" if below else "start"
-        if main.kind == "hat":
-            return "start"
-        if main.kind == "head" and "body" not in main.kinds and legs:
-            return "start"
-        if (
-            early
-            or any(p.kind == "tentacle" for p in self.parts)
-            or _TOP.search(self.text[:4000])
-            or self._named_top(main)
-        ):
-            return "start"
-        counts = [r.count for r in self.built.rounds if r.part == part]
-        if len(counts) > 4 and counts[-1] >= 2 * counts[-2] > 20:
-            return "start"  # a ruffle hangs
-        wide = self.open(f"{main.name}.1")
-        hung = any(p.host and p.host[0] == main and "top" in p.where.words for p in self.heard.puts)
-        return (
-            "start"
-            if wide >= 12 and not self.spots.in_rows[part] and (hung or main.kind in ("hat", "head", ""))
-            else "end"
-        )
-
-    def _shapes(self, main: Made) -> str | None:
-        """Which end of one piece is up where its text shapes the head behind the body, or the body, or a tail, behind the head."""
-        part = next(p for p in self.built.pattern.parts if p.name == main.name)
-        after = (p.span.start for p in self.built.pattern.parts if p.span.start > part.span.start)
-        said = self.text[part.span.start : min(after, default=len(self.text))]
-        found = [m for m in _SHAPED.finditer(said) if said[: m.start()].strip()]
-        return {"head": "end", "body": "start", "tail": "side"}[found[0][1]] if found else None
-
-    def _mouth_below(self, main: Made) -> bool | None:
-        """Whether the mouth is in earlier rounds than the eyes, so that the first rounds are below; None where it is not said."""
-        at: dict[bool, list[float]] = {True: [], False: []}
-        for f in self.heard.features:
-            if f.where.rounds and self._is_on(f, main) and f.what.split()[-1] in ("eyes", "mouth", "smile"):
-                at[f.what.split()[-1] == "eyes"].append(0.5 * (f.where.rounds[0] + f.where.rounds[1]))
-        eyes, mouth = at[True], at[False]
-        return (
-            None if not eyes or not mouth or np.mean(eyes) == np.mean(mouth) else bool(np.mean(mouth) < np.mean(eyes))
-        )
-
-    def _named_top(self, main: Made) -> bool:
-        return [w for w in main.words if w in ("head", "body")][:2] == ["head", "body"]
-
-    def _is_on(self, feature: Feature, main: Made) -> bool:
-        head = self.of_kind("head")
-        return head in (None, main) if feature.host is None else feature.host[0] == main
-
     def _tree(self) -> list[Put]:
         """Every put with what it is put on, those that others stand on first; no copy twice, none on itself."""
         main, head = self.main, self.of_kind("head")
         seen: set[Copy] = {(main, 1)}
         puts: list[Put] = []
         # What says most of a place comes first, whatever was said before.
-        for p in sorted(self.heard.puts, key=lambda p: 0 if p.where.rounds else 1 if p.where.says else 2):
+        for p in sorted(self.heard.puts, key=_vagueness):
             if (main, 1) in p.copies:
                 # "Sew the body to the head": the head is put on the body.
                 if p.host is not None and len(p.copies) == 1 and p.host not in seen:
@@ -433,6 +348,11 @@ class Assembly(Toy):
             return [Feature("safety eyes", None, "", _NO_GUESS, Span(0, 0), 10_000, None, "eyes", True)]
         said = [f for f in every if f.where.rounds] or [f for f in every if f.where.says] or every[:1]
         return [f for f in said if f.what == "safety eyes"]
+
+
+def _vagueness(put: Put) -> int:
+    """How little a sentence says of a place: "leaving a tail to sew it to the body" least of all."""
+    return 0 if put.where.rounds else 1 if put.where.says else 3 if _TAILED.search(put.where.text) else 2
 
 
 def _circle(name: str, on: dict[str, str]) -> bool:

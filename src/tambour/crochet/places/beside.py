@@ -18,7 +18,7 @@ from tambour.crochet.places.usual import Way
 
 _BELOW: Final = frozenset(("below", "beneath", "under", "underneath", "down from"))
 _ABOVE: Final = frozenset(("above", "over", "up from"))
-_SIDE: Final = frozenset(
+SIDE: Final = frozenset(
     ("beside", "next to", "on either side of", "on both sides of", "at sides of", "at the sides of", "at the side of")
 )
 _LEVEL: Final = frozenset(("in line with", "level with", "at the level of"))
@@ -139,7 +139,7 @@ class Beside:
                 if way.at[1] > 0.85 and thing == "ear":
                     continue
                 return host.ahead(middle[0], middle[1])
-            if relation in _SIDE and sign:
+            if relation in SIDE and sign:
                 return np.asarray(own + np.array([sign * (steps or half_size + 0.8), 0.0, 0.0]))
             if relation in _LEVEL or relation in ("back from", "behind"):
                 there = host.towards(way.direction)

@@ -76,7 +76,8 @@ class Facer(Putter):
                 sides = [host.ahead(float(host.box[0][0]) + s * beside, float(there[1])) for s in (-1.0, 1.0)]
                 return [replace(host.near(p), span=f.span) for p in sides]
             near = host.near(there)
-            level, stitch = self._in_one_color(host, near.round), near.stitch or 1.0
+            level, stitch = near.round, near.stitch or 1.0
+            level = self._in_one_color(host, level) if point is None else level  # what is said stays
         middle, count = host.middle(level), host.count(level)
         apart = self._apart(f.where)
         off = abs((stitch - middle + count / 2) % count - count / 2) if apart is None else 0.5 * apart
@@ -212,6 +213,10 @@ class Facer(Putter):
                 return np.asarray(
                     self.stand.frame(Spot(host.name, level, host.in_round(level, np.array([0.0, 0.0, -1.0])))).points[0]
                 )
+            lies = host.name == self.work.main.copy(1) and self._lies((self.work.main, 1))
+            if lies and name.split()[-1] in ("mouth", "smile"):  # its front is on top: a mouth is below
+                below = host.in_round(level, np.array([0.0, -1.0, 0.3]))
+                return np.asarray(self.stand.frame(Spot(host.name, level, below)).points[0])
             return np.asarray(self.stand.frame(Spot(host.name, level, host.middle(level))).points[0])
         y = {"mouth": -0.42, "smile": -0.38, "nose": -0.08, "navel": -0.25}.get(name.split()[-1], 0.0)
         if (f.host is not None and f.host[0].kind in ("muzzle",)) or host.name == getattr(

@@ -39,7 +39,7 @@ _ADJACENT: Final = re.compile(
     r"remaining|rem|same|colou?red|felt|up|foundation|ch|chain|opening|closed|rem|corner|second|white|black|pink)\b)*\W*(?:[a-z'’]+\s+)?$"
 )
 """What may stand between a verb and what is put."""
-_PASSIVE: Final = re.compile(r"(?:\b(?:is|are|be|being|get|gets|should be)\s+|[:–—-]\s*|^|\beach\s+)$")
+_PASSIVE: Final = re.compile(r"(?:\b(?:is|are|be|being|get|gets|should be)\s+|[:–—-]\s*|^\s*|\beach\s+)$")
 _FIRST_DONE: Final = re.compile(
     r"\b(?:stuff|fold|flatten|gather|pin|weight|close|shape|bend)\w*\s+(?:the\s+|each\s+|both\s+)*$"
 )
@@ -54,6 +54,10 @@ _IT: Final = re.compile(
 """A sentence that says what is done with the part that it stands in."""
 _CLOSED: Final = re.compile(r"\b(?:sew|seam|whip|stitch|close)\w*\b.*\b(?:closed|shut|close)\b|^\W*stuff\b")
 """What is done with a part before "it" is sewn on."""
+_WHEN: Final = re.compile(
+    r"\b(?:after|before|once|until|while)\b[^,.;]*\b(?:has|have|is|are|been|sewing|attaching)\b[^,.;]*"
+)
+"""When something is done, which says no place: "after the head has been sewn to the neck"."""
 _NEAR: Final = re.compile(
     r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|behind|in front of|level with|in line with|"
     r"on (?:either|both|each) sides? of|as|from|towards?)\s+(?:the\s+|each\s+|both\s+|its\s+)*$"
@@ -135,7 +139,7 @@ def assembling(text: str, names: list[str]) -> bool:
     if _STITCHES.search(low) and not re.search(r"\bsew\b|\bpin\b", low):
         return False
     if not re.search(
-        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|whipstitch|go|seam|applique)\b",
+        r"\b(?:sew|sewn|attach(?:ed)?|pin|position|place|glue|join|stitch|fasten|tack|fix|put|add|secure|whipstitch|go(?:es)?|seam|applique|scatter|arrange|distribute)\b",
         low,
     ):
         return False
@@ -170,6 +174,7 @@ class Heard:
             self.exact.append((sentence.exact, order))
             return
         low = sentence.text.lower().replace("\n", " ")
+        low = _WHEN.sub(lambda m: " " * len(m[0]), low)
         if _ALL.search(low):
             self.everything = True
             return
@@ -207,6 +212,7 @@ class Heard:
                 re.search(r"embroider|satin|knot|backstitch|straight st|whisker|blush|freckle", low)
                 or not found
                 or felt
+                or ((drawn_at := face.found(features[0], low)) is not None and drawn_at[0] < found[0].start)
             )
         ):
             host = self._on(found, low)
@@ -224,7 +230,7 @@ class Heard:
     def _put(self, low: str, found: list[Mention], at: Where, sentence: Sentence, order: int) -> bool:
         verb = VERB.search(low)
         if not verb or not re.search(
-            r"\b(?:sew|sewn|attach\w*|stitch\w*|pin\w*|position\w*|place\w*|join|fix|glue|fasten|secure|put|add|tack|whipstitch|set|insert|mount|center|centre|seam|applique)\b",
+            r"\b(?:sew|sewn|attach\w*|stitch\w*|pin\w*|position\w*|place\w*|join|fix|glue|fasten|secure|put|add|tack|whipstitch|set|insert|mount|center|centre|seam|applique|goes|go|scatter|arrange|distribute)\b",
             low,
         ):
             return False

@@ -3,28 +3,19 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from typing import Final
 
 import numpy as np
 
-from tambour.core.check import Array
-from tambour.core.graph import BLO, FLO
-from tambour.crochet.finish.placing import level
 from tambour.crochet.language.finishes import Placed, Spot
-from tambour.crochet.places.beside import Beside
+from tambour.crochet.places.beside import SIDE
 from tambour.crochet.places.hear import Copy, Put
-from tambour.crochet.places.stand import Host
+from tambour.crochet.places.held import SPREAD, Holder
+from tambour.crochet.places.stand import Host, neck
 from tambour.crochet.places.usual import Way, usual
 
-_STEP: Final = 5.0
-"""Angles are rounded to so many degrees."""
-_STILL: Final = 10.0
-"""A part that leans less than this stands straight out."""
-_WIDE: Final = 1.15
-"""An open end wider than this, as a share of what it is put over, is sewn by a narrower round."""
-_ROUND: Final = 1.5
-"""How much more the way out of an ellipsoid counts than that of the fabric before it is stuffed."""
 _ROUGHLY: Final = 0.6
 """An end is on top that looks so nearly upwards, as a cosine, for what goes on top."""
 _ON_TOP: Final = frozenset(("head", "body", "hat", "neck", "stem", "base", "inner"))
@@ -33,21 +24,19 @@ _ON_TOP: Final = frozenset(("head", "body", "hat", "neck", "stem", "base", "inne
 
 _BELOW_EYES: Final = {"muzzle": 0.75, "nose": 0.4, "beak": 0.3}
 """How far below the eyes the middle of a thing is, in halves of its width, where nothing says it."""
-_LAID: Final = frozenset(
-    ("belly", "spot", "face", "eye", "cheek", "muzzle", "nose", "door", "bow", "inner", "bumper", "beard")
-)
-"""Kinds of pieces that lie on the fabric, sewn all round, where they are worked in rows."""
 _UNDER: Final = np.array([0.0, -0.9, -0.45])
 """Where the body is on a head that lies: under it, behind its middle."""
+_ROOM: Final = 3.6
+"""Two things that are so far from the middle as a round has stitches divided by this stand left and right of it, not behind it."""
+_STANDS: Final = re.compile(
+    r"\b(?:bottom|lower|straight|flat|base)\s+(?:end|edge|side)\b[^.;]{0,25}\b(?:on|at|along|above)\s+(?:the\s+)?(?:top of\s+)?(?:rounds?|rnds?|rows?|r)\b"
+)
+"""A piece of which the lower edge is in the round that is said."""
 _RIM, _RIM_OFF = 16, 3
 """Rims of so many stitches or more meet where they differ by no more than this."""
-_SPREAD: Final = frozenset(("butterfly", "moth", "dragonfly"))
-"""Toys, by their titles, whose wings are spread beside them."""
-_PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
-"""Kinds of open pieces that stand on a line, where they are not stuffed."""
 
 
-class Putter(Beside):
+class Putter(Holder):
     """Puts parts on a toy's parts, one after the other."""
 
     # -- parts ------------------------------------------------------------------------------------------------------
@@ -82,7 +71,7 @@ class Putter(Beside):
         wanted = frozenset(w for c in put.copies for w in c[0].words) | (
             frozenset(put.where.text.split()) - {"front", "fore"}
         )
-        wanted |= frozenset(work.text[:200].split()) & _SPREAD
+        wanted |= frozenset(work.text[:200].split()) & SPREAD
         if kind == "leaf" and len(put.copies) > 8:  # they stand in rings, whatever round the first of them is in
             put = replace(put, where=replace(put.where, rounds=None, beside=(), words=frozenset()))
         if kind == "ear" and len(put.copies) == 4:  # two layers each: of the inner ones nothing is seen
@@ -116,7 +105,10 @@ class Putter(Beside):
         records = [self._placed(put, c, spot, way, host) for c, (spot, way) in made_of]
         for record in records:
             self.stand.place(record)
-        self._note(made.kind or made.words[-1] if made.words else "", host, [r.spot for r in records])
+        thing = made.kind or made.words[-1] if made.words else ""
+        self._note(thing, host, [r.spot for r in records])
+        if self.work.spots.in_rows[self.work.spots.parts[made.copy(1)]]:
+            self.deep[thing] = 0.5 * max(len(ring) for _, ring in self.work.host((made, 1)).levels)
         if put.guess:
             where_ = f"{made.name} on {onto[0].name}"
             self.work.made.guessed.append(where_)
@@ -133,18 +125,29 @@ class Putter(Beside):
     def _spotted(self, put: Put, host: Host, way: Way, k: int) -> tuple[Spot, Way]:
         """Where one copy goes."""
         at, direction = put.where, way.direction
-        if at.rounds is not None and put.region == "body" and host.low > 1 and at.rounds[1] < host.low:
+        if (
+            at.rounds is not None
+            and put.region == "body"
+            and host.low > 1
+            and at.rounds[1] < host.low
+            and neck(self.work.spots, host.part) is not None
+        ):
             # Rounds of a body that is worked on from the head, and numbered from 1 again.
             low, high, between = at.rounds
             at = replace(at, rounds=(low + host.low - 1, high + host.low - 1, between))
         beside = self._beside(put.where, host, way, self._half(put.copies[k]))
         if at.rounds is not None:
             level = 0.5 * (at.rounds[0] + at.rounds[1])
+            part = self.work.spots.parts[put.copies[k][0].copy(put.copies[k][1])]
+            if self.work.spots.in_rows[part] and _STANDS.search(at.text):
+                level += 0.5 * len(self.work.host(put.copies[k]).levels)  # the middle of what stands on that round
             if at.stitch is not None and len(put.copies) == 1:
                 return Spot(host.name, level, at.stitch, put.span), way
             if at.aside is not None and len(put.copies) == 1:
                 return Spot(host.name, level, host.aside(level, at.aside), put.span), way
             stitch = host.in_round(level, direction)
+            if beside is not None and len(put.copies) == 2 and any(b[0] in SIDE for b in at.beside):
+                return Spot(host.name, level, host.in_round(level, beside - host.box[0]), put.span), way
             if len(put.copies) == 1 and (abs(way.at[0]) > 0.2 or way.at[2] < 0.2):
                 stitch = round(2.0 * stitch) / 2.0
             if len(put.copies) == 1 and abs(way.at[0]) < 0.2 and abs(way.at[2]) > 0.2:
@@ -206,6 +209,11 @@ class Putter(Beside):
             flat = self._flat(one, way)
             upright = flat and put.where.rounds is not None and abs(put.where.rounds[1] - put.where.rounds[0]) >= 2
             off = 0.5 * apart + (0.0 if upright else edge / 4 if flat else edge / (2.0 * math.pi))
+            if put.where.rounds is None and (wider := self._wider(host, a.round, _ROOM * off)) is not None:
+                a, b = replace(a, round=wider), replace(b, round=wider)
+                middle, count = host.middle(wider), host.count(wider)
+        elif "tip" in put.where.words:
+            off = 0.25 * count  # on both sides of it, not both in front
         if apart is not None and self._lies_name(host) and way.at[1] < -0.3:
             middle += 0.5 * count  # legs of what lies: from the middle of its underside
         off = round(off, 3)
@@ -216,122 +224,13 @@ class Putter(Beside):
         ways = (way, mirror) if (x >= 0.0) == (way.at[0] >= 0.0) else (mirror, way)
         return [(one, (low, ways[0])), (other, (high, ways[1]))]
 
-    def _flat(self, copy: Copy, way: Way) -> bool:
-        """Whether an end is pinched."""
-        name = copy[0].copy(copy[1])
-        edge = self.work.open(name)
-        if "inner" in copy[0].words:
-            return False  # it lies on what it is the inner side of
-        if self.work.spots.in_rows[self.work.spots.parts[name]]:
-            return copy[0].kind in _LAID or (not copy[0].kind and copy[0].name in self.work.made.unstuffed)
-        if copy[0].name in self.work.made.unstuffed and copy[0].kind in _PINCHED:
-            return edge >= 4
-        if way.flat is None:
-            levels = self.work.host((copy[0], 1)).levels
-            return (
-                edge >= 4
-                and copy[0].kind not in ("muzzle", "eye", "cheek", "belly", "spot", "nose", "beak")
-                and len(levels) >= max(3.0, 0.3 * edge)
-            )
-        return way.flat and edge >= 4
-
-    def _placed(self, put: Put, copy: Copy, spot: Spot, way: Way, host: Host) -> Placed:
-        """The record of a copy at its spot, turned as its way says."""
-        at = put.where
-        flat = self._flat(copy, way)
-        if at.rounds is not None and not flat and way.flat is None and abs(at.rounds[1] - at.rounds[0]) >= 3:
-            flat = self.work.open(copy[0].copy(copy[1])) >= 4
-        frame = self.stand.frame(spot)
-        n, along, up = frame.normals[0], frame.along[0], frame.up[0]
-        if spot.stitch is not None and not self.work.spots.in_rows[host.part]:
-            # Before it is stuffed the top of a ball is flat: where it will be round its fabric leans more.
-            middle, half = host.box
-            round_ = (frame.points[0] - middle) / half**2
-            round_ = round_ / max(float(np.sqrt(round_ @ round_)), 1e-9)
-            mean = (n + _ROUND * round_)[None]
-            normals = mean / np.sqrt((mean**2).sum())
-            turns = level(normals, self.stand.upright[[host.part]])
-            n, along, up = normals[0], turns[0][0], turns[1][0]
-        tilt = towards = across = 0.0
-        if way.axis is not None:
-            axis = np.array(way.axis) / math.sqrt(sum(c * c for c in way.axis))
-            tilt = math.degrees(math.acos(max(-1.0, min(1.0, float(axis @ n)))))
-            towards = math.degrees(math.atan2(-float(axis @ along), float(axis @ up))) % 360.0
-        if at.angle is not None and at.rounds is not None:
-            tilt = at.angle
-        tilt = min(80.0, _STEP * round(tilt / _STEP))
-        if tilt < _STILL:
-            tilt = towards = 0.0
-        if flat:
-            line = np.array(way.line)
-            if at.rounds is not None and abs(at.rounds[1] - at.rounds[0]) >= 3:
-                line = host.axis
-            if (
-                at.rounds is not None
-                and at.rounds[2]
-                and at.rounds[1] - at.rounds[0] <= 1
-                and copy[0].kind in ("arm", "leg", "wing")
-            ):
-                line = np.cross(n, host.axis)
-            a, b = float(line @ along), float(line @ up)
-            across = _STEP * round(math.degrees(math.atan2(b, a)) / _STEP) if a * a + b * b > 1e-6 else 0.0
-            across = across - 180.0 if across > 90.0 else across + 180.0 if across <= -90.0 else across
-            if across == 90.0 and float(n[0]) > 0.05:
-                across = -90.0
-        else:
-            across = way.turn if abs(way.turn) == 180.0 and tilt else 0.0
-        name = copy[0].copy(copy[1])
-        record = Placed(name, spot, flat, across, tilt, _STEP * round(towards / _STEP) % 360.0, None, put.span)
-        if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
-            return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
-        return replace(record, by=self._by(record, host, n)) if not flat else record
-
-    @property
-    def butterfly(self) -> bool:
-        """Whether the toy's wings are spread beside it."""
-        return bool(_SPREAD & set(self.work.text[:200].split()))
-
-    def _narrow(self, copy: Copy) -> float | None:
-        """The first round of a piece that begins much narrower than it becomes."""
-        levels = self.work.host((copy[0], 1)).levels
-        widest = max((len(p) for _, p in levels), default=0)
-        return float(levels[0][0]) if levels and 2 * len(levels[0][1]) < widest else None
-
-    def _by(self, placed: Placed, host: Host, n: Array) -> float | None:
-        """The round that a wide open part is sewn by, where its rim would hang free about what it is put on."""
-        edge = self.work.open(placed.part)
-        if not edge:
+    @staticmethod
+    def _wider(host: Host, level: float, least: float) -> float | None:
+        """The nearest round of at least so many stitches, or as many as it has, where the one at ``level`` is narrower; else None."""
+        least = min(least, max(len(ring) for _, ring in host.levels))
+        if host.count(level) >= least:
             return None
-        onto = self.work.spots.opening(host.part, placed.spot.round) if placed.spot.stitch is None else ()
-        if len(onto) and (left := self._loops(placed.part, len(onto))) is not None:
-            return left
-        _, half = host.box
-        across = float(np.sqrt(max(((half**2) * (1.0 - np.abs(n))).sum(), 0.25)))
-        if placed.spot.stitch is None and (rim := self.work.open(host.name)):
-            across = min(across, rim / (2.0 * math.pi) / 0.9)  # a cap over an open end is sewn where it is as wide
-        if edge / (2.0 * math.pi) <= _WIDE * across:
-            return None
-        own = self.work.host(
-            (next(p for p in self.work.parts if placed.part.rsplit(".", 1)[0] in (p.name,) or placed.part == p.name), 1)
-        )
-        spots, part = self.work.spots, self.work.spots.parts[placed.part]
-        fits = [num for num, ring in own.levels if len(ring) / (2.0 * math.pi) <= 0.9 * across]
-        fits = [
-            num for num in fits if spots.round_at(part, num) is not None
-        ]  # copies may differ where rounds were not read
-        return float(max(fits)) if fits else None
-
-    def _loops(self, part: str, rim: int) -> float | None:
-        """The round of a part whose unworked loops are sewn to an end of ``rim`` stitches: as many of them as there are."""
-        spots, graph = self.work.spots, self.work.built.graph
-        own = spots.parts[part]
-        for number in [n for r, n in zip(spots.built.rounds, spots.numbers) if r.part == own]:
-            k, below = spots.round_at(own, number), spots.round_at(own, number - 1)
-            if k is None or below is None or len(spots.stitches(below)) != rim:
-                continue
-            if np.isin(graph.peculiarity[spots.stitches(k)], (BLO, FLO)).all():
-                return float(number - 1)
-        return None
+        return min((float(n) for n, ring in host.levels if len(ring) >= least), key=lambda n: abs(n - level))
 
     def _rims(self, put: Put) -> list[Placed] | None:
         """A part whose open end is as wide as the other's, sewn to it rim to rim, where nothing else is said."""

@@ -9,7 +9,7 @@ from typing import Final
 VERB: Final = re.compile(
     r"\b(?:sew|sewn|sewing|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
     r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
-    r"set|hot-?glue|work|tie|mount|push|make|draw|applique|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
+    r"set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next)\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
 )
 """Words that put something somewhere."""
 
@@ -41,7 +41,7 @@ _ASIDE: Final = re.compile(
     rf"({_N})\s*{_ST}\s+(?:to the )?(left|right) of (?:the )?(?:very )?(?:middle|cent(?:er|re))(?: of the front| front)?\b"
 )
 _STITCH: Final = re.compile(r"\b(?:st|stitch)\s*(?:no\.?|number|#)?\s*(\d+(?:\.\d+)?)\b")
-_BESIDE: Final = r"(eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|neck|beak|cheeks?|horns?|wings?|fins?|tail|belly|hat|head|brim|smile)"
+_BESIDE: Final = r"(eyes?|muzzle|snout|nose|mouth|ears?|arms?|legs?|neck|beak|cheeks?|horns?|wings?|fins?|tail|belly|hat|head|brim|smile|door)"
 _AWAY: Final = re.compile(
     rf"(?:({_N})\s+(?:{_ROUND}|{_ST}|spaces?)\s+)?(?:just |directly |right |slightly )?"
     rf"(below|beneath|under|underneath|down from|above|over|up from|beside|next to|in between|between|in line with|"

@@ -1,0 +1,156 @@
+"""Held: how a part is held where it is sewn: pinched or round, leaning how far and which way, and by which of its rounds."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import BLO, FLO
+from tambour.crochet.finish.placing import level
+from tambour.crochet.language.finishes import Placed, Spot
+from tambour.crochet.places.beside import Beside
+from tambour.crochet.places.hear import Copy, Put
+from tambour.crochet.places.stand import Host
+from tambour.crochet.places.usual import Way
+
+_STEP: Final = 5.0
+"""Angles are rounded to so many degrees."""
+_STILL: Final = 10.0
+"""A part that leans less than this stands straight out."""
+_WIDE: Final = 1.15
+"""An open end wider than this, as a share of what it is put over, is sewn by a narrower round."""
+_ROUND: Final = 1.5
+"""How much more the way out of an ellipsoid counts than that of the fabric before it is stuffed."""
+_LAID: Final = frozenset(
+    ("belly", "spot", "face", "eye", "cheek", "muzzle", "nose", "door", "bow", "inner", "bumper", "beard")
+)
+"""Kinds of pieces that lie on the fabric, sewn all round, where they are worked in rows."""
+SPREAD: Final = frozenset(("butterfly", "moth", "dragonfly"))
+"""Toys, by their titles, whose wings are spread beside them."""
+_PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
+"""Kinds of open pieces that stand on a line, where they are not stuffed."""
+
+
+class Holder(Beside):
+    """Knows how parts are held where they are put."""
+
+    def _flat(self, copy: Copy, way: Way) -> bool:
+        """Whether an end is pinched."""
+        name = copy[0].copy(copy[1])
+        edge = self.work.open(name)
+        if "inner" in copy[0].words:
+            return False  # it lies on what it is the inner side of
+        if self.work.spots.in_rows[self.work.spots.parts[name]]:
+            return copy[0].kind in _LAID or (not copy[0].kind and copy[0].name in self.work.made.unstuffed)
+        if copy[0].name in self.work.made.unstuffed and copy[0].kind in _PINCHED:
+            return edge >= 4
+        if way.flat is None:
+            levels = self.work.host((copy[0], 1)).levels
+            return (
+                edge >= 4
+                and copy[0].kind not in ("muzzle", "eye", "cheek", "belly", "spot", "nose", "beak")
+                and len(levels) >= max(3.0, 0.3 * edge)
+            )
+        return way.flat and edge >= 4
+
+    def _placed(self, put: Put, copy: Copy, spot: Spot, way: Way, host: Host) -> Placed:
+        """The record of a copy at its spot, turned as its way says."""
+        at = put.where
+        flat = self._flat(copy, way)
+        if at.rounds is not None and not flat and way.flat is None and abs(at.rounds[1] - at.rounds[0]) >= 3:
+            flat = self.work.open(copy[0].copy(copy[1])) >= 4
+        frame = self.stand.frame(spot)
+        n, along, up = frame.normals[0], frame.along[0], frame.up[0]
+        if spot.stitch is not None and not self.work.spots.in_rows[host.part]:
+            # Before it is stuffed the top of a ball is flat: where it will be round its fabric leans more.
+            middle, half = host.box
+            round_ = (frame.points[0] - middle) / half**2
+            round_ = round_ / max(float(np.sqrt(round_ @ round_)), 1e-9)
+            mean = (n + _ROUND * round_)[None]
+            normals = mean / np.sqrt((mean**2).sum())
+            turns = level(normals, self.stand.upright[[host.part]])
+            n, along, up = normals[0], turns[0][0], turns[1][0]
+        tilt = towards = across = 0.0
+        if way.axis is not None:
+            axis = np.array(way.axis) / math.sqrt(sum(c * c for c in way.axis))
+            tilt = math.degrees(math.acos(max(-1.0, min(1.0, float(axis @ n)))))
+            towards = math.degrees(math.atan2(-float(axis @ along), float(axis @ up))) % 360.0
+        if at.angle is not None and at.rounds is not None:
+            tilt = at.angle
+        tilt = min(80.0, _STEP * round(tilt / _STEP))
+        if tilt < _STILL:
+            tilt = towards = 0.0
+        if flat:
+            line = np.array(way.line)
+            if at.rounds is not None and abs(at.rounds[1] - at.rounds[0]) >= 3:
+                line = host.axis
+            if (
+                at.rounds is not None
+                and at.rounds[2]
+                and at.rounds[1] - at.rounds[0] <= 1
+                and copy[0].kind in ("arm", "leg", "wing")
+            ):
+                line = np.cross(n, host.axis)
+            a, b = float(line @ along), float(line @ up)
+            across = _STEP * round(math.degrees(math.atan2(b, a)) / _STEP) if a * a + b * b > 1e-6 else 0.0
+            across = across - 180.0 if across > 90.0 else across + 180.0 if across <= -90.0 else across
+            if across == 90.0 and float(n[0]) > 0.05:
+                across = -90.0
+        else:
+            across = way.turn if abs(way.turn) == 180.0 and tilt else 0.0
+        name = copy[0].copy(copy[1])
+        record = Placed(name, spot, flat, across, tilt, _STEP * round(towards / _STEP) % 360.0, None, put.span)
+        if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
+            return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
+        return replace(record, by=self._by(record, host, n)) if not flat else record
+
+    @property
+    def butterfly(self) -> bool:
+        """Whether the toy's wings are spread beside it."""
+        return bool(SPREAD & set(self.work.text[:200].split()))
+
+    def _narrow(self, copy: Copy) -> float | None:
+        """The first round of a piece that begins much narrower than it becomes."""
+        levels = self.work.host((copy[0], 1)).levels
+        widest = max((len(p) for _, p in levels), default=0)
+        return float(levels[0][0]) if levels and 2 * len(levels[0][1]) < widest else None
+
+    def _by(self, placed: Placed, host: Host, n: Array) -> float | None:
+        """The round that a wide open part is sewn by, where its rim would hang free about what it is put on."""
+        edge = self.work.open(placed.part)
+        if not edge:
+            return None
+        onto = self.work.spots.opening(host.part, placed.spot.round) if placed.spot.stitch is None else ()
+        if len(onto) and (left := self._loops(placed.part, len(onto))) is not None:
+            return left
+        _, half = host.box
+        across = float(np.sqrt(max(((half**2) * (1.0 - np.abs(n))).sum(), 0.25)))
+        if placed.spot.stitch is None and (rim := self.work.open(host.name)):
+            across = min(across, rim / (2.0 * math.pi) / 0.9)  # a cap over an open end is sewn where it is as wide
+        if edge / (2.0 * math.pi) <= _WIDE * across:
+            return None
+        own = self.work.host(
+            (next(p for p in self.work.parts if placed.part.rsplit(".", 1)[0] in (p.name,) or placed.part == p.name), 1)
+        )
+        spots, part = self.work.spots, self.work.spots.parts[placed.part]
+        fits = [num for num, ring in own.levels if len(ring) / (2.0 * math.pi) <= 0.9 * across]
+        fits = [
+            num for num in fits if spots.round_at(part, num) is not None
+        ]  # copies may differ where rounds were not read
+        return float(max(fits)) if fits else None
+
+    def _loops(self, part: str, rim: int) -> float | None:
+        """The round of a part whose unworked loops are sewn to an end of ``rim`` stitches: as many of them as there are."""
+        spots, graph = self.work.spots, self.work.built.graph
+        own = spots.parts[part]
+        for number in [n for r, n in zip(spots.built.rounds, spots.numbers) if r.part == own]:
+            k, below = spots.round_at(own, number), spots.round_at(own, number - 1)
+            if k is None or below is None or len(spots.stitches(below)) != rim:
+                continue
+            if np.isin(graph.peculiarity[spots.stitches(k)], (BLO, FLO)).all():
+                return float(number - 1)
+        return None

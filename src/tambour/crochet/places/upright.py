@@ -1,0 +1,131 @@
+"""Upright: which way the main part of a toy stands, from what is said of its ends, its face, its legs and its tail."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+import numpy as np
+
+from tambour.crochet.places.hear import Feature, Heard
+from tambour.crochet.places.names import Made
+from tambour.crochet.places.stand import numbers_of
+from tambour.crochet.places.toy import Toy
+
+_TOP: Final = re.compile(
+    r"\b(?:begin|start|work)\w*\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:top|crown)|from (?:the )?top (?:to|down|of)|top[- ]down\b"
+)
+_SHAPED: Final = re.compile(
+    r"(?:^|\n)\s*(?:shap(?:e|ing) (?:the )?)?(head|body|tail)(?: shap\w+)?\s*:\s*(?:\d|rnd|round|next)"
+)
+"""Where in one piece another end of the toy begins."""
+_RIM_OFF: Final = 3
+"""Rims that differ by so many stitches or fewer fit on each other."""
+_LOW: Final = 0.45
+"""A face in this first part of a piece's rounds says that the piece is worked from its top."""
+_HIND: Final = 0.75
+"""A tail before this part of a piece's rounds says that they are not its hind end."""
+
+
+class Upright(Toy):
+    """A toy of which is heard how it stands.
+
+    heard : what its sentences say
+    """
+
+    heard: Heard
+
+    def _stand_up(self) -> None:
+        """Which way parts stand that others stand on."""
+        main = self.main
+        part = self.spots.parts[f"{main.name}.1"]
+        if self.up.get(main.name) is None:
+            up = self._upright(main, part)
+            if up != "end":
+                self.made.ups[main.name] = up
+        self.stand.set_up(part, self.made.ups.get(main.name) or self.up.get(main.name) or "end")
+
+    def _upright(self, main: Made, part: int) -> str:
+        low, high = numbers_of(self.spots, part)
+        legs = sum(p.copies for p in self.parts if p.kind in ("leg",))
+        legs = (
+            2 if any(p.kind == "arm" for p in self.parts) else legs
+        )  # it has arms: four are legs and the trousers on them
+        swims = any(p.kind == "fluke" or "fluke" in p.words for p in self.parts)
+        head = self.of_kind("head")
+        faces = [f.where.rounds[0] for f in self.heard.features if f.where.rounds and self._is_on(f, main)]
+        faces += [
+            p.where.rounds[0]
+            for p in self.heard.puts
+            if p.where.rounds
+            and p.host
+            and p.host[0] == main
+            and p.copies[0][0].kind in ("eye", "muzzle", "nose", "beak")
+        ]
+        early = bool(faces) and (np.mean(faces) - low + 1) / (high - low + 1) < _LOW
+        mine = [p for p in self.heard.puts if p.host is not None and p.host[0] == main]
+        tails = [p.where.rounds for p in mine if p.kind in ("tail", "fluke") and p.where.rounds]
+        # What goes on four legs is worked from its nose or its neck to its tail, and its head is not on top.
+        stands = any((0.5 * (a + b) - low + 1) / (high - low + 1) < _HIND for a, b, _ in tails) or (
+            self.open(f"{main.name}.1") > 8 and any(p.kind == "head" and "top" in p.where.words for p in mine)
+        )
+        if self.ahead(main):
+            return "side"
+        if not self.spots.in_rows[part] and (said := self._shapes(main)) is not None:
+            return said
+        if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
+            return "side"
+        if head is not None and head != main:
+            return "end"
+        if (below := self._mouth_below(main)) is not None:
+            return "end" if below else "start"
+        if main.kind == "hat":
+            return "start"
+        if main.kind == "head" and "body" not in main.kinds and legs:
+            return "start"
+        if (
+            early
+            or any(p.kind == "tentacle" for p in self.parts)
+            or _TOP.search(self.text[:4000])
+            or self._named_top(main)
+        ):
+            return "start"
+        counts = [r.count for r in self.built.rounds if r.part == part]
+        if len(counts) > 4 and counts[-1] >= 2 * counts[-2] > 20:
+            return "start"  # a ruffle hangs
+        wide = self.open(f"{main.name}.1")
+        lids = [p for p in mine if p.kind == "hat" and not main.kind]
+        if any(abs(self.open(p.copies[0][0].copy(1)) - wide) <= _RIM_OFF for p in lids):
+            return "end"  # a roof that closes it
+        hung = any(p.host and p.host[0] == main and "top" in p.where.words for p in self.heard.puts)
+        return (
+            "start"
+            if wide >= 12 and not self.spots.in_rows[part] and (hung or main.kind in ("hat", "head", ""))
+            else "end"
+        )
+
+    def _shapes(self, main: Made) -> str | None:
+        """Which end of one piece is up where its text shapes the head behind the body, or the body, or a tail, behind the head."""
+        part = next(p for p in self.built.pattern.parts if p.name == main.name)
+        after = (p.span.start for p in self.built.pattern.parts if p.span.start > part.span.start)
+        said = self.text[part.span.start : min(after, default=len(self.text))]
+        found = [m for m in _SHAPED.finditer(said) if said[: m.start()].strip()]
+        return {"head": "end", "body": "start", "tail": "side"}[found[0][1]] if found else None
+
+    def _mouth_below(self, main: Made) -> bool | None:
+        """Whether the mouth is in earlier rounds than the eyes, so that the first rounds are below; None where it is not said."""
+        at: dict[bool, list[float]] = {True: [], False: []}
+        for f in self.heard.features:
+            if f.where.rounds and self._is_on(f, main) and f.what.split()[-1] in ("eyes", "mouth", "smile"):
+                at[f.what.split()[-1] == "eyes"].append(0.5 * (f.where.rounds[0] + f.where.rounds[1]))
+        eyes, mouth = at[True], at[False]
+        return (
+            None if not eyes or not mouth or np.mean(eyes) == np.mean(mouth) else bool(np.mean(mouth) < np.mean(eyes))
+        )
+
+    def _named_top(self, main: Made) -> bool:
+        return [w for w in main.words if w in ("head", "body")][:2] == ["head", "body"]
+
+    def _is_on(self, feature: Feature, main: Made) -> bool:
+        head = self.of_kind("head")
+        return head in (None, main) if feature.host is None else feature.host[0] == main
