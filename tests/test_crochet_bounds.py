@@ -23,7 +23,7 @@ def test_rounds_that_each_repeat_the_one_before_are_worked_however_many() -> Non
     assert [w.made for w in built.worked if w.line.in_round] == [6] * 1499
 
 
-@pytest.mark.parametrize("many", [20, 70])
+@pytest.mark.parametrize("many", [pytest.param(20, marks=pytest.mark.slow), 70])
 def test_rows_that_double_again_and_again_are_told_at_once(many: int) -> None:
     """After seventy of them a row has more stitches than a list has places; after twenty the list was of millions."""
     text = f"Ch 9.\nRow 1: Sc in 2nd ch from hook and in each ch across.\nRows 2-{many}: (Sc, hdc) in each st across, turn.\n"

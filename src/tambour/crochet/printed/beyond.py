@@ -68,7 +68,7 @@ def edging(p: State, tokens: list[Token]) -> bool:
     )  # "sl st loosely in front loops across handle"
     if not p.parts or not (stitches or slipped) or not along_edge(tokens):
         return False
-    p.source.doubt(EDGED, "give it a round of its own", Span(tokens[0].start, tokens[-1].end))
+    not_drawn(p, Span(tokens[0].start, tokens[-1].end))
     return True
 
 
@@ -76,7 +76,21 @@ def along(p: State, body: Body, tokens: list[Token]) -> bool:
     """A sentence that works along an edge ("Work 1 row of sc up right side of Ear"): read, and told as not drawn."""
     if body.left or not p.parts:
         return False
-    p.source.doubt(EDGED, "give it a round of its own", Span(tokens[0].start, tokens[-1].end))
+    not_drawn(p, Span(tokens[0].start, tokens[-1].end))
+    return True
+
+
+def not_drawn(p: State, span: Span) -> None:
+    """Tells of an edge that is no round's."""
+    p.source.doubt(EDGED, "give it a round of its own", span)
+    p.edged = True
+
+
+def edged_again(p: State, tokens: list[Token], edged: bool) -> bool:
+    """Whether a sentence has an edge worked once more that the one before it worked ("Rep for joining second piece"): told as that was."""
+    if not edged or not repeats_for(tokens, ("for", "in", "to", "with", "around", "as", "each")):
+        return False
+    not_drawn(p, Span(tokens[0].start, tokens[-1].end))
     return True
 
 
@@ -143,7 +157,7 @@ def again_made(p: State, tokens: list[Token]) -> bool:
                 p.source.doubt(f"{GUESSED}: {many} of {draft.name} are made", "say how many: (make 4)", span)
         return True
     if any(one(t.word.split()[-1]) in _EDGE for t in rest):
-        p.source.doubt(EDGED, "give it a round of its own", span)
+        not_drawn(p, span)
         return True
     return False
 

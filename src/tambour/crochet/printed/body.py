@@ -7,37 +7,29 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.asides import aside, things
-from tambour.crochet.printed.clauses import where
-from tambour.crochet.printed.counts import closing, count, counted_at, ends_with_number, makes, slips
+from tambour.crochet.printed.counts import count, ends_with_number, makes, slips
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import BETWEEN, by_hand, doing, drawn_tight
-from tambour.crochet.printed.dyes import Dyes
 from tambour.crochet.printed.marked import taken
 from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.references import even_rounds, refers
-from tambour.crochet.printed.repeats import bracket, led, repeated, star
-from tambour.crochet.printed.stitch import bump, room, spread, standing, stitch
+from tambour.crochet.printed.references import even_rounds
+from tambour.crochet.printed.repeats import bracket, star
+from tambour.crochet.printed.stitch import bump, room, spread, stitch
 from tambour.crochet.printed.tokens import Token
+from tambour.crochet.printed.trade import ENDS, Trade
 
-_LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
 _PHRASE = frozenset(",;.()[]{}*=")
-_ENDS = frozenset((".", ";"))
 _FACING: Final = frozenset(("right", "wrong", "rs", "ws", "facing"))
 _PARTED: Final = frozenset(("break", "drop", "carry"))
 _LAST: Final = frozenset(("end", "ending", "ends"))
-_COURSE: Final = frozenset("spiral spirals continuous joined pattern sequence rounds rows turned".split())
 _FLAT: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "press"))
-_ENDED_SO: Final = frozenset(("seam", "attach", "finish", "secure", "complete", "cover", "shape"))
-
-
-_AS: Final = frozenset("you work needed desired shown pictured required progresses".split())
 
 
 _NEAR: Final = 8  # characters between a count and the bracket that ends it
 _COURSED: Final = ("leave", "in", "begin", "make", "with", "over")
 
 
-class Walk(Dyes):
+class Walk(Trade):
     """Reads one body, clause after clause."""
 
     def read(self) -> Body:
@@ -57,10 +49,11 @@ class Walk(Dyes):
             more = len(body.more)
             self.edging, there = False, body.moved is not None
             try:
-                self.items(body.items, _ENDS)
+                self.items(body.items, ENDS)
                 if self.edging and not there and any(map(makes, body.items[:made])):
                     del body.items[made:]  # "Work 1 rnd of sc evenly around Ear": along another edge
                     body.stated, body.stated_span, body.rounds, body.sides = before
+                    body.moved = None
                     body.edged.append(Span(c.tokens[at].start, c.tokens[c.at - 1].end))
                 if more and not any(isinstance(i, Group) or i.name not in ("color", "join") for i in body.items[made:]):
                     body.between += [
@@ -79,7 +72,7 @@ class Walk(Dyes):
                 c.at = self.end_of_sentence()
                 if c.at > at:  # else all of it was read
                     body.left.append(c.tokens[at : c.at])
-            if c.at == at or c.mark(*_ENDS):
+            if c.at == at or c.mark(*ENDS):
                 c.at += 1
             self._idle(at, made)
         body.pending = self.ring is not None
@@ -110,33 +103,6 @@ class Walk(Dyes):
         self.body.ends = "close" if drawn_tight(self.body.doings[-1]) else self.body.ends
         return True
 
-    def end_of_sentence(self) -> int:
-        """Where the sentence at the cursor ends: at its point, or before a count that follows a dash."""
-        c, at = self.c, self.c.at
-        depth = 0
-        while at < len(c.tokens):
-            token = c.tokens[at]
-            if token.kind == "mark":
-                depth += (token.word in OPEN) - (token.word in ")]}>")
-                if token.word in _ENDS and depth <= 0:
-                    return at
-                if depth <= 0 and token.word in "-([{" and at > c.at and self.counted(at):
-                    return at - 1 if c.tokens[at - 1].word in _ENDS else at
-            at += 1
-        return at
-
-    def counted(self, at: int) -> bool:
-        """Whether a count stands behind the dash, or in the bracket, at ``at``."""
-        c, before = self.c, self.c.at
-        c.at = at
-        depth, self.depth = self.depth, 0
-        try:
-            return ends_with_number(self, 1) if c.mark("-") else counted_at(self, closing(self))
-        except NotUnderstood:
-            return False
-        finally:
-            c.at, self.depth = before, depth
-
     # -- clauses ----------------------------------------------------------------------------------------------------
 
     def items(self, found: list[Item], closers: frozenset[str]) -> None:
@@ -146,7 +112,7 @@ class Walk(Dyes):
             if token.kind == "mark" and token.word in closers:
                 return
             opens = token.capital or (token.kind == "key" and token.value in _COURSED)
-            if closers is _ENDS and opens and self._behind_count():
+            if closers is ENDS and opens and self._behind_count():
                 return  # "(12) Stuff lightly."
             if not self.between(token):
                 self.clause(found, token)
@@ -324,171 +290,3 @@ class Walk(Dyes):
         if c.key("stitch", ahead=1):
             del c.tokens[c.at + 1]
         stitch(self, found, token)
-
-    def key(self, found: list[Item], token: Token) -> None:
-        """A clause that begins with a word of the pattern's own trade."""
-        c, word = self.c, token.value
-        c.at += 1
-        if word == "around" and c.key("side"):
-            self.other_side(found)
-        elif word == "in" and c.key("thicknesses"):
-            self.folding(found, c.take())
-        elif word == "ring":
-            self.ring = token
-            if c.mark("(") and c.whole(1) is not None and c.mark(")", ahead=2):
-                del c.tokens[c.at + 2], c.tokens[c.at]
-            while c.key("with", "in", "and") and (c.kind("number", 1) or c.kind("stitch", 1)):
-                c.at += 1
-        elif word in ("in", "over", "with", "from", "around") and not any(map(makes, found)) and self.elsewhere(found):
-            pass
-        elif word in ("in", "over") and (after := c.look()) is not None and after.word in ("these", "those"):
-            self.to_separator()  # "Working in these 33 sts only"
-        elif word in ("in", "over") and (
-            c.key("bumps", "foundation")
-            or (after := c.look()) is None
-            or after.word in _COURSE
-            or (c.key("round", "row") and c.whole(1) is None)
-            or c.mark(",", ":", ";", ".")
-        ):
-            self.to_separator()  # "working in back bumps of foundation ch", "in continuous rounds", "in stripe pattern"
-        elif word in ("in", "over", "each", "next", *_LOOPS):
-            if c.key("side"):
-                self.other_side(found)
-                return
-            c.at -= 1
-            place = where(c)
-            if place is None:
-                raise NotUnderstood(token, f'"{token.word}" is not understood here', "say into which stitches")
-            if place.loops and place.kind in ("around", "same") and c.key("same", "round", "row"):
-                place.kind = "loops"  # "in rem back loops of same row"
-            if place.kind == "loops":
-                numbered = c.whole(1) is not None or (c.whole(2) is not None and not c.mark(",", ahead=1))
-                if c.key("in", "same", "round", "row") and not numbered:
-                    while c.key("in", "same", "round", "row"):
-                        c.at += 1  # "in back loops on this rnd only"
-                loop = Action(place.loops, place.span)
-                after = c.look()
-                whole = after is None or (after.kind == "mark" and after.word in (".", "(", "[", "{", "=", "-", ";"))
-                at = 0
-                if whole and found:  # said last, it holds for all that was said
-                    at = len(led(found)[0])
-                found.insert(at if whole and found else len(found), loop)
-            elif place.kind == "ring":
-                self.ring = token
-            else:
-                if place.loops:
-                    found.append(Action(place.loops, place.span))
-                    place.loops = ""
-                self.before = place
-        elif word == "with" and c.key("ring"):
-            pass  # "begin using magic ring method"
-        elif word == "turn" and self.side_ahead():
-            self.other_side(found)
-        elif word == "turn":
-            found.append(Action("turn", token.span))
-            if c.key("to") and c.look(1) is not None and c.look(1).word == "end":  # type: ignore[union-attr]
-                self.to_separator()  # "Turn at end of Rnd 21"
-        elif word == "join":
-            self.joining(found, token)
-        elif word == "form":
-            if not any(isinstance(i, Action) and i.name == "join" for i in found):
-                found.append(Action("join", token.span))
-        elif word == "fasten off":
-            found.append(Action("fo", token.span))
-            self.ending()
-        elif word in ("close", "open", "leave"):
-            c.at -= 1
-            self.ending()
-        elif word in ("stuff", "marker", "foundation"):
-            self.to_separator()
-        elif word == "begin":
-            if c.key("to", "in", "from") and not c.kind("ordinal", 1):  # "beginning at top of head with A"
-                while c.look() is not None and not c.mark(",", ".", ";") and not c.key("with"):
-                    c.at += 1
-        elif word == "even":
-            c.skip_key("around")
-            found.append(Group((Action("sc", token.span),), None, token.span))
-        elif word == "thicknesses":
-            self.folding(found, token)
-        elif (
-            word in ("repeat", "as", "same")
-            or (word == "from" and c.mark("**", "***"))
-            or (word in ("round", "row") and c.whole() is not None)
-        ):
-            c.at -= 1
-            self.again(found, token)
-        elif word == "for" and c.whole() is not None:
-            self.body.rounds = (c.whole() or 0, c.take().span)
-            c.at += 1
-        elif (
-            word == "to"
-            and (name := c.look()) is not None
-            and name.kind == "word"
-            and name.capital
-            and any(map(makes, found))
-        ):
-            self.to_separator()  # "48 sc evenly across to Lower Section"
-        elif word == "to" and c.key("color"):
-            self.to_separator()  # "and continue to change color every other row"
-        elif word == "to" and (c.key("close", "join", "form") or (c.look() is not None and c.look().word in _ENDED_SO)):  # type: ignore[union-attr]
-            self.to_separator()  # "to close lower edge", "to seam"
-        elif word == "count" or (word == "not" and c.key("count")):
-            if word == "count":
-                standing(found)
-            self.to_separator()
-        elif word == "not" and c.key("join", "turn", "fasten off", "close", "stuff", "marker", "color", "begin"):
-            self.to_separator()
-        elif word == "side" or (word == "with" and c.key("side")):
-            self.other_side(found)
-        elif word == "around" and self.depth == 0 and found:
-            lead, inner = led(found)
-            found[:] = [*lead, Group(tuple(inner), None, token.span)]
-        else:
-            raise NotUnderstood(
-                token, f'"{token.word}" is not understood here', "a stitch, a number or a repeat is wanted"
-            )
-
-    def again(self, found: list[Item], token: Token) -> None:
-        """``repeat Rnd 4``, ``as Rnds 2-3 of Head``, or a repeat of all that was said."""
-        c = self.c
-        lead, inner = led(found)
-        if not self.depth and (said := refers(self)) is not None:
-            if any(map(makes, inner)) or self.body.refers is not None:
-                self.body.more.append(said)
-            else:
-                self.body.refers = said
-            return
-        if token.value == "as" and ((after := c.look(1)) is None or after.kind == "mark" or after.word in _AS):
-            self.to_separator()  # "stuffing lightly as you work"
-            return
-        if token.value != "repeat":
-            raise NotUnderstood(token, f'"{token.word}" is not understood here', "say which rounds: as Rnds 2-4")
-        starred = any(t.word == "*" for t in c.tokens[c.at : self.end_of_sentence()])
-        elsewhere = c.key("for", "in", "with", ahead=1) or (c.key("around", ahead=1) and c.kind("word", 2))
-        if not self.depth and elsewhere and not starred:
-            raise NotUnderstood(token, "what is repeated here is not understood", "say which round: repeat Rnd 4")
-        if not inner:
-            raise NotUnderstood(token, "there is nothing to repeat here", "say which round: repeat Rnd 4")
-        found[:] = lead
-        repeated(self, found, inner, token.span, star=True)
-
-    def ending(self) -> None:
-        """How the end is left: closed, or open for sewing; to the end of the sentence."""
-        c = self.c
-        left = False
-        while c.look() is not None and not c.mark("."):
-            if (c.mark(",", ";") and (c.kind("stitch", 1) or c.key("turn", ahead=1))) or (
-                c.mark("-", "=") and ends_with_number(self, 1)
-            ):
-                break
-            if c.mark(*OPEN):
-                end = closing(self)
-                if counted_at(self, end):
-                    break
-                c.at = end
-            if c.key("close"):
-                self.body.ends = "close"
-            elif (c.key("open") or (left and c.tokens[c.at].word == "tail")) and self.body.ends != "close":
-                self.body.ends = "open"
-            left = left or (c.key("leave") and c.tokens[c.at].word.startswith("leav"))
-            c.at += 1

@@ -186,7 +186,7 @@ def counted_at(r: Reader, end: int) -> bool:
 def bracketed_count(r: Reader, found: list[Item], end: int) -> bool:
     """Reads the count of the round, if the bracket at the cursor is one."""
     c = r.c
-    if r.depth or not (found or r.body.left) or not counted_at(r, end):
+    if r.depth or not (found or r.body.left or r.body.refers) or not counted_at(r, end):
         return False
     inner = c.tokens[c.at + 1 : end]
     number = next(t for t in inner if t.kind == "number" and isinstance(t.value, int))

@@ -15,6 +15,7 @@ from tambour.crochet.printed.tokens import Token
 _ALONG: Final = frozenset(
     ("behind", "along", "from", "using", "across", "through", "down", "inside", "into", "right", "left")
 )
+_HAVING: Final = frozenset(("having", "increasing", "decreasing", "easing", "spacing", "keeping"))
 _PIECES: Final = frozenset(
     ("pieces", "halves", "both pieces", "front", "inner", "outer", "sleeve", "cuff", "motifs", "first", "second")
 )
@@ -46,6 +47,9 @@ class Courses(Reader):
         them ("behind petals, into free loops of Rnd 1"); whether the clause at the cursor is such."""
         c, begin = self.c, self.c.at
         first = c.tokens[begin]
+        if self.edging and first.word in _HAVING:
+            self.to_separator()  # "sc evenly around, having 3 sc in each corner"
+            return True
         led_by = first.word in _ALONG
         self.to_separator()
         clause = c.tokens[begin : c.at]

@@ -227,11 +227,13 @@ def heads(tokens: list[Token]) -> list[tuple[int, Head]]:
     while at < len(tokens):
         token, before = tokens[at], tokens[at - 1]
         named = token.kind == "key" and token.value in ("round", "row", "next", "join")
+        after_name = before.capital and before.kind in ("word", "key") and token.value != "join"
         if (named or token.kind == "ordinal" or token.word in _NAMED) and (
-            before.word in _BEFORE or before.word in _STARRED
+            before.word in _BEFORE or before.word in _STARRED or after_name
         ):
             later = head(tokens, at)
-            if later is not None and later.strong and any(t.word == ":" for t in tokens[at : later.end]):
+            opens = not after_name or (later is not None and later.numbers[:1] == (1,))  # "Left Wing Row 1: …"
+            if later is not None and opens and later.strong and any(t.word == ":" for t in tokens[at : later.end]):
                 begin = at
                 while begin > 1 and tokens[begin - 1].word in _STARRED:
                     begin -= 1

@@ -10,6 +10,7 @@ from tambour.crochet.printed.opening import founding
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 
+_COUNT: Final = 3  # words of a count: "24 sc", "24 sc sts"
 _SHORT: Final = 12  # words of a line that only ends the round above it
 
 
@@ -52,6 +53,19 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     if plain and last.word not in (".", ")", "]", "}") and first.kind in ("stitch", "key", "number"):
         return tokens
     return None
+
+
+def stop_between(p: State, before: list[Token], at: int) -> list[Token]:
+    """The point that lacks where a round's line ends with its count, "(11)" or "- 24 sc", and line ``at`` begins a sentence; else nothing."""
+    if not p.rows[at].tokens[0].capital:
+        return []
+    begin = max((k for k, t in enumerate(before) if t.word in (*OPEN, "-", "=")), default=-1)
+    said = [t for t in before[begin + 1 :] if t.word not in (")", "]", "}")]
+    closed = begin >= 0 and (before[begin].word not in OPEN or before[-1].word in (")", "]", "}"))
+    count = closed and 0 < len(said) <= _COUNT and said[0].kind == "number"
+    if not count or not all(t.kind == "stitch" or t.value == "stitch" for t in said[1:]):
+        return []
+    return [Token("mark", ".", before[-1].end, before[-1].end)]
 
 
 def rounds(tokens: list[Token]) -> bool:

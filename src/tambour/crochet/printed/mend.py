@@ -175,7 +175,7 @@ def _unsure(built: Built, span: Span, alarms: set[Span | None]) -> bool:
             return False
         names = _names(w.line.items)
         short = w.left > 0 or "slst" in names
-        if w.line.in_round and not w.ring and short and (k < at or "turn" in names):
+        if w.line.in_round and w.below and not w.ring and short and (k < at or "turn" in names):
             return True
     return False
 

@@ -85,6 +85,14 @@ def opening(text: str, tokens: list[Token]) -> tuple[Heading, int] | None:
     return Heading(name, Span(tokens[0].start, tokens[at - 1].end), copies, place, True, True), at
 
 
+def alone(tokens: list[Token]) -> bool:
+    """Whether words before a first round are no more than the name of a part: "… Fasten off. Left Wing Edging 1st rnd: …"."""
+    return 0 < len(tokens) <= _WORDS and all(
+        (t.capital and t.kind == "word") or t.kind == "ordinal" or (k and t.word in ("of", "for", "and", "&", "-"))
+        for k, t in enumerate(tokens)
+    )
+
+
 def _at_once(tokens: list[Token], named: bool) -> bool:
     """Whether a piece begins with its chain and is worked in the same sentence: "With B, ch 5, sl st in 2nd ch from hook, sc in next ch"."""
     first = tokens[0] if tokens else None

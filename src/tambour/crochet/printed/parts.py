@@ -9,29 +9,26 @@ from itertools import pairwise
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import MOST_AT_TIP
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.tree import Action, Again, Group, Item, Line, Section, written
+from tambour.crochet.language.tree import Action, Group, Item, Line, Section, written
 from tambour.crochet.printed.curls import looped, rooted
 from tambour.crochet.printed.cursor import Refers
-from tambour.crochet.printed.doubts import after, chainless, fixed, reached, rounds_until
+from tambour.crochet.printed.doubts import after, chainless, fixed, reached
 from tambour.crochet.printed.foundations import founded
 from tambour.crochet.printed.heads import MOST_AT_ONCE, Head
 from tambour.crochet.printed.items import (
     bare_count,
     begins_ring,
-    closes,
     founds,
     goes,
     one_more,
-    sets_mark,
     skips,
     slips_only,
     span_of,
     works,
 )
 from tambour.crochet.printed.marked import middle
-from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.redyed import colored, redyed
+from tambour.crochet.printed.redyed import colored
 from tambour.crochet.printed.slips import lowered
 from tambour.crochet.printed.tokens import Token
 
@@ -40,9 +37,11 @@ _CLOSED = (
 )
 MOST_ROUNDS = 20_000
 """Rounds of a part; a few lines that repeat each other's rounds can ask for any number."""
-_MARKED = 50  # rounds that a marked stitch is followed through
+MARKED = 50
+"""Rounds that a marked stitch is followed through."""
 _LOOPS = ("flo", "blo", "bl")
-_LIFT = 5  # chains at a round's beginning that only lift the yarn
+LIFT = 5
+"""Chains at a round's beginning that only lift the yarn, at most."""
 
 
 @dataclass
@@ -60,7 +59,7 @@ class Draft:
     others : "11th and alt rows": that row, and its number
     spread : where lines begin that fit the round below them only;
     marked : which stitch of its last round is marked, from 0; spoken : where lines begin → the words they were read from
-    merged : it has become part of another piece
+    merged : it has become part of another piece; bordered : what was worked last goes along an edge that is no round's
     loops : "flo" or "blo" where all its rounds are worked into those
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
@@ -93,6 +92,7 @@ class Draft:
     others: tuple[int, Line] | None = None
     edges: dict[int, int] = field(default_factory=dict)
     merged: bool = False
+    bordered: bool = False
 
     def begun(self) -> bool:
         """Whether anything but colours stands in it."""
@@ -217,7 +217,7 @@ class Draft:
         if worked:
             self.last = max(numbers) + (times - 1) * alone if numbers else self.last + times
         before = self.edge
-        for _ in range(min(times, _MARKED) if worked else 0):
+        for _ in range(min(times, MARKED) if worked else 0):
             self.marked = middle(items, self.edge or 0, self.ahead(), source.stitches)
         edge = body.edge or reached(items, self.edge, source.stitches, times)
         spaced = fixed(items, source.stitches) if edge is None and times == 1 else None  # worked into spaces
@@ -254,119 +254,6 @@ class Draft:
             source.doubt(
                 f"round {first} {said}: the one before is {before}", f"{before + 1} would follow", head.span, True
             )
-
-    def again(
-        self, source: Source, head: Head | None, body: Body, span: Span, parts: list[Draft], height: float
-    ) -> bool:
-        """Rounds that are written elsewhere, worked once more; False where they are not there.
-
-        parts : those read so far; height : of a round, mm
-        """
-        refers = body.refers
-        assert refers is not None
-        names = [draft.name for draft in parts]
-        meant = named(names, refers.part) if refers.part else None
-        origin = self if not refers.part or meant == -1 else None if meant is None else parts[meant]
-        if refers.marks and (origin is None or origin.between(refers.marks) is None):
-            marks = refers.marks
-            origin = next((draft for draft in reversed(parts) if draft.between(marks) is not None), origin)
-        if origin is None:
-            return False
-        lines = origin.referred(refers)
-        if not lines or any(line.span.start in origin.spread for line in lines):
-            return False
-        lines = tuple(replace(line, items=tuple(i for i in line.items if not sets_mark(i))) for line in lines)
-        numbers = head.numbers if head is not None else ()
-        once = sum(line.times for line in lines)
-        total = len(numbers) or (head.many if head is not None and head.many > 1 else once * (refers.times or 1))
-        if numbers and refers.times and body.stated is not None and once * refers.times != total:
-            fair = [n for n in (total, once * refers.times) if _reach(lines, n, self.edge, source) == body.stated]
-            message = f"{total} rounds are said here, and {once * refers.times} further on"
-            source.doubt(message, "make them agree", refers.span, True)
-            total = fair[0] if len(fair) == 1 else total
-        alike = tuple(written(origin.lines, numbers[0], numbers[-1])) if len(numbers) > once and refers.numbers else ()
-        fits = alike and body.stated is not None and sum(one.times for one in alike) == total
-        if fits and origin is not self and _reach(alike, total, self.edge, source) == body.stated:
-            # "Rounds 1-6: same as Rounds 1-5 of Head, 36 sc"
-            message = f"{total} rounds are said here, and {once} there: the count speaks for {total}"
-            source.doubt(message, "make them agree", refers.span, True)
-            lines, once = alike, total
-        if total > once and total % once and origin is not self and not refers.times:
-            message = f"{total} rounds are said here, and {once} there: {once} are worked"
-            source.doubt(message, "make them agree", refers.span, True)
-            total = once
-        if refers.length is not None:
-            done = self.last if refers.whole else 0
-            total = max(once, round(refers.length / height) - done)
-            message = f"so many rounds as make {refers.length:.0f} mm: {total}, by the gauge"
-            source.doubt(message, "a number of rounds would be sure", refers.span)
-        if refers.upto and not (total := refers.upto - self.last) > 0:
-            return False
-        if refers.vague:
-            message = "how long this goes on is said by no number: it is worked once"
-            source.doubt(message, "say the rounds, or a length in inches or cm", refers.span)
-        if refers.until and not (total := rounds_until(lines, self.edge, refers.until, source.stitches)):
-            return False
-        if refers.mirrored:
-            source.doubt("sides are not reversed here", "write the mirrored rounds out", refers.span)
-        if not self.begun() or self.chain is not None:
-            first = next(k for k, one in enumerate(origin.lines) if one.in_round)
-            if lines[0].number == origin.lines[first].number and origin is not self:
-                own = [
-                    line for line in self.lines if all(isinstance(i, Action) and i.name == "color" for i in line.items)
-                ]
-                self.lines, self.chain, self.flat = [*own, *origin.lines[:first]], None, origin.flat
-        number = numbers[0] if numbers else self.last + 1
-        at = head.span if head is not None and numbers else refers.span
-        first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
-        if number + total > MOST_ROUNDS:
-            source.error(f"more than {MOST_ROUNDS:,} rounds in one part", "a lower number", at)
-            return True
-        moves, lines = self._lifted(lines)
-        # Lines that work others again, as those others: round upon round said so would lead too deep.
-        lines = tuple(one for line in lines for one in ((line,) if line.again is None else line.rounds()))
-        said = [i for i in body.items if isinstance(i, Action) and i.name in ("color", "turn")]
-        later = tuple(i for i in said if i.span.start > refers.span.start)  # "Rep Row 2 changing to B in last sc"
-        later += tuple(hue for hue, _ in body.later if isinstance(hue, Action))
-        lead = (*moves, *(i for i in said if i.name == "color" and i not in later))
-        again = Again(lines, first_number, last_number, "" if origin is self else origin.name, refers.span)
-        line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
-        if numbers and head is not None:
-            self._numbered(source, head, True)
-        made = redyed(line, origin.lines, body.hues) if body.hues else [line]
-        if body.hues:
-            message = "these yarns are taken in the order in which colours come there"
-            source.doubt(message, "nothing is amiss", refers.span)
-        self.lines += [*made, *([Line(later, span, False)] if later else [])]
-        self.last, before = number + total - 1, self.edge
-        for one in line.rounds():
-            before, self.edge = self.edge, after(one.items, self.edge, source.stitches)
-            self.peak = max(self.peak, self.edge or 0)
-        if self.other is not None:
-            for one in line.rounds():
-                self.other = after(one.items, self.other, source.stitches)
-        if body.stated is not None:
-            self.other = body.stated if self.edge is not None and self.edge != body.stated else None
-        self.edge = self.edge if self.edge is not None else body.stated
-        if self.edge is not None:
-            self.edges[self.last] = self.edge
-        self.shrunk = self.edge is not None and before is not None and self.edge < before
-        return True
-
-    def _lifted(self, lines: tuple[Line, ...]) -> tuple[tuple[Action, ...], tuple[Line, ...]]:
-        """``lines`` as they go on from the last one, and what comes before them: where that says no join and no turn, the
-        chains that they begin with would be worked as stitches."""
-        first = next((i for i in lines[0].items if not isinstance(i, Action) or i.name != "color"), None)
-        moved = any(isinstance(i, Action) and i.name in ("join", "turn") for i in lines[0].items[:2])
-        if moved or not (isinstance(first, Action) and first.name == "ch" and first.times <= _LIFT):
-            return (), lines
-        last = self.lines[-1] if self.lines else None
-        while last is not None and last.again is not None:
-            last = last.again.lines[-1]
-        move = Action("turn" if self.flat else "join", first.span)
-        if not closes(lines[-1]):
-            return (), (replace(lines[0], items=(move, *lines[0].items)), *lines[1:])
-        return (() if last is None or closes(last) or not any(map(works, last.items)) else (move,)), lines
 
     def between(self, marks: tuple[str, str]) -> tuple[int, int] | None:
         """The lines from the one mark to the other; None where these marks do not stand here."""
@@ -423,7 +310,7 @@ class Draft:
         if (
             isinstance(lead, Action)
             and lead.name == "ch"
-            and lead.times <= _LIFT
+            and lead.times <= LIFT
             and not turns
             and not lifted
             and worked
@@ -463,7 +350,7 @@ class Draft:
         )
 
     def _sorted(self) -> list[Line]:
-        lines = [line for line in self.lines if line.items or line.again]
+        lines = [line for line in self.lines if line.items or line.again or line.notes]
         if not self.parted:
             return lines
         keyed, key = [], 0
@@ -471,11 +358,3 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
-
-
-def _reach(lines: tuple[Line, ...], total: int, edge: int | None, source: Source) -> int | None:
-    """Stitches on the edge after so many rounds, ``lines`` again and again."""
-    every = [one for line in lines for one in line.rounds()]
-    for k in range(min(total, _MARKED)):
-        edge = after(every[k % len(every)].items, edge, source.stitches)
-    return edge

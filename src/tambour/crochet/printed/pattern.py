@@ -5,41 +5,29 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final
 
-from tambour.core.errors import Problem, Span, TambourError, Text, did_you_mean
+from tambour.core.errors import Problem, Span, TambourError, Text
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import GUESSED, check_names
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import MOST
-from tambour.crochet.language.tree import Action, Again, Group, Line, Pattern
+from tambour.crochet.language.tree import Again, Line, Pattern
 from tambour.crochet.places.halves import joined as halved
 from tambour.crochet.places.onward import worked_on
 from tambour.crochet.places.tubes import closed
-from tambour.crochet.printed.anew import anew
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
-from tambour.crochet.printed.bases import MOST as _MOST
-from tambour.crochet.printed.bases import based, elsewhere, is_first
-from tambour.crochet.printed.beyond import EDGED, again_made, another, edging
 from tambour.crochet.printed.colors import dyeing
-from tambour.crochet.printed.counted import count_in
-from tambour.crochet.printed.cursor import Cursor, NotUnderstood
-from tambour.crochet.printed.doings import works
-from tambour.crochet.printed.doubts import decided
-from tambour.crochet.printed.doubts import worked as stitches_of
+from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.headed import Headed
 from tambour.crochet.printed.heads import STARS, Head, heads
-from tambour.crochet.printed.items import works as worked
-from tambour.crochet.printed.lines import goes_on, rounds, wrapped
-from tambour.crochet.printed.mend import Found, agreed, is_start, mended
+from tambour.crochet.printed.lines import goes_on, rounds, stop_between, wrapped
+from tambour.crochet.printed.mend import Found, agreed, mended
 from tambour.crochet.printed.naming import nameless_is
-from tambour.crochet.printed.opening import opening
+from tambour.crochet.printed.notes import Heading, plain_name
+from tambour.crochet.printed.opening import alone, opening
 from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.prose import WRAPPED, finishing, stuffed, text_line
-from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.remarks import remark
-from tambour.crochet.printed.state import Height, State, plain_height
+from tambour.crochet.printed.prose import WRAPPED, text_line
+from tambour.crochet.printed.state import Height, plain_height
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unheaded import unheaded
-from tambour.crochet.printed.united import united
-from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs
 from tambour.crochet.words.phrases import Phrases
 
 NOTHING: Final = "this holds no crochet instructions"
@@ -65,7 +53,7 @@ def read_printed(
     return Printed(Source(text, strict), high).pattern(max_stitches, usual)
 
 
-class Printed(State):
+class Printed(Headed):
     """Goes through the lines of a text, top to bottom."""
 
     def pattern(self, max_stitches: int, usual: bool = True) -> Pattern:
@@ -205,15 +193,21 @@ class Printed(State):
             return end
         at += 1
         while at < len(self.rows) and (more := goes_on(self, tokens, at)) is not None:
-            tokens += more
+            tokens += [*stop_between(self, tokens, at), *more]
             at += 1
         if not found[0][1].strong and not rounds(tokens[found[0][1].end :]):
             text_line(self, row, tokens)
             return at
         ended = 0
         for k, (begin, head) in enumerate(found):
-            if ended < begin:
-                self._between(row, tokens[ended:begin])
+            name = tokens[ended:begin]
+            if k and head.numbers[:1] == (1,) and alone(name):
+                span = Span(name[0].start, name[-1].end)
+                self.heading = Heading(
+                    plain_name(self.source.text.text[span.start : span.end]), span, 1, None, True, True
+                )
+            elif name:
+                self._between(row, name)
             end = found[k + 1][0] if k + 1 < len(found) else len(tokens)
             if k + 1 < len(found) and found[k + 1][1].numbers[:1] == (1,):
                 end = self._opens(tokens, head.end, end)
@@ -230,7 +224,8 @@ class Printed(State):
         """Where in the body of a round the sentences begin that open the next part; its end where none do."""
         at = begin
         while at < end:
-            if opening(self.source.text.text, tokens[at : self._stop(tokens, at, end)]) is not None:
+            sentence = tokens[at : self._stop(tokens, at, end)]
+            if opening(self.source.text.text, sentence) is not None or (at > begin and alone(sentence)):
                 return at
             at = self._stop(tokens, at, end) + 1
         return end
@@ -262,20 +257,15 @@ class Printed(State):
         self._others(draft, head)
         before = len(draft.lines)
         self.ended = [t.word for t in ended]
-        self._worked(draft, head, body, span)
+        self.worked(draft, head, body, span)
         if head.other and len(draft.lines) > before and head.numbers:
             draft.others = (head.numbers[-1], draft.lines[-1])
-        self._end_marks(draft)
+        self.end_marks(draft)
 
     def _plain(self, words: tuple[Token, ...]) -> bool:
         """Whether words name no yarn."""
         c = Cursor(list(words))
         return all(self.palette.color(c, k) is None and self.palette.letter(c, k) is None for k in range(len(words)))
-
-    def _end_marks(self, draft: Draft) -> None:
-        """Puts the asterisks that end a round behind what it works."""
-        draft.marks += [(stars, len(draft.lines)) for stars in self.ended]
-        self.ended = []
 
     def _part_of(self, head: Head, tokens: list[Token], span: Span) -> Head:
         """Begins the part that a head begins; its numbers go on where they only begin at 1 again."""
@@ -314,152 +304,6 @@ class Printed(State):
             draft.last += 1
         elif head.numbers[0] <= draft.last:
             draft.others = None
-
-    def _worked(self, draft: Draft, head: Head, tokens: list[Token], span: Span) -> None:
-        """The round as its words say, or as a gap."""
-        first = tokens[0] if tokens else Token("mark", "", head.span.start, head.span.end)
-        times = len(head.numbers) if len(head.numbers) > 1 else head.many
-        chain = (
-            next((i.times for i in draft.lines[draft.chain].items if isinstance(i, Action) and i.name == "ch"), None)
-            if draft.chain is not None
-            else None
-        )
-        self.source.marked = draft.ahead()
-        both = united(
-            self, draft, tokens, lambda some, edge: decided(self.source, some, self.palette, edge, self.phrases), span
-        )
-        if both is not None and head.numbers and head.numbers[0] <= draft.last:
-            draft.offset = draft.last
-            head = replace(head, numbers=tuple(n + draft.offset for n in head.numbers))
-        try:
-            read = both or decided(self.source, tokens, self.palette, draft.edge, self.phrases, times, chain)
-        except NotUnderstood as wrong:
-            self._gap(draft, head, tokens, span, wrong)
-            return
-        if not read.fit and draft.other is not None:
-            # The round before does not make its own count: this one may stand on either.
-            second = decided(self.source, tokens, self.palette, draft.other, self.phrases, times, chain)
-            read, draft.edge = (second, draft.other) if second.fit else (read, draft.edge)
-        if both is None and read.pending and not any(is_start(i, self.source.stitches) for i in read.items):
-            ring = next((t for t in tokens if t.kind == "key" and t.value == "ring"), first)
-            self._gap(
-                draft,
-                head,
-                tokens,
-                span,
-                NotUnderstood(ring, "the ring has no stitches", "say how many: 6 sc in magic ring"),
-            )
-            return
-        place, self.moved = read.moved or self.moved, None
-        if place is not None and not is_first(read, self.source.stitches):
-            draft, head, read = elsewhere(self, draft, head, read, place, (tokens, times, span))
-        elif (
-            not draft.started(self.source)
-            and read.refers is None
-            and (len(self.parts) > 1 or first.value == "join")
-            and (read.both or sum(map(worked, read.items)) > 1)
-        ):
-            read = based(self, draft, head, read, span, (tokens, times)) or read
-        unread = []
-        handed = bool(read.doings)
-        for left in read.left:
-            put = finishing(self, left)
-            if not put and not edging(self, left) and not again_made(self, left) and not (handed and another(left)):
-                unread.append(left)
-            handed = handed or put
-        instructive = [left for left in unread if instructs(self, left) and not remark(self.source.text.text, left)]
-        notes = tuple(Span(d[0].start, d[-1].end) for d in read.doings if d)
-        for done in read.doings:
-            amount = stuffed(done)
-            if amount is not None and amount >= 0:
-                draft.stuffing = amount
-        if read.refers is not None:
-            if draft.offset and read.refers.numbers and read.refers.numbers[0] + draft.offset <= draft.last:
-                numbers = tuple(n + draft.offset for n in read.refers.numbers)
-                read.refers = replace(read.refers, numbers=numbers)
-            if not (
-                draft.again(self.source, head, read, span, self.parts, self.height())
-                or anew(self, draft, head, read, span)
-            ):
-                at = Token("mark", "", read.refers.span.start, read.refers.span.end)
-                lacking = NotUnderstood(
-                    at, "these rounds are not there to be repeated", "name rounds that stand before this"
-                )
-                self._gap(draft, head, tokens, span, lacking)
-                return
-        elif (not read.fit and (instructive or not draft.sure)) or (
-            read.stated is None and any(works(left, k) for left in instructive for k in range(len(left)))
-        ):
-            self._gap(
-                draft, head, tokens, span, read.wrong or NotUnderstood(first, "these words do not make the count")
-            )
-            return
-        else:
-            before, edge, last = len(draft.lines), draft.edge, draft.last
-            draft.spoken[span.start] = tokens
-            draft.add(self.source, head, read, span, notes)
-            if not draft.started(self.source):
-                del draft.lines[before:]
-                draft.edge, draft.last = edge, last
-                read = based(self, draft, head, read, span, (tokens, times)) or read
-                if draft.started(self.source):
-                    draft.add(self.source, head, read, span, notes)
-            if not draft.started(self.source):
-                self._gap(draft, head, tokens, span, NotUnderstood(first, "what this is worked on is not known"))
-                return
-            joined = any(isinstance(i, Action) and i.name == "join" for i in read.items[:-1])
-            used = stitches_of(read.items, edge or 0, self.source.stitches) if read.fit == 1 and not joined else None
-            if read.stated is not None and read.fit and (used is None or used[0] == read.stated):
-                draft.sure = True
-                self.sound.add(span.start)
-        self.understood += 1
-        for where in read.edged:
-            self.source.doubt(EDGED, "give it a round of its own", where)
-        for many, where in read.plain:
-            even = Body([Group((Action("sc", where),), None, where)], rounds=(many, where))
-            draft.add(self.source, None, even, where)
-        if read.more:
-            self._end_marks(draft)
-        for k, more in enumerate(read.more):
-            again = Body([hue for at, hue in read.between if at == k], refers=more)
-            if not draft.again(self.source, None, again, more.span, self.parts, self.height()):
-                self.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
-                draft.sure = False
-        behind = [hue for at, hue in read.between if at == len(read.more)]
-        draft.lines += [Line((hue,), span, False) for hue in behind]
-        for left in instructive:
-            self.tell(
-                NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", Span(left[0].start, left[-1].end)
-            )
-            draft.sure = False
-        self.passed += [Span(left[0].start, left[-1].end) for left in unread if left not in instructive]
-
-    def _gap(self, draft: Draft, head: Head, tokens: list[Token], span: Span, wrong: NotUnderstood) -> None:
-        """A round that was not understood takes its count, or else that of the round below."""
-        self.failed += 1
-        hint = wrong.hint
-        if wrong.token.kind == "word" and self.failed <= _HINTED:
-            hint = did_you_mean(wrong.token.word, self.palette.known) or hint
-        count = count_in(tokens, self.source.stitches, self.palette)
-        many = count.value if count is not None else draft.edge if draft.chain is None else None
-        on = draft.started(self.source) or count is not None
-        if (
-            not on
-            or not many
-            or many > _MOST
-            or (draft.edge and not draft.edge <= MOST * many <= MOST * MOST * draft.edge)
-        ):
-            self.left_out.append(span)
-            self.tell(f"{wrong.message}: this round is left out", hint, wrong.token.span)
-            draft.last = max(head.numbers) if head.numbers else draft.last + 1
-            draft.sure = False
-            return
-        said = (
-            "taken from its stated count" if count is not None else "taken to have as many stitches as the one before"
-        )
-        self.tell(f"{wrong.message}: this round is {said}, {many}", hint, wrong.token.span)
-        draft.gap(self.source, head, many, span, count.span if count is not None else head.span)
-        draft.sure = count is not None
 
 
 def _ends_line(tokens: list[Token], k: int) -> bool:

@@ -13,7 +13,7 @@ from tambour.crochet.language.tree import Action, Item, Line
 from tambour.crochet.places.hear import assembling
 from tambour.crochet.places.names import Made, kind_of, one
 from tambour.crochet.printed.assembly import Said
-from tambour.crochet.printed.beyond import again_made, along, edging, marked, more_copies, repeats_for
+from tambour.crochet.printed.beyond import again_made, along, edged_again, edging, marked, more_copies, repeats_for
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counts import makes
@@ -38,6 +38,7 @@ from tambour.crochet.printed.notes import (
 from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.remarks import chosen
+from tambour.crochet.printed.reworked import again
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs, left_over
@@ -250,6 +251,7 @@ def _held(tokens: list[Token]) -> set[int]:
 def _sentence(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds; whether it was understood."""
     handed, p.handed = p.handed, True
+    edged, p.edged = p.edged, p.edged and tokens[0].value == "fasten off"
     if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value == "notes" and tokens[1].word in (":", "-"):
         tokens = tokens[2:]
     close = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), 0) if tokens[0].word in ("(", "[") else 0
@@ -267,7 +269,7 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         if by_hand(tokens) or convention(p, tokens) or (handed and _once_more(tokens)):
             p.passed.append(span)
             return True
-        if again_made(p, tokens):
+        if edged_again(p, tokens, edged) or again_made(p, tokens):
             return True
         if chosen(tokens) and instructs(p, tokens):
             p.source.doubt(CHOICE, "say what is made, without an if", span)
@@ -404,12 +406,12 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
     if p.heading is not None and (body.refers.part or body.refers.numbers):
         p.begin(True, span)
     draft = p.parts[-1]
-    if draft.again(p.source, None, body, span, p.parts, p.height()):
+    if again(p, draft, None, body, span):
         p.understood += 1
         for left in body.left:
             left_over(p, left)
         for more in body.more:
-            if not draft.again(p.source, None, Body(refers=more), more.span, p.parts, p.height()):
+            if not again(p, draft, None, Body(refers=more), more.span):
                 p.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
         return True
     return False

@@ -20,8 +20,9 @@ from tambour.crochet.printed.counts import (
 )
 from tambour.crochet.printed.curls import curled
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
+from tambour.crochet.printed.heaped import placed
 from tambour.crochet.printed.reader import Reader
-from tambour.crochet.printed.stitch import placed, standing
+from tambour.crochet.printed.stitch import standing
 from tambour.crochet.printed.tokens import Token
 
 _REMARKED: Final = frozenset(("inc'd", "dec'd", "increased", "decreased", "made", "worked", "group", "groups"))

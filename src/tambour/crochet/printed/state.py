@@ -98,6 +98,7 @@ class State:
         self.moved: Moved | None = None  # where yarn was joined that the next round begins with
         self.tied: Token | None = None  # the stitch that yarn was joined with, which the next round begins with
         self.handed = False  # the sentence before this one was something that hands do
+        self.edged = False  # it worked along an edge that is no round's
         self.sentences: list[Said] = []  # of finishing, read once the parts are known
 
     def narrow(self, row: Row) -> bool:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Final, Literal
+from typing import Final
 
 from tambour.core.errors import Span
-from tambour.crochet.language.stitches import BUMPS, STANDING, Stitch, into_one
+from tambour.crochet.language.stitches import BUMPS, STANDING
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import Where, where
 from tambour.crochet.printed.counts import makes, multiplier
 from tambour.crochet.printed.curls import curl
 from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.heaped import into_ring, placed, together
 from tambour.crochet.printed.marked import taken
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.reader import Reader
@@ -19,7 +20,6 @@ from tambour.crochet.printed.tokens import Token
 
 _TWO = ("inc", "dec")
 _STANDING: Final = {int(name[2]): name for name in STANDING if name[2] != "1"}
-_MOST = 64  # stitches in one place
 _FEW = 4  # "2 sc in next 3 sts" is two in each; of more, nobody means that
 
 
@@ -105,9 +105,12 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     if place is not None and place.kind in ("joined", "first") and found and _stands(found[-1]):
         place.kind = "same"  # the chains stand there already
     if place is not None and place.kind == "joined":
-        if any(map(makes, found)) and name != "slst":
-            raise NotUnderstood(token, "nothing was joined here", "say which stitch it goes into")
-        place.kind = "first"  # the stitch that the round before was joined with is still to be worked
+        if name != "slst" and any(map(makes, found)):
+            if not any(isinstance(i, Action) and i.name == "slst" for i in found):
+                raise NotUnderstood(token, "nothing was joined here", "say which stitch it goes into")
+            place.kind = "same"  # "sl st in next ch, ch 2, dc in same ch as last sl st"
+        else:
+            place.kind = "first"  # the stitch that the round before was joined with is still to be worked
     if name == "slst" and place is not None and place.kind == "first" and any(map(makes, found)):
         r.to_separator()
         found.append(Action("join", token.span))
@@ -130,7 +133,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     if (place is not None and place.kind == "ring") or (
         r.ring is not None and (place is None or place.kind == "loops")
     ):
-        _ring(r, found, name, number, token)
+        into_ring(r, found, name, number, token)
         return
     if (
         name == "ch"
@@ -293,51 +296,6 @@ def _forms(r: Reader, found: list[Item]) -> bool:
     return True
 
 
-def _ring(r: Reader, found: list[Item], name: str, number: Token | None, token: Token) -> None:
-    """Stitches into a magic ring, or into a ring of chains."""
-    count = number.value if number is not None else 1
-    if r.ring is None and any(isinstance(i, Action) and i.name in ("join", "ch", *STANDING) for i in found):
-        r.body.ringed = True
-    if not isinstance(count, int) or count < 1:
-        raise NotUnderstood(number or token, "a ring has at least one stitch", "say how many: 6 sc in magic ring")
-    stands = any(isinstance(i, Action) and i.name in STANDING for i in found)  # "ch 3 (counts as dc), 11 dc in ring"
-    count += stands
-    chains = [i.times for i in found if isinstance(i, Action) and i.name == "ch"]
-    r.body.lift = chains[-1] if chains and not r.body.rings else r.body.lift
-    found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join", *STANDING))]
-    r.ring = None
-    r.body.rings += 1
-    last = found[-1] if found else None
-    stitches = r.stitches[name]
-    if name == "sc" and not (isinstance(last, Action) and r.is_ring(last)):
-        found.append(Action("mr", number.span if number is not None else token.span, numbers=(count, 0)))
-        return
-    inner = [(stitches, count)]
-    if isinstance(last, Action) and r.is_ring(last):
-        found.pop()
-        old = (
-            [(r.stitches["sc"], last.numbers[0])]
-            if last.name == "mr"
-            else [(r.stitches[s], k) for s, k in r.stitches[last.name].inner]
-        )
-        inner = [*old, *inner]
-    found.append(_together(r, inner, token, "ring"))
-
-
-def _together(
-    r: Reader, inner: list[tuple[Stitch, int]], token: Token, place: Literal["", "sp", "ring"] = ""
-) -> Action:
-    """One action for stitches that go into one place."""
-    if sum(k for _, k in inner) > _MOST:
-        raise NotUnderstood(token, "too many stitches in one place", f"at most {_MOST}")
-    try:
-        made = into_one(inner, place)
-    except ValueError as error:
-        raise NotUnderstood(token, str(error), "stitches that go into one place are worked ones and chains") from None
-    r.stitches.setdefault(made.name, made)
-    return Action(made.name, token.span)
-
-
 def _lower(
     r: Reader,
     found: list[Item],
@@ -360,7 +318,7 @@ def _lower(
             word = "one" if not token.glued else "one glued"
             r.ask(word, Span(before.start, token.end))
             if word in r.choices:
-                return [_together(r, [(kind, k)], token)]
+                return [together(r, [(kind, k)], token)]
         return [Action(name, token.span, k or 1, at)]
     if place.spaces:
         return placed(r, found, [Action(name, token.span, k or 1, at)], place, token.span)
@@ -373,7 +331,7 @@ def _lower(
         if not place.each and before is not None and k < 4:
             r.ask("all", place.span)
         if place.each or (before is not None and k < 4 and "all" not in r.choices):
-            return [Group((_together(r, [(kind, k)], token),), None, place.span, place.leaves)]
+            return [Group((together(r, [(kind, k)], token),), None, place.span, place.leaves)]
         return [Action(name, token.span, k, at)]
     if place.kind == "same" or (place.kind == "hook" and (k or 1) > 1):
         return placed(r, found, [Action(name, token.span, k or 1, at)], place, token.span)
@@ -397,51 +355,12 @@ def _lower(
         if k % count == 0:
             r.ask("places", place.span)
         if k % count == 0 and "places" not in r.choices:  # "6 sc in next 3 sts": two in each
-            one = _together(r, [(kind, k // count)], token)
+            one = together(r, [(kind, k // count)], token)
             return [Action(one.name, one.span, count, place.span)]
     if place.each or count == 1 or k < _FEW:
-        one = _together(r, [(kind, k)], token)
+        one = together(r, [(kind, k)], token)
         return [Action(one.name, one.span, count, place.span)]
     raise NotUnderstood(given or token, f"{k} stitches do not go evenly into {count}", "say how many go into each")
-
-
-def placed(r: Reader, found: list[Item], inner: list[Item], place: Where, span: Span) -> list[Item]:
-    """``inner`` worked into one place, once or in each of several."""
-    token = Token("stitch", "", span.start, span.end)
-    flat = [one for i in inner for one in _flat(i)]
-    parts = [(r.stitches[i.name], i.times) for i in flat if isinstance(i, Action) and i.name in r.stitches]
-    if len(parts) != len(flat):
-        raise NotUnderstood(token, "this does not go into one stitch", "stitches only, without repeats")
-    if place.kind == "same" and found:
-        held: list[Item] = []  # a change of yarn within the place
-        while found and isinstance(found[-1], Action) and found[-1].name in ("color", "flo", "blo", "bl"):
-            held.insert(0, found.pop())
-        if held and found:
-            return [*placed(r, found, inner, place, span), *held]
-        found += held
-        last = found[-1]
-        if isinstance(last, Action) and last.name in r.stitches and r.stitches[last.name].fits_in_one:
-            kind = r.stitches[last.name]
-            old = [(r.stitches[s], k) for s, k in kind.inner] or [(kind, 1)]
-            more = _together(r, [*old, *parts], token)
-            found[-1:] = [Action(last.name, last.span, last.times - 1, last.times_span)] if last.times > 1 else []
-            return [more]
-    if place.kind == "ring":
-        r.body.ringed = r.body.ringed or r.ring is None
-        found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join"))]
-        r.ring = None
-        return [_together(r, parts, token, "ring")]
-    one = _together(r, parts, token, "sp" if place.spaces else "")
-    if place.kind == "around":
-        return [Group((one,), None, place.span, place.leaves)]
-    return [Action(one.name, one.span, place.count, place.span)]
-
-
-def _flat(item: Item) -> list[Item]:
-    """An item without brackets, if they say how often; so that it can go into one place."""
-    if isinstance(item, Group) and item.times is not None and item.times <= _MOST:
-        return [one for i in item.items for one in _flat(i)] * item.times
-    return [item]
 
 
 def spread(r: Reader, found: list[Item]) -> bool:

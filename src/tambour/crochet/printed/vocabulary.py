@@ -103,10 +103,6 @@ class Vocabulary:
         self._first = {word: list(phrases) for word, phrases in self._first.items()}
         self._read = {}
 
-    def knows(self, word: str) -> bool:
-        """Whether a phrase begins with ``word``."""
-        return word in self._first
-
     def stitches(self) -> list[str]:
         """The words of one piece that mean a stitch, for suggestions."""
         return [p[0][0] for phrases in self._first.values() for p in phrases if p[1] == "stitch" and len(p[0]) == 1]

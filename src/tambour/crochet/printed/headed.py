@@ -1,0 +1,219 @@
+"""Printed patterns, a headed round: what its words say is worked, told as an edge that is not drawn, or taken for a gap."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+from tambour.core.errors import Span, did_you_mean
+from tambour.crochet.language.stitches import MOST
+from tambour.crochet.language.tree import Action, Group, Line
+from tambour.crochet.printed.anew import anew
+from tambour.crochet.printed.bases import MOST as _MOST
+from tambour.crochet.printed.bases import base, based, elsewhere, is_first
+from tambour.crochet.printed.beyond import again_made, another, edged_again, edging, not_drawn
+from tambour.crochet.printed.counted import count_in
+from tambour.crochet.printed.cursor import NotUnderstood
+from tambour.crochet.printed.doings import works
+from tambour.crochet.printed.doubts import decided
+from tambour.crochet.printed.doubts import worked as stitches_of
+from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.items import works as works_some
+from tambour.crochet.printed.mend import is_start
+from tambour.crochet.printed.moved import Moved
+from tambour.crochet.printed.parts import Draft
+from tambour.crochet.printed.prose import finishing, stuffed
+from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.remarks import remark
+from tambour.crochet.printed.reworked import again
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Token
+from tambour.crochet.printed.united import united
+from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs
+
+_HINTED: Final = 20  # errors that suggestions are looked for
+
+
+class Headed(State):
+    """Reads one round that has a head."""
+
+    def end_marks(self, draft: Draft) -> None:
+        """Puts the asterisks that end a round behind what it works."""
+        draft.marks += [(stars, len(draft.lines)) for stars in self.ended]
+        self.ended = []
+
+    def worked(self, draft: Draft, head: Head, tokens: list[Token], span: Span) -> None:
+        """The round as its words say, or as a gap."""
+        first = tokens[0] if tokens else Token("mark", "", head.span.start, head.span.end)
+        times = len(head.numbers) if len(head.numbers) > 1 else head.many
+        chain = (
+            next((i.times for i in draft.lines[draft.chain].items if isinstance(i, Action) and i.name == "ch"), None)
+            if draft.chain is not None
+            else None
+        )
+        self.source.marked = draft.ahead()
+        both = united(
+            self, draft, tokens, lambda some, edge: decided(self.source, some, self.palette, edge, self.phrases), span
+        )
+        if both is not None and head.numbers and head.numbers[0] <= draft.last:
+            draft.offset = draft.last
+            head = replace(head, numbers=tuple(n + draft.offset for n in head.numbers))
+        try:
+            read = both or decided(self.source, tokens, self.palette, draft.edge, self.phrases, times, chain)
+        except NotUnderstood as wrong:
+            self._gap(draft, head, tokens, span, wrong)
+            return
+        if not read.fit and draft.other is not None:
+            # The round before does not make its own count: this one may stand on either.
+            second = decided(self.source, tokens, self.palette, draft.other, self.phrases, times, chain)
+            read, draft.edge = (second, draft.other) if second.fit else (read, draft.edge)
+        if both is None and read.pending and not any(is_start(i, self.source.stitches) for i in read.items):
+            ring = next((t for t in tokens if t.kind == "key" and t.value == "ring"), first)
+            self._gap(
+                draft,
+                head,
+                tokens,
+                span,
+                NotUnderstood(ring, "the ring has no stitches", "say how many: 6 sc in magic ring"),
+            )
+            return
+        place, self.moved = read.moved or self.moved, None
+        if self._along(draft, read, place):
+            self._edged(draft, read, span)
+            return
+        if place is not None and not is_first(read, self.source.stitches):
+            draft, head, read = elsewhere(self, draft, head, read, place, (tokens, times, span))
+        elif (
+            not draft.started(self.source)
+            and read.refers is None
+            and (len(self.parts) > 1 or first.value == "join")
+            and (read.both or sum(map(works_some, read.items)) > 1)
+        ):
+            read = based(self, draft, head, read, span, (tokens, times)) or read
+        unread = []
+        handed = bool(read.doings)
+        for left in read.left:
+            put = finishing(self, left)
+            edged, self.edged = self.edged, False
+            known = put or edging(self, left) or edged_again(self, left, edged) or again_made(self, left)
+            if not known and not (handed and another(left)):
+                unread.append(left)
+            handed = handed or put
+        instructive = [left for left in unread if instructs(self, left) and not remark(self.source.text.text, left)]
+        notes = tuple(Span(d[0].start, d[-1].end) for d in read.doings if d)
+        for done in read.doings:
+            amount = stuffed(done)
+            if amount is not None and amount >= 0:
+                draft.stuffing = amount
+        if read.refers is not None:
+            if draft.offset and read.refers.numbers and read.refers.numbers[0] + draft.offset <= draft.last:
+                numbers = tuple(n + draft.offset for n in read.refers.numbers)
+                read.refers = replace(read.refers, numbers=numbers)
+            if not (again(self, draft, head, read, span) or anew(self, draft, head, read, span)):
+                at = Token("mark", "", read.refers.span.start, read.refers.span.end)
+                lacking = NotUnderstood(
+                    at, "these rounds are not there to be repeated", "name rounds that stand before this"
+                )
+                self._gap(draft, head, tokens, span, lacking)
+                return
+        elif (not read.fit and (instructive or not draft.sure)) or (
+            read.stated is None and any(works(left, k) for left in instructive for k in range(len(left)))
+        ):
+            self._gap(
+                draft, head, tokens, span, read.wrong or NotUnderstood(first, "these words do not make the count")
+            )
+            return
+        else:
+            before, edge, last = len(draft.lines), draft.edge, draft.last
+            draft.spoken[span.start] = tokens
+            draft.add(self.source, head, read, span, notes)
+            if not draft.started(self.source):
+                del draft.lines[before:]
+                draft.edge, draft.last = edge, last
+                read = based(self, draft, head, read, span, (tokens, times)) or read
+                if draft.started(self.source):
+                    draft.add(self.source, head, read, span, notes)
+            if not draft.started(self.source):
+                self._gap(draft, head, tokens, span, NotUnderstood(first, "what this is worked on is not known"))
+                return
+            joined = any(isinstance(i, Action) and i.name == "join" for i in read.items[:-1])
+            used = stitches_of(read.items, edge or 0, self.source.stitches) if read.fit == 1 and not joined else None
+            if read.stated is not None and read.fit and (used is None or used[0] == read.stated):
+                draft.sure = True
+                self.sound.add(span.start)
+        self.understood += 1
+        for where in read.edged:
+            not_drawn(self, where)
+        for many, where in read.plain:
+            even = Body([Group((Action("sc", where),), None, where)], rounds=(many, where))
+            draft.add(self.source, None, even, where)
+        if read.more:
+            self.end_marks(draft)
+        for k, more in enumerate(read.more):
+            behind = Body([hue for at, hue in read.between if at == k], refers=more)
+            if not again(self, draft, None, behind, more.span):
+                self.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
+                draft.sure = False
+        draft.lines += [Line((hue,), span, False) for at, hue in read.between if at == len(read.more)]
+        for left in instructive:
+            self.tell(
+                NOT_UNDERSTOOD, "say it as in the other rounds, or leave it out", Span(left[0].start, left[-1].end)
+            )
+            draft.sure = False
+        self.passed += [Span(left[0].start, left[-1].end) for left in unread if left not in instructive]
+
+    def _along(self, draft: Draft, read: Body, place: Moved | None) -> bool:
+        """Whether a round goes along an edge that is no round's, as many stitches as fit it, or on from such a one."""
+        if read.refers is not None or read.left or is_first(read, self.source.stitches) or not self.parts[0].begun():
+            return False
+        if read.edged and not any(map(works_some, read.items)):
+            return True
+        edge = place is not None and not (place.number or place.before or place.free)
+        if draft.bordered:
+            return place is None or edge
+        return (
+            edge
+            and draft.chain is None
+            and read.stated is None
+            and base(read.items, None, self.source.stitches) is None
+        )
+
+    def _edged(self, draft: Draft, read: Body, span: Span) -> None:
+        """A round along an edge which is no round's: it is told as not drawn, and stands with its part in its own words."""
+        for where in read.edged or (span,):
+            not_drawn(self, where)
+        notes: tuple[Span, ...] = (span,)
+        if not draft.begun() and len(self.parts) > 1:
+            notes = (draft.span, span) if draft.span.end <= span.start else notes
+            self.parts.remove(draft)
+            draft = self.parts[-1]
+        draft.bordered = True
+        draft.lines.append(Line((), span, False, notes=notes))
+        self.understood += 1
+
+    def _gap(self, draft: Draft, head: Head, tokens: list[Token], span: Span, wrong: NotUnderstood) -> None:
+        """A round that was not understood takes its count, or else that of the round below."""
+        self.failed += 1
+        hint = wrong.hint
+        if wrong.token.kind == "word" and self.failed <= _HINTED:
+            hint = did_you_mean(wrong.token.word, self.palette.known) or hint
+        count = count_in(tokens, self.source.stitches, self.palette)
+        many = count.value if count is not None else draft.edge if draft.chain is None else None
+        on = draft.started(self.source) or count is not None
+        if (
+            not on
+            or not many
+            or many > _MOST
+            or (draft.edge and not draft.edge <= MOST * many <= MOST * MOST * draft.edge)
+        ):
+            self.left_out.append(span)
+            self.tell(f"{wrong.message}: this round is left out", hint, wrong.token.span)
+            draft.last = max(head.numbers) if head.numbers else draft.last + 1
+            draft.sure = False
+            return
+        said = (
+            "taken from its stated count" if count is not None else "taken to have as many stitches as the one before"
+        )
+        self.tell(f"{wrong.message}: this round is {said}, {many}", hint, wrong.token.span)
+        draft.gap(self.source, head, many, span, count.span if count is not None else head.span)
+        draft.sure = count is not None

@@ -1,0 +1,134 @@
+"""Printed patterns, reworked: rounds that are written elsewhere, worked once more ("as Rnds 2-4 of Head", "rep last 2 rnds 3 times")."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tambour.core.errors import Span
+from tambour.crochet.language.source import Source
+from tambour.crochet.language.tree import Action, Again, Line, written
+from tambour.crochet.printed.doubts import after, rounds_until
+from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.items import closes, sets_mark, works
+from tambour.crochet.printed.naming import named
+from tambour.crochet.printed.parts import LIFT, MARKED, MOST_ROUNDS, Draft
+from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.redyed import redyed
+from tambour.crochet.printed.state import State
+
+
+def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> bool:
+    """Rounds that are written elsewhere, worked once more; False where they are not there."""
+    source, parts = p.source, p.parts
+    refers = body.refers
+    assert refers is not None
+    names = [one.name for one in parts]
+    meant = named(names, refers.part) if refers.part else None
+    origin = draft if not refers.part or meant == -1 else None if meant is None else parts[meant]
+    if refers.marks and (origin is None or origin.between(refers.marks) is None):
+        marks = refers.marks
+        origin = next((one for one in reversed(parts) if one.between(marks) is not None), origin)
+    if origin is None:
+        return False
+    lines = origin.referred(refers)
+    if not lines or any(line.span.start in origin.spread for line in lines):
+        return False
+    lines = tuple(replace(line, items=tuple(i for i in line.items if not sets_mark(i))) for line in lines)
+    numbers = head.numbers if head is not None else ()
+    once = sum(line.times for line in lines)
+    total = len(numbers) or (head.many if head is not None and head.many > 1 else once * (refers.times or 1))
+    if numbers and refers.times and body.stated is not None and once * refers.times != total:
+        fair = [n for n in (total, once * refers.times) if _reach(lines, n, draft.edge, source) == body.stated]
+        message = f"{total} rounds are said here, and {once * refers.times} further on"
+        source.doubt(message, "make them agree", refers.span, True)
+        total = fair[0] if len(fair) == 1 else total
+    alike = tuple(written(origin.lines, numbers[0], numbers[-1])) if len(numbers) > once and refers.numbers else ()
+    fits = alike and body.stated is not None and sum(one.times for one in alike) == total
+    if fits and origin is not draft and _reach(alike, total, draft.edge, source) == body.stated:
+        # "Rounds 1-6: same as Rounds 1-5 of Head, 36 sc"
+        message = f"{total} rounds are said here, and {once} there: the count speaks for {total}"
+        source.doubt(message, "make them agree", refers.span, True)
+        lines, once = alike, total
+    if total > once and total % once and origin is not draft and not refers.times:
+        message = f"{total} rounds are said here, and {once} there: {once} are worked"
+        source.doubt(message, "make them agree", refers.span, True)
+        total = once
+    if refers.length is not None:
+        done = draft.last if refers.whole else 0
+        total = max(once, round(refers.length / p.height()) - done)
+        message = f"so many rounds as make {refers.length:.0f} mm: {total}, by the gauge"
+        source.doubt(message, "a number of rounds would be sure", refers.span)
+    if refers.upto and not (total := refers.upto - draft.last) > 0:
+        return False
+    if refers.vague:
+        message = "how long this goes on is said by no number: it is worked once"
+        source.doubt(message, "say the rounds, or a length in inches or cm", refers.span)
+    if refers.until and not (total := rounds_until(lines, draft.edge, refers.until, source.stitches)):
+        return False
+    if refers.mirrored:
+        source.doubt("sides are not reversed here", "write the mirrored rounds out", refers.span)
+    if not draft.begun() or draft.chain is not None:
+        first = next(k for k, one in enumerate(origin.lines) if one.in_round)
+        if lines[0].number == origin.lines[first].number and origin is not draft:
+            own = [line for line in draft.lines if all(isinstance(i, Action) and i.name == "color" for i in line.items)]
+            draft.lines, draft.chain, draft.flat = [*own, *origin.lines[:first]], None, origin.flat
+    number = numbers[0] if numbers else draft.last + 1
+    at = head.span if head is not None and numbers else refers.span
+    first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
+    if number + total > MOST_ROUNDS:
+        source.error(f"more than {MOST_ROUNDS:,} rounds in one part", "a lower number", at)
+        return True
+    moves, lines = _lifted(draft, lines)
+    # Lines that work others again, as those others: round upon round said so would lead too deep.
+    lines = tuple(one for line in lines for one in ((line,) if line.again is None else line.rounds()))
+    said = [i for i in body.items if isinstance(i, Action) and i.name in ("color", "turn")]
+    later = tuple(i for i in said if i.span.start > refers.span.start)  # "Rep Row 2 changing to B in last sc"
+    later += tuple(hue for hue, _ in body.later if isinstance(hue, Action))
+    lead = (*moves, *(i for i in said if i.name == "color" and i not in later))
+    again = Again(lines, first_number, last_number, "" if origin is draft else origin.name, refers.span)
+    line = Line(lead, span, True, total, at, number, body.stated, body.stated_span, again)
+    if numbers and head is not None:
+        draft._numbered(source, head, True)
+    made = redyed(line, origin.lines, body.hues) if body.hues else [line]
+    if body.hues:
+        message = "these yarns are taken in the order in which colours come there"
+        source.doubt(message, "nothing is amiss", refers.span)
+    draft.lines += [*made, *([Line(later, span, False)] if later else [])]
+    draft.last, before = number + total - 1, draft.edge
+    for one in line.rounds():
+        before, draft.edge = draft.edge, after(one.items, draft.edge, source.stitches)
+        draft.peak = max(draft.peak, draft.edge or 0)
+    if draft.other is not None:
+        for one in line.rounds():
+            draft.other = after(one.items, draft.other, source.stitches)
+    if body.stated is not None:
+        draft.other = body.stated if draft.edge is not None and draft.edge != body.stated else None
+    draft.edge = draft.edge if draft.edge is not None else body.stated
+    if draft.edge is not None:
+        draft.edges[draft.last] = draft.edge
+    draft.shrunk = draft.edge is not None and before is not None and draft.edge < before
+    return True
+
+
+def _lifted(draft: Draft, lines: tuple[Line, ...]) -> tuple[tuple[Action, ...], tuple[Line, ...]]:
+    """``lines`` as they go on from the last one, and what comes before them: where that says no join and no turn, the
+    chains that they begin with would be worked as stitches."""
+    first = next((i for i in lines[0].items if not isinstance(i, Action) or i.name != "color"), None)
+    moved = any(isinstance(i, Action) and i.name in ("join", "turn") for i in lines[0].items[:2])
+    if moved or not (isinstance(first, Action) and first.name == "ch" and first.times <= LIFT):
+        return (), lines
+    last = draft.lines[-1] if draft.lines else None
+    while last is not None and last.again is not None:
+        last = last.again.lines[-1]
+    move = Action("turn" if draft.flat else "join", first.span)
+    if not closes(lines[-1]):
+        return (), (replace(lines[0], items=(move, *lines[0].items)), *lines[1:])
+    return (() if last is None or closes(last) or not any(map(works, last.items)) else (move,)), lines
+
+
+def _reach(lines: tuple[Line, ...], total: int, edge: int | None, source: Source) -> int | None:
+    """Stitches on the edge after so many rounds, ``lines`` again and again."""
+    every = [one for line in lines for one in line.rounds()]
+    for k in range(min(total, MARKED)):
+        edge = after(every[k % len(every)].items, edge, source.stitches)
+    return edge
