@@ -11,15 +11,19 @@ export PIP_COMPILE := 0
 
 # What a user has: the package and its kernels, built once and kept in the user's cache. What the package needs is installed meanwhile.
 $(VENV)/used: pyproject.toml
-	$(PYTHON) -c 'import sys; assert sys.version_info >= (3, 11), "Tambour needs Python 3.11 or newer"'
-	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -c 'import tomllib; print(*tomllib.load(open("pyproject.toml", "rb"))["project"]["dependencies"], sep="\n")' > $(VENV)/needs
-	$(PIP) --no-deps -e . & built=$$!; $(PIP) -r $(VENV)/needs; installed=$$?; wait $$built && exit $$installed
-	touch $@
+	@$(PYTHON) -c 'import sys; sys.version_info >= (3, 11) or sys.exit("Tambour needs Python 3.11 or newer")'
+	@echo "$(VENV): a Python of its own"
+	@$(PYTHON) -m venv $(VENV)
+	@echo "$(VENV): what Tambour needs is fetched, and its kernels are compiled meanwhile: about a minute on two quiet cores, seconds where they lie in your cache"
+	@$(BIN)/python -c 'import tomllib; print(*tomllib.load(open("pyproject.toml", "rb"))["project"]["dependencies"], sep="\n")' > $(VENV)/needs
+	@$(PIP) --no-deps -e . & built=$$!; $(PIP) -r $(VENV)/needs; installed=$$?; wait $$built && exit $$installed
+	@touch $@
 
 $(VENV)/ready: $(VENV)/used
-	$(PIP) -e '.[dev]'
-	touch $@
+	@echo "$(VENV): the tools that tests need are fetched: a minute or two"
+	@$(PIP) -e '.[dev]'
+	@touch $@
+	@echo "$(VENV): ready"
 
 demo: $(VENV)/used
 	mkdir -p out

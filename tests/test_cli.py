@@ -169,3 +169,11 @@ def test_standard_output_takes_one_file_of_a_kind(tmp_path: Path, monkeypatch: p
             main(["ink", "--seed", "1", "--span", "60", *words])
         assert left.value.code == 2 and told in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_that_is_gone_is_told(tmp_path: Path) -> None:
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    command = f"cd {gone} && rmdir {gone} && {sys.executable} -m tambour formats"
+    ran = subprocess.run(["bash", "-c", command], capture_output=True, text=True)
+    assert ran.returncode == 2 and ran.stderr == "the folder that you are in is not there any more; go to another\n"

@@ -169,6 +169,12 @@ def test_texts_are_read_whatever_their_ends_and_marks(tmp_path: Path) -> None:
     assert files.read(path, ("Text",)) == Text("eins\nzwei\ndrei ä", str(path))
     path.write_bytes(b"caf\xe9")
     assert files.read(path, ("Text",)).text == "café"
+    for order in ("utf-16-le", "utf-16-be"):
+        path.write_bytes("\ufeffeins\r\nzwei ä".encode(order))
+        assert files.read(path, ("Text",)).text == "eins\nzwei ä"
+        path.write_bytes("\ufeffeins".encode(order) + b"\0")  # cut within a letter
+        with pytest.raises(TambourError, match="zero bytes"):
+            files.read(path, ("Text",))
 
 
 def test_every_table_entry_exists() -> None:

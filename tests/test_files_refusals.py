@@ -70,6 +70,8 @@ REFUSED: dict[str, tuple[bytes, str]] = {
     "empty.html": (b"<p> </p><h2></h2><table><tr><td></td></tr></table>", "this document holds no text"),
     "none.npz": (b"", "not an NPZ"),
     "zero.txt": (b"R1:\0", "holds zero bytes"),
+    "nameless": (b"R1: MR(6)", "its name has no suffix"),
+    "a.xyz": (b"R1: MR(6)", '".xyz" files cannot be read here'),
 }
 
 
@@ -81,6 +83,11 @@ def test_it_says_why_in_one_line_with_the_files_name(name: str, tmp_path: Path) 
         files.read(tmp_path / name, KINDS)
     (problem,) = caught.value.problems
     assert name in str(problem) and "\n" not in problem.message
+
+
+def test_a_folder_is_no_source(tmp_path: Path) -> None:
+    with pytest.raises(TambourError, match="this is a folder"):
+        files.read(tmp_path, KINDS)
 
 
 def chart(colours: int, blank: bool) -> Chart:

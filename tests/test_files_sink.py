@@ -82,6 +82,14 @@ def test_modes_links_and_pipes_stay_what_they_are(tmp_path: Path) -> None:
     assert not list(tmp_path.glob(f"{PREFIX}*"))
 
 
+def test_a_ring_of_links_is_no_place(tmp_path: Path) -> None:
+    (tmp_path / "a.txt").symlink_to("b.txt")
+    (tmp_path / "b.txt").symlink_to("a.txt")
+    with pytest.raises(TambourError, match=r"a\.txt: cannot be written: "):
+        files.write(Text("new"), tmp_path / "a.txt")
+    assert (tmp_path / "a.txt").is_symlink() and sorted(p.name for p in tmp_path.iterdir()) == ["a.txt", "b.txt"]
+
+
 def test_a_device_without_room_puts_everything_back(tmp_path: Path) -> None:
     (tmp_path / "a.txt").write_text("old")
     (tmp_path / "full.txt").symlink_to("/dev/full")

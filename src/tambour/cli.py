@@ -435,6 +435,11 @@ def main(arguments: list[str] | None = None) -> None:
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="replace")  # a terminal that cannot show "→" is no reason to stop
     try:
+        os.getcwd()
+    except OSError:
+        click.echo("the folder that you are in is not there any more; go to another", err=True)
+        sys.exit(2)
+    try:
         with _stoppable():
             code = tambour.main(arguments, prog_name="tambour", standalone_mode=False)
             sys.stdout.flush()
@@ -451,9 +456,10 @@ def main(arguments: list[str] | None = None) -> None:
     except click.ClickException as error:
         error.show()
         sys.exit(2)
-    except OSError as error:  # files speak by TambourError: this was printing
+    except OSError as error:  # files speak by TambourError: this was printing, or something that bears a name
         _hushed()
-        click.echo(f"cannot be printed: {error.strerror}", err=True)
+        told = "cannot be printed" if error.filename is None else f"{shown(str(error.filename))}: the system refuses"
+        click.echo(f"{told}: {error.strerror}", err=True)
         sys.exit(2)
     except Exception:  # noqa: BLE001 - the last line of defence: a traceback, and what to do with it
         import traceback

@@ -221,8 +221,8 @@ def edited(made: Made, edits: Sequence[Edit | str], progress: Progress | None = 
     Raises TambourError for edits that cannot be made.
 
     >>> made = make("knit", "examples/knit/rose.png", craft("knit").params(stitches=24))
-    >>> int(edited(made, ["stitch:1,1=CC"]).piece.chart.cells[0, 0])
-    1
+    >>> [int(edited(made, [f"stitch:1,1={yarn}"]).piece.chart.cells[0, -1]) for yarn in ("MC", "CC")]
+    [1, 0]
     """
     what, progress = made.craft, progress or made.progress
     changed, piece = what.edits(edits), made.piece

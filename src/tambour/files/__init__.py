@@ -128,13 +128,13 @@ def read(path: str | Path, types: Iterable[str]) -> Any:
     path, types = Path(path), tuple(types)
     suffix = path.suffix.lower()
     readers = READ.get(suffix, {})
+    if path.is_dir():
+        raise TambourError("this is a folder, a file is wanted", where=str(path))
     for kind in types:
         if kind in readers:
             if not path.exists():
                 near = [p.name for p in path.parent.glob(f"*{suffix}")] if path.parent.is_dir() else []
                 raise TambourError("there is no such file", hint=did_you_mean(path.name, near), where=str(path))
-            if path.is_dir():
-                raise TambourError("this is a folder, a file is wanted", where=str(path))
             if path.is_char_device() or path.is_block_device():
                 raise TambourError("this is a device, a file is wanted", where=str(path))
             most = MOVING if suffix in (*_USD, ".npz", ".glb") else LARGEST
@@ -146,7 +146,11 @@ def read(path: str | Path, types: Iterable[str]) -> Any:
                 raise TambourError(f"cannot be read: {error.strerror or error}", where=str(path)) from None
     known = sorted(s for s, kinds in READ.items() if set(types) & set(kinds))
     raise TambourError(
-        f'"{suffix or path.name}" files cannot be read here', hint=f"these can: {' '.join(known)}", where=str(path)
+        f'"{suffix}" files cannot be read here'
+        if suffix
+        else "its name has no suffix, which tells what kind of file it is",
+        hint=f"these can: {' '.join(known)}",
+        where=str(path),
     )
 
 

@@ -246,6 +246,8 @@ class Writing:
         try:
             place = Path(os.path.realpath(path) if path.is_symlink() else path)
             key = place.parent.resolve() / place.name
+            if place.is_symlink():  # a ring of links
+                raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
             if key in self._files:
                 raise TambourError("this file would be written twice", hint="name it differently", where=str(path))
             mode = os.stat(place).st_mode if place.exists() else stat.S_IFREG

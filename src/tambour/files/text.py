@@ -21,7 +21,7 @@ SMALL = 20_000_000
 
 
 def read_text(path: Path) -> Text:
-    """A text file: UTF-8 (with or without mark) or, failing that, Windows-1252; any line ends. TambourError above 2 MB."""
+    """A text file: UTF-8 (with or without mark), UTF-16 (with one) or, failing that, Windows-1252; any line ends. TambourError above 2 MB."""
     if path.stat().st_size > WORDS:
         raise TambourError(f"a text of more than {WORDS // 1_000_000} MB is no pattern", where=str(path))
     return decoded(path)
@@ -30,12 +30,13 @@ def read_text(path: Path) -> Text:
 def decoded(path: Path) -> Text:
     """A text file of any size."""
     raw = path.read_bytes()
-    if b"\0" in raw:
-        raise TambourError("this is not a text file (it holds zero bytes)", where=str(path))
+    wide = raw.startswith((b"\xff\xfe", b"\xfe\xff"))  # what Windows calls Unicode
     try:
-        text = raw.decode("utf-8-sig")
+        text = raw.decode("utf-16" if wide else "utf-8-sig")
     except UnicodeDecodeError:
         text = raw.decode("cp1252", errors="replace")
+    if "\0" in text:
+        raise TambourError("this is not a text file (it holds zero bytes)", where=str(path))
     return Text(text.replace("\r\n", "\n").replace("\r", "\n"), str(path))
 
 
