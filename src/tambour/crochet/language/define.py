@@ -62,7 +62,10 @@ def _moves(source: Source, tree: Any, own: str, height: float) -> tuple[Move, ..
                     at = source.span(token)
                     source.error("a stitch does not go around", "give the brackets a number", at)
                 elif kind == "repeats":
-                    times, _ = source.number(part.children[1])
+                    many, at = source.number(part.children[1])
+                    if times != 1:
+                        source.error("two numbers for one pair of brackets", "keep one of the two", at)
+                    times = many
             made += inner * min(times, _MOST_MOVES + 1)
             continue
         times, tokens = 1, []
