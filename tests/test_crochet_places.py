@@ -511,6 +511,30 @@ def test_what_was_done_before_says_no_place_and_clothes_may_be_the_body() -> Non
     assert hosts(sewn) == {"HEAD": "TUNIC", "ARMS.1": "TUNIC", "ARMS.2": "TUNIC"}
 
 
+def test_two_above_one_thing_are_two_and_brows_are_on_the_head() -> None:
+    face = (
+        "Sew the head to the body. Sew the nose to the head between rounds 5 and 6. Attach safety eyes above the nose."
+    )
+    pattern = toy(f"{face} Sew one eyebrow above each eye.", NOSE=CUP, EYEBROWS=TUBE)
+    one, other = (where_is(pattern, r) for r in pattern.finish if isinstance(r, Eye))
+    assert one[0] * other[0] < -0.05 and abs(one[1] - other[1]) < 0.05
+    assert hosts(pattern)["EYEBROWS.1"] == hosts(pattern)["EYEBROWS.2"] == "HEAD"
+
+
+@pytest.mark.parametrize("line, weight", [
+    ("DK / light worsted cotton: 1 ball dark blue (approx 25 g)", "dk"),
+    ("worsted weight yarn, Grey and Cream", "worsted"),
+    ("Size 3.5 mm (US E or 4) crochet hook for worsted yarn", None),
+    ("Yarn needle", None),
+])  # fmt: skip
+def test_the_yarn_of_a_list_is_the_line_that_names_its_class(line: str, weight: str | None) -> None:
+    pattern = read_printed(Text(f"Toy\n\nMATERIALS\n- {line}\n- stuffing\n\nBODY\n{CLOSED}"))
+    from tambour.crochet.yarns import class_of
+
+    said = pattern.stated.get("yarn", ("",))[0]
+    assert (class_of(said) if said else None) == weight
+
+
 def test_a_roof_stands_on_the_open_end_and_a_door_on_its_lower_edge() -> None:
     house = f"House\n\nWALLS\n{BALL}Stuff.\n\nROOF\n{BALL}\nDOOR\nCh 5.\nRow 1: 4 sc, turn (4)\nRows 2-4: ch 1, 4 sc, turn (4)\n"
     pattern = read_printed(

@@ -19,6 +19,10 @@ SPACE: Final = 3.0
 """Stitches between toys that stand beside each other in a picture."""
 BESIDE: Final = 0.12
 """A thing beside the toy is shown that has so much of its stitches."""
+_REST: Final = frozenset(
+    "edging piece side back front top bottom half section gusset lining border step abbreviation".split()
+)
+"""Words of parts that are pieces of something, and no thing for themselves."""
 DOUBT: Final = (206, 42, 38)
 PALE: Final = (228, 224, 216)
 """Colours of the picture of a tech edit: stitches that it doubts, and what the others are mixed with."""
@@ -113,7 +117,7 @@ def _thing(part: Made) -> bool:
     """Whether a part that is sewn to nothing may be a thing beside the toy: a cup, a star; neither clothes nor limbs nor a rest."""
     import re
 
-    named = not re.fullmatch(r"(?:part|piece)(?:_\w+)?|", part.name) and "edging" not in part.words
+    named = not re.fullmatch(r"(?:part|piece)(?:_\w+)?|", part.name) and not _REST & set(part.words)
     return named and not part.worn and part.kind in ("", "bow")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Final
 
 from tambour.core.rgb import RGB, unhexed
 from tambour.crochet.maker.materials import materials
@@ -13,6 +14,22 @@ from tambour.crochet.page.type import BODY, HAIR, HEAD, LEADING, SMALL, SOFT, wi
 from tambour.crochet.yarns import WEIGHTS
 from tambour.render.page import Page
 
+_USUAL: Final = {
+    "FO": "fasten off",
+    "sl st": "slip stitch",
+    "Sl st": "slip stitch",
+    "sts": "stitches",
+    "st": "stitch",
+    "Rnd": "round",
+    "rnd": "round",
+    "R": "round",
+    "inv dec": "invisible decrease: through the front loops of two stitches together",
+    "RS": "right side",
+    "WS": "wrong side",
+    "tog": "together",
+    "w/": "with",
+}
+"""What designers write in English sentences without explaining it."""
 LEFTOVER = 5.0
 """Grams of yarn for which nobody buys a skein."""
 
@@ -87,6 +104,9 @@ def begin(book: Book) -> None:
     if special:
         chunks += together(heading(book, word("special stitches"), width), special, word("special stitches"))
     notes = paragraph(own["notes text"], width)
+    pattern = book.piece.built.pattern
+    if pattern.finish and not any(part.up == "side" for part in pattern.parts):
+        notes += paragraph(own["front text"], width, space=1.4)
     chunks.append(Chunk([*heading(book, own["notes"], width), *notes], own["notes"]))
     flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
 
@@ -96,8 +116,18 @@ def _of_hers(book: Book) -> list[tuple[str, str]]:
     if book.hers is None:
         return []
     ours = {word.lower() for word, _ in book.said.abbreviations}
-    used = {word.lower() for words in book.hers.sentences for word in re.findall(r"[\w.]+", words)}
-    return [(said, meaning) for said, meaning in book.hers.terms.items() if said.lower() in used - ours]
+    steps = [words for record in book.piece.built.pattern.finish if (words := book.words_of(record))]
+    whole = " ".join([*book.hers.sentences, *steps])
+    known = (
+        {said: said for said in book.hers.terms} | {said: said for said in _USUAL} if book.code in ("us", "uk") else {}
+    )
+    made = []
+    for said in known:
+        plain = said.split("(")[0]
+        if plain.lower() not in ours and re.search(rf"(?<![\w]){re.escape(plain)}(?![A-Za-z_])", whole):
+            made.append((said, book.hers.terms.get(said) or _USUAL[said]))
+            ours.add(plain.lower())
+    return made
 
 
 def _materials(book: Book, width: float) -> list[Atom]:
@@ -128,7 +158,10 @@ def _materials(book: Book, width: float) -> list[Atom]:
     for thread in found["embroidery"]:
         color = unhexed(thread["color"])
         threads[color] = threads.get(color, 0.0) + thread["cm"]
+    held = {unhexed(yarn["color"]) for yarn in found["yarn"]}
     for color, cm in threads.items():
+        if color in held:
+            continue  # a little of a yarn that is there already
         letter, name = book.said.color(color)
         made.append(_yarn(color, letter, name, "", own["embroidery"].format(cm=number(cm, 0)), "", width))
     note = own["typical"].format(name=yarn_name(book), metres=number(kind.metres, 0))

@@ -12,6 +12,7 @@ from tambour.core.check import Array
 from tambour.core.errors import Text
 from tambour.core.picture import Picture
 from tambour.core.rgb import RGB
+from tambour.crochet.language.finishes import Finish
 from tambour.crochet.maker.size import Size
 from tambour.crochet.page.album import Album
 from tambour.crochet.page.flow import Frame
@@ -98,6 +99,11 @@ class Book:
         self.pages: list[Page] = []
         self.used: list[RGB] = [(int(r), int(g), int(b)) for r, g, b in _in_order(piece.yarn.color)]
         self.accent = _readable(_main(piece))
+
+    def words_of(self, record: Finish) -> str:
+        """The designer's own sentence that a finishing record came of; "" where it is ours."""
+        a, b = record.span.start, record.span.end
+        return " ".join(self.piece.built.pattern.text.text[a:b].split()) if self.hers is not None and b > a else ""
 
     @property
     def frame(self) -> Frame:

@@ -115,6 +115,15 @@ def flow(
                 head.draw(sheet, frame.lefts[0], below[1])
             flow(chunks, room, lambda: sheet, again)
             return
+        fits = all(c.height <= room.bottom - room.top for c in chunks)
+        if fits and frame.bottom - under > _BEGIN * (frame.bottom - frame.top):
+            packed = _pack(chunks, room.bottom - room.top)[: len(frame.lefts)]
+            some = [chunk for column in packed for chunk in column]
+            if head is not None:
+                head.draw(below[0], frame.lefts[0], below[1])
+            flow(some, room, lambda: below[0], again)
+            flow(chunks[len(some) :], frame, page, again)
+            return
     full, many = frame.bottom - frame.top, len(frame.lefts)
     # A chunk that no column holds is let go row by row.
     whole: list[Chunk] = []
@@ -144,6 +153,10 @@ def flow(
                     y += atom.space if (k or j) else 0.0
                     atom.draw(sheet, x, y)
                     y += atom.height
+
+
+_BEGIN = 0.4
+"""What does not fit on the rest of a page begins there if so much of it is white."""
 
 
 def _heights(full: float) -> list[float]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from tambour.core.errors import Span
-from tambour.crochet.language.tree import Pattern
+from tambour.crochet.language.tree import Action, Line, Pattern
 from tambour.crochet.page.instructions import by_people
 from tambour.crochet.words.table import TERMS, Terms
 
@@ -120,7 +120,7 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     last = starts[-1][0] if starts else len(text)
     after = next((a for a, _, line in lines if a > last and _plain(line) in assembly), len(text))
     named = [part.span for part in pattern.parts]
-    covered = [line.span for part in pattern.parts for line in part.lines]
+    covered = [line.span for part in pattern.parts for line in part.lines if not _ends(line)]
     loose = [s for s in pattern.passed if any(c.start < s.start and s.end <= c.end for c in covered)]
     finishing = {_span(record) for record in pattern.finish}
     _before(made, pattern, terms, [one for one in lines if one[0] < first and one[0] not in heads])
@@ -190,6 +190,11 @@ def _closing(made: Hers, text: str, a: int, b: int, finishing: set[tuple[int, in
             made.beside.setdefault(before, []).append(words)
         else:
             made.closing.append(words)
+
+
+def _ends(line: Line) -> bool:
+    """Whether a line only joins or fastens off, which she says in her own words."""
+    return not line.in_round and all(isinstance(i, Action) and i.name in ("join", "fo") for i in line.items)
 
 
 def _plain(line: str) -> str:

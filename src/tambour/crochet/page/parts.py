@@ -86,7 +86,7 @@ def _row(book: Book, row: Row, width: float, label: float, count: float) -> Atom
         def alone(sheet: Page, x: float, y: float) -> None:
             for k, color in enumerate(changes[:1]):
                 sheet.box(x + 5.4 * k, y + 0.5, 4.2, BODY + 0.2, color, HAIR, 0.15, 0.8)
-            sheet.paragraph(lines, x + (6.2 if changes else 0.0), y + BODY, BODY, color=SOFT)
+            sheet.paragraph(lines, x + (6.2 if changes else 0.0), y + BODY, BODY)
 
         return Atom(len(lines) * BODY * LEADING + 1.0, alone, 0.4, keep=bool(changes))
     left = _TICK + 2.0 + label
@@ -259,7 +259,10 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
             row
             for row, words in ours
             if (stuffs & set(words.rstrip(".").split()[:1]) and "stuff" in whole)
-            or (words in _ends(book) and re.search(r"fasten off|finish off|\bfo\b|break yarn|cut yarn", whole))
+            or (
+                words in _ends(book)
+                and re.search(r"fasten off|finish off|\bfo\b|break yarn|cut yarn|\bsl(?:ip)? ?st|\bjoin", whole)
+            )
         ]
         rows = [row for row in rows if row not in drop]
     if said and said[0][0] == 0 and rows and rows[0].colors and not rows[0].label and _WITH.match(said[0][1]):
@@ -292,7 +295,7 @@ def _said(book: Book, key: str) -> set[str]:
 
 
 def _ends(book: Book) -> set[str]:
-    return {f"{book.said.terms.sentences[key].lower()}." for key in ("close", "fasten off")}
+    return {f"{book.said.terms.sentences[key].lower()}." for key in ("close", "fasten off", "join")}
 
 
 def _names(book: Book, step: Step) -> str:
@@ -331,7 +334,7 @@ def _by_marks(book: Book, found: list[Step]) -> list[list[str]] | None:
 def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
     """The assembly's sentences, each with the step that it belongs to: the designer's own where there are, else ours."""
     built, seams = book.piece.built, book.said.seams
-    text, finish = built.pattern.text.text, built.pattern.finish
+    finish = built.pattern.finish
     made: list[list[str]] = [[] for _ in found]
     part = built.graph.part
     marked = _by_marks(book, found)
@@ -345,9 +348,9 @@ def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
     told: set[str] = set()
     for i, step in enumerate(found):
         records = [finish[n] for n in step.records]
-        own = [r for r in records if book.hers is not None and r.span.end > r.span.start]
+        own = [r for r in records if book.words_of(r)]
         for record in own:
-            words = " ".join(text[record.span.start : record.span.end].split()).rstrip(".") + "."
+            words = book.words_of(record).rstrip(".") + "."
             if words not in told:
                 told.add(words)
                 more = book.hers.beside.get((record.span.start, record.span.end), []) if book.hers is not None else []

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
 
 _ABOVE: Final = radians(52.0)
+_UNDER: Final = 0.3
+"""What is so far below a piece's middle, as a share of its height, is seen from below."""
 _NEAR: Final = (radians(10.0), radians(6.0))
 AIR: Final = 1.1
 """The cover shows so much more than the piece."""
@@ -217,7 +219,11 @@ def of_step(album: Album, step: Step, frame: Array, width: int, height: int) -> 
         part, x = piece.built.graph.part, piece.positions
         low = x[np.isin(part, part[sorted(hosts)]), 1].min()
         near = np.isin(part, [k for k in step.parts if x[part == k, 1].min(initial=np.inf) >= low])
-        frame, view = skin(piece, np.flatnonzero(near)), _NEAR
+        points = [n for r in step.finishes for s in _spots(r) for n in known.place(s).nodes]
+        frame, view = np.concatenate([skin(piece, np.flatnonzero(near)), skin(piece, np.array(points))]), _NEAR
+        middle = 0.5 * (frame.min(0) + frame.max(0))
+        if (frame[-2 * len(points) :, 1] < middle[1] - _UNDER * np.ptp(frame[:, 1])).mean() > 0.5:
+            view = (_NEAR[0], -_NEAR[1] * 3.0)  # embroidered underneath
     return _on_paper(
         album,
         picture(

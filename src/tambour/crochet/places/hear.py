@@ -58,6 +58,9 @@ _WHEN: Final = re.compile(
     r"\b(?:after|before|once|until|while)\b[^,.;]*\b(?:has|have|is|are|been|sewing|attaching)\b[^,.;]*"
 )
 """When something is done, which says no place: "after the head has been sewn to the neck"."""
+_MEET: Final = re.compile(
+    r"\b(?:where|at which) (?:the )?(?:head and (?:the )?body|body and (?:the )?head) (?:meet|join|are joined)\b"
+)
 _NEAR: Final = re.compile(
     r"\b(?:below|beneath|under|underneath|above|between|beside|next to|near|behind|in front of|level with|in line with|"
     r"on (?:either|both|each) sides? of|as|from|towards?)\s+(?:the\s+|each\s+|both\s+|its\s+)*$"
@@ -190,6 +193,7 @@ class Heard:
             self.lost.append(sentence.span)
 
     def _clause(self, low: str, sentence: Sentence, order: int, color: RGB | None) -> bool:
+        low = _MEET.sub("at neck of body", low)
         found = mentions(low, self.parts)
         at = where(low)
         glass = re.search(r"\b(?:safety|plastic|toy|bead|button|googly)s? eyes?\b|\bbeads? for eyes\b", low)
@@ -322,7 +326,13 @@ class Heard:
         """Whether the head or the body of a part that is both is meant."""
         if re.search(r"\b(?:head|face|forehead)\b", low):
             return "head"
-        return "body" if re.search(r"\b(?:body|torso|belly|chest|waist|hips?)\b", low) else ""
+        return (
+            "body"
+            if re.search(
+                r"\b(?:body|torso|belly|chest|waist|hips?|tunic|shirt|dress|coat|sweater|jacket|vest|apron)\b", low
+            )
+            else ""
+        )
 
 
 def _put_eyes(low: str, eyes: int) -> bool:

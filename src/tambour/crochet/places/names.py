@@ -17,7 +17,7 @@ _KINDS: Final[dict[str, str]] = {
     "muzzle": "muzzle snout trunk mouth schnauze hocico museau snuit",
     "nose": "nose nase nariz nez neus proboscis",
     "beak": "beak bill schnabel pico bec snavel",
-    "cheek": "cheek",
+    "cheek": "cheek eyebrow brow",
     "beard": "beard mustache moustache wattle",
     "arm": "arm hand armflipper glove mitten brazo bras",
     "claw": "claw pincer",

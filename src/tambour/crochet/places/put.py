@@ -140,7 +140,9 @@ class Putter(Holder):
             level = 0.5 * (at.rounds[0] + at.rounds[1])
             part = self.work.spots.parts[put.copies[k][0].copy(put.copies[k][1])]
             if self.work.spots.in_rows[part] and _STANDS.search(at.text):
-                level += 0.5 * len(self.work.host(put.copies[k]).levels)  # the middle of what stands on that round
+                level += 0.5 * (
+                    len(self.work.host(put.copies[k]).levels) - 1
+                )  # the middle of what stands on that round
             if at.stitch is not None and len(put.copies) == 1:
                 return Spot(host.name, level, at.stitch, put.span), way
             if at.aside is not None and len(put.copies) == 1:

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+import re
+from typing import Final
+
 from tambour.core.errors import Span
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.notes import MODES, Heading, heading, plain_name
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Row, Token
-from tambour.crochet.yarns import hook_of
+from tambour.crochet.yarns import class_of, hook_of
+
+_YARN: Final = re.compile(
+    r"^(?![^\n]*\b(?:hooks?|needles?|eyes?)\b)[^\n]*\b(?:yarn|cotton|wool|acrylic|dk|worsted|aran|sport|fingering|bulky|chunky)\b",
+    re.IGNORECASE,
+)
+"""A line of a list that is of yarn."""
 
 
 def below(p: State, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]]:
@@ -15,6 +24,8 @@ def below(p: State, row: Row, tokens: list[Token]) -> list[tuple[str, str, Span]
     span = Span(row.tokens[0].start, row.tokens[-1].end)
     words = p.source.text.text[span.start : span.end]
     below, p.below = p.below, ""
+    if p.mode == "materials" and not below and "yarn" not in p.stated and _YARN.search(words) and class_of(words):
+        return [("yarn", words, span)]
     if p.mode != "materials" or not any(t.kind == "number" for t in tokens):
         return []
     if below:
