@@ -15,16 +15,19 @@ from tambour.crochet.finish.sewing import UNDER, End, end_of, held, leaning
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, Spot
-from tambour.crochet.model.distance import Distance, Target
+from tambour.crochet.model.distance import Target
 from tambour.crochet.model.loop import Tried
 from tambour.crochet.model.rounds import Rounds, pattern
 from tambour.crochet.settle.arrange import parts
 from tambour.geometry.motion import dot, fit, length, turned
+from tambour.geometry.surface import vertex_normals
 
 QUARTER = 0.25
 """Places are said to a quarter of a round and of a stitch, angles to five degrees."""
 STEEP = 85.0
 """How far a part leans at the most, in degrees."""
+SIDEWAYS = 0.5
+"""How much farther off a place may be, in stitches, whose fabric looks where the part points, than one that looks across."""
 NUDGE = 0.7
 """How much of what a part is off it is moved at once."""
 
@@ -74,6 +77,7 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
     while ready := [key for key in waiting if pieces[key[0]].onto[key[1]] in standing]:
         joining = Joining(built, spots, tuple(steps.values()), ())
         joined = join(joining, alone, bodies)
+        normals = vertex_normals(joined.x, graph.faces[built.shell])
         for k, c in ready:
             piece, base = pieces[k], pieces[k].bases[c]
             assert base is not None
@@ -84,7 +88,8 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
             aim, to = nudges.get((k, c), (np.eye(3), np.zeros(3)))
             point = turned(base + to, turn) + shift
             other = pieces[piece.onto[c][0]].name(piece.onto[c][1])
-            spot = _spot(spots, joined.x, number[piece.onto[c]], other, point)
+            ahead = turned(turned(goal[here.start] - base, aim), turn)
+            spot = _spot(spots, joined.x, number[piece.onto[c]], other, point, looks=(normals, ahead))
             plain = Placed(piece.name(c), spot)
             end = end_of(built, spots, plain)
             frame = frame_of(joining, joined.x, plain, end, joined.upright, bodies_of(bodies, there.start))
@@ -138,12 +143,30 @@ def _between(a: float, b: float) -> float:
     return math.degrees(math.atan2(y, x))
 
 
-def nudged(pieces: list[Piece], x: Array, lain: Distance, nudges: Nudges) -> Nudges:
+@dataclass(eq=False, slots=True)
+class Seat:
+    """How a copy came to lie: the nudge it was aimed by, how far off it came to lie, and what would bring it home.
+
+    aim : the nudge; off : stitches, of its middle and of its tip; turn (3, 3), shift (3,) : what mends it; step : how much of
+    that is tried next
+    """
+
+    aim: tuple[Array, Array]
+    off: float
+    turn: Array
+    shift: Array
+    step: float = 1.0
+
+
+def nudged(pieces: list[Piece], x: Array, nudges: Nudges, seats: dict[Key, Seat]) -> Nudges:
     """Where parts are to be aimed next, so that they come to rest where they belong.
 
-    x : (N, 3) all parts at rest together; lain : what lays them upon the model
+    x : (N, 3) all parts at rest together; nudges : what they were aimed by
+    seats : the best that each came to lie so far, brought up to date; a part that came to lie worse goes half the way from there
     """
-    there = turned(x, lain.turn) + lain.shift
+    main = len(pieces[0].goals[0])  # of the first body: what it bears shall not turn it
+    turn, shift = fit(x[:main], pieces[0].goals[0], np.ones(main))
+    there = turned(x, turn) + shift
     made: Nudges = {}
     at = 0
     for k, p in enumerate(pieces):
@@ -153,11 +176,29 @@ def nudged(pieces: list[Piece], x: Array, lain: Distance, nudges: Nudges) -> Nud
             base = p.bases[c]
             if base is None:
                 continue
-            aim, to = nudges.get((k, c), (np.eye(3), np.zeros(3)))
-            turn, shift = fit(own, goal, np.ones(len(goal)))
-            off = base - (turned(base - shift, turn.T))
-            made[k, c] = turned(aim.T, turn).T, to + NUDGE * off
+            off = float(length(own.mean(0) - goal.mean(0)) + length(own[0] - goal[0]))
+            best = seats.get((k, c))
+            if best is None or off < best.off:
+                turn, shift = fit(own, goal, np.ones(len(goal)))
+                aim = nudges.get((k, c), (np.eye(3), np.zeros(3)))
+                best = seats[k, c] = Seat(aim, off, turn, NUDGE * (base - turned(base - shift, turn.T)))
+            else:
+                best.step *= 0.5
+            made[k, c] = turned(best.aim[0].T, share(best.turn, best.step)).T, best.aim[1] + best.step * best.shift
     return made
+
+
+def share(turn: Array, part: float) -> Array:
+    """A ``part``, 0 to 1, of a turn (3, 3) about its own axis."""
+    angle = math.acos(float(np.clip((np.trace(turn) - 1.0) / 2.0, -1.0, 1.0)))
+    skew = turn - turn.T
+    axis = np.array([skew[2, 1], skew[0, 2], skew[1, 0]])
+    size = float(length(axis))
+    if size < 1e-9:
+        return turn if part >= 1.0 else np.eye(3)
+    n = axis / size
+    cross = np.array([[0.0, -n[2], n[1]], [n[2], 0.0, -n[0]], [-n[1], n[0], 0.0]])
+    return np.asarray(np.eye(3) + math.sin(part * angle) * cross + (1.0 - math.cos(part * angle)) * (cross @ cross))
 
 
 def bodies_of(bodies: list[Array], node: int) -> Array:
@@ -176,18 +217,33 @@ def _line(said: Placed) -> str:
     return f"place({said.part}, {spot.part}, round={spot.round:g}{stitch}{more})"
 
 
-def _spot(spots: Spots, x: Array, part: int, name: str, point: Array, only: float | None = None) -> Spot:
-    """The place of a part, to a quarter of a round and of a stitch, that is nearest to ``point``; in the round ``only``."""
+def _spot(
+    spots: Spots,
+    x: Array,
+    part: int,
+    name: str,
+    point: Array,
+    only: float | None = None,
+    looks: tuple[Array, Array] | None = None,
+) -> Spot:
+    """The place of a part, to a quarter of a round and of a stitch, that is nearest to ``point``; in the round ``only``.
+
+    looks : normals (N, 3) and a way (3,): of places that are hardly farther off, the one whose fabric looks that way
+    """
     built = spots.built
     graph = built.graph
     own = np.arange(graph.parts[part].start, graph.parts[part].end)
     plain = own[~np.isin(graph.peculiarity[own], (ROOT, TIP))]
-    node = int(plain[int(length(x[plain] - point).argmin())])
+    far = length(x[plain] - point)
+    if looks is not None:
+        far = far + SIDEWAYS * (1.0 - (looks[0][plain] * looks[1]).sum(1) / max(float(length(looks[1])), 1e-9))
+    node = int(plain[int(far.argmin())])
     k = int(graph.round[node])
     number = built.rounds[k].number
     numbers = [r.number for r in built.rounds if r.part == part]
     nodes = spots.stitches(k)
     at = int(np.flatnonzero(nodes == node)[0])
+    point = point if looks is None else 0.5 * (point + x[node])
     best: tuple[float, Spot] | None = None
     for r in np.arange(number - 1.0, number + 1.01, QUARTER):
         if not min(numbers) <= r <= max(numbers) or (only is not None and r != only):

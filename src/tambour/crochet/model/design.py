@@ -13,12 +13,12 @@ from tambour.core.errors import TambourError, Text
 from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
 from tambour.crochet.model import tips
-from tambour.crochet.model.assemble import Nudges, Piece, nudged, placed
+from tambour.crochet.model.assemble import Key, Nudges, Piece, Seat, nudged, placed
 from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
 from tambour.crochet.model.limbs import Limb, limbs
-from tambour.crochet.model.loop import GAIN, TRIES, Task, Tried, looped, missed, tried
+from tambour.crochet.model.loop import TRIES, Task, Tried, looped, missed, tried
 from tambour.crochet.model.named import names
 from tambour.crochet.model.rounds import pattern, printed
 from tambour.crochet.model.settled import together
@@ -41,9 +41,9 @@ BEGINNINGS = 2
 """How many tips are tried in the simulation."""
 LARGE = 4000
 """Stitches of a part that is corrected fewer times than a smaller one, as its simulation takes longer."""
-SEATINGS = 4
-"""How often the parts are put together at the most."""
-PAIR = 0.05
+SEATINGS, LOPSIDED = 6, 2
+"""How often the parts are put together; and after that with what pairs say left to each of the two."""
+PAIR = 0.1
 """How much farther off, in stitches, a toy whose pairs say the same angles may be."""
 INSIDE = -0.3
 """Rounds that look so far inwards lie inside: of a cup, say."""
@@ -154,10 +154,10 @@ def _assembled(
     goal = np.concatenate([g for p in pieces for g in p.goals])
     best: tuple[float, list[str]] | None = None
     way: list[float] = []
-    for mirrored in (True, False) if even else (False,):
-        nudges: Nudges = {}
-        last = math.inf
-        for _ in range(SEATINGS):
+    nudges: Nudges = {}
+    for mirrored, times in ((True, SEATINGS), (False, LOPSIDED)) if even else ((False, SEATINGS),):
+        seats: dict[Key, Seat] = {}
+        for _ in range(times):
             lines = placed(pieces, nudges, mirrored)
             built, x = together(pattern([p.rounds for p in pieces], lines), params, stitch)
             lain = distance(target, x, built.graph.faces[built.shell], fit(x, goal, np.ones(len(x))))
@@ -165,10 +165,7 @@ def _assembled(
             price = lain.mean - (PAIR if mirrored else 0.0)
             if best is None or price < best[0]:
                 best = price, lines
-            if lain.mean > last - GAIN:
-                break
-            last = lain.mean
-            nudges = nudged(pieces, x, lain, nudges)
+            nudges = nudged(pieces, x, nudges, seats)
     history["assembly"] = way
     assert best is not None
     return best[1]

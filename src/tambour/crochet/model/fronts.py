@@ -76,6 +76,16 @@ def along(line: Array, count: int, start: float) -> Array:
     return np.column_stack([np.interp(at, way, closed[:, k]) for k in range(3)])
 
 
+def beside(line: Array, points: Array) -> Array:
+    """The points (P, 3) of a closed line that are nearest to ``points`` (P, 3)."""
+    ahead = np.roll(line, -1, 0) - line
+    size = np.maximum((ahead**2).sum(1), 1e-12)
+    share = np.clip(((points[:, None] - line) * ahead).sum(2) / size, 0.0, 1.0)
+    at = line + share[..., None] * ahead
+    best = ((at - points[:, None]) ** 2).sum(2).argmin(1)
+    return np.asarray(at[np.arange(len(points)), best])
+
+
 def nearest_way(line: Array, point: Array) -> float:
     """The way along a closed line to where it is nearest to ``point``."""
     ahead = np.roll(line, -1, 0) - line

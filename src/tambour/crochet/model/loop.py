@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +12,7 @@ from tambour.core.check import Array
 from tambour.crochet.model import readable
 from tambour.crochet.model.distance import Distance, Target, distance
 from tambour.crochet.model.fronts import DRAWN, Fronts, laid
-from tambour.crochet.model.rounds import Round, Rounds
+from tambour.crochet.model.rounds import Rounds
 from tambour.crochet.model.settled import Settled, settled
 from tambour.geometry.closest import nearest
 from tambour.geometry.motion import fit, turned
@@ -67,11 +66,11 @@ class Task:
 
 def drafted(task: Task, wanted: Array) -> tuple[Rounds, list[int], Array]:
     """Rounds as long as ``wanted`` (R,): the part, its counts, and where every stitch belongs (N, 3)."""
-    made = readable.counts(list(wanted), task.plain, task.way.closed)
+    made = readable.sparing(list(wanted), task.plain)
     points = laid(task.way, made, task.seam)
-    rounds = [Round(readable.words(a, b, task.plain)) for a, b in pairwise(points)]
+    rounds = readable.rounds(task.way.lines, points, task.plain)
     closed = task.way.closed and made[-1] <= DRAWN
-    part = Rounds(task.name, made[0], tuple(rounds), closed, stuffing=task.stuffing, up=task.up, hollow=task.hollow)
+    part = Rounds(task.name, made[0], rounds, closed, stuffing=task.stuffing, up=task.up, hollow=task.hollow)
     tip = [task.way.end[None]] if closed else []
     return part, made, np.concatenate([task.way.tip[None], *points, *tip])
 

@@ -4,15 +4,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 
 from tambour.core.check import Array
 from tambour.crochet.model.couple import couple
+from tambour.crochet.model.fronts import beside
 from tambour.crochet.model.rounds import WORDS, Round, even
 
 NEAR = 3
 """How many stitches a count may be moved, at the most, for a round that reads better."""
+SLACK = 4
+"""The same where few rounds shall change."""
+CHANGES = 19
+"""In how many rounds of a part counts change at the most."""
+UNEVEN = 2.0
+"""What a change costs that cannot be spread as a repeat, in square stitches that a count is off."""
+KINDS = 25
+"""How many different rounds a part has at the most."""
+EASY = 0.72
+"""The share of rounds that are plain, or one repeat."""
+GAINS = (0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5, 2.5, 5.0, math.inf)
+"""What is to be gained, in square stitches for every stitch, by a round that is neither plain nor a repeat."""
 STRICT = 6.0
 """What a round that is no plain one costs at the most, in square stitches that a count is off."""
 LEAST, MOST_RING = 4, 8
@@ -56,6 +71,109 @@ def counts(wanted: Sequence[float], plain: float, closed: bool) -> list[int]:
     return made[::-1]
 
 
+def sparing(wanted: Sequence[float], plain: float) -> list[int]:
+    """Whole counts near ``wanted`` that change in few rounds: at most CHANGES (half of ``plain``), the others being plain.
+
+    Fabric evens out what neighbouring rounds are too wide and too narrow by, so it is the mean of two that is to be near.
+    """
+    most = math.inf if plain <= 0.0 else CHANGES * (1.5 - plain)
+    price = 0.1 * plain
+    while True:
+        made = _sparing(wanted, price, UNEVEN * plain)
+        if sum(a != b for a, b in pairwise(made)) <= most or price > 1e3:
+            return made
+        price = 1.5 * price + 0.02
+
+
+def _sparing(wanted: Sequence[float], price: float, hard: float) -> list[int]:
+    """The counts where every change costs ``price``, and one that cannot be a repeat ``hard`` more."""
+    goal = np.maximum(np.asarray(wanted, float), LEAST)
+    goal[0] = min(max(goal[0], LEAST), MOST_RING)
+    best: list[dict[int, tuple[float, int]]] = []
+    for k, value in enumerate(goal.tolist()):
+        slack = SLACK if k else 1
+        here: dict[int, tuple[float, int]] = {}
+        for n in range(max(LEAST, math.floor(value) - slack), math.ceil(value) + slack + 1):
+            if not k:
+                if n <= MOST_RING:
+                    here[n] = ((n - value) ** 2 + (0.0 if n == 6 else 0.5), 0)
+                continue
+            own = 0.3 * (n - value) ** 2
+            for before, (cost, _) in best[-1].items():
+                if n > 2 * before or 2 * n < before:
+                    continue
+                both = 0.5 * (n - value + before - float(goal[k - 1]))
+                now = (
+                    cost
+                    + (own + both * both) / (0.6 + 0.02 * value)
+                    + (0.0 if n == before else price + hard * (math.gcd(before, n - before) < 2))
+                )
+                if n not in here or now < here[n][0]:
+                    here[n] = (now, before)
+        if not here:  # too steep: as far as rounds can go
+            before = min(best[-1], key=lambda n: best[-1][n][0])
+            n = min(max(round(value), -(-before // 2)), 2 * before)
+            here[n] = (best[-1][before][0], before)
+        best.append(here)
+    made = [min(best[-1], key=lambda n: best[-1][n][0])]
+    for here in best[:0:-1]:
+        made.append(here[made[-1]][1])
+    return made[::-1]
+
+
+def rounds(lines: Sequence[Array], points: Sequence[Array], plain: float) -> tuple[Round, ...]:
+    """The rounds over the first one, whose stitches lie at ``points`` (n, 3), even along ``lines``.
+
+    Increases and decreases lie where the shape wants them, at its corners and outside of its bends, in as many rounds as
+    leave a share EASY (at half of ``plain``) of all of them plain or a repeat, and not more than KINDS different ones: in
+    those where most is gained by it. Between them columns of stitches go straight on, and what they are off by adds up.
+    """
+    wanted = 1.0 - 2.0 * (1.0 - EASY) * (1.0 - plain)
+    most = math.inf if plain <= 0.0 else 2.0 * KINDS * (1.0 - plain) + 6.0 * plain
+    low, high = 0, len(GAINS) - 1 if plain > 0.0 else 0
+    while low < high:  # the least gain that leaves rounds which read easily
+        middle = (low + high) // 2
+        made = _followed(lines, points, GAINS[middle])
+        good = sum(map(easy, made)) >= wanted * len(made) and len({kind(one) for one in made}) <= most
+        low, high = (low, middle) if good else (middle + 1, high)
+    return _followed(lines, points, GAINS[low])
+
+
+def kind(one: Round) -> tuple[str, ...]:
+    """What two rounds that read the same have in common: all plain ones do."""
+    return ("sc",) if set(one.words) == {"sc"} else one.words
+
+
+def _followed(lines: Sequence[Array], points: Sequence[Array], least: float) -> tuple[Round, ...]:
+    """Rounds that follow the shape where that gains more than ``least``, square stitches for every stitch."""
+    at, made = points[0], []
+    for line, above in zip(lines[1:], points[1:]):
+        below, most = beside(line, at), max(len(at), len(above))
+        shaped, simple = couple(below, above), even(len(below), len(above)).words
+        tries = [simple[j:] + simple[:j] for j in range(period(simple))]
+        prices = [cost(one, below, above) for one in tries]
+        j = int(np.argmin(prices))
+        if prices[j] - cost(shaped, below, above) > least * most:
+            made.append(Round(shaped))
+            at = above
+        else:
+            made.append(Round(tries[j]))
+            at = _carried(tries[j], below)
+    return tuple(made)
+
+
+def _carried(words: Sequence[str], below: Array) -> Array:
+    """Where the stitches (m, 3) of a round lie that is worked into stitches at ``below`` (n, 3)."""
+    made, i = [], 0
+    ahead = 0.25 * (np.roll(below, -1, 0) - np.roll(below, 1, 0))
+    for word in words:
+        a, b = WORDS[word]
+        here, way = below[i : i + a].mean(0), ahead[i : i + a].mean(0)
+        made += [here + (2.0 * (k + 0.5) / b - 1.0) * way for k in range(b)]
+        i += a
+    return np.array(made)
+
+
 def trouble(below: int, above: int) -> float:
     """How hard a round from ``below`` to ``above`` stitches is to follow at the best: 0 plain, 1 no repeat."""
     change = abs(above - below)
@@ -67,23 +185,6 @@ def trouble(below: int, above: int) -> float:
     return 0.3 + 0.2 * min(change / units - 1.0, 3.0) if change > 1 else 0.5
 
 
-def words(below: Array, above: Array, plain: float) -> tuple[str, ...]:
-    """The words from stitches at ``below`` (n, 3) to those at ``above`` (m, 3): those that follow the shape best, or an even
-    repeat where that is not much worse."""
-    n, m = len(below), len(above)
-    best = couple(below, above)
-    if plain <= 0.0:
-        return best
-    price = cost(best, below, above)
-    tries = [even(n, m).words]
-    if n != m:
-        unit = period(tries[0])
-        tries = [tries[0][k:] + tries[0][:k] for k in range(unit)]
-    prices = [cost(one, below, above) for one in tries]
-    k = int(np.argmin(prices))
-    return tries[k] if plain >= 1.0 or prices[k] - price < 0.6 * plain / (1.0 - plain) * max(n, m) else best
-
-
 def period(made: Sequence[str]) -> int:
     """The length of the shortest repeat that ``made`` is made of."""
     size = len(made)
@@ -92,14 +193,20 @@ def period(made: Sequence[str]) -> int:
 
 def cost(made: Sequence[str], below: Array, above: Array) -> float:
     """The square way, in square stitches, from all stitches to those that they are worked into."""
-    i = j = 0
-    total = 0.0
+    i, j = _pairs(tuple(made))
+    return float(((below[i] - above[j]) ** 2).sum())
+
+
+@lru_cache(maxsize=4096)
+def _pairs(made: tuple[str, ...]) -> tuple[Array, Array]:
+    """Every stitch below, and the one above that stands on it: two lists of numbers."""
+    pairs, i, j = [], 0, 0
     for word in made:
         a, b = WORDS[word]
-        off = below[i : i + a, None] - above[None, j : j + b]
-        total += float((off * off).sum())
+        pairs += [(i + s, j + t) for s in range(a) for t in range(b)]
         i, j = i + a, j + b
-    return total
+    below, above = np.array(pairs).T
+    return below, above
 
 
 def easy(one: Round) -> bool:
