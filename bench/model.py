@@ -2,8 +2,8 @@
 
 python bench/model.py FOLDER [--stitches N] [--only PART-OF-NAME] [--out FOLDER] [--json FILE]
 
-Per mesh: stitches, parts, seconds of processor to the first pattern and in all, distance of the whole (mean, p95, largest, in stitches), of its worst part
-(p95), overlap of the silhouettes from the front and the side, share of rounds that are plain or one repeat, most distinct rounds of a part, and whether the
+Per mesh: stitches, parts, seconds of processor, distance of the whole (mean, p95, largest, in stitches), what is left of the mean if every stitch lay
+where it belongs (laid) and if every round did, as a circle (circles), of its worst part (p95), overlap of the silhouettes from the front and the side, share of rounds that are plain or one repeat, most distinct rounds of a part, and whether the
 text parses, its check finds nothing, it settles, and what is printed reads back as the same graph.
 """
 
@@ -88,6 +88,7 @@ def measured(path: Path, stitches: int, out: Path | None) -> dict[str, Any]:
 
         files.write(compare(piece), out / f"{path.stem}.compare.png")
     d = piece.aim.distance
+    laid, circles = bounds(piece)
     return {
         "name": path.name,
         "nodes": len(graph),
@@ -96,6 +97,8 @@ def measured(path: Path, stitches: int, out: Path | None) -> dict[str, Any]:
         "mean": d["mean"],
         "p95": d["p95"],
         "largest": d["largest"],
+        "laid": laid,
+        "circles": circles,
         "part_p95": max(p["p95"] for p in piece.aim.parts.values()),
         "part_mean": round(float(np.mean([p["mean"] for p in piece.aim.parts.values()])), 3),
         "outline": round(
@@ -108,6 +111,31 @@ def measured(path: Path, stitches: int, out: Path | None) -> dict[str, Any]:
         "same": bool(same),
         "told": [w.message for w in told.warnings],
     }
+
+
+def bounds(piece: Any) -> tuple[float, float]:
+    """The mean distance, in stitches, of every stitch where it belongs, and of that with every round a true circle as long as
+    its stitches, in the round's own plane about its own middle: what stuffing that rounds every section would come to."""
+    from tambour.crochet.model.distance import Target, distance
+
+    graph, goals = piece.built.graph, piece.aim.goals
+    target, faces = Target.of(piece.aim.vertices, piece.aim.faces), graph.faces[piece.built.shell]
+    round_ = goals.copy()
+    for r in piece.built.rounds:
+        own = goals[r.first : r.last + 1]
+        middle = own.mean(0)
+        _, _, way = np.linalg.svd(own - middle, full_matrices=False)
+        a, b = (own - middle) @ way[0], (own - middle) @ way[1]
+        angle = np.unwrap(np.arctan2(b, a))
+        even = np.sign(angle[-1] - angle[0]) * np.arange(len(own)) / len(own) * 2.0 * np.pi
+        even += np.angle(np.exp(1j * (angle - even)).mean())
+        radius = len(own) * piece.stitch[0] / (2.0 * np.pi)
+        round_[r.first : r.last + 1] = middle + radius * (
+            np.cos(even)[:, None] * way[0] + np.sin(even)[:, None] * way[1]
+        )
+    still = (np.eye(3), np.zeros(3))
+    found = [distance(target, x, faces, still, moves=False).mean / piece.stitch[0] for x in (goals, round_)]
+    return round(found[0], 4), round(found[1], 4)
 
 
 def words_of(piece: Any, number: int) -> list[Any]:

@@ -296,5 +296,5 @@ def test_a_mesh_of_crumbs_is_told_in_one_line() -> None:
 
 
 def test_a_model_far_from_its_origin_keeps_its_inside() -> None:
-    found = bodies(Mesh(BOX + 1e9, SIDES), [])
+    found = bodies(Mesh(BOX + 9e8, SIDES), [])
     assert volume(*found[0][:2]) == pytest.approx(1.0, rel=1e-3)

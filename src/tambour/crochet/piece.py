@@ -26,6 +26,7 @@ class Aim:
     distance : how far the plush lies from it, as reports hold it; off : (N,) mm, how far outside of it every stitch lies
     history : part → the mean distances, in stitches, that its corrections went through
     parts : part → how far it lies, by itself, from its own piece of the model
+    goals : (N, 3) mm, where every stitch belongs on it; empty for a model that the pattern was not made from
     """
 
     vertices: Array
@@ -34,6 +35,7 @@ class Aim:
     off: Array
     history: dict[str, list[float]]
     parts: dict[str, dict[str, float]]
+    goals: Array
 
 
 @dataclass(frozen=True, eq=False)

@@ -34,8 +34,8 @@ def aimed(made: Design, piece: Plush) -> Aim:
     start = fit(x, made.goals, np.ones(len(x)))
     lain = distance(target, x, graph.faces[piece.built.shell], start, samples=4000)
     off = signed(target, x, lain)
-    back = turned(made.vertices - lain.shift, lain.turn.T)
-    return Aim(back, made.faces, lain.plain(piece.stitch[0]), off, made.history, made.parts)
+    back, goals = (turned(p - lain.shift, lain.turn.T) for p in (made.vertices, made.goals))
+    return Aim(back, made.faces, lain.plain(piece.stitch[0]), off, made.history, made.parts, goals)
 
 
 def compare(piece: Plush) -> Picture:
