@@ -255,3 +255,29 @@ def test_a_drawing_is_knitted_as_its_picture_is(tmp_path: Path) -> None:
     assert (
         (one.cells == two.cells).all() and (one.palette.rgb == two.palette.rgb).all() and len(set(one.cells.flat)) > 1
     )
+
+
+def test_areas_that_a_hand_marks_are_relaxed_or_matter_as_masks_do(tmp_path: Path) -> None:
+    """``relax:`` and ``matter:`` are the masks that hold the same rectangle; what is not within the chart is told."""
+    from tambour.run import make as made
+
+    Image.fromarray(scene()).save(tmp_path / "p.png")
+    rows, stitches = made("knit", tmp_path / "p.png", KnitParams(stitches=30, technique="stranded")).piece.chart.shape
+    light = np.zeros((rows, stitches), np.uint8)
+    light[rows - 14 : rows - 4, stitches - 22 : stitches - 5] = 255  # rows 5 to 14, stitches 6 to 22
+    Image.fromarray(light).save(tmp_path / "mask.png")
+    for kind, name in (("relax", "relax"), ("matter", "weights")):
+        marked = made(
+            "knit", tmp_path / "p.png", KnitParams(stitches=30, technique="stranded"), [f"{kind}:5,6,10,17"]
+        ).piece
+        params = KnitParams(stitches=30, technique="stranded", **{name: str(tmp_path / "mask.png")})
+        masked = made("knit", tmp_path / "p.png", params).piece
+        assert (marked.chart.cells == masked.chart.cells).all()
+        if kind == "relax":
+            assert marked.chart.relaxed is not None and (marked.chart.relaxed[::-1] == (light > 0)).all()
+        with pytest.raises(TambourError, match="not within the chart"):
+            made("knit", tmp_path / "p.png", KnitParams(stitches=30), [f"{kind}:5,6,10,97"])
+    with pytest.raises(TambourError, match="no picture to follow"):
+        made("knit", "examples/knit/band.csv", None, ["relax:1,1,2,2"])
+    flat = made("knit", tmp_path / "p.png", KnitParams(stitches=30, technique="intarsia"), ["relax:1,1,2,2"])
+    assert any("changes nothing" in w.message for w in flat.progress.warnings)

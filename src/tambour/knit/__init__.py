@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tambour.craft import Craft, Lazy
-from tambour.knit.edits import COLUMNS, ROWS, RUN, STITCH, YARN
+from tambour.knit.edits import COLUMNS, MATTER, RELAX, ROWS, RUN, STITCH, YARN
 from tambour.knit.params import KnitParams
 from tambour.knit.views import VIEWS
 
@@ -15,5 +15,13 @@ CRAFT = Craft(
     make=Lazy("tambour.knit.flow:make"),
     views=VIEWS,
     facts=Lazy("tambour.knit.flow:facts"),
-    changes={"stitch": STITCH, "run": RUN, "rows": ROWS, "columns": COLUMNS, "yarn": YARN},
+    changes={
+        "stitch": STITCH,
+        "run": RUN,
+        "rows": ROWS,
+        "columns": COLUMNS,
+        "yarn": YARN,
+        "relax": RELAX,
+        "matter": MATTER,
+    },
 )

@@ -1,10 +1,10 @@
 """What can be changed by hand in a chart: stitches take another yarn, and the rows that see them are solved again; a yarn
-takes another colour; rows and columns come in, or go."""
+takes another colour; rows and columns come in, or go; the limit of floats does not hold in an area, or the picture matters more there."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pydantic import Field
 
@@ -15,6 +15,7 @@ from tambour.core.rgb import hexed
 from tambour.craft import Change
 
 if TYPE_CHECKING:
+    from tambour.knit.params import KnitParams
     from tambour.knit.piece import Piece
 
 
@@ -54,6 +55,23 @@ class Columns(Params):
     """How many come in to the right of it, like it; below 0: how many go, from it on to the left."""
 
 
+class Relax(Params):
+    """Floats may be as long as they like in an area."""
+
+    row: int = Field(ge=1, le=20_000)
+    """Its lowest row, from 1 at the cast-on edge, of the chart before rows or columns came or went by hand."""
+    stitch: int = Field(ge=1, le=20_000)
+    """Its first stitch, from 1 at the right."""
+    rows: int = Field(ge=1, le=20_000)
+    """How many rows, upwards."""
+    stitches: int = Field(ge=1, le=20_000)
+    """How many stitches, to the left."""
+
+
+class Matter(Relax):
+    """The picture matters more in an area: elsewhere gives way before it does."""
+
+
 class Recolour(Params):
     """A yarn takes another colour; the chart stays as it is."""
 
@@ -70,6 +88,27 @@ def _recoloured(piece: Piece, edits: Sequence[Recolour], progress: Progress) -> 
 
     told = [(e.yarn, e.colour, f"{{--edit}} yarn:{e.yarn}={e.colour}") for e in edits]
     return replace(piece, chart=dyed(piece.chart, told))
+
+
+def _marked(kind: str, name: str, source: Any, params: KnitParams, edits: Sequence[Relax]) -> tuple[Any, KnitParams]:
+    """The parameters with the edits' areas in the mask ``name``. Raises TambourError for a chart, which follows no picture."""
+    from tambour.core.chart import Chart
+    from tambour.knit.picture.areas import Area, Areas
+
+    told = [(e, f"{{--edit}} {kind}:{e.row},{e.stitch},{e.rows},{e.stitches}") for e in edits]
+    if isinstance(source, Chart):
+        hint = "it is for pictures and drawings: a chart's stitches are set one by one"
+        raise TambourError([Problem("a chart has no picture to follow", hint, where=where) for _, where in told])
+    areas = tuple(Area(e.row, e.stitch, e.rows, e.stitches, where) for e, where in told)
+    return source, params.model_copy(update={name: Areas(getattr(params, name), areas)})
+
+
+def _relaxed(source: Any, params: KnitParams, edits: Sequence[Relax]) -> tuple[Any, KnitParams]:
+    return _marked("relax", "relax", source, params, edits)
+
+
+def _mattering(source: Any, params: KnitParams, edits: Sequence[Matter]) -> tuple[Any, KnitParams]:
+    return _marked("matter", "weights", source, params, edits)
 
 
 _PICTURED = (
@@ -172,3 +211,10 @@ RUN = Change(
 ROWS = Change("rows come in, like the one that they come before, or go", Rows, "{at}={count}", after=_reshaped)
 COLUMNS = Change("columns come in, like their neighbour, or go", Columns, "{at}={count}", after=_reshaped)
 YARN = Change("a yarn takes another colour", Recolour, "{yarn}={colour}", after=_recoloured)
+RELAX = Change(
+    "floats may be as long as they like in an area", Relax, "{row},{stitch},{rows},{stitches}", before=_relaxed
+)
+MATTER = Change(
+    "the picture matters more in an area: elsewhere gives way first", Matter, "{row},{stitch},{rows},{stitches}",
+    before=_mattering,
+)  # fmt: skip

@@ -25,6 +25,10 @@ def make(source: Any, params: KnitParams, progress: Progress) -> Piece:
         with progress.stage("read"):
             source = picture(source)
     piece = solved(source, params, progress)
+    if params.relax is not None and piece.chart.technique != "stranded":
+        progress.warn(
+            "nothing is carried behind this: to relax areas of it changes nothing", hint="{--technique} stranded"
+        )
     if isinstance(source, Chart) and piece.chart.gauge is None:
         piece = replace(piece, chart=replace(piece.chart, gauge=source.gauge))
     if params.yarn:

@@ -12,6 +12,7 @@ from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import resample, shapes, usual
+from tambour.knit.picture.areas import Areas
 from tambour.knit.task import NONE, PLAIN
 
 HEAVY = 9.0  # the dearest flips cost 1 + HEAVY
@@ -122,12 +123,14 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
     def mask(name: str, elsewhere: float) -> Array | None:
         if name == "shape" and worn is not None:
             return worn.astype(np.float32)
-        found = resample.mask(getattr(params, name), name, params, source.rgba.shape[:2], (rows, stitches), full)
-        if found is None or found.shape == full:
-            return found
-        grown = np.full(full, elsewhere, np.float32)
-        grown[inside(inner)] = found
-        return grown
+        marked = getattr(params, name)
+        given = marked.given if isinstance(marked, Areas) else marked
+        found = resample.mask(given, name, params, source.rgba.shape[:2], (rows, stitches), full)
+        if found is not None and found.shape != full:
+            grown = np.full(full, elsewhere, np.float32)
+            grown[inside(inner)] = found
+            found = grown
+        return marked.over(found, full) if isinstance(marked, Areas) else found
 
     shape, relax, lock, grey = (mask(n, e) for n, e in (("shape", 1), ("relax", 0), ("lock", 0), ("weights", 0)))
     knit = NONE if shape is None else shape > 0.5

@@ -225,6 +225,16 @@ export function screen(root, piece) {
   /** What is chosen, over the whole chart, from its own place on. */
   const repeat = (/** @type {boolean} */ drop) => chosen.value && put(repeated(grid(), cut(grid(), chosen.value), [chosen.value[0], chosen.value[1]], drop), "repeated");
   const flip = (/** @type {boolean} */ across) => chosen.value && put(laid(grid(), mirrored(cut(grid(), chosen.value), across), [chosen.value[0], chosen.value[1]]), "mirrored");
+  /** The chosen area as an edit that goes before the solving. @param {"relax"|"matter"} edit */
+  const marked = (edit) => {
+    const [row, count] = high(), [stitch, wide] = across(), all = edits(), same = all.filter((e) => e.edit === edit);
+    if (all.some((e) => e.edit === "rows" || e.edit === "columns")) return tell("Rows or columns came in or went: the picture is not followed any more. Undo that first, then mark areas.");
+    const inside_ = same.filter((e) => e.row < row + count && row < e.row + e.rows && e.stitch < stitch + wide && stitch < e.stitch + e.stitches), others = all.filter((e) => !inside_.includes(e));
+    // What was marked there before is let go; marked anew where nothing was.
+    if (inside_.length) return void piece.change({ edits: others, said: `${edit === "relax" ? "floats short again" : "matters no more"} there` });
+    return void piece.change({ edits: [{ edit, row, stitch, rows: count, stitches: wide }, ...all], said: edit === "relax" ? "floats may be long there" : "matters more there" });
+  };
+  const areas = (/** @type {string} */ edit) => edits().filter((/** @type {any} */ e) => e.edit === edit).length;
   /** The chosen rows as [first, how many], numbered from 1; the chosen columns likewise, from the right. */
   const high = () => /** @type {[number, number]} */ (chosen.value ? [chosen.value[1] + 1, chosen.value[3] - chosen.value[1]] : [1, 0]);
   const across = () => /** @type {[number, number]} */ (chosen.value ? [chart.columns - chosen.value[2] + 1, chosen.value[2] - chosen.value[0]] : [1, 0]);
@@ -241,7 +251,10 @@ export function screen(root, piece) {
       <button class="button" @click=${() => put(within().map(([x, y]) => /** @type {Put} */ ([x, y, grid().data[y * columns() + x]])), "locked")}>Lock</button>
       <button class="button" @click=${() => release(within())}>Unlock</button><button class="button" @click=${() => (chosen.value = null)}>Done</button></div>
       <div class="tools wide"><button class="button" @click=${() => reshape("rows", high()[0], high()[1])}>Insert ${counted(high()[1], "row")} below</button><button class="button" ?disabled=${high()[1] >= chart.rows} @click=${() => reshape("rows", high()[0], -high()[1])}>Delete ${counted(high()[1], "row")}</button>
-      <button class="button" @click=${() => reshape("columns", across()[0], across()[1])}>Insert ${counted(across()[1], "column")} at the right</button><button class="button" ?disabled=${across()[1] >= chart.columns} @click=${() => reshape("columns", across()[0], -across()[1])}>Delete ${counted(across()[1], "column")}</button></div>` : ""}
+      <button class="button" @click=${() => reshape("columns", across()[0], across()[1])}>Insert ${counted(across()[1], "column")} at the right</button><button class="button" ?disabled=${across()[1] >= chart.columns} @click=${() => reshape("columns", across()[0], -across()[1])}>Delete ${counted(across()[1], "column")}</button></div>
+      <details class="group"><summary>More</summary><div class="tools wide">
+        <button class="button" @click=${() => marked("relax")}>Relax: floats may be long here</button><button class="button" @click=${() => marked("matter")}>Matter: the rest gives way first</button></div>
+        <p class="quiet">For a face: relaxed, it stays as the picture has it, and its long floats are counted to be caught. The same again lets go.${areas("relax") ? ` ${counted(areas("relax"), "area")} relaxed.` : ""}${areas("matter") ? ` ${counted(areas("matter"), "area")} to matter.` : ""}</p></details>` : ""}
     ${yarns(piece, yarn)}
     ${held() ? html`<p class="quiet">${counted(held(), "stitch", "stitches")} held${piece.params.value.lock ? "" : " by hand"}. <button class="link" @click=${letGo}>Let all go</button></p>` : ""}`));
   stop.push(show(at.right, () => facts(piece)));
