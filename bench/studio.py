@@ -56,8 +56,9 @@ def view() -> None:
 
 def check() -> None:
     """A line of a pattern typed anew, key by key: what each key costs until its problems are known."""
-    from tambour.studio.examine import examined
+    from tambour.studio.worker import Desk
 
+    desk = Desk()
     for name, line in (("frog.acl", 9), ("bear.txt", 31)):
         lines = (EXAMPLES / "crochet" / name).read_text().split("\n")
         typed = lines[line - 1]
@@ -65,8 +66,10 @@ def check() -> None:
         for k in range(len(typed) + 1):
             text = "\n".join([*lines[: line - 1], typed[:k], *lines[line:]])
             begun = spent()
-            told = examined({"craft": "crochet", "text": text, "name": name, "params": {}, "edits": []})
+            job = {"do": "check", "craft": "crochet", "text": text, "name": name, "params": {}, "edits": []}
+            told = desk.do(job, Progress())
             costs.append(spent() - begun)
+            told["then"]()
         assert not [p for p in told["problems"] if not p["warning"]]
         costs = sorted(costs[1:])  # the first key loads what reads
         print(

@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from tambour.core.errors import Problem, TambourError, spelt
 
 if TYPE_CHECKING:
+    from tambour.core.params import Params
     from tambour.craft import Craft
 
 _NAMED = re.compile(r"\{--([a-z][a-z0-9-]*)\}")
 
 
+@cache
+def _form(params: type[Params]) -> Mapping[str, Any]:
+    return params.form()
+
+
 def plain(problem: Problem, craft: Craft | None = None) -> dict[str, Any]:
     """A problem as data: message, hint, line, column, length, span, where, fields, warning."""
-    form = {} if craft is None else craft.params.form()
+    form = {} if craft is None else _form(craft.params)
 
     def field(option: str) -> str:
         name = option.replace("-", "_")

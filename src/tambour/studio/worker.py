@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import time
@@ -56,10 +57,12 @@ class Desk:
         return {"status": 500, "problems": [said("this is a fault of tambour's: it stands in the studio's log")]}
 
     def warm(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
-        """Load what making needs, by making small things."""
+        """Load what making needs, by making small things; that stays, and is not looked through for rubbish again."""
         from tambour.work.warm import warm
 
         warm(job["crafts"], ("live", "steps"))
+        gc.collect()
+        gc.freeze()
         return {}
 
     def make(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
@@ -116,10 +119,16 @@ class Desk:
         return {"file": str(file)}
 
     def check(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
-        """What is wrong with a text or parameters, without making anything of them."""
+        """What is wrong with a text or parameters, without making anything of them. Somebody types meanwhile: rubbish is
+        looked for when they have their answer."""
         from tambour.studio.examine import examined
 
-        return examined(job)
+        gc.disable()
+        try:
+            return {**examined(job), "then": _tidied}
+        except BaseException:
+            gc.enable()
+            raise
 
     def read(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """The text that a file is read as; of a model, the pattern that it became."""
@@ -176,6 +185,11 @@ class Desk:
         file = Path(job["to"]) / "tile.pack"
         file.write_bytes(packed(tile(params, job["k"])))
         return {"file": str(file)}
+
+
+def _tidied() -> None:
+    gc.enable()
+    gc.collect()
 
 
 def _words(made: Any) -> str:

@@ -27,7 +27,8 @@ class Desk(Protocol):
     """What a worker can do; it may keep what it made last."""
 
     def do(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
-        """One job: what it gives, as plain values. Bytes under "frames", a list, are sent before it.
+        """One job: what it gives, as plain values. Bytes under "frames", a list, are sent before it; what stands under
+        "then" is called when the answer is out.
 
         job["hear"](seconds) gives what is said to the job meanwhile.
         """
@@ -71,7 +72,10 @@ class Worker:
             told = self._done(job)
             for raw in told.pop("frames", ()):
                 self._send(b"F", raw)
+            then = told.pop("then", None)
             self.say(told)
+            if then is not None:
+                then()
             if job.get("last"):
                 return
 
