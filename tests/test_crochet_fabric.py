@@ -7,10 +7,15 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.graph import JOIN, StitchGraph
+from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.layout import rounds
 from tambour.crochet.language.parse import parse
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
+from tambour.crochet.specimens import text
 from tambour.crochet.yarn import clearance, course, fabric, loops, surface
+from tambour.examples import folder
 from tambour.geometry.surface import closed
 
 STRIPES = """
@@ -153,6 +158,32 @@ def test_strands_that_cross_are_pushed_apart() -> None:
     assert clearance.distances(coords, np.array([0, 30, 60]), 1.0, 0.97)[1].size == 0
 
 
+def test_what_comes_near_while_others_are_pushed_apart_is_seen() -> None:
+    """A strand pushed off its neighbour meets a third that was out of sight of the first look."""
+    t = np.linspace(-4, 4, 12)
+    flat = np.zeros_like(t)
+    coords = np.vstack([np.stack([t, flat, flat + h], axis=1) for h in (0.0, 0.1, 1.25)])
+    ends = np.array([0, 12, 24, 36])
+    clearance.clear(coords, ends, 1.0, looks=16)
+    assert clearance.distances(coords, ends, 1.0, 0.95)[1].size == 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["frog", "mushroom", "octopus"])
+def test_no_two_strands_of_a_toy_are_nearer_than_nine_tenths(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = {}
+
+    def clear(coords: np.ndarray, ends: np.ndarray, diameter: float, **asked: int) -> None:
+        clearance.clear(coords, ends, diameter, **asked)
+        seen["near"] = clearance.distances(coords, ends, diameter, 0.9 * diameter)[1]
+
+    monkeypatch.setattr(fabric, "clear", clear)
+    file = folder() / "crochet" / f"{name}.acl"
+    made = make(Text(file.read_text(), str(file)), CrochetParams(), Progress())
+    fabric.strands(made.built.graph, made.positions)
+    assert not len(seen["near"])
+
+
 def spiral(rounds: int) -> tuple[StitchGraph, np.ndarray]:
     return piece(": MR(6)\n: 6 inc\n: [sc, inc] x 6\n: [2 sc, inc] x 6\n" + ": 24 sc\n" * rounds)
 
@@ -273,3 +304,17 @@ def test_the_last_head_lies_over_to_its_rounds_first_stitch(text: str) -> None:
     assert ends
     for i in ends:
         assert led.after[i] == around_plainly(graph, x, i, follows)
+
+
+@pytest.mark.parametrize("name", ["loopst", "fur"])
+def test_loops_hang_down_and_fur_is_cut(name: str) -> None:
+    made = make(None, CrochetParams(specimen=name), Progress())
+    graph, yarn = made.built.graph, made.yarn
+    hairy = np.flatnonzero(graph.kind == graph.kinds.index(name))
+    plain = make(Text(text(name).replace(name, "sc")), CrochetParams(), Progress()).yarn
+    assert len(yarn.color) - len(plain.color) == (2 * len(hairy) if name == "fur" else 0)
+    of, low = yarn.point_data["stitch"], np.zeros(len(hairy))
+    for k, i in enumerate(hairy.tolist()):
+        low[k] = made.positions[i, 1] - yarn.paths.coords[of == i, 1].min()
+    assert low.min() > 1.5 * graph.stitch_width  # lower than any stitch reaches
+    assert (yarn.radius[np.isin(of, hairy)].min() < 0.7 * yarn.radius.max()) == (name == "fur")

@@ -188,7 +188,7 @@ def test_a_chain_has_no_face() -> None:
 def test_the_fabric_as_a_surface_has_no_face() -> None:
     piece = made("eye(Head, round=11, stitch=15)")
     assert set(surface(piece).group_names) == {"cloth"}
-    assert {"yarn", "lining", "fibres", "glass"} == set(yarn(piece).group_names)
+    assert {"yarn", "lining", "glass"} == set(yarn(piece).group_names)
 
 
 def test_hair_follows_its_round() -> None:

@@ -56,7 +56,10 @@ TABLE: Final[dict[str, tuple[str, str]]] = {
     "inc": ("a magic ring and increases", _rounds("[2 sc, inc] x 6", "[3 sc, inc] x 6")),
     "dec": ("decreases", _ball(*["30 sc"] * 2)),
     "blo": ("back loops only, in rounds", _tube("BLO, 24 sc", "24 sc", "BLO, 24 sc", "24 sc", "BLO, 24 sc", "24 sc")),
-    "flo": ("front loops only, in rounds: the ridge is inside", _bowl("FLO, 30 sc", "30 sc", "FLO, 30 sc", "30 sc")),
+    "flo": (
+        "front loops only, in rounds: the ridge is inside",
+        _tube("24 sc", "FLO, 24 sc", "24 sc", "FLO, 24 sc", "24 sc"),
+    ),
     "ribs": ("back loops only, in rows", _rows("BLO, 12 sc", "ch", 8)),
     "fpdc": ("front post double crochet", _tube("24 dc", *["[fpdc, dc] x 12"] * 3, lift="2 ch")),
     "bpdc": ("back post double crochet", _tube("24 dc", *["[bpdc, dc] x 12"] * 3, lift="2 ch")),
@@ -68,7 +71,10 @@ TABLE: Final[dict[str, tuple[str, str]]] = {
     "shell": ("shells", _FLAT + "R1: 20 ch, turn\nR2-R4: 19 sc, turn, ch\nR5: sc, [2 sk, {5 dc}, 2 sk, sc] x 3\n"),
     "mesh": ("double crochets and chains", _rows("dc, [ch, sk, dc] x 5, dc", "2 ch", 4)),
     "picot": ("picots", _rows("12 sc", "ch", 2).rstrip() + ", turn, ch\nR5: [3 sc, picot] x 4\n"),
-    "crab": ("reverse single crochet, an edge", _rows("12 sc", "ch", 4).rstrip() + ", turn, ch\nR7: 12 crab\n"),
+    "crab": (
+        "reverse single crochet, an edge",
+        _rows("12 sc", "ch", 4).rstrip() + ", turn, ch, color(#f2e6d8)\nR7: 12 crab\n",
+    ),
     "spike": (
         "spike stitches",
         _tube("24 sc", "color(#f2e6d8), [3 sc, spike] x 6", "24 sc", "color(#c98f6b), [sc, spike, 2 sc] x 6", "24 sc"),

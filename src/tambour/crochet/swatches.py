@@ -55,5 +55,5 @@ def near(piece: Plush, width: int) -> Picture:
     flat = deep < FLAT * wide
     azimuth, elevation = (0.0, radians(70.0)) if lies(piece) else (pi, radians(4.0)) if flat else (0.3, radians(14.0))
     if piece.params.specimen in INSIDE:
-        elevation = radians(42.0)
+        azimuth, elevation = azimuth + pi, radians(36.0)
     return picture(toy(piece), width=width, height=width, azimuth=azimuth, elevation=elevation, lights=LIGHTS)

@@ -194,7 +194,7 @@ def hairs(
             tone = 0.82 + 0.36 * uniform(key, np.uint64(at + 11))
             for k in range(3):
                 albedo = DYED[0] + DYED[1] * color[a, k]
-                light[k] *= tone * (0.05 + 0.95 * albedo)
+                light[k] *= tone * albedo
             thick = 2.0 * radius * table[m, FINE] * pixel * stands
             steps = min(BENDS, max(4, int(long * pixel / STEP)))
             part = long / steps

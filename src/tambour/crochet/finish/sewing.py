@@ -24,6 +24,8 @@ MOST_LIFT = 5.0
 """Stitches that a part is moved out at the most to be clear of others: a hand would push them aside, not sew it on in the air."""
 AGAIN = 0.5
 """What it costs, in square stitches, to sew into a stitch that is sewn into already."""
+OFF = 0.75
+"""How far from the middle between its neighbours' a stitch lies off their row, in stitches."""
 STAY = 2.5
 """How far from a seam's middle stays begin on the fabric, in stitches."""
 BEND = 1.0
@@ -227,7 +229,8 @@ def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array,
         if end.laid:
             off = off if not end.disc else wanted - p
             wanted = p + off * _over(off, x[target[_nearest(p + off, x[target])]] - p, n)
-        return np.column_stack([end.nodes, target[_nearest(wanted, x[target])]])
+        near = _nearest(wanted, x[target])
+        return np.column_stack([end.nodes, target[near if end.laid else _followed(near, wanted, x[target])]])
     half = len(end.pinched)
     line = off[m // 2] - off[0] if half else off[-1] - off[0]
     wanted = p + (np.arange(m - half) - 0.5 * (m - half - 1))[:, None] * _unit(line)
@@ -245,6 +248,22 @@ def _over(off: Array, found: Array, n: Array) -> float:
     flat, came = (float(np.sqrt((v**2).sum(1)).mean()) for v in (off, found - dot(found, n)[:, None] * n))
     bend = math.sqrt(max((flat / max(came, 1e-9)) ** 2 - 1.0, 0.0))
     return math.tan(min(bend, BEND)) / bend if bend > 0.05 else 1.0
+
+
+def _followed(taken: Array, wanted: Array, there: Array) -> Array:
+    """Stitches (M,) that a ring is sewn to, without single ones beside their neighbours' row: a hand follows the row."""
+    width = float(np.median(np.sqrt(((there[taken] - there[np.roll(taken, 1)]) ** 2).sum(1))))
+    made = taken.copy()
+    for k in range(len(made)):
+        before, after = there[made[k - 1]], there[made[(k + 1) % len(made)]]
+        middle, far = 0.5 * (before + after), ((after - before) ** 2).sum() > (1.6 * width) ** 2
+        if far or ((there[made[k]] - middle) ** 2).sum() < (OFF * width) ** 2:
+            continue
+        # Of the stitches about the middle the one nearest to where it was wanted.
+        close = np.flatnonzero(((there - middle) ** 2).sum(1) < (OFF * width) ** 2)
+        if len(close):
+            made[k] = close[np.argmin(((there[close] - wanted[k]) ** 2).sum(1))]
+    return made
 
 
 def _nearest(wanted: Array, there: Array) -> Array:

@@ -13,17 +13,29 @@ from tambour.core.kernels import kernel
 ALONG = 1.6
 """Stretches of one strand nearer to each other along it than so many diameters are not two that touch: yarn that turns
 back on itself as tightly as it can is half a circle, π/2 diameters, away."""
+BENT = 0.95
+"""As a share of that, from where on they are pushed apart: what is pushed grows longer."""
 FIRST = 3
 """Pushes at the first look, which is at all of the yarn."""
 ENOUGH = 0.975
 """What is as near as this to the aim has its room."""
-AROUND = 8
+STRAYED = 0.09
+"""What has moved so many diameters since it was looked at may be near to something new: pairs are known up to 1.1."""
+CELLS = 4e6
+"""Cells of the grid that pairs are found in, at the most."""
+AROUND = 2
 """Points of the yarn to either side of what is too near that move with it."""
 
 
 @kernel
-def _segments(coords: F8x2, ends: I8x1, strand: I4x1, arc: F8x1, middle: F8x2, half: F8x1) -> None:
-    """Per point, the segment to the next one: strand (-1 for none), arc length at its middle, middle, half its length."""
+def _segments(coords: F8x2, ends: I8x1, strand: I4x1, arc: F8x1, middle: F8x2, half: F8x1, box: F8x2) -> int:
+    """Per point, the segment to the next one: strand (-1 for none), arc length at its middle, middle, half its length.
+
+    Returns how many there are; box : (3, 3), the least and the greatest middle, and (first) half the greatest length.
+    """
+    count = 0
+    for c in range(3):
+        box[0, c], box[1, c], box[2, c] = np.inf, -np.inf, 0.0
     for s in range(len(ends) - 1):
         run = 0.0
         for i in range(ends[s], ends[s + 1]):
@@ -32,12 +44,16 @@ def _segments(coords: F8x2, ends: I8x1, strand: I4x1, arc: F8x1, middle: F8x2, h
                 size = 0.0
                 for c in range(3):
                     middle[i, c] = 0.5 * (coords[i, c] + coords[i + 1, c])
+                    box[0, c], box[1, c] = min(box[0, c], middle[i, c]), max(box[1, c], middle[i, c])
                     step = coords[i + 1, c] - coords[i, c]
                     size += step * step
                 half[i] = 0.5 * math.sqrt(size)
                 strand[i] = s
                 arc[i] = run + half[i]
                 run += 2.0 * half[i]
+                box[2, 0] = max(box[2, 0], half[i])
+                count += 1
+    return count
 
 
 @kernel
@@ -84,10 +100,14 @@ def _bins(
     order: I4x1,
     near: F4x2,
     owner: I4x1,
+    only: B1x1,
+    wanted: B1x1,
+    full: B1x1,
 ) -> None:
     """Segments by cell of a grid: those of cell k are order[head[k]:head[k + 1]].
 
-    In that order, near : (M, 8) float32, middle from ``low``, half the length, arc length, direction; owner : (M,) strand
+    In that order, near : (M, 8) float32, middle from ``low``, half the length, arc length, direction; owner : (M,) strand; wanted : (M,) whether it is
+    among ``only`` (P,); full : (K,) whether any of a cell's is
     """
     n = len(strand)
     where = np.empty(n, np.int32)
@@ -109,7 +129,9 @@ def _bins(
         if where[i] >= 0:
             k = at[where[i]]
             at[where[i]] += 1
-            order[k], owner[k] = i, strand[i]
+            order[k], owner[k], wanted[k] = i, strand[i], only[i]
+            if only[i]:
+                full[where[i]] = True
             for c in range(3):
                 near[k, c] = middle[i, c] - low[c]
                 near[k, 5 + c] = (coords[i + 1, c] - coords[i, c]) / max(2.0 * half[i], 1e-9)
@@ -118,9 +140,19 @@ def _bins(
 
 @kernel
 def close_pairs(
-    coords: F8x2, shape: I8x1, head: I8x1, order: I4x1, near: F4x2, owner: I4x1, reach: float, along: float, pairs: I4x2
+    coords: F8x2,
+    shape: I8x1,
+    head: I8x1,
+    order: I4x1,
+    near: F4x2,
+    owner: I4x1,
+    wanted: B1x1,
+    full: B1x1,
+    reach: float,
+    along: float,
+    pairs: I4x2,
 ) -> int:
-    """Pairs (Q, 2) of segments nearer than ``reach``, and further apart than ``along`` on a common strand.
+    """Pairs (Q, 2) of segments, one or both wanted, nearer than ``reach``, and further apart than ``along`` on a common strand.
 
     Returns how many there are; those that ``pairs`` has no room for are only counted.
     """
@@ -141,11 +173,16 @@ def close_pairs(
                         continue
                     row = (a * shape[1] + b) * shape[2]
                     last = head[row + min(r + 2, shape[2])]
+                    some = full[row + max(r - 1, 0)] or full[row + r] or full[row + min(r + 1, shape[2] - 1)]
+                    if not some and not full[here]:
+                        continue
                     for k in range(head[here], head[here + 1]):
+                        if not some and not wanted[k]:
+                            continue
                         x, y, z, size = near[k, 0], near[k, 1], near[k, 2], near[k, 3] + wide
                         for m in range(k + 1 if side == 0 else head[row + max(r - 1, 0)], last):
                             dx, dy, dz, most = x - near[m, 0], y - near[m, 1], z - near[m, 2], size + near[m, 3]
-                            if dx * dx + dy * dy + dz * dz >= most * most:
+                            if dx * dx + dy * dy + dz * dz >= most * most or not (wanted[k] or wanted[m]):
                                 continue
                             if owner[k] == owner[m]:
                                 most = near[k, 3] + near[m, 3]
@@ -216,30 +253,28 @@ def push(coords: F8x2, pairs: I4x2, apart: float, rounds: int, move: F8x2, weigh
 
 
 def _pairs(coords: Array, ends: Array, reach: float, along: float, only: Array | None = None) -> Array:
-    """Pairs (Q, 2) of segments nearer than ``reach``, of all or ``only`` (P,) of those that are marked."""
+    """Pairs (Q, 2) of segments nearer than ``reach``: of all, or those of which one is marked in ``only`` (P,)."""
     n = len(coords)
-    strand, arc, middle, half = np.full(n, -1, np.int32), np.zeros(n), np.zeros((n, 3)), np.zeros(n)
-    _segments(coords, ends, strand, arc, middle, half)
-    if only is not None:
-        strand[~only] = -1
-    own = np.flatnonzero(strand >= 0)
-    count = len(own)
+    strand, arc, middle, half, box = np.empty(n, np.int32), np.empty(n), np.empty((n, 3)), np.empty(n), np.zeros((3, 3))
+    count = int(_segments(coords, ends, strand, arc, middle, half, box))
     if not count:
         return np.zeros((0, 2), np.int32)
-    cell = 1.0001 * (reach + 2 * float(half[own].max()))
-    low, high = middle[own].min(0), middle[own].max(0)
+    low, high = box[0], box[1]
+    cell = 1.0001 * (reach + 2 * float(box[2, 0]))
     # A few strands far apart must not ask for a grid of any size.
-    while np.prod(np.floor((high - low) / cell) + 1) > 4e6:
-        cell *= 1.5
+    while np.prod(np.floor((high - low) / cell) + 1) > CELLS:
+        cell *= 1.1
     shape = np.floor((high - low) / cell).astype(np.int64) + 1
     head = np.zeros(int(shape.prod()) + 1, np.int64)
-    order, owner, near = np.zeros(count, np.int32), np.zeros(count, np.int32), np.zeros((count, 8), np.float32)
-    _bins(coords, strand, arc, middle, half, low, cell, shape, head, order, near, owner)
-    pairs = np.zeros((max(64, 4 * count), 2), np.int32)
-    found = int(close_pairs(coords, shape, head, order, near, owner, reach, along, pairs))
+    order, owner, near = np.empty(count, np.int32), np.empty(count, np.int32), np.empty((count, 8), np.float32)
+    wanted, full = np.zeros(count, np.bool_), np.zeros(len(head), np.bool_)
+    some = np.ones(n, np.bool_) if only is None else only
+    _bins(coords, strand, arc, middle, half, low, cell, shape, head, order, near, owner, some, wanted, full)
+    pairs = np.zeros((max(64, 2 * count), 2), np.int32)
+    found = int(close_pairs(coords, shape, head, order, near, owner, wanted, full, reach, along, pairs))
     if found > len(pairs):
         pairs = np.zeros((found, 2), np.int32)
-        close_pairs(coords, shape, head, order, near, owner, reach, along, pairs)
+        close_pairs(coords, shape, head, order, near, owner, wanted, full, reach, along, pairs)
     return pairs[:found]
 
 
@@ -258,25 +293,40 @@ def clear(coords: Array, ends: Array, diameter: float, *, looks: int = 3, rounds
 
     looks : how often near pairs are searched anew; rounds : pushes in between; apart : the aim, in diameters
 
-    Yarn that already has its room is looked at once: the later looks are only at what was too near, and around it.
+    Yarn that already has its room is looked at once: the later looks are only at what was too near or has moved since, and
+    about it.
     """
     move, weight = np.zeros_like(coords), np.zeros(len(coords))
-    only = None
+    only, seen = None, coords.copy()
     for look in range(looks):
-        pairs = _pairs(coords, ends, 1.1 * diameter, ALONG * diameter, only)
+        pairs = _pairs(coords, ends, 1.1 * diameter, BENT * ALONG * diameter, only)
         if not len(pairs):
             return
+        if only is not None:
+            seen[only] = coords[only]
         push(coords, pairs, apart * diameter, FIRST if look == 0 and looks > 1 else rounds, move, weight)
-        near = np.zeros(len(coords), np.bool_)
-        crowded(coords, pairs, ENOUGH * apart * diameter, AROUND, near)
-        if not near.any():
+        only = np.zeros(len(coords), np.bool_)
+        crowded(coords, pairs, ENOUGH * apart * diameter, AROUND, only)
+        strayed(coords, seen, STRAYED * diameter, only)
+        if not only.any():
             return
-        only = near
+
+
+@kernel
+def strayed(coords: F8x2, seen: F8x2, far: float, marked: B1x1) -> None:
+    """Mark the points (P,) that are ``far`` from where they were ``seen``: they may have come near to others."""
+    for i in range(len(coords)):
+        size = 0.0
+        for c in range(3):
+            step = coords[i, c] - seen[i, c]
+            size += step * step
+        if size > far * far:
+            marked[max(0, i - 1)] = marked[i] = True
 
 
 @kernel
 def crowded(coords: F8x2, pairs: I4x2, apart: float, around: int, near: B1x1) -> None:
-    """Mark in ``near`` (P,) the points of pairs that are nearer than ``apart``, what they touch, and ``around`` of either."""
+    """Mark in ``near`` (P,) the points of pairs that are nearer than ``apart``, and ``around`` to either side of them."""
     found = np.zeros(2)
     n = len(coords)
     for k in range(len(pairs)):
@@ -286,8 +336,3 @@ def crowded(coords: F8x2, pairs: I4x2, apart: float, around: int, near: B1x1) ->
                 near[m] = True
             for m in range(max(0, j - around), min(n, j + around + 2)):
                 near[m] = True
-    # What those touch: a pair is pushed as a whole, or not at all.
-    for k in range(len(pairs)):
-        i, j = pairs[k, 0], pairs[k, 1]
-        if near[i] != near[j]:
-            near[i] = near[i + 1] = near[j] = near[j + 1] = True

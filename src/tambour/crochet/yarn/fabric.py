@@ -12,9 +12,9 @@ from tambour.core.mesh import Mesh
 from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.crochet.yarn.clearance import clear
-from tambour.crochet.yarn.course import course, place
+from tambour.crochet.yarn.course import Course, course, place
 from tambour.crochet.yarn.fibres import KINDS
-from tambour.crochet.yarn.lead import way
+from tambour.crochet.yarn.lead import Way, way
 from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
 from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
@@ -22,6 +22,10 @@ from tambour.geometry.motion import length
 from tambour.geometry.tube import sweep
 from tambour.noise import stream
 
+OUT = 0.55
+"""What of a loop stitch lies further out than this, in widths, hangs."""
+OPENED = 0.62
+"""Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
@@ -76,19 +80,23 @@ def strands(
         np.diff(graph.anchor_offsets) == 0,
         coords,
     )
-    coords, ends, stitch = _dense(coords, ends, led.cell, 2.4 * radius)
+    hung = hanging(graph, led)
+    if hung.any():
+        _fall(coords, hung, led.cell, rows)
+    coords, ends, of = _dense(coords, ends, 2.4 * radius)
+    stitch, wide = led.cell[of], np.where(hung & np.isin(graph.kind[led.cell], _named(graph, "fur")), OPENED, 1.0)[of]
     clear(coords, ends, 2 * radius, looks=LOOKS)
     pieces, stray = _DETAIL[detail]
     if pieces > 1:
         coords, ends, of = _rounder(coords, ends, pieces)
-        stitch = stitch[of]
+        stitch, wide = stitch[of], wide[of]
     keep = np.zeros(len(coords), np.bool_)
     thin(coords, ends, stray * radius, keep)
     ends = np.concatenate([[0], np.cumsum(keep)])[ends]
     coords = coords[keep]
     return Strands(
         Paths(coords, ends),
-        np.full(len(coords), radius * bloom),
+        radius * bloom * wide[keep],
         led.color,
         source=led.first,
         point_data={"stitch": stitch[keep]},
@@ -105,8 +113,40 @@ def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Arr
     return fine, later, np.repeat(ends[:-1], lengths) + inner // pieces
 
 
-def _dense(coords: Array, ends: Array, stitch: Array, longest: float) -> tuple[Array, Array, Array]:
-    """Polylines without segments over ``longest``, for contact: those that are longer are split evenly."""
+def _named(graph: StitchGraph, kind: str) -> list[int]:
+    return [k for k, name in enumerate(graph.kinds) if name == kind]
+
+
+def hanging(graph: StitchGraph, led: Way) -> Array:
+    """Which points (P,) of the yarn's way hang out of loop and fur stitches."""
+    loops = _named(graph, "loopst") + _named(graph, "fur")
+    return np.isin(graph.kind[led.cell], loops) & (led.at[:, 2] > OUT)
+
+
+def _fall(coords: Array, hung: Array, cell: Array, rows: Course) -> None:
+    """Turn what hangs out of the fabric down: straight down, or down the fabric's slope where that is below it."""
+    run = np.flatnonzero(hung)
+    first = run[np.concatenate([[True], (np.diff(run) > 1) | (np.diff(cell[run]) != 0)])]
+    foot = coords[first[np.searchsorted(first, run, side="right") - 1]]
+    way, normal = -rows.up[cell[run]], rows.normal[cell[run]]
+    way = way / np.maximum(length(way), 1e-9)[:, None]
+    normal = normal / np.maximum(length(normal), 1e-9)[:, None]
+    down = np.broadcast_to([0.0, -1.0, 0.0], way.shape)
+    into = np.minimum((down * normal).sum(1), 0.0)[:, None]
+    wanted = down - into * normal + 0.3 * way + 0.12 * normal
+    wanted /= np.maximum(length(wanted), 1e-9)[:, None]
+    # The least turn from the one to the other.
+    axis, cosine = np.cross(way, wanted), (way * wanted).sum(1)[:, None]
+    off = coords[run] - foot
+    turned = off * cosine + np.cross(axis, off) + axis * (axis * off).sum(1)[:, None] / np.maximum(1.0 + cosine, 0.05)
+    # Where the fabric slopes away under it, it bends over the further it hangs.
+    far, slope = length(turned), np.clip(normal[:, 1], 0.0, 0.8)
+    turned[:, 1] -= 0.45 * slope * far * np.minimum(far / (3.0 * length(rows.along[cell[run]]) + 1e-9), 1.0)
+    coords[run] = foot + turned
+
+
+def _dense(coords: Array, ends: Array, longest: float) -> tuple[Array, Array, Array]:
+    """Polylines without segments over ``longest``, for contact: those that are longer are split evenly; and the point before each."""
     step = np.zeros(len(coords))
     step[:-1] = length(np.diff(coords, axis=0))
     step[ends[1:] - 1] = 0.0
@@ -115,7 +155,7 @@ def _dense(coords: Array, ends: Array, stitch: Array, longest: float) -> tuple[A
     of = np.repeat(np.arange(len(coords)), times)
     part = ((np.arange(len(of)) - begin[of]) / times[of])[:, None]
     after = np.minimum(of + 1, len(coords) - 1)
-    return (1 - part) * coords[of] + part * coords[after], begin[ends], stitch[of]
+    return (1 - part) * coords[of] + part * coords[after], begin[ends], of
 
 
 def _spun(made: Strands) -> Strands:

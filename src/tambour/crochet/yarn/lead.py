@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import BACK, JOIN, ROOT, SEWN, TIP, StitchGraph
+from tambour.core.graph import BACK, FRONT, JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.language.stitches import POSTS
 from tambour.crochet.yarn.course import STANDS
 from tambour.crochet.yarn.loops import (
@@ -78,6 +78,19 @@ _CROWN = np.array(
         for k, t in enumerate(np.linspace(-1, 1, 9))
     ]
 )
+# The head of a reverse single crochet: from behind over the edge and down in front, against the way of the work, and once
+# more; then down behind to the next.
+_WOUND = np.array(
+    [
+        (
+            0.86 - 1.02 * t,
+            0.90 + 0.36 * np.sin(2.6 * np.pi * t - 0.25 * np.pi),
+            -0.36 * np.cos(2.6 * np.pi * t - 0.25 * np.pi),
+        )
+        for t in np.linspace(0.0, 1.0, TOP[1] - HEAD - 5)
+    ]
+    + [(0.02, 0.66, -0.30), (0.14, 0.56, -0.42), (0.30, 0.54, -0.46), (0.48, 0.56, -0.42), (0.65, 0.636, -0.33)]
+)
 # The yarn over of a half double lies behind its top: the third loop; v from the top.
 _THIRD = np.array(
     [(0.80, -0.36, -0.32), (0.90, -0.24, -0.42), (0.45, -0.20, -0.46), (0.0, -0.26, -0.42), (0.04, -0.42, -0.32)]
@@ -94,6 +107,7 @@ _BULGE = {"cl": 0.5, "popcorn": 1.25, "puff": 0.85}
 
 # What comes first where several things happen at one place of the yarn.
 _AFTER, _END, _BREAK, _START = range(4)
+_CUT = -20  # and on: what hangs out of fur
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,15 +131,15 @@ class _Pieces:
 
     def __init__(self) -> None:
         self.rows: list[tuple[int, int, int, int, float, float, float]] = []
-        self.breaks: list[tuple[int, int]] = []
+        self.breaks: list[tuple[int, int, int]] = []
 
     def put(self, where: int, when: int, cell: int, below: int, rows: Array, rise: float = 0.0) -> None:
         """Points ``rows`` (K, 3) in a cell, before the point that is now number ``where``."""
         self.rows += [(where, when, cell, below, u, v + rise, w) for u, v, w in rows.tolist()]
 
-    def begin(self, where: int, stitch: int) -> None:
-        """A strand begins with the point that is now number ``where``."""
-        self.breaks.append((where, stitch))
+    def begin(self, where: int, stitch: int, when: int = _BREAK) -> None:
+        """A strand begins with the point that is now number ``where``, or with what is put before it from ``when`` on."""
+        self.breaks.append((where, stitch, when))
 
 
 def roles(graph: StitchGraph) -> Array:
@@ -145,8 +159,9 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     start = np.concatenate([[0], np.cumsum(count)])
     total = int(start[-1])
     cell, below, at = np.zeros(total, np.int32), np.zeros(total, np.int32), np.zeros((total, 3))
-    ridge = np.zeros(n, np.bool_)
-    ridge[graph.parent[(graph.loop == BACK) & (graph.parent >= 0)]] = True
+    ridge = np.zeros(n, np.int8)
+    for loop, free in ((BACK, 1), (FRONT, -1)):
+        ridge[graph.parent[(graph.loop == loop) & (graph.parent >= 0)]] = free
     sunk = np.zeros(n, np.bool_)
     wide = np.flatnonzero(np.diff(graph.anchor_offsets) > 1)
     sunk[np.maximum(graph.previous[graph.anchors[graph.anchor_offsets[wide]]], 0)] = True
@@ -169,12 +184,11 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         at,
     )
     if "crab" in graph.kinds:
-        # Worked backwards: the legs cross over to where the work came from, and the head lies as a knot outside.
-        back = graph.kind[cell] == graph.kinds.index("crab")
-        at[back, 0] -= 0.6 * np.clip(at[back, 1] - 0.2, 0.0, 0.8)
-        knot = back & (at[:, 1] > 0.9)
-        at[knot, 2] += 0.3 * graph.direction[cell[knot]]
-        at[knot, 1] -= 0.15
+        for i in np.flatnonzero((graph.kind == graph.kinds.index("crab")) & (role == STITCH)).tolist():
+            # Worked backwards: the head is wound about the edge, outwards over it.
+            head = at[int(start[i + 1]) - len(_WOUND) : int(start[i + 1])]
+            head[:, :2] = _WOUND[:, :2]
+            head[:, 2] = _WOUND[:, 2] * (graph.direction[i] or 1)
     # A seam draws the heads of a part's last round down to what they are sewn to.
     sewn = np.zeros(n, np.bool_)
     sewn[graph.edges[graph.edge_kind == SEWN].ravel()] = True
@@ -192,8 +206,16 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     on[role == STITCH] = graph.anchors[graph.anchor_offsets[1:][role == STITCH] - 1]
     pieces = _Pieces()
     for i, loops in _loops(graph):
+        where = int(start[i]) + LOOPED
         for k in range(loops):
-            pieces.put(int(start[i]) + LOOPED, _AFTER, i, int(on[i]), _hanging(i, k, loops))
+            if loops == 1:
+                pieces.put(where, _AFTER, i, int(on[i]), _hanging(i, k, loops))
+                continue
+            # Fur is cut: two ends hang where a loop hung.
+            cut = _CUT + 2 * k
+            pieces.put(where, cut, i, int(on[i]), _hanging(i, 2 * k, 2 * loops)[: len(_HANGING) // 2 + 1])
+            pieces.begin(where, i, cut + 1)
+            pieces.put(where, cut + 1, i, int(on[i]), _hanging(i, 2 * k + 1, 2 * loops)[len(_HANGING) // 2 :])
     for i, out in _crowned(graph):
         loops = int(np.diff(graph.anchor_offsets)[i])
         crown = _CROWN * (1.0, 1.0, out) + (0.0, 0.0, out)
@@ -276,7 +298,7 @@ def _hanging(i: int, k: int, loops: int) -> Array:
     """The ``k``-th loop that hangs out of stitch ``i``: no two fall alike; the later ones lie farther out."""
     longer, aside, out = stream("hanging", i, k).uniform(-1.0, 1.0, 3)
     down = np.clip(-_HANGING[:, 1] / 1.85, 0.0, 1.0)
-    made = _HANGING * (1.0, 1.15 + 0.35 * longer * SWAY, 1.0)
+    made = _HANGING * (1.0, (1.15 if loops == 1 else 1.5) + 0.35 * longer * SWAY, 1.0)
     made[:, 0] += down * SWAY * aside + (k - 0.5 * (loops - 1)) * 0.3 * down
     made[:, 2] += (0.25 * out + 0.35 * k) * down
     return made
@@ -374,8 +396,8 @@ def _joined(graph: StitchGraph, cell: Array, below: Array, at: Array, drop: Arra
     seams = _seams(graph)
     for number, (later, earlier) in enumerate(seams):
         if number == 0 or (graph.part[seams[number - 1]] != graph.part[[later, earlier]]).any():
-            pieces.breaks.append((total, -1 - later))
-            seam = len(pieces.breaks)
+            seam = len(pieces.breaks) + 1
+            pieces.begin(total, -1 - later, _START + seam)
         for node, rows in ((earlier, _SEAM), (later, _SEAM[::-1])):
             pieces.put(total, _START + seam, node, STANDS, rows, float(graph.height[node]))
     rows = np.array(pieces.rows).reshape(-1, 7)
@@ -388,8 +410,7 @@ def _joined(graph: StitchGraph, cell: Array, below: Array, at: Array, drop: Arra
     keep = np.insert(~drop, where, True)
     # A strand begins behind what ends there and before what starts there.
     marks = []
-    for number, (place, stitch) in enumerate(pieces.breaks, 1):
-        level = _BREAK if stitch >= 0 else _START + number
+    for place, stitch, level in pieces.breaks:
         marks.append((place + int(((where < place) | ((where == place) & (when < level))).sum()), stitch))
     marks.sort()
     kept = np.concatenate([[0], np.cumsum(keep)])

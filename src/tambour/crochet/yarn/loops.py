@@ -143,7 +143,7 @@ def lead(
     offsets: I8x1,
     height: F8x1,
     table_of: I8x1,
-    ridge: B1x1,
+    ridge: I1x1,
     sunk: B1x1,
     tables: F8x3,
     chain: F8x2,
@@ -157,7 +157,7 @@ def lead(
     """Fill cell, below (P,) and at (P, 3), from ``start[i]`` on, with the course of the yarn through every node.
 
     table_of : (N,) which of ``tables`` (K, 46, 3) is the course by the loops worked under, 0 being both
-    ridge : (N,) whether a stitch above leaves this one's front strand free; sunk : (N,) whether its head is drawn in, since
+    ridge : (N,) whether a stitch above leaves this one's front strand (1) or its back one (-1) free; sunk : (N,) whether its head is drawn in, since
     the loops of a decrease lean away from it; chain : (4, 3), before a chain's loop
     deep : (N,) how far below its row a stitch is worked (around a post, in the row below); relief : (N,) how far it stands
     out; bump : (N,) how far the loops of one that are all in one anchor bulge, negative to the other side
@@ -215,9 +215,13 @@ def lead(
                 v = _stretched(v, high - 1.0)
             cell[p], below[p] = i, anchors[last - 1]
             at[p, 0], at[p, 1], at[p, 2] = table[k, 0], v, table[k, 2]
-            if ridge[i] and 30 <= k <= 34:
+            if ridge[i] == 1 and 30 <= k <= 34:
                 at[p, 1] -= 0.06
                 at[p, 2] += 0.12
+            elif ridge[i] == -1 and 36 <= k <= 40:
+                # What is left free inside lies there as a bar, below the row that passes it by.
+                at[p, 1] -= 0.20
+                at[p, 2] -= 0.28
             if sunk[i] and k >= 25 and k <= 36:
                 at[p, 1] -= SUNK[0]
                 at[p, 2] -= SUNK[1]
