@@ -175,3 +175,33 @@ def test_what_a_view_is_written_as_has_a_writer_and_what_is_written_a_view() -> 
     # Pictures and pages in another coat have no view of their own: `-o NAME.VIEW.tif` asks for them.
     coats = {".bmp", ".tif", ".tiff", ".html"}
     assert {suffix for suffix, _ in WRITE} - {suffix for suffix, *_ in seen} == coats
+
+
+def test_nothing_is_written_but_through_the_sink(root: Path) -> None:
+    """Who opens a path to write, and why it is no piece: a library's writer that is given a path passes over a full disk."""
+    known = {
+        "cli.py": "standard input, kept to be read; what is printed goes nowhere",
+        "files/sink.py": "the sink",
+        "files/usd.py": "arrays that a process of its own hands over",
+        "studio/pool.py": "what users give, in the folder of a worker",
+        "studio/serve.py": "the token, for its owner's eyes",
+        "studio/worker.py": "what a worker hands over",
+        "work/local.py": "what a job's source is, in the folder of a worker",
+        "work/worker.py": "answers, on its pipe",
+    }
+    found = set()
+    source = root / "src" / "tambour"
+    for path in source.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if not isinstance(node, ast.Call):
+                continue
+            called = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+            modes = [
+                a.value for a in (*node.args[:2], *(k.value for k in node.keywords)) if isinstance(a, ast.Constant)
+            ]
+            opens = called in ("open", "fdopen", "FileIO") and any(
+                isinstance(m, str) and re.fullmatch(r"[waxrb+t]*[wax+][b+t]*", m) for m in modes
+            )
+            if called in ("write_bytes", "write_text", "FILEWStream", "imsave") or opens:
+                found.add(path.relative_to(source).as_posix())
+    assert found - {"files/film.py"} == set(known), "av.open of film.py writes into memory"
