@@ -56,7 +56,6 @@ FAULTS = [
     Fault("files/sink.py", "if os.fstat(number).st_size != self._end:", "if False:", "files_sink -k did_not_take_all"),
     Fault("files/picture.py", "sink.put(made.getvalue())", "sink.path.write_bytes(made.getvalue())", "house -k through_the_sink"),
     Fault("files/sink.py", "if f.moved:\n                        _back(f)", "if False:\n                        _back(f)", "files_sink -k puts_everything_back"),
-    Fault("files/sink.py", "if f.place.is_dir():", "if False:", "files_sink -k becomes_a_folder"),
     Fault("files/sink.py", "Path(os.path.realpath(path) if path.is_symlink() else path)", "Path(path)", "files_sink -k modes_links"),
     Fault("files/sink.py", "shutil.copymode(place, made)", "pass", "files_sink -k modes_links"),
     Fault("files/sink.py", "whole = stat.S_ISREG(mode)", "whole = True", "files_sink -k modes_links"),

@@ -90,6 +90,23 @@ def test_a_folder_is_no_source(tmp_path: Path) -> None:
         files.read(tmp_path, KINDS)
 
 
+@pytest.mark.parametrize("name", ["a.png", "a.txt", "a.dst", "a.obj"])
+def test_a_file_that_is_not_for_us_is_told(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / name).write_bytes(b"")
+    monkeypatch.setattr("os.access", lambda *_: False)
+    with pytest.raises(TambourError, match=rf"{name}: cannot be read: Permission denied"):
+        files.read(tmp_path / name, (*KINDS, "Picture"))
+
+
+def test_a_folder_that_is_not_for_us_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def no(path: Path) -> bool:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "exists", no)
+    with pytest.raises(TambourError, match=r"a\.txt: cannot be read: Permission denied"):
+        files.read(tmp_path / "a.txt", KINDS)
+
+
 def chart(colours: int, blank: bool) -> Chart:
     cells = np.arange(colours, dtype=np.uint8)[:, None].repeat(2, axis=1)
     rgb = np.stack([np.arange(colours)] * 3, axis=1).astype(np.uint8)

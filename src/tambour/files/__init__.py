@@ -7,6 +7,8 @@ companions beside it. Readers raise TambourError for a file that is not what its
 
 from __future__ import annotations
 
+import errno
+import os
 from collections.abc import Iterable
 from importlib import import_module
 from pathlib import Path
@@ -128,22 +130,15 @@ def read(path: str | Path, types: Iterable[str]) -> Any:
     path, types = Path(path), tuple(types)
     suffix = path.suffix.lower()
     readers = READ.get(suffix, {})
-    if path.is_dir():
-        raise TambourError("this is a folder, a file is wanted", where=str(path))
-    for kind in types:
-        if kind in readers:
-            if not path.exists():
-                near = [p.name for p in path.parent.glob(f"*{suffix}")] if path.parent.is_dir() else []
-                raise TambourError("there is no such file", hint=did_you_mean(path.name, near), where=str(path))
-            if path.is_char_device() or path.is_block_device():
-                raise TambourError("this is a device, a file is wanted", where=str(path))
-            most = MOVING if suffix in (*_USD, ".npz", ".glb") else LARGEST
-            if path.stat().st_size > most:
-                raise TambourError(f"a file of more than {most // 1_000_000} MB is not read", where=str(path))
-            try:
-                return _load(readers[kind])(path)
-            except OSError as error:
-                raise TambourError(f"cannot be read: {error.strerror or error}", where=str(path)) from None
+    kind = next((kind for kind in types if kind in readers), None)
+    try:
+        if path.is_dir():
+            raise TambourError("this is a folder, a file is wanted", where=str(path))
+        if kind is not None:
+            _may_be_read(path, suffix)
+            return _load(readers[kind])(path)
+    except OSError as error:
+        raise TambourError(f"cannot be read: {error.strerror or error}", where=str(path)) from None
     known = sorted(s for s, kinds in READ.items() if set(types) & set(kinds))
     raise TambourError(
         f'"{suffix}" files cannot be read here'
@@ -152,6 +147,20 @@ def read(path: str | Path, types: Iterable[str]) -> Any:
         hint=f"these can: {' '.join(known)}",
         where=str(path),
     )
+
+
+def _may_be_read(path: Path, suffix: str) -> None:
+    """TambourError for a file that is not there, is a device, or too large; OSError for one that is not for us."""
+    if not path.exists():
+        near = [p.name for p in path.parent.glob(f"*{suffix}")] if path.parent.is_dir() else []
+        raise TambourError("there is no such file", hint=did_you_mean(path.name, near), where=str(path))
+    if path.is_char_device() or path.is_block_device():
+        raise TambourError("this is a device, a file is wanted", where=str(path))
+    if not os.access(path, os.R_OK):  # readers' libraries say it in their own ways
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+    most = MOVING if suffix in (*_USD, ".npz", ".glb") else LARGEST
+    if path.stat().st_size > most:
+        raise TambourError(f"a file of more than {most // 1_000_000} MB is not read", where=str(path))
 
 
 def can_write(suffix: str, kind: str) -> bool:

@@ -315,8 +315,6 @@ class Writing:
 
 def _keep(f: _File) -> None:
     """A second name for what stands at the place, or a copy where a disk knows no second names."""
-    if f.place.is_dir():
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
     if not f.place.exists():
         return
     try:
