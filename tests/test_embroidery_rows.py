@@ -109,3 +109,20 @@ def test_a_hidden_part_that_hangs_on_by_its_rim_is_not_sewn(tmp_path):
     piece = made(tmp_path, stripes + frame, width=60)
     red = next(r for r in piece.regions if r.color == (255, 0, 0))
     assert np.ptp(red.paths.coords[:, 1]) < 15 * 60 / 52 + 6
+
+
+@pytest.mark.parametrize(
+    "inner",
+    [
+        '<circle cx="30" cy="30" r="1.5" fill="none" stroke="#000" stroke-width="3"/>',
+        '<polygon fill="#000" stroke="#000" stroke-width="1.2" points="30,24 33.5,35 24,28.4 36,28.4 26.5,35"/>',
+    ],
+)
+def test_a_dot_drawn_as_a_ring_and_a_star_are_filled(tmp_path, inner):
+    piece = made(tmp_path, inner, width=10)
+    assert [(r.role, r.stitch) for r in piece.regions] == [("area", "tatami")]
+
+
+def test_a_ring_with_a_hole_stays_a_line(tmp_path):
+    ring = '<circle cx="30" cy="30" r="3" fill="none" stroke="#000" stroke-width="3"/>'
+    assert made(tmp_path, ring, width=9).regions[0].role == "line"

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.embroidery.columns.medial import branches, skeleton
 from tambour.embroidery.lines.angle import angle
 from tambour.embroidery.piece import AUTO, Region
 from tambour.geometry.areas import of_shapely, to_shapely
@@ -17,6 +18,7 @@ SATIN = 7.0  # mm: limbs up to this width are satin
 SPLIT = 12.1  # mm: up to this satin that is split, above it tatami
 BODY = 0.15  # share of an area that may be wider and still be left to what satin leaves
 ROUND = 17.0  # length² / area of a dot: 12.6 for a disc, 16 for a square, 18 for a bar twice as long as wide
+BUNCH = 0.3  # share of an area that the widest disc in it must have to count as a middle; a T has 0.16, a star 0.4
 ROWS = ("tatami", "gradient")
 
 
@@ -36,11 +38,22 @@ def stitch_of(area: Any) -> str:
     if not area.interiors and area.length**2 < ROUND * area.area:
         return "tatami"  # a dot has no middle line to sew along
     if _wider(area, SATIN) <= BODY:
-        return "satin"
+        return "tatami" if _bunched(area) else "satin"
     # Between the two a plain long shape is satin that is split; what branches or turns back is better filled.
     plain = not area.interiors and area.area > 0.8 * area.convex_hull.area
     long = area.length**2 > 24 * area.area  # a square has 16, a bar twice as long as wide 18, thrice 21
     return "satin" if plain and long and _wider(area, SPLIT) <= 0.02 else "tatami"
+
+
+def _bunched(area: Any) -> bool:
+    """Whether limbs meet in a middle that is much of an area, as a star's do: columns would heap up there."""
+    import shapely
+
+    disc = math.pi * shapely.maximum_inscribed_circle(area, 0.05).length ** 2
+    if disc < BUNCH * area.area:
+        return False
+    places, radius, edges = skeleton(area)
+    return len(branches(places, radius, edges)) > 1 if len(places) > 1 else False
 
 
 def _wider(area: Any, width: float) -> float:

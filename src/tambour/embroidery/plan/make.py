@@ -26,6 +26,7 @@ from tambour.embroidery.plan.order import order, ranked, upside_down
 from tambour.embroidery.plan.overlap import overlapped
 from tambour.embroidery.plan.sequence import Layout
 from tambour.embroidery.plan.sewable import COLORS, doubts
+from tambour.embroidery.regions.blots import blotted
 from tambour.embroidery.regions.card import card
 from tambour.embroidery.regions.catalogue import with_catalogue
 from tambour.embroidery.regions.flat import joined, mixed, uncovered
@@ -63,7 +64,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
             progress.warn(f"left out of the drawing, or changed: {drawing.about['ignored']}")
         for line in drawing.about.get("doubts", "").splitlines():
             progress.warn(line, where="the drawing")
-        found = regions(drawing, params, progress)
+        found = blotted(regions(drawing, params, progress))
         if not isinstance(source, Picture):
             found = _flat(drawing, found, params, progress)
         found = overlapped(blended(decided(found), progress))
