@@ -13,6 +13,7 @@ from tambour import files
 from tambour.core.progress import Progress
 from tambour.core.thread import STITCH
 from tambour.embroidery.columns.stroke import from_stroke
+from tambour.embroidery.families.decide import divided
 from tambour.embroidery.families.tatami import stride
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import FILL
@@ -115,7 +116,7 @@ def test_a_hidden_part_that_hangs_on_by_its_rim_is_not_sewn(tmp_path):
     "inner",
     [
         '<circle cx="30" cy="30" r="1.5" fill="none" stroke="#000" stroke-width="3"/>',
-        '<polygon fill="#000" stroke="#000" stroke-width="1.2" points="30,24 33.5,35 24,28.4 36,28.4 26.5,35"/>',
+        '<polygon fill="#000" stroke="#000" stroke-width="1.8" points="30,24 33.5,35 24,28.4 36,28.4 26.5,35"/>',
     ],
 )
 def test_a_dot_drawn_as_a_ring_and_a_star_are_filled(tmp_path, inner):
@@ -126,3 +127,26 @@ def test_a_dot_drawn_as_a_ring_and_a_star_are_filled(tmp_path, inner):
 def test_a_ring_with_a_hole_stays_a_line(tmp_path):
     ring = '<circle cx="30" cy="30" r="3" fill="none" stroke="#000" stroke-width="3"/>'
     assert made(tmp_path, ring, width=9).regions[0].role == "line"
+
+
+def test_a_thin_frame_that_hangs_on_a_wide_part_is_satin_by_itself(tmp_path):
+    shape = '<path fill-rule="evenodd" d="M0 0H60V60H0ZM20 3V57H57V3Z"/>'
+    piece = made(tmp_path, shape, width=80)
+    assert sorted((r.stitch, len(r.paths)) for r in piece.regions) == [("satin", 1), ("tatami", 1)]
+    below = made(tmp_path, shape + '<circle cx="10" cy="10" r="2.8" fill="red"/>', width=80)
+    assert [r.stitch for r in below.regions][0] == "tatami" and len(below.regions) == 2  # what lies below others stays whole
+
+
+@pytest.mark.parametrize("length", [20, 40, 80])
+def test_a_horn_that_tapers_off_is_part_of_what_it_grows_from(length):
+    head = shapely.Point(0, 0).buffer(12)
+    assert len(divided(head.union(shapely.Polygon([(0, -8), (0, 8), (length, 0)])))) == 1
+    assert len(divided(head.union(shapely.box(0, -2, length + 12, 2)))) == 2
+
+
+def test_an_outline_of_a_thousand_places_is_sewn_with_few(tmp_path):
+    t = np.linspace(0, 2 * np.pi, 5000)
+    ring = " ".join(f"{30 + 20 * np.cos(a):.6f},{30 + 20 * np.sin(a):.6f}" for a in t)
+    piece = made(tmp_path, f'<polygon points="{ring}"/>', width=40)
+    assert len(piece.regions[0].paths.coords) < 250
+    assert np.hypot(*piece.regions[0].paths.coords.T) == pytest.approx(20, abs=0.02)

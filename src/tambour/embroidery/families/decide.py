@@ -12,12 +12,19 @@ import numpy as np
 from tambour.embroidery.columns.medial import branches, skeleton
 from tambour.embroidery.lines.angle import angle
 from tambour.embroidery.piece import AUTO, Region
+from tambour.embroidery.regions.flat import shape
 from tambour.geometry.areas import of_shapely, to_shapely
 
 SATIN = 7.0  # mm: limbs up to this width are satin
 SPLIT = 12.1  # mm: up to this satin that is split, above it tatami
 BODY = 0.15  # share of an area that may be wider and still be left to what satin leaves
 ROUND = 17.0  # length² / area of a dot: 12.6 for a disc, 16 for a square, 18 for a bar twice as long as wide
+LONG = 3.0  # times as long as it is wide: a limb of a filled area that is sewn by itself
+EVEN = 0.72  # share of its length by its width that such a limb's area must have
+COVERED = 0.01  # share of an area above which it counts as lying below another
+LEAN = 0.7  # share of the width of the rest that it may have
+SEAM = 0.1  # mm that the wide part goes beyond what discs of its width reach
+UNDER = 0.6  # mm that it goes on below the limbs
 BUNCH = 0.3  # share of an area that the widest disc in it must have to count as a middle; a T has 0.16, a star 0.4
 ROWS = ("tatami", "gradient")
 
@@ -28,8 +35,8 @@ def decided(found: Sequence[Region]) -> tuple[Region, ...]:
     What was asked for stays: a region's ``stitch`` where it is not AUTO, its ``angle`` where it is not None.
     """
     made: list[Region] = []
-    for region in found:
-        made += _parts(region) if region.stitch == AUTO else [region]
+    for k, region in enumerate(found):
+        made += _parts(region, found[k + 1 :]) if region.stitch == AUTO else [region]
     return _angled(made)
 
 
@@ -43,6 +50,35 @@ def stitch_of(area: Any) -> str:
     plain = not area.interiors and area.area > 0.8 * area.convex_hull.area
     long = area.length**2 > 24 * area.area  # a square has 16, a bar twice as long as wide 18, thrice 21
     return "satin" if plain and long and _wider(area, SPLIT) <= 0.02 else "tatami"
+
+
+def divided(area: Any) -> list[Any]:
+    """A shapely polygon as a hand would divide it: its wide part, and long limbs far narrower than that by themselves (the frame
+    round a page, a letter that hangs on a swoosh); the wide part goes on a little below them."""
+    import shapely
+
+    widest = 2 * float(shapely.maximum_inscribed_circle(area, 0.05).length)
+    filled = widest > SATIN and _wider(area, SATIN) > BODY
+    at, length = (SATIN, LONG) if filled else (LEAN * widest, 5 * LONG)
+    core = area.buffer(-at / 2, quad_segs=8).buffer(at / 2 + SEAM, quad_segs=8)
+    pieces = [p for p in shapely.get_parts(area.difference(core)) if p.area > 1]
+    wide = [2 * float(shapely.maximum_inscribed_circle(p, 0.05).length) for p in pieces]
+    # What only tapers off is as wide at its foot as the wide part is at least, or far from as wide everywhere.
+    found = [
+        p for p, w in zip(pieces, wide) if w < LEAN * at and p.area > max(length * w**2, EVEN * w * (p.length / 2 - w))
+    ]
+    like = [w for p, w in zip(pieces, wide) if p in found]
+    found += [
+        p
+        for p, w in zip(pieces, wide)
+        if p not in found and p.area > w**2 and any(abs(w - other) < 0.2 * other for other in like)
+    ]
+    if not found:
+        return [area]
+    rest = area.difference(shapely.union_all(found).buffer(1e-3))
+    left = [p for p in shapely.get_parts(rest) if p.area > 0.5]
+    grown = [p for b in left for p in shapely.get_parts(b.buffer(UNDER).intersection(area)) if p.geom_type == "Polygon"]
+    return [*grown, *found]
 
 
 def _bunched(area: Any) -> bool:
@@ -62,12 +98,16 @@ def _wider(area: Any, width: float) -> float:
     return 0.0 if body.is_empty else float(body.buffer(width / 2, quad_segs=8).intersection(area).area / area.area)
 
 
-def _parts(region: Region) -> list[Region]:
+def _parts(region: Region, later: Sequence[Region]) -> list[Region]:
     """One region for the satins of an area, and one for each of its parts that is tatami."""
     satin: list[Any] = []
     rows: list[Any] = []
-    for part in to_shapely(region.paths):
-        (satin if stitch_of(part) == "satin" else rows).append(part)
+    for whole in to_shapely(region.paths):
+        parts = divided(whole)
+        if len(parts) > 1 and any(shape(r).intersection(whole).area > COVERED * whole.area for r in later):
+            parts = [whole]  # what lies below others is better one piece
+        for part in parts:
+            (satin if stitch_of(part) == "satin" else rows).append(part)
     made = []
     for kind, parts in (("tatami", [p]) for p in rows):
         made.append((kind, of_shapely(parts[0])))

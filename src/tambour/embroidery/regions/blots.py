@@ -23,7 +23,7 @@ def blotted(found: Sequence[Region]) -> tuple[Region, ...]:
             made.append(region)
             continue
         below = made[-1] if made else None
-        if below is not None and below.stitch == AUTO and _same(below, region) and _covers(region, below):
+        if below is not None and below.stitch == AUTO and _same(below, region) and _bold(region, below):
             made[-1] = replace(below, paths=_joined([*to_shapely(below.paths), *_strokes(region, list(region.paths))]))
             continue
         full = [k for k, line in enumerate(region.paths) if _full(line, region.width)]
@@ -42,12 +42,12 @@ def _same(fill: Region, stroke: Region) -> bool:
     return alike and fill.alpha >= 1 <= stroke.alpha and fill.flags == stroke.flags
 
 
-def _covers(stroke: Region, fill: Region) -> bool:
-    """Whether a stroke is of closed lines, and wide enough to leave little of the fill inside them."""
+def _bold(stroke: Region, fill: Region) -> bool:
+    """Whether a stroke is of closed lines, and no thinner than a third of the fill inside them."""
     import shapely
 
     shut = all((line[0] == line[-1]).all() for line in stroke.paths)
-    return shut and bool(shapely.union_all(to_shapely(fill.paths)).buffer(-0.8 * stroke.width).is_empty)
+    return shut and bool(shapely.union_all(to_shapely(fill.paths)).buffer(-1.5 * stroke.width).is_empty)
 
 
 def _inside(line: Any) -> Any:

@@ -24,6 +24,7 @@ from tambour.embroidery.regions.lettering import how_sewn
 from tambour.geometry.areas import polygons
 
 LINES = ("running", "bean", "motif", "manual")
+FINE = 0.01  # mm that an outline may move for having fewer places: some files have hundreds in a millimetre
 BOLD = 0.6  # mm: lines of this width and more that are no satin are sewn thrice
 LARGEST = 4_000_000.0  # mm² of design
 REACH = 100_000.0  # mm from the hoop's centre
@@ -155,6 +156,8 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
         ):
             continue
         lines = [paths[i] * scale + shift for i in range(int(parts[m]), int(parts[m + 1]))]
+        if own.stitch != "manual":
+            lines = [_thinned(line) for line in lines]
         common = {
             "guide": guides.get(int(drawing.groups.parent[group]) if group >= 0 else -1),
             "start": _point(data, ("inkstitch-command-starting_point", "inkstitch-command-fill_start"), scale, shift),
@@ -205,6 +208,13 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
             "there is nothing to embroider in this drawing", hint="its shapes have no area and no stroke"
         )
     return found, tiny
+
+
+def _thinned(line: Array) -> Array:
+    """A line without the places that no needle can tell from the straight way between the others."""
+    import shapely
+
+    return line if len(line) < 4 else shapely.get_coordinates(shapely.simplify(shapely.LineString(line), FINE))
 
 
 def _own(
