@@ -134,7 +134,7 @@ def test_a_thin_frame_that_hangs_on_a_wide_part_is_satin_by_itself(tmp_path):
     piece = made(tmp_path, shape, width=80)
     assert sorted((r.stitch, len(r.paths)) for r in piece.regions) == [("satin", 1), ("tatami", 1)]
     below = made(tmp_path, shape + '<circle cx="10" cy="10" r="2.8" fill="red"/>', width=80)
-    assert [r.stitch for r in below.regions][0] == "tatami" and len(below.regions) == 2  # what lies below others stays whole
+    assert below.regions[0].stitch == "tatami" and len(below.regions) == 2  # what lies below others stays whole
 
 
 @pytest.mark.parametrize("length", [20, 40, 80])
