@@ -101,8 +101,8 @@ export class Overlay {
       ${this.turning === null ? "" : svg`<text class="degrees" x=${c.x + dx + 14} y=${c.y + dy + 5}>${this.turning}°</text>`}`;
   }
 
-  /** A handle that is dragged over the cloth. @param {string} key @param {[number, number]} spot mm @param {string} kind @param {(spot: [number, number]) => void} done */
-  knob(key, spot, kind, done) {
+  /** A handle that is dragged over the cloth. @param {string} key @param {[number, number]} spot mm @param {string} kind @param {(spot: [number, number]) => void} done @param {number} aside pixels beside its place */
+  knob(key, spot, kind, done, aside = 0) {
     const at = this.held?.key === key ? this.held.spot : spot, p = this.spot(...at);
     const down = (/** @type {PointerEvent} */ event) => {
       event.stopPropagation();
@@ -123,7 +123,7 @@ export class Overlay {
       handle.addEventListener("pointerup", up, { once: true });
     };
     return kind === "rail" ? svg`<rect class="knob" x=${p.x - 6} y=${p.y - 6} width="12" height="12" @pointerdown=${down}></rect>`
-      : svg`<circle class="knob ${kind}" cx=${p.x} cy=${p.y} r="7" @pointerdown=${down}></circle>`;
+      : svg`<circle class="knob ${kind}" cx=${p.x + aside} cy=${p.y} r="7" @pointerdown=${down}></circle>`;
   }
 
   /** Where the region's thread begins and ends. @param {Pack} pack */
@@ -133,7 +133,9 @@ export class Overlay {
     let first = told.first, last = told.end - 1; // jumps that lead to it are not yet it
     while (first < last && pack.arrays.command[first]) first++;
     while (last > first && pack.arrays.command[last]) last--;
-    return [["start", first], ["end", last]].map(([name, i]) => this.knob(String(name), [xy[2 * Number(i)], xy[2 * Number(i) + 1]], String(name), (spot) => this.changed(this.region, String(name), place(spot))));
+    const places = /** @type {[string, number][]} */ ([["start", first], ["end", last]]), [p, q] = places.map(([, i]) => this.spot(xy[2 * i], xy[2 * i + 1]));
+    const aside = this.held === null && Math.hypot(p.x - q.x, p.y - q.y) < 16 ? 9 : 0; // one does not hide the other
+    return places.map(([name, i]) => this.knob(name, [xy[2 * i], xy[2 * i + 1]], name, (spot) => this.changed(this.region, name, place(spot)), name === "start" ? -aside : aside));
   }
 
   /** Rails that were laid by hand, each place to be dragged. @param {Pack} pack */

@@ -11,7 +11,7 @@ const kept = new Map();
 export function painted(pack, scale, upto) {
   const { points, offsets, style, fill, stroke, width } = pack.arrays, { box, origin, size, units } = pack.facts;
   const canvas = new OffscreenCanvas(Math.max(1, Math.round(size[0] * scale)), Math.max(1, Math.round(size[1] * scale)));
-  const paint = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  const paint = /** @type {OffscreenCanvasRenderingContext2D} */ (canvas.getContext("2d", { willReadFrequently: true })); // by the processor, here: twenty thousand small shapes hold a card (or what stands in for one) up for seconds
   const [low, high] = box, sx = ((high[0] - low[0]) / 65535) * scale, sy = ((high[1] - low[1]) / 65535) * scale;
   const x0 = (low[0] - origin[0]) * scale, y0 = (low[1] - origin[1]) * scale;
   const color = (/** @type {any} */ c, /** @type {number} */ s) => `rgba(${c[4 * s]},${c[4 * s + 1]},${c[4 * s + 2]},${c[4 * s + 3] / 255})`;
