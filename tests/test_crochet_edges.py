@@ -115,3 +115,28 @@ def test_rounds_of_another_part_that_do_not_make_the_count_are_a_mistake_of_the_
     assert [w.message for w in built.warnings if "pattern says" in w.message] == [
         "the pattern says 24 stitches, the round makes 18"
     ]
+
+
+@pytest.mark.parametrize(
+    "second",
+    [
+        "Work from ** to ** as given for\nFirst Half.\n",
+        "Work from ** to ** as given for First Half.\n",
+        "Rep from ** to **.\n",
+    ],
+)
+def test_what_is_worked_between_asterisks_under_a_heading_is_that_part(second: str) -> None:
+    half = "FIRST HALF\nWith A, ch 2.\n**1st rnd: 6 sc in 2nd ch from hook. Join.\n2nd rnd: Ch 1. 2 sc in each sc around. Join. 1 2 sc.\nFasten off.**\n"
+    pattern = said(TOY + half + "SECOND HALF\n" + second)
+    assert [s.name for s in pattern.parts] == ["FIRST HALF", "SECOND HALF"] and edges(pattern) == [6, 12] * 2
+
+
+@pytest.mark.parametrize(
+    "loops",
+    ["back loops only of both halves", "front loops of both pieces", "back loops only of front and back halves"],
+)
+def test_halves_are_joined_through_the_loops_of_both(loops: str) -> None:
+    half = "FIRST HALF\nWith A, ch 2.\n**1st rnd: 6 sc in 2nd ch from hook. Join.\n2nd rnd: Ch 1. 2 sc in each sc around. Join. 12 sc.**\nFasten off.\n"
+    joined = f"SECOND HALF\nRep from ** to **.\nJoin Halves: Holding First and Second Half together, join B with sl st to any sc of 2nd rnd. Ch 1. Working in {loops}, work 1 sc in each of next 12 sc. Join.\n"
+    pattern = said(TOY + half + joined)
+    assert edges(pattern)[-1] == 12

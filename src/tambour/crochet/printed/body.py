@@ -272,9 +272,20 @@ class Walk(Trade):
         elif after is not None and after.kind == "stitch":
             c.at += ahead
             stitch(self, found, token)
-        elif c.key("round", "row", ahead=1):
-            c.at += 2
+        elif c.key("round", "row", ahead=1 + c.key("more", ahead=1)):
+            c.at += 2 + c.key("more", ahead=1)
             self.body.rounds = (token.value, token.span)
+            plain = c.look(1)
+            if (
+                c.key("in")
+                and plain is not None
+                and plain.kind == "stitch"
+                and (c.look(2) is None or c.mark(".", ",", ";", ahead=2))
+            ):
+                found.append(
+                    Group((Action(plain.value, plain.span),), None, token.span)
+                )  # "6 more rounds evenly in sc"
+                c.at += 2
         elif c.key("stitch", "in", ahead=1):
             self.plain(found, token)
         elif after is not None and after.kind == "word":

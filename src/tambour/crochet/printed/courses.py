@@ -16,9 +16,11 @@ _ALONG: Final = frozenset(
     ("behind", "along", "from", "using", "across", "through", "down", "inside", "into", "right", "left")
 )
 _HAVING: Final = frozenset(("having", "increasing", "decreasing", "easing", "spacing", "keeping"))
-_PIECES: Final = frozenset(
+PIECES: Final = frozenset(
     ("pieces", "halves", "both pieces", "front", "inner", "outer", "sleeve", "cuff", "motifs", "first", "second")
 )
+"""Words for what is held together."""
+"""Words for what is held together."""
 
 
 _HELD: Final = frozenset(
@@ -118,7 +120,7 @@ class Courses(Reader):
 
     def folding(self, found: list[Item], token: Token) -> None:
         """Stitches go through both layers of the edge, which lies flat: they close it."""
-        if self.edge is None or any(t.word in _PIECES for t in self.c.tokens):
+        if self.edge is None or any(t.word in PIECES for t in self.c.tokens):
             self.body.both = True
             self.to_separator()
             return

@@ -27,6 +27,7 @@ from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.remarks import remark
 from tambour.crochet.printed.reworked import again
 from tambour.crochet.printed.state import State
+from tambour.crochet.printed.stripes import lay, planned, without
 from tambour.crochet.printed.tokens import Token
 from tambour.crochet.printed.united import united
 from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs
@@ -43,6 +44,23 @@ class Headed(State):
         self.ended = []
 
     def worked(self, draft: Draft, head: Head, tokens: list[Token], span: Span) -> None:
+        """The round as its words say, in the stripes that they or a sentence before them plan."""
+        words = self.source.text.text[span.start : span.end]
+        found = planned(words, self.palette, draft.lines)
+        if found is not None:
+            plan, (begin, end) = found
+            place = Span(span.start + begin, span.start + end)
+            tokens = without(tokens, place)
+        elif draft.plan is not None:
+            plan, place = draft.plan
+        else:
+            self._said(draft, head, tokens, span)
+            return
+        known = {id(line) for line in draft.lines}
+        self._said(draft, head, tokens, span)
+        lay(draft, known, plan, place, found is None)
+
+    def _said(self, draft: Draft, head: Head, tokens: list[Token], span: Span) -> None:
         """The round as its words say, or as a gap."""
         first = tokens[0] if tokens else Token("mark", "", head.span.start, head.span.end)
         times = len(head.numbers) if len(head.numbers) > 1 else head.many

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import MOST_AT_TIP
@@ -44,6 +45,10 @@ LIFT = 5
 """Chains at a round's beginning that only lift the yarn, at most."""
 
 
+if TYPE_CHECKING:
+    from tambour.crochet.printed.stripes import Plan
+
+
 @dataclass
 class Draft:
     """A part while it is read.
@@ -60,6 +65,7 @@ class Draft:
     spread : where lines begin that fit the round below them only;
     marked : which stitch of its last round is marked, from 0; spoken : where lines begin → the words they were read from
     merged : it has become part of another piece; bordered : what was worked last goes along an edge that is no round's
+    plan : the stripes that its next rounds are worked in, and where they are said
     loops : "flo" or "blo" where all its rounds are worked into those
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
@@ -93,6 +99,7 @@ class Draft:
     edges: dict[int, int] = field(default_factory=dict)
     merged: bool = False
     bordered: bool = False
+    plan: tuple[Plan, Span] | None = None
 
     def begun(self) -> bool:
         """Whether anything but colours stands in it."""

@@ -40,6 +40,7 @@ from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.remarks import chosen
 from tambour.crochet.printed.reworked import again
 from tambour.crochet.printed.state import State
+from tambour.crochet.printed.stripes import lay, planned, without
 from tambour.crochet.printed.tokens import Row, Token
 from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs, left_over
 from tambour.crochet.words.special import explained
@@ -59,6 +60,7 @@ _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "m
 
 _PARTLY: Final = frozenset("last remaining rem rest top end over overstuff weighted pellets too rounds rnds".split())
 """Words of sentences that say how, or how far, a part is not stuffed."""
+_GOES_ON: Final = ("repeat", "even", "until", "as", "same")
 _SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", "divide", "dividing", "separate"))
 
 
@@ -249,6 +251,26 @@ def _held(tokens: list[Token]) -> set[int]:
 
 
 def _sentence(p: State, tokens: list[Token]) -> bool:
+    """One sentence outside rounds, in the stripes that it plans; whether it was understood."""
+    draft = p.parts[-1] if p.parts else None
+    begin, end = tokens[0].start, tokens[-1].end
+    found = planned(p.source.text.text[begin:end], p.palette, draft.lines) if draft is not None and draft.last else None
+    if draft is None or found is None or p.heading is not None or p.mode in ("materials", "abbreviations", "assembly"):
+        return _plain(p, tokens)
+    plan, (first, last) = found
+    place = Span(begin + first, begin + last)
+    rest = without(tokens, place)
+    if not any(t.kind in ("stitch", "number", "ordinal") or t.value in _GOES_ON for t in rest):
+        draft.plan = plan, place  # "Alternate A and B every 2 rows"
+        return True
+    known = {id(line) for line in draft.lines}
+    if not _plain(p, rest):
+        return False
+    lay(draft, known, plan, place, False)
+    return True
+
+
+def _plain(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds; whether it was understood."""
     handed, p.handed = p.handed, True
     edged, p.edged = p.edged, p.edged and tokens[0].value == "fasten off"
@@ -403,7 +425,7 @@ def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
     span = Span(tokens[0].start, tokens[-1].end)
     assert body.refers is not None
     body.refers = marked(p, body.refers)
-    if p.heading is not None and (body.refers.part or body.refers.numbers):
+    if p.heading is not None and (body.refers.part or body.refers.numbers or body.refers.marks):
         p.begin(True, span)
     draft = p.parts[-1]
     if again(p, draft, None, body, span):

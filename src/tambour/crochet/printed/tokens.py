@@ -111,6 +111,7 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
     while len(tokens) > at and tokens[-1].word == "|":
         tokens.pop()
     tokens = tokens[at:]
+    tokens = _kerned(tokens)
     weights = [t for t in tokens if t.word in _WEIGHTS]
     if weights and not any(b.word in _WEIGHTS and a.word in _PAIRED for a, b in pairwise(tokens)):
         if len(weights) == 2 and tokens[0] is weights[0] and not marked:
@@ -121,6 +122,17 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
         if len(weights) % 2 == 0:
             tokens = [t for t in tokens if t.word not in _WEIGHTS]
     return Row(tokens, start, end, marked)
+
+
+def _kerned(tokens: list[Token]) -> list[Token]:
+    """``tokens`` with the digits of a count together that a page set apart: "2 0 sts"."""
+    for k in range(len(tokens) - 2):
+        one, two, after = tokens[k : k + 3]
+        apart = one.kind == two.kind == "number" and len(one.word) == len(two.word) == 1 and two.start == one.end + 1
+        if apart and one.value and after.word in ("sts", "sc", "st", "stitches"):
+            whole = Token("number", one.word + two.word, one.start, two.end, 10 * one.value + two.value, one.glued)
+            return [*tokens[:k], whole, *_kerned(tokens[k + 2 :])]
+    return tokens
 
 
 _PAIRED: Final = frozenset(("from", "to", "between"))  # "rep from ** to **": no weight

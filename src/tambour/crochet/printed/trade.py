@@ -7,6 +7,7 @@ from typing import Final
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import where
 from tambour.crochet.printed.counts import closing, counted_at, ends_with_number, makes
+from tambour.crochet.printed.courses import PIECES
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.dyes import Dyes
 from tambour.crochet.printed.references import refers
@@ -93,6 +94,9 @@ class Trade(Dyes):
                 if c.key("in", "same", "round", "row") and not numbered:
                     while c.key("in", "same", "round", "row"):
                         c.at += 1  # "in back loops on this rnd only"
+                if (piece := c.look()) is not None and piece.kind == "word" and piece.word in PIECES:
+                    self.body.both = True  # "in back loops only of both halves"
+                    self.to_separator()
                 loop = Action(place.loops, place.span)
                 after = c.look()
                 whole = after is None or (after.kind == "mark" and after.word in (".", "(", "[", "{", "=", "-", ";"))

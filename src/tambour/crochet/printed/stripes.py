@@ -1,0 +1,221 @@
+"""Printed patterns, stripes: plans of colour that a sentence says by rounds ("A 2 rounds; B 1 round", "alternating A and B every 2 rows"),
+laid over the rounds that they are said of."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.core.rgb import RGB
+from tambour.crochet.language.tree import Action, Line
+from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.items import works
+from tambour.crochet.printed.parts import Draft
+from tambour.crochet.printed.tokens import Token, rows
+
+_MOST: Final = 500  # rounds that are parted by their colours
+_UNIT: Final = r"(?:rnds?|rounds?|rows?|rds?)\b\.?"
+_N: Final = r"(\d{1,2}|one|two|three|four|five|six)"
+_YARN: Final = r"\b((?:colou?r\s+)?(?:MC|CC|C[A-F1-9]|[A-K]\b|[1-9]\b)|(?!(?:work\w*|next|last|for|rep|repeat|every|first|of|with|then|and|in|the|following|pattern|more)\b)[a-z]{3,12}(?:\s(?!for\b|and\b|then\b)[a-z]{3,12})?)"
+_HOLD: Final = r"(?:(?:in|with|of|using|each)\s+)?"
+_ITEM: Final = rf"(?:{_N}\s+{_UNIT}\s*{_HOLD}{_YARN}|{_YARN}\s*[:=–-]?\s+(?:for\s+)?{_N}\s+{_UNIT}|[Ww]ith\s+{_YARN},?\s+(?:work\s+)?{_N}\s+{_UNIT})"
+_AND: Final = r"\s*(?:[,;.&]|\band\b|\bthen\b)[\s,;]*(?:and\s+|then\s+|\*\s*)?"
+_LEAD: Final = r"(?:(?:working|work|worked|in|alternat\w+|the|following|this|as\s+follows|stripes?|striped|striping|pat|pattern|sequence|order|of)[\s:,–-]*)*"
+_LISTED: Final = re.compile(rf"{_LEAD}\*?\s*{_ITEM}(?:{_AND}{_ITEM})+")
+_ONE: Final = re.compile(_ITEM)
+_LIST: Final = rf"{_YARN}(?:\s*,\s*{_YARN})*(?:\s*,?\s*(?:and|&|with)\s+|\s*,\s*){_YARN}"
+_EVERY: Final = rf"(?:every|each|after\s+every|after\s+each|at\s+(?:the\s+)?end\s+of\s+(?:every|each))\s+(?:(other|alternate|2nd|second)\s+|{_N}\s+)?{_UNIT}"
+_BETWEEN: Final = re.compile(
+    rf"[Aa]lternat(?:e|es|ing)\s+(?:between\s+)?(?:colou?rs\s+)?{_LIST}(?:,?\s+{_EVERY})?", re.DOTALL
+)
+_CHANGED: Final = re.compile(
+    rf"(?:and\s+)?(?:continu(?:e|ing)\s+to\s+)?(?:[Cc]hang\w+|[Aa]lternat\w+|[Ss]witch\w*)\s+(?:yarns?\s+)?(?:colou?rs?\s+)?{_EVERY}(?:,?\s+alternating\s+(?:between\s+)?{_LIST})?",
+    re.DOTALL,
+)
+_PER: Final = re.compile(
+    rf"(?:keeping\s+(?:with|to)\s+|in\s+|continu\w+\s+)?(?:the\s+)?(?:strip\w+\s+(?:pattern|sequence)\s*)?\(?{_N}\s+{_UNIT}\s+(?:per|of\s+each|in\s+each|each)\s+colou?r\)?",
+    re.DOTALL,
+)
+_HINT: Final = re.compile(
+    r"alternat|strip|chang|switch|per\s+colou?r|each\s+colou?r|\d\s+r(?:n?d|ow|ound)", re.IGNORECASE
+)
+_WORDS: Final = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Colours by rounds: each for so many, again and again; ``begun``: rounds of the first that are worked already."""
+
+    runs: tuple[tuple[RGB, int], ...]
+    begun: int = 0
+
+    def hue(self, at: int) -> RGB:
+        """The colour of round ``at``, from 0."""
+        at = (at + self.begun) % sum(n for _, n in self.runs)
+        for hue, many in self.runs:
+            if at < many:
+                return hue
+            at -= many
+        return self.runs[-1][0]
+
+
+def planned(words: str, palette: Palette, worked: list[Line]) -> tuple[Plan, tuple[int, int]] | None:
+    """The plan that ``words`` say, and from which letter to which they say it; None where they say none.
+
+    worked : the rounds of the part so far, whose yarns "changing colour every row" goes on with
+    """
+    if not _HINT.search(words):
+        return None
+    if (found := _CHANGED.search(words)) is not None and (runs := _changed(found, palette, worked)):
+        return Plan(runs, _phase(runs, worked)), found.span()
+    if (found := _BETWEEN.search(words)) is not None:
+        hues = _hues(found[0], palette)
+        every = _many(found[len(found.groups()) - 1], found[len(found.groups())])
+        if hues is not None and len(hues) > 1:
+            return Plan(tuple((hue, every) for hue in hues)), found.span()
+    if (found := _LISTED.search(words)) is not None:
+        items = [_item(m, palette) for m in _ONE.finditer(found[0])]
+        known = [i for i in items if i is not None]
+        if len(known) > 1 and len(known) == len(items):
+            return Plan(tuple(known)), found.span()
+    if (found := _PER.search(words)) is not None:
+        used = _used(worked)
+        many = _number(found[1])
+        if len(used) > 1 and many:
+            runs = tuple((hue, many) for hue in used)
+            return Plan(runs, _phase(runs, worked)), found.span()
+    return None
+
+
+def without(tokens: list[Token], place: Span) -> list[Token]:
+    """``tokens`` but those that stand at ``place``."""
+    return [t for t in tokens if t.end <= place.start or t.start >= place.end]
+
+
+def lay(draft: Draft, known: set[int], plan: Plan, place: Span, onward: bool) -> None:
+    """Lays ``plan`` over the lines of ``draft`` that are not ``known`` by their identity; a plan that goes ``onward`` ends where a round
+    says a yarn of its own."""
+    new = [line for line in draft.lines if id(line) not in known]
+    if not any(line.in_round for line in new) or (onward and any(_colors(line) for line in new)):
+        draft.plan = None if new else draft.plan
+        return
+    draft.lines = [line for line in draft.lines if id(line) in known] + striped(new, plan, place)
+    if onward:
+        done = plan.begun + sum(line.times for line in new if line.in_round)
+        draft.plan = replace(plan, begun=done), place
+
+
+def striped(lines: list[Line], plan: Plan, span: Span) -> list[Line]:
+    """``lines`` with their rounds in the colours of ``plan``, each change of colour on a line before its round."""
+    made: list[Line] = []
+    at, hue = 0, None
+    for line in lines:
+        if not line.in_round or line.times > _MOST:
+            made.append(line)
+            continue
+        every = list(line.rounds()) if line.again is not None else [line]
+        for one in every:
+            done = 0
+            while done < one.times:
+                now = plan.hue(at)
+                many = 1
+                while done + many < one.times and plan.hue(at + many) == now:
+                    many += 1
+                if now != hue and not (at == 0 and plan.begun % sum(n for _, n in plan.runs) and now == plan.hue(-1)):
+                    made.append(Line((Action("color", span, numbers=now),), span, False))
+                    hue = now
+                number = None if one.number is None else one.number + done
+                last = done + many == one.times
+                made.append(
+                    replace(
+                        one,
+                        times=many,
+                        times_span=one.times_span if many > 1 else None,
+                        number=number,
+                        stated=one.stated if last else None,
+                        notes=one.notes if last else (),
+                    )
+                )
+                done, at = done + many, at + many
+    return made
+
+
+def _changed(found: re.Match[str], palette: Palette, worked: list[Line]) -> tuple[tuple[RGB, int], ...]:
+    """The runs of "changing colour every other row": of the yarns it names, else of those worked last."""
+    many = _many(found[1], found[2])
+    named = found[0].lower().find("alternating", 5)
+    hues = _hues(found[0][named:], palette) if named > 0 else None
+    hues = hues or _used(worked)
+    return tuple((hue, many) for hue in hues) if len(hues) > 1 else ()
+
+
+def _many(other: str | None, number: str | None) -> int:
+    return 2 if other else _number(number) or 1
+
+
+def _number(word: str | None) -> int:
+    return 0 if word is None else int(word) if word.isdigit() else _WORDS.get(word, 0)
+
+
+def _hues(words: str, palette: Palette) -> list[RGB] | None:
+    """The yarns of a list, "A, B and C"; None where one is not known."""
+    body = re.sub(r"^[Aa]lternat\w+\s+(?:between\s+)?(?:colou?rs\s+)?", "", words.strip())
+    body = re.split(r",?\s+(?:every|each|after|at)\b", body)[0]
+    found = [_hue(one, palette) for one in re.split(r"\s*(?:,|\band\b|&|\bwith\b)\s*", body) if one.strip()]
+    return None if any(h is None for h in found) else [h for h in found if h is not None]
+
+
+def _hue(words: str, palette: Palette) -> RGB | None:
+    """The yarn of a letter or a name."""
+    c = Cursor(rows(words.strip())[0].tokens)
+    if not c.tokens:
+        return None
+    found = palette.color(c, 0) or palette.letter(c, 0)
+    return found[0] if found is not None and found[1] == len(c.tokens) else None
+
+
+def _item(found: re.Match[str], palette: Palette) -> tuple[RGB, int] | None:
+    """One run of a list: "2 rounds in B", "A 2 rounds", "With C, work 1 row"."""
+    number, yarn = next((n, y) for n, y in ((found[1], found[2]), (found[4], found[3]), (found[6], found[5])) if n)
+    hue = _hue(yarn, palette)
+    many = _number(number)
+    return None if hue is None or not many else (hue, many)
+
+
+def _used(worked: list[Line]) -> list[RGB]:
+    """The yarns of the last stripes: from the second but last change of colour on, the first of them next."""
+    hues = [i.numbers for line in worked for i in _colors(line)]
+    recent: list[RGB] = []
+    for hue in reversed(hues):
+        if hue in recent:
+            break
+        recent.insert(0, (hue[0], hue[1], hue[2]))
+    return recent
+
+
+def _colors(line: Line) -> list[Action]:
+    return [i for one in line.rounds() for i in one.items if isinstance(i, Action) and i.name == "color"]
+
+
+def _phase(runs: tuple[tuple[RGB, int], ...], worked: list[Line]) -> int:
+    """Rounds of the plan that are worked already: those in the last yarn, behind all the runs before it."""
+    done = 0
+    hue: tuple[int, ...] | None = None
+    for line in worked:
+        colors = [i for i in line.items if isinstance(i, Action) and i.name == "color"]
+        if colors:
+            # A colour behind its stitches is for the next round.
+            behind = not any(map(works, line.items[line.items.index(colors[-1]) :]))
+            done = 0 if behind or not line.in_round else line.times
+            hue = colors[-1].numbers
+        elif line.in_round:
+            done += line.times
+    before = 0
+    for one, many in runs:
+        if one == hue:
+            return before + min(done, many)
+        before += many
+    return 0
