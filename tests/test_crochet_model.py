@@ -25,7 +25,7 @@ from tambour.crochet.model.fronts import Fronts, fronts, laid
 from tambour.crochet.model.geodesic import distances, girth
 from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
-from tambour.crochet.model.tips import mirror
+from tambour.crochet.model.tips import facing, mirror, stands
 from tambour.crochet.model.whole import bodies, volume
 from tambour.crochet.page.own import pattern as printed_anew
 from tambour.crochet.params import CrochetParams
@@ -298,3 +298,19 @@ def test_a_mesh_of_crumbs_is_told_in_one_line() -> None:
 def test_a_model_far_from_its_origin_keeps_its_inside() -> None:
     found = bodies(Mesh(BOX + 9e8, SIDES), [])
     assert volume(*found[0][:2]) == pytest.approx(1.0, rel=1e-3)
+
+
+def test_an_animal_looks_ahead_with_its_head_and_the_front_can_be_said() -> None:
+    body, own = globe(10.0, 12)
+    head, other = globe(5.0, 12)
+    x = np.concatenate([body * [0.6, 0.6, 1.0], head + np.array([0.0, 9.0, -9.0])])
+    faces = np.concatenate([own, other + len(body)])
+    turn = facing(x, faces, None)
+    assert (x @ turn.T)[len(body) :, 2].mean() > 0.0
+    assert stands(turn).startswith("y of the model is up, -z is its front")
+    assert (facing(x @ turn.T, faces, None) == np.eye(3)).all()
+    across = x @ facing(x, faces, "right").T
+    assert (facing(across, faces, None) @ facing(x, faces, "right") == turn).all()
+    for side, axis in (("front", (0, 0, 1)), ("back", (0, 0, -1)), ("right", (1, 0, 0)), ("left", (-1, 0, 0))):
+        made = facing(x, faces, side)
+        assert (made @ np.array(axis) == [0, 0, 1]).all() and np.linalg.det(made) == pytest.approx(1.0)

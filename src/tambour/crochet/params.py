@@ -26,7 +26,7 @@ class CrochetParams(Params):
 
     groups: ClassVar = {
         "Pattern": "terms size strict check reshape reshape_part target max_stitches specimen",
-        "From a model": "stitches height tip model_up plain_ colors",
+        "From a model": "stitches height tip model_up model_front plain_ colors",
         "Yarn and gauge": "hand yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
         "Pictures and pages": "detail material photo page ink large_print title designer",
         "Shape": "stuffing contact solver steps tolerance start link_distance single_loop_force bending",
@@ -123,6 +123,8 @@ class CrochetParams(Params):
     """The side of a model that its main part is begun at (else where that leaves least out)."""
     model_up: Literal["y", "z", "x"] | None = None
     """The axis of a model that is upwards (else it is found out: y, or z of what stands so)."""
+    model_front: Literal["front", "back", "left", "right"] | None = None
+    """The side of a model, once it is upright and seen along its z, that is its front (else it is found out: the head of what has one)."""
     plain_: float = Field(default=0.5, ge=0, le=1)
     """Rounds of a model's or a profile's pattern: 0 follow its shape most faithfully, 1 are the easiest to work."""
 

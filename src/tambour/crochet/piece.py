@@ -26,7 +26,8 @@ class Aim:
     distance : how far the plush lies from it, as reports hold it; off : (N,) mm, how far outside of it every stitch lies
     history : part → the mean distances, in stitches, that its corrections went through
     parts : part → how far it lies, by itself, from its own piece of the model
-    goals : (N, 3) mm, where every stitch belongs on it; empty for a model that the pattern was not made from
+    goals : (N, 3) mm, where every stitch belongs on it; empty for a model that the pattern was not made from; stands : which axes
+        of the file are up and ahead
     """
 
     vertices: Array
@@ -36,6 +37,7 @@ class Aim:
     history: dict[str, list[float]]
     parts: dict[str, dict[str, float]]
     goals: Array
+    stands: str
 
 
 @dataclass(frozen=True, eq=False)

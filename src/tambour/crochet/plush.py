@@ -72,7 +72,7 @@ def _text(source: Text | Drawing, params: CrochetParams, progress: Progress) -> 
         from tambour.crochet.model.outline import is_formula
 
         turned = is_formula(source)
-    for name in (*(() if turned else ("stitches", "height")), "tip", "model_up", "colors"):
+    for name in (*(() if turned else ("stitches", "height")), "tip", "model_up", "model_front", "colors"):
         if getattr(params, name) is not None:
             option = name.replace("_", "-")
             what = "a profile" if turned else "a pattern"

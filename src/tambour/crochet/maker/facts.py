@@ -84,7 +84,8 @@ def _aim(aim: Aim) -> dict[str, Any]:
     said = ", ".join(
         f"{name} {d[key]:.2g} stitches ({d[key + '_percent']:.2g} % of its size)" for key, name in names.items()
     )
-    return {"off_the_model": said, "distance": d, "distance_of_parts": aim.parts, "history": aim.history}
+    stood = {"stands": aim.stands} if aim.stands else {}
+    return {**stood, "off_the_model": said, "distance": d, "distance_of_parts": aim.parts, "history": aim.history}
 
 
 def _yarn(piece: Plush) -> dict[str, Any]:

@@ -55,4 +55,4 @@ def sought(model: Mesh, piece: Plush) -> Aim:
     target = Target.of(model.vertices, model.faces)
     found = lain(target, x, piece.built.graph.faces[piece.built.shell])
     back = turned(target.vertices - found.shift, found.turn.T)
-    return Aim(back, model.faces, found.plain(piece.stitch[0]), signed(target, x, found), {}, {}, np.zeros((0, 3)))
+    return Aim(back, model.faces, found.plain(piece.stitch[0]), signed(target, x, found), {}, {}, np.zeros((0, 3)), "")

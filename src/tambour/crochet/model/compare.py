@@ -35,7 +35,7 @@ def aimed(made: Design, piece: Plush) -> Aim:
     lain = distance(target, x, graph.faces[piece.built.shell], start, samples=4000)
     off = signed(target, x, lain)
     back, goals = (turned(p - lain.shift, lain.turn.T) for p in (made.vertices, made.goals))
-    return Aim(back, made.faces, lain.plain(piece.stitch[0]), off, made.history, made.parts, goals)
+    return Aim(back, made.faces, lain.plain(piece.stitch[0]), off, made.history, made.parts, goals, made.stands)
 
 
 def compare(piece: Plush) -> Picture:

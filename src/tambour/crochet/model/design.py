@@ -61,7 +61,7 @@ class Design:
     vertices (V, 3), faces (F, 3) : the model as the pattern aims at it, mm, y up, z ahead
     goals : (N, 3) mm, where every node of the pattern belongs
     history : part → the mean distances, in stitches, that its corrections went through
-    parts : part → how far it lies from its own piece of the model, in stitches
+    parts : part → how far it lies from its own piece of the model, in stitches; stands : which axes of the file are up and ahead
     """
 
     text: Text
@@ -70,6 +70,7 @@ class Design:
     goals: Array
     history: dict[str, list[float]]
     parts: dict[str, dict[str, float]]
+    stands: str
 
 
 def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "model") -> Design:
@@ -82,6 +83,7 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
     with progress.stage("model"):
         found = bodies(mesh, tell)
         turn = tips.level(found[0][0], found[0][1], params.model_up)
+        turn = tips.facing(found[0][0] @ turn.T, found[0][1], params.model_front) @ turn
         size = _scale([(x @ turn.T, faces) for x, faces, _ in found], params, stitch)
         whole = [(size / stitch[0] * (x @ turn.T), faces) for x, faces, _ in found]
     for x, faces in whole:
@@ -118,6 +120,7 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
         np.concatenate([goal for p in pieces for goal in p.goals]) * stitch[0],
         history,
         {p.rounds.name: p.tried.distance.plain() for p in pieces},
+        tips.stands(turn),
     )
 
 

@@ -24,6 +24,8 @@ SIDES: Final = {
 """A side → where it lies: y is up, z ahead."""
 ALIKE = 0.012
 """A model is its own mirror image where that is no farther off than this share of its size, on the average."""
+DEEP, HEAD, FEET = 0.6, 0.15, 0.05
+"""An animal is at least so deep for its height, its head lies so far to one end, and what it stands on so far to the other."""
 LOOKS = 18
 """How many lines are looked at to see what a tip would lose."""
 
@@ -80,6 +82,38 @@ def level(vertices: Array, faces: Array, up: str | None) -> Array:
     if plane is not None and abs(plane.normal[1]) > 0.9:
         return z_up
     return z_up if flat[2] > 0.06 and flat[1] < 0.02 else np.eye(3)
+
+
+def facing(vertices: Array, faces: Array, front: str | None) -> Array:
+    """The rotation (3, 3) about y that turns the front of a model, which stands upright, to z. ``front``: the side that is,
+    or None to find out.
+
+    That is z ahead, and x of what is its own mirror image across z and not across x. But of an animal on its feet the head is
+    the front: where all that is high lies at one end, and what is low at the other, the high end.
+    """
+    turns = {
+        "front": np.eye(3),
+        "back": np.diag([-1.0, 1.0, -1.0]),
+        "right": np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]),
+        "left": np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]]),
+    }
+    if front is not None:
+        return turns[front]
+    plane = mirror(vertices, faces)
+    turn = turns["right" if plane is not None and abs(float(plane.normal[2])) > 0.9 else "front"]
+    points = spread(vertices, faces, 2000) @ turn.T
+    low, high = points.min(0), points.max(0)
+    share = (points - low) / np.maximum(high - low, 1e-12)
+    if plane is None or high[2] - low[2] < DEEP * (high[1] - low[1]):
+        return turn
+    head, feet = (float(share[part, 2].mean()) - 0.5 for part in (share[:, 1] > 0.75, share[:, 1] < 0.2))
+    return turns["back"] @ turn if head < -HEAD and feet > FEET else turn
+
+
+def stands(turn: Array) -> str:
+    """Which axes of a file a rotation (3, 3) lays upwards and ahead, in words."""
+    up, ahead = (f"{'-' if row.sum() < 0 else ''}{'xyz'[int(np.abs(row).argmax())]}" for row in (turn[1], turn[2]))
+    return f"{up} of the model is up, {ahead} is its front (--model-up, --model-front)"
 
 
 def _base(vertices: Array, faces: Array, axis: int) -> float:
