@@ -10,6 +10,7 @@ from tambour.crochet.finish.ground import Ground
 from tambour.crochet.finish.joining import prepare
 from tambour.crochet.finish.motif import threads
 from tambour.crochet.finish.placing import Frames
+from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import GUESSED, Embroidery, Eye, Placed
@@ -649,6 +650,31 @@ def test_a_full_circle_is_sewn_by_a_piece_of_its_edge() -> None:
     assert joining is not None
     ends = [end for f, end in joining.steps if f.part.startswith("EARS") and f.flat]
     assert len(ends) == 2 and all(4 <= len(e.nodes) <= 8 and not e.ring and not len(e.pinched) for e in ends)
+
+
+LEAF = (
+    "Ch 9. 1st row: 1 sc in 2nd ch from hook. 1 sc in each of next 6 ch. 4 sc in last ch. "
+    "Working in opposite side of foundation ch, 1 sc in each of next 7 ch. Fasten off.\n"
+)
+FAN = (
+    "Ch 2.\n1st row: 5 sc in 2nd ch from hook. Turn. 5 sc.\n2nd row: Ch 1. 2 sc in each sc across. Fasten off. 10 sc.\n"
+)
+
+
+@pytest.mark.parametrize("rounds", [LEAF, FAN])
+def test_a_leaf_is_sewn_by_its_end_and_a_fan_by_its_straight_edge(rounds: str) -> None:
+    """So that both stand: sewn by all of their edge they lay on the head as a ridge, or stood on their outer round."""
+    pattern = toy("Sew the head to the body. Sew the ears to the top of the head.", EARS=rounds)
+    built = build(pattern)
+    spots = Spots(built)
+    record = placed(pattern, "EARS")
+    part = built.graph.parts[spots.parts[record.part]]
+    sewn, x = end_of(built, spots, record).nodes, spots.layout
+    assert len(sewn) <= 6
+    rest = np.setdiff1d(np.arange(part.start, part.end), sewn)
+    out = x[rest] - x[sewn].mean(0)
+    way = out.mean(0) / np.sqrt((out.mean(0) ** 2).sum())
+    assert (out @ way > -0.5).all()  # all else is on one side of the seam
 
 
 def test_a_stuffed_body_that_stays_open_is_sewn_shut_from_side_to_side() -> None:

@@ -32,6 +32,8 @@ BEND = 1.0
 """Radians that a flat piece reaches around what it is sewn to, at the most, from its middle."""
 DISC, GROWS = 24, 5.0
 """A flat circle has so many stitches or more round its edge, and so many for every round."""
+FAN = 3
+"""A fan begins with so few stitches, and its last row has so many for every row, or more."""
 STRIP = 3
 """A piece in rows is a strip where its last row has so many stitches to a row, or more."""
 REACH = 5.0
@@ -74,6 +76,11 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
             # A full circle is sewn by a piece of its edge: the part of it that is worked last.
             nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
             return End(nodes[-max(4, len(nodes) // 5) :], False, none)
+        if placed.flat and graph.parts[part].stuffing == 0.0 and _oval(built, part):
+            # A leaf worked along both sides of a chain is sewn by the end where its round begins and ends.
+            nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
+            some = max(2, len(nodes) // 7)
+            return End(np.concatenate([nodes[-some:], nodes[:some]]), False, none)
         if not len(nodes):
             nodes = spots.stitches(spots.last(part))
     nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
@@ -94,6 +101,13 @@ def _disc(built: Built, part: int, least: int = 4) -> bool:
     return len(counts) >= least and counts[-1] == max(counts) and counts[-1] >= GROWS * len(counts)
 
 
+def _oval(built: Built, part: int) -> bool:
+    """Whether a part is a leaf: a few rounds along both sides of a chain that is much longer than they are high."""
+    found = [(r.number, r.count) for r in built.rounds if r.part == part]
+    (number, chain), *rounds = found or [(1, 0)]
+    return number == 0 and chain >= 3 and 1 <= len(rounds) <= max(1, chain // 3) and rounds[0][1] >= 2 * chain
+
+
 def _end_of_rows(built: Built, spots: Spots, part: int) -> Array:
     """The stitches by which a piece in rows is sewn that stands out from the fabric."""
     mine = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part]
@@ -105,6 +119,11 @@ def _end_of_rows(built: Built, spots: Spots, part: int) -> Array:
         way = x[last[-1]] - x[last[0]]
         reach = dot(x[own] - x[last[-1]], _unit(way))
         return np.sort(own[reach > -0.6])
+    if len(mine) > 1 and len(first) <= FAN and len(last) >= FAN * len(mine):
+        # A fan is sewn by its straight edge: where its rows begin and end.
+        ends = np.unique(np.concatenate([row[[0, -1]] for row in mine]))
+        way = spots.layout[last[-1]] - spots.layout[last[0]]
+        return ends[np.argsort(dot(spots.layout[ends], _unit(way)), kind="stable")]
     wide = mine[1] if len(mine) > 1 and len(mine[1]) >= len(first) else first
     return wide if len(last) <= 2 < len(wide) else last
 

@@ -84,7 +84,10 @@ class Holder(Beside):
         tilt = min(80.0, _STEP * round(tilt / _STEP))
         if tilt < _STILL:
             tilt = towards = 0.0
-        if flat:
+        standing = copy[0].kind in _PINCHED and bool(
+            self.work.spots.in_rows[self.work.spots.parts[copy[0].copy(copy[1])]]
+        )
+        if flat or standing:
             line = np.array(way.line)
             if at.rounds is not None and abs(at.rounds[1] - at.rounds[0]) >= 3:
                 line = host.axis
