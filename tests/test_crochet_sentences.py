@@ -521,3 +521,14 @@ def test_a_bold_name_heads_its_part_whatever_is_said_behind_it(head: str) -> Non
     assert part.name == "BODY" and part.copies == (2 if "make" in head else 1)
     red, _, blue = build(pattern).graph.color[-1].tolist()
     assert blue > red
+
+
+def test_a_round_goes_back_to_loops_that_were_left_also_in_a_part_that_is_made_twice() -> None:
+    """A hoof: round 3 in the front loops of round 2, round 4 in its back loops; the leg goes on from there, twice."""
+    leg = BALL.replace("HEAD", "LEG (make 2)") + "Rnd 3: Working in front loops only, slip st in each st around. (12)\n"
+    leg += "Rnd 4: Working in unworked back loops of Rnd 2, sc in each sc around. (12)\nRnd 5: sc in each sc around. (12)\n"
+    pattern = read(Text(leg, "toy.txt"))
+    built = build(pattern)
+    assert [(p.name, p.copies) for p in pattern.parts] == [("LEG", 2)] and not pattern.unread
+    assert sorted({r.number for r in built.rounds if r.part == 1}) == [1, 2, 4, 5]
+    assert sum(r.number == 5 for r in built.rounds) == 2

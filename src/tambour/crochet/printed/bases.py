@@ -73,7 +73,7 @@ def back_to(draft: Draft, place: Moved) -> tuple[Action, int] | None:
         ),
         None,
     )
-    if at is None or edge < 2 or draft.copies > 1:
+    if at is None or edge < 2:
         return None
     line = draft.lines[at]
     label = next((i.labels[0] for i in line.items[-1:] if isinstance(i, Action) and i.name == "mark"), "")
