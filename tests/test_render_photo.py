@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from math import radians
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from tambour import run as runner
 from tambour.color import linear
 from tambour.core.mesh import Mesh
 from tambour.render import photo, raster
+from tambour.render.camera import THREE_QUARTER
 
 
 def sphere(color: tuple[int, int, int] = (120, 160, 90)) -> Mesh:
@@ -38,8 +40,9 @@ def test_the_option_chooses_the_default_view_of_pictures() -> None:
 
 def test_a_ball_is_lit_from_above_and_stands_where_the_raster_puts_it() -> None:
     made = photo.picture(sphere(), width=64, height=64, samples=2, lights=30).rgba.astype(float)
-    drawn = raster.picture(sphere(), width=64, height=64).rgba.astype(float)
-    green = [shot[..., 1] - shot[..., 0] > 8 for shot in (made, drawn)]
+    view = {"azimuth": THREE_QUARTER[0], "elevation": THREE_QUARTER[1], "lens": radians(26.0), "margin": photo.ROOM}
+    drawn = raster.shot(sphere(), width=64, height=64, samples=2, lights=5, **view).light[..., 3]
+    green = [made[..., 1] - made[..., 0] > 8, drawn > 0.5]
     assert (green[0] != green[1]).mean() < 0.04
     rows = np.flatnonzero(green[0][:, 32])
     top, bottom = made[rows[3] : rows[3] + 8, 24:40, :3], made[rows[-1] - 10 : rows[-1] - 2, 24:40, :3]

@@ -29,13 +29,26 @@ class Camera:
     height: int
 
 
-def look(points: Array, *, width: int, height: int | None, azimuth: float, elevation: float, lens: float) -> Camera:
+MARGIN = 0.86
+
+
+def look(
+    points: Array,
+    *,
+    width: int,
+    height: int | None,
+    azimuth: float,
+    elevation: float,
+    lens: float,
+    margin: float = MARGIN,
+) -> Camera:
     """The nearest camera that sees every point with a margin.
 
     points : (P, 3) mm
     width, height : pixels; without a height it follows the points' own shape, between half and 1.25 times the width
     azimuth, elevation : radians; azimuth 0 looks along -z, counter-clockwise from above; elevation above the horizon
     lens : full angle of view of the wider side, radians
+    margin : what of the picture's side the points fill
 
     For a fixed direction each side of the frustum is a half-space: the largest of x + t z (t the side's slope) over all
     points gives the distance in closed form.
@@ -45,7 +58,6 @@ def look(points: Array, *, width: int, height: int | None, azimuth: float, eleva
     axes = np.array([right, np.cross(back, right), back])
     q = turn(points, axes).T
     slope = tan(lens / 2)
-    margin = 0.86
     t = slope * margin
     wide = ((q[:, 0] + t * q[:, 2]).max(), (t * q[:, 2] - q[:, 0]).max())
     tall = ((q[:, 1] + t * q[:, 2]).max(), (t * q[:, 2] - q[:, 1]).max())

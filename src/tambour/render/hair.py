@@ -131,7 +131,7 @@ def hairs(
             )
             # Most are short; few are long.
             rare = r2 * r2 * r2
-            long = radius * table[m, REACH] * (0.3 + 0.5 * r2 + 2.6 * rare * rare)
+            long = radius * table[m, REACH] * (0.25 + 0.45 * r2 + 2.4 * rare * rare * rare)
             size = 0.0
             for k in range(3):
                 p[k] = vertices[a, k] + r0 * (vertices[b, k] - vertices[a, k]) + r1 * (vertices[c, k] - vertices[a, k])
@@ -201,11 +201,11 @@ def hairs(
             drawn += 1
             lx, ly = sx / samples, sy / samples
             for k in range(1, steps + 1):
-                turn = 1.6 / steps
+                turn = 2.6 / steps
                 size = 0.0
                 for q in range(3):
                     # The bow turns about the way by and by, so that long hairs curl.
-                    d[q] += turn * bow[q] + 2.2 * curl * part / long * (s[q] if k % 2 == 0 else t[q]) * (k / steps)
+                    d[q] += turn * bow[q] + 3.2 * curl * part / long * (s[q] if k % 2 == 0 else t[q]) * (k / steps)
                     size += d[q] * d[q]
                 size = max(sqrt(size), 1e-9)
                 for q in range(3):

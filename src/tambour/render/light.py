@@ -92,10 +92,10 @@ def window(azimuth: float, sky: int = 40, lamp: int = 10) -> tuple[Array, Array,
     towards = np.array([cos(0.72) * sin(turn), sin(0.72), cos(0.72) * cos(turn)])
     # The room is brighter on the window's side; the table sends up what is left.
     cool, warm = np.array([0.96, 0.99, 1.04]), np.array([1.10, 0.98, 0.82])
-    bright = np.where(height > 0, 0.5 + 0.35 * height, 0.26 - 0.08 * height) * (1.0 + 0.45 * (dome @ towards))
+    bright = np.where(height > 0, 0.42 + 0.3 * height, 0.22 - 0.06 * height) * (1.0 + 0.45 * (dome @ towards))
     sky_weight = bright[:, None] * np.where(height[:, None] > 0, cool, warm) * (2.35 / sky)
     lamps = directions(lamp, towards, 0.36)
-    lamp_weight = np.broadcast_to(np.array([1.05, 1.0, 0.93]) * (1.12 / lamp), (lamp, 3))
+    lamp_weight = np.broadcast_to(np.array([1.05, 1.0, 0.93]) * (1.34 / lamp), (lamp, 3))
     return np.vstack([dome, lamps]), np.vstack([sky_weight, lamp_weight]), np.arange(sky + lamp) >= sky
 
 

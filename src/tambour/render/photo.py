@@ -30,9 +30,11 @@ EXPOSED: Final = 1.0
 """How long the film sees it, against one that shows a white wall by the window just white."""
 GRAIN: Final = 0.8
 """Spread of the grain, in codes of 256."""
-CONTRAST: Final = 0.3
+CONTRAST: Final = 0.36
 """How much steeper the film is in its middle."""
-SOFT: Final = 0.4
+ROOM: Final = 0.76
+"""What of the picture the thing fills."""
+SOFT: Final = 0.45
 """How wide a point is drawn by the lens, in pixels."""
 SHARP: Final = 0.3
 """How much a camera sets edges off."""
@@ -55,7 +57,7 @@ def picture(
     open: float = OPEN,
     cast: Mesh | None = None,
 ) -> Picture:
-    """A picture of a mesh on a wooden table, framed as :func:`tambour.render.raster.picture` does.
+    """A picture of a mesh on a wooden table, framed as :func:`tambour.render.raster.picture` does, with more room about it.
 
     width, height : pixels; without a height it follows the mesh's shape
     azimuth, elevation, lens : radians, see :func:`tambour.render.camera.look`
@@ -90,12 +92,13 @@ def picture(
         lights=lights,
         lit=lit,
         table=table,
+        margin=ROOM,
     )
     thing = _focused(made, samples, open) if open else made.light
     light = thing[..., :3] + (1.0 - thing[..., 3:]) * made.behind
     high, wide = light.shape[:2]
     # Glass and film scatter a little of what is bright.
-    light = 0.965 * light + 0.035 * _blurred(light, 0.012 * max(high, wide))
+    light = 0.985 * light + 0.015 * _blurred(light, 0.012 * max(high, wide))
     y, x = np.linspace(-1.0, 1.0, high)[:, None], np.linspace(-1.0, 1.0, wide)[None]
     square = 0.5 * (x * x + y * y)
     light = light * (1.0 - FALLOFF * square)[..., None] * EXPOSED
@@ -125,8 +128,8 @@ def _focused(made: raster.Shot, samples: int, open: float) -> Array:
     share = _blurred(there.astype(np.float64)[..., None], 3.0)[..., 0]
     spread = np.where(there, spread, _blurred(spread[..., None], 3.0)[..., 0] / np.maximum(share, 1e-6))
     spread = np.clip(spread, 0.0, _BLURS[-1])
-    out = np.zeros(made.light.shape)
-    before: Array = made.light.astype(np.float64)
+    out = np.zeros(made.light.shape, np.float32)
+    before: Array = made.light
     for low, up in pairwise(_BLURS):
         after = _blurred(made.light, up)
         t = (spread - low) / (up - low)
@@ -137,10 +140,10 @@ def _focused(made: raster.Shot, samples: int, open: float) -> Array:
 
 
 def _blurred(light: Array, spread: float) -> Array:
-    """A picture (H, W, C), float64, with every point a bell ``spread`` pixels wide."""
+    """A picture (H, W, C), float32, with every point a bell ``spread`` pixels wide."""
     from scipy.ndimage import gaussian_filter1d
 
-    out = np.asarray(light, np.float64)
+    out = np.asarray(light, np.float32)
     for axis in (0, 1):
         out = gaussian_filter1d(out, spread, axis=axis, mode="nearest", truncate=3.0)
     return np.asarray(out)

@@ -15,7 +15,7 @@ from tambour.core.mesh import Mesh
 from tambour.core.picture import Picture
 from tambour.core.threads import WORKERS
 from tambour.geometry.surface import closed, vertex_normals
-from tambour.render.camera import THREE_QUARTER, Camera, look
+from tambour.render.camera import MARGIN, THREE_QUARTER, Camera, look
 from tambour.render.cover import cover, turn
 from tambour.render.fleece import fibres, tones
 from tambour.render.hair import hairs
@@ -129,10 +129,11 @@ def shot(
     frame: Array | None = None,
     lit: Lights | None = None,
     table: float = 0.0,
+    margin: float = MARGIN,
 ) -> Shot:
-    """What :func:`picture` develops."""
+    """What :func:`picture` develops; margin : of the camera."""
     points = shown(mesh) if frame is None else frame
-    camera = look(points, width=width, height=height, azimuth=azimuth, elevation=elevation, lens=lens)
+    camera = look(points, width=width, height=height, azimuth=azimuth, elevation=elevation, lens=lens, margin=margin)
     height = camera.height
     threads = WORKERS
 
@@ -202,7 +203,7 @@ def shot(
             lit.direction, lit.weight, lit.axes, lit.origin, lit.texel, lit.depth, max(1, len(lit.direction) // 20),
         )  # fmt: skip
     large = float(np.linalg.norm(np.ptp(points, axis=0)))
-    focus = 0.5 * (points.min(0) + points.max(0)) + 0.1 * float(np.ptp(points[:, 1])) * camera.axes[2]
+    focus = 0.5 * (points.min(0) + points.max(0)) - 0.25 * large * camera.axes[2]
     room = np.zeros((height, width, 3), np.float32)
     behind(
         room,

@@ -131,7 +131,7 @@ def behind(
     backdrop : (H, 3), the plain ground's light; eye, axes, scale : the camera; ground : height of the floor, or NaN
     pool, plot : its light, of :func:`tambour.render.light.floor_light`
     tile : of :func:`wood`, or (0, 0, 0): a table of boards ``plank`` mm wide; oak : (2, 3), its light and dark light; end : mm, how
-        far behind the focus it ends, before a wall; focus : (3,) what is sharp
+        far behind the focus it ends, before a wall; focus : (3,) what is sharp, and all before it
     lens : mm, the width of the opening of a lens that sees only that sharp, 0 for all
     """
     height, width = out.shape[0], out.shape[1]
@@ -184,9 +184,9 @@ def behind(
                     # The tile, as coarse as the pixel is wide there, and as the lens blurs.
                     away = -(axes[2, 0] * (px - eye[0]) + axes[2, 1] * (ground - eye[1]) + axes[2, 2] * (pz - eye[2]))
                     away = max(away, 1e-6)
-                    blur = lens * scale * abs(1.0 / own - 1.0 / away)
+                    blur = lens * scale * max(0.0, 1.0 / own - 1.0 / away)
                     wide = per_mm * away / scale * (1.2 + 0.8 * blur)
-                    s = ((px - focus[0]) * gx + (pz - focus[2]) * gz) * per_mm * 0.5
+                    s = ((px - focus[0]) * gx + (pz - focus[2]) * gz) * per_mm * 0.7
                     v = ((px - focus[0]) * -gz + (pz - focus[2]) * gx) * per_mm
                     dark = _grain(tile, 0, s, v + 0.37 * side, wide)
                     if wide * NEARER < 8.0:

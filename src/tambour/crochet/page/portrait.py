@@ -29,6 +29,8 @@ BOARDS: Final = 90.0
 """Boards of the table that toys stand on, mm wide."""
 FLAT: Final = 0.3
 """What is less deep than so much of its width and height is a sheet."""
+PRESSED: Final = 0.025
+"""What of its height is pressed flat below a toy on its table."""
 _LONG: Final = 1.25
 """A toy so much deeper than high is seen from the side as well."""
 
@@ -42,7 +44,7 @@ def portrait(piece: Plush, side: str, *, width: int = 1200, height: int | None =
 
 def whole(piece: Plush, *, width: int = 1200) -> Picture:
     """The toy on a table as one looks at it: its face ahead, from a little above; what lies flat from higher."""
-    return _taken(piece, None, width=width, samples=3, lights=50, open=0.0)
+    return _taken(piece, None, width=width, samples=3, lights=50)
 
 
 def photo(piece: Plush) -> Picture:
@@ -59,6 +61,9 @@ def _taken(piece: Plush, detail: str | None, **asked: Any) -> Picture:
     if sheet(piece):
         azimuth, elevation = ABOVE
         made, cast = laid(made), laid(cast)
+    else:
+        deep = sagging(piece)
+        made, cast = pressed(made, deep), pressed(cast, deep)
     return picture(made, azimuth=azimuth, elevation=elevation, table=BOARDS, cast=cast, **asked)
 
 
@@ -68,6 +73,37 @@ def sheet(piece: Plush) -> bool:
 
     wide, high, deep = np.ptp(piece.positions, axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
     return bool(deep < FLAT * min(wide, high))
+
+
+def sagging(piece: Plush) -> float:
+    """How much, mm, of a piece lies flat on its table: a little of what is stuffed, the whole bottom of what is not."""
+    import numpy as np
+
+    from tambour.crochet.page.pictures import lies
+    from tambour.geometry.surface import vertex_normals
+
+    x, graph = piece.positions, piece.built.graph
+    if not len(x) or lies(piece):
+        return 0.0
+    high = float(np.ptp(x[:, 1]))
+    deep = PRESSED * high
+    if not any(part.stuffing > 0.0 for part in graph.parts):
+        normals = vertex_normals(x, graph.faces)
+        below = (normals[:, 1] < -0.75) & (x[:, 1] < x[:, 1].min() + 0.3 * high)
+        deep = max(deep, float(x[below, 1].max() - x[:, 1].min()) if below.any() else 0.0)
+    return deep
+
+
+def pressed(mesh: Mesh, deep: float) -> Mesh:
+    """A mesh pressed flat below, by so many millimetres, where it stands."""
+    from dataclasses import replace
+
+    import numpy as np
+
+    if not len(mesh.vertices):
+        return mesh
+    y = np.maximum(mesh.vertices[:, 1], mesh.vertices[:, 1].min() + deep)
+    return replace(mesh, vertices=np.column_stack([mesh.vertices[:, 0], y, mesh.vertices[:, 2]]))
 
 
 def laid(mesh: Mesh) -> Mesh:

@@ -1,0 +1,53 @@
+"""How a piece stands in its picture: sheets lie, weight presses, a basket's bottom is flat."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tambour.core.errors import Text
+from tambour.core.mesh import Mesh
+from tambour.core.progress import Progress
+from tambour.crochet.page.portrait import PRESSED, laid, pressed, sagging, sheet
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.piece import Plush
+from tambour.crochet.plush import make
+
+DISC = "@stuffing = none\n: MR(6)\n: 6 inc\n: [sc, inc] x 6\n: [2 sc, inc] x 6\n"
+
+
+def piece(text: str) -> Plush:
+    return make(Text(text), CrochetParams(), Progress())
+
+
+def test_a_bowed_sheet_is_laid_flat_with_its_right_side_up() -> None:
+    x, y = (each.ravel() for each in np.meshgrid(np.linspace(-20, 20, 9), np.linspace(0, 30, 7)))
+    bow = 0.01 * x * x + 0.02 * x * y
+    made = laid(Mesh(np.stack([x, y, bow], axis=1), np.array([[0, 1, 9]])))
+    assert np.ptp(made.vertices[:, 1]) < 1e-9
+    # As one who looks at its right side, from behind, sees it: what was up is away, what was on their right stays there.
+    np.testing.assert_allclose(made.vertices[:, 0], -x)
+    np.testing.assert_allclose(made.vertices[:, 2], -y)
+
+
+def test_what_was_worked_in_rows_is_a_sheet_and_a_ball_is_none() -> None:
+    assert sheet(
+        piece("@stuffing = none\n: 13 ch, turn\n: 12 sc, turn, ch\n: 12 sc, turn, ch\n" + ": 12 sc, turn, ch\n" * 5)
+    )
+    assert not sheet(piece(DISC.replace("none", "firm") + ": 24 sc\n: 24 sc\n: [2 sc, dec] x 6\n"))
+
+
+def test_weight_presses_a_little_of_a_ball_and_all_of_a_baskets_bottom() -> None:
+    basket, ball = (
+        piece(DISC + ": BLO, 24 sc\n" + ": 24 sc\n" * 5),
+        piece(DISC.replace("none", "firm") + ": 24 sc\n" * 5 + ": [2 sc, dec] x 6\n: [sc, dec] x 6\n: 6 dec\nFO\n"),
+    )
+    high = float(np.ptp(ball.positions[:, 1]))
+    assert abs(sagging(ball) - PRESSED * high) < 1e-9
+    graph, x = basket.built.graph, basket.positions
+    base = np.isin(graph.round, (1, 2))
+    flat = pressed(Mesh(x, graph.faces), sagging(basket)).vertices
+    assert np.ptp(flat[base, 1]) < 1e-9
+    # The wall stands as it did.
+    wall = graph.round >= graph.round.max() - 2
+    np.testing.assert_array_equal(flat[wall], x[wall])
+    assert sagging(piece(DISC)) == 0.0  # what lies flat is not pressed
