@@ -21,9 +21,10 @@ from tambour.crochet.maker.facts import facts
 from tambour.crochet.model.couple import couple
 from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.dyed import dye, dyed
-from tambour.crochet.model.fronts import Fronts, fronts, laid
+from tambour.crochet.model.fronts import Fronts, beside, fronts, laid
 from tambour.crochet.model.geodesic import distances, girth
 from tambour.crochet.model.limbs import limbs
+from tambour.crochet.model.readable import cost, easy, kind, rounds, sparing
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
 from tambour.crochet.model.tips import facing, mirror, stands
 from tambour.crochet.model.whole import bodies, volume
@@ -314,3 +315,23 @@ def test_an_animal_looks_ahead_with_its_head_and_the_front_can_be_said() -> None
     for side, axis in (("front", (0, 0, 1)), ("back", (0, 0, -1)), ("right", (1, 0, 0)), ("left", (-1, 0, 0))):
         made = facing(x, faces, side)
         assert (made @ np.array(axis) == [0, 0, 1]).all() and np.linalg.det(made) == pytest.approx(1.0)
+
+
+@pytest.mark.slow
+def test_rounds_read_easily_and_where_they_need_not_follow_a_flat_body_better() -> None:
+    x, faces, _ = bodies(Mesh(*globe(7.0, 12)), [])[0]
+    x = x * [1.6, 1.0, 0.5]
+    tip = int(x[:, 1].argmax())
+    f = distances(x, faces, np.array([tip]))
+    way = fronts(x, faces, f, round(float(f.max())) - 1, tip)
+    off = {}
+    for plain in (1.0, 0.5, 0.0):
+        counts = sparing(list(way.girths), plain)
+        points = laid(way, counts, np.array([0.0, 0.0, -1.0]))
+        made = rounds(way.lines, points, plain)
+        assert [counts[0], *(one.makes for one in made)] == counts == [*(one.takes for one in made), counts[-1]]
+        ways = [cost(one.words, beside(line, a), b) for one, line, a, b in zip(made, way.lines[1:], points, points[1:])]
+        off[plain] = sum(ways) / sum(counts)
+        if plain:
+            assert np.mean([easy(one) for one in made]) >= 0.7 and len({kind(one) for one in made}) <= 25
+    assert off[0.0] < 0.9 * min(off[0.5], off[1.0]), off

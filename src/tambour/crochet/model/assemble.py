@@ -37,6 +37,7 @@ class Piece:
     """A part and where each of its copies belongs.
 
     rounds : the part, with its copies; tried : what the simulation made of one; target : the piece of the model that one is
+    faithful : the mean distance of one whose rounds were not made easier to read
     goals : of every copy (n, 3), where its nodes belong; bases : the middles (3,) of their ends, None for what is sewn to nothing
     onto : for every copy the piece, and the copy of it, that it is sewn to
     """
@@ -44,6 +45,7 @@ class Piece:
     rounds: Rounds
     tried: Tried
     target: Target
+    faithful: float
     goals: tuple[Array, ...]
     bases: tuple[Array | None, ...]
     onto: tuple[tuple[int, int], ...]

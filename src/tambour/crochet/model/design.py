@@ -18,7 +18,7 @@ from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
 from tambour.crochet.model.limbs import Limb, limbs
-from tambour.crochet.model.loop import TRIES, Task, Tried, looped, missed, tried
+from tambour.crochet.model.loop import TRIES, Task, Tried, faithful, looped, missed, tried
 from tambour.crochet.model.named import names
 from tambour.crochet.model.rounds import pattern, printed
 from tambour.crochet.model.settled import together
@@ -119,7 +119,7 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
         target.faces,
         np.concatenate([goal for p in pieces for goal in p.goals]) * stitch[0],
         history,
-        {p.rounds.name: p.tried.distance.plain() for p in pieces},
+        {p.rounds.name: {**p.tried.distance.plain(), "faithful": round(p.faithful, 4)} for p in pieces},
         tips.stands(turn),
     )
 
@@ -219,7 +219,7 @@ def _pieces(
     tries = max(2, round(TRIES * min(1.0, LARGE / max(count, 1))))
     with progress.stage("loop"):
         best, history[said[0]] = _looped(task, first, tries)
-    made = [Piece(best.rounds, best, task.target, (best.goal,), (None,), ((0, 0),))]
+    made = [Piece(best.rounds, best, task.target, faithful(task, best), (best.goal,), (None,), ((0, 0),))]
     targets = [[task.target]]
     for title, group in zip(said[1:], groups):
         targets.append([Target.of(limb.vertices, limb.faces[limb.own]) for limb in group])
@@ -233,7 +233,9 @@ def _pieces(
         for way in ways[1:]:
             goals.append(np.concatenate([way.tip[None], *laid(way, best.counts, _hidden(way))]))
         copies = replace(best.rounds, copies=len(group))
-        made.append(Piece(copies, best, task.target, tuple(goals), tuple(limb.base for limb in group), ()))
+        made.append(
+            Piece(copies, best, task.target, faithful(task, best), tuple(goals), tuple(limb.base for limb in group), ())
+        )
     for k, group in enumerate(groups):
         onto = tuple(_owner(limb, k + 1, targets, len(known)) for limb in group)
         made[k + 1] = replace(made[k + 1], onto=onto)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -97,6 +97,12 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
             if idle == 3:
                 break
     return best, history
+
+
+def faithful(task: Task, best: Tried) -> float:
+    """The mean distance, in stitches, of the same lengths where increases lie wherever the shape wants them: what rounds that
+    read more easily are to be held against."""
+    return best.distance.mean if task.plain <= 0.0 else tried(replace(task, plain=0.0), best.wanted).distance.mean
 
 
 def corrected(task: Task, last: Tried, step: float) -> Array:
