@@ -460,7 +460,7 @@ def test_the_address_of_a_place_makes_it_in_another_studio(page, browser, tmp_pa
     until(page, "performance.getEntriesByType('resource').filter(r => r.name.includes('/api/ink/tiles/')).length > 3")
     page.keyboard.press("Control+s")
     page.click("dialog[open] >> text=Copy the address")
-    page.wait_for_selector(".note >> text=is copied")
+    page.wait_for_selector(".note >> text=Copied: ")
     address = page.evaluate("navigator.clipboard.readText()")
     x = page.url.split("?x=")[1]
     assert int(x) > 0 and "#/ink?seed=first%20snow%20%26%201%20%25&" in address and address.endswith(f"&x={x}")

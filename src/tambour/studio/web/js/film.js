@@ -12,7 +12,7 @@ import { zip } from "./zip.js";
 /** @typedef {import("./piece.js").Piece} Piece */
 /** @typedef {[number, number]} Size */
 /** @typedef {{title: string, pack: import("./pack.js").Pack, steps: import("./piece.js").Step[]}} Shown the piece as it was when this was asked for */
-/** @typedef {{draw: (at: number, turn: number) => Promise<unknown>, size: (to: Size) => void, canvas: HTMLCanvasElement, free: () => void}} Scene */
+/** @typedef {{draw: (at: number, turn: number) => Promise<unknown>, size: (to: Size, coarse: number) => void, canvas: HTMLCanvasElement, free: () => void}} Scene */
 
 const SECONDS = 12, AFTER = 2; // of the film, and what it stands finished
 const UPRIGHT = /** @type {Size} */ ([1080, 1920]), SQUARE = /** @type {Size} */ ([1200, 1200]);
@@ -24,7 +24,8 @@ const CODECS = ["avc1.640028", "avc1.42e028", "vp09.00.40.08"];
 function scene({ pack }, canvas, looks) {
   const units = pack.facts.units, knit = pack.facts.craft === "knit", flat = pack.facts.craft === "embroidery";
   const view = knit ? new Chart(canvas) : new Stage(canvas, { flat });
-  const size = (/** @type {Size} */ [w, h]) => {
+  const size = (/** @type {Size} */ [w, h], /** @type {number} */ coarse) => {
+    if (view instanceof Stage) view.coarse = coarse;
     [canvas.style.width, canvas.style.height] = [`${w}px`, `${h}px`];
     view.resize();
     if (view instanceof Stage) view.fit(false);
@@ -137,8 +138,9 @@ export const film = (piece) => made("An upright film", UPRIGHT, 1, piece, async 
   };
   await draw(0.5); // the first is the dearest: programs are made for it
   let { rate, whole } = pace(await draw(0.5));
-  if (rate < RATES[0]) { // software: the piece in a quarter of the pixels, the words in all of them
-    drawn.size(/** @type {Size} */ (UPRIGHT.map((v) => v / 2)));
+  for (const coarse of [1, 2, 3]) { // software: the piece in a quarter of the pixels, the words in all of them; then of fewer points
+    if (rate >= (coarse === 1 ? RATES[0] : 8)) break;
+    drawn.size(/** @type {Size} */ (UPRIGHT.map((v) => v / 2)), coarse);
     await draw(0.5);
     ({ rate, whole } = pace(await draw(0.5)));
   }

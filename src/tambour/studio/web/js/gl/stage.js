@@ -90,6 +90,7 @@ export class Stage {
     this.ratio = 0; // pixels of the picture to one of the page, where it is not the screen's
     /** Drawn pictures of a still view: more is smoother. Software that draws slowly gets one. */
     this.looks = 12;
+    this.coarse = 1; // every so many points of a still view: a film by software takes every second
     this.frames = 0;
     this.cost = 0;
     /** @type {Pack|null} */
@@ -231,7 +232,7 @@ export class Stage {
       this.kept = new Target(gl, width, height, { fine: this.fine });
     }
     const began = performance.now(), moving = began < this._movingUntil;
-    const stride = moving && this.cost > 28 ? Math.min(4, Math.ceil(this.cost / 28)) : 1;
+    const stride = moving && this.cost > 28 ? Math.min(4, Math.ceil(this.cost / 28)) : this.coarse;
     const n = this._still;
     const jitter = /** @type {[number, number]} */ (n ? [halton(n, 2) - 0.5, halton(n, 3) - 0.5] : [0, 0]);
     const { view, project } = this.camera.matrices(jitter);
