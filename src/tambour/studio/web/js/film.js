@@ -28,8 +28,7 @@ function scene({ pack }, canvas, looks) {
     if (view instanceof Stage) view.coarse = coarse;
     [canvas.style.width, canvas.style.height] = [`${w}px`, `${h}px`];
     view.resize();
-    if (view instanceof Stage) view.fit(false);
-    else view.fit();
+    view.fit();
   };
   if (view instanceof Chart) {
     view.how.grid = false;
@@ -131,7 +130,7 @@ export const film = (piece) => made("An upright film", UPRIGHT, 1, piece, async 
   const paint = paper(picture), units = shown.pack.facts.units;
   const draw = async (/** @type {number} */ share) => {
     const began = performance.now();
-    await drawn.draw(units * share, share * 1.2 * Math.PI);
+    await drawn.draw(units * share, share * 2 * Math.PI); // once around: finished it faces us
     paint.drawImage(drawn.canvas, 0, 0, ...UPRIGHT);
     words(paint, shown, units * share);
     return (performance.now() - began) / 1000;
