@@ -342,3 +342,15 @@ def test_what_reading_has_worked_is_not_worked_again(root, monkeypatch):
     assert again.pattern == pattern and again.pattern.built is None
     with pytest.raises(TypeError):
         build(pattern, strict=True)
+
+
+@pytest.mark.parametrize("leg, arm", [("(make 2)", "(make 2)"), ("", ""), ("(make 2)", ""), ("", "(make 3)")])
+def test_rounds_that_set_a_mark_can_be_worked_again_elsewhere(leg: str, arm: str) -> None:
+    """Each part, and each of its copies, goes back to a mark of its own."""
+    hoof = "R1: MR(6)\nR2: 6 inc, mark(a)\nR3: FLO, 12 slst\nR4: goto(a), BLO, 12 sc\nR5: 12 sc\n"
+    built = build(parse(Text(f"== leg {leg} ==\n{hoof}\n== arm {arm} ==\nR1-R5: as R1-R5 of leg\nR6: 12 sc\n")))
+    copies = [int(word.strip("(make )") or 1) for word in (leg, arm)]
+    assert len(built.marks) == len(set(built.marks.values())) == sum(copies)
+    part = built.graph.part
+    assert sorted(part[n] for n in built.marks.values()) == list(range(sum(copies)))
+    assert all(r.count == 12 for r in built.rounds if r.number > 3)

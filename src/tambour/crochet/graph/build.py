@@ -117,6 +117,8 @@ class _Worker:
         self.numbers: list[tuple[int, Span]] = []  # the counts that are being repeated, outermost first
         self.copy = 0  # the copy of a part under way, 0 when there is only one
         self.own: set[str] = set()  # marks of the part under way
+        self.again = ""  # what marks are called besides that it sets in rounds written elsewhere
+        self.others: set[str] = set()  # those marks
         self.single = {m for p in pattern.parts if p.copies == 1 for line in p.lines for m in _marks(line.items)}
         self.broken = False
         self.rings = 0
@@ -140,6 +142,8 @@ class _Worker:
         self.copy = copy if section.copies > 1 else 0
         self.tip, self.rings = section.tip_from_fo, 0
         self.own = {label for line in section.lines for label in _marks(line.items)}
+        self.others = {label for line in section.lines if line.again for label in _labels(line)} - self.own
+        self.again = f"{section.name or 'piece'}.{copy}"
         start = len(hook)
         hook.begin_part()
         name = section.name or "piece"
@@ -426,6 +430,8 @@ class _Worker:
 
     def _label(self, name: str) -> str:
         """The label as the hook knows it: inside a part made several times, each copy has its own."""
+        if name in self.others:  # they are set there, too
+            return f"{name}.{self.again}"
         if self.copy and name in self.own:
             return f"{name}.{self.copy}"
         base, _, copy = name.rpartition(".")
@@ -459,6 +465,12 @@ def _names(items: tuple[Item, ...]) -> Iterator[str]:
             yield from _names(item.items)
         else:
             yield item.name
+
+
+def _labels(line: Line) -> list[str]:
+    """The labels that are set in a line, also in rounds written elsewhere that it works."""
+    again = line.again.lines if line.again is not None else ()
+    return [*_marks(line.items), *(label for one in again for label in _labels(one))]
 
 
 def _marks(items: tuple[Item, ...]) -> list[str]:

@@ -140,7 +140,8 @@ def _materials(book: Book, width: float) -> list[Atom]:
     listed = hers or list(book.said.materials)
     for line in listed:
         made += paragraph(line, width)
-    if not any(yarn_name(book).lower() in line.lower() for line in listed):
+    said = hers and "yarn" in book.piece.built.pattern.stated  # her own line names its class, in her words
+    if not said and not any(yarn_name(book).lower() in line.lower() for line in listed):
         fibre = own.get(f"of {book.piece.params.material}", "")
         named = f"{book.said.terms.word('yarn')}: {weight_name(book)}" + (f", {fibre}" if fibre else "")
         made += paragraph(named, width, BODY, None, 1.0 if made else 0.0, True)
