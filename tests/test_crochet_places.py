@@ -214,6 +214,15 @@ def test_a_text_comes_back_with_its_counts_ticked_and_doubts_under_their_lines()
     )
 
 
+@pytest.mark.parametrize("name, head", [("ball.docx", "BODY"), ("ball.html", "BODY"), ("ball.md", "## BODY")])
+def test_marks_of_headings_that_a_document_has_none_of_are_not_given_back(name: str, head: str) -> None:
+    from tambour.crochet.page.annotated import annotated
+
+    text = Text(f"Ball\n\n## BODY\n{CLOSED}", name)
+    made = annotated(build(read_printed(text)), (0.0, 0.0, 0.0)).text.split("\n")
+    assert head in [line.strip() for line in made]
+
+
 def test_a_text_stays_its_designers():
 
     text = f"""Rolf the Ball

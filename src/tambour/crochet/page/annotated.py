@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Problem, Text
@@ -15,6 +16,9 @@ if TYPE_CHECKING:
 TICK, DOUBT, NOTE = "✓", "✗", "?"
 """Signs in the margin: a count that holds, something wrong or doubtful, something that was guessed."""
 _WIDE: Final = 2
+DOCUMENTS: Final = (".docx", ".odt", ".html", ".htm", ".pdf")
+"""Files whose headings are no characters: those that stand before them in the text that was read are not hers."""
+_MARKS: Final = re.compile(r"^#{1,6} ")
 
 
 def view(piece: Plush) -> Text:
@@ -31,6 +35,7 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
     size_mm : width, height, depth of the piece, against which a stated size is held
     """
     text = built.pattern.whole or built.pattern.text
+    document = text.name.lower().endswith(DOCUMENTS)
     guesses = [p for p in built.warnings if p.message.startswith(GUESSED)]
     found = [*tech_edit(built), *size_edit(built, size_mm)]
     under: dict[int, list[tuple[str, Problem]]] = {}
@@ -46,7 +51,8 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
     at = 0  # characters of the source so far
     for number, line in enumerate(text.text.rstrip("\n").split("\n"), 1):
         sign = DOUBT if number in wrong else TICK if number in stated else ""
-        lines.append(f"{sign:<{_WIDE}}{line}".rstrip())
+        hers = _MARKS.sub("", line) if document else line
+        lines.append(f"{sign:<{_WIDE}}{hers}".rstrip())
         at += len(line) + 1
         while photos and photos[0][0] < at:
             kept.append((sum(len(one) + 1 for one in lines) - 1, photos.pop(0)[1]))
