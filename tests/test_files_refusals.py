@@ -98,6 +98,12 @@ def test_a_file_that_is_not_for_us_is_told(name: str, tmp_path: Path, monkeypatc
         files.read(tmp_path / name, (*KINDS, "Picture"))
 
 
+def test_a_name_that_no_disk_can_hold_is_told() -> None:
+    for name in ("9" * 400, "9" * 400 + ".txt"):
+        with pytest.raises(TambourError, match="cannot be read: File name too long"):
+            files.read(name, KINDS)
+
+
 def test_a_folder_that_is_not_for_us_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def no(path: Path) -> bool:
         raise PermissionError(13, "Permission denied")

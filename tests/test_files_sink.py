@@ -68,7 +68,7 @@ def test_modes_links_and_pipes_stay_what_they_are(tmp_path: Path) -> None:
     (tmp_path / "to-come.txt").symlink_to("came.txt")
     os.mkfifo(pipe)
     read: list[str] = []
-    reader = threading.Thread(target=lambda: read.append(pipe.read_text()))
+    reader = threading.Thread(target=lambda: read.append(pipe.read_text()), daemon=True)  # else a fault hangs
     reader.start()
     for path in (private, link, pipe, tmp_path / "to-come.txt", tmp_path / "new.txt"):
         files.write(Text("new" * 50_000), path)
@@ -312,6 +312,21 @@ def test_what_a_dead_process_began_to_move_is_moved_to_its_end(tmp_path: Path) -
     os.link(tmp_path / "b.txt", room / "old" / "b.txt")
     sweep(tmp_path)
     assert holds(tmp_path) == {"a.txt": b"new", "b.txt": b"new"}
+
+
+def test_where_a_disk_knows_no_locks_nothing_is_swept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import fcntl
+
+    def no_locks(*_: object) -> None:
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    (tmp_path / f"{PREFIX}other").mkdir()
+    monkeypatch.setattr(fcntl, "flock", no_locks)
+    with Writing() as writing:
+        writing.sink(tmp_path / "a.txt").put(b"new")
+        assert writing.paths == [tmp_path / "a.txt"]
+        writing.commit()
+    assert holds(tmp_path) == {"a.txt": b"new", f"{PREFIX}other": b"/"}
 
 
 def test_a_room_swept_before_it_was_locked_is_made_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
