@@ -150,3 +150,13 @@ def test_an_outline_of_a_thousand_places_is_sewn_with_few(tmp_path):
     piece = made(tmp_path, f'<polygon points="{ring}"/>', width=40)
     assert len(piece.regions[0].paths.coords) < 250
     assert np.hypot(*piece.regions[0].paths.coords.T) == pytest.approx(20, abs=0.02)
+
+
+def test_a_stroke_that_is_hidden_for_the_most_part_is_one_with_its_fill(tmp_path):
+    disc = '<circle cx="30" cy="30" r="20" fill="#b1cc33" stroke="#b1cc33" stroke-width="4"/>'
+    arc = '<path d="M30 10A20 20 0 1 1 10 30" fill="none" stroke="#000" stroke-width="4"/>'
+    assert [r.role for r in made(tmp_path, disc + arc, width=60).regions] == ["area", "line"]
+    assert sorted(r.role for r in made(tmp_path, disc, width=60).regions) == [
+        "area",
+        "line",
+    ]  # a satin rim, as it was drawn

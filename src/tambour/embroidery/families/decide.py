@@ -47,7 +47,7 @@ def stitch_of(area: Any) -> str:
     if _wider(area, SATIN) <= BODY:
         return "tatami" if _bunched(area) else "satin"
     # Between the two a plain long shape is satin that is split; what branches or turns back is better filled.
-    plain = not area.interiors and area.area > 0.8 * area.convex_hull.area
+    plain = not area.interiors and area.area > 0.88 * area.convex_hull.area
     long = area.length**2 > 24 * area.area  # a square has 16, a bar twice as long as wide 18, thrice 21
     return "satin" if plain and long and _wider(area, SPLIT) <= 0.02 else "tatami"
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+from typing import Any
+
 import numpy as np
 
 from tambour.core.check import Array
@@ -76,37 +79,46 @@ def nearest_on_outline(area: Rings, p: Array) -> tuple[int, float, Array]:
     return ring, float(area.at[k] + f[k] * np.hypot(*d[k])), q[k]
 
 
-def _through_triangles(area: Rings, a: Array, b: Array) -> Array:
-    """From ``a`` to ``b`` over the area's triangles (constrained Delaunay), from middle to middle of the sides that they
-    share: every piece of it lies in a triangle. Straight where the two lie in parts that do not hang together."""
+@lru_cache(maxsize=2)  # ways are asked for area by area, often hundreds in one
+def _triangles(area: Rings) -> tuple[Any, Array, Array] | None:
+    """The triangles of an area (constrained Delaunay), the middles (n, 2) of their sides, and the sides (t, 3) of each."""
     import shapely
-    from scipy.sparse import csr_matrix
-    from scipy.sparse.csgraph import dijkstra
 
-    shape = polygon_of(area)
-    corners = shapely.get_coordinates(shapely.constrained_delaunay_triangles(shape)).reshape(-1, 4, 2)[:, :3]
+    corners = shapely.get_coordinates(shapely.constrained_delaunay_triangles(polygon_of(area)))
+    corners = corners.reshape(-1, 4, 2)[:, :3]
     if not len(corners):
-        return np.array([a, b])
-    # Sides that two triangles share are the places of the net; the three of one triangle are joined.
+        return None
     ends = corners[:, [[0, 1], [1, 2], [2, 0]]]
     swap = (ends[..., 0, 0] > ends[..., 1, 0]) | (
         (ends[..., 0, 0] == ends[..., 1, 0]) & (ends[..., 0, 1] > ends[..., 1, 1])
     )
     ends = np.where(swap[..., None, None], ends[..., ::-1, :], ends).reshape(-1, 4)
     sides, side = np.unique(ends, axis=0, return_inverse=True)
-    side = side.reshape(-1, 3)
-    middle = (sides[:, :2] + sides[:, 2:]) / 2
+    return shapely.polygons(corners), (sides[:, :2] + sides[:, 2:]) / 2, side.reshape(-1, 3)
+
+
+def _through_triangles(area: Rings, a: Array, b: Array) -> Array:
+    """From ``a`` to ``b`` over the area's triangles, from middle to middle of the sides that they share: every piece of it lies
+    in a triangle. Straight where the two lie in parts that do not hang together."""
+    import shapely
+    from scipy.sparse import csr_matrix
+    from scipy.sparse.csgraph import dijkstra
+
+    net = _triangles(area)
+    if net is None:
+        return np.array([a, b])
+    # Sides that two triangles share are the places of the net; the three of one triangle are joined.
+    triangles, middle, side = net
     n = len(middle)
     places = np.concatenate([middle, a[None], b[None]])
     one, two = [side[:, [0, 1, 2]].reshape(-1)], [side[:, [1, 2, 0]].reshape(-1)]
-    triangles = shapely.polygons(corners)
     for k, p in enumerate((a, b)):
         near = int(np.argmin(shapely.distance(triangles, shapely.points(p))))
         one.append(np.full(3, n + k))
         two.append(side[near])
     i, j = np.concatenate(one), np.concatenate(two)
-    net = csr_matrix((np.hypot(*(places[i] - places[j]).T) + 1e-9, (i, j)), (n + 2, n + 2))
-    far, came = dijkstra(net, directed=False, indices=n, return_predecessors=True)
+    graph = csr_matrix((np.hypot(*(places[i] - places[j]).T) + 1e-9, (i, j)), (n + 2, n + 2))
+    far, came = dijkstra(graph, directed=False, indices=n, return_predecessors=True)
     if not np.isfinite(far[n + 1]):
         return np.array([a, b])
     path = [n + 1]

@@ -8,22 +8,25 @@ from typing import Any
 
 from tambour.core.paths import Paths
 from tambour.embroidery.piece import AUTO, Region
+from tambour.embroidery.regions.flat import shape
 from tambour.geometry.areas import of_shapely, to_shapely
 
 
 def blotted(found: Sequence[Region]) -> tuple[Region, ...]:
     """Regions in which closed lines that cover all they enclose are areas, one with the fill of their shape where that has their
-    colour: columns along them would turn about one place (a dot drawn as a ring) or cross (a star's outline).
+    colour: columns along them would turn about one place (a dot drawn as a ring) or cross (a star's outline). A stroke that is
+    hidden for the most part is one with its fill too: what shows of it would be stubs of columns.
 
     What somebody said the stitch of, and what was laid out by hand, stays.
     """
     made: list[Region] = []
-    for region in found:
+    for k, region in enumerate(found):
         if region.role != "line" or region.stitch != "satin" or region.params.stitch or "whole" in region.flags:
             made.append(region)
             continue
         below = made[-1] if made else None
-        if below is not None and below.stitch == AUTO and _same(below, region) and _bold(region, below):
+        one = below is not None and below.stitch == AUTO and _same(below, region)
+        if below is not None and one and (_bold(region, below) or _hidden(region, found[k + 1 :])):
             made[-1] = replace(below, paths=_joined([*to_shapely(below.paths), *_strokes(region, list(region.paths))]))
             continue
         full = [k for k, line in enumerate(region.paths) if _full(line, region.width)]
@@ -48,6 +51,15 @@ def _bold(stroke: Region, fill: Region) -> bool:
 
     shut = all((line[0] == line[-1]).all() for line in stroke.paths)
     return shut and bool(shapely.union_all(to_shapely(fill.paths)).buffer(-1.5 * stroke.width).is_empty)
+
+
+def _hidden(stroke: Region, later: Sequence[Region]) -> bool:
+    """Whether later regions hide more than half of a stroke."""
+    import shapely
+
+    own = shape(stroke)
+    over = [s for r in later if r.color != stroke.color and (s := shape(r)).intersects(own)]
+    return bool(shapely.union_all(over).intersection(own).area > 0.5 * own.area) if over else False
 
 
 def _inside(line: Any) -> Any:
