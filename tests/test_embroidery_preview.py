@@ -5,8 +5,13 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
+import pytest
 
+from tambour.color import linear
+from tambour.core.paths import Paths
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
+from tambour.embroidery.families.tatami import tatami
+from tambour.embroidery.lines.fill import rings
 from tambour.embroidery.looks.preview import developed, field, paint, picture, stitches
 
 
@@ -95,3 +100,19 @@ def _off(p, a, b):
     d = b - a
     t = np.clip((p - a) @ d / (d @ d), 0, 1)
     return np.hypot(*(p - a - t * d))
+
+
+@pytest.mark.parametrize(
+    "color", [(255, 255, 255), (252, 234, 43), (208, 207, 206), (193, 154, 101), (92, 158, 49), (30, 80, 160)]
+)
+@pytest.mark.parametrize("angle", [0.0, 2.4])
+def test_a_field_of_thread_is_in_the_mean_as_light_as_its_thread(color, angle):
+    square = Paths.of([12.0 * np.array([(0, 0), (0, 1), (1, 1), (1, 0), (0, 0)])])
+    xy = tatami(rings(square, angle), angle, 0.4, 3.0, stagger=8).xy
+    xy, command = np.concatenate([xy, xy[-1:]]), np.r_[np.zeros(len(xy), np.uint8), np.uint8(END)]
+    made = picture(ThreadPlan(xy, command, np.zeros(len(xy), np.int16), (Thread(color),)))
+    pixels = made.rgba[..., :3]
+    high, wide = pixels.shape[0] // 2, pixels.shape[1] // 2
+    inner = linear(pixels[high - 60 : high + 60, wide - 60 : wide + 60].reshape(-1, 3) / 255).mean(axis=0)
+    weights = np.array([0.2126, 0.7152, 0.0722])
+    assert 0.8 < inner @ weights / (linear(np.array(color) / 255) @ weights) < 1.2

@@ -160,3 +160,9 @@ def test_a_stroke_that_is_hidden_for_the_most_part_is_one_with_its_fill(tmp_path
         "area",
         "line",
     ]  # a satin rim, as it was drawn
+
+
+def test_a_line_that_a_fill_and_a_line_of_its_own_thread_hide_is_not_sewn(tmp_path):
+    low = '<path d="M9 20H30" stroke="#000" stroke-width="2"/>'
+    over = '<path d="M10 19H40V40H14Z" fill="green"/><path d="M7 12L15 43" stroke="#000" stroke-width="4"/>'
+    assert [r.role for r in made(tmp_path, low + over, width=60).regions] == ["area", "line"]

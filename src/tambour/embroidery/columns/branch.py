@@ -78,8 +78,9 @@ def _halves(limb: Limb, fork: int) -> list[Limb]:
     k = next(i for i, (f, _) in enumerate(limb.through) if f == fork)
     cut = int(np.argmin(((column.middle - limb.through[k][1]) ** 2).sum(1)))
     cut = min(max(cut, 1), len(column.left) - 2)
-    before = Column(column.left[: cut + 1], column.right[: cut + 1]).reversed()
-    after = Column(column.left[cut:], column.right[cut:])
+    # A little of both lies twice: what runs to the place lies along their seam, and would show.
+    before = Column(column.left[: cut + 2], column.right[: cut + 2]).reversed()
+    after = Column(column.left[cut - 1 :], column.right[cut - 1 :])
     return [Limb(before, fork, limb.start, limb.through[:k][::-1]), Limb(after, fork, limb.end, limb.through[k + 1 :])]
 
 

@@ -14,6 +14,7 @@ from tambour.embroidery.columns.satin import Column, resample
 
 SAMPLE = 0.35  # mm between the outline's samples (finer in small areas)
 REACH = 1.25  # radii of a fork on both sides of it in which it bends the limb that goes through
+BELOW = 0.4  # mm that a limb which ends at another goes on below it
 SPUR = 1.46  # a branch that reaches no farther than this many radii beyond its fork is a corner, not a limb
 
 
@@ -198,13 +199,24 @@ def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
         return k
 
     parts = branches(places, radius, edges) if len(places) > 1 else []
-    for path, free_start, free_end, forks in straightened(parts, places, radius):
+    joined = straightened(parts, places, radius)
+    through: dict[int, float] = {}  # by fork, half the width of what goes through it
+    for path, _, _, forks in joined:
+        for f in forks:
+            through[f] = min(through.get(f, np.inf), float(np.median(radius[path])))
+
+    def met(k: int) -> tuple[float, float]:
+        """A fork's radius, and how far beyond it a limb that ends there is led: a little below what goes through."""
+        r = float(radius[k])
+        return r, min(0.8 * r, max(-0.15 * r, r - 2 * through.get(k, np.inf) + BELOW))
+
+    for path, free_start, free_end, forks in joined:
         wide = np.minimum(radius[path], 1.2 * float(np.median(radius[path])))
         if np.median(wide) * 2 > widest:
             continue
         closed = bool(path[0] == path[-1] and len(path) > 3)
         line, wide = passed(places[path], wide, [(places[f], float(radius[f])) for f in forks])
-        column = across(area, line, wide, (free_start, free_end), closed, (radius[path[0]], radius[path[-1]]))
+        column = across(area, line, wide, (free_start, free_end), closed, (met(int(path[0])), met(int(path[-1]))))
         if column is not None:
             made.append(Limb(column, int(path[0]), int(path[-1]), tuple((f, places[f]) for f in forks)))
         elif fork_of(int(path[0])) != fork_of(int(path[-1])):
@@ -272,10 +284,15 @@ def _outline(column: Column) -> Any:
 
 
 def across(
-    area: Any, line: Array, wide: Array, free: tuple[bool, bool], closed: bool, forks: tuple[float, float]
+    area: Any,
+    line: Array,
+    wide: Array,
+    free: tuple[bool, bool],
+    closed: bool,
+    forks: tuple[tuple[float, float], tuple[float, float]],
 ) -> Column | None:
     """The column across one limb: its middle line smoothed, run out to the outline at free ends and straight into
-    forks (whose radii are given) at the others; then chords are cast."""
+    forks (whose radii are given, and how far beyond them) at the others; then chords are cast."""
     import shapely
 
     step = np.hypot(*np.diff(line, axis=0).T)
@@ -293,7 +310,7 @@ def across(
     if not closed:
         for last in (False, True):
             p, r = (p, r) if last else (p[::-1], r[::-1])
-            p, r = _run_out(area, p, r, half) if free[last] else _into_fork(p, r, float(forks[last]))
+            p, r = _run_out(area, p, r, half) if free[last] else _into_fork(p, r, *forks[last])
             p, r = (p, r) if last else (p[::-1], r[::-1])
     if len(p) < 3:
         return None
@@ -331,8 +348,8 @@ def _smoothed(p: Array, reach: int, closed: bool) -> Array:
     return np.c_[np.convolve(padded[:, 0], window, "valid"), np.convolve(padded[:, 1], window, "valid")]
 
 
-def _into_fork(p: Array, r: Array, fork: float) -> tuple[Array, Array]:
-    """The line cut where the fork begins to bend it, and carried on straight to about the fork's middle."""
+def _into_fork(p: Array, r: Array, fork: float, beyond: float) -> tuple[Array, Array]:
+    """The line cut where the fork begins to bend it, and carried on straight to so far beyond the fork's middle."""
     away = np.hypot(*(p - p[-1]).T)
     keep = away > 0.9 * fork
     if keep.sum() < 4:
@@ -341,8 +358,9 @@ def _into_fork(p: Array, r: Array, fork: float) -> tuple[Array, Array]:
     back = max(0, last - max(2, round(fork / 0.2)))
     d = p[last] - p[back]
     d = d / max(float(np.hypot(*d)), 1e-9)
-    n = max(1, math.ceil(0.75 * fork / 0.2))
-    more = p[last] + np.linspace(0, 0.75 * fork, n + 1)[1:, None] * d
+    size = 0.9 * fork + beyond
+    n = max(1, math.ceil(size / 0.2))
+    more = p[last] + np.linspace(0, size, n + 1)[1:, None] * d
     return np.concatenate([p[: last + 1], more]), np.r_[r[: last + 1], np.full(n, r[last])]
 
 

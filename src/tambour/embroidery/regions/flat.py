@@ -190,10 +190,6 @@ def uncovered(found: Sequence[Region]) -> Flat:
     for k, region in enumerate(found):
         later = [j for j in tree.query(shapes[k]).tolist() if j > k and solid[j]]
         free = _free(region) or (region.role == "line" and "whole" not in region.flags)
-        if (
-            region.role == "line"
-        ):  # lines of one thread meet in joints (plan/joints): which of them lies below is not yet said
-            later = [j for j in later if found[j].role != "line" or found[j].color != region.color]
         over = [shapes[j] for j in later if shapes[j].intersects(shapes[k])] if free else []
         if not over:
             made.append(region)
@@ -203,7 +199,12 @@ def uncovered(found: Sequence[Region]) -> Flat:
         if shown.area < min(BARE, 0.5 * shapes[k].area):
             hidden += 1
             continue
-        made.append(_line(region, cover) if region.role == "line" else _area(region, shapes[k], cover, over))
+        if region.role == "line":
+            # Lines of one thread meet in joints (plan/joints): which of them lies below is not yet said.
+            cut = [shapes[j] for j in later if found[j].role != "line" or found[j].color != region.color]
+            made.append(_line(region, shapely.union_all(cut)))
+        else:
+            made.append(_area(region, shapes[k], cover, over))
     return Flat(tuple(made), hidden=hidden)
 
 
