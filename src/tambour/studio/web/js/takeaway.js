@@ -62,7 +62,7 @@ export async function takeAway(over, piece, { follow }) {
     const first = (FIRST[craft.name] ?? []).map(([v, s, title, line]) => ({ file: files.find((f) => f.view === v && f.suffix === s), title, line })).filter((f) => f.file);
     const views = [...new Set(sensible.map((f) => f.view))];
     return html`<button class="icon shut" autofocus aria-label="close" @click=${() => box.close()}>×</button><h2 id="away-title">Take away</h2>
-      <p class="quiet">${craft.name === "ink" ? `What is in sight: from ${number(piece.params.value.from_ ?? 0)}, ${number(piece.params.value.span ?? 0)} wide. ` : ""}The very files that the command line writes.</p>
+      <p class="quiet">${craft.name === "ink" ? `What is in sight: from ${number(piece.params.value.from_ ?? 0)}, ${number(piece.params.value.span ?? 0)} wide. ` : ""}Each goes into your downloads.</p>
       ${wrong.length ? html`<div role="alert">${list(wrong, { spell: speller(craft.form) })}</div>` : ""}
       <div class="first">${first.map(({ file, title, line }, k) => html`<button class="button ${k ? "" : "act"}" ?disabled=${busy.has(file)} @click=${() => get(file)}>
           <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}${file.size === null ? "" : ` · ${size(file.size)}`}</span></button>`)}

@@ -9,7 +9,10 @@ import { Seats } from "./seat.js";
 /** A part as patterns call it. @param {string} name */
 const pattern = (name) => name.replace(/ (\d+)$/, ".$1");
 
-const STEPS = 4; // that a button tries: words are in whole rounds, and in stitches between the edges
+/** Whether words say a place by its stitch, as no maker does. @param {string} said */
+const exact = (said) => /pinched flat|turned by|, st \d/.test(said);
+
+const STEPS = 5; // that a button tries: words are in whole rounds, and in stitches between the edges
 
 export class Hand {
   /**
@@ -193,12 +196,12 @@ export class Hand {
       this.stage.move(seats.carried(onto));
       this.word.value = `${name} ${{ higher: "a round higher", lower: "a round lower", nearer: "nearer", farther: "farther" }[way]} …`;
       const said = await this.asked(name, onto);
-      if (!said || said.split(". ").every((s) => text.includes(s.replace(/\.$/, "")))) continue;
+      if (!said || exact(said) || said.split(". ").every((s) => text.includes(s.replace(/\.$/, "")))) continue;
       this.word.value = "";
       return this.dropped(name, onto);
     }
-    this.word.value = `${name} cannot go ${way === "nearer" || way === "farther" ? way : `a round ${way}`} from here`;
-    setTimeout(() => this.held || (this.word.value = ""), 4000);
+    this.word.value = `There are no plain words for ${name} ${way === "nearer" || way === "farther" ? way : `a round ${way}`} than this: drag it, or write how many stitches apart`;
+    setTimeout(() => this.held || (this.word.value = ""), 8000);
     return this.stage.move(null);
   }
 

@@ -8,6 +8,9 @@ const KINDS = [[216, 200, 168], [94, 146, 176], [196, 122, 88], [120, 150, 92], 
 const PARTS = [[196, 164, 120], [126, 160, 140], [190, 128, 112], [128, 146, 186], [184, 160, 84], [158, 128, 170], [112, 168, 176], [204, 148, 160], [140, 140, 116]];
 const RED = [190, 44, 32], PALE = [226, 220, 208], BLUE = [66, 110, 168];
 
+/** The colour of a part in the view of parts. @param {number} k */
+export const partly = (k) => PARTS[k % PARTS.length];
+
 /** @param {number[]} a @param {number[]} b @param {number} t */
 const mix = (a, b, t) => a.map((v, k) => v + (b[k] - v) * t);
 

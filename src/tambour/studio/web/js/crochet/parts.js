@@ -1,6 +1,7 @@
 // Facts of a toy: how large, how much yarn, its parts, its gauge, what was checked.
 import { fields, speller } from "../forms.js";
 import { list, told } from "../problems.js";
+import { partly } from "./looks.js";
 import { counted, dyed, hex, html, number, ref } from "../view.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
@@ -9,8 +10,8 @@ import { counted, dyed, hex, html, number, ref } from "../view.js";
 const WAYS = [["higher", "A round higher"], ["lower", "A round lower"], ["nearer", "A stitch nearer"], ["farther", "A stitch farther"]];
 const LEAN = [["tilt", "leans", 0, 180], ["towards", "towards", 0, 360], ["across", "turned", -180, 180]];
 
-/** @param {Piece} piece @param {{part: {value: number}, go: (problem: any) => void, at: (problem: any) => string, checked: any, nudge: (part: number, way: "higher"|"lower"|"nearer"|"farther") => void}} how */
-export function facts(piece, { part, go, at, checked, nudge }) {
+/** @param {Piece} piece @param {{part: {value: number}, go: (problem: any) => void, at: (problem: any) => string, checked: any, tinted: boolean, nudge: (part: number, way: "higher"|"lower"|"nearer"|"farther") => void}} how */
+export function facts(piece, { part, go, at, checked, tinted, nudge }) {
   const report = piece.report.value, pack = piece.live.value, craft = piece.craft.value;
   const problems = told(checked?.problems ?? (piece.failed.value.length ? piece.failed.value : piece.problems.value));
   const cm = (/** @type {number} */ mm) => (Math.round(mm) / 10).toFixed(1), inches = (/** @type {number} */ mm) => (mm / 25.4).toFixed(1);
@@ -23,7 +24,7 @@ export function facts(piece, { part, go, at, checked, nudge }) {
       <span class="number">${y.metres.toFixed(1)} m${y.grams ? html` <span class="quiet">${Math.max(1, Math.round(y.grams))} g</span>` : ""}</span></li>`)}</ul>` : ""}
     ${pack ? html`<h2 class="head">Parts</h2><ul>${pack.facts.parts.map((/** @type {any} */ p, /** @type {number} */ k) => html`<li>
       <button class="rowbutton" aria-pressed=${part.value === k} @click=${() => (part.value = part.value === k ? -1 : k)}>
-        <i class="swatch" ${ref(dyed(hue(pack, p)))}></i> ${p.name}<span class="number">${number(p.end - p.start)}</span></button>
+        <i class="swatch" ${ref(dyed(tinted ? partly(k) : hue(pack, p)))}></i> ${p.name}<span class="number">${number(p.end - p.start)}</span></button>
       ${part.value === k ? one(piece, report, p, k, nudge) : ""}</li>`)}</ul>` : ""}
     ${craft ? html`<h2 class="head">Gauge</h2>${report?.size?.gauge?.stitch_mm ? html`<p class="quiet">stitch ${report.size.gauge.stitch_mm.map((/** @type {number} */ v) => v.toFixed(1)).join(" × ")} mm${report.size.gauge.from ? `, from ${speller(craft.form)(report.size.gauge.from)}` : ""}</p>` : ""}
       <div class="gauge">${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.group === "Yarn and gauge" })}</div>` : ""}

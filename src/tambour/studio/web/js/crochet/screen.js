@@ -242,7 +242,7 @@ export function screen(root, piece, { over }) {
     return html`<div class="seg" role="group" aria-label="what colours say">${MODES.map(([name, label]) => html`<button aria-pressed=${mode.value === name} @click=${() => (mode.value = name)}>${label}</button>`)}</div>
       ${legend.length ? html`<div class="said legend">${mode.value === "parts" && pack && pack.facts.parts.length > 1 ? html`<span>Drag a part to sew it on elsewhere; with Shift it leans.</span>` : ""}${(mode.value === "parts" ? [] : legend).map(([c, text]) => html`<span><i class="swatch" ${ref(dyed(c))}></i> ${text}</span>`)}</div>` : ""}`;
   }));
-  stop.push(show(at.right, () => facts(piece, { part, go, at: round, checked: checked.value, nudge: (k, way) => void hand.nudge(k, way, editor.text) })));
+  stop.push(show(at.right, () => facts(piece, { part, go, at: round, checked: checked.value, tinted: mode.value === "parts", nudge: (k, way) => void hand.nudge(k, way, editor.text) })));
 
   stop.push(offer(() => [
     { name: "See all of it", key: "f", do: () => stage.fit() },

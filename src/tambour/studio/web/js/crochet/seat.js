@@ -152,7 +152,7 @@ export class Seats {
     }
     const to = this.other >= 0 ? this.at(this.other) : /** @type {Vec} */ ([0, this.x[3 * i + 1], 1e4]);
     const sides = [i > here.first ? i - 1 : here.end - 1, i + 1 < here.end ? i + 1 : here.first];
-    const far = (/** @type {number} */ j) => Math.hypot(...sub(this.at(j), to));
+    const far = (/** @type {number} */ j) => Math.hypot(...sub(this.at(j), to)) - 0.5 * this.x[3 * j + 2]; // opposite each other they near over the front
     return sides.sort((a, b) => (way === "nearer" ? far(a) - far(b) : far(b) - far(a)))[0];
   }
 }

@@ -115,9 +115,7 @@ export class Overlay {
       };
       const up = () => {
         handle.removeEventListener("pointermove", move);
-        const held = this.held;
-        this.held = null;
-        if (held) done(held.spot);
+        if (this.held) done(this.held.spot); // it is drawn there till the thread lies anew
       };
       handle.addEventListener("pointermove", move);
       handle.addEventListener("pointerup", up, { once: true });

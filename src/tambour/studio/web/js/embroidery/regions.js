@@ -30,12 +30,16 @@ export function regions(piece, hands) {
     now.splice(to, 0, k);
     put(now);
   };
+  const titled = (/** @type {number} */ k) => { // those of one name are told apart
+    const name = all[k].id || `region ${k + 1}`, alike = all.flatMap((/** @type {any} */ r, /** @type {number} */ j) => (r.id && r.id === all[k].id ? [j] : []));
+    return alike.length > 1 ? `${name} (${alike.indexOf(k) + 1})` : name;
+  };
   return html`<h2 class="head">In the order of sewing</h2><ol class="regions">${order.map((k, at) => {
     const r = all[k];
     return html`<li draggable="true" @dragstart=${(/** @type {DragEvent} */ e) => e.dataTransfer?.setData("text/tambour-region", String(at))} @dragover=${(/** @type {DragEvent} */ e) => e.dataTransfer?.types.includes("text/tambour-region") && e.preventDefault()}
         @drop=${(/** @type {DragEvent} */ e) => (e.preventDefault(), e.stopPropagation(), move(Number(e.dataTransfer?.getData("text/tambour-region")), at))}>
       <button class="rowbutton" aria-pressed=${chosen.value === k} @click=${() => (chosen.value = chosen.value === k ? -1 : k)}>
-        <i class="swatch" ${ref(dyed(r.color))}></i> ${r.id || `region ${k + 1}`}<span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.count)}</span></button>
+        <i class="swatch" ${ref(dyed(r.color))}></i> ${titled(k)}<span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.count)}</span></button>
       ${chosen.value === k ? html`${one(piece, r, k, form, hands)}
         <div class="inside tools"><button class="button" ?disabled=${!at} @click=${() => move(at, at - 1)}>Sew earlier</button><button class="button" ?disabled=${at + 1 >= order.length} @click=${() => move(at, at + 1)}>Sew later</button></div>` : ""}</li>`;
   })}</ol>${threads(piece)}`;

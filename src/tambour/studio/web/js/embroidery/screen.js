@@ -63,6 +63,7 @@ export function screen(root, piece) {
     if (!pack) return;
     stage.cloth = Math.max(0.4, pack.facts.radius * 3);
     overlay.pack = pack;
+    overlay.held = null;
     const hoop = pack.facts.hoop, asked = !first && hoop && String(hoop) !== String(overlay.hoop);
     overlay.hoop = hoop;
     land();
