@@ -58,7 +58,8 @@ def turned(count: int, half: float, radius: float, stand: Array) -> Array:
     best, step = 0.0, 1.0
     for tries in (64, 32):
         starts = best + step * (np.arange(tries) - tries // 2) / tries
-        off = [float(((stadium(own + s, half, radius) - stand) ** 2).sum()) for s in starts]
+        every = stadium((own + starts[:, None]).ravel(), half, radius).reshape(tries, count, 2)
+        off = [float(one.sum()) for one in (every - stand) ** 2]
         best, step = float(starts[int(np.argmin(off))]), 2.0 * step / tries
     return stadium(own + best, half, radius)
 
