@@ -54,6 +54,35 @@ def test_word_documents_in_order(tmp_path):
     assert counts(text) == [6, 12, 18]
 
 
+def test_tracked_changes_are_read_as_accepted_and_told(tmp_path):
+    from docx.oxml import parse_xml
+    from docx.oxml.ns import nsdecls
+
+    made = docx.Document()
+    for line in ("Ball", *ROUNDS[:1]):
+        made.add_paragraph(line)
+    run = "<w:r><w:t xml:space='preserve'>{}</w:t></w:r>"
+    rounds = (
+        run.format("Rnd 2: ")
+        + f"<w:ins w:id='1'>{run.format('2 sc in each sc around ')}</w:ins>"
+        + "<w:del w:id='2'><w:r><w:delText>3 sc in each sc around </w:delText></w:r></w:del>"
+        + f"<w:moveFrom w:id='3'>{run.format('6 times')}</w:moveFrom>"
+        + f"<w:sdt><w:sdtPr/><w:sdtContent>{run.format('(12)')}</w:sdtContent></w:sdt>"
+    )
+    made.element.body.insert(2, parse_xml(f"<w:p {nsdecls('w')}>{rounds}</w:p>"))
+    framed = f"<w:sdt {nsdecls('w')}><w:sdtContent><w:p>{run.format('Rnd 3: (sc, inc) x 6 (18)')}</w:p></w:sdtContent></w:sdt>"
+    made.element.body.insert(3, parse_xml(framed))
+    made.save(tmp_path / "ball.docx")
+    text = files.read(tmp_path / "ball.docx", ("Text",))
+    assert counts(text) == [6, 12, 18] and text.told == (
+        "tracked changes, 3: it is read as if all of them were accepted",
+    )
+    assert text.told[0] in [p.message for p in read(text).warnings]
+    made.element.body.remove(made.element.body[2])
+    made.save(tmp_path / "ball.docx")
+    assert files.read(tmp_path / "ball.docx", ("Text",)).told == ()
+
+
 def test_opendocument_texts(tmp_path):
     spaces = ' xmlns:office="urn:oasis:names:tc:opendocument:xmlns:office:1.0"'
     spaces += ' xmlns:text="urn:oasis:names:tc:opendocument:xmlns:text:1.0"'

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import base64
 import re
 import zipfile
@@ -98,6 +100,7 @@ def read_docx(path: Path) -> Text:
         usual = next((s.style_id for s in document.styles if s.type == 1 and s.element.default), "")
     except Exception as error:  # noqa: BLE001 - the library and its parser raise whatever a hostile file makes them raise
         raise TambourError(f"this is no Word document: {error}", where=str(path)) from None
+    tracked = _accepted(body)
     pages, numbered = Pages(path), 0
     for part in body.iterchildren(qn("w:tbl"), qn("w:p")):
         if part.tag == qn("w:tbl"):
@@ -117,7 +120,30 @@ def read_docx(path: Path) -> Text:
         for blip in part.xpath(".//a:blip/@r:embed"):
             image = document.part.related_parts.get(str(blip))
             pages.photo(getattr(image, "blob", b""))
-    return pages.text()
+    text = pages.text()
+    if not tracked:
+        return text
+    return replace(text, told=(f"tracked changes, {tracked}: it is read as if all of them were accepted",))
+
+
+def _accepted(body: Any) -> int:
+    """Takes Word's tracked changes as accepted, and the frames of forms away that stand about words; how many changes there were."""
+    from docx.oxml.ns import qn
+
+    tracked = 0
+    for gone in list(body.iter(qn("w:del"), qn("w:moveFrom"))):
+        tracked += 1
+        gone.getparent().remove(gone)
+    for frame in list(body.iter(qn("w:ins"), qn("w:moveTo"), qn("w:sdt"), qn("w:smartTag"), qn("w:customXml"))):
+        if frame.getparent() is None:
+            continue
+        tracked += frame.tag in (qn("w:ins"), qn("w:moveTo"))
+        held = frame.find(qn("w:sdtContent")) if frame.tag == qn("w:sdt") else frame
+        for child in list(held) if held is not None else []:
+            if not str(child.tag).endswith("Pr"):
+                frame.addprevious(child)
+        frame.getparent().remove(frame)
+    return tracked
 
 
 def _rows(table: Any) -> Iterator[list[str]]:

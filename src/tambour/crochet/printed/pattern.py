@@ -62,6 +62,8 @@ class Printed(Headed):
         while at < len(self.rows):
             at = self._row(at)
         source = self.source
+        for said in source.text.told:
+            source.doubt(said, "accept or reject the changes in the document to have it otherwise", Span(0, 0))
         worded = sum(bool(row.tokens) for row in self.rows)
         lost = self.failed > _HOPELESS * self.understood or (self.failed and worded > _LINES * self.understood)
         if not self.understood or lost:
