@@ -74,3 +74,18 @@ def test_stripes_go_on_with_the_yarns_that_were_worked(rounds: str, expected: st
 def test_a_yarn_changed_to_at_the_end_of_a_row_is_the_first_of_the_next() -> None:
     rows = SOCK + "Rnds 2 and 3: Sc in each sc around; change to B at end of Rnd 3.\n"
     assert bands(rows + "Rnds 4-9: Sc in each sc around and change color every other round.\n") == "aaa" + "bbaabb"
+
+
+@pytest.mark.parametrize(
+    "repeat, expected",
+    [
+        ("Repeat Row 2 until there are 4 rows, change to B repeat row 2 with B until there are 4 rows, change to A, change colors every 4 rows until there are 3 blocks.\n", "aaaabbbbaaaa"),
+        ("Rep last row, changing to B, changing colors every 3 rows until you have 3 stripes.\n", "aaabbbaaa"),
+    ],
+)  # fmt: skip
+def test_rows_go_on_until_there_are_so_many_blocks(repeat: str, expected: str) -> None:
+    strip = (
+        SOCK[: SOCK.index("SOCK")]
+        + "STRIP\nWith A, ch 9.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn.\n"
+    )
+    assert bands(strip + "Row 2: Ch 1, sc in each st across; turn.\n" + repeat) == expected

@@ -277,7 +277,8 @@ class Walk(Trade):
             self.body.rounds = (token.value, token.span)
             plain = c.look(1)
             if (
-                c.key("in")
+                not self.depth
+                and c.key("in")
                 and plain is not None
                 and plain.kind == "stitch"
                 and (c.look(2) is None or c.mark(".", ",", ";", ahead=2))

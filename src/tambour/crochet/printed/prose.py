@@ -36,12 +36,13 @@ from tambour.crochet.printed.notes import (
     stated,
 )
 from tambour.crochet.printed.opening import founding, founds, opening
+from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.remarks import chosen
 from tambour.crochet.printed.reworked import again
 from tambour.crochet.printed.state import State
-from tambour.crochet.printed.stripes import lay, planned, without
-from tambour.crochet.printed.tokens import Row, Token
+from tambour.crochet.printed.stripes import Plan, blocks, lay, planned, without
+from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs, left_over
 from tambour.crochet.words.special import explained
 
@@ -254,6 +255,12 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds, in the stripes that it plans; whether it was understood."""
     draft = p.parts[-1] if p.parts else None
     begin, end = tokens[0].start, tokens[-1].end
+    if (
+        draft is not None
+        and draft.last
+        and (made := blocks(p.source.text.text[begin:end], p.palette, draft.lines)) is not None
+    ):
+        return _in_blocks(p, draft, tokens, made)
     found = planned(p.source.text.text[begin:end], p.palette, draft.lines) if draft is not None and draft.last else None
     if draft is None or found is None or p.heading is not None or p.mode in ("materials", "abbreviations", "assembly"):
         return _plain(p, tokens)
@@ -265,6 +272,21 @@ def _sentence(p: State, tokens: list[Token]) -> bool:
         return True
     known = {id(line) for line in draft.lines}
     if not _plain(p, rest):
+        return False
+    lay(draft, known, plan, place, False)
+    return True
+
+
+def _in_blocks(p: State, draft: Draft, tokens: list[Token], made: tuple[Plan, int, tuple[int, int]]) -> bool:
+    """Rows that are repeated, in blocks of colour, until there are so many blocks; whether the repeat was understood."""
+    plan, total, (first, last) = made
+    place = Span(tokens[0].start + first, tokens[0].start + last)
+    end = next(
+        (k for k, t in enumerate(tokens) if t.word == "," or t.value == "until" or t.start >= place.start), len(tokens)
+    )
+    until = p.vocabulary.read(rows(f"until there are {total} rows")[0].tokens)
+    known = {id(line) for line in draft.lines}
+    if not end or not _plain(p, [*tokens[:end], *(replace(t, start=place.start, end=place.end) for t in until)]):
         return False
     lay(draft, known, plan, place, False)
     return True

@@ -39,6 +39,10 @@ _PER: Final = re.compile(
     rf"(?:keeping\s+(?:with|to)\s+|in\s+|continu\w+\s+)?(?:the\s+)?(?:strip\w+\s+(?:pattern|sequence)\s*)?\(?{_N}\s+{_UNIT}\s+(?:per|of\s+each|in\s+each|each)\s+colou?r\)?",
     re.DOTALL,
 )
+_BLOCKS: Final = re.compile(
+    rf"chang\w+\s+colou?rs?\s+every\s+{_N}\s+{_UNIT}\s+until\s+(?:there\s+are\s+|you\s+have\s+)?{_N}\s+(?:blocks|stripes|squares|bands|sections)"
+)
+_TO: Final = re.compile(rf"\b(?:chang\w+\s+to|with)\s+{_YARN}")
 _HINT: Final = re.compile(
     r"alternat|strip|chang|switch|per\s+colou?r|each\s+colou?r|\d\s+r(?:n?d|ow|ound)", re.IGNORECASE
 )
@@ -90,6 +94,23 @@ def planned(words: str, palette: Palette, worked: list[Line]) -> tuple[Plan, tup
     return None
 
 
+def blocks(words: str, palette: Palette, worked: list[Line]) -> tuple[Plan, int, tuple[int, int]] | None:
+    """The plan of "…, change colors every 8 rows until there are 8 blocks", how many rows that makes in all, and which letters say it; the
+    yarns are the one at hand and those that the words before name."""
+    found = _BLOCKS.search(words)
+    if found is None:
+        return None
+    high, many = _number(found[1]), _number(found[2])
+    named = [_hue(m[1], palette) for m in _TO.finditer(words[: found.start()])]
+    hues = list(dict.fromkeys([*_used(worked)[-1:], *(h for h in named if h is not None)]))
+    if len(hues) < 2:
+        hues = _used(worked)
+    if not high or not many or len(hues) < 2:
+        return None
+    runs = tuple((hue, high) for hue in hues)
+    return Plan(runs, _phase(runs, worked)), high * many, found.span()
+
+
 def without(tokens: list[Token], place: Span) -> list[Token]:
     """``tokens`` but those that stand at ``place``."""
     return [t for t in tokens if t.end <= place.start or t.start >= place.end]
@@ -112,6 +133,7 @@ def striped(lines: list[Line], plan: Plan, span: Span) -> list[Line]:
     """``lines`` with their rounds in the colours of ``plan``, each change of colour on a line before its round."""
     made: list[Line] = []
     at, hue = 0, None
+    period = sum(n for _, n in plan.runs)
     for line in lines:
         if not line.in_round or line.times > _MOST:
             made.append(line)
@@ -124,9 +146,10 @@ def striped(lines: list[Line], plan: Plan, span: Span) -> list[Line]:
                 many = 1
                 while done + many < one.times and plan.hue(at + many) == now:
                     many += 1
-                if now != hue and not (at == 0 and plan.begun % sum(n for _, n in plan.runs) and now == plan.hue(-1)):
+                goes_on = at == 0 and plan.begun % period and now == plan.hue(-1)
+                if now != hue and not goes_on:
                     made.append(Line((Action("color", span, numbers=now),), span, False))
-                    hue = now
+                hue = now
                 number = None if one.number is None else one.number + done
                 last = done + many == one.times
                 made.append(
