@@ -105,7 +105,7 @@ FAULTS = [
     Fault("core/mesh.py", 'within("Mesh.vertices", vertices, -FARTHEST, FARTHEST + 1)', "pass", "values files_mesh"),
     Fault("core/graph.py", "self.edge_kind == YARN", "self.edge_kind != YARN", "promises"),
     Fault("geometry/surface.py", "where=length > 0", "where=length > 1", P),
-    Fault("render/camera.py", "margin = 0.86", "margin = 1.3", "render_raster"),
+    Fault("render/camera.py", "MARGIN = 0.86", "MARGIN = 1.3", "render_raster"),
     Fault("render/camera.py", "np.array([cos(azimuth), 0.0, -sin(azimuth)])",
           "np.array([cos(azimuth), 0.0, sin(azimuth)])", "promises render_raster"),
     # -- files
