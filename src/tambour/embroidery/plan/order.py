@@ -76,18 +76,30 @@ def turned_under(regions: Sequence[Region]) -> list[int]:
                 todo += waits[k]
         return False
 
+    turned = False
     for a in lines:
         for b in sorted(waits[a] & set(lines)):
             one, two = regions[a], regions[b]
             if one.color == two.color and ends_on(one, two) and not ends_on(two, one) and not behind(a, b):
                 waits[a].discard(b)
                 waits[b].add(a)
+                turned = True
+    if not turned:
+        return list(range(n))
+    frees: list[list[int]] = [[] for _ in range(n)]
+    for a, w in enumerate(waits):
+        for b in w:
+            frees[b].append(a)
+    count = [len(w) for w in waits]
+    ready = [k for k in range(n) if not count[k]]
     made: list[int] = []
-    left = set(range(n))
-    while left:
-        pick = min(k for k in left if not waits[k] & left)
+    while ready:
+        pick = heapq.heappop(ready)
         made.append(pick)
-        left.discard(pick)
+        for k in frees[pick]:
+            count[k] -= 1
+            if not count[k]:
+                heapq.heappush(ready, k)
     return made
 
 
