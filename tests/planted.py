@@ -73,7 +73,6 @@ FAULTS = [
     Fault("core/errors.py", 'return "holds bytes that are no text"', 'return ""', "params run -k bad_values or names_that"),
     Fault("files/text.py", "lines = [escape(line", "lines = [str(line", "errors -k html"),
     Fault("sweep/folder.py", "if text[:1] in FORMULA", "if False", "sweep -k formula"),
-    Fault("files/headers.py", 'said.append("the stitches end before their end mark")', "pass", "files_machine -k damage or aside"),
     Fault("core/params.py", "if unmet and getattr(self, name)", "if False and getattr(self, name)", "params -k no_effect"),
     # -- the house
     Fault("color.py", "srgb <= 0.04045, srgb / 12.92", "srgb <= 0.04045, srgb / 12.0", "color"),
