@@ -193,11 +193,12 @@ def mesh(
     if detail in ("near", "photo"):
         coords, ends, of = _rounder(made.paths.coords, np.asarray(made.paths.offsets), 2)
         data = {name: values[of] for name, values in made.point_data.items()}
-        made = replace(made, paths=Paths(coords, ends), radius=made.radius[of], point_data=data)
+        # Only here: elsewhere some of the strands may be asked for, and must be what they are among all.
+        made = _spun(replace(made, paths=Paths(coords, ends), radius=made.radius[of], point_data=data))
     if detail in ("near", "photo") and len(graph) < PLIED and kind.plies:
-        yarn = sweep(_spun(made), sides=18, plies=kind.plies, groove=0.2, material=kind.surface)
+        yarn = sweep(made, sides=18, plies=kind.plies, groove=0.2, material=kind.surface)
     else:
-        yarn = sweep(_spun(made), sides=SIDES[detail], material=kind.surface)
+        yarn = sweep(made, sides=SIDES[detail], material=kind.surface)
     inner = lining(graph, positions, graph.stitch_width)
     every = (yarn, inner)
     first = np.cumsum([0, *(len(m.vertices) for m in every)])
