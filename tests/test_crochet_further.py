@@ -544,3 +544,93 @@ def test_a_name_in_the_head_of_a_round_is_no_stitch(name: str) -> None:
 def test_a_colour_in_the_head_of_a_round_stays_one() -> None:
     hues = dyes(f"{BODY}Rnd 3 (Yellow): Sc in each sc around. (12)\n")
     assert hues[2] != hues[1]
+
+
+@pytest.mark.parametrize(
+    "words, copies",
+    [
+        ("Make another ear.", 2),
+        ("Make another.", 2),
+        ("Make a second ear the same way.", 2),
+        ("Make another one exactly the same.", 2),
+        ("Make another leg.", 1),  # no part is called so
+    ],
+)
+def test_another_is_one_copy_more(words: str, copies: int) -> None:
+    pattern = read(
+        Text(
+            f"{YARN}EAR\nWith A, 6 sc in magic ring. (6)\nRnd 2: 2 sc in each sc. (12)\nFasten off.\n{words}\n",
+            "toy.txt",
+        )
+    )
+    assert pattern.parts[-1].copies == copies
+
+
+@pytest.mark.parametrize("part, of", [("HEAD", 1), ("EAR", 2)])
+def test_another_names_a_part_made_before(part: str, of: int) -> None:
+    words = f"{BODY}HEAD\nWith A, ch 2.\nRnd 1: 6 sc in 2nd ch from hook. (6)\nFasten off.\nEAR\n"
+    words += (
+        f"Rnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each sc. (12)\nFasten off.\nMake another {part.lower()}.\n"
+    )
+    copies = {one.name.upper(): one.copies for one in read(Text(words, "toy.txt")).parts}
+    assert copies == {"BODY": 1, "HEAD": 1, "EAR": 1} | {part: 2}
+
+
+@pytest.mark.parametrize(
+    "third, made",
+    [
+        ("[2 sc in next st, sc in next st - 6 times]. 18 sc.", 18),
+        ("[Sc in next st, 2 sc in next st – 6 times]. (18)", 18),
+        ("(2 sc in next st, sc in next 5 sts — 2 times). 14 sts.", 14),
+        ("[Sc in next 4 sts, sc2tog - 2 times]. 10 sc.", 10),
+    ],
+)
+def test_a_bracket_may_say_inside_how_often_it_is_worked(third: str, made: int) -> None:
+    assert counts(f"{BODY}Rnd 3: {third}\n") == [6, 12, made]
+
+
+def test_a_bracket_that_says_another_number_than_the_count_is_told() -> None:
+    pattern = read(Text(f"{BODY}Rnd 3: [2 sc in next st, sc in next st - 6 times]. 17 sc.\n", "toy.txt"))
+    assert told(pattern) or [w for w in build(pattern).warnings if "the pattern says 17" in w.message]
+
+
+@pytest.mark.parametrize(
+    "ring, made",
+    [
+        ("[Sc in ring] 5 times, sc in ring. 6 sc.", 6),
+        ("(Sc in ring) 6 times. (6)", 6),
+        ("2 sc in ring, [sc in ring] 4 times. (6)", 6),
+        ("[2 hdc in ring] 5 times. (10)", 10),
+    ],
+)
+def test_a_repeat_into_a_ring_is_one_ring(ring: str, made: int) -> None:
+    assert counts(
+        f"{YARN}EAR\nWith A, make a magic ring.\nRnd 1: {ring}\nRnd 2: 2 sc in each st around. ({2 * made})\n"
+    ) == [made, 2 * made]
+
+
+@pytest.mark.parametrize(
+    "row, made",
+    [
+        ("Sc in each st across, leaving last st unworked. (7)", 7),
+        ("Sc in each st across, leave last 2 sts unworked; turn. (6)", 6),
+        ("Ch 1, sc in each sc across, leaving last 3 sc unworked, turn.", 5),
+        ("Sc in next 5 sts, leaving last 3 sts unworked, turn. (5)", 5),
+    ],
+)
+def test_stitches_left_at_the_end_of_a_row_are_no_doubt(row: str, made: int) -> None:
+    words = f"{STRIP}Row 2: {row}\nRow 3: Sc in each sc across. ({made})\n"
+    assert counts(words) == [8, made, made]
+    assert not [w for w in read(Text(words, "toy.txt")).warnings if "unworked" in w.message]
+
+
+def test_rounds_of_another_part_that_go_back_to_free_loops_are_worked_again() -> None:
+    hind = "HIND LEG\nWith A, ch 2.\nRound 1: Work 6 sc in 2nd ch from hook—6 sc.\nRound 2: Work 2 sc in each sc around—12 sc.\n"
+    hind += "Round 3: Working in front loops only, slip st in sc around—12 slip sts.\n"
+    hind += "Round 4: Working in unworked back loops of Round 2, sc in each sc around—12 sc.\nRound 5: Sc in each sc around.\nFasten off.\n"
+    front = (
+        "FRONT LEG\nWork Rounds 1–4 same as hind leg.\nRound 5: *Sc in next 4 sc, sc2tog; repeat from * around—10 sc.\n"
+    )
+    assert counts(YARN + hind + front) == [6, 12, 12, 12, 12, 6, 12, 12, 12, 10]
+    built = build(read(Text(YARN + hind + front, "toy.txt")))
+    assert not [w for w in built.warnings if "taken" in w.message or "left out" in w.message]

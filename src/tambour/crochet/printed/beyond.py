@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import pairwise
 from typing import Final
@@ -134,6 +135,8 @@ def another(tokens: list[Token]) -> bool:
 def again_made(p: State, tokens: list[Token]) -> bool:
     """Takes "Repeat for other legs" for copies of the part just made, and "Repeat on other armhole" for an edge that is worked once
     more, which is told; whether a sentence is either."""
+    if p.parts and tokens[0].value == "make" and _made_twice(p, tokens):
+        return True
     if not p.parts or not repeats_for(tokens, ("for", "in", "to", "with", "around")):
         return False
     draft, rest = p.parts[-1], tokens[2:]
@@ -162,5 +165,27 @@ def again_made(p: State, tokens: list[Token]) -> bool:
     return False
 
 
+def _made_twice(p: State, tokens: list[Token]) -> bool:
+    """Takes "Make another ear.", "Make a second one the same way" for one copy more of the part it names, or else of the one just made."""
+    said = _ANOTHER.match(p.source.text.text, tokens[0].start)
+    draft = p.parts[-1]
+    if said is None or not draft.begun():
+        return False
+    noun = one((said[1] or "").lower())
+    if noun and noun not in ("one", "piece"):
+        names = [{one(w) for w in d.name.lower().replace("_", " ").split()} for d in p.parts]
+        meant = next((k for k in range(len(names) - 1, -1, -1) if noun in names[k]), None)
+        if meant is None:
+            return False
+        draft = p.parts[meant]
+    draft.copies, draft.copies_span = draft.copies + 1, Span(tokens[0].start, tokens[-1].end)
+    return True
+
+
+_ANOTHER: Final = re.compile(
+    r"(?:make|work|crochet)\s+(?:another|(?:a|the)\s+(?:second|2nd))(?:\s+([A-Za-z]+))?"
+    r"(?:,?\s+(?:exactly\s+)?(?:alike|the\s+same|(?:in\s+)?the\s+same\s+(?:way|manner)|like\s+(?:it|this|the\s+first)(?:\s+one)?))?\s*(?:[.!;]|$)",
+    re.IGNORECASE | re.MULTILINE,
+)
 _OTHER: Final = frozenset(("second", "opposite", "remaining", "rem"))
 _EDGE: Final = frozenset(("armhole", "side", "edge", "end", "corner", "strap", "opening"))

@@ -173,7 +173,8 @@ def decided(
         if body.sides and (base := _base(body, chain)) is not None:
             along(body, base, source.stitches)
         if edge and unworked:
-            body.items = _rest_left(body.items, edge, source.stitches)
+            whole = body.stated is not None and after(body.items, edge, source.stitches) == body.stated
+            body.items = _rest_left(body.items if whole else _leaving(body.items, tokens), edge, source.stitches)
         return body
 
     def fit(body: Body) -> int:
@@ -250,9 +251,21 @@ def decided(
 
 
 def _told_rest(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> bool:
-    """Whether items use up all stitches of the round below."""
-    done = worked(items, edge, stitches)
+    """Whether items use up all stitches of the round below, those aside that they skip at their end."""
+    done = worked([i for i in items if not (isinstance(i, Action) and i.name == "skip")], edge, stitches)
     return done is not None and done[1] >= edge
+
+
+def _leaving(items: list[Item], tokens: list[Token]) -> list[Item]:
+    """``items`` whose last repeat around ends where the words say: "sc in each st across, leaving last 2 sts unworked"."""
+    at = next((k for k, t in enumerate(tokens) if t.word == "unworked"), 0)
+    last = next((k for k in range(at, max(at - 6, -1), -1) if tokens[k].value == "last"), None)
+    around = next((k for k in range(len(items) - 1, -1, -1) if isinstance(items[k], Group)), None)
+    group = items[around] if around is not None else None
+    if last is None or around is None or not isinstance(group, Group) or group.times is not None or group.leaves:
+        return items
+    many = next((t.value for t in tokens[last:at] if t.kind == "number" and isinstance(t.value, int)), 1)
+    return [*items[:around], replace(group, leaves=many), *items[around + 1 :]]
 
 
 def _rest_left(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final, Literal
 
 from tambour.core.errors import Span
@@ -31,6 +32,9 @@ def into_ring(r: Reader, found: list[Item], name: str, number: Token | None, tok
     r.body.rings += 1
     last = found[-1] if found else None
     stitches = r.stitches[name]
+    if name == "sc" and isinstance(last, Action) and last.name == "mr":
+        found[-1] = replace(last, numbers=(last.numbers[0] + count, 0))
+        return
     if name == "sc" and not (isinstance(last, Action) and r.is_ring(last)):
         found.append(Action("mr", number.span if number is not None else token.span, numbers=(count, 0)))
         return
@@ -44,6 +48,27 @@ def into_ring(r: Reader, found: list[Item], name: str, number: Token | None, tok
         )
         inner = [*old, *inner]
     found.append(together(r, inner, token, "ring"))
+
+
+def again_into_ring(r: Reader, found: list[Item], inner: list[Item], times: int, span: Span) -> bool:
+    """Takes a ring that is said as a repeat, "[sc in ring] 6 times", as one of so many stitches, with those that are in it already; whether
+    ``inner`` is such."""
+    ring, last = inner[0] if len(inner) == 1 else None, found[-1] if found else None
+    if not isinstance(ring, Action) or not r.is_ring(ring) or times > _MOST:
+        return False
+    both = [last, ring] if isinstance(last, Action) and r.is_ring(last) else [ring]
+    del found[len(found) - len(both) + 1 :]
+    many = [1, times][-len(both) :]
+    if all(one.name == "mr" for one in both):
+        made = sum(one.numbers[0] * k for one, k in zip(both, many, strict=True))
+        found.append(replace(ring, numbers=(made, 0)))
+        return True
+    parts: list[tuple[Stitch, int]] = []
+    for one, k in zip(both, many, strict=True):
+        inside = [("sc", one.numbers[0])] if one.name == "mr" else r.stitches[one.name].inner
+        parts += [(r.stitches[name], n) for name, n in inside] * k
+    found.append(together(r, parts, Token("stitch", "", span.start, span.end), "ring"))
+    return True
 
 
 def together(r: Reader, inner: list[tuple[Stitch, int]], token: Token, place: Literal["", "sp", "ring"] = "") -> Action:

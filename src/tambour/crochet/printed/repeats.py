@@ -20,7 +20,7 @@ from tambour.crochet.printed.counts import (
 )
 from tambour.crochet.printed.curls import curled
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
-from tambour.crochet.printed.heaped import placed
+from tambour.crochet.printed.heaped import again_into_ring, placed
 from tambour.crochet.printed.reader import Reader
 from tambour.crochet.printed.stitch import standing
 from tambour.crochet.printed.tokens import Token
@@ -60,7 +60,8 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
             standing(found)
         c.at = end + 1
         return
-    outer, c.tokens, before = c.tokens, c.tokens[:end], r.before
+    within = _times_within(words)
+    outer, c.tokens, before = c.tokens, c.tokens[: end - 3 * bool(within)], r.before
     c.at += 1
     r.depth += 1
     inner: list[Item] = []
@@ -78,8 +79,17 @@ def bracket(r: Reader, found: list[Item], token: Token) -> None:
     c.at = end + 1
     if inner and all(isinstance(i, Action) and i.name in ("color", "flo", "blo", "bl") for i in inner):
         found += inner
+    elif inner and within is not None:
+        found.append(Group(tuple(inner), *checked(within.value, within)))
     elif inner:
         repeated(r, found, inner, Span(token.start, outer[end].end), star=False)
+
+
+def _times_within(words: list[Token]) -> Token | None:
+    """How often a bracket is worked that says so itself, behind a dash: "[2 sc in next st, sc in next st - 6 times]"; None where it does
+    not."""
+    said = len(words) > 3 and words[-1].value == "times" and words[-3].kind == "mark" and words[-3].word == "-"
+    return words[-2] if said and words[-2].kind == "number" and isinstance(words[-2].value, int) else None
 
 
 def _with_chains(found: list[Item], words: list[Token]) -> bool:
@@ -114,6 +124,8 @@ def _instructs(words: list[Token]) -> bool:
     if things(Cursor(words)):
         return False  # "(5 clusters of 7-dc)"
     stitches = sum(t.kind == "stitch" for t in words)
+    if stitches and words[-1].value == "times":
+        return True
     return stitches * 3 >= sum(t.kind in ("word", "key", "stitch") for t in words) > 0
 
 
@@ -216,6 +228,8 @@ def repeated(r: Reader, found: list[Item], inner: list[Item], span: Span, star: 
         return
     if star and any(isinstance(i, Group) and i.times is None for i in inner):
         found += inner  # a stray star: what it holds goes around by itself
+    elif given is not False and given[0] and again_into_ring(r, found, inner, given[0], span):
+        pass
     elif given is not False:
         found.append(Group(tuple(inner), *given, r.leaves if given[0] is None else 0))
     elif star:

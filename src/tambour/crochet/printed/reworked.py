@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.tree import Action, Again, Line, written
+from tambour.crochet.language.tree import Action, Again, Item, Line, written
 from tambour.crochet.printed.doubts import after, rounds_until
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import closes, sets_mark, works
@@ -33,7 +33,8 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     lines = origin.referred(refers)
     if not lines or any(line.span.start in origin.spread for line in lines):
         return False
-    lines = tuple(replace(line, items=tuple(i for i in line.items if not sets_mark(i))) for line in lines)
+    marked = _marked(lines, draft) if origin is not draft else None
+    lines = marked or tuple(replace(line, items=tuple(i for i in line.items if not sets_mark(i))) for line in lines)
     numbers = head.numbers if head is not None else ()
     once = sum(line.times for line in lines)
     total = len(numbers) or (head.many if head is not None and head.many > 1 else once * (refers.times or 1))
@@ -93,10 +94,16 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     if body.hues:
         message = "these yarns are taken in the order in which colours come there"
         source.doubt(message, "nothing is amiss", refers.span)
+    elif marked:
+        made = list(line.rounds())  # written out, so that they hold marks of their own
     draft.lines += [*made, *([Line(later, span, False)] if later else [])]
     draft.last, before = number + total - 1, draft.edge
+    kept: dict[str, int | None] = {}
     for one in line.rounds():
-        before, draft.edge = draft.edge, after(one.items, draft.edge, source.stitches)
+        back = next((i.labels[0] for i in one.items if isinstance(i, Action) and i.name == "goto"), "")
+        items = [i for i in one.items if not sets_mark(i)]
+        before, draft.edge = draft.edge, after(items, kept.get(back, draft.edge), source.stitches)
+        kept |= {i.labels[0]: draft.edge for i in one.items if isinstance(i, Action) and i.name == "mark"}
         draft.peak = max(draft.peak, draft.edge or 0)
     if draft.other is not None:
         for one in line.rounds():
@@ -108,6 +115,23 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
         draft.edges[draft.last] = draft.edge
     draft.shrunk = draft.edge is not None and before is not None and draft.edge < before
     return True
+
+
+def _marked(lines: tuple[Line, ...], draft: Draft) -> tuple[Line, ...] | None:
+    """``lines`` that go back to a round among them ("in unworked back loops of Round 3"), with marks that are the part's own; None where
+    they go back nowhere."""
+    found = [i for line in lines for one in line.rounds() for i in one.items if isinstance(i, Action) and sets_mark(i)]
+    back = {i.labels[0] for i in found if i.name == "goto"} & {i.labels[0] for i in found if i.name == "mark"}
+    if not back:
+        return None
+
+    def own(item: Item) -> Item | None:
+        if not isinstance(item, Action) or not sets_mark(item):
+            return item
+        label = f"{draft.name or 'piece'}_{item.labels[0].rpartition('_')[2]}".replace(" ", "_").lower()
+        return replace(item, labels=(label,)) if item.labels[0] in back else None
+
+    return tuple(replace(line, items=tuple(j for i in line.items if (j := own(i)) is not None)) for line in lines)
 
 
 def _lifted(draft: Draft, lines: tuple[Line, ...]) -> tuple[tuple[Action, ...], tuple[Line, ...]]:
