@@ -271,6 +271,38 @@ def test_what_lies_a_little_aside_within_the_design_is_told_by_its_end(tmp_path,
     assert re.search(r"\bends?\b", files.read(path, ("ThreadPlan",)).about["doubts"])
 
 
+@pytest.mark.parametrize("suffix", ["pes", "vp3", "tbf"])
+def test_a_changed_byte_of_a_stitch_within_the_design_is_told(tmp_path, suffix):
+    """Half a millimetre aside, in the last third: no count and no size changes, but where a colour, or all, should end does."""
+    path, plan = tmp_path / f"a.{suffix}", rows()
+
+    def made(aside: float) -> bytes:
+        xy = plan.xy.copy()
+        xy[150:-1, 0] = np.clip(xy[150:-1, 0], -9, 9)
+        xy[200:, 0] += aside
+        files.write(ThreadPlan(xy, plan.command, plan.thread, plan.threads), path)
+        return path.read_bytes()
+
+    whole, moved = made(0.0), made(0.5)
+    differ = [k for k in range(len(whole)) if whole[k] != moved[k]]
+    assert len(whole) == len(moved) and "doubts" not in files.read(path, ("ThreadPlan",)).about
+    start = int.from_bytes(whole[8:12], "little") + 532 if suffix == "pes" else len(whole) - 3 * len(plan)
+    sewn = [k for k in differ if k >= start and (suffix != "vp3" or k > 226)]
+    spoilt = bytearray(whole)
+    spoilt[sewn[0]] = moved[sewn[0]]
+    path.write_bytes(spoilt)
+    assert re.search("twice|should|elsewhere", files.read(path, ("ThreadPlan",)).about["doubts"])
+
+
+def test_a_vp3_thread_whose_names_were_spoilt_is_told(tmp_path):
+    path = tmp_path / "a.vp3"
+    files.write(rows(), path)
+    raw = path.read_bytes()
+    mark = raw.index(b"\x0a\xf6\0")
+    path.write_bytes(raw[:mark] + b"\x0b" + raw[mark + 1 :])
+    assert "their mark is not there" in files.read(path, ("ThreadPlan",)).about["doubts"]
+
+
 @pytest.mark.parametrize("suffix", ["jef", "xxx", "u01"])
 def test_five_records_more_than_the_header_declares_are_told(tmp_path, suffix):
     path = tmp_path / f"a.{suffix}"
