@@ -129,7 +129,28 @@ def test_a_photograph_is_no_chart(tmp_path) -> None:
         files.read(tmp_path / "photo.png", ("Chart",))
 
 
+def test_a_picture_cut_amid_its_pixels_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "a.png"
+    files.write(Chart(np.zeros((3, 4), np.uint8), WOOL), path)
+    raw = path.read_bytes()
+    path.write_bytes(raw[: raw.index(b"IDAT") + 6])  # cut amid its pixels
+    with pytest.raises(TambourError, match="cannot be read"):
+        files.read(path, ("Chart",))
+
+
 # --- SilverKnit and DesignaKnit text
+
+
+def test_more_yarns_than_a_text_holds_are_refused() -> None:
+    def of(count: int) -> Chart:
+        shades = np.repeat(np.arange(count, dtype=np.uint8)[:, None] * 20, 3, axis=1)
+        return Chart(np.arange(count, dtype=np.uint8)[:, None].repeat(12, axis=1), Palette(shades))
+
+    with pytest.raises(TambourError, match=r"holds two yarns, this chart has 3"):
+        silverknit(of(3))
+    with pytest.raises(TambourError, match=r"holds ten yarns, this palette 11"):
+        dak(of(11), "x")
+    assert "Yarn 9 :" in dak(of(10), "x").text
 
 
 def test_silverknit_text_is_read_back() -> None:
