@@ -634,3 +634,40 @@ def test_rounds_of_another_part_that_go_back_to_free_loops_are_worked_again() ->
     assert counts(YARN + hind + front) == [6, 12, 12, 12, 12, 6, 12, 12, 12, 10]
     built = build(read(Text(YARN + hind + front, "toy.txt")))
     assert not [w for w in built.warnings if "taken" in w.message or "left out" in w.message]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Wrap a strand of A 60 times around cardboard. Repeat with a strand of B, wrapping around cardboard 24 times.",
+        "Cut 6 strands of B. Attach 3-strand hanks randomly and in same manner as and between B-colored hanks.",
+    ],
+)
+def test_what_hands_do_with_hanks_of_yarn_is_kept_in_its_words(words: str) -> None:
+    assert not told(read(Text(f"{BODY}Fasten off.\n\nTail\n{words}\n", "toy.txt")))
+
+
+def test_a_round_that_is_repeated_is_no_doing_of_hands() -> None:
+    assert counts(f"{BODY}Rnd 3: Sc in each sc around. (12)\nRepeat Rnd 3 twice, wrapping yarn loosely.\n")[:3] == [
+        6,
+        12,
+        12,
+    ]
+    assert len(counts(f"{BODY}Rnd 3: Sc in each sc around. (12)\nRepeat Rnd 3 twice, wrapping yarn loosely.\n")) == 5
+
+
+FRILL = (
+    f"{BODY}Rnd 3: Sc in each sc around. (12)\nRnd 4: Working in front loops only, 2 dc in each sc around. Join. (24) Fasten off.\n"
+    "Rnd 5: Join B to back loop of first dc of Rnd 4. Ch 1. Working in back loops only, 1 sc in each st around. Join.\n"
+)
+
+
+@pytest.mark.parametrize(
+    "after, doubted",
+    [("[Sc in next 3 sc, 2 sc in next sc] 3 times. (15)", 1), ("[Sc in next 7 sc, 2 sc in next sc] 3 times. (27)", 0)],
+)
+def test_back_loops_behind_a_frill_are_those_that_the_next_count_fits(after: str, doubted: int) -> None:
+    words = f"{FRILL}Rnd 6: Ch 1. {after}\n"
+    below = 12 if doubted else 24
+    assert counts(words) == [6, 12, 12, 24, below, 15 if doubted else 27]
+    assert sum("the loops meant here" in w.message for w in read(Text(words, "toy.txt")).warnings) == doubted

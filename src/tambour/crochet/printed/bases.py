@@ -12,6 +12,7 @@ from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.doubts import after, decided, worked
 from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.items import closes
 from tambour.crochet.printed.mend import is_start
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.notes import Heading
@@ -108,6 +109,33 @@ def _left_loops(draft: Draft) -> int:
         if single and line.in_round and line.number is not None and line.number > 1:
             return line.number - 1
     return 0
+
+
+def frilled(p: State, draft: Draft, tokens: list[Token], times: int) -> Body | None:
+    """A round that fits only where the one below it, yarn joined "to back loop of Round 41" and worked into back loops, stands on the loops
+    that Round 41 left when it was worked into front loops: its body, that one being put there, which is told. None where it is not so."""
+    rounds = [k for k, line in enumerate(draft.lines) if line.in_round]
+    if len(rounds) < 3 or draft.last < 3:
+        return None
+    at, frill = draft.lines[rounds[-1]], draft.lines[rounds[-2]]
+    said = [{i.name for i in line.items if isinstance(i, Action)} for line in (at, frill)]
+    back = draft.edges.get(draft.last - 2, 0)
+    if at.times > 1 or frill.times > 1 or not {"color", "blo"} <= said[0] or "flo" not in said[1] or "goto" in said[0]:
+        return None
+    below = after(at.items, back, p.source.stitches) if back else None
+    again = decided(p.source, tokens, p.palette, below, p.phrases, times) if below else None
+    if below is None or again is None or not again.fit or again.stated is None:
+        return None
+    closed = closes(draft.lines[rounds[-3]])
+    found = back_to(draft, Moved(at.span, draft.last - 2))
+    if found is None:
+        return None
+    k = next(k for k, line in enumerate(draft.lines) if line is at)
+    draft.lines[k] = replace(at, items=(found[0], *(at.items if closed else lifted(list(at.items)))))
+    draft.edge = draft.edges[draft.last] = below
+    message = f"the loops meant here are those left of Round {draft.last - 2}: the count of the round after it speaks for them"
+    p.source.doubt(message, "name that round", at.span)
+    return again
 
 
 def elsewhere(

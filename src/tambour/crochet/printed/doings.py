@@ -27,9 +27,11 @@ _HANDS: Final = frozenset(
 )
 _MADE: Final = frozenset(
     (
-        "bow braid braids bunch copy bundle bundles cord fringe knot pom pompom pompoms pompon pompons tassel tassels tuft tufts"
+        "bow braid braids bunch copy bundle bundles cord fringe hank hanks knot pom pompom pompoms pompon pompons tassel tassels tuft tufts"
     ).split()
 )
+_STILL: Final = frozenset(("braiding gluing knotting threading tying winding wrapping").split())
+"""What hands go on doing: "Repeat with a strand of D, wrapping around cardboard 24 times"."""
 _LEAD: Final = frozenset(
     (
         "again also carefully evenly finally firmly first gently here lightly loosely next now once optional then tightly twice"
@@ -85,6 +87,8 @@ def by_hand(tokens: list[Token]) -> bool:
     verb = "slip" if first.word == "slip" and after is not None and after.kind in ("word", "number") else ""
     if any(works(tokens, k) for k in range(at + bool(verb), len(tokens))):
         return False
+    if first.value == "repeat" and words & _STILL:
+        return not any((t.kind == "key" and t.value in ("round", "row", "ring")) or t.word == "*" for t in tokens)
     if words & _SHOWN and tokens[0].word in ("refer", "referring", "follow", "following"):
         return True
     if "cut" in words or (first.word in _YARN and not any(t.kind == "key" and t.value == "join" for t in tokens)):

@@ -10,7 +10,7 @@ from tambour.crochet.language.stitches import MOST
 from tambour.crochet.language.tree import Action, Group, Line
 from tambour.crochet.printed.anew import anew
 from tambour.crochet.printed.bases import MOST as _MOST
-from tambour.crochet.printed.bases import base, based, elsewhere, is_first
+from tambour.crochet.printed.bases import base, based, elsewhere, frilled, is_first
 from tambour.crochet.printed.beyond import again_made, another, edged_again, edging, not_drawn
 from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import NotUnderstood
@@ -85,6 +85,8 @@ class Headed(State):
             # The round before does not make its own count: this one may stand on either.
             second = decided(self.source, tokens, self.palette, draft.other, self.phrases, times, chain)
             read, draft.edge = (second, draft.other) if second.fit else (read, draft.edge)
+        if both is None and not read.fit and read.refers is None:
+            read = frilled(self, draft, tokens, times) or read
         if both is None and read.pending and not any(is_start(i, self.source.stitches) for i in read.items):
             ring = next((t for t in tokens if t.kind == "key" and t.value == "ring"), first)
             self._gap(
