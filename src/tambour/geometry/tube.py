@@ -79,6 +79,7 @@ def _rings(
     lay: float,
     plies: int,
     groove: float,
+    wander: float,
     vertices: F8x2,
     uv: F8x2,
     faces: I4x2,
@@ -110,6 +111,7 @@ def _rings(
             ax, ay, az = across[i, 0], across[i, 1], across[i, 2]
             bx, by, bz = ty * az - tz * ay, tz * ax - tx * az, tx * ay - ty * ax
             turns = (along + out) / lay
+            turns += wander * (sin(2.1 * turns) + 2.2 * sin(0.57 * turns) + 0.5 * sin(4.3 * turns))
             if r == 0:
                 vertices[vertex] = coords[i] - radius[i] * 0.8 * tangent[i]
                 uv[vertex, 0], uv[vertex, 1] = turns, 0.0
@@ -126,7 +128,7 @@ def _rings(
                 uv[vertex, 0], uv[vertex, 1] = turns, v
                 vertex += 1
         vertices[vertex] = coords[last - 1] + radius[last - 1] * 0.8 * tangent[last - 1]
-        uv[vertex, 0], uv[vertex, 1] = along / lay, 0.0
+        uv[vertex, 0], uv[vertex, 1] = uv[vertex - 1, 0], 0.0
         vertex += 1
         # One cap, the rings in their order, the other cap: neighbouring faces name neighbouring vertices.
         for k in range(sides):
@@ -152,6 +154,7 @@ def sweep(
     lay: float = 6.0,
     plies: int = 0,
     groove: float = 0.3,
+    wander: float = 0.0,
     material: str = "yarn",
     side: Array | None = None,
 ) -> Mesh:
@@ -161,6 +164,7 @@ def sweep(
     sides : corners of a cross-section, at least 3
     lay : length of one turn of the twist, in radii of the first point (uv counts turns)
     plies : 0 for a round tube, else lobes that wind about it, as plies twisted together; groove, their depth in radii
+    wander : how far, in turns, the twist runs ahead and behind of an even one; under 0.2
     material : the name of the faces' group, which tells the renderer what it looks at
     side : (N, 3) the direction that each strand's first corner points to; given, tubes of strands that move do not
         jump about their axis between frames
@@ -177,7 +181,7 @@ def sweep(
     vertices, uv = np.zeros((int(sizes.sum()), 3)), np.zeros((int(sizes.sum()), 2))
     faces = np.zeros((int((2 * sides * rings[count > 1]).sum()), 3), np.int32)
     turn = lay * (float(strands.radius[0]) if len(strands.radius) else 1.0)
-    _rings(coords, offsets, strands.radius, tangent, across, sides, turn, plies, groove, vertices, uv, faces)
+    _rings(coords, offsets, strands.radius, tangent, across, sides, turn, plies, groove, wander, vertices, uv, faces)
     return Mesh(
         vertices,
         faces,

@@ -15,6 +15,7 @@ from tambour.render.light import seen
 # on it, in radii; of the hairs that stand off it: how many on a square radius, how long and how thick, in radii.
 FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE = range(10)
 DYED = (0.028, 0.81)
+SOFT = 0.04  # how round the bottom of the groove between plies is
 
 
 @kernel
@@ -171,17 +172,17 @@ def shade(
                         wz = (vb - va) * bz + (vc - va) * cz
                         around = sqrt(wx * wx + wy * wy + wz * wz)
                         if around > 0.0:
-                            # Height |cos phase|: round plies with a crease between them; its steepness is held back.
+                            # Height √(cos² phase + SOFT): round plies with a crease between them that fibres fill.
                             depth_mm = table[m, GROOVE] / (2.0 * pi * around)
                             ripple = cos(phase)
-                            sign = 1.0 if ripple >= 0.0 else -1.0
-                            steep = -depth_mm * sign * sin(phase)
+                            ridge = sqrt(ripple * ripple + SOFT)
+                            steep = -depth_mm * ripple * sin(phase) / ridge
                             sx_, sy_, sz_ = pb * bx + pc * cx, pb * by + pc * cy, pb * bz + pc * cz
                             n[0] -= steep * sx_
                             n[1] -= steep * sy_
                             n[2] -= steep * sz_
-                            crease = 1.0 - abs(ripple) if plies > 0.0 else 0.0
-                            occlude = 1.0 - 0.5 * crease * (0.35 + 0.65 * crease)
+                            crease = max(0.0, 1.0 - ridge) if plies > 0.0 else 0.0
+                            occlude = 1.0 - 1.1 * table[m, GROOVE] * crease * (0.35 + 0.65 * crease)
                             if fibre > 0.0:
                                 # Fibres finer than a sample are not seen one by one.
                                 wide = len(fleece)
@@ -199,7 +200,7 @@ def shade(
                                 n[1] -= lift * (fleece[r_, c_, 1] * wy + fleece[r_, c_, 2] * ty_)
                                 n[2] -= lift * (fleece[r_, c_, 1] * wz + fleece[r_, c_, 2] * tz_)
                                 for c in range(3):
-                                    albedo[c] *= max(0.3, 1.0 + 0.12 * tone_of)
+                                    albedo[c] *= max(0.3, 1.0 + 0.15 * tone_of)
                     length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2])
                     if length == 0.0:
                         length = 1.0

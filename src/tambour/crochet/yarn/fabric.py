@@ -54,7 +54,7 @@ def strands(
     the stitch that every point belongs to.
     """
     x = np.ascontiguousarray(positions, np.float64)
-    x = x + UNEVEN * graph.stitch_width * stream("uneven", len(x)).uniform(-1.0, 1.0, x.shape)
+    x = x + graph.stitch_width * _uneven(len(x))
     radius = graph.stitch_width * RATIO / 2 if yarn_radius is None else yarn_radius
     led = way(graph, hold)
     rows = course(graph, x, LEAN[hold])
@@ -101,6 +101,14 @@ def strands(
         source=led.first,
         point_data={"stitch": stitch[keep]},
     )
+
+
+def _uneven(n: int) -> Array:
+    """How far (n, 3), in widths, every stitch lies out of line: by its number, so that more stitches leave the first as they are."""
+    knots = stream("tension").uniform(-1.0, 1.0, (n // HELD + 2, 3))
+    at = np.arange(n) / HELD
+    held = np.stack([np.interp(at, np.arange(len(knots)), knots[:, k]) for k in range(3)], axis=1)
+    return np.asarray(UNEVEN * stream("uneven").uniform(-1.0, 1.0, (n, 3)) + DRIFT * held)
 
 
 def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Array]:
@@ -173,10 +181,12 @@ NEAR = 1200
 """Pictures of fewer stitches show their yarn near to: as round as in high detail."""
 SLUB, THIN = 9, 0.07
 """Yarn grows thicker and thinner every so many points, by so much of its radius."""
+WANDER = 0.09
+"""Yarn is twisted more and less along its way, by so many turns."""
 PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
-UNEVEN = 0.03
-"""How far single stitches lie out of line, in widths: hands are not machines."""
+UNEVEN, DRIFT, HELD = 0.03, 0.08, 6
+"""How far single stitches lie out of line, in widths, and how far several do, of about as many: hands are not machines."""
 
 
 def mesh(
@@ -196,9 +206,9 @@ def mesh(
         # Only here: elsewhere some of the strands may be asked for, and must be what they are among all.
         made = _spun(replace(made, paths=Paths(coords, ends), radius=made.radius[of], point_data=data))
     if detail in ("near", "photo") and len(graph) < PLIED and kind.plies:
-        yarn = sweep(made, sides=18, plies=kind.plies, groove=0.2, material=kind.surface)
+        yarn = sweep(made, sides=18, plies=kind.plies, groove=0.12, wander=WANDER, material=kind.surface)
     else:
-        yarn = sweep(made, sides=SIDES[detail], material=kind.surface)
+        yarn = sweep(made, sides=SIDES[detail], wander=WANDER, material=kind.surface)
     inner = lining(graph, positions, graph.stitch_width)
     every = (yarn, inner)
     first = np.cumsum([0, *(len(m.vertices) for m in every)])
