@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -14,6 +15,13 @@ settings.register_profile("tambour", derandomize=True, deadline=None, print_blob
 settings.load_profile("tambour")
 
 ROOT = Path(__file__).resolve().parent.parent
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if (
+        os.environ.get("TAMBOUR_KERNELS") == "python"
+    ):  # pytest hides the library's own leave for hashes that wrap around
+        config.addinivalue_line("filterwarnings", "ignore:overflow encountered:RuntimeWarning")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -43,6 +43,21 @@ SMALL = [
 ]
 """Pieces small enough for plain Python that go through what goldens leave out: settling, yarn, pictures of cloth, rows in single precision."""
 
+PICTURE = """
+import numpy as np
+from tambour.core.kernels import RAN
+from tambour.core.paths import Paths
+from tambour.core.strands import Strands
+from tambour.geometry.tube import sweep
+from tambour.render import raster
+t = np.linspace(0.0, 6.0, 9)
+ring = Paths(np.stack([8 * np.cos(t), 3 + 2 * np.sin(t), 8 * np.sin(t)], axis=1), np.array([0, 9]))
+yarn = Strands(ring, np.full(9, 2.0), np.array([[200, 90, 60]], np.uint8))
+made = raster.picture(sweep(yarn, plies=4, wander=0.09), width=12, samples=1, lights=5, table=90.0)
+print(made.rgba.tobytes().hex(), *sorted(set(RAN.values())))
+"""
+"""A ring of hairy yarn on a wooden table: the kernels of pictures, which no file of the small pieces asks for."""
+
 
 def made(way: str, folder: Path, root: Path, golden: bool = True) -> dict[str, bytes]:
     """All files that the golden commands and the small ones leave, by their names; reports without what a run measures."""
@@ -95,3 +110,21 @@ def test_files_are_the_same_whichever_way_kernels_run(
     assert native.keys() >= other.keys() and len(other) >= (40 if golden else 10)
     assert not golden or native.keys() == other.keys()
     assert [name for name in other if native[name] != other[name]] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "way", ["python", pytest.param("numba", marks=pytest.mark.skipif(not NIGHT, reason="by night"))]
+)
+def test_pictures_are_the_same_whichever_way_kernels_run(way: str) -> None:
+    if importlib.util.find_spec("tambour.core._native") is None:
+        pytest.skip("kernels are not built here")
+    said = [
+        subprocess.run(
+            [sys.executable, "-c", PICTURE],
+            env=os.environ | {"TAMBOUR_KERNELS": each}, capture_output=True, text=True, check=True,
+        ).stdout.split()
+        for each in ("native", way)
+    ]  # fmt: skip
+    assert said[0][1:] == ["native"] and said[1][1:] == ([] if way == "python" else [way])
+    assert said[0][0] == said[1][0] and len(set(bytes.fromhex(said[0][0]))) > 20
