@@ -271,6 +271,17 @@ def test_what_lies_a_little_aside_within_the_design_is_told_by_its_end(tmp_path,
     assert re.search(r"\bends?\b", files.read(path, ("ThreadPlan",)).about["doubts"])
 
 
+@pytest.mark.parametrize("suffix", ["dst", "tbf"])
+def test_a_header_whose_numbers_are_none_is_read_past(tmp_path, suffix):
+    path = tmp_path / f"a.{suffix}"
+    files.write(rows(), path)
+    raw = path.read_bytes()
+    at = raw.index(b"AX:") + 3
+    for odd in (b"--  1", b"+-  1", b"-+12 ", b"-    "):
+        path.write_bytes(raw[:at] + odd + raw[at + 5 :])
+        assert len(files.read(path, ("ThreadPlan",)))
+
+
 @pytest.mark.parametrize("suffix", ["pes", "vp3", "tbf"])
 def test_a_changed_byte_of_a_stitch_within_the_design_is_told(tmp_path, suffix):
     """Half a millimetre aside, in the last third: no count and no size changes, but where a colour, or all, should end does."""

@@ -136,7 +136,7 @@ def fields(raw: bytes) -> dict[str, int]:
         digits = value.strip().replace(b" ", b"")
         if name in ("ST", "CO", "+X", "-X", "+Y", "-Y") and digits.isdigit():
             found[name] = int(digits[:9])
-        if name in ("AX", "AY") and digits.lstrip(b"+-").isdigit():
+        if name in ("AX", "AY") and digits[digits[:1] in (b"+", b"-") :].isdigit():
             found[name] = int(digits[:9])
     return found
 
