@@ -18,9 +18,8 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    if (
-        os.environ.get("TAMBOUR_KERNELS") == "python"
-    ):  # pytest hides the library's own leave for hashes that wrap around
+    # Hashes wrap around: the library says so to Python's warnings, which pytest sets anew for every test.
+    if os.environ.get("TAMBOUR_KERNELS") == "python":
         config.addinivalue_line("filterwarnings", "ignore:overflow encountered:RuntimeWarning")
 
 

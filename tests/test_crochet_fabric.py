@@ -169,7 +169,7 @@ def test_what_comes_near_while_others_are_pushed_apart_is_seen() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["frog", "mushroom", "octopus"])
+@pytest.mark.parametrize("name", ["frog", "mushroom", "octopus", "bear"])
 def test_no_two_strands_of_a_toy_are_nearer_than_nine_tenths(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     seen = {}
 
