@@ -671,3 +671,14 @@ def test_back_loops_behind_a_frill_are_those_that_the_next_count_fits(after: str
     below = 12 if doubted else 24
     assert counts(words) == [6, 12, 12, 24, below, 15 if doubted else 27]
     assert sum("the loops meant here" in w.message for w in read(Text(words, "toy.txt")).warnings) == doubted
+
+
+@pytest.mark.parametrize(
+    "after, made",
+    [
+        ("*Sc2tog, sc in next 3 sts; rep from * around. (9)", 9),
+        ("*Sc2tog, sc in next 5 sts; rep from * around. (10)", 10),
+    ],
+)
+def test_a_last_repeat_may_run_on_from_a_decrease(after: str, made: int) -> None:
+    assert counts(f"{BODY}Rnd 3: {after}\n") == [6, 12, made]

@@ -292,10 +292,11 @@ def _run_on(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[I
         more: list[Item] = []
         for item in group.items:
             kind = stitches.get(item.name) if isinstance(item, Action) else None
-            if not left or kind is None or kind.takes != 1 or not isinstance(item, Action):
+            fits = left // kind.takes if kind is not None and kind.takes else 0
+            if kind is None or not fits or not isinstance(item, Action):
                 break
-            more.append(replace(item, times=min(left, item.times)))
-            left -= min(left, item.times)
+            more.append(replace(item, times=min(fits, item.times)))
+            left -= kind.takes * min(fits, item.times)
         return [*items[: k + 1], *more, *items[k + 1 :]] if more and not left else None
     return None
 
