@@ -164,6 +164,7 @@ MODELS = {"teddy": teddy, "whale": whale, "cactus": cactus, "cup": cup, "pear": 
 
 if __name__ == "__main__":
     folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
     for name, make in MODELS.items():
         files.write(make(), folder / f"{name}.ply", "Mesh")
         print(f"wrote {folder / name}.ply")
