@@ -370,6 +370,40 @@ def test_knit_painted_by_keys(page, tmp_path):
     assert got.read_bytes() == (tmp_path / "chart.txt").read_bytes()
 
 
+def test_knit_painted_over_all_agrees_with_itself(page, tmp_path):
+    """Floats too long by hand: what stands there is told apart from what the facts are of; caught, all figures agree."""
+    from PIL import Image
+
+    picture_ = Image.new("L", (18, 12), 0)
+    picture_.putdata([255 * ((x // 3 + y // 3) % 2) for y in range(12) for x in range(18)])
+    picture_.save(tmp_path / "squares.png")
+    with page.expect_file_chooser() as chosen:
+        page.click("text=Choose a file")
+    chosen.value.set_files(tmp_path / "squares.png")
+    page.click(".choice >> text=Knit it")
+    made(page)
+    # The numbers at the chart's foot lie over the buttons, not under them.
+    hidden = """() => { const c = document.querySelector('.ruler'), on = c.getBoundingClientRect(), k = c.width / on.width;
+        const r = document.querySelector('.over.bottom .seg').getBoundingClientRect();
+        return c.getContext('2d').getImageData((r.x - on.x) * k, (r.y - on.y) * k, r.width * k, r.height * k).data.some(v => v); }"""
+    picture(page)
+    assert not page.evaluate(hidden)
+    page.keyboard.press("Control+k")
+    page.keyboard.type("whole chart")
+    page.keyboard.press("Enter")
+    page.click(".side.left >> text=/^Fill$/ >> nth=-1")
+    made(page)
+    page.focus(".view canvas")
+    for key in ("ArrowRight", "x", "Enter"):
+        page.keyboard.press(key)
+    page.wait_for_selector("[role=alert] >> text=The chart shows what you painted")
+    page.click("text=Keep it so, and catch the long floats")
+    page.wait_for_selector(".agree >> text=/caught at \\d+ places?/")
+    facts = page.inner_text(".side.right")
+    assert "Most that lies free" in facts and "Longer than they may be" not in facts
+    assert not page.query_selector("[role=alert]")
+
+
 def test_ink(page, tmp_path):
     new(page, {"craft": "ink", "seed": "plum", "title": "plum", "params": {"span": 300}})
     page.wait_for_selector(".seal")
@@ -390,6 +424,19 @@ def test_ink(page, tmp_path):
     assert seen["from_"] == round(float(page.url.split("?x=")[1])) > 0 and seen["span"] != 300
     run.run("ink", params=run.craft("ink").params.of(seen), out=[tmp_path / "plum.json"])
     assert got.read_bytes() == (tmp_path / "plum.json").read_bytes()
+
+
+def test_ink_taking_away_is_nothing_to_undo(page):
+    new(page, {"craft": "ink", "seed": "plum", "title": "plum", "params": {"span": 300}})
+    page.wait_for_selector(".seal")
+    page.focus(".scroll canvas")
+    page.keyboard.press("ArrowRight")
+    until(page, "location.href.includes('?x=')")
+    page.keyboard.press("Control+s")
+    page.wait_for_selector("dialog[open] .first")
+    page.keyboard.press("Escape")
+    until(page, "document.querySelector('.saved').textContent === 'saved'")
+    assert page.is_disabled("[aria-label=undo]")
 
 
 def downloaded(page: Any, tmp_path: Path) -> Path:
@@ -773,6 +820,25 @@ def test_the_shelf_begins_a_piece_of_what_is_typed(page):
     page.wait_for_selector(".mine .cardx")
 
 
+def test_the_shelf_letters_a_name_and_carries_what_is_typed(page):
+    page.fill(".drop textarea", "Ann")
+    page.click("nav >> text=Embroidery")
+    page.wait_for_selector("dialog[open] form input")
+    assert page.input_value("dialog[open] form input") == "Ann"
+    page.keyboard.press("Escape")
+    page.click("nav >> text=Crochet")
+    page.wait_for_selector("dialog[open] textarea")
+    assert page.input_value("dialog[open] textarea") == ""  # a name is no pattern
+    page.keyboard.press("Escape")
+    page.click(".what >> text=stitch it in letters")
+    made(page)
+    assert page.input_value(".title input") == "Ann"
+    page.wait_for_selector(".side.right >> text=stitches")
+    page.click(".mark")
+    page.wait_for_selector(".mine .cardx")
+    assert page.input_value(".drop textarea") == ""
+
+
 def test_follow(page, server):
     piece = new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
     made(page)
@@ -826,10 +892,23 @@ def test_a_phone_is_let_in_from_the_page_and_let_go(page, browser):
 def test_axe_finds_nothing_serious(page, scheme):
     page.emulate_media(color_scheme=scheme, reduced_motion="reduce")
     axe = (ROOT / "build" / "axe.js").read_text()
-    for body in (None, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"}):
+    chart = kept(page, "chart.csv", "0,1,0,1,0,1\n" * 6)
+    bodies = (
+        None,
+        {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"},
+        {"craft": "knit", "source": chart, "title": "chart"},
+        {"craft": "ink", "seed": "plum", "title": "plum"},
+        {"craft": "embroidery", "source": kept(page, "square.svg", HEART), "title": "square"},
+    )
+    for body in bodies:
         if body:
             new(page, body)
-            made(page)
+            until(page, f"document.title.startsWith('{body['title']}')")
+            if body["craft"] == "ink":
+                page.click(".seal")  # all that the scroll is made of
+                page.wait_for_selector(".inkpanel")
+            else:
+                made(page)
         page.evaluate(axe)  # by the debugger's way in: the policy would refuse a script tag
         found = page.evaluate("async () => (await axe.run(document, {resultTypes: ['violations']})).violations")
         serious = [

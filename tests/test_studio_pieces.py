@@ -116,6 +116,38 @@ def test_typing_is_one_revision(ours: TestClient) -> None:
     assert len(told) == 2 and ours.post(f"/api/pieces/{piece['id']}/undo").status_code == 200
 
 
+def test_another_window_is_nothing_to_undo_and_loses_nothing(ours: TestClient) -> None:
+    """What only moves the window takes the head's place: at the root, in the middle, with a redo and a second branch."""
+    piece, root = new(ours, seed="plum")
+    path = f"/api/pieces/{piece['id']}"
+
+    def looked(base: Any, at: float) -> Any:
+        params = {**base["params"], "from_": at}
+        told = revise(ours, piece, base["id"], params=params, said="seen", still=True).json()
+        assert told["revision"]["params"]["from_"] == at and told["revision"]["said"] == base["said"]
+        return told
+
+    seen = looked(root, 100.0)
+    assert not seen["piece"]["undo"] and not seen["piece"]["redo"]
+    root = seen["revision"]
+    branch = revise(ours, piece, root["id"], params={"seed": "one"}, said="one").json()["revision"]
+    ours.post(f"{path}/undo")
+    second = revise(ours, piece, root["id"], params={"seed": "two"}, said="two").json()["revision"]
+    ours.post(f"{path}/undo")
+    seen = looked(root, 200.0)  # a root with two branches
+    assert not seen["piece"]["undo"] and seen["piece"]["redo"]
+    assert ours.post(f"{path}/redo").json()["revision"]["id"] == second["id"]
+    third = revise(ours, piece, second["id"], params={"seed": "three"}, said="three").json()["revision"]
+    ours.post(f"{path}/undo")
+    seen = looked(second, 300.0)  # in the middle
+    assert seen["piece"]["undo"] and seen["piece"]["redo"]
+    assert ours.post(f"{path}/redo").json()["revision"]["id"] == third["id"]
+    assert [ours.post(f"{path}/undo").json()["revision"]["params"].get("from_") for _ in range(2)] == [300.0, 200.0]
+    assert ours.post(f"{path}/head", json={"revision": branch["id"]}).status_code == 200
+    assert ours.post(f"{path}/undo").json()["revision"]["params"]["from_"] == 200.0
+    assert len(ours.get(f"{path}/history").json()["revisions"]) == 4
+
+
 def test_all_that_is_wrong_is_told_at_its_field(ours: TestClient) -> None:
     answer = ours.post(
         "/api/pieces", json={"craft": "ink", "params": {"density": 99, "font": "/etc/passwd", "nothing": 1}}

@@ -66,7 +66,8 @@ class Alter(Body):
 
 
 class NewRevision(Body):
-    """A revision upon ``base``; what is left out is as it is there. ``merge``: part of one go of typing."""
+    """A revision upon ``base``; what is left out is as it is there. ``merge``: part of one go of typing; ``still``:
+    only where one looks is another, which takes the base's place and is nothing to undo."""
 
     base: Annotated[int, Field(ge=1, lt=2**53)]
     source: SourceIn | None = None
@@ -75,6 +76,7 @@ class NewRevision(Body):
     edits: Annotated[list[Any], Field(max_length=limits.EDITS)] | None = None
     said: Annotated[str, Field(max_length=limits.TITLE)] = ""
     merge: bool = False
+    still: bool = False
 
 
 class Go(Body):

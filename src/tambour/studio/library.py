@@ -277,10 +277,11 @@ class Library:
         return [self.revision(row[0]) for row in rows.fetchall()]
 
     def revise(
-        self, piece: str, base: int, content: Content, raw: bytes | None, said: str, merge: bool
+        self, piece: str, base: int, content: Content, raw: bytes | None, said: str, merge: bool, still: bool = False
     ) -> tuple[Piece, Revision]:
         """A revision upon ``base``, which must be the head (else Conflict). ``merge``: in the place of a head that is
-        no older than what counts as one go of typing."""
+        no older than what counts as one go of typing; ``still``: in its place in any case, so that there is as much
+        to undo and to redo as before."""
         with self._change():
             head = self.piece(piece).head
             if head != base:
@@ -288,8 +289,13 @@ class Library:
             old, at = self.revision(base), now()
             alone = self._db.execute("SELECT count(*) FROM revision WHERE parent = ?", (base,)).fetchone()[0] == 0
             replaced = merge and alone and old.parent is not None and at - old.at < limits.MERGED
-            made = self._insert(piece, old.parent if replaced else base, content, raw, said, at)
-            if replaced:
+            made = self._insert(
+                piece, old.parent if replaced or still else base, content, raw, old.said if still else said, at
+            )
+            if still:
+                self._db.execute("UPDATE revision SET next = ? WHERE id = ?", (old.next, made))
+                self._db.execute("UPDATE revision SET parent = ? WHERE parent = ?", (made, base))
+            if replaced or still:
                 self._db.execute("DELETE FROM revision WHERE id = ?", (base,))
             return self.piece(piece), self.revision(made)
 

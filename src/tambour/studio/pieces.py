@@ -263,7 +263,9 @@ async def revise(studio: Studio, request: Request, body: NewRevision) -> tuple[i
     if body.edits is not None:
         content = replace(content, edits=tuple(body.edits))
     content = checked(what, content)
-    made = await studio.library.do(studio.library.revise, name, body.base, content, raw, body.said, body.merge)
+    made = await studio.library.do(
+        studio.library.revise, name, body.base, content, raw, body.said, body.merge, body.still
+    )
     told = await both(studio, made)
     studio.hub.revised(name, made[1].id)
     return 201, told

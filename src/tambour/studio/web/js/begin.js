@@ -1,5 +1,5 @@
 // A new piece of one craft: her words, her file, or an example; nothing is made before she says of what.
-import { MAKES, begin, fromFile, named, takes } from "./drop.js";
+import { MAKES, begin, fromFile, isSeed, named, takes } from "./drop.js";
 import { attempt } from "./notes.js";
 import { html, render } from "./view.js";
 import { ask } from "./wire.js";
@@ -29,16 +29,23 @@ export async function offer(over, craft) {
     const text = field()?.value.trim();
     if (!text || !of) return;
     box.close();
+    if (typed && carried) {
+      typed.value = "";
+      typed.dispatchEvent(new Event("input"));
+    }
     attempt(() => begin({ craft, ...of(text) }));
   };
+  // What stands on the shelf's field already, where it is of this kind.
+  const typed = /** @type {HTMLTextAreaElement|null} */ (document.querySelector(".drop textarea"));
+  const carried = typed?.value.trim() && isSeed(typed.value.trim()) === (rows === 1) ? typed.value.trim() : "";
   const field = () => /** @type {HTMLInputElement|HTMLTextAreaElement|null} */ (box.querySelector("form input, textarea"));
   const example = (/** @type {any} */ e) => (box.close(), attempt(() => begin({ craft, example: e.name })));
   box.className = "choice";
   box.setAttribute("aria-labelledby", "begin-title");
   takes(box, () => {}, (given) => taken(given));
   render(html`<h2 id="begin-title">${head}: what shall it be?</h2>
-    ${words ? html`<form @submit=${go}><p><label for="begin-words">${words}</label></p><p class="pair">${(rows ?? 1) > 1 ? html`<textarea id="begin-words" rows=${rows ?? 1} placeholder=${such ?? ""}></textarea>`
-      : html`<input type="text" id="begin-words" maxlength="200" placeholder=${such ?? ""}>`}<button class="button act">${MAKES[craft][0]}</button></p></form>` : ""}
+    ${words ? html`<form @submit=${go}><p><label for="begin-words">${words}</label></p><p class="pair">${(rows ?? 1) > 1 ? html`<textarea id="begin-words" rows=${rows ?? 1} placeholder=${such ?? ""} .value=${carried}></textarea>`
+      : html`<input type="text" id="begin-words" maxlength="200" placeholder=${such ?? ""} .value=${carried}>`}<button class="button act">${MAKES[craft][0]}</button></p></form>` : ""}
     ${file ? html`<p><button class="button ${words ? "" : "act"}" @click=${() => input.click()}>${file}</button></p>` : ""}
     ${examples.length ? html`<p class="quiet">or begin with an example: ${examples.map((/** @type {any} */ e) => html`<button class="link" @click=${() => example(e)}>${e.title}</button> `)}</p>` : ""}
     <button class="icon plain shut" aria-label="nothing, let it be" @click=${() => box.close()}>×</button>`, box);

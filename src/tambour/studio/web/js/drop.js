@@ -22,14 +22,14 @@ export async function fromFile(file, craft) {
 }
 
 /** Whether words are the seed of a scroll; else they are a pattern. @param {string} words */
-const isSeed = (words) => words.length <= 60 && !words.includes("\n") && !/\b(sc|ch|inc|dec|rnd|round|row|dc|mr)\b/i.test(words);
+export const isSeed = (words) => words.length <= 60 && !words.includes("\n") && !/\b(sc|ch|inc|dec|rnd|round|row|dc|mr)\b/i.test(words);
 
-/** What will be made of words, as one says it. @param {string} text */
-export function meant(text) {
+/** What will be made of words, as one says it, and what else can be. @param {string} text @param {() => void} stitch */
+export function meant(text, stitch) {
   const words = text.trim();
   if (!words) return "";
   if (scrollOf(words)) return "the address of a scroll: “See it” goes there";
-  if (isSeed(words)) return "the seed of a scroll: “See it” paints it";
+  if (isSeed(words)) return html`the seed of a scroll: “See it” paints it; or a name: <button class="link" @click=${stitch}>stitch it in letters</button>`;
   return `a crochet pattern, ${counted(words.split("\n").length, "line")}: “See it” reads it, and makes it`;
 }
 

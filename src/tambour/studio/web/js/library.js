@@ -1,5 +1,5 @@
 // The shelf: four finished examples that move, one field that takes anything, and one's own pieces.
-import { html, ref, show, signal } from "./view.js";
+import { html, ref, render, show, signal } from "./view.js";
 import { begin, fromFile, fromText, meant, takes } from "./drop.js";
 import { attempt, tell } from "./notes.js";
 import { ask } from "./wire.js";
@@ -20,7 +20,13 @@ export const SHELF = { crochet: ["frog.acl"], knit: ["cat.png"], ink: ["plum"], 
 const door = /** @type {HTMLElement} */ (document.getElementById("door"));
 const drop = /** @type {HTMLElement} */ (door.querySelector(".drop"));
 const field = /** @type {HTMLTextAreaElement} */ (door.querySelector("textarea")), file = /** @type {HTMLInputElement} */ (door.querySelector("input"));
-const say = () => (/** @type {HTMLElement} */ (door.querySelector(".what")).textContent = meant(field.value));
+const say = () => render(meant(field.value, lettered), /** @type {HTMLElement} */ (door.querySelector(".what")));
+const lettered = () => {
+  const text = field.value.trim();
+  field.value = "";
+  say();
+  attempt(() => begin({ craft: "embroidery", params: { text }, title: text }));
+};
 say(); // what was typed while this was loaded
 const sent = () => {
   const words = field.value;

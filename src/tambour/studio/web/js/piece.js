@@ -8,7 +8,7 @@ import { Live, Trouble, ask, bytes, online, patiently } from "./wire.js";
 /** @typedef {import("./pack.js").Pack} Pack */
 /** @typedef {import("./wire.js").Problem} Problem */
 /** @typedef {{label: string, words: string, count: number, part: string, span: [number, number]|null, first: number, end: number, stop: string, direction: number}} Step */
-/** @typedef {{source?: any, params?: Record<string, any>, edits?: any[], files?: any, said?: string, merge?: boolean}} Change */
+/** @typedef {{source?: any, params?: Record<string, any>, edits?: any[], files?: any, said?: string, merge?: boolean, still?: boolean}} Change */
 
 /** Answers after which the same is tried again: no server, one of a later start, too much at once, a fault, a full disk. */
 const AGAIN = [0, 401, 429, 500, 502, 503, 507];
@@ -263,7 +263,7 @@ export function stepAt(steps, at) {
 }
 
 /** A change and a later one as one. @param {Change|null} one @param {Change|null} later @returns {Change} */
-const both = (one, later) => ({ ...one, ...later, ...(one?.params || later?.params ? { params: { ...one?.params, ...later?.params } } : {}) });
+const both = (one, later) => ({ ...one, ...later, ...(one && later ? { still: one.still && later.still } : {}), ...(one?.params || later?.params ? { params: { ...one?.params, ...later?.params } } : {}) });
 
 /** Params without those that were set back to nothing. @param {Record<string, any>} params */
 const clean = (params) => Object.fromEntries(Object.entries(params).filter(([, value]) => value !== null && value !== undefined));

@@ -123,6 +123,8 @@ export class Chart {
     this.frames = 0;
     /** Told of every frame: what lies over the chart follows it. */
     this.ondraw = () => {};
+    /** What lies over it, above and below, in px. */
+    this.room = () => [0, 0];
     this._asked = 0;
     this.gl = context(canvas);
     if (this.gl) {
@@ -232,10 +234,12 @@ export class Chart {
     }, 250);
   }
 
+  /** All of it, between what lies over it. */
   fit() {
     const { clientWidth: w, clientHeight: h } = this.canvas;
-    this.scale = Math.max(0.02, Math.min((w * 0.92) / (this.columns * this.aspect || 1), (h * 0.92) / (this.rows || 1)));
-    this.center = [this.columns / 2, this.rows / 2];
+    const [top, bottom] = this.room().map((px) => Math.min(px, h / 4));
+    this.scale = Math.max(0.02, Math.min((w * 0.92) / (this.columns * this.aspect || 1), ((h - top - bottom) * 0.92) / (this.rows || 1)));
+    this.center = [this.columns / 2, this.rows / 2 + (top - bottom) / 2 / this.scale];
     this.touch();
   }
 

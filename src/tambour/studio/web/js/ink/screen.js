@@ -182,7 +182,7 @@ export function screen(root, piece, { over, extra }) {
   // What is taken away is what is in sight.
   piece.before = async () => {
     const from_ = Math.round(x), span = Math.round(wide());
-    if (params.value.from_ !== from_ || params.value.span !== span) await piece.change({ params: { from_, span }, said: "this window" });
+    if (params.value.from_ !== from_ || params.value.span !== span) await piece.change({ params: { from_, span }, still: true });
   };
   piece.address = () => `${location.origin}/${address(params.value, x)}`;
   const link = () => copied(piece);

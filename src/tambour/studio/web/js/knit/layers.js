@@ -25,6 +25,7 @@ export function marks(pack, data, layer, { locked, changed, rows }) {
   const [R, C] = pack.shapes.cells, made = new Uint8Array(R * C), limit = pack.facts.limit || Infinity, own = pack.arrays.locked;
   if (own) for (let i = 0; i < made.length; i++) if (own[i]) made[i] |= LOCKED;
   for (const i of locked) made[i] |= LOCKED;
+  if (made.reduce((n, v) => n + v, 0) * 2 > LOCKED * made.length) made.fill(0); // dots everywhere tell nothing, and hide the colours
   if (changed) for (const i of changed) made[i] |= TOLD;
   for (const row of rows ?? []) {
     if (pack.arrays.palette.length > 6) break; // more than two yarns: the solver alone knows which lie behind

@@ -21,6 +21,7 @@ export function screen(root, piece) {
   const tool = signal("pencil"), layer = signal("chart"), yarn = signal(0), chosen = signal(/** @type {[number, number, number, number]|null} */ (null));
   const motif = signal(/** @type {import("./paint.js").Motif|null} */ (null)), spot = signal(/** @type {[number, number]} */ ([-1, -1]));
   const chart = new Chart(at.canvas), ruler = new Ruler(chart, at.blank);
+  chart.room = () => [at.top.offsetHeight && at.top.offsetHeight + 12, at.bottom.offsetHeight + 44];
   ruler.back = (row) => (piece.steps.value?.steps[row]?.direction ?? -1) > 0;
   /** @type {Set<number>} painted by hand */
   const locked = new Set();
@@ -51,12 +52,13 @@ export function screen(root, piece) {
     if (pack && chart.data) chart.mark(marks(pack, chart.data, layer.value, { locked, changed, rows }));
   };
 
-  let first = true, fading = /** @type {any} */ (0);
+  let first = true, fading = /** @type {any} */ (0), fitting = 0;
   stop.push(effect(() => {
     const pack = piece.live.value;
     if (!pack || pack === chart.pack) return;
     const before = chart.data, same = !first && pack.arrays.cells.length === before?.length && pack.shapes.cells[1] === chart.columns;
     chart.set(pack, !same);
+    if (!same) fitting = requestAnimationFrame(() => chart.fit()); // once more, when what is said of it stands over it
     locked.clear();
     rows.clear();
     untracked(() => {
@@ -70,7 +72,7 @@ export function screen(root, piece) {
     });
     first = false;
   }));
-  stop.push(() => clearTimeout(fading));
+  stop.push(() => (clearTimeout(fading), cancelAnimationFrame(fitting)));
   stop.push(effect(() => {
     const l = layer.value;
     Object.assign(chart.how, { night: night.value, grid: l === "chart" || l === "floats", back: l === "back", flip: l === "back", blur: l === "afar" ? Math.max(1.2, Math.log2(Math.max(2, chart.columns / 40))) : 0 });
@@ -263,7 +265,7 @@ export function screen(root, piece) {
   stop.push(show(at.top, () => {
     const [x, y] = spot.value, pack = piece.live.value, wrong = piece.failed.value[0], form = piece.craft.value?.form ?? {}, spell = speller(form);
     return html`${working(piece.going.value)}${usual(piece)}
-      ${wrong && !piece.going.value ? html`<div class="said" role="alert">${pack ? html`<span class="quiet">This is how it was before; the facts are of then.</span><br>` : ""}<b>${spell(wrong.message)}</b><br>${spell(wrong.hint ?? "")}
+      ${wrong && !piece.going.value ? html`<div class="said" role="alert">${pack ? html`<span class="quiet">${rows.size ? "The chart shows what you painted; the facts are of how it was before." : "This is how it was before; the facts are of then."}</span><br>` : ""}<b>${spell(wrong.message)}</b><br>${spell(wrong.hint ?? "")}
         <br><button class="button" @click=${() => piece.step("undo")}>Undo</button> ${tooLong(wrong) ? html`<button class="button act" @click=${caught}>Keep it so, and catch the long floats</button> ` : ""}${named(form, wrong.hint).map(([name, f]) => html`<button class="button" @click=${() => toField(name)}>${f.label} …</button> `)}</div>` : ""}
       ${x >= 0 && pack && chart.data ? html`<div class="said">row <b>${y + 1}</b> · stitch <b>${chart.columns - x}</b> · ${pack.facts.names[chart.data[y * chart.columns + x]] ?? ""}</div>` : ""}`;
   }));

@@ -1,7 +1,7 @@
 // Yarns of a chart and what it will take: metres, size, floats, how like the picture it stays.
 import { fields, speller } from "../forms.js";
 import { list, told } from "../problems.js";
-import { dyed, hex, html, live, number, ref, signal } from "../view.js";
+import { counted, dyed, hex, html, live, number, ref, signal } from "../view.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
@@ -44,13 +44,16 @@ export function facts(piece) {
   const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value }, said: name });
   const gauge = pack?.facts.gauge, cm = gauge && report ? [(report.width / gauge[0]) * 10, (report.rows / gauge[1]) * 10].map((v) => v.toFixed(1)) : null;
   const like = report?.likeness?.["4"] ?? report?.likeness?.["2"];
+  // What is caught is as short as it may be: the float's own length is no fault then.
+  const held = report?.catches && !report.violations, most = report?.max_float ? html` <span class="quiet">of ${report.max_float}</span>` : "";
   return html`${report ? html`<h2 class="head">Size</h2><p class="big">${number(report.width)} × ${number(report.rows)}</p>
       <p class="quiet">stitches and rows${cm ? ` · ${cm[0]} × ${cm[1]} cm at ${gauge[0]} × ${gauge[1]} in 10 cm${pack?.facts.usual ? `, as ${pack.facts.usual} yarn is usually knitted: swatch, and give your gauge` : ""}` : ""}</p>
-      <h2 class="head">Floats</h2><ul class="facts"><li><span>Longest</span><span class="number">${report.longest_float}${report.max_float ? html` <span class="quiet">of ${report.max_float}</span>` : ""}</span></li>
-      <li><span>Longer than they may be</span><span class="number">${number(report.violations ?? 0)}</span></li><li><span>To catch at the back</span><span class="number">${number(report.catches ?? 0)}</span></li>
+      <h2 class="head">Floats</h2><ul class="facts"><li><span>Longest</span><span class="number">${report.longest_float}${held ? "" : most}</span></li>
+      ${held ? html`<li><span>Most that lies free, caught</span><span class="number">${report.longest_span}${most}</span></li>` : html`<li><span>Longer than they may be</span><span class="number">${number(report.violations ?? 0)}</span></li>`}
+      <li><span>To catch at the back</span><span class="number">${number(report.catches ?? 0)}</span></li>
       <li><span>Stitches changed for it</span><span class="number">${number(report.flips ?? 0)}</span></li>
       ${like === undefined ? "" : html`<li><span>Like the picture</span><span class="number">${Math.round(100 * like)} %</span></li>`}</ul>
       <p class="quiet">${report.why ?? ""}</p>` : ""}
-    <h2 class="head">Checks</h2>${problems.length ? list(problems, { spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ nothing to catch your fingers in</p>` : ""}
+    <h2 class="head">Checks</h2>${problems.length ? list(problems, { spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ ${held ? `caught at ${counted(report.catches, "place")}, ` : ""}nothing to catch your fingers in</p>` : ""}
     ${craft ? html`<h2 class="head">How it is worked out</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name) => name !== "colors", now: { max_float: report?.max_float } })}` : ""}`;
 }
