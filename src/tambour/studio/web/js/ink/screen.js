@@ -237,6 +237,7 @@ export function screen(root, piece, { over, extra }) {
     place.stop();
     watch.disconnect();
     tiles?.free();
+    tiles = null; // a frame that is still due draws nothing
     for (const bitmap of parts.values()) bitmap.close();
   };
 }
