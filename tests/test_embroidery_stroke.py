@@ -11,6 +11,7 @@ from tambour import files
 from tambour.core.progress import Progress
 from tambour.core.thread import JUMP, STITCH, TRIM
 from tambour.embroidery.columns import stroke
+from tambour.embroidery.columns.satin import side_to_side
 from tambour.embroidery.columns.stroke import closed, covered, ended, from_stroke, trimmed
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import SATIN
@@ -52,6 +53,45 @@ def test_a_closed_line_is_parted_at_every_corner_wherever_it_begins(first):
     assert not closed(line[:-1], 2.0)
     lengths = sorted(float(np.hypot(*np.diff(c.middle, axis=0).T).sum()) for c in columns)
     assert lengths[0] > 18  # each a whole side, none bent round a corner
+
+
+def angle(turn: float, leg: float = 26.0):
+    t = math.radians(turn)
+    return np.array([(-leg, 0), (0, 0), (leg * math.cos(t), leg * math.sin(t))])
+
+
+@pytest.mark.parametrize("join", [0, 1])
+@pytest.mark.parametrize("width", [3.0, 6.0, 9.0])
+@pytest.mark.parametrize("turn", [80, 90, -120, 140])
+def test_the_columns_of_a_corner_part_at_its_bisector(turn, width, join):
+    line = angle(turn)
+    one, other = from_stroke(line, width, join)
+    drawn = shapely.LineString(line).buffer(width / 2, cap_style="flat", quad_segs=32)
+    sewn = shapely.union(area(one), area(other))
+    assert drawn.difference(sewn).buffer(-0.15).is_empty  # no bare spot of .3 mm
+    if join == 0:
+        assert sewn.difference(drawn.buffer(0.05)).area < 0.01
+        for column in (one, other):
+            assert covered(column).difference(area(column).buffer(0.05)).area < 0.02
+    double = shapely.intersection(area(one), area(other)).area
+    seam = width / 2 * (1 / math.cos(math.radians(turn / 2)) + 1)  # from the inner corner to the round outer one
+    assert double < 1.1 * 0.4 * seam
+
+
+@pytest.mark.parametrize("legs", [(26.0, 3.0), (3.0, 26.0)])
+def test_a_leg_too_short_for_the_bisector_is_capped_and_nothing_is_bare(legs):
+    line = angle(120) * np.array([[legs[0] / 26], [0], [legs[1] / 26]])
+    drawn = shapely.LineString(line).buffer(3.0, cap_style="flat")
+    assert drawn.difference(shapely.union_all([area(c) for c in from_stroke(line, 6.0, 0)])).buffer(-0.15).is_empty
+
+
+@pytest.mark.parametrize("turn", [76, 90])
+def test_stitches_that_shorten_towards_a_bisector_reach_the_outer_side(turn):
+    for column in from_stroke(angle(turn), 6.0, 0):
+        at = side_to_side(column, EmbroideryParams(pull=0, pull_percent=0, jagged=0, row_spacing=0.33), "a").xy
+        near = shapely.points(at[np.hypot(*at.T) < 6])
+        rails = [shapely.distance(shapely.LineString(rail), near) for rail in (column.left, column.right)]
+        assert len(near) > 10 and np.minimum(*rails).max() < 0.02
 
 
 def test_what_a_column_surely_covers_lies_within_it():
@@ -113,4 +153,5 @@ def test_what_is_left_out_below_other_thread_is_not_seen(tmp_path, path, monkeyp
     assert strokes.buffer(-0.3).difference(thread).area < 0.02
     less = shapely.length(satin(piece)).sum()
     monkeypatch.setattr(stroke, "KEPT", 100.0)  # so far below that nothing is
+    monkeypatch.setattr(stroke, "HAIRPIN", 0.0)  # nor are corners parted
     assert less < 0.985 * shapely.length(satin(made(tmp_path, line))).sum()

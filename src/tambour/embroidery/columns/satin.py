@@ -160,7 +160,11 @@ def zigzag(
         back = -min(MOST, pull + share * wide)
         near = math.hypot(x - last[side, 0], y - last[side, 1])
         far = math.hypot(ox - beyond[side, 0], oy - beyond[side, 1])
-        if have[side] and near < crowded and far > near + 1e-6:
+        bx, by = beyond[side, 0] - last[side, 0], beyond[side, 1] - last[side, 1]
+        fans = abs(bx * (oy - y) - by * (ox - x)) > 1e-3 * wide * math.hypot(
+            bx, by
+        )  # parallel ones are nowhere farther apart
+        if have[side] and near < crowded and far > near + 1e-6 and fans:
             c = turn[side] % 8
             depth = ((c & 1) * 4 + (c & 2) + c // 4) / 8.0  # 0, 4, 2, 6, 1, 5, 3, 7 of eight
             least = 0.15 if c & 1 else 0.0  # every other one at least so far: holes in one line would cut the cloth

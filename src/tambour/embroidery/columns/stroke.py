@@ -28,13 +28,17 @@ SHARP = math.radians(105)  # a corner that turns by more leaves no room for a mi
 SMALL = 0.12  # widths: what is smaller in a line is no part of its shape
 NEAR = 0.15  # widths before and after a vertex between which its turn is measured
 CLOSED = 0.25  # widths: ends that lie no farther apart were meant to meet
+BENT = 0.2  # half widths that a line may leave its direction where it is cut off at a corner's bisector
+HAIRPIN = math.radians(150)  # at a corner that turns by more, columns that end at its bisector taper for too long
+LAP = 0.2  # mm that a column goes on beyond the bisector of a corner
 KEPT = 0.4  # mm that a column goes on below another that hides its end
 
 
 def from_stroke(line: Array, width: float, join: int = 1) -> list[Column]:
     """Columns of a line with a width: one, or several where the line turns by more than 75° at a corner.
 
-    ``join`` : how corners are drawn, as in Styles: round ones are rounded, the others meet in a mitre.
+    ``join`` : how corners are drawn, as in Styles: round ones are rounded, the others meet in a mitre. Either way the
+    columns part at the corner's bisector, where both sides have room for that.
 
     What is smaller than a tenth of the width (hooks and jogs that drawing programs leave in their paths) is no corner.
     Along a bend the inner side is kept from folding over itself: where the bend's radius is below half the width the
@@ -53,13 +57,16 @@ def from_stroke(line: Array, width: float, join: int = 1) -> list[Column]:
         corners = [c - corners[0] for c in corners[1:]]
     else:
         turns[[0, -1]] = 0.0  # an open end meets nothing
+    if ring:
+        return [_swept(line, width / 2, True)]
+    bounds = [0, *corners, len(line) - 1]
+    parts = [line[a : b + 1] for a, b in itertools.pairwise(bounds)]
     made = []
-    for a, b in itertools.pairwise([0, *corners, len(line) - 1]):
-        column = _swept(line[a : b + 1], width / 2, ring)
-        if not ring:
-            column = _cornered(column, width / 2, float(turns[b]), join)
-            column = _cornered(column.reversed(), width / 2, -float(turns[a]), join).reversed()
-        made.append(column)
+    for k, part in enumerate(parts):
+        before, after = parts[k - 1][::-1], parts[(k + 1) % len(parts)]
+        column = _cornered(_swept(part, width / 2, False), part, after, width / 2, float(turns[bounds[k + 1]]), join)
+        back = _cornered(column.reversed(), part[::-1], before, width / 2, -float(turns[bounds[k]]), join)
+        made.append(back.reversed())
     return made
 
 
@@ -125,11 +132,59 @@ def _corners(line: Array, turns: Array, width: float, closed: bool) -> list[int]
     return found
 
 
-def _cornered(column: Column, half: float, turn: float, join: int) -> Column:
-    """The column with its end made to meet the next one after a turn: slanted, or at a sharp or a round corner rounded over it."""
+def _cornered(column: Column, line: Array, after: Array, half: float, turn: float, join: int) -> Column:
+    """The column of a line with its end made to meet that of the line ``after`` it: slanted; at a sharp or a round corner cut
+    off at the bisector, or where there is no room for that rounded over the other."""
     if abs(turn) > SHARP or (turn and join == 0):
-        return ended([column], half, 0, starts=False)[0]
+        legs = _legs(line[::-1], after, half)
+        return ended([column], half, 0, starts=False)[0] if legs is None else _bisected(column, line[-1], *legs, half)
     return _mitred(column, half, turn)
+
+
+def _legs(back: Array, on: Array, half: float) -> tuple[Array, Array] | None:
+    """The directions (unit vectors) in which a line comes to a corner and leaves it, from the line back and on from there;
+    None where one of them is too short or too bent to be parted from the other at the bisector."""
+    ways = [np.r_[0, np.cumsum(np.hypot(*np.diff(leg, axis=0).T))] for leg in (back, on)]
+
+    def point(k: int, far: float) -> Array:
+        return np.array([np.interp(far, ways[k], (back, on)[k][:, i]) for i in (0, 1)]) - back[0]
+
+    first, second = (point(k, min(half, ways[k][-1])) for k in (0, 1))
+    heading, leaving = -first / max(1e-9, np.hypot(*first)), second / max(1e-9, np.hypot(*second))
+    turn = math.acos(max(-1.0, min(1.0, float(heading @ leaving))))
+    reach = half * math.tan(min(turn, HAIRPIN) / 2)
+    if turn > HAIRPIN or min(ways[0][-1], ways[1][-1]) < reach:
+        return None
+    for k, along in ((0, heading), (1, leaving)):
+        at = [point(k, f * reach) for f in (0.25, 0.5, 0.75, 1)]
+        if max(abs(float(along[0] * p[1] - along[1] * p[0])) for p in at) > BENT * half:
+            return None
+    return heading, leaving
+
+
+def _bisected(column: Column, vertex: Array, heading: Array, leaving: Array, half: float) -> Column:
+    """The column with its end cut off ``LAP`` mm beyond the bisector of a corner: the outer ends of its stitches lie on the
+    round corner as it is drawn, the inner ones on the bisector, so that the two columns of a corner do not lie double."""
+    normal = -(heading + leaving) / np.hypot(*(heading + leaving))
+    outside = heading[0] * leaving[1] - heading[1] * leaving[0] < 0  # whether the left side is the outer one
+    x = np.linspace(0, half, max(3, math.ceil(half / STEP) + 1))[1:, None]
+    aside = np.array([-heading[1], heading[0]])
+    arc = np.sqrt(np.maximum(0.0, half**2 - x**2)) * aside
+    left = np.concatenate([column.left, vertex + x * heading + (arc if outside else half * aside)])
+    right = np.concatenate([column.right, vertex + x * heading - (half * aside if outside else arc)])
+    outer, inner = (left, right) if outside else (right, left)
+    high, low = ((side - vertex) @ normal + LAP for side in (outer, inner))
+    whole = np.flatnonzero((low >= 0) & (high >= 0))
+    start = int(whole[-1]) + 1 if len(whole) else 0
+    share = np.clip(high[start:] / np.maximum(1e-9, high[start:] - low[start:]), 0, 1)[:, None]
+    inner = np.concatenate([inner[:start], outer[start:] + share * (inner[start:] - outer[start:])])
+    thin = (high < 0) | (np.hypot(*(outer - inner).T) < 2 * LAP)
+    thin[:start] = False
+    end = int(np.argmax(thin)) if thin.any() else len(thin)
+    if end < 3:
+        return column
+    outer, inner = outer[:end], inner[:end]
+    return Column(outer, inner) if outside else Column(inner, outer)
 
 
 def ended(columns: list[Column], half: float, cap: int, starts: bool = True) -> list[Column]:
@@ -206,13 +261,23 @@ def covered(column: Column) -> Any:
     width = float(np.median(wide))
     full = np.flatnonzero(wide > 0.999 * width)
     first, last = int(full[0]), int(full[-1])
+    cut: list[Any] = []
     if last > first:
+        for end in (column, column.reversed()):
+            k = last if end is column else len(wide) - 1 - first
+            aside = end.left[k] - end.right[k]
+            if np.abs((end.middle[k:] - end.middle[k]) @ aside).max() > 0.2 * (aside @ aside):
+                # Cut off at a corner's bisector: what narrows leaves the middle line.
+                k = max(0, k - round(width / 2 / STEP))
+                tip = shapely.Polygon(np.concatenate([end.left[k:], end.right[k:][::-1]]))
+                cut += [tip] if tip.is_valid else []
+                first, last = (first, k) if end is column else (max(first, len(wide) - 1 - k), last)
         # An end that does not narrow is cut off straight: its corners lie outside a round one.
         inset = max(1, round(width / 2 / STEP))
         first += inset * (first == 0)
         last -= inset * (last == len(wide) - 1)
     core = column.middle[first : last + 1]
-    return shapely.LineString(core).buffer(width / 2, quad_segs=8) if len(core) > 1 else shapely.Polygon()
+    return shapely.union_all([*cut, shapely.LineString(core).buffer(width / 2, quad_segs=8)] if len(core) > 1 else cut)
 
 
 def trimmed(column: Column, over: Any) -> Column | None:
