@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 from collections.abc import Callable
@@ -18,6 +19,9 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    # What is begun in the background may have Ctrl-C switched off, and its children with it; they are interrupted here.
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     # Hashes wrap around: the library says so to Python's warnings, which pytest sets anew for every test.
     if os.environ.get("TAMBOUR_KERNELS") == "python":
         config.addinivalue_line("filterwarnings", "ignore:overflow encountered:RuntimeWarning")
