@@ -175,7 +175,9 @@ def _bisected(column: Column, vertex: Array, heading: Array, leaving: Array, hal
     outer, inner = (left, right) if outside else (right, left)
     high, low = ((side - vertex) @ normal + LAP for side in (outer, inner))
     whole = np.flatnonzero((low >= 0) & (high >= 0))
-    start = int(whole[-1]) + 1 if len(whole) else 0
+    # A bent leg may run along the bisector, or come back across it: only so much of its end is cut off as a straight one's.
+    reach = half * math.hypot(*(heading - leaving)) / max(1e-9, math.hypot(*(heading + leaving))) + 3 * LAP
+    start = max(0, len(column.left) - math.ceil(reach / STEP), int(whole[-1]) + 1 if len(whole) else 0)
     share = np.clip(high[start:] / np.maximum(1e-9, high[start:] - low[start:]), 0, 1)[:, None]
     inner = np.concatenate([inner[:start], outer[start:] + share * (inner[start:] - outer[start:])])
     thin = (high < 0) | (np.hypot(*(outer - inner).T) < 2 * LAP)
