@@ -85,6 +85,16 @@ def test_a_leg_too_short_for_the_bisector_is_capped_and_nothing_is_bare(legs):
     assert drawn.difference(shapely.union_all([area(c) for c in from_stroke(line, 6.0, 0)])).buffer(-0.15).is_empty
 
 
+@pytest.mark.parametrize("sweep", [60, 100, 150])
+def test_a_leg_that_bends_back_across_the_bisector_leaves_no_tip_bare(sweep):
+    t = np.radians(np.linspace(0, sweep, 150))
+    bend = np.c_[-2 - 8 * np.sin(t), 8 * (1 - np.cos(t))][::-1]
+    line = np.vstack([bend, angle(140)[1:]])
+    drawn = shapely.LineString(line).buffer(1.5, cap_style="flat", quad_segs=32)
+    sewn = shapely.union_all([area(c) for c in from_stroke(line, 3.0, 0)])
+    assert drawn.difference(sewn).buffer(-0.15).is_empty
+
+
 @pytest.mark.parametrize("turn", [76, 90])
 def test_stitches_that_shorten_towards_a_bisector_reach_the_outer_side(turn):
     for column in from_stroke(angle(turn), 6.0, 0):
