@@ -392,6 +392,7 @@ def test_knit_painted_over_all_agrees_with_itself(page, tmp_path):
     page.keyboard.type("whole chart")
     page.keyboard.press("Enter")
     page.click(".side.left >> text=/^Fill$/ >> nth=-1")
+    page.wait_for_selector("text=216 stitches held by hand")
     made(page)
     page.focus(".view canvas")
     for key in ("ArrowRight", "x", "Enter"):
