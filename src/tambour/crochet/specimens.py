@@ -39,12 +39,6 @@ def _ball(*middle: str) -> str:
     return _FLAT.replace("none", "firm") + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\nFO\n"
 
 
-def _bowl(*wall: str) -> str:
-    """A basket: a disc of 30 stitches and its wall; one looks into it."""
-    every = ("MR(6)", "6 inc", "[sc, inc] x 6", "[2 sc, inc] x 6", "[3 sc, inc] x 6", *wall)
-    return _FLAT + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\n"
-
-
 TABLE: Final[dict[str, tuple[str, str]]] = {
     "ch": ("chain", _FLAT + "R1: 14 ch\n"),
     "sc": ("single crochet, in rounds", _ball(*["30 sc"] * 6)),

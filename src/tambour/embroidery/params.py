@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 from contextlib import suppress
-from typing import Annotated, Any, ClassVar, Literal, get_args
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
@@ -30,7 +30,6 @@ Stitch = Literal[
     "motif",
     "manual",
 ]
-FAMILIES: tuple[str, ...] = get_args(Stitch)
 UNDERLAYS = ("auto", "none", "center", "edge", "zigzag", "tatami")
 
 

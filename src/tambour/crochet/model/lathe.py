@@ -85,7 +85,7 @@ def lathe(
             where=outline.name,
         )
     way = np.arange(1, rows + 1) * whole / (rows + 1 if closed else rows)
-    found = counts(list(girth * made.at(way)[:, 0]), plain, closed)
+    found = counts(list(girth * made.at(way)[:, 0]), plain)
     rounds, grown = [], 0
     loops = edges(made, way)
     for k, (below, above) in enumerate(pairwise(found), start=1):

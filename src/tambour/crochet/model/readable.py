@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.crochet.model.cheapest import cheapest
 from tambour.crochet.model.couple import couple
 from tambour.crochet.model.fronts import beside
 from tambour.crochet.model.rounds import WORDS, Round, even
@@ -34,41 +35,35 @@ LEAST, MOST_RING = 4, 8
 """Stitches of a ring."""
 
 
-def counts(wanted: Sequence[float], plain: float, closed: bool) -> list[int]:
+def counts(wanted: Sequence[float], plain: float) -> list[int]:
     """Whole counts near ``wanted`` by which rounds become plain, or one repeat, the more so the larger ``plain`` (0 to 1).
 
     The ring has 4 to 8 stitches; no round more than twice, nor less than half, as many as the one below.
     """
+    goal = _goal(wanted)
+
+    def own(k: int, n: int) -> float:
+        off = (n - goal[k]) ** 2 / (0.6 + 0.02 * goal[k])
+        return off if k or n == 6 else off + 0.5 * plain
+
+    return cheapest(goal, _tries(goal, NEAR), own, lambda k, before, n: STRICT * plain * trouble(before, n))
+
+
+def _goal(wanted: Sequence[float]) -> list[float]:
+    """The counts that are wanted, the first one a ring's and none below it."""
     goal = np.maximum(np.asarray(wanted, float), LEAST)
-    goal[0] = min(max(goal[0], LEAST), MOST_RING)
-    best: list[dict[int, tuple[float, int]]] = []
-    for k, value in enumerate(goal):
-        slack = NEAR if k else 1
-        some = range(max(LEAST, math.floor(value) - slack), math.ceil(value) + slack + 1)
-        here: dict[int, tuple[float, int]] = {}
-        for n in some:
-            if not k and not LEAST <= n <= MOST_RING:
-                continue
-            off = (n - value) ** 2 / (0.6 + 0.02 * value)
-            if not k:
-                here[n] = (off + (0.0 if n == 6 else 0.5 * plain), 0)
-                continue
-            for before, (cost, _) in best[-1].items():
-                if n > 2 * before or 2 * n < before:
-                    continue
-                now = cost + off + STRICT * plain * trouble(before, n)
-                if n not in here or now < here[n][0]:
-                    here[n] = (now, before)
-        if not here:  # too steep: as far as rounds can go
-            before = min(best[-1], key=lambda n: best[-1][n][0])
-            n = min(max(round(value), -(-before // 2)), 2 * before)
-            here[n] = (best[-1][before][0], before)
-        best.append(here)
-    last = min(best[-1], key=lambda n: best[-1][n][0])
-    made = [last]
-    for here in best[:0:-1]:
-        made.append(here[made[-1]][1])
-    return made[::-1]
+    goal[0] = min(goal[0], MOST_RING)
+    return list(goal.tolist())
+
+
+def _tries(goal: Sequence[float], near: int) -> Callable[[int], Iterable[int]]:
+    """Which counts come into question for a round: those ``near`` what it wants, and for the ring the one beside it."""
+
+    def tries(k: int) -> range:
+        slack, most = (near, math.inf) if k else (1, MOST_RING)
+        return range(max(LEAST, math.floor(goal[k]) - slack), int(min(math.ceil(goal[k]) + slack, most)) + 1)
+
+    return tries
 
 
 def sparing(wanted: Sequence[float], plain: float) -> list[int]:
@@ -87,38 +82,17 @@ def sparing(wanted: Sequence[float], plain: float) -> list[int]:
 
 def _sparing(wanted: Sequence[float], price: float, hard: float) -> list[int]:
     """The counts where every change costs ``price``, and one that cannot be a repeat ``hard`` more."""
-    goal = np.maximum(np.asarray(wanted, float), LEAST)
-    goal[0] = min(max(goal[0], LEAST), MOST_RING)
-    best: list[dict[int, tuple[float, int]]] = []
-    for k, value in enumerate(goal.tolist()):
-        slack = SLACK if k else 1
-        here: dict[int, tuple[float, int]] = {}
-        for n in range(max(LEAST, math.floor(value) - slack), math.ceil(value) + slack + 1):
-            if not k:
-                if n <= MOST_RING:
-                    here[n] = ((n - value) ** 2 + (0.0 if n == 6 else 0.5), 0)
-                continue
-            own = 0.3 * (n - value) ** 2
-            for before, (cost, _) in best[-1].items():
-                if n > 2 * before or 2 * n < before:
-                    continue
-                both = 0.5 * (n - value + before - float(goal[k - 1]))
-                now = (
-                    cost
-                    + (own + both * both) / (0.6 + 0.02 * value)
-                    + (0.0 if n == before else price + hard * (math.gcd(before, n - before) < 2))
-                )
-                if n not in here or now < here[n][0]:
-                    here[n] = (now, before)
-        if not here:  # too steep: as far as rounds can go
-            before = min(best[-1], key=lambda n: best[-1][n][0])
-            n = min(max(round(value), -(-before // 2)), 2 * before)
-            here[n] = (best[-1][before][0], before)
-        best.append(here)
-    made = [min(best[-1], key=lambda n: best[-1][n][0])]
-    for here in best[:0:-1]:
-        made.append(here[made[-1]][1])
-    return made[::-1]
+    goal = _goal(wanted)
+
+    def change(k: int, before: int, n: int) -> float:
+        both = 0.5 * (n - goal[k] + before - goal[k - 1])
+        off = (0.3 * (n - goal[k]) ** 2 + both * both) / (0.6 + 0.02 * goal[k])
+        return off + (0.0 if n == before else price + hard * (math.gcd(before, n - before) < 2))
+
+    def own(k: int, n: int) -> float:
+        return 0.0 if k else (n - goal[0]) ** 2 + (0.0 if n == 6 else 0.5)
+
+    return cheapest(goal, _tries(goal, SLACK), own, change)
 
 
 def rounds(lines: Sequence[Array], points: Sequence[Array], plain: float) -> tuple[Round, ...]:

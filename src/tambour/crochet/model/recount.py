@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.crochet.model.cheapest import cheapest
 from tambour.crochet.model.outline import Outline
 from tambour.crochet.model.readable import LEAST, MOST_RING, trouble
 
@@ -85,28 +86,17 @@ def kept(now: list[int], goal: Array) -> list[int]:
 
 def chosen(goal: Array, fixed: list[int | None], plain: float) -> list[int]:
     """Whole counts near ``goal`` (R,), those that are fixed as they are where the others can come to them and go on from them."""
-    best: list[dict[int, tuple[float, int]]] = []
-    for k, value in enumerate(goal):
-        own = fixed[k]
-        some = range(max(LEAST, math.floor(value) - NEAR), math.ceil(value) + NEAR + 1)
-        here: dict[int, tuple[float, int]] = {}
-        for n in {*some, *([own] if own is not None else [])}:
-            off = (n - value) ** 2 / (0.6 + 0.02 * value) + (1e4 if own is not None and n != own else 0.0)
-            off = 0.0 if n == own else off
-            if not k and n <= max(MOST_RING, own or 0):
-                here[n] = (off, 0)
-            for before, (cost, _) in best[-1].items() if k else ():
-                if n > 2 * before or 2 * n < before:
-                    continue
-                now = cost + off + 4.0 * plain * trouble(before, n)
-                if n not in here or now < here[n][0]:
-                    here[n] = (now, before)
-        if not here:
-            before = min(best[-1], key=lambda n: best[-1][n][0])
-            n = min(max(round(value), -(-before // 2)), 2 * before)
-            here[n] = (best[-1][before][0], before)
-        best.append(here)
-    made = [min(best[-1], key=lambda n: best[-1][n][0])]
-    for here in best[:0:-1]:
-        made.append(here[made[-1]][1])
-    return made[::-1]
+
+    def tries(k: int) -> list[int]:
+        old = fixed[k]
+        near = {*range(max(LEAST, math.floor(goal[k]) - NEAR), math.ceil(goal[k]) + NEAR + 1)} | (
+            {old} if old is not None else set()
+        )
+        return sorted(n for n in near if k or n <= max(MOST_RING, old or 0))
+
+    def own(k: int, n: int) -> float:
+        if n == fixed[k]:
+            return 0.0
+        return float((n - goal[k]) ** 2 / (0.6 + 0.02 * goal[k]) + (0.0 if fixed[k] is None else 1e4))
+
+    return cheapest(goal.tolist(), tries, own, lambda k, before, n: 4.0 * plain * trouble(before, n))
