@@ -122,7 +122,7 @@ def test_a_library_that_asks_for_a_number_gets_none(tmp_path: Path) -> None:
 KILLS = """
 import os, signal, sys
 from pathlib import Path
-from tambour.cli import _stoppable
+from tambour.cli.process import stoppable
 from tambour.core.progress import Stopped
 from tambour.files.sink import Writing
 
@@ -147,7 +147,7 @@ def write(word):
 def child(number, at):
     hook.number, hook.left, hook.seen = number, at, 0
     try:
-        with _stoppable():
+        with stoppable():
             write(b"new")
     except (Stopped, KeyboardInterrupt):
         os._exit(3)

@@ -180,7 +180,7 @@ def test_what_a_view_is_written_as_has_a_writer_and_what_is_written_a_view() -> 
 def test_nothing_is_written_but_through_the_sink(root: Path) -> None:
     """Who opens a path to write, and why it is no piece: a library's writer that is given a path passes over a full disk."""
     known = {
-        "cli.py": "standard input, kept to be read; what is printed goes nowhere",
+        "cli/process.py": "standard input, kept to be read; what is printed goes nowhere",
         "files/sink.py": "the sink",
         "files/usd.py": "arrays that a process of its own hands over",
         "studio/pool.py": "what users give, in the folder of a worker",

@@ -1,0 +1,189 @@
+"""The command of one craft: its options made from its Params, and what it says."""
+
+from __future__ import annotations
+
+import sys
+import types
+from collections.abc import Callable
+from typing import Any, Literal, Union, get_args, get_origin
+
+import click
+
+from tambour.cli.process import BEGAN, streams
+from tambour.core.errors import shown, spelt
+
+
+class _Option(click.Option):
+    """An option whose help is put together only where it is shown."""
+
+    def __init__(self, *words: Any, told: Callable[[], str], **given: Any) -> None:
+        super().__init__(*words, **given)
+        self.told = told
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        self.help = self.told()
+        return super().get_help_record(ctx)
+
+
+def options(params: Any) -> Callable[[Any], Any]:
+    """Decorate a click command with one option per field of a Params model.
+
+    Values arrive as texts and are judged by the model alone, so that the library, the command line and the studio
+    refuse the same things in the same words.
+    """
+    from tambour.core.params import unit
+
+    def option(name: str, f: Any) -> Any:
+        flag = "--" + name.rstrip("_").replace("_", "-")  # "from_": a word that Python keeps for itself
+        extra = f.json_schema_extra if isinstance(f.json_schema_extra, dict) else {}
+        kind, many = f.annotation, False
+        if get_origin(kind) in (Union, types.UnionType):
+            kind = next(k for k in get_args(kind) if k is not type(None))
+        if get_origin(kind) is tuple and get_args(kind)[-1] is Ellipsis:
+            kind, many = get_args(kind)[0], True
+
+        def told() -> str:
+            default = f.get_default(call_default_factory=True)
+            standard = f"  [default: {_plain(default)}]" if default not in (None, (), "", False, True) else ""
+            if kind is bool:
+                standard = "" if default is None else f"  [default: {'on' if default else 'off'}]"
+            note = _bounds(f)
+            return spelt(params.help(name)) + standard + (f" [{note}]" if note else "")
+
+        if kind is bool:
+            return click.option(f"{flag}/--no-{flag[2:]}", name, cls=_Option, told=told, default=None)
+        if get_origin(kind) is Literal:
+            metavar = "[" + "|".join(str(w) for w in get_args(kind)) + "]"
+        else:
+            counted = extra.get("metavar") or unit(f) or {int: "N", float: "X"}.get(kind, "TEXT")
+            metavar = "|".join([*extra.get("words", []), "FILE"]) if "file" in extra else str(counted).upper()
+        return click.option(flag, name, cls=_Option, told=told, type=str, default=None, metavar=metavar, multiple=many)
+
+    def decorate(command: Any) -> Any:
+        for name, f in reversed(list(params.asked().items())):
+            command = option(name, f)(command)
+        return command
+
+    return decorate
+
+
+def _plain(default: Any) -> str:
+    return ", ".join(map(str, default)) if isinstance(default, tuple) else str(default)
+
+
+def _bounds(f: Any) -> str:
+    from tambour.core.params import bounds
+
+    signs = {"minimum": "≥", "exclusiveMinimum": ">", "maximum": "≤", "exclusiveMaximum": "<"}
+    return ", ".join(f"{signs[k]} {v}" for k, v in bounds(f).items() if k in signs)
+
+
+def craft_command(name: str) -> click.Command:
+    """The command of one craft."""
+    from tambour.run import craft
+
+    what = craft(name)
+    views = "\n".join(
+        f"  {v:<10} {spelt(it.help)}" + (f" ({' '.join(it.suffixes)})" if it.suffixes else "")
+        for v, it in what.views.items()
+    )
+    text = f"{what.help}\n\n\b\nViews (-o name.VIEW.suffix; the suffixes in brackets take it by themselves):\n{views}"
+
+    @click.command(name, help=text)
+    @options(what.params)
+    @click.option(
+        "-o",
+        "out",
+        multiple=True,
+        metavar="OUT",
+        help="A file to write; may be given several times. -.svg: standard output.",
+    )
+    @click.option("--edit", "edit", multiple=True, metavar="KIND:PLACE=VALUE", help=_edits(what))
+    @click.option(
+        "--edits", "edits", metavar="FILE", help="A JSON file of edits, such as a report; before those of --edit."
+    )
+    @click.option("--report", metavar="FILE", help="Write what was measured as JSON.")
+    @click.option("--quiet", is_flag=True, help="No progress, no summary.")
+    def command(source: str | None = None, **given: Any) -> None:
+        run_craft(what, source, **given)
+
+    if what.reads:
+        command.params.insert(0, click.Argument(["source"], required=not what.optional_source))
+    return command
+
+
+def _edits(what: Any) -> str:
+    """The help of --edit: the kinds of edits that a craft understands."""
+    kinds = [f"{k}:{c.words.replace('{', '').replace('}', '').upper()}, {c.help}" for k, c in what.changes.items()]
+    return "Change a thing by hand; may be given several times. " + "; ".join(kinds)
+
+
+def run_craft(
+    what: Any,
+    source: str | None,
+    out: tuple[str, ...],
+    report: str | None,
+    quiet: bool,
+    edit: tuple[str, ...] = (),
+    edits: str | None = None,
+    **given: Any,
+) -> None:
+    """Run one craft from the words of the command line."""
+    from tambour.files.text import read_edits
+    from tambour.run import run
+
+    values = {name: value for name, value in given.items() if value is not None and value != ()}
+    params = what.params.of(values)
+    with _bar(quiet) as progress, streams(what.reads, source, out) as (given_source, places):
+        changed = [*(read_edits(edits) if edits else ()), *edit]
+        made = run(what, given_source, params, places, progress, BEGAN, report, changed)
+    for problem in progress.warnings:
+        click.echo(str(problem), err=True)
+    if not quiet and places == out:  # else standard output is the piece
+        summary(made)
+
+
+def summary(report: dict[str, Any]) -> None:
+    """Print what was made: the short facts, then the files."""
+    skip = {"craft", "version", "edition", "params", "source", "edits", "warnings", "problems", "files", "seconds"}
+    for key, value in report.items():
+        if key not in skip and isinstance(value, (int, float, str)) and not isinstance(value, bool):
+            text = f"{value:.4g}" if isinstance(value, float) else shown(str(value))
+            click.echo(f"{key.replace('_', ' ')}: {text}")
+        elif isinstance(value, list) and value and all(isinstance(v, (int, float)) for v in value):
+            click.echo(f"{key.replace('_', ' ')}: {' × '.join(f'{v:.4g}' for v in value)}")
+    for path in report["files"]:
+        click.echo(shown(f"wrote {path}"))
+
+
+def _bar(quiet: bool) -> Any:
+    """A context that gives a Progress: a bar on a terminal, silent elsewhere."""
+    from contextlib import contextmanager
+
+    from tambour.core.progress import Progress
+
+    @contextmanager
+    def shown() -> Any:
+        if quiet or not sys.stderr.isatty():
+            yield Progress()
+            return
+        from rich.console import Console
+        from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
+        from rich.progress import Progress as Bars
+
+        columns = (
+            TextColumn("{task.description:<18}"),
+            BarColumn(),
+            TextColumn("{task.fields[count]}"),
+            TimeElapsedColumn(),
+        )
+        with Bars(*columns, console=Console(stderr=True), transient=True) as bars:
+            task = bars.add_task("start", total=None, count="")
+
+            def show(stage: str, done: int, total: int) -> None:
+                count = f"{done:,} of {total:,}" if total else ""
+                bars.update(task, description=stage, completed=done, total=total or None, count=count)
+
+            yield Progress(show)
+
+    return shown()
