@@ -11,7 +11,7 @@ import numpy as np
 
 from tambour.core.arrays import F8x2
 from tambour.core.check import Array
-from tambour.core.kernels import kernel
+from tambour.core.kernels import inner, kernel
 from tambour.embroidery.fabric import MOST
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import RUNNING, SATIN, TRAVEL, UNDERLAY
@@ -22,6 +22,7 @@ CROWDED = 0.25  # mm: where stitches of a bend come closer than this, some of th
 DRAWN = 0.45  # share of the width that they may end before it
 EDGE_INSET = 0.4  # mm that underlay keeps from a column's edges
 GOLDEN = (math.sqrt(5) - 1) / 2
+SLANT = 0.4  # share of its way along a side that a column goes on at least, however far its stitches slant
 STEP = 0.1  # mm between samples of a column
 
 
@@ -99,6 +100,21 @@ def _meets(rail: Any, rung: Any) -> float:
     return float(shapely.line_locate_point(rail, near))
 
 
+@inner
+def _advance(left: F8x2, right: F8x2, i: int) -> float:
+    """How far a column goes on after sample ``i``, mm, on the side that goes on more: across its stitches, for it is there that
+    threads lie beside each other, and not along sides that draw together."""
+    ax, ay = left[i + 1, 0] - left[i, 0], left[i + 1, 1] - left[i, 1]
+    bx, by = right[i + 1, 0] - right[i, 0], right[i + 1, 1] - right[i, 1]
+    far = max(math.hypot(ax, ay), math.hypot(bx, by))
+    cx = right[i, 0] + right[i + 1, 0] - left[i, 0] - left[i + 1, 0]
+    cy = right[i, 1] + right[i + 1, 1] - left[i, 1] - left[i + 1, 1]
+    wide = math.hypot(cx, cy)
+    if wide < 1e-9:
+        return far
+    return max(SLANT * far, max(abs(ax * cy - ay * cx), abs(bx * cy - by * cx)) / wide)
+
+
 @kernel
 def zigzag(
     left: F8x2,
@@ -111,7 +127,7 @@ def zigzag(
     jagged: float,
     key: np.uint64,
 ) -> F8x2:
-    """Needle points from side to side: (n, 2), the longer of both sides going on by ``spacing`` from pair to pair.
+    """Needle points from side to side: (n, 2), both sides going on by at most ``spacing``, across the stitches, from pair to pair.
 
     Where the points of one side come closer than ``crowded`` and fan out to the other, stitches end, by up to ``drawn`` of
     the width, where those that go on stand that far apart: each eighth of them at its own depth, neighbours far from
@@ -121,10 +137,7 @@ def zigzag(
     n = len(left)
     total = 0.0
     for i in range(n - 1):
-        total += max(
-            math.hypot(left[i + 1, 0] - left[i, 0], left[i + 1, 1] - left[i, 1]),
-            math.hypot(right[i + 1, 0] - right[i, 0], right[i + 1, 1] - right[i, 1]),
-        )
+        total += _advance(left, right, i)
     pairs = max(1, round(total / spacing))
     step = total / pairs / 2
     out = np.empty((2 * pairs + 1, 2))
@@ -139,18 +152,12 @@ def zigzag(
     while m <= 2 * pairs:
         target = m * step
         while i < n - 2:
-            d = max(
-                math.hypot(left[i + 1, 0] - left[i, 0], left[i + 1, 1] - left[i, 1]),
-                math.hypot(right[i + 1, 0] - right[i, 0], right[i + 1, 1] - right[i, 1]),
-            )
+            d = _advance(left, right, i)
             if run + d >= target:
                 break
             run += d
             i += 1
-        here = max(
-            math.hypot(left[i + 1, 0] - left[i, 0], left[i + 1, 1] - left[i, 1]),
-            math.hypot(right[i + 1, 0] - right[i, 0], right[i + 1, 1] - right[i, 1]),
-        )
+        here = _advance(left, right, i)
         f = min(1.0, max(0.0, (target - run) / here)) if here > 0 else 0.0
         lx, ly = left[i, 0] + f * (left[i + 1, 0] - left[i, 0]), left[i, 1] + f * (left[i + 1, 1] - left[i, 1])
         rx, ry = right[i, 0] + f * (right[i + 1, 0] - right[i, 0]), right[i, 1] + f * (right[i + 1, 1] - right[i, 1])

@@ -30,6 +30,7 @@ NEAR = 0.15  # widths before and after a vertex between which its turn is measur
 CLOSED = 0.25  # widths: ends that lie no farther apart were meant to meet
 BENT = 0.2  # half widths that a line may leave its direction where it is cut off at a corner's bisector
 HAIRPIN = math.radians(150)  # at a corner that turns by more, columns that end at its bisector taper for too long
+TIP = 0.4  # mm: half of the shortest stitch of a round end, as far as three tenths of its width are not less
 LAP = 0.2  # mm that a column goes on beyond the bisector of a corner
 KEPT = 0.4  # mm that a column goes on below another that hides its end
 
@@ -199,8 +200,9 @@ def ended(columns: list[Column], half: float, cap: int, starts: bool = True) -> 
         column = made[-1] if last else made[0].reversed()
         step = column.middle[-1] - column.middle[max(0, len(column.left) - 4)]
         ahead = step / max(1e-9, float(np.hypot(*step)))
-        s = np.linspace(0, 1, max(3, math.ceil(half / STEP) + 1))[1:, None]
-        wide = np.maximum(0.3, np.sqrt(np.maximum(0.0, 1 - s**2))) if cap == 0 else np.ones_like(s)
+        tip = min(0.3, TIP / half) if cap == 0 else 0.0
+        s = np.linspace(0, 1, max(3, math.ceil((1.5 if cap == 0 else 1) * half / STEP) + 1))[1:, None]
+        s, wide = (np.sin(s * math.acos(tip)), np.cos(s * math.acos(tip))) if cap == 0 else (s, np.ones_like(s))
         middle, side = column.middle[-1] + half * s * ahead, (column.left[-1] - column.right[-1]) / 2
         column = Column(
             np.concatenate([column.left, middle + wide * side]), np.concatenate([column.right, middle - wide * side])

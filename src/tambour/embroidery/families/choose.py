@@ -62,9 +62,9 @@ def line_family(region: Region, start: Place, over: Any = None) -> list[Stitches
         if region.stitch == "satin":
             columns = from_stroke(line, region.width, region.join)
             if columns and not closed(line, region.width):
-                columns = ended(columns, region.width / 2, region.cap)
                 columns[0] = drawn_back(columns[0], p.push, 0.0)
                 columns[-1] = drawn_back(columns[-1], 0.0, p.push)
+                columns = ended(columns, region.width / 2, region.cap)
             rest = [over, *(stroke(line, region) for line, left in zip(lines, free) if left)]
             threads = [stroke_stitches(columns, p, region.id, here, union(rest))]
         elif region.stitch == "bean":

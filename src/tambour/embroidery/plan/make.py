@@ -34,6 +34,7 @@ from tambour.embroidery.regions.lettering import lettered
 from tambour.embroidery.regions.palette import reduced
 from tambour.embroidery.regions.read import extent, regions
 from tambour.embroidery.regions.scan import scanned
+from tambour.embroidery.regions.strung import strung
 from tambour.embroidery.regions.trace import traced, with_images
 from tambour.embroidery.stitches import Stitches
 
@@ -162,14 +163,14 @@ def _flat(
             hint="{--colors} says how many",
         )
     if params.keep_hidden:
-        return found
+        return strung(found)
     one = joined(found)
     seen = uncovered(one.regions)
     if seen.hidden:
         progress.warn(
             f"{seen.hidden} shape(s) lie hidden below others and were left out", hint="{--keep-hidden} sews them"
         )
-    return seen.regions
+    return strung(seen.regions)
 
 
 def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:
