@@ -10,7 +10,7 @@ from tambour.core.paths import Paths
 from tambour.core.strands import Strands
 from tambour.geometry.tube import sweep
 from tambour.render import hair, photo, raster
-from tambour.render.setting import LEVELS, SIDE, wood
+from tambour.render.tables import LEVELS, SIDE, TABLES, tile
 
 SHOT = {"height": 120, "azimuth": 0.0, "elevation": 0.0, "lens": 0.4, "samples": 2, "lights": 10, "ground": False}
 
@@ -74,8 +74,9 @@ def test_what_hairs_cover_does_not_hang_on_how_many_are_drawn(monkeypatch: pytes
     assert abs(shares[1] / shares[0] - 1) < 0.25
 
 
-def test_the_coarser_tiles_of_the_table_are_means_of_the_finest() -> None:
-    tiles = wood()
+@pytest.mark.parametrize("grain", sorted({table.grain for table in TABLES.values()}))
+def test_the_coarser_tiles_of_a_table_are_means_of_the_finest(grain: str) -> None:
+    tiles = tile(grain)
     at = 0
     for k in range(LEVELS):
         n = SIDE >> k
@@ -99,3 +100,31 @@ def test_a_table_ends_softly_before_a_wall_and_takes_the_shadow() -> None:
     assert steps[edge] < 0.6 * abs(shown[edge - 12, :12].mean() - shown[edge + 12, :12].mean())
     under = shown[105:135, 40:110].mean(-1)
     assert under.min() < 0.75 * np.median(shown[-20:, :20].mean(-1))
+
+
+@pytest.mark.parametrize("name", sorted(TABLES))
+def test_every_table_is_lit_from_its_window_and_a_sheet_has_no_edge(name: str) -> None:
+    shot = {"width": 120, "height": 120, "elevation": 0.25, "samples": 1, "lights": 20, "open": 0.0}
+    shown = photo.picture(rod("yarn", 6.0), table=name, **shot).rgba[..., :3].astype(float)
+    left, right = shown[:, :12].mean(), shown[:, -12:].mean()
+    assert (left - right) * TABLES[name].side > 1.0
+    if TABLES[name].wall is None:
+        lit = shown[:, -10:] if right > left else shown[:, :10]  # the other side may lie in the shadow
+        assert np.abs(np.diff(lit.mean((1, 2)))).max() < 4.0
+
+
+def test_glass_shows_the_window_and_only_glass_does() -> None:
+    turn = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    up = np.linspace(0, np.pi, 24)
+    points = np.stack([np.outer(np.sin(up), np.sin(turn)), np.outer(np.cos(up), np.ones(40)), np.outer(np.sin(up), np.cos(turn))], -1)  # fmt: skip
+    i, j = np.meshgrid(np.arange(23), np.arange(40), indexing="ij")
+    a, b = i * 40 + j, i * 40 + (j + 1) % 40
+    faces = np.concatenate([np.stack([a, a + 40, b], -1), np.stack([b, a + 40, b + 40], -1)]).reshape(-1, 3)
+    bright = []
+    for group in ("glass", "felt"):
+        ball = Mesh(points.reshape(-1, 3), faces.astype(np.int32), color=np.full((960, 3), 20, np.uint8), face_group=np.zeros(len(faces), np.int32), group_names=(group,))  # fmt: skip
+        light = raster.shot(
+            ball, width=80, height=80, azimuth=0.0, elevation=0.2, lens=0.5, samples=2, lights=20, table="oak"
+        ).light
+        bright.append((light[..., :3].mean(-1) > 0.4).mean())
+    assert 0.003 < bright[0] < 0.08 and bright[1] == 0.0

@@ -53,7 +53,7 @@ from tambour.render import raster
 t = np.linspace(0.0, 6.0, 9)
 ring = Paths(np.stack([8 * np.cos(t), 3 + 2 * np.sin(t), 8 * np.sin(t)], axis=1), np.array([0, 9]))
 yarn = Strands(ring, np.full(9, 2.0), np.array([[200, 90, 60]], np.uint8))
-made = raster.picture(sweep(yarn, plies=4, wander=0.09), width=12, samples=1, lights=5, table=90.0)
+made = raster.picture(sweep(yarn, plies=4, wander=0.09), width=12, samples=1, lights=5, table='oak')
 print(made.rgba.tobytes().hex(), *sorted(set(RAN.values())))
 """
 """A ring of hairy yarn on a wooden table: the kernels of pictures, which no file of the small pieces asks for."""

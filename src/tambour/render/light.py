@@ -81,20 +81,24 @@ def studio(azimuth: float, sky: int = 40, lamp: int = 10) -> tuple[Array, Array,
     return np.vstack([dome, lamps]), np.vstack([sky_weight, lamp_weight]), np.arange(sky + lamp) >= sky
 
 
-def window(azimuth: float, sky: int = 40, lamp: int = 10) -> tuple[Array, Array, Array]:
-    """A pale room lit by a window to the left of and above the camera: softer than a lamp, and more of the light.
+def window(
+    azimuth: float, sky: int = 40, lamp: int = 10, *, side: float = 0.95, soft: float = 0.36
+) -> tuple[Array, Array, Array]:
+    """A pale room lit by a window beside and above the camera: softer than a lamp, and more of the light.
+
+    side : where the window is, radians to the left of the camera; soft : half its width, radians
 
     As :func:`studio`: direction (L, 3), weight (L, 3), key (L,).
     """
     dome = directions(sky)
     height = dome[:, 1]
-    turn = azimuth - 0.95
+    turn = azimuth - side
     towards = np.array([cos(0.72) * sin(turn), sin(0.72), cos(0.72) * cos(turn)])
     # The room is brighter on the window's side; the table sends up what is left.
     cool, warm = np.array([0.96, 0.99, 1.04]), np.array([1.10, 0.98, 0.82])
     bright = np.where(height > 0, 0.42 + 0.3 * height, 0.22 - 0.06 * height) * (1.0 + 0.45 * (dome @ towards))
     sky_weight = bright[:, None] * np.where(height[:, None] > 0, cool, warm) * (2.35 / sky)
-    lamps = directions(lamp, towards, 0.36)
+    lamps = directions(lamp, towards, soft)
     lamp_weight = np.broadcast_to(np.array([1.05, 1.0, 0.93]) * (1.34 / lamp), (lamp, 3))
     return np.vstack([dome, lamps]), np.vstack([sky_weight, lamp_weight]), np.arange(sky + lamp) >= sky
 

@@ -17,6 +17,7 @@ from tambour.noise import stream
 from tambour.render import raster
 from tambour.render.camera import THREE_QUARTER
 from tambour.render.light import shine, window
+from tambour.render.tables import TABLES
 
 SAMPLES: Final = 4
 """Samples along each side of a pixel."""
@@ -24,13 +25,15 @@ LIGHTS: Final = 160
 """Lights that sky and window are made of."""
 OPEN: Final = 0.022
 """How wide the lens is open, as a share of the thing's size."""
-FALLOFF: Final = 0.3
+FALLOFF: Final = 0.16
 """How much less light the picture's corners get."""
-EXPOSED: Final = 1.0
-"""How long the film sees it, against one that shows a white wall by the window just white."""
+BRIGHT: Final = 0.8
+"""Light of the brightest twentieth of a thing as a camera sets it, where it may."""
+EXPOSED: Final = (0.92, 1.3)
+"""How long the film sees it at least and at most, against one that shows a white wall by the window just white."""
 GRAIN: Final = 0.8
 """Spread of the grain, in codes of 256."""
-CONTRAST: Final = 0.36
+CONTRAST: Final = 0.30
 """How much steeper the film is in its middle."""
 ROOM: Final = 0.76
 """What of the picture the thing fills."""
@@ -40,6 +43,10 @@ SHARP: Final = 0.3
 """How much a camera sets edges off."""
 FINEST: Final = 480
 """Texels along the side of a shadow map."""
+COARSE: Final = 4.0
+"""What is blurred wider than this, in pixels, is blurred at half the size."""
+AROUND: Final = 40
+"""How many pixels around the thing its hairs and its blur may reach."""
 _BLURS: Final = (0.0, 0.7, 1.4, 2.4, 4.0, 6.5)
 
 
@@ -53,16 +60,16 @@ def picture(
     lens: float = radians(26.0),
     samples: int = SAMPLES,
     lights: int = LIGHTS,
-    table: float = 90.0,
+    table: str = "oak",
     open: float = OPEN,
     cast: Mesh | None = None,
 ) -> Picture:
-    """A picture of a mesh on a wooden table, framed as :func:`tambour.render.raster.picture` does, with more room about it.
+    """A picture of a mesh on a table by a window, framed as :func:`tambour.render.raster.picture` does, with more room about it.
 
     width, height : pixels; without a height it follows the mesh's shape
     azimuth, elevation, lens : radians, see :func:`tambour.render.camera.look`
     samples : along each side of a pixel; lights : parallel lights that sky and window are made of
-    table : mm, how wide its boards are
+    table : what it stands on, a name of :data:`tambour.render.tables.TABLES`
     open : how wide the lens is open, as a share of the thing's size; 0: all of the thing is sharp
     cast : a mesh of fewer faces within the same surface, which throws the shadows
 
@@ -76,7 +83,7 @@ def picture(
     lit = shine(
         dark.vertices,
         dark.faces,
-        *window(azimuth, lights - lamps, lamps),
+        *window(azimuth, lights - lamps, lamps, side=TABLES[table].side, soft=TABLES[table].soft),
         size=FINEST,
         threads=WORKERS,
         shut=raster.shut(dark),
@@ -101,7 +108,7 @@ def picture(
     light = 0.985 * light + 0.015 * _blurred(light, 0.012 * max(high, wide))
     y, x = np.linspace(-1.0, 1.0, high)[:, None], np.linspace(-1.0, 1.0, wide)[None]
     square = 0.5 * (x * x + y * y)
-    light = light * (1.0 - FALLOFF * square)[..., None] * EXPOSED
+    light = light * (1.0 - FALLOFF * square)[..., None] * _exposure(made.light)
     # As cameras do: a lens's softness, and an edge set off against it.
     light = _blurred(light, SOFT)
     shown = coded(raster.film(np.maximum(light + SHARP * (light - _blurred(light, 1.0)), 0.0)))
@@ -112,13 +119,26 @@ def picture(
     return Picture(np.dstack([codes, np.full((high, wide), 255, np.uint8)]))
 
 
+def _exposure(thing: Array) -> float:
+    """How long a camera lets the film see a thing (H, W, 4): until its brightest parts are bright, and no longer."""
+    seen = thing[thing[..., 3] > 0.5]
+    if not len(seen):
+        return 1.0
+    bright = float(np.quantile(seen[..., :3] @ np.array([0.2126, 0.7152, 0.0722], np.float32), 0.95))
+    return float(np.clip(BRIGHT / max(bright, 1e-6), *EXPOSED))
+
+
 def _focused(made: raster.Shot, samples: int, open: float) -> Array:
     """The thing's light and coverage (H, W, 4), blurred where it lies before or behind what is looked at."""
     high, wide = made.light.shape[:2]
-    near = made.near.reshape(high, samples, wide, samples).max((1, 3)).astype(np.float64)
+    near = made.near.reshape(high, samples, wide, samples).max((1, 3))
     there = near > 0.0
     if not there.any():
         return made.light
+    # Around the thing there is nothing to blur, but what its hairs and its own blur reach.
+    rows, columns = (np.flatnonzero(there.any(axis)) for axis in (1, 0))
+    part = tuple(slice(max(0, int(each[0]) - AROUND), int(each[-1]) + AROUND) for each in (rows, columns))
+    near, there, light = near[part], there[part], made.light[part]
     # What lies a little before the middle of all that is seen is sharp.
     sharp = float(np.quantile(near[there], 0.6))
     spread = np.where(
@@ -128,22 +148,46 @@ def _focused(made: raster.Shot, samples: int, open: float) -> Array:
     share = _blurred(there.astype(np.float64)[..., None], 3.0)[..., 0]
     spread = np.where(there, spread, _blurred(spread[..., None], 3.0)[..., 0] / np.maximum(share, 1e-6))
     spread = np.clip(spread, 0.0, _BLURS[-1])
-    out = np.zeros(made.light.shape, np.float32)
-    before: Array = made.light
+    spread = spread.astype(np.float32)
+    out, before, most = light.copy(), light, float(spread.max())
     for low, up in pairwise(_BLURS):
-        after = _blurred(made.light, up)
-        t = (spread - low) / (up - low)
-        inside = (t >= 0.0) & (t <= 1.0)
-        out[inside] = ((1.0 - t)[..., None] * before + t[..., None] * after)[inside]
+        if low >= most:
+            break
+        after = _blurred(light, up)
+        inside = np.nonzero((spread > low) & (spread <= up))
+        t = ((spread[inside] - low) / (up - low))[:, None]
+        out[inside] = (1.0 - t) * before[inside] + t * after[inside]
         before = after
-    return out
+    whole = np.array(made.light)
+    whole[part] = out
+    return whole
 
 
 def _blurred(light: Array, spread: float) -> Array:
-    """A picture (H, W, C), float32, with every point a bell ``spread`` pixels wide."""
+    """A picture (H, W, C), float32, with every point a bell ``spread`` pixels wide; a wide one by fewer pixels."""
     from scipy.ndimage import gaussian_filter1d
 
     out = np.asarray(light, np.float32)
+    if spread >= COARSE and min(out.shape[:2]) >= 16:
+        return _doubled(_blurred(_halved(out), 0.5 * (spread * spread - 0.5) ** 0.5), light.shape)
     for axis in (0, 1):
         out = gaussian_filter1d(out, spread, axis=axis, mode="nearest", truncate=3.0)
     return np.asarray(out)
+
+
+def _halved(light: Array) -> Array:
+    """A picture of half as many pixels, an odd last one said twice."""
+    light = np.pad(light, ((0, light.shape[0] % 2), (0, light.shape[1] % 2), (0, 0)), mode="edge")
+    rows = light[::2] + light[1::2]
+    return np.asarray(0.25 * (rows[:, ::2] + rows[:, 1::2]))
+
+
+def _doubled(light: Array, shape: tuple[int, ...]) -> Array:
+    """A picture of twice as many pixels, straight between those that there are, cut to ``shape``."""
+    for axis in (0, 1):
+        light = np.moveaxis(light, axis, 0)
+        before, after = np.concatenate([light[:1], light[:-1]]), np.concatenate([light[1:], light[-1:]])
+        out = np.empty((2 * len(light), *light.shape[1:]), np.float32)
+        out[::2], out[1::2] = 0.75 * light + 0.25 * before, 0.75 * light + 0.25 * after
+        light = np.moveaxis(out[: shape[axis]], 0, axis)
+    return np.ascontiguousarray(light)

@@ -20,15 +20,16 @@ from tambour.render.cover import cover, turn
 from tambour.render.fleece import fibres, tones
 from tambour.render.hair import hairs
 from tambour.render.light import Lights, floor_light, shine, studio, window
-from tambour.render.setting import OAK, behind, plain, wood
+from tambour.render.setting import behind, plain, wall
 from tambour.render.shade import HAIRS, shade
+from tambour.render.tables import PLANK, TABLES, tile
 
 # Group of a mesh's faces → its surface: fuzz, wrap, gloss, sharpness, plies, groove, fibre; hairs, reach, fine (see shade).
 MATERIALS: dict[str, tuple[float, ...]] = {
     "": (0.0, 0.0, 0.05, 24.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
-    "yarn": (0.5, 0.25, 0.0, 1.0, 4.0, 0.28, 0.03, 22.0, 0.75, 0.0075),
-    "cotton": (0.3, 0.15, 0.1, 14.0, 4.0, 0.32, 0.018, 10.0, 0.5, 0.0075),
-    "acrylic": (0.45, 0.2, 0.05, 18.0, 4.0, 0.32, 0.022, 20.0, 0.7, 0.0075),
+    "yarn": (0.55, 0.3, 0.0, 1.0, 4.0, 0.22, 0.035, 34.0, 0.85, 0.0105),
+    "cotton": (0.3, 0.15, 0.1, 14.0, 4.0, 0.30, 0.018, 12.0, 0.5, 0.0085),
+    "acrylic": (0.45, 0.2, 0.05, 18.0, 4.0, 0.26, 0.026, 30.0, 0.8, 0.0095),
     "chenille": (0.9, 0.5, 0.0, 1.0, 0.0, 0.0, 0.03, 60.0, 0.35, 0.025),
     "mohair": (0.9, 0.4, 0.0, 1.0, 2.0, 0.12, 0.025, 16.0, 2.6, 0.010),
     "plied": (0.6, 0.25, 0.0, 1.0, 0.0, 0.0, 0.012, 8.0, 0.75, 0.012),
@@ -41,6 +42,10 @@ MATERIALS: dict[str, tuple[float, ...]] = {
 
 OPEN = 0.022
 """How wide the lens is open before a table, as a share of the thing's size: its far edge is soft."""
+BEND, SLOPE = 0.5, 0.10
+"""Over how much of the picture's height a sheet bends up; how much more light comes to the window's side than to the middle."""
+NEARBY, BOUNCED = 1.4, 0.2
+"""How much deeper the shadow is on a table that a wall is about; what part of the light that a thing takes from it it sends back, were it white."""
 _FINEST = 480  # texels along the side of a shadow map
 _BRIGHTEST = 16.0  # what is lighter differs by less than a code
 
@@ -78,7 +83,7 @@ def picture(
     lights: int = 50,
     frame: Array | None = None,
     lit: Lights | None = None,
-    table: float = 0.0,
+    table: str = "",
 ) -> Picture:
     """A shaded picture of a mesh that fills it, on a plain ground.
 
@@ -90,7 +95,7 @@ def picture(
     lights : parallel lights that sky and lamp are made of, at least 5
     frame : (P, 3) points that fill the picture and stand on the floor, instead of the mesh's: for several in one view
     lit : lights that the mesh stands in already: for several views in one light
-    table : mm, how wide the boards are of a wooden table that it stands on before a wall; 0 for none
+    table : what it stands on, a name of :data:`tambour.render.tables.TABLES`; "" for a plain ground
 
     A face's group chooses its surface from MATERIALS ("yarn" and "thread" take ``uv`` as turns of their twist along
     and turns around). Deterministic; raises nothing for any mesh that is one: an empty one gives the background.
@@ -128,7 +133,7 @@ def shot(
     lights: int,
     frame: Array | None = None,
     lit: Lights | None = None,
-    table: float = 0.0,
+    table: str = "",
     margin: float = MARGIN,
 ) -> Shot:
     """What :func:`picture` develops; margin : of the camera."""
@@ -147,11 +152,13 @@ def shot(
     # Rows run down: faces that look here have negative area.
     cover(x, y, z, mesh.faces, near, face, -rimless)
 
+    chosen = TABLES.get(table)
     if lit is None:
         # A map as fine as the picture, as far as that is seen.
         size = min(_FINEST, max(_FINEST // 3, round(1.25 * min(width, height))))
         lamps = max(1, lights // 5)
-        all_of_them = studio(azimuth, lights - lamps, lamps) if not table else window(azimuth, lights - lamps, lamps)
+        count = (azimuth, lights - lamps, lamps)
+        all_of_them = window(*count, side=chosen.side, soft=chosen.soft) if chosen else studio(*count)
         lit = shine(mesh.vertices, mesh.faces, *all_of_them, size=size, threads=threads, shut=rimless)
     pool, plot = floor_light(lit, points.min(0), points.max(0)) if ground else (np.ones((1, 1, 3)), np.zeros(3))
 
@@ -162,6 +169,10 @@ def shot(
     palette = linear(np.arange(256) / 255.0)
     color = np.broadcast_to(np.array(PLAIN, np.uint8), mesh.vertices.shape) if mesh.color is None else mesh.color
     color = palette[color]
+    if chosen and len(color):
+        # The room's own light is weaker, too, where the thing is near; and it sends back some of it, in its own colour.
+        pool = pool**NEARBY
+        pool = pool + BOUNCED * (1.0 - pool) ** 2 * color.mean(0)
     uv = np.zeros((0, 2)) if mesh.uv is None else mesh.uv
     normals = vertex_normals(mesh.vertices, mesh.faces)
     view = (camera.eye, camera.axes, camera.scale)
@@ -207,17 +218,19 @@ def shot(
     room = np.zeros((height, width, 3), np.float32)
     behind(
         room,
-        plain(height, background),
+        wall(height, chosen) if chosen else plain(height, background),
         *view,
         float(points[:, 1].min()) if ground else np.nan,
         pool,
         plot,
-        wood() if table else np.zeros((0, 0, 0), np.float32),
-        linear(np.array(OAK)),
+        tile(chosen.grain) if chosen else np.zeros((0, 0, 0), np.float32),
+        linear(np.array((chosen.light, chosen.dark) if chosen else np.zeros((2, 3)))),
         1.9 * large,
         focus,
         OPEN * large,
-        table,
+        PLANK,
+        BEND if chosen and chosen.wall is None else 0.0,
+        (SLOPE if chosen.side > 0.0 else -SLOPE) if chosen else 0.0,
     )
     return Shot(out, room, near, camera, large)
 

@@ -1,10 +1,8 @@
-"""Setting: what stands behind and under a thing in its picture: a plain ground, or a wooden table before a pale wall."""
+"""Setting: what stands behind and under a thing in its picture: a plain ground, or a table before a wall."""
 
 from __future__ import annotations
 
-from functools import cache
 from math import floor, sqrt
-from typing import Final
 
 import numpy as np
 
@@ -12,65 +10,7 @@ from tambour.color import linear
 from tambour.core.arrays import F4x3, F8x1, F8x2, F8x3
 from tambour.core.check import Array
 from tambour.core.kernels import inner, kernel
-from tambour.noise import stream
-
-SIDE: Final = 1024
-"""Texels along the side of the table's tile."""
-BOARD: Final = 4
-"""Boards that the tile has side by side."""
-LEVELS: Final = 8
-"""Sizes of the tile, each half as fine as the one before: what lies far away or out of focus takes a coarse one."""
-NEARER: Final = 5.3
-"""How much finer the tile is of what is added near to."""
-OAK: Final = ((0.83, 0.735, 0.61), (0.60, 0.47, 0.34))
-"""sRGB of the wood, between and in its grain."""
-
-
-@cache
-def wood() -> Array:
-    """(2, 2 SIDE, SIDE) float32: how dark the grain is, 0…1, of a tile of boards, rows across them, and below it coarser ones;
-    and what is added to that near to, of mean 0, a tile of its own."""
-    rough = stream("table", 1)
-    columns = np.arange(SIDE)
-    grain = np.zeros((SIDE, SIDE))
-    # Grain: noise drawn out along the boards, the finer the weaker; it sways as the tree grew.
-    for across, along, share in ((64, 3, 0.45), (128, 5, 0.5), (256, 8, 0.55), (512, 16, 0.5), (1024, 40, 0.5)):
-        grain += share * _fine(rough.standard_normal((across, along)), SIDE, SIDE)
-    sway = _fine(rough.standard_normal((8, 5)), SIDE, SIDE)
-    rows = (np.arange(SIDE)[:, None] + np.round(12.0 * sway).astype(int)) % SIDE
-    grain = grain[rows, columns[None]]
-    phase = np.arange(SIDE)[:, None] / 38.0 + 0.6 * sway + 0.2 * grain
-    rings = np.abs(2.0 * (phase - np.floor(phase)) - 1.0)
-    # Pores: short dark strokes.
-    pores = np.maximum(_fine(rough.standard_normal((1024, 128)), SIDE, SIDE) - 1.2, 0.0)
-    grain = 0.30 + 0.10 * grain + 0.16 * (rings - 0.5) + 0.30 * pores
-    # Every board has a tone of its own, and another stretch of the tree.
-    wide = SIDE // BOARD
-    tone, shift = rough.uniform(-0.10, 0.10, BOARD), rough.integers(0, SIDE, BOARD)
-    made = np.concatenate([np.roll(grain[k * wide : (k + 1) * wide], shift[k], 1) + tone[k] for k in range(BOARD)])
-    made[np.abs((np.arange(SIDE) % wide) - 0.5) < 1.6] += 0.9
-    fine = 0.09 * sum(_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((1024, 60), (512, 24), (256, 90)))
-    fine += 0.22 * np.maximum(_fine(rough.standard_normal((512, 40)), SIDE, SIDE) - 1.3, 0.0)
-    out = np.zeros((2, 2 * SIDE, SIDE), np.float32)
-    for k, level in enumerate((np.clip(made, 0.0, 1.6), fine - fine.mean())):
-        at = 0
-        for _ in range(LEVELS):
-            out[k, at : at + len(level), : len(level)] = level
-            at += len(level)
-            level = 0.25 * (level[::2, ::2] + level[1::2, ::2] + level[::2, 1::2] + level[1::2, 1::2])
-    return out
-
-
-def _fine(field: Array, rows: int, columns: int) -> Array:
-    """A field that wraps, blended to a finer one with smooth steps."""
-    for axis, size in ((0, rows), (1, columns)):
-        n = field.shape[axis]
-        at = (np.arange(size) + 0.5) * n / size - 0.5
-        low = np.floor(at).astype(int)
-        t = at - low
-        t = (t * t * (3 - 2 * t)).reshape((-1, 1) if axis == 0 else (1, -1))
-        field = np.take(field, low % n, axis) * (1 - t) + np.take(field, (low + 1) % n, axis) * t
-    return np.asarray(field)
+from tambour.render.tables import BOARD, LEVELS, NEARER, Table
 
 
 def plain(height: int, color: tuple[int, int, int] | None) -> Array:
@@ -79,6 +19,12 @@ def plain(height: int, color: tuple[int, int, int] | None) -> Array:
         return np.broadcast_to(linear(np.array(color) / 255.0), (height, 3)).copy()
     t = np.linspace(0, 1, height)[:, None]
     return np.asarray(linear(np.array([0.925, 0.915, 0.9]) * (1 - t) + np.array([0.855, 0.84, 0.82]) * t))
+
+
+def wall(height: int, table: Table) -> Array:
+    """Linear light (height, 3) of what stands behind a table, row by row: a little darker above."""
+    color = linear(np.array(table.light if table.wall is None else table.wall))
+    return np.asarray(color * np.linspace(0.9, 1.0, height)[:, None])
 
 
 @inner
@@ -125,13 +71,16 @@ def behind(
     focus: F8x1,
     lens: float,
     plank: float,
+    bend: float,
+    slope: float,
 ) -> None:
     """Fill ``out`` (H, W, 3) float32, linear light, with the ground and what stands behind it.
 
     backdrop : (H, 3), the plain ground's light; eye, axes, scale : the camera; ground : height of the floor, or NaN
     pool, plot : its light, of :func:`tambour.render.light.floor_light`
-    tile : of :func:`wood`, or (0, 0, 0): a table of boards ``plank`` mm wide; oak : (2, 3), its light and dark light; end : mm, how
-        far behind the focus it ends, before a wall; focus : (3,) what is sharp, and all before it
+    tile : of :func:`tambour.render.tables.tile`, or (0, 0, 0): a table of boards ``plank`` mm wide; oak : (2, 3), its light and dark
+        light; end : mm, how far behind the focus it ends, before a wall; bend : over how much of the picture's height it bends up to be the wall, 0 for an edge;
+        slope : how much more light comes to the picture's left than to its middle; focus : (3,) what is sharp, and all before it
     lens : mm, the width of the opening of a lens that sees only that sharp, 0 for all
     """
     height, width = out.shape[0], out.shape[1]
@@ -164,7 +113,7 @@ def behind(
                 px, pz = eye[0] + t * dx, eye[2] + t * dz
                 edge_depth = own + end
                 # Pixels that a point there is blurred by.
-                soft = lens * scale * abs(1.0 / own - 1.0 / max(edge_depth, 1e-6)) + 1.0
+                soft = 2.0 * lens * scale * abs(1.0 / own - 1.0 / max(edge_depth, 1e-6)) + 1.5 + bend * height
                 # In pixels, how far above the table's edge this ray goes.
                 tx, ty = focus[0] + end * fx - eye[0], ground - eye[1]
                 tz = focus[2] + end * fz - eye[2]
@@ -174,9 +123,6 @@ def behind(
                 above = min(1.0, max(0.0, above))
                 above = above * above * (3.0 - 2.0 * above)
                 floor_share = 1.0 - above if far > 0.0 else 1.0
-                up = min(1.0, max(0.0, (ry - level) / (0.9 * height)))
-                for c in range(3):
-                    color[c] = backdrop[row, c] * (0.86 + 0.2 * up)
                 if floor_share > 0.0 and not down:
                     t = 1e5
                     px, pz = eye[0] + t * dx, eye[2] + t * dz
@@ -208,5 +154,6 @@ def behind(
                             (1 - s) * pool[v0_ + 1, u0, c] + s * pool[v0_ + 1, u0 + 1, c]
                         )
                         color[c] *= 1.0 - floor_share * (1.0 - lit)
+            share = 1.0 + slope * (1.0 - 2.0 * (column + 0.5) / width)
             for c in range(3):
-                out[row, column, c] = color[c]
+                out[row, column, c] = share * color[c]

@@ -15,6 +15,7 @@ from tambour.render.light import seen
 # on it, in radii; of the hairs that stand off it: how many on a square radius, how long and how thick, in radii.
 FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE = range(10)
 DYED = (0.028, 0.81)
+HOLLOW = 0.25  # of the window's light that a hollow's sides would send into it, were they white and all about it
 SOFT = 0.04  # how round the bottom of the groove between plies is
 
 
@@ -75,10 +76,21 @@ def shade(
     for k in range(lights):
         if key[k]:
             key_total += 1.0
+    # The middle of the lamp, and what lies beside and above it: the window that glass shows.
+    w = np.zeros((3, 3))
+    for k in range(lights):
+        if key[k]:
+            for c in range(3):
+                w[0, c] += direction[k, c] / key_total
+    size = sqrt(w[0, 0] * w[0, 0] + w[0, 2] * w[0, 2]) + 1e-9
+    w[1, 0], w[1, 2] = w[0, 2] / size, -w[0, 0] / size
+    for c in range(3):
+        w[2, c] = w[0, (c + 1) % 3] * w[1, (c + 2) % 3] - w[0, (c + 2) % 3] * w[1, (c + 1) % 3]
     n = np.zeros(3)
     sky = np.zeros(3)
     open_sky = np.zeros(3)
     lamp = np.zeros(3)
+    open_lamp = np.zeros(3)
     albedo = np.zeros(3)
     total = np.zeros(4)
     for row in range(first, last):
@@ -213,6 +225,7 @@ def shade(
                     sky[:] = 0.0
                     open_sky[:] = 0.0
                     lamp[:] = 0.0
+                    open_lamp[:] = 0.0
                     shine = 0.0
                     for k in range(sy * samples + sx, lights, samples * samples):
                         lx, ly, lz = direction[k, 0], direction[k, 1], direction[k, 2]
@@ -225,8 +238,9 @@ def shade(
                         )
                         if key[k]:
                             for c in range(3):
+                                open_lamp[c] += d * dealt * weight[k, c]
                                 lamp[c] += q * d * dealt * weight[k, c]
-                            if gloss > 0.0 and q > 0.0:
+                            if 0.0 < gloss < 1.0 and q > 0.0:
                                 sx_, sy_, sz_ = lx - dx, ly - dy, lz - dz
                                 length = sqrt(sx_ * sx_ + sy_ * sy_ + sz_ * sz_)
                                 shine += (
@@ -236,6 +250,18 @@ def shade(
                             for c in range(3):
                                 open_sky[c] += d * dealt * weight[k, c]
                                 sky[c] += q * d * dealt * weight[k, c]
+                    if gloss >= 1.0:
+                        # As smooth as glass: the room, in it the window with its bar and cross-bar; more of them the flatter one looks.
+                        back = 2.0 * (nx * dx + ny * dy + nz * dz)
+                        rx, ry, rz = dx - back * nx, dy - back * ny, dz - back * nz
+                        ahead = rx * w[0, 0] + ry * w[0, 1] + rz * w[0, 2]
+                        room = 0.55 + 0.5 * ry if ry > 0.0 else 0.3
+                        if ahead > 0.0:
+                            p = abs(rx * w[1, 0] + ry * w[1, 1] + rz * w[1, 2]) / ahead
+                            q = abs(rx * w[2, 0] + ry * w[2, 1] + rz * w[2, 2]) / ahead
+                            if p < 0.34 and q < 0.46 and p > 0.022 and abs(q - 0.1) > 0.02:
+                                room = 15.0
+                        shine = (0.045 + 0.955 * (1.0 - view) ** 5) * room / gloss
                     rim = table[m, FUZZ] * (1.0 - view) ** 3
                     for c in range(3):
                         tone = albedo[c]
@@ -246,6 +272,8 @@ def shade(
                             (share * (2.0404 * tone - 0.3324) - 4.7951 * tone + 0.6417) * share + 2.7552 * tone + 0.6903
                         ) * share
                         light = open_sky[c] * max(share, bounced) + lamp[c] * (0.4 + 0.6 * occlude)
+                        # What the window's light meets round about sends some of it into the hollow.
+                        light += HOLLOW * tone * (1.0 - share) * open_lamp[c]
                         total[c] += tone * light + rim * light * (0.35 * tone + 0.08) + gloss * shine
                     total[3] += 1.0
             for c in range(4):

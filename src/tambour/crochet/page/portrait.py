@@ -22,11 +22,11 @@ SIDES: Final[dict[str, tuple[float, float]]] = {
 AHEAD, ASIDE, ABOVE = (
     (radians(18.0), radians(13.0)),
     (radians(38.0), radians(16.0)),
-    (radians(24.0), radians(52.0)),
+    (radians(9.0), radians(76.0)),
 )
 """Azimuth and elevation for a toy that stands or sits, for one that lies or goes on four legs, for what is flat."""
-BOARDS: Final = 90.0
-"""Boards of the table that toys stand on, mm wide."""
+PALE, DEEP = ("oak", "stone", "walnut", "linen"), ("paper", "linen", "painted", "oak")
+"""Tables for pale yarn and for deep colours: each is set off against its table."""
 FLAT: Final = 0.3
 """What is less deep than so much of its width and height is a sheet."""
 PRESSED: Final = 0.025
@@ -44,7 +44,7 @@ def portrait(piece: Plush, side: str, *, width: int = 1200, height: int | None =
 
 def whole(piece: Plush, *, width: int = 1200) -> Picture:
     """The toy on a table as one looks at it: its face ahead, from a little above; what lies flat from higher."""
-    return _taken(piece, None, width=width, samples=3, lights=50)
+    return _taken(piece, None, width=width, samples=2, lights=40)
 
 
 def photo(piece: Plush) -> Picture:
@@ -64,7 +64,23 @@ def _taken(piece: Plush, detail: str | None, **asked: Any) -> Picture:
     else:
         deep = sagging(piece)
         made, cast = pressed(made, deep), pressed(cast, deep)
-    return picture(made, azimuth=azimuth, elevation=elevation, table=BOARDS, cast=cast, **asked)
+    return picture(made, azimuth=azimuth, elevation=elevation, table=table(piece), cast=cast, **asked)
+
+
+def table(piece: Plush) -> str:
+    """What a piece lies on in its picture, by the colour of most of its stitches: the same while one works on it."""
+    import numpy as np
+
+    from tambour.color import linear
+    from tambour.noise import stream
+
+    colors, count = np.unique(piece.built.graph.color, axis=0, return_counts=True)
+    if not len(colors):
+        return DEEP[0]
+    most = colors[int(np.argmax(count))]
+    light = float(linear(most / 255.0) @ np.array([0.2126, 0.7152, 0.0722]))
+    among = PALE if light > 0.45 else DEEP
+    return among[int(stream("table", *(int(c) // 16 for c in most)).integers(len(among)))]
 
 
 def sheet(piece: Plush) -> bool:

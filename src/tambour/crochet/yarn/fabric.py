@@ -58,11 +58,12 @@ def strands(
     radius = graph.stitch_width * RATIO / 2 if yarn_radius is None else yarn_radius
     led = way(graph, hold)
     rows = course(graph, x, LEAN[hold])
+    at = _varied(led)
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
     place(
         led.cell,
         led.below,
-        led.at,
+        at,
         graph.height,
         graph.direction,
         2 * radius / RATIO,
@@ -109,6 +110,16 @@ def _uneven(n: int) -> Array:
     at = np.arange(n) / HELD
     held = np.stack([np.interp(at, np.arange(len(knots)), knots[:, k]) for k in range(3)], axis=1)
     return np.asarray(UNEVEN * stream("uneven").uniform(-1.0, 1.0, (n, 3)) + DRIFT * held)
+
+
+def _varied(led: Way) -> Array:
+    """The way's points (P, 3) in their cells as hands leave them: loops that lean a little, and are drawn tight and loose."""
+    cells = int(led.cell.max(initial=-1)) + 1
+    lean, loose, high = (stream("loops").uniform(-1.0, 1.0, (cells, 3))[led.cell] * (LEANING, LOOSE, HIGH)).T
+    u, v, w = led.at.T
+    # What is drawn long is drawn from the stitch's own middle; its ends stay where the next stitch takes the yarn.
+    inside = np.clip(4.0 * v * (1.0 - v), 0.0, 1.0)
+    return np.stack([u + lean * (v - 0.5) * inside, v + high * inside, w * (1.0 + loose * inside)], axis=1)
 
 
 def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Array]:
@@ -185,6 +196,8 @@ WANDER = 0.09
 """Yarn is twisted more and less along its way, by so many turns."""
 PLIED = 400
 """Pictures of fewer stitches show its plies in the yarn's outline."""
+LEANING, LOOSE, HIGH = 0.14, 0.10, 0.03
+"""How far loops lean, how much fuller or flatter they are, and how much higher or lower, at the most."""
 UNEVEN, DRIFT, HELD = 0.03, 0.08, 6
 """How far single stitches lie out of line, in widths, and how far several do, of about as many: hands are not machines."""
 

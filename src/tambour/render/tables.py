@@ -1,0 +1,159 @@
+"""Tables: what a thing lies on in its picture: boards, linen, stone or a sheet of paper, as tiles of grain, and its window."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.noise import stream
+
+SIDE: Final = 1024
+"""Texels along the side of a table's tile."""
+BOARD: Final = 4
+"""Boards that the tile has side by side."""
+PLANK: Final = 90.0
+"""Width of a board, mm."""
+LEVELS: Final = 8
+"""Sizes of the tile, each half as fine as the one before: what lies far away or out of focus takes a coarse one."""
+NEARER: Final = 5.3
+"""How much finer the tile is of what is added near to."""
+THREADS: Final = 128
+"""Threads of linen along the side of its near tile."""
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A place to take a picture at.
+
+    grain : which tile it has (of :func:`tile`); light, dark : sRGB, between and in its grain
+    wall : sRGB of what stands behind it, or None: it bends up behind the thing, as a sheet of paper does
+    side : where the window is, radians to the left of the camera; soft : how wide it is, radians
+    """
+
+    grain: str
+    light: tuple[float, float, float]
+    dark: tuple[float, float, float]
+    wall: tuple[float, float, float] | None
+    side: float = 0.95
+    soft: float = 0.36
+
+
+TABLES: Final[dict[str, Table]] = {
+    "oak": Table("wood", (0.80, 0.70, 0.57), (0.56, 0.42, 0.29), (0.86, 0.85, 0.83)),
+    "paper": Table("paper", (0.90, 0.885, 0.86), (0.84, 0.825, 0.80), None, -0.80, 0.55),
+    "linen": Table("linen", (0.86, 0.825, 0.76), (0.56, 0.51, 0.44), (0.84, 0.84, 0.83), -1.05, 0.40),
+    "painted": Table("painted", (0.90, 0.895, 0.885), (0.62, 0.61, 0.60), (0.80, 0.82, 0.83), 1.10, 0.45),
+    "stone": Table("stone", (0.68, 0.67, 0.655), (0.45, 0.445, 0.44), (0.80, 0.79, 0.77), 0.75, 0.50),
+    "walnut": Table("wood", (0.50, 0.37, 0.27), (0.26, 0.17, 0.11), (0.75, 0.73, 0.70), -0.90, 0.36),
+}
+"""By name: oak and walnut boards, a sheet of paper, a linen cloth, painted boards, stone."""
+
+
+@cache
+def tile(grain: str) -> Array:
+    """(2, 2 SIDE, SIDE) float32: how dark a table is, 0…1, and below it coarser ones; and what is added to that near to, of
+    mean 0, a tile of its own. Boards have their rows across them."""
+    made, fine = {"wood": _wood, "painted": _painted, "linen": _linen, "stone": _stone, "paper": _paper}[grain]()
+    out = np.zeros((2, 2 * SIDE, SIDE), np.float32)
+    for k, level in enumerate((np.clip(made, 0.0, 1.6), fine - fine.mean())):
+        at = 0
+        for _ in range(LEVELS):
+            out[k, at : at + len(level), : len(level)] = level
+            at += len(level)
+            level = 0.25 * (level[::2, ::2] + level[1::2, ::2] + level[::2, 1::2] + level[1::2, 1::2])
+    return out
+
+
+def _wood() -> tuple[Array, Array]:
+    """Boards of one kind of tree: its rings, cut aslant, and its pores."""
+    rough = stream("table", 1)
+    columns = np.arange(SIDE)
+    sway = _fine(rough.standard_normal((8, 5)), SIDE, SIDE)
+    rows = (np.arange(SIDE)[:, None] + np.round(14.0 * sway).astype(int)) % SIDE
+    grain = np.zeros((SIDE, SIDE))
+    for across, along, share in ((64, 6, 0.5), (256, 24, 0.4), (1024, 128, 0.35)):
+        grain += share * _fine(rough.standard_normal((across, along)), SIDE, SIDE)
+    grain = grain[rows, columns[None]]
+    # A year grows pale first and dark at its end; the saw meets years at a slant, so they are wide and narrow by turns.
+    wide = 14.0 + 5.0 * _fine(rough.standard_normal((16, 1)), SIDE, SIDE)
+    phase = np.cumsum(1.0 / np.maximum(wide, 5.0), axis=0) + 0.9 * sway + 0.12 * grain
+    year = phase - np.floor(phase)
+    rings = year * year * np.clip(6.0 * (1.0 - year), 0.0, 1.0)
+    # Pores: short dark strokes.
+    pores = np.maximum(_fine(rough.standard_normal((1024, 200)), SIDE, SIDE) - 1.3, 0.0)[rows, columns[None]]
+    grain = 0.26 + 0.07 * grain + 0.34 * rings + 0.34 * pores * (0.4 + rings)
+    fine = 0.07 * sum(_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((1024, 160), (512, 60)))
+    fine = fine + 0.22 * np.maximum(_fine(rough.standard_normal((512, 90)), SIDE, SIDE) - 1.3, 0.0)
+    return _boards(grain, rough, 0.10, 0.55), np.asarray(fine)
+
+
+def _painted() -> tuple[Array, Array]:
+    """Boards under white paint: the brush's way, and a little of the grain."""
+    rough = stream("table", 2)
+    brush = sum(
+        (_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((512, 12), (128, 6), (24, 24))),
+        np.zeros((SIDE, SIDE)),
+    )
+    fine = 0.05 * _fine(rough.standard_normal((512, 24)), SIDE, SIDE)
+    return _boards(0.12 + 0.035 * brush, rough, 0.035, 0.75), np.asarray(fine)
+
+
+def _boards(grain: Array, rough: np.random.Generator, tones: float, groove: float) -> Array:
+    """Every board has a tone of its own, another stretch of the tree, and a rounded edge towards the next."""
+    wide = SIDE // BOARD
+    tone, shift = rough.uniform(-tones, tones, BOARD), rough.integers(0, SIDE, BOARD)
+    made = np.concatenate([np.roll(grain[k * wide : (k + 1) * wide], shift[k], 1) + tone[k] for k in range(BOARD)])
+    far = np.abs((np.arange(SIDE) + 0.5 * wide) % wide - 0.5 * wide)[:, None]
+    return np.asarray(made + groove * np.exp(-0.5 * (far / 1.1) ** 2) + 0.1 * np.exp(-0.5 * (far / 4.0) ** 2))
+
+
+def _linen() -> tuple[Array, Array]:
+    """A plain weave of threads that are thick and thin."""
+    rough = stream("table", 3)
+    slubs = [_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((1024, 24), (24, 1024))]
+    clouds = sum((_fine(rough.standard_normal((n, n)), SIDE, SIDE) for n in (6, 14, 40)), np.zeros((SIDE, SIDE)))
+    made = 0.36 + 0.028 * (slubs[0] + slubs[1]) + 0.02 * clouds
+    pitch = SIDE // THREADS
+    at = np.arange(SIDE)
+    number, across = at // pitch, (at % pitch + 0.5) / pitch - 0.5
+    tones = [_fine(rough.standard_normal(shape), SIDE, SIDE) for shape in ((THREADS, 10), (10, THREADS))]
+    over = (number[:, None] + number[None]) % 2 == 0
+    # A thread is round, and dips under the next one that crosses it.
+    weft = np.cos(np.pi * across)[:, None] * (0.55 + 0.45 * np.cos(np.pi * across)[None])
+    warp = np.cos(np.pi * across)[None] * (0.55 + 0.45 * np.cos(np.pi * across)[:, None])
+    height = np.where(over, weft * (1.0 + 0.16 * tones[0]), warp * (1.0 + 0.16 * tones[1]))
+    return np.asarray(made), np.asarray(0.42 * (height.mean() - height))
+
+
+def _stone() -> tuple[Array, Array]:
+    """Cast stone: clouds of every size, a few pits."""
+    rough = stream("table", 4)
+    made = np.full((SIDE, SIDE), 0.4)
+    for n in (5, 11, 23, 61, 150, 400):
+        made += 0.45 / n**0.33 * 0.25 * _fine(rough.standard_normal((n, n)), SIDE, SIDE)
+    fine = 0.09 * sum(_fine(rough.standard_normal((n, n)), SIDE, SIDE) for n in (120, 300, 700))
+    pits = np.maximum(_fine(rough.standard_normal((160, 160)), SIDE, SIDE) - 2.6, 0.0)
+    return made, np.asarray(fine + 0.5 * pits)
+
+
+def _paper() -> tuple[Array, Array]:
+    """A sheet: hardly anything to be seen."""
+    rough = stream("table", 5)
+    clouds = sum((_fine(rough.standard_normal((n, n)), SIDE, SIDE) for n in (4, 9, 30)), np.zeros((SIDE, SIDE)))
+    return np.asarray(0.3 + 0.04 * clouds), 0.12 * _fine(rough.standard_normal((500, 500)), SIDE, SIDE)
+
+
+def _fine(field: Array, rows: int, columns: int) -> Array:
+    """A field that wraps, blended to a finer one with smooth steps."""
+    for axis, size in ((0, rows), (1, columns)):
+        n = field.shape[axis]
+        at = (np.arange(size) + 0.5) * n / size - 0.5
+        low = np.floor(at).astype(int)
+        t = at - low
+        t = (t * t * (3 - 2 * t)).reshape((-1, 1) if axis == 0 else (1, -1))
+        field = np.take(field, low % n, axis) * (1 - t) + np.take(field, (low + 1) % n, axis) * t
+    return np.asarray(field)
