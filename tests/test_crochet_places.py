@@ -7,7 +7,7 @@ import pytest
 
 from tambour.core.errors import TambourError, Text
 from tambour.crochet.finish.ground import Ground
-from tambour.crochet.finish.joining import prepare
+from tambour.crochet.finish.joining import crowded, prepare
 from tambour.crochet.finish.motif import threads
 from tambour.crochet.finish.placing import Frames
 from tambour.crochet.finish.sewing import end_of
@@ -909,3 +909,36 @@ def test_a_nose_may_be_wound_and_eyes_keep_off_a_cap() -> None:
         pattern = read_printed(Text(text, "toy.txt"))
         eye = next(r for r in pattern.finish if isinstance(r, Embroidery) and r.motif == "eyes")
         assert abs(np.mean([s.round for s in eye.spots]) - (change - 0.5)) > 1.0
+
+
+WIDE_EAR = "Rnd 1: 9 sc in MR (9)\nRnd 2: inc x 9 (18)\nRnds 3-5: sc around (18)\nFasten off. Do not stuff.\n"
+
+
+@pytest.mark.parametrize("said", ["Sew the ears to the top of the head.", "Sew the ears to the head as shown."])
+def test_a_pair_whose_place_is_ours_to_choose_does_not_meet_in_the_middle(said: str) -> None:
+    pattern = toy(said, EARS_make_2=WIDE_EAR)
+    joining = prepare(build(pattern))
+    assert joining is not None and not crowded(joining)
+    left, right = (where_is(pattern, r) for r in pattern.finish if isinstance(r, Placed) and r.part.startswith("EARS"))
+    assert left[0] * right[0] < 0 and left[1] == pytest.approx(right[1], abs=0.05)
+
+
+def test_what_has_no_place_keeps_off_what_has_one() -> None:
+    flower = "Rnd 1: 8 sc in MR (8)\nFasten off.\n"
+    pattern = toy("Sew the flower to the head. Sew the rose to the head.", FLOWER=flower, ROSE=flower)
+    joining = prepare(build(pattern))
+    assert joining is not None and not crowded(joining)
+
+
+@pytest.mark.parametrize("eyes", ["Put the safety eyes between rounds 4 and 5, 3 sts apart.", "Add safety eyes."])
+@pytest.mark.parametrize("muzzle", ["Sew the muzzle between the eyes.", "Sew the muzzle to the front of the head."])
+def test_a_wide_muzzle_lies_below_the_eyes(eyes: str, muzzle: str) -> None:
+    wide = "Rnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nRnd 4: (2 sc, inc) x 6 (24)\nFasten off.\n"
+    pattern = toy(f"Sew the head to the body. {eyes} {muzzle}", MUZZLE=wide)
+    snout = placed(pattern, "MUZZLE")
+    spots = Spots(build(pattern))
+    middle, *seen = (
+        np.array((p := spots.place(s)).weights) @ spots.layout[list(p.nodes)]
+        for s in (snout.spot, *(f.spot for f in pattern.finish if isinstance(f, Eye)))
+    )
+    assert len(seen) == 2 and min(float(np.linalg.norm(eye - middle)) for eye in seen) > 24 / (2 * np.pi) - 0.7

@@ -132,7 +132,7 @@ class Assembly(Upright):
             to = rf"\bhead\s+to\s+(?:the\s+)?(?:(?:top|neck)\s+of\s+)?(?:the\s+)?(?:\w+\s+)?{re.escape(p.words[-1])}\b"
             if re.search(rf"{to}|\b{re.escape(p.words[-1])}\s+to\s+(?:the\s+)?head\b", self.text):
                 return p
-        if not re.search(r"\b(?:head|arms|legs)\b[^.]{0,30}\b(?:of|to) (?:the )?body\b", self.text):
+        if not re.search(r"\b(?:head|arms|legs|tail)\b[^.]{0,30}\b(?:of|to) (?:the )?body\b", self.text):
             return None
         bare = [p for p in self.parts if p.single and p.kind == "" and not _NAMELESS.match(p.name)]
         large = max([*worn, *bare], key=self.size, default=None)

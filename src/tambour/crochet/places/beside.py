@@ -11,6 +11,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.language.finishes import Spot
 from tambour.crochet.places.hear import Copy
+from tambour.crochet.places.room import Room
 from tambour.crochet.places.said import Where
 from tambour.crochet.places.stand import Host
 from tambour.crochet.places.toy import Toy
@@ -33,6 +34,7 @@ class Beside:
         self.stand = work.stand
         self.known: dict[str, tuple[str, list[Array]]] = {}  # thing → part, points
         self.deep: dict[str, float] = {}  # thing → half its height
+        self.room = Room(work.stand)
 
     def _lies(self, host: Copy) -> bool:
         work = self.work

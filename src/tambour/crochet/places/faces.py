@@ -25,6 +25,8 @@ _BAND: Final = 5
 """So many rounds of one colour or more are a face, fewer a stripe."""
 _INSIDE: Final = 2.0
 """How many rounds eyes stay away from where another colour begins."""
+_CLEAR: Final = 0.6
+"""Eyes stay so many stitches clear of a snout, and are moved up by as many at a time."""
 _KNOT: Final = 1.4
 """Eyes of knots are so many stitches wide at the most, and three quarters of what satin stitch would fill."""
 
@@ -70,6 +72,7 @@ class Facer(Putter):
             aside = tuple(b for b in f.where.beside if "between" not in b[0])  # two are not in the middle of anything
             point = self._beside(replace(f.where, beside=aside), host, way, 0.5)
             there = host.towards(way.direction) if point is None else point
+            there = self._off_the_snout(f, host, there)
             if self.work.spots.in_rows[host.part]:  # its rows may run upwards
                 apart = self._apart(f.where)
                 beside = abs(float(there[0] - host.box[0][0])) if apart is None else 0.5 * apart
@@ -82,6 +85,22 @@ class Facer(Putter):
         apart = self._apart(f.where)
         off = abs((stitch - middle + count / 2) % count - count / 2) if apart is None else 0.5 * apart
         return [host.within(Spot(host.name, level, round(middle + s * off, 3), f.span)) for s in (-1.0, 1.0)]
+
+    def _off_the_snout(self, f: Feature, host: Host, point: Array) -> Array:
+        """An eye's place moved up its head until no snout covers it."""
+        if f.what not in ("safety eyes", "eyes", "closed eyes"):
+            return point
+        high = float(host.box[0][1] + 0.75 * host.box[1][1])
+        for kind in ("muzzle", "nose", "beak"):
+            known = self.known.get(kind)
+            if known is None or known[0] != host.name or kind not in self.deep:
+                continue
+            middle, least = np.array(known[1]).mean(0), self.deep[kind] + _CLEAR
+            x, y = float(point[0]), float(point[1])
+            while y < high and float(np.sqrt(((point - middle) ** 2).sum())) < least:
+                y += _CLEAR
+                point = host.ahead(x, y)
+        return point
 
     def _in_one_color(self, host: Host, level: float) -> float:
         """A level moved off the rounds where one colour of a head meets another: a cap, a collar."""

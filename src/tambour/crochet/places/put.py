@@ -9,10 +9,12 @@ from typing import Final
 
 import numpy as np
 
+from tambour.core.check import Array
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import SIDE
 from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.held import SPREAD, Holder
+from tambour.crochet.places.room import aside
 from tambour.crochet.places.stand import Host, neck
 from tambour.crochet.places.usual import Way, usual
 
@@ -24,6 +26,8 @@ _ON_TOP: Final = frozenset(("head", "body", "hat", "neck", "stem", "base", "inne
 
 _BELOW_EYES: Final = {"muzzle": 0.75, "nose": 0.4, "beak": 0.3}
 """How far below the eyes the middle of a thing is, in halves of its width, where nothing says it."""
+_DOWN: Final = 0.4
+"""By how many stitches at a time a snout is moved down that would cover an eye."""
 _UNDER: Final = np.array([0.0, -0.9, -0.45])
 """Where the body is on a head that lies: under it, behind its middle."""
 _ROOM: Final = 3.6
@@ -91,18 +95,22 @@ class Putter(Holder):
         two = {"head", "body"} <= set(work.main.kinds) or put.region == "head"
         region = (put.region if two else "") or (ways[0].on if onto[0] == work.main else "")
         host = work.host(onto, region)
-        made_of = [
-            (c, self._spotted(put, host, self._told(way, put.where, len(put.copies)), k))
-            for k, (c, way) in enumerate(zip(put.copies, ways))
-        ]
-        if len(made_of) == 2 and put.copies[0][0] == put.copies[1][0]:
-            made_of = self._paired(put, host, made_of)
-        made_of = [
-            (c, (spot if put.where.stitch is not None else host.within(spot), way)) for c, (spot, way) in made_of
-        ]
-        if not all(self.stand.there(spot) for _, (spot, _) in made_of):
-            return [Placed(c[0].copy(c[1]), spot, span=put.span) for c, (spot, _) in made_of]
-        records = [self._placed(put, c, spot, way, host) for c, (spot, way) in made_of]
+        told = [self._told(way, put.where, len(put.copies)) for way in ways]
+        records = self._sewn(put, host, told)
+        if not all(self.stand.there(r.spot) for r in records):
+            return [Placed(r.part, r.spot, span=put.span) for r in records]
+        seams = self.room.seams(records, kind)
+        if not self.room.free(seams) and not self._exactly(put):
+            for others in aside(told):
+                found_ = self._sewn(put, host, others)
+                if all(self.stand.there(r.spot) for r in found_) and self.room.free(
+                    there := self.room.seams(found_, kind)
+                ):
+                    records, seams = found_, there
+                    break
+        self.room.take(seams)
+        if kind in _BELOW_EYES:
+            self.deep[kind] = self._half(put.copies[0])
         for record in records:
             self.stand.place(record)
         thing = made.kind or made.words[-1] if made.words else ""
@@ -115,6 +123,21 @@ class Putter(Holder):
         elif not put.where.says and not (kind in _ON_TOP and len(put.copies) == 1):
             self.work.made.guessed.append(f"{made.name} on {onto[0].name}")
         return records
+
+    def _sewn(self, put: Put, host: Host, ways: list[Way]) -> list[Placed]:
+        """The records of a part's copies, each put on its way."""
+        made = [(c, self._spotted(put, host, way, k)) for k, (c, way) in enumerate(zip(put.copies, ways))]
+        if len(made) == 2 and put.copies[0][0] == put.copies[1][0]:
+            made = self._paired(put, host, made)
+        made = [(c, (spot if put.where.stitch is not None else host.within(spot), way)) for c, (spot, way) in made]
+        if not all(self.stand.there(spot) for _, (spot, _) in made):
+            return [Placed(c[0].copy(c[1]), spot, span=put.span) for c, (spot, _) in made]
+        return [self._placed(put, c, spot, way, host) for c, (spot, way) in made]
+
+    def _exactly(self, put: Put) -> bool:
+        """Whether a place is said so that nothing of it is left to choose."""
+        at = put.where
+        return at.stitch is not None or self._apart(at) is not None or at.aside is not None or bool(at.beside)
 
     def _long(self, copy: Copy) -> bool:
         """Whether a part is much longer than wide."""
@@ -156,12 +179,13 @@ class Putter(Holder):
                 stitch = host.middle(level) if way.at[2] > 0 or self._lies_name(host) else stitch
             return Spot(host.name, level, round(stitch, 3), put.span), way
         if beside is not None:
-            return replace(host.near(beside), span=put.span), way
+            return replace(host.near(self._off_the_eyes(put, host, beside, k)), span=put.span), way
         eyes = self.known.get("eye")
         if put.kind in _BELOW_EYES and eyes is not None and eyes[0] == host.name and not at.says:
             middle, deep = np.array(eyes[1]).mean(0), self.deep.get("eye", 0.5)
             drop = deep + _BELOW_EYES[put.kind] * self._half(put.copies[k])
-            return replace(host.near(host.ahead(middle[0], middle[1] - drop)), span=put.span), way
+            there = self._off_the_eyes(put, host, host.ahead(middle[0], middle[1] - drop), k)
+            return replace(host.near(there), span=put.span), way
         if "tip" in at.words and len(put.copies) == 1:
             pole = self._far_end(host)
             if pole is not None:
@@ -169,7 +193,7 @@ class Putter(Holder):
         pole = host.pole(direction, _ROUGHLY if put.kind in _ON_TOP else 0.9) if len(put.copies) == 1 else None
         if pole is not None:
             return replace(pole, span=put.span), way
-        near = host.near(host.towards(direction))
+        near = host.near(self._off_the_eyes(put, host, host.towards(direction), k))
         if (
             len(put.copies) == 1
             and near.stitch is not None
@@ -178,6 +202,19 @@ class Putter(Holder):
         ):
             near = replace(near, stitch=round(2.0 * near.stitch) / 2.0)
         return replace(near, span=put.span), way
+
+    def _off_the_eyes(self, put: Put, host: Host, point: Array, k: int) -> Array:
+        """A snout's place moved down its head until it covers no eye."""
+        eyes = self.known.get("eye")
+        if put.kind not in _BELOW_EYES or eyes is None or eyes[0] != host.name or self._lies_name(host):
+            return point
+        least = self._half(put.copies[k]) + self.deep.get("eye", 0.5)
+        x, y = float(point[0]), float(point[1])
+        low = float(host.box[0][1] - 0.6 * host.box[1][1])
+        while y > low and min(float(np.sqrt(((point - eye) ** 2).sum())) for eye in eyes[1]) < least:
+            y -= _DOWN
+            point = host.ahead(x, y)
+        return point
 
     def _lies_name(self, host: Host) -> bool:
         return abs(float(host.axis[1])) < 0.5

@@ -1,0 +1,91 @@
+"""Room: which places on a toy's parts are taken by seams, so that a part whose place is not said finds a free one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.crochet.finish import sewing
+from tambour.crochet.language.finishes import Placed
+from tambour.crochet.places.stand import Stand
+from tambour.crochet.places.usual import Way
+
+_APART: Final = 1.5
+"""Two seams that come nearer to each other than this, in stitches, are in each other's way."""
+_STEP: Final = 0.12
+"""A part is moved aside by so much of half its host's width at a time."""
+_MOST: Final = 9
+"""How often at the most."""
+_LAYERS: Final = frozenset(
+    ("face", "belly", "inner", "collar", "hat", "worn", "spot", "cheek", "eye", "muzzle", "nose")
+)
+"""Kinds of parts that others may lie on, or in: only their like is in their way."""
+
+
+@dataclass(frozen=True, eq=False)
+class Seam:
+    """Where a part is sewn: points (K, 3) of its line; how far they are from their middle; whether they run round."""
+
+    kind: str
+    host: str
+    points: Array
+    wide: float
+    ring: bool
+
+
+class Room:
+    """The seams on a toy's parts."""
+
+    def __init__(self, stand: Stand) -> None:
+        self._stand = stand
+        self._taken: list[Seam] = []
+
+    def seams(self, records: list[Placed], kind: str) -> list[Seam]:
+        """Where ``records`` would be sewn."""
+        spots, made = self._stand.spots, []
+        for record in records:
+            end = sewing.end_of(spots.built, spots, record)
+            points = sewing.line(record, end, self._stand.frame(record.spot))
+            wide = float(np.sqrt(((points - points.mean(0)) ** 2).sum(1).max()))
+            made.append(Seam(kind, record.spot.part, points, wide, end.ring))
+        return made
+
+    def free(self, seams: list[Seam]) -> bool:
+        """Whether seams are in nobody's way, nor in each other's."""
+        return not any(_meet(one, other) for k, one in enumerate(seams) for other in (*self._taken, *seams[:k]))
+
+    def take(self, seams: list[Seam]) -> None:
+        """These places are taken now."""
+        self._taken += seams
+
+
+def _meet(one: Seam, other: Seam) -> bool:
+    if one.host != other.host or (one.kind != other.kind and {one.kind, other.kind} & _LAYERS):
+        return False
+    apart = float(np.sqrt(((one.points[:, None] - other.points) ** 2).sum(2)).min())
+    middles = float(np.sqrt(((one.points.mean(0) - other.points.mean(0)) ** 2).sum()))
+    return apart < _APART or (other.ring and middles < other.wide) or (one.ring and middles < one.wide)
+
+
+def aside(ways: list[Way]) -> Iterator[list[Way]]:
+    """Ways farther and farther from the ``ways`` of a part: of a pair outwards, of a single one to either side, up or down."""
+    yield ways
+    for k in range(1, _MOST + 1):
+        off = k * _STEP
+        if len(ways) == 2:
+            yield [replace(w, at=(w.at[0] + math.copysign(off, w.at[0]), w.at[1], w.at[2])) for w in ways]
+        elif len(ways) == 4:  # at the corners of a body
+            corners = [
+                (w.at[0] + math.copysign(off, w.at[0]), w.at[1], w.at[2] + math.copysign(off, w.at[2])) for w in ways
+            ]
+            yield [replace(w, at=at) for w, at in zip(ways, corners)]
+        elif len(ways) == 1:
+            x, y, z = ways[0].at
+            out = math.copysign(off, x) if x else off
+            for dx, dy in ((out, 0.0), (-out, 0.0), (0.0, -off), (0.0, off)):
+                yield [replace(ways[0], at=(x + dx, y + dy, z))]
