@@ -383,21 +383,54 @@ def _spent(pid: int) -> float:
     return sum(int(t[11]) + int(t[12]) for t in told) / os.sysconf("SC_CLK_TCK")
 
 
+HURRIED = """() => {
+    const frame = window.requestAnimationFrame.bind(window);
+    let now = performance.now();
+    performance.now = () => now;
+    window.requestAnimationFrame = then => frame(() => then((now += 100)));
+}"""
+
+
 def scroll() -> None:
-    """As many tiles as ten minutes of drifting show, ten times over: what the page and the server hold meanwhile."""
-    with _page({"reduced_motion": "reduce"}) as (page, pid):
+    """Ten minutes of drifting, by frames: each is told that a tenth of a second went by, so that the scroll goes as far as in ten minutes.
+    What the page, the browser, the server and its workers hold at each minute, after one minute in which the workers begin."""
+    with _page({}) as (page, pid):
         page.evaluate(NEW, {"craft": "ink", "seed": "plum"})
         page.wait_for_selector(".seal")
-        page.focus(".scroll canvas")
+        page.wait_for_timeout(2000)
         session = page.context.new_cdp_session(page)
-        print("units scrolled; page's heap MB, server and workers MB, processes")
-        for k in range(-10, 61):  # the first ten screens begin the workers
-            if k % 10 == 0:
-                session.send("HeapProfiler.collectGarbage")
-                heap = page.evaluate("performance.memory.usedJSHeapSize") / 1e6
-                print(f"  {(k + 10) * 600:7} {heap:6.1f} {_held(pid):7.0f} {len(_processes(pid)):4}")
-            page.keyboard.press("PageDown")
-            page.wait_for_timeout(700)
+        page.evaluate(HURRIED)
+        tiles: list[str] = []
+        page.on("request", lambda asked: tiles.append(asked.url) if "/ink/tiles/" in asked.url else None)
+        page.focus(".scroll canvas")
+        page.keyboard.press("a")
+        print("minute of drifting; at place; tiles; page's heap MB, browser MB, server and workers MB, processes")
+        rows = []
+        for minute in range(12):
+            reached = f"Number(document.querySelector('#place').value) >= {3600 * minute}"  # sixty units a second
+            page.evaluate(
+                f"() => new Promise(done => {{ const look = () => {reached} ? done() : setTimeout(look, 50); look(); }})"
+            )
+            session.send("HeapProfiler.collectGarbage")
+            heap = page.evaluate("performance.memory.usedJSHeapSize") / 1e6
+            seen = sum(_held(p) for p in [min(_chromiums())])
+            rows.append((heap, seen, _held(pid)))
+            place = page.input_value("#place")
+            print(
+                f"  {minute:4} {place:>9} {len(tiles):5} {heap:6.1f} {seen:7.0f} {rows[-1][2]:7.0f} {len(_processes(pid)):4}"
+            )
+        told = ", ".join(
+            f"{name} {rows[1][k]:.1f} → {rows[-1][k]:.1f} (most {max(r[k] for r in rows[1:]):.1f})"
+            for k, name in enumerate(("page's heap", "browser", "server and workers"))
+        )
+        print(f"ten minutes of drifting, MB: {told}")
+
+
+def _chromiums() -> list[int]:
+    """The browser's processes that this one started; the first began the others."""
+    import os
+
+    return [p for p in _processes(os.getpid()) if "chrom" in Path(f"/proc/{p}/comm").read_text()]
 
 
 if __name__ == "__main__":

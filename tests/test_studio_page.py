@@ -427,6 +427,27 @@ def test_ink(page, tmp_path):
     assert got.read_bytes() == (tmp_path / "plum.json").read_bytes()
 
 
+def test_ink_is_painted_as_far_on_both_sides_of_an_edge(page):
+    """What reaches over an edge of two tiles has as many of its marks in both, at every share; at the end all are there."""
+    tiles = [[["range", 9], ["hill", 40], ["mist", 3], ["hut", 5]], [["range", 9], ["rock", 7], ["hill", 40], ["mist", 3]], [["hill", 40], ["pine", 20], ["mist", 3]]]  # fmt: skip
+    counts = page.evaluate(
+        """async tiles => {
+            const { upto } = await import(document.querySelector('script[type=module]').src.replace('main', 'ink/tiles'));
+            return Array.from({ length: 101 }, (_, k) => upto(tiles, k / 100));
+        }""",
+        tiles,
+    )
+    assert counts[0] == [0, 0, 0] and counts[-1] == [sum(n for _, n in tile) for tile in tiles]
+    for row in counts:
+        painted = [dict.fromkeys((name for name, _ in tile), 0) for tile in tiles]
+        for told, tile, left in zip(painted, tiles, row):
+            for name, marks in tile:
+                told[name] = min(marks, left)
+                left -= told[name]
+        for name in ("range", "hill", "mist"):
+            assert len({told[name] for told in painted if name in told}) == 1
+
+
 def test_ink_taking_away_is_nothing_to_undo(page):
     new(page, {"craft": "ink", "seed": "plum", "title": "plum", "params": {"span": 300}})
     page.wait_for_selector(".seal")
@@ -822,10 +843,10 @@ def test_the_shelf_begins_a_piece_of_what_is_typed(page):
 
 
 def test_the_shelf_letters_a_name_and_carries_what_is_typed(page):
-    page.fill(".drop textarea", "Ann")
+    page.fill(".drop textarea", "Bo")
     page.click("nav >> text=Embroidery")
     page.wait_for_selector("dialog[open] form input")
-    assert page.input_value("dialog[open] form input") == "Ann"
+    assert page.input_value("dialog[open] form input") == "Bo"
     page.keyboard.press("Escape")
     page.click("nav >> text=Crochet")
     page.wait_for_selector("dialog[open] textarea")
@@ -833,7 +854,7 @@ def test_the_shelf_letters_a_name_and_carries_what_is_typed(page):
     page.keyboard.press("Escape")
     page.click(".what >> text=stitch it in letters")
     made(page)
-    assert page.input_value(".title input") == "Ann"
+    assert page.input_value(".title input") == "Bo"
     page.wait_for_selector(".side.right >> text=stitches")
     page.click(".mark")
     page.wait_for_selector(".mine .cardx")

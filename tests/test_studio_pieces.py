@@ -207,6 +207,12 @@ def test_pieces_are_found_by_words_of_their_titles(ours: TestClient) -> None:
     assert len(found("fox")) == 3
 
 
+def test_pieces_of_one_name_can_be_told_apart(ours: TestClient) -> None:
+    titles = [new(ours, seed="1", title="Twice", own=True)[0]["title"] for _ in range(3)]
+    assert titles == ["Twice", "Twice 2", "Twice 3"]
+    assert new(ours, seed="1", title="Twice")[0]["title"] == "Twice"  # who says a title has it
+
+
 def test_a_chart_is_pictured_as_from_afar() -> None:
     """Single stitches would be noise at that size; a chart of few stitches is its cloth."""
     import numpy as np

@@ -46,10 +46,12 @@ class FileIn(Body):
 
 
 class NewPiece(Body):
-    """A piece to make: of a source, an example, or a seed. Without a craft, the one that the source is for."""
+    """A piece to make: of a source, an example, or a seed. Without a craft, the one that the source is for. ``own``: where its
+    craft has one of its title already, it is numbered."""
 
     craft: str | None = None
     title: Annotated[str, Field(max_length=limits.TITLE)] | None = None
+    own: bool = False
     source: SourceIn | None = None
     example: Annotated[str, Field(max_length=100)] | None = None
     seed: Annotated[str, Field(max_length=1000)] | None = None

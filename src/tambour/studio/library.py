@@ -212,9 +212,13 @@ class Library:
 
     # -- pieces -----------------------------------------------------------------------------------------------------
 
-    def add(self, craft: str, title: str, content: Content, raw: bytes | None = None) -> tuple[Piece, Revision]:
-        """A new piece with its first revision; ``raw``: the bytes of its source, where they are not kept yet."""
+    def add(
+        self, craft: str, title: str, content: Content, raw: bytes | None = None, own: bool = False
+    ) -> tuple[Piece, Revision]:
+        """A new piece with its first revision; ``raw``: the bytes of its source, where they are not kept yet; ``own``: where its
+        craft has one of its title already it is numbered, "Bear 2"."""
         with self._change():
+            title = self._own(craft, title) if own else title
             at, name = now(), "".join(secrets.choice(_LETTERS) for _ in range(26))
             self._db.execute(
                 "INSERT INTO piece (id, craft, title, made, changed) VALUES (?, ?, ?, ?, ?)",
@@ -222,6 +226,15 @@ class Library:
             )
             revision = self._insert(name, None, content, raw, "", at)
             return self.piece(name), self.revision(revision)
+
+    def _own(self, craft: str, title: str) -> str:
+        """The title, or with the first number that is free."""
+        taken = "SELECT 1 FROM piece WHERE craft = ? AND title = ? AND binned IS NULL"
+        number, own = 1, title
+        while self._db.execute(taken, (craft, own)).fetchone():
+            number += 1
+            own = f"{title} {number}"
+        return own
 
     def piece(self, name: str) -> Piece:
         """The piece of an id. Raises Missing."""

@@ -64,6 +64,7 @@ async def plain_piece(studio: Studio, piece: Piece) -> Plain:
         "changed": piece.changed,
         "head": piece.head,
         "thumb": f"/api/revisions/{piece.head}/thumb.webp",
+        "before": None if piece.thumb in (None, piece.head) else f"/api/revisions/{piece.thumb}/thumb.webp",
         "binned": piece.binned is not None,
         "undo": undo,
         "redo": redo,
@@ -186,7 +187,9 @@ async def new(studio: Studio, request: Request, body: NewPiece) -> tuple[int, Pl
     )
     content = checked(what, content)
     title = titled(title or (Path(name).stem if name else str(params.get("seed", ""))) or what.name)
-    return 201, await both(studio, await studio.library.do(studio.library.add, what.name, title, content, raw))
+    return 201, await both(
+        studio, await studio.library.do(studio.library.add, what.name, title, content, raw, body.own)
+    )
 
 
 def _example(wanted: str, title: str | None, params: Plain) -> tuple[str, str, str, bytes | None, Plain]:
@@ -313,7 +316,7 @@ async def send(studio: Studio, request: Request, body: Send) -> tuple[int, Plain
         raise Answer.of(422, "this view is too large to be sent on, or is several files")
     raw = made.path.read_bytes()
     content = checked(there, Content(made.name, "", {}, {}, (), 1, __version__))
-    found = await studio.library.do(studio.library.add, there.name, piece.title, content, raw)
+    found = await studio.library.do(studio.library.add, there.name, piece.title, content, raw, True)
     return 201, await both(studio, found)
 
 

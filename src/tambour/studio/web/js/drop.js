@@ -45,7 +45,7 @@ export async function fromText(text) {
 
 /** @param {object} what the body of a new piece */
 export async function begin(what) {
-  const { piece } = await ask("/api/pieces", { body: what });
+  const { piece } = await ask("/api/pieces", { body: { own: true, ...what } });
   location.hash = `#/piece/${piece.id}`;
 }
 

@@ -57,6 +57,9 @@ const painted = new Promise((done) => {
   return void new PerformanceObserver((list) => list.getEntriesByName("first-contentful-paint").length && done(undefined)).observe({ type: "paint", buffered: true });
 });
 
+/** A card's picture is there; where the newest is still being drawn, the one before it. @param {Event} event */
+const seen = (event) => void (/** @type {HTMLElement} */ (event.target).dataset.seen = "");
+
 /** The card of a piece that has no picture, and why. @param {Event} event */
 const pictureless = (event) => {
   const image = /** @type {HTMLElement} */ (event.target);
@@ -108,7 +111,7 @@ export function shelf(element, left) {
           : others.map((/** @type {any} */ e) => html`<button class="link" @click=${() => attempt(() => begin({ craft: craft.name, example: e.name }))}>${e.title}</button> `)}</p></div>`;
     })}</div>
     ${pieces.value.length ? html`<h2>Yours</h2><div class="cards mine">${pieces.value.map((p) => html`<div class="holder"><a class="cardx" href="#/piece/${p.id}">
-        <span class="picture"><img src=${p.thumb} alt="" loading="lazy" @load=${(/** @type {Event} */ e) => (/** @type {HTMLElement} */ (e.target).dataset.seen = "")} @error=${pictureless}></span>
+        <span class="picture">${p.before ? html`<img src=${p.before} alt="" @load=${seen}>` : ""}<img src=${p.thumb} alt="" loading="lazy" @load=${seen} @error=${pictureless}></span>
         <span class="under"><b>${p.title}</b><span>${CRAFTS[p.craft]} · ${ago(p.changed)}</span></span></a>
         <button class="icon away" aria-label="put ${p.title} into the bin" title="Into the bin" @click=${() => away(p)}>×</button></div>`)}</div>
       ${next.value ? html`<p><br><button class="button" @click=${more}>More of yours</button></p>` : ""}` : ""}

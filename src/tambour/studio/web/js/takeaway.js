@@ -18,6 +18,8 @@ const FIRST = {
   embroidery: [["machine", ".dst", "Machine", "DST, read by nearly all"], ["machine", ".pes", "Brother", "PES with its colours"], ["machine", ".jef", "Janome", "JEF"], ["machine", ".vp3", "Husqvarna", "VP3"],
     ["worksheet", ".pdf", "Worksheet", "threads and stops, PDF"], ["preview", ".png", "Picture", "thread on cloth, PNG"]],
 };
+/** Formats that take long, and are made when they are asked for alone. */
+const DEAR = new Set([".gif", ".glb"]), WAIT = 1500;
 /** Second names of one format, and what a text of this craft is not. */
 const SAME = new Set([".jpeg", ".tiff", ".plt", ".knitout", ".usd"]), TEXTS = new Set([".txt", ".md", ".html", ".pdf"]);
 
@@ -36,14 +38,37 @@ export async function takeAway(over, piece, { follow }) {
   box.setAttribute("aria-labelledby", "away-title");
   const draw = () => render(view(), box);
   let wrong = /** @type {import("./wire.js").Problem[]} */ ([]); // said here: a note would lie behind this
+  /** Files that are being made, or are: asked for once. @type {Map<any, Promise<ArrayBuffer>>} */
+  const got = new Map();
+  const made = async (/** @type {any} */ file) => {
+    const coming = got.get(file) ?? bytes(`/api/revisions/${id}/files/${file.view}${file.suffix}`);
+    got.set(file, coming);
+    try {
+      file.size = (await coming).byteLength;
+      return await coming;
+    } catch (error) {
+      got.delete(file);
+      throw error;
+    }
+  };
+  /** How large the first ones are, one after another, when nobody took one at once: what is made then is taken in no time. */
+  const weigh = async () => {
+    await new Promise((done) => setTimeout(done, WAIT));
+    for (const [v, s] of FIRST[craft.name] ?? []) {
+      const file = files.find((f) => f.view === v && f.suffix === s);
+      if (!file || file.size !== null || DEAR.has(s)) continue;
+      while (busy.size && box.isConnected) await new Promise((done) => setTimeout(done, WAIT));
+      if (!box.isConnected || (await made(file).catch(() => null)) === null) return;
+      draw();
+    }
+  };
   const get = async (/** @type {any} */ file) => {
     if (busy.has(file)) return;
     busy.add(file);
     wrong = [];
     draw();
     try {
-      const raw = await bytes(`/api/revisions/${id}/files/${file.view}${file.suffix}`);
-      file.size = raw.byteLength;
+      const raw = await made(file);
       save(new Blob([raw]), raw.byteLength > 3 && isZip(raw) && file.suffix !== ".zip" && !ZIPPED.has(file.suffix) ? file.name.replace(/\.\w+$/, ".zip") : file.name);
     } catch (error) {
       if (!(error instanceof Trouble)) throw error;
@@ -83,6 +108,7 @@ export async function takeAway(over, piece, { follow }) {
   box.addEventListener("close", () => box.remove());
   over.append(box);
   box.showModal();
+  weigh();
 }
 
 /** The address of what is in sight goes to the clipboard; where there is none, it is shown to be copied by hand. @param {Piece} piece */

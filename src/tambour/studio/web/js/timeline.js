@@ -130,5 +130,5 @@ export class Timeline {
   }
 }
 
-/** A step's words without the label that begins them in the text. @param {string} words */
-export const bare = (words) => words.replace(/^\s*(r|rnds?|rounds?|rows?)\s*\d+(\s*[–-]\s*(r|rnd)?\s*\d+)?\s*[:.)]\s*/i, "");
+/** A step's words as one reads them aloud: without the label that begins them in the text. @param {string} words */
+export const bare = (words) => words.replace(/^\s*(r|rnds?|rounds?|rows?)\s*\d+(\s*[–-]\s*(r|rnd)?\s*\d+)?\s*[:.)]\s*/i, "").replace(/\bMR\((\d+)\)/g, "$1 sc in magic ring");

@@ -2,11 +2,11 @@
 
 /** @typedef {import("../pack.js").Pack} Pack */
 
-export const MODES = [["yarn", "Yarn"], ["stitches", "Stitches"], ["tension", "Tension"], ["parts", "Parts"], ["checks", "Checks"]];
+export const MODES = [["yarn", "Yarn"], ["stitches", "Stitches"], ["tension", "Tension"], ["rounds", "Rounds"], ["parts", "Parts"], ["checks", "Checks"]];
 
 const KINDS = [[216, 200, 168], [94, 146, 176], [196, 122, 88], [120, 150, 92], [168, 120, 168], [200, 168, 70], [90, 120, 150], [150, 96, 84]];
 const PARTS = [[196, 164, 120], [126, 160, 140], [190, 128, 112], [128, 146, 186], [184, 160, 84], [158, 128, 170], [112, 168, 176], [204, 148, 160], [140, 140, 116]];
-const RED = [190, 44, 32], PALE = [226, 220, 208], BLUE = [66, 110, 168];
+const RED = [190, 44, 32], PALE = [226, 220, 208], BLUE = [66, 110, 168], SLATE = [122, 140, 158], GOLD = [222, 176, 62];
 
 /** The colour of a part in the view of parts. @param {number} k */
 export const partly = (k) => PARTS[k % PARTS.length];
@@ -40,6 +40,12 @@ export function looks(pack, mode, { part = -1, spot = null } = {}) {
       put(i, t > 0 ? mix(PALE, RED, t) : mix(PALE, BLUE, -t), 0.95);
     }
     legend = [[BLUE, "loose"], [PALE, "as it should be"], [RED, "stretched by a quarter"]];
+  } else if (mode === "rounds") {
+    for (const { label, first, end } of pack.facts.rounds) { // so that they can be counted
+      const r = Number(/\d+/.exec(label)?.[0]), c = r % 10 ? (r % 5 ? (r % 2 ? PALE : SLATE) : GOLD) : RED;
+      for (let i = first; i < end; i++) put(i, c, 0.92);
+    }
+    legend = [[PALE, "odd"], [SLATE, "even"], [GOLD, "each fifth"], [RED, "each tenth"]];
   } else if (mode === "parts") {
     for (let i = 0; i < n; i++) put(i, PARTS[a.part[i] % PARTS.length], part < 0 || a.part[i] === part ? 0.9 : 0.25);
     const shown = pack.facts.parts.map((/** @type {any} */ p, /** @type {number} */ k) => [PARTS[k % PARTS.length], p.name]);

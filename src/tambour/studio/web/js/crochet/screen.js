@@ -37,6 +37,7 @@ export function screen(root, piece, { over }) {
     stage.touch();
   })];
   stage.camera.foot = 52; // the row of looks
+  stage.camera.head = 34; // what is said: it does not lie over the ears
   if (!stage.gl) stop.push(show(at.blank, withoutGl(piece, [["front", "Front"], ["back", "Back"], ["left", "Left"], ["right", "Right"], ["top", "Top"]])));
   stage.resize();
 

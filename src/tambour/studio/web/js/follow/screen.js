@@ -92,7 +92,7 @@ export async function follow(root, { title, craft, pack, steps, place, to }) {
   show(one(".words"), () => {
     const { step, unit, done } = at();
     if (done) return html`<div class="row">Finished</div><h1>${title} is made.</h1>`;
-    return html`<div class="row">${step.label}</div>${step.stop ? html`<p class="stop">${colored(step.stop)}</p>` : ""}
+    return html`<div class="row">${step.label}${yarns(step).map((c) => html` <i class="swatch" ${ref(dyed(c))}></i>`)}</div>${step.stop ? html`<p class="stop">${colored(step.stop)}</p>` : ""}
       <h1>${colored(bare(step.words))}${step.count && !/[[(]\s*\d+\s*[\])]\s*$|^[\d,]+ stitches/.test(step.words) ? html` <span class="quiet">${number(step.count)}</span>` : ""}</h1>
       <div class="tokens">${tokens(step).map((t) => html`<button class=${t.end <= unit ? "done" : t.first <= unit ? "now" : ""} @click=${() => place.go(at().k, t.first)}>
         ${t.color ? html`<i class="swatch" ${ref(dyed(t.color))}></i> ` : ""}${t.text}</button>`)}</div>`;
@@ -106,6 +106,13 @@ export async function follow(root, { title, craft, pack, steps, place, to }) {
       <button class="button" @click=${() => place.go(0, 0)}>Begin again</button> ${to ? html`<a class="button" role="button" href=${to}>To the piece</a>` : ""}
       <p class="quiet">${place.word}
         ${sleeps.value ? " This phone's screen may go dark: it does not let a page keep it awake." : ""}</p></div></details>`);
+
+  /** The colours that a round is worked in. @param {any} step @returns {ArrayLike<number>[]} */
+  function yarns(step) {
+    const { color, palette, kind } = pack.arrays;
+    if (!color || !kind) return [];
+    return [...new Set(color.subarray(step.first, step.end))].slice(0, 4).map((c) => palette.subarray(3 * c, 3 * c + 3));
+  }
 
   /** @param {any} step @returns {{first: number, end: number, text: string, color?: ArrayLike<number>}[]} */
   function tokens(step) {

@@ -24,7 +24,7 @@ export class Camera {
     this.yaw = this.home.yaw;
     this.pitch = this.home.pitch;
     this.width = this.height = 1;
-    this.foot = 0; // pixels at the foot of the picture that something lies over: what is fitted stays above
+    this.foot = this.head = 0; // pixels at the foot and the head of the picture that something lies over: what is fitted stays between
     /** @type {[Vec, Vec]|null} */
     this.box = null;
     /** Told of every move by hand. */
@@ -37,7 +37,7 @@ export class Camera {
     if (turn) Object.assign(this, this.home);
     this.center = /** @type {Vec} */ (low.map((v, k) => (v + high[k]) / 2));
     this.reach = Math.max(1, Math.hypot(...sub(high, low)) / 2);
-    const free = Math.max(1, this.height - this.foot), aspect = this.width / free;
+    const free = Math.max(1, this.height - this.foot - this.head), aspect = this.width / free;
     const [right, up] = this.axes();
     let wide = 0, tall = 0;
     for (let k = 0; k < 8; k++) {
@@ -47,7 +47,7 @@ export class Camera {
     }
     const half = (Math.max(tall, wide / aspect) * (this.flat ? 1.1 : 1.16) * this.height) / free;
     this.distance = half / Math.tan(this.fov / 2) + (this.flat ? 0 : this.reach * 0.25);
-    this.center = this.under(this.width / 2, (this.height + this.foot) / 2);
+    this.center = this.under(this.width / 2, (this.height + this.foot - this.head) / 2);
   }
 
   /** Right, up and towards the eye, in the world. @returns {[Vec, Vec, Vec]} */

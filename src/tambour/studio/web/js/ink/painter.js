@@ -35,6 +35,16 @@ export function painted(pack, scale, upto) {
   return canvas;
 }
 
+/** How many marks each hill, bank, boat … has here, in painter's order: [its name, marks]. @param {import("../pack.js").Pack} pack @returns {[string, number][]} */
+export function runs(pack) {
+  const whole = pack.arrays.whole, told = /** @type {[string, number][]} */ ([]);
+  for (let k = 0, last = -1; k < pack.facts.units; k++) {
+    if (whole[k] !== last) told.push([pack.facts.wholes[(last = whole[k])], 0]);
+    told[told.length - 1][1]++;
+  }
+  return told;
+}
+
 if (typeof document === "undefined")
   addEventListener("message", ({ data }) => {
     const { job, key, buffer, pack: given, scale, upto, forget } = data;
@@ -42,6 +52,7 @@ if (typeof document === "undefined")
     const pack = given ?? (buffer ? unpack(buffer) : kept.get(key));
     if (!pack) return postMessage({ job, bitmap: null });
     if (key !== undefined) kept.set(key, pack);
+    pack.facts.runs ??= runs(pack);
     const bitmap = painted(pack, scale, upto ?? Infinity).transferToImageBitmap();
     return /** @type {any} */ (globalThis).postMessage({ job, bitmap, facts: pack.facts }, [bitmap]);
   });

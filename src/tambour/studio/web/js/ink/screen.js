@@ -7,7 +7,7 @@ import { Timeline } from "../timeline.js";
 import { effect, html, later, live, number, render, show, signal, untracked } from "../view.js";
 import { Trouble, ask } from "../wire.js";
 import { address } from "./address.js";
-import { Tiles } from "./tiles.js";
+import { Tiles, upto } from "./tiles.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
@@ -65,11 +65,15 @@ export function screen(root, piece, { over, extra }) {
     paint.fillRect(-256, 0, canvas.width + 512, canvas.height);
     paint.restore();
   }
-  const place = later(() => {
+  let due = 0;
+  const placed = () => {
+    due = 0;
     history.replaceState(null, "", `#/piece/${piece.id}?x=${Math.round(x)}`);
     left.value = Math.round(x);
     one(".unseen").textContent = `from ${number(Math.round(x))} to ${number(Math.round(x + wide()))}`;
-  }, 300);
+  };
+  /** Told now and then, while it drifts too; no oftener: a browser takes a hundred addresses in half a minute. */
+  const place = () => (due ||= window.setTimeout(placed, 400));
   left.value = Math.round(x);
   const go = (/** @type {number} */ to) => {
     x = to;
@@ -111,10 +115,11 @@ export function screen(root, piece, { over, extra }) {
   const partly = later(async () => {
     const told = scroll.value;
     if (!told || !tiles || share.value >= 1000) return touch();
-    for (let k = Math.floor(x / told.tile); k * told.tile < x + wide(); k++) {
-      const units = tiles.all.get(k)?.facts?.units;
-      if (!units) continue;
-      const made = await tiles.part(k, Math.round((units * share.value) / 1000));
+    const seen = [];
+    for (let k = Math.floor(x / told.tile); k * told.tile < x + wide(); k++) if (tiles.all.get(k)?.facts?.runs) seen.push(k);
+    const marks = upto(seen.map((k) => tiles?.all.get(k)?.facts.runs), share.value / 1000);
+    for (const [i, k] of seen.entries()) {
+      const made = await tiles?.part(k, marks[i]);
       parts.get(k)?.close();
       if (made) parts.set(k, made);
     }
@@ -234,7 +239,7 @@ export function screen(root, piece, { over, extra }) {
     drifting.value = false;
     for (const end of stop) end();
     begin.stop();
-    place.stop();
+    clearTimeout(due);
     watch.disconnect();
     tiles?.free();
     tiles = null; // a frame that is still due draws nothing

@@ -31,6 +31,35 @@ export class Painter {
   }
 }
 
+/**
+ * How many marks of each tile are painted when a share of all in sight is: what reaches over an edge is painted as far on both sides.
+ * @param {[string, number][][]} tiles of each, its runs of marks in painter's order, as runs() tells them @param {number} share 0…1 @returns {number[]}
+ */
+export function upto(tiles, share) {
+  // One order of all: each tile's own is kept, and what two tiles have stands once.
+  const order = /** @type {string[]} */ ([]), most = /** @type {Map<string, number>} */ (new Map());
+  for (const tile of tiles) {
+    let at = 0;
+    for (const [name, marks] of tile) {
+      const found = order.indexOf(name);
+      if (found < 0) order.splice(at++, 0, name);
+      else at = Math.max(at, found + 1);
+      most.set(name, Math.max(most.get(name) ?? 0, marks));
+    }
+  }
+  let left = share * [...most.values()].reduce((sum, n) => sum + n, 0), now = 0;
+  while (now < order.length - 1 && left >= (most.get(order[now]) ?? 0)) left -= most.get(order[now++]) ?? 0;
+  const before = new Set(order.slice(0, now)), part = Math.min(1, left / (most.get(order[now]) ?? 1));
+  return tiles.map((tile) => {
+    let n = 0;
+    for (const [name, marks] of tile) {
+      if (!before.has(name)) return n + (name === order[now] ? Math.round(part * marks) : 0);
+      n += marks;
+    }
+    return n;
+  });
+}
+
 const KEPT = 3; // screens on each side
 
 export class Tiles {
@@ -86,7 +115,10 @@ export class Tiles {
       const buffer = await bytes(`/api/ink/tiles/${this.key}/${k}.pack`, asked.signal);
       const made = await this.painter.ask({ key: k, buffer, scale: tile.scale }, [buffer]);
       if (this.all.get(k) === tile) Object.assign(tile, { bitmap: made.bitmap, facts: made.facts });
-      else made.bitmap?.close();
+      else {
+        made.bitmap?.close(); // it went out of reach while it was painted: the painter has it again
+        if (!this.all.has(k)) this.painter.worker.postMessage({ forget: k });
+      }
     } catch {
       if (asked.signal.aborted) this.all.delete(k);
       else tile.failed = true; // shown as bare paper; asked for again when it comes into sight next
