@@ -10,14 +10,16 @@ from tambour.core.errors import Span
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.counts import makes
-from tambour.crochet.printed.doubts import after, decided, worked
+from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import closes
 from tambour.crochet.printed.mend import is_start
 from tambour.crochet.printed.moved import Moved
+from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.notes import Heading
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.reckoned import after, worked
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 
@@ -144,7 +146,8 @@ def elsewhere(
     """A round that is worked elsewhere than where the hook is: back on a round of the part, or along an edge, which is a part of
     its own then."""
     tokens, times, span = what
-    if place.number and place.number == draft.last and draft.begun() and not place.words:
+    another = bool(place.words) and named([one.name for one in p.parts], place.words) is not None
+    if place.number and place.number == draft.last and draft.begun() and not another:
         return draft, head, read  # the edge at the hook
     owner = draft if draft.begun() else p.parts[-2] if len(p.parts) > 1 and not place.words else draft
     back = back_to(owner, place) if owner.begun() and read.refers is None else None

@@ -9,6 +9,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.finishes import GUESSED
+from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.heads import STARS, heads
@@ -37,10 +38,14 @@ def marked(p: State, refers: Refers) -> Refers:
     elif len(pairs) == 1 and begun is None:
         found = replace(refers, marks=pairs[0])
     elif begun is not None:
-        first = origin.lines[origin.marks[begun][1]].number if origin.marks[begun][1] < len(origin.lines) else None
+        at = origin.marks[begun][1]
+        first = origin.lines[at].number if at < len(origin.lines) else None
         if first is None:
             return refers
-        found = replace(refers, marks=None, part=origin.name, numbers=tuple(range(first, origin.last + 1)))
+        back = next((k for k, line in enumerate(origin.lines) if k > at and _goes_back(line)), None)
+        ends = origin.lines[back].number if back is not None and origin is p.parts[-1] else None
+        last = ends - 1 if ends is not None else origin.last  # "Join A to skipped sts …": what is meant ends before
+        found = replace(refers, marks=None, part=origin.name, numbers=tuple(range(first, last + 1)))
     elif refers.part:
         after = _next_number(p)
         found = replace(
@@ -50,6 +55,11 @@ def marked(p: State, refers: Refers) -> Refers:
         return refers
     p.source.doubt("these asterisks are not both there: what seems meant is taken", "name the rounds", refers.span)
     return found
+
+
+def _goes_back(line: Line) -> bool:
+    """Whether a round goes back to an edge that was left."""
+    return any(isinstance(i, Action) and i.name == "goto" for i in line.items)
 
 
 def _next_number(p: State) -> int:

@@ -25,6 +25,7 @@ _LAST: Final = frozenset(("end", "ending", "ends"))
 _FLAT: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "press"))
 
 
+_ENDS_OF_YARN: Final = frozenset(("tail", "tails", "strand", "strands", "end", "ends"))
 _NEAR: Final = 8  # characters between a count and the bracket that ends it
 _COURSED: Final = ("leave", "in", "begin", "make", "with", "over")
 
@@ -144,6 +145,9 @@ class Walk(Trade):
         ):
             self.to_separator()  # "with right side facing"
             return True
+        if token.kind == "key" and token.value == "over" and self._over_ends():
+            self.to_separator()
+            return True
         if token.kind == "mark" and token.word in BETWEEN:
             if token.word in "-:" and ends_with_number(self, 1):
                 return False
@@ -161,6 +165,16 @@ class Walk(Trade):
             c.at += 1
             return True
         return False
+
+    def _over_ends(self) -> bool:
+        """Whether the clause at the cursor only says what is caught in: "working over yarn tail", "over the A strand"."""
+        ahead, caught = 1, False
+        while (token := self.c.look(ahead)) is not None and not (token.kind == "mark" and token.word in ",.;:([-)]"):
+            if token.kind in ("stitch", "number"):
+                return False
+            caught = caught or token.word in _ENDS_OF_YARN
+            ahead += 1
+        return caught
 
     def clause(self, found: list[Item], token: Token) -> None:
         """One clause at the cursor."""

@@ -78,6 +78,8 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
                 kind = kind or ("around" if each else "")
             elif token.value == "thicknesses" and placed:
                 pass  # "of both layers"
+            elif token.value in ("round", "row") and placed and kind == "first" and c.whole(1) is None:
+                pass  # "sl st in first st of rnd"
             elif token.value == "last" and placed and each and c.whole(1) is not None and not counted:
                 # "1 sc in each sc of last 19 sc"
                 count, counted, final = c.whole(1) or 1, True, True

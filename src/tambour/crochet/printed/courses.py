@@ -120,13 +120,20 @@ class Courses(Reader):
 
     def folding(self, found: list[Item], token: Token) -> None:
         """Stitches go through both layers of the edge, which lies flat: they close it."""
-        if self.edge is None or any(t.word in PIECES for t in self.c.tokens):
+        round_all = any(t.word == "around" for t in self.c.tokens[self.c.at :])  # what is folded flat is worked across
+        if self.edge is None or round_all or any(self._piece(k) for k in range(len(self.c.tokens))):
             self.body.both = True
             self.to_separator()
             return
         found.append(Action("fold", token.span))
         while self.c.look() is not None and not self.c.mark(",", ".", ";") and not self.c.kind("stitch"):
             self.c.at += 1
+
+    def _piece(self, at: int) -> bool:
+        """Whether the word at ``at`` is one for a piece that is held; "first st" is none."""
+        after = self.c.tokens[at + 1] if at + 1 < len(self.c.tokens) else None
+        counts = after is not None and (after.kind in ("stitch", "number") or after.value in ("stitch", "space"))
+        return self.c.tokens[at].word in PIECES and not (self.c.tokens[at].kind == "ordinal" or counts)
 
     def side_ahead(self) -> bool:
         """Whether the clause at the cursor speaks of the other side: "turn to work along opposite side of chain"."""

@@ -11,13 +11,14 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import Stitch, into_one
-from tambour.crochet.language.tree import Action, Group, Item, Line
+from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.asides import penned
 from tambour.crochet.printed.body import Walk
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.phrasing import shortened
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.reckoned import after, after_all, chainless, reached, worked
 from tambour.crochet.printed.repeats import led
 from tambour.crochet.printed.tokens import Token
 from tambour.crochet.words.phrases import Phrases
@@ -36,103 +37,16 @@ READINGS: Final = {
 }
 """Wording → its first reading, which is taken unless the count speaks for the second."""
 
+
 _COUNTED: Final = frozenset(("open", "more", "stands", "passed", "pair", "one", "one glued"))
-_MOST: Final = 200  # rounds that are counted through
+
+
 _TO_MARK: Final = re.compile(r"[^\n,.;:()\[\]{}*]{0,40}")
+
 
 _QUIET: Final = frozenset(
     ("one", "all", "once", "pair", "stands", "places", "passed")
 )  # usual enough not to be asked about when no count is stated
-
-
-def worked(
-    items: list[Item] | tuple[Item, ...], edge: int, stitches: dict[str, Stitch], begun: bool = False
-) -> tuple[int, int] | None:
-    """Stitches that ``items`` make and take on an edge of ``edge`` stitches; None when it is not known. ``begun`` : stitches stand before
-    them, so that chains are a space."""
-    made = taken = 0
-    for item in items:
-        if isinstance(item, Group):
-            once = worked(item.items, edge - taken, stitches, begun or made > 0)
-            if once is None:
-                return None
-            times = item.times
-            if times is None:
-                if once[1] == 0:
-                    return None
-                times = max(0, edge - taken - item.leaves) // once[1]
-            made, taken = made + once[0] * times, taken + once[1] * times
-        elif item.name == "mr":
-            made, taken, edge = item.numbers[0], 0, 0
-        elif item.name in stitches:
-            kind = stitches[item.name]
-            if kind.where == "ring":
-                made, taken, edge = kind.makes, 0, 0
-            elif kind.where == "sp":
-                return None
-            elif item.name == "slst":
-                made, taken = made + item.times, taken + item.times
-            elif item.name != "ch" or made or begun:  # chains at the beginning only lift the yarn
-                made, taken = made + kind.makes * item.times, taken + kind.takes * item.times
-        elif item.name in ("turn", "join"):
-            continue
-        elif item.name == "gap":
-            made, taken = item.numbers[0], edge
-        elif item.name not in ("flo", "blo", "bl", "color", "fo"):
-            return None
-    return made, taken
-
-
-def after(items: list[Item] | tuple[Item, ...], edge: int | None, stitches: dict[str, Stitch]) -> int | None:
-    """Stitches on the edge after ``items``, None when it is not known."""
-    done = worked(items, edge or 0, stitches)
-    if done is None:
-        return None
-    if any(not isinstance(i, Group) and (i.name in ("mr", "gap") or i.name.startswith("MR{")) for i in items):
-        return done[0]
-    return None if edge is None else edge - done[1] + done[0]
-
-
-def chainless(items: list[Item], edge: int | None, stitches: dict[str, Stitch]) -> int | None:
-    """Stitches that ``items`` make, chains aside; None when it is not known."""
-
-    def chains(inner: list[Item] | tuple[Item, ...], left: int) -> int | None:
-        total = 0
-        for item in inner:
-            if isinstance(item, Group):
-                once = worked(item.items, left, stitches, True)
-                found = chains(item.items, left)
-                if once is None or found is None or (item.times is None and not once[1]):
-                    return None
-                times = (left - item.leaves) // once[1] if item.times is None else item.times
-                total, left = total + found * times, left - once[1] * times
-            elif item.name in stitches:
-                kind = stitches[item.name]
-                total += item.times * sum(move.kind == "ch" for move in kind.moves)
-                left -= kind.takes * item.times
-        return total
-
-    _, items = led(items)
-    done, out = worked(items, edge or 0, stitches), chains(items, edge or 0)
-    return None if done is None or not out else done[0] - out
-
-
-def fixed(items: list[Item] | tuple[Item, ...], stitches: dict[str, Stitch]) -> tuple[int, int] | None:
-    """Stitches, and chains among them, that ``items`` make on whatever they are worked; None where something goes around."""
-    made = chains = 0
-    for item in items:
-        if isinstance(item, Group):
-            once = fixed(item.items, stitches)
-            if once is None or item.times is None:
-                return None
-            made, chains = made + once[0] * item.times, chains + once[1] * item.times
-        elif item.name in stitches and (item.name != "ch" or made):
-            kind = stitches[item.name]
-            made += kind.makes * item.times
-            chains += sum(move.kind == "ch" for move in kind.moves) * item.times
-        elif item.name == "gap":
-            return None
-    return made, chains
 
 
 def decided(
@@ -365,31 +279,6 @@ def along(body: Body, base: int, stitches: dict[str, Stitch]) -> None:
             ]
             other = [*([replace(first, times=first.times - 1)] if first.times > 1 else []), *other[1:]]
     body.items, body.turned = [*one, *other], len(one)
-
-
-def after_all(items: list[Item], stitches: dict[str, Stitch]) -> int | None:
-    """Stitches that ``items`` make, however many they are worked into."""
-    done = worked(items, 0, stitches)
-    return None if done is None else done[0]
-
-
-def reached(items: list[Item], edge: int | None, stitches: dict[str, Stitch], times: int) -> int | None:
-    """Stitches on the edge after ``times`` rounds of ``items``, None when it is not known."""
-    for _ in range(min(times, _MOST)):
-        before, edge = edge, after(items, edge, stitches)
-        if edge is None or edge == before:
-            break
-    return edge
-
-
-def rounds_until(lines: tuple[Line, ...], edge: int | None, count: int, stitches: dict[str, Stitch]) -> int:
-    """How many rounds, ``lines`` again and again, there are until one makes ``count``; 0 where none does."""
-    once = [line for line in lines for _ in range(line.times)]
-    for k in range(_MOST):
-        edge = after(once[k % len(once)].items, edge, stitches)
-        if edge is None or edge == count:
-            return 0 if edge is None else k + 1
-    return 0
 
 
 def _fits(body: Body, edge: int | None, stitches: dict[str, Stitch], times: int) -> int:

@@ -16,6 +16,8 @@ from tambour.crochet.printed.reader import Body
 if TYPE_CHECKING:
     from tambour.crochet.printed.parts import Draft
 
+_RING = 3  # stitches in one chain that are a ring, at least
+
 
 def founded(draft: Draft, source: Source, head: Head | None, body: Body, items: list[Item], span: Span) -> list[Item]:
     """``items`` without the chain or ring that the part begins with, which is put before them in ``draft``."""
@@ -29,7 +31,7 @@ def founded(draft: Draft, source: Source, head: Head | None, body: Body, items: 
     if chain is None:
         own = next((k for k, i in enumerate(items) if isinstance(i, Action) and i.name == "ch"), None)
         if own is None or any(works(i) for i in items[:own]):
-            return _ringed(source, items)
+            return _ringed(source, items, body.hook if head is None or not head.row else 0)
         chain = items[own]  # type: ignore[assignment]
         assert isinstance(chain, Action)
         rest = [i for i in items[own + 1 :] if not (isinstance(i, Action) and i.name == "join")]
@@ -48,11 +50,14 @@ def founded(draft: Draft, source: Source, head: Head | None, body: Body, items: 
     return _chained(draft, source, head, body, items, fresh, chain, span)
 
 
-def _ringed(source: Source, items: list[Item]) -> list[Item]:
-    """A first round that names no ring: its plain stitches are one."""
+def _ringed(source: Source, items: list[Item], hook: int) -> list[Item]:
+    """A first round that names no ring, or a chain from the ``hook`` that is not there: its plain stitches are one."""
     for k, item in enumerate(items):
         if isinstance(item, Action) and item.name in source.stitches and source.stitches[item.name].makes:
             kind = source.stitches[item.name]
+            several = hook and kind.where != "ring" and kind.takes == 1 and kind.makes * item.times >= _RING
+            if several and not any(works(i) for i in items[k + 1 :]):
+                return [*items[:k], _ring(source, item), *items[k + 1 :]]
             if kind.where == "ring" or item.times < 2 or kind.takes != 1 or any(works(i) for i in items[k + 1 :]):
                 return items
             ring: Item = Action("mr", item.span, numbers=(item.times, 0))
@@ -62,6 +67,17 @@ def _ringed(source: Source, items: list[Item]) -> list[Item]:
                 ring = Action(made.name, item.span)
             return [*items[:k], ring, *items[k + 1 :]]
     return items
+
+
+def _ring(source: Source, item: Action) -> Action:
+    """The stitches of ``item``, all in one chain, as a ring of them."""
+    kind = source.stitches[item.name]
+    if {name for name, _ in kind.inner or ((kind.name, 1),)} == {"sc"}:
+        return Action("mr", item.span, numbers=(kind.makes * item.times, 0))
+    held = [(source.stitches[name], k) for name, k in kind.inner] or [(kind, item.times)]
+    made = into_one(held, "ring")
+    source.stitches.setdefault(made.name, made)
+    return Action(made.name, item.span)
 
 
 def _chained(
@@ -90,17 +106,11 @@ def _chained(
     row = head is not None and head.row
     if draft.looped:
         body.hook = 0  # "ch 70, join to form a ring. Round 1: Sc in 2nd ch from hook …": all of them are worked into
-    if body.hook and chain.times - hook + 1 <= 1 and kind is not None and not row and isinstance(first, Action):
-        many = kind.makes * first.times
-        if many >= 3:
-            draft.lines[at] = replace(base, items=tuple(before))
-            ring: Item = Action("mr", first.span, numbers=(many, 0))
-            if {name for name, _ in kind.inner or ((kind.name, 1),)} != {"sc"}:
-                held = [(source.stitches[name], k) for name, k in kind.inner] or [(kind, first.times)]
-                made = into_one(held, "ring")
-                source.stitches.setdefault(made.name, made)
-                ring = Action(made.name, first.span)
-            return [ring if i is first else i for i in items]
+    one = body.hook and chain.times - hook + 1 <= 1 and kind is not None and not row
+    if one and kind is not None and isinstance(first, Action) and kind.makes * first.times >= _RING:
+        draft.lines[at] = replace(base, items=tuple(before))
+        ring = _ring(source, first)
+        return [ring if i is first else i for i in items]
     if body.sides:
         numbers = (chain.times, hook)
         draft.lines[at] = replace(base, items=(*before, Action("oval", chain.span, numbers=numbers)))

@@ -12,18 +12,19 @@ from tambour.crochet.printed.anew import anew
 from tambour.crochet.printed.bases import MOST as _MOST
 from tambour.crochet.printed.bases import base, based, elsewhere, frilled, is_first
 from tambour.crochet.printed.beyond import again_made, another, edged_again, edging, not_drawn
+from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.doubts import decided
-from tambour.crochet.printed.doubts import worked as stitches_of
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import works as works_some
 from tambour.crochet.printed.mend import is_start
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.parts import Draft
-from tambour.crochet.printed.prose import finishing, stuffed
+from tambour.crochet.printed.put import finishing, stuffed
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.reckoned import worked as stitches_of
 from tambour.crochet.printed.remarks import remark
 from tambour.crochet.printed.reworked import again
 from tambour.crochet.printed.state import State
@@ -116,6 +117,7 @@ class Headed(State):
             put = finishing(self, left)
             edged, self.edged = self.edged, False
             known = put or edging(self, left) or edged_again(self, left, edged) or again_made(self, left)
+            known = known or convention(self, left)
             if not known and not (handed and another(left)):
                 unread.append(left)
             handed = handed or put

@@ -12,10 +12,12 @@ MOST_AT_ONCE = 10_000
 """Rounds that one head names: a range of more is cut, and told where it is worked."""
 STARS = ("**", "***", "****", "*****")
 _STARRED = frozenset(STARS)
+_ENDS = frozenset((".", ")", "]", ";"))
 _BEFORE = frozenset((".", ",", ")", "]", "}", ";", ":"))
 _SIDES = frozenset(("rs", "ws", "right", "wrong", "side"))
 _OTHER = frozenset(("alt", "alternate", "alternating", "every", "other"))
 _NAMED = frozenset(("joining", "foundation", "setup", "edging", "dividing", "final", "decrease", "increase", "first"))
+_LABEL = 6  # words that name a round
 _AFTER = frozenset((":", ".", ")", "-", "=", ",", "]", "|", "–"))
 
 
@@ -56,7 +58,7 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
         c.at += 1
         if c.mark(".", "#") and c.whole(1) is not None:
             c.at += 1
-        if not list_of_numbers(c, numbers):
+        if not list_of_numbers(c, numbers, first.word.endswith("s")):
             return None
     elif _unnumbered(c) is not None:
         many, ahead = _unnumbered(c) or (1, 0)
@@ -94,12 +96,35 @@ def head(tokens: list[Token], at: int = 0) -> Head | None:
         parted = True
     if c.key("round", "row") and parted and numbers and c.whole(1) is None:
         c.at += 1
+    if numbers and strong and tokens[c.at - 1].word == "-" and (past := _label(tokens, c.at)):
+        c.at = past  # "Round 14-Leg Openings: Sc in …"
     if c.mark(*OPEN) and any(t.word in _SIDES for t in tokens[c.at + 1 : c.at + 3]):  # "1st rnd: (RS). Ch 1."
         end = next((k for k in range(c.at, min(c.at + 12, len(tokens))) if tokens[k].word in (")", "]", "}")), c.at - 1)
         c.at = end + 1
         while c.mark(".", ",", ":", "]", ")"):
             c.at += 1
     return Head(tuple(numbers), span, c.at, row, strong, extra, parted, many, other)
+
+
+def _label(tokens: list[Token], at: int) -> int:
+    """Where words at ``at`` end that only name a round, "Attach 2 Legs:", with their colon; 0 where they are none."""
+    if at >= len(tokens) or not tokens[at].capital or tokens[at].kind != "word":
+        return 0
+    end = at
+    while end < len(tokens) and end - at < _LABEL and tokens[end].kind in ("word", "number"):
+        end += 1
+    return end + 1 if end < len(tokens) and tokens[end].word == ":" else 0
+
+
+def _labelled(tokens: list[Token], at: int) -> int:
+    """Where the word round stands that words at ``at`` only name, "Thumb Opening-Rnd 31:", "Arm Rounds 5-14:"; 0 where they name none."""
+    end = at
+    while end < len(tokens) and end - at < _LABEL and tokens[end].kind == "word" and tokens[end].value is None:
+        end += 1
+    if end == at or not tokens[at].capital:
+        return 0
+    end += end < len(tokens) and tokens[end].word in ("-", "–")
+    return end if end < len(tokens) and tokens[end].kind == "key" and tokens[end].value in ("round", "row") else 0
 
 
 def _unnumbered(c: Cursor) -> tuple[int, int] | None:
@@ -115,8 +140,8 @@ def _unnumbered(c: Cursor) -> tuple[int, int] | None:
     return (c.whole(1) or 1 if ahead == 2 else 1), ahead
 
 
-def list_of_numbers(c: Cursor, numbers: list[int]) -> bool:
-    """``7-12``, ``3 to 5``, ``4, 6 and 8``, ``R5) to R8)``."""
+def list_of_numbers(c: Cursor, numbers: list[int], several: bool = False) -> bool:
+    """``7-12``, ``3 to 5``, ``4, 6 and 8``, ``R5) to R8)``; ``several`` : "rounds" wants two of them at least."""
     first = c.whole()
     if first is None:
         return False
@@ -142,7 +167,7 @@ def list_of_numbers(c: Cursor, numbers: list[int]) -> bool:
         counted = (
             after is not None and after.kind in ("stitch", "number") and not c.key("times", "more", ahead=ahead + 2)
         )
-        if last is None or (listed and not named and counted):
+        if last is None or (listed and not named and counted and not (several and len(numbers) == 1)):
             return True
         if ranged and not named and last <= numbers[-1]:
             return True  # "R7 - 6 sc": a dash, then the body
@@ -214,18 +239,41 @@ def list_of_ordinals(c: Cursor, numbers: list[int]) -> bool:
     return True
 
 
-def heads(tokens: list[Token]) -> list[tuple[int, Head]]:
-    """The heads of a line, in order: the one that it begins with, and those of later sentences that end with a colon."""
+def _further(tokens: list[Token], at: int) -> Head | None:
+    """The head of a round that words at ``at`` name, where it goes on with others: what begins at 1 may be a part of that name."""
+    named = _labelled(tokens, at)
+    found = head(tokens, named) if named else None
+    going = found is not None and found.numbers and found.numbers[0] > 1
+    return found if going and any(t.word == ":" for t in tokens[named : found.end]) else None  # type: ignore[union-attr]
+
+
+def _bare(tokens: list[Token], at: int, found: Head, text: str) -> bool:
+    """Whether a head without a colon begins a sentence, "… ring. Round 2 [Work 2 sc in next st] 6 times": words that only speak of a round
+    go on in small letters."""
+    after = tokens[found.end] if found.end < len(tokens) else None
+    said = text[found.span.end : after.start + 1].strip() if after is not None else ""
+    begins = bool(said) and (said[0].isupper() or said[0] in OPEN)
+    stops = tokens[at - 1].word in (".", ")", "]") and tokens[at].capital and bool(found.numbers)
+    return stops and begins and not found.parted and tokens[at].value in ("round", "row")
+
+
+def heads(tokens: list[Token], text: str = "") -> list[tuple[int, Head]]:
+    """The heads of a line of ``text``, in order: the one that it begins with, and those of later sentences that end with a colon, or
+    that a sentence begins behind."""
     found: list[tuple[int, Head]] = []
     at = 0
     while at < len(tokens) and tokens[at].word in _STARRED:
         at += 1
-    first = head(tokens, at)
+    first = head(tokens, at) or _further(tokens, at)
     if first is not None:
         found.append((0, first))
     at = first.end if first is not None else 1
     while at < len(tokens):
         token, before = tokens[at], tokens[at - 1]
+        if before.word in _ENDS and (later := _further(tokens, at)) is not None:
+            found.append((at, later))
+            at = later.end
+            continue
         named = token.kind == "key" and token.value in ("round", "row", "next", "join")
         after_name = before.capital and before.kind in ("word", "key") and token.value != "join"
         if (named or token.kind == "ordinal" or token.word in _NAMED) and (
@@ -233,7 +281,8 @@ def heads(tokens: list[Token]) -> list[tuple[int, Head]]:
         ):
             later = head(tokens, at)
             opens = not after_name or (later is not None and later.numbers[:1] == (1,))  # "Left Wing Row 1: …"
-            if later is not None and opens and later.strong and any(t.word == ":" for t in tokens[at : later.end]):
+            colon = later is not None and any(t.word == ":" for t in tokens[at : later.end])
+            if later is not None and opens and later.strong and (colon or _bare(tokens, at, later, text)):
                 begin = at
                 while begin > 1 and tokens[begin - 1].word in _STARRED:
                     begin -= 1

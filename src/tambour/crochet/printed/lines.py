@@ -41,6 +41,8 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
         return tokens
     if first.kind == "mark" and first.word in "([{*=":
         return tokens
+    if first.value in ("in", "around", "over", "side", "turn") and _other_side(tokens) and not _joined(before):
+        return tokens  # "Working in rem loops of foundation ch, …" goes on with the first round
     below = p.rows[at - 1].tokens and not row.marked and not founding(tokens)
     worked = (first.kind == "stitch" and first.value not in ("slst", "ch")) or (
         first.kind == "number" and len(tokens) > 1 and tokens[1].kind == "stitch"
@@ -50,9 +52,26 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     plain = p.source.text.text[first.start].islower() or first.kind == "number"
     if plain and first.kind == "word" and last.word not in (".", "!", "?", ":") and p.narrow(p.rows[at - 1]):
         return tokens
+    times = first.value in ("twice", "once") or (
+        first.kind == "number" and len(tokens) > 1 and tokens[1].kind == "key" and tokens[1].value == "times"
+    )
+    if times and last.word in (")", "]", "}"):
+        return tokens
     if plain and last.word not in (".", ")", "]", "}") and first.kind in ("stitch", "key", "number"):
         return tokens
     return None
+
+
+def _other_side(tokens: list[Token]) -> bool:
+    """Whether the first clause of a line speaks of the other side of the foundation chain."""
+    end = next((k for k, t in enumerate(tokens) if t.word in (",", ".", ";", ":")), len(tokens))
+    return any(t.kind == "key" and t.value == "side" for t in tokens[:end])
+
+
+def _joined(before: list[Token]) -> bool:
+    """Whether a round that did not begin in a chain from the hook, or that is joined, stands before."""
+    keys = [t.value for k, t in enumerate(before) if t.kind == "key" and not (k and before[k - 1].value == "not")]
+    return "hook" not in keys or "join" in keys or any(t.kind == "key" and t.value == "side" for t in before)
 
 
 def stop_between(p: State, before: list[Token], at: int) -> list[Token]:

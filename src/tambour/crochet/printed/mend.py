@@ -11,8 +11,8 @@ from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
-from tambour.crochet.printed.doubts import after
 from tambour.crochet.printed.items import goes
+from tambour.crochet.printed.reckoned import after
 
 _ROUNDS = 60  # times that a part is worked to find the next fault
 _TRIES = 6  # times that the whole is

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import MOST_AT_TIP
 from tambour.crochet.language.source import Source
+from tambour.crochet.language.stitches import STANDING
 from tambour.crochet.language.tree import Action, Group, Item, Line, Section, written
 from tambour.crochet.printed.curls import looped, rooted
 from tambour.crochet.printed.cursor import Refers
-from tambour.crochet.printed.doubts import after, chainless, fixed, reached
 from tambour.crochet.printed.foundations import founded
 from tambour.crochet.printed.heads import MOST_AT_ONCE, Head
 from tambour.crochet.printed.items import (
@@ -29,6 +29,7 @@ from tambour.crochet.printed.items import (
 )
 from tambour.crochet.printed.marked import middle
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.reckoned import after, chainless, fixed, reached
 from tambour.crochet.printed.redyed import colored
 from tambour.crochet.printed.slips import lowered
 from tambour.crochet.printed.tokens import Token
@@ -149,7 +150,7 @@ class Draft:
         ):
             items = [Action(self.loops, span), *items, Action("bl", span)]
         if items:
-            self._line(source, head, body, self._begun(source, head, items), span, notes)
+            self._line(source, head, body, self._begun(source, head, _facing(items), body), span, notes)
 
     def ahead(self) -> int | None:
         """Which stitch is the marked one as the next round meets it: rows are turned."""
@@ -297,13 +298,13 @@ class Draft:
             return written(self.lines, next((n.number for n in rounds if n.number), 1), refers.through)
         return tuple(rounds)
 
-    def _begun(self, source: Source, head: Head | None, items: list[Item]) -> list[Item]:
+    def _begun(self, source: Source, head: Head | None, items: list[Item], body: Body) -> list[Item]:
         """``items`` with the chains at a round's beginning understood, and rows turned where nobody says so."""
         at = next(
             (k for k, i in enumerate(items) if not isinstance(i, Action) or i.name not in ("color", "flo", "blo")), 0
         )
         lead = items[at] if items else None
-        turns = any(isinstance(i, Action) and i.name == "turn" for i in items[at : at + 3])
+        turns = any(isinstance(i, Action) and i.name == "turn" for i in items[at : _first_worked(items)])
         before = next(
             (line for line in reversed(self.lines) if line.again is not None or any(map(goes, line.items))), None
         )
@@ -311,6 +312,9 @@ class Draft:
             before = before.again.lines[-1]
         last = next((i for i in reversed(before.items) if goes(i)), None) if before is not None else None
         lifted = isinstance(last, Action) and last.name in ("join", "turn")
+        several = body.rounds is not None or (head is not None and (len(head.numbers) > 1 or head.many > 1))
+        if several and not any(isinstance(i, Action) and i.name in ("join", "turn") for i in items):
+            lifted = False  # "3rd to 5th rnds: Ch 1. 1 sc in each sc around. Do not join."
         worked = any(works(line_item) for line in self.lines for line_item in line.items)
         if self.flat and worked and not turns and not lifted and (head is None or head.row) and any(map(works, items)):
             return [*items[:at], Action("turn", span_of(items[at])), *items[at:]]
@@ -365,3 +369,23 @@ class Draft:
             key = line.number if line.number is not None else key
             keyed.append((key, line))
         return [line for _, line in sorted(keyed, key=lambda pair: pair[0])]
+
+
+def _first_worked(items: list[Item]) -> int:
+    """Where the first item stands that works stitches; chains that stand for one are none."""
+    return next(
+        (k for k, i in enumerate(items) if works(i) and not (isinstance(i, Action) and i.name in STANDING)), len(items)
+    )
+
+
+def _facing(items: list[Item]) -> list[Item]:
+    """``items`` with chains that stand for a stitch, or that lift the yarn for the next row, behind the turn that is said after them: "ch 3,
+    turn, dc in each st", "… across, ch 1, turn"."""
+    made = list(items)
+    for k, (one, other) in enumerate(pairwise(items)):
+        if not (isinstance(one, Action) and isinstance(other, Action) and other.name == "turn"):
+            continue
+        ends = k + 2 == len(items) and one.name == "ch" and one.times <= LIFT and any(map(works, items[:k]))
+        if one.name in STANDING or ends:
+            made[k : k + 2] = [other, one]
+    return made

@@ -176,7 +176,7 @@ class Printed(Headed):
         if not row.tokens:
             return at + 1
         tokens = self.vocabulary.read(row.tokens)
-        found = heads(tokens)
+        found = heads(tokens, self.source.text.text)
         if not found:
             end = at + 1
             while end < len(self.rows) and end - at < WRAPPED and wrapped(self, self.rows[end - 1], self.rows[end]):

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.printed.asides import aside
 from tambour.crochet.printed.counts import multiplier
 from tambour.crochet.printed.cursor import Cursor, NotUnderstood, Refers
 from tambour.crochet.printed.heads import STARS, list_of_numbers, list_of_ordinals
@@ -70,9 +72,18 @@ def refers(r: Reader) -> Refers | None:
     times, length, whole = None, None, True
     words: list[str] = []
     through, to_count, mirrored, upto, vague = 0, 0, False, 0, False
-    while (token := c.look()) is not None and not (token.kind == "mark" and token.word in _ENDS):
+    while (token := c.look()) is not None:
+        if token.kind == "mark" and token.word in _ENDS:
+            if not (past := _meanwhile(c)):
+                break
+            r.body.doings.append(c.tokens[c.at + 1 : past])
+            c.at = past
+            continue
         if c.key("color") and token.word.startswith("chang"):
             break
+        if not numbers and not found.latest and found.marks is None and _named(c, numbers):
+            found = replace(found, numbers=tuple(numbers))
+            continue
         if (given := multiplier(r)) is not False:
             times = given[0]
             if c.skip_key("more"):
@@ -140,6 +151,37 @@ def refers(r: Reader) -> Refers | None:
         upto,
         vague,
     )
+
+
+def _named(c: Cursor, numbers: list[int]) -> bool:
+    """Goes past "rounds 12 to 16", said behind the part that they are of, and puts them into ``numbers``; whether they stand there."""
+    if c.key("round", "row") and c.whole(1) is not None:
+        several = c.tokens[c.at].word.endswith("s")
+        c.at += 1
+        return list_of_numbers(c, numbers, several)
+    return c.kind("ordinal") and list_of_ordinals(c, numbers)
+
+
+def _meanwhile(c: Cursor) -> int:
+    """Where "until" stands behind clauses that only say how hands go on, ", working in spiral, moving marker up, until …"; 0 for others."""
+    at = c.at
+    if not c.mark(","):
+        return 0
+    while at < len(c.tokens) and c.tokens[at].word == ",":
+        after = c.tokens[at + 1] if at + 1 < len(c.tokens) else None
+        if after is not None and after.kind == "key" and after.value == "until":
+            return at + 1 if at > c.at else 0
+        hands = after is not None and (
+            aside(Cursor(c.tokens, at + 1)) or (after.value in ("in", "over") and after.word.startswith("in"))
+        )
+        if not hands:
+            return 0
+        at += 1
+        while at < len(c.tokens) and c.tokens[at].word not in (",", ".", ";") and c.tokens[at].value != "until":
+            at += 1
+        if at < len(c.tokens) and c.tokens[at].value == "until":
+            return at
+    return 0
 
 
 def _shaped(c: Cursor) -> int:

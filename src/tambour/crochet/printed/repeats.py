@@ -22,7 +22,7 @@ from tambour.crochet.printed.curls import curled
 from tambour.crochet.printed.cursor import OPEN, Cursor, NotUnderstood
 from tambour.crochet.printed.heaped import again_into_ring, placed
 from tambour.crochet.printed.reader import Reader
-from tambour.crochet.printed.stitch import standing
+from tambour.crochet.printed.standing import standing
 from tambour.crochet.printed.tokens import Token
 
 _REMARKED: Final = frozenset(("inc'd", "dec'd", "increased", "decreased", "made", "worked", "group", "groups"))

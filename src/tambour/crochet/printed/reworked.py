@@ -7,12 +7,12 @@ from dataclasses import replace
 from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Action, Again, Item, Line, written
-from tambour.crochet.printed.doubts import after, rounds_until
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import closes, sets_mark, works
 from tambour.crochet.printed.naming import named
 from tambour.crochet.printed.parts import LIFT, MARKED, MOST_ROUNDS, Draft
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.reckoned import after, rounds_until
 from tambour.crochet.printed.redyed import redyed
 from tambour.crochet.printed.state import State
 
@@ -31,7 +31,9 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     if origin is None:
         return False
     lines = origin.referred(refers)
-    if not lines or any(line.span.start in origin.spread for line in lines):
+    gaps = [i for line in lines[:1] for i in line.items if line.gap and line.stated is None and isinstance(i, Action)]
+    guessed = any(i.name == "gap" and i.numbers[:1] != (draft.edge,) for i in gaps)
+    if not lines or guessed or any(line.span.start in origin.spread for line in lines):
         return False
     marked = _marked(lines, draft) if origin is not draft else None
     lines = marked or tuple(replace(line, items=tuple(i for i in line.items if not sets_mark(i))) for line in lines)
@@ -71,8 +73,14 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     if not draft.begun() or draft.chain is not None:
         first = next(k for k, one in enumerate(origin.lines) if one.in_round)
         if lines[0].number == origin.lines[first].number and origin is not draft:
-            own = [line for line in draft.lines if all(isinstance(i, Action) and i.name == "color" for i in line.items)]
-            draft.lines, draft.chain, draft.flat = [*own, *origin.lines[:first]], None, origin.flat
+            hues = [
+                (line, tuple(i for i in line.items if isinstance(i, Action) and i.name == "color"))
+                for line in draft.lines
+            ]
+            own = [replace(line, items=said) for line, said in hues if said]
+            # "With B, work as for Head" is worked in B.
+            begun = [_undyed(line) if own else line for line in origin.lines[:first]]
+            draft.lines, draft.chain, draft.flat = [*own, *begun], None, origin.flat
     number = numbers[0] if numbers else draft.last + 1
     at = head.span if head is not None and numbers else refers.span
     first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
@@ -115,6 +123,11 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
         draft.edges[draft.last] = draft.edge
     draft.shrunk = draft.edge is not None and before is not None and draft.edge < before
     return True
+
+
+def _undyed(line: Line) -> Line:
+    """A line without its colours."""
+    return replace(line, items=tuple(i for i in line.items if not (isinstance(i, Action) and i.name == "color")))
 
 
 def _marked(lines: tuple[Line, ...], draft: Draft) -> tuple[Line, ...] | None:

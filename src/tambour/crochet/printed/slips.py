@@ -8,7 +8,7 @@ from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import Stitch, into_one
 from tambour.crochet.language.tree import Group, Item, Line
 from tambour.crochet.printed.counts import makes, slips
-from tambour.crochet.printed.doubts import after
+from tambour.crochet.printed.reckoned import after
 
 
 def lowered(lines: list[Line], edges: dict[int, int], source: Source) -> list[Line]:

@@ -11,6 +11,7 @@ from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.leaves import leaves
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.naming import heading_above, made_of
 from tambour.crochet.printed.notes import Heading
@@ -71,7 +72,7 @@ class State:
 
     def __init__(self, source: Source, high: Height) -> None:
         self.source, self._high = source, high
-        self.rows = rows(source.text.text)
+        self.rows = leaves(source.text.text, rows(source.text.text))
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)

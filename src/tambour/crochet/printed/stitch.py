@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Final
 
 from tambour.core.errors import Span
-from tambour.crochet.language.stitches import BUMPS, STANDING
+from tambour.crochet.language.stitches import BUMPS
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import Where, where
 from tambour.crochet.printed.counts import makes, multiplier
@@ -16,10 +15,21 @@ from tambour.crochet.printed.heaped import into_ring, placed, together
 from tambour.crochet.printed.marked import taken
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.reader import Reader
+from tambour.crochet.printed.standing import (
+    CHAINS_OF,
+    may_stand,
+    passed_over,
+    slipped_back,
+    spaced,
+    standing_last,
+    stands,
+    stood,
+)
 from tambour.crochet.printed.tokens import Token
 
 _TWO = ("inc", "dec")
-_STANDING: Final = {int(name[2]): name for name in STANDING if name[2] != "1"}
+
+
 _FEW = 4  # "2 sc in next 3 sts" is two in each; of more, nobody means that
 
 
@@ -42,7 +52,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         and place.kind == "first"
         and place.count == 1
         and found
-        and (_standing_last(found) or _stood(r, found))
+        and (standing_last(found) or stood(r, found))
     ):
         return  # the chains stand in it
     if (
@@ -51,7 +61,7 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         and place.kind == "first"
         and place.count > 1
         and found
-        and _standing_last(found)
+        and standing_last(found)
     ):
         found.append(Action("skip", token.span, place.count - 1, place.span))
         return
@@ -59,9 +69,9 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         name == "skip"
         and place is not None
         and place.kind in ("joined", "same")
-        and all(_stands(i) or not makes(i) for i in found)
+        and all(stands(i) or not makes(i) for i in found)
     ):
-        if not (found and _stands(found[-1])):  # chains that stand for a stitch stand there
+        if not (found and stands(found[-1])):  # chains that stand for a stitch stand there
             found.append(Action("skip", token.span))
         return
     if place is not None and place.kind in ("hook", "same", "joined") and curl(r, found, name, place):
@@ -69,13 +79,13 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         return
     if place is not None and place.kind == "hook":
         r.body.hook, r.body.fresh = place.ordinal, len(found)
-        if place.ordinal - 1 in _STANDING:
-            counts = c.mark("(") and c.key("count", ahead=1) and not c.key("not", ahead=2)
-            if not counts:
+        if place.ordinal - 1 in CHAINS_OF:
+            said = passed_over(c)
+            if said is None:
                 r.ask("passed", place.span)
-            if counts or "passed" in r.choices:  # the chains that are passed over are the first stitch
+            if said or (said is None and "passed" in r.choices):  # the chains that are passed over are the first stitch
                 r.body.hook -= 1
-                found.append(Action(_STANDING[place.ordinal - 1], place.span))
+                found.append(Action(CHAINS_OF[place.ordinal - 1], place.span))
         if r.before is not None:  # "starting in 2nd ch from hook: 5 sc"
             place = None
     r.before = None
@@ -86,9 +96,9 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     if (
         place is not None
         and place.kind in ("joined", "first")
-        and not any(map(makes, [i for i in found if not _stands(i)]))
+        and not any(map(makes, [i for i in found if not stands(i)]))
     ):
-        behind = next((k for k, item in enumerate(found) if _stands(item)), None)
+        behind = next((k for k, item in enumerate(found) if stands(item)), None)
         if behind is not None:  # "Ch 3. Working in back loops only, 1 dc in first sc"
             found.append(found.pop(behind))
     if (
@@ -97,12 +107,12 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         and name != "slst"
         and found
         and not any(map(makes, found))
-        and not _stands(found[-1])
+        and not stands(found[-1])
     ):
         place.kind = "first"  # the stitch that the yarn was joined to
-    if place is not None and place.kind in ("same", "joined") and _slipped(found):
+    if place is not None and place.kind in ("same", "joined") and slipped_back(found):
         place.kind = "first"  # "sl st in each of first 7 sts, ch 1, sc in same st as last sl st"
-    if place is not None and place.kind in ("joined", "first") and found and _stands(found[-1]):
+    if place is not None and place.kind in ("joined", "first") and found and stands(found[-1]):
         place.kind = "same"  # the chains stand there already
     if place is not None and place.kind == "joined":
         if name != "slst" and any(map(makes, found)):
@@ -118,6 +128,9 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     if place is not None and place.kind == "around" and c.kind("ordinal") and c.key("round", ahead=1):
         nth, named = c.take(), c.take()  # "1 sc in each rem loop of 3rd rnd"
         r.body.moved = Moved(Span(nth.start, named.end), nth.value, free=True)
+    elif place is not None and place.kind == "around" and c.key("round", "row") and c.whole(1) is not None:
+        named, nth = c.take(), c.take()  # "sc in each remaining back loop of Round 1"
+        r.body.moved = r.body.moved or Moved(Span(named.start, nth.end), nth.value, free=True)
     if place is not None and place.marked:
         _to_marked(r, found, place, token)
     if name != "slst" and len(words := token.word.split(" ")) == 2 and words[1] in _TWO:
@@ -140,13 +153,13 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         and place is None
         and not any(map(makes, found))
         and not r.depth
-        and _spaced(r, found, number, token)
+        and spaced(r, found, number, token)
     ):
         return
-    if name == "ch" and place is None and not any(map(makes, found)) and not r.depth and _may_stand(r, number):
+    if name == "ch" and place is None and not any(map(makes, found)) and not r.depth and may_stand(r, number):
         r.ask("stands", token.span)
         if ("stands" in r.choices) != r.standing.get(number.value, False):  # type: ignore[union-attr]
-            found.append(Action(_STANDING[number.value], token.span))  # type: ignore[union-attr]
+            found.append(Action(CHAINS_OF[number.value], token.span))  # type: ignore[union-attr]
             return
     made = _lower(r, found, name, before, after, token, place)
     if place is not None and place.final:
@@ -194,61 +207,6 @@ def bump(token: Token | None, loops: int) -> str:
     """The name of a bobble, popcorn, puff or cluster of so many loops; "" where the token is none."""
     kind = next((kind for kind in BUMPS if token is not None and token.value == kind), "")
     return "" if not kind or not 2 <= loops <= 12 else kind if loops == BUMPS[kind][0] else f"{kind}{loops}"
-
-
-def _stood(r: Reader, found: list[Item]) -> bool:
-    """Takes chains at a round's beginning that the first stitch is skipped for as that stitch, where all others are worked: "Ch 2,
-    skip first sc, hdc in each sc around"; whether they are."""
-    last, c = found[-1], r.c
-    said = c.tokens[c.at : next((k for k in range(c.at + 1, len(c.tokens)) if c.tokens[k].word in (".", ";")), None)]
-    if not any(t.kind == "key" and t.value == "each" for t in said[:8]):
-        return False
-    if not (isinstance(last, Action) and last.name == "ch" and last.times in _STANDING) or any(map(makes, found)):
-        return False
-    found[-1] = Action(_STANDING[last.times], last.span)
-    return True
-
-
-def _standing_last(found: list[Item]) -> bool:
-    """Whether items end with chains that count as a stitch, or as a stitch and chains."""
-    last = found[-1]
-    more = isinstance(last, Action) and last.name == "ch" and len(found) > 1
-    return _stands(last) or (more and _stands(found[-2]))
-
-
-def _stands(item: Item) -> bool:
-    """Whether an item is chains that count as a stitch."""
-    return isinstance(item, Action) and item.name in STANDING
-
-
-def _spaced(r: Reader, found: list[Item], number: Token | None, token: Token) -> bool:
-    """Takes so many chains for a stitch and a space, where the text says it of all of them."""
-    space = r.spaced.get(number.value, 0) if number is not None and isinstance(number.value, int) else 0
-    if not space or r.c.mark("(", "["):
-        return False
-    found += [Action(_STANDING[number.value - space], token.span), Action("ch", token.span, space)]  # type: ignore[union-attr]
-    return True
-
-
-def _slipped(found: list[Item]) -> bool:
-    """Takes the last of slip stitches at a row's beginning back, since a stitch goes into the same place; whether there is one."""
-    at = len(found) - 1
-    while at >= 0 and isinstance(found[at], Action) and found[at].name in ("ch", "flo", "blo", "color"):  # type: ignore[union-attr]
-        at -= 1
-    last = found[at] if 0 <= at < len(found) - 1 else None
-    if not isinstance(last, Action) or last.name != "slst" or last.times < 2 or any(map(makes, found)):
-        return False
-    found[at] = replace(last, times=last.times - 1)
-    return True
-
-
-def _may_stand(r: Reader, number: Token | None) -> bool:
-    """Whether so many chains may count as a stitch, and nothing says that they do not."""
-    c = r.c
-    if number is None or number.value not in _STANDING or c.look() is None:
-        return False
-    said = c.tokens[c.at : c.at + 8]
-    return not (c.mark("(", "[") and any(t.kind == "key" and t.value in ("not", "count") for t in said))
 
 
 def room(r: Reader, found: list[Item], made: list[Item]) -> None:
@@ -387,12 +345,3 @@ def spread(r: Reader, found: list[Item]) -> bool:
     ):
         c.at += 1
     return True
-
-
-def standing(found: list[Item]) -> None:
-    """Chains at the end of ``found`` that count as a stitch become it."""
-    last = found[-1] if found else None
-    if isinstance(last, Action) and last.name == "ch":
-        name = next((s for s, kind in STANDING.items() if s.startswith(f"ch{last.times}")), None)
-        if name is not None:
-            found[-1] = Action(name, last.span)

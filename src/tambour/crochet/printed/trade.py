@@ -12,13 +12,14 @@ from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.dyes import Dyes
 from tambour.crochet.printed.references import refers
 from tambour.crochet.printed.repeats import led, repeated
-from tambour.crochet.printed.stitch import standing
+from tambour.crochet.printed.standing import standing
 from tambour.crochet.printed.tokens import Token
 
 _LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
 _COURSE: Final = frozenset("spiral spirals continuous joined pattern sequence rounds rows turned".split())
 _ENDED_SO: Final = frozenset(("seam", "attach", "finish", "secure", "complete", "cover", "shape"))
 _AS: Final = frozenset("you work needed desired shown pictured required progresses".split())
+_WORKED: Final = ("turn", "join", "in", "color")  # what work goes on with behind "leaving a long tail, …"
 ENDS: Final = frozenset((".", ";"))
 """Marks that end a sentence."""
 
@@ -137,8 +138,7 @@ class Trade(Dyes):
                 while c.look() is not None and not c.mark(",", ".", ";") and not c.key("with"):
                     c.at += 1
         elif word == "even":
-            c.skip_key("around")
-            found.append(Group((Action("sc", token.span),), None, token.span))
+            self.even(found, token)
         elif word == "thicknesses":
             self.folding(found, token)
         elif (
@@ -184,6 +184,19 @@ class Trade(Dyes):
                 token, f'"{token.word}" is not understood here', "a stitch, a number or a repeat is wanted"
             )
 
+    def even(self, found: list[Item], token: Token) -> None:
+        """``work even``, ``work even in hdc with A``: a stitch in each, in a yarn that is said behind it."""
+        c = self.c
+        c.skip_key("around")
+        named, after = c.look(1), c.look(2)
+        alone = after is None or after.kind == "mark" or after.value in ("with", "around", "color", "until", "for")
+        kind = named.value if named is not None and named.kind == "stitch" and c.key("in") and alone else "sc"
+        c.at += 2 if named is not None and c.key("in") and named.kind == "stitch" and alone else 0
+        c.skip_key("around")
+        if c.key("with"):
+            self.color(found)
+        found.append(Group((Action(kind, token.span),), None, token.span))
+
     def again(self, found: list[Item], token: Token) -> None:
         """``repeat Rnd 4``, ``as Rnds 2-3 of Head``, or a repeat of all that was said."""
         c = self.c
@@ -213,9 +226,8 @@ class Trade(Dyes):
         c = self.c
         left = False
         while c.look() is not None and not c.mark("."):
-            if (c.mark(",", ";") and (c.kind("stitch", 1) or c.key("turn", ahead=1))) or (
-                c.mark("-", "=") and ends_with_number(self, 1)
-            ):
+            worked = c.kind("stitch", 1) or c.key(*_WORKED, ahead=1) or (c.kind("number", 1) and c.kind("stitch", 2))
+            if (c.mark(",", ";") and worked) or (c.mark("-", "=") and ends_with_number(self, 1)):
                 break
             if c.mark(*OPEN):
                 end = closing(self)

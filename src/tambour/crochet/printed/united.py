@@ -10,9 +10,9 @@ from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.places.names import one
 from tambour.crochet.printed.cursor import NotUnderstood
-from tambour.crochet.printed.doubts import worked
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.reckoned import worked
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.tokens import Token
 

@@ -14,7 +14,23 @@ from tambour.crochet.words.table import TERMS, Heard
 _SAME: Final = {"into": "in", "stitches": "stitch", "none": "not"}
 _JOINS: Final = frozenset("-.'/")
 _YARNS: Final = frozenset(
-    ("with", "to", "color", "colour", "yarn", "in", "join", "attach", "add", "drop", "break", "carry", ".", "using")
+    (
+        "with",
+        "to",
+        "color",
+        "colour",
+        "yarn",
+        "in",
+        "join",
+        "attach",
+        "add",
+        "drop",
+        "break",
+        "carry",
+        ".",
+        "using",
+        "of",
+    )
 )
 _ENDED: Final = frozenset(("=", ":", ",", ".", ";", ")", "and", "or", "for"))  # no article stands before these
 _ARTICLES: Final = frozenset(("the", "a", "your"))

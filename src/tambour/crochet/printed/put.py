@@ -1,0 +1,68 @@
+"""Printed patterns, put: sentences that put a part or a face somewhere, and those that say how a part is stuffed."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.stitches import STUFFING
+from tambour.crochet.places.hear import assembling
+from tambour.crochet.places.names import Made, kind_of, one
+from tambour.crochet.printed.assembly import Said
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.tokens import Token
+
+_SEWN: Final = re.compile(
+    r"\bsew\b.{0,20}\b(?:in place|into place|behind|between|beneath|above|below|under)\b", re.IGNORECASE
+)
+
+
+_UNSAID: Final = re.compile(r"(?: [^\W\d_]+)+(?=[.;!\n]|$)")
+
+
+_BEFORE: Final = re.compile(r"(?:^|[.!?:)\]*•-]\s+)((?:[^\W\d_]+ )+)$")
+"""Words at the end and at the beginning of a sentence that are no tokens, since they work nothing: "The fins … spread evenly"."""
+
+
+_PARTLY: Final = frozenset("last remaining rem rest top end over overstuff weighted pellets too rounds rnds".split())
+"""Words of sentences that say how, or how far, a part is not stuffed."""
+
+
+def finishing(p: State, tokens: list[Token]) -> bool:
+    """Whether a sentence puts a part or a face somewhere; it is kept until all parts are known."""
+    if not p.parts or p.mode in ("materials", "abbreviations"):
+        return False
+    if tokens[0].value == "repeat" and any(t.value in ("round", "row") for t in tokens[1:4]):
+        return False  # "Rep last rnd until Body measures 6 ins from Leg join"
+    text = p.source.text.text[tokens[0].start : tokens[-1].end]
+    if not assembling(text, [draft.name for draft in p.parts]) and not _SEWN.search(text):
+        return False
+    whole = p.source.text.text
+    line = whole.rfind("\n", 0, tokens[0].start) + 1
+    before, rest = _BEFORE.search(whole[line : tokens[0].start]), _UNSAID.match(whole, tokens[-1].end)
+    begin = tokens[0].start if before is None else line + before.start(1)
+    span = Span(begin, tokens[-1].end if rest is None else rest.end())
+    p.sentences.append(Said(tokens, p.parts[-1].name, span, p.heading is not None))
+    return True
+
+
+def stuffed(tokens: list[Token], part: str = "") -> float | None:
+    """How much a sentence wants the part stuffed; -1 when it says only that it is.
+
+    part : the name of the part that it stands in. "Do not stuff ears", in a note under the legs, is not said of them; "do not
+    overstuff", "do not stuff the last rounds", "do not use pellets to stuff" leave no part empty.
+    """
+    if not any(t.kind == "key" and t.value == "stuff" for t in tokens) or len(tokens) > 14:
+        return None
+    if any(t.kind == "stitch" for t in tokens):
+        return None
+    words = [t.word for t in tokens]
+    if any(t.kind == "key" and t.value == "not" for t in tokens) and (
+        _PARTLY & set(words) or any(kind_of(one(w)) not in ("", *Made(part, 1).kinds) for w in words)
+    ):
+        return -1.0
+    for word, amount in (("not", "none"), ("light", "light"), ("medium", "medium"), ("firm", "firm")):
+        if any(t.kind == "key" and t.value == word for t in tokens):
+            return STUFFING[amount]
+    return -1.0

@@ -1,0 +1,322 @@
+"""Printed patterns, sentences: what stands between the rounds, a sentence at a time: yarns, stuffing, loose instructions, references."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+from typing import Final
+
+from tambour.core.errors import Span
+from tambour.crochet.language.stitches import STUFFING
+from tambour.crochet.language.tree import Action, Item, Line
+from tambour.crochet.places.names import kind_of, one
+from tambour.crochet.printed.beyond import again_made, along, edged_again, edging, marked, more_copies, repeats_for
+from tambour.crochet.printed.colors import numbered
+from tambour.crochet.printed.conventions import convention
+from tambour.crochet.printed.counts import makes
+from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.doings import by_hand
+from tambour.crochet.printed.doubts import decided
+from tambour.crochet.printed.established import established
+from tambour.crochet.printed.heads import STARS
+from tambour.crochet.printed.items import bare_count, works
+from tambour.crochet.printed.notes import Heading, copies_alone, copies_said
+from tambour.crochet.printed.opening import founding, founds, opening
+from tambour.crochet.printed.parts import Draft
+from tambour.crochet.printed.put import finishing, stuffed
+from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.remarks import chosen
+from tambour.crochet.printed.reworked import again
+from tambour.crochet.printed.state import State
+from tambour.crochet.printed.stripes import Plan, blocks, lay, planned, without
+from tambour.crochet.printed.tokens import Token, rows
+from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs, left_over
+
+CHOICE: Final = "this is said for one case or version: it is kept as written, and the piece is made without it"
+
+
+_PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
+
+
+_GOES_ON: Final = ("repeat", "even", "until", "as", "same")
+
+
+def sentences(p: State, tokens: list[Token], lefts: list[list[Token]]) -> bool:
+    """Reads what instructions a line of text holds; whether there were any. What was not read goes to ``lefts``."""
+    any_read = False
+    begin = 0
+    ends = (".", "!", "?") if any(t.word == "*" for t in tokens) else (".", "!", "?", ";")
+    depth = 0
+    held = _held(tokens)
+    for at in range(len(tokens) + 1):
+        if at < len(tokens) and at in held:
+            continue
+        if at < len(tokens):
+            depth += (tokens[at].word in OPEN) - (tokens[at].word in ")]}>") if tokens[at].kind == "mark" else 0
+        if at < len(tokens) and (tokens[at].word not in ends or depth > 0 or _same_row(tokens, begin, at)):
+            continue
+        sentence = tokens[begin:at]
+        while sentence and sentence[0].word in STARS:
+            sentence = sentence[1:]
+        while len(sentence) > 1 and sentence[-1].word in STARS and sentence[-2].word != "to":
+            sentence = sentence[:-1]
+        if (
+            not sentence
+            and at > begin
+            and tokens[begin].word in STARS
+            and any(t.kind != "mark" for t in tokens[:begin])
+        ):
+            if p.parts:
+                p.parts[-1].marks.append((tokens[begin].word, len(p.parts[-1].lines)))
+            begin = at + 1
+            continue
+        before = len(p.parts[-1].lines) if p.parts else 0
+        count = len(p.parts)
+        starred = [t.word in STARS for t in tokens[begin:at]]
+        mark = tokens[begin].word if at > begin else ""
+        last = tokens[at - 1].word if at > begin else ""
+        begin = at + 1
+        if starred and starred[0] and sentence:
+            p.starred = mark
+        if sentence and (opened := opening(p.source.text.text, sentence)) is not None:
+            p.heading, sentence, p.mode, any_read = opened[0], sentence[opened[1] :], "", True
+            p.title = p.title or (opened[0].name, opened[0].span)
+        if sentence and not lefts and p.parts and p.parts[-1].counted(sentence):
+            any_read = True
+        elif sentence and lefts and p.parts and p.parts[-1].last and bare_count(sentence) is not None:
+            lefts.append(sentence)  # the count of what was not read
+        elif sentence and sentence_read(p, sentence):
+            any_read = True
+            if p.starred and p.parts and len(p.parts[-1].lines) > (before if len(p.parts) == count else 0):
+                p.parts[-1].marks.append((p.starred, before if len(p.parts) == count else 0))
+                p.starred = ""
+            if starred[-1] and p.parts and not (len(sentence) > 1 and sentence[-1].word in STARS):
+                p.parts[-1].marks.append((last, len(p.parts[-1].lines)))
+        elif sentence:
+            lefts.append(sentence)
+    return any_read
+
+
+def _same_row(tokens: list[Token], begin: int, at: int) -> bool:
+    """Whether the sentence behind the point at ``at`` goes on in the row that the one from ``begin`` begins in a chain: "4 dc in 4th ch from
+    hook. *5 dc in next ch. Rep from * to end of chain."."""
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    hooked = any(t.kind == "key" and t.value == "hook" for t in tokens[begin:at])
+    if after is None or not hooked or tokens[begin].value == "ch":
+        return False
+    stop = next((k for k in range(at + 1, len(tokens)) if tokens[k].word in (".", ";")), len(tokens))
+    starred = after.word == "*" or (after.value == "repeat" and any(t.word == "*" for t in tokens[begin:at]))
+    numbered = after.kind == "number" and at + 2 < len(tokens) and tokens[at + 2].kind == "stitch"
+    return starred or (numbered and bare_count(tokens[at + 1 : stop]) is None)
+
+
+def _held(tokens: list[Token]) -> set[int]:
+    """The points between an asterisk and the words that repeat from it, which end no sentence."""
+    held: set[int] = set()
+    begin = -1
+    for at, token in enumerate(tokens):
+        before = tokens[at - 1] if at else None
+        if token.word == "*" and not (before is not None and before.kind == "key" and before.value in ("from", "to")):
+            begin = at
+        elif begin >= 0 and token.kind == "key" and token.value == "repeat":
+            held |= {k for k in range(begin, at) if tokens[k].kind == "mark" and tokens[k].word in ".;"}
+            begin = -1
+    return held
+
+
+def sentence_read(p: State, tokens: list[Token]) -> bool:
+    """One sentence outside rounds, in the stripes that it plans; whether it was understood."""
+    draft = p.parts[-1] if p.parts else None
+    begin, end = tokens[0].start, tokens[-1].end
+    if (
+        draft is not None
+        and draft.last
+        and (made := blocks(p.source.text.text[begin:end], p.palette, draft.lines)) is not None
+    ):
+        return _in_blocks(p, draft, tokens, made)
+    found = planned(p.source.text.text[begin:end], p.palette, draft.lines) if draft is not None and draft.last else None
+    if draft is None or found is None or p.heading is not None or p.mode in ("materials", "abbreviations", "assembly"):
+        return plainly(p, tokens)
+    plan, (first, last) = found
+    place = Span(begin + first, begin + last)
+    rest = without(tokens, place)
+    if not any(t.kind in ("stitch", "number", "ordinal") or t.value in _GOES_ON for t in rest):
+        draft.plan = plan, place  # "Alternate A and B every 2 rows"
+        return True
+    known = {id(line) for line in draft.lines}
+    if not plainly(p, rest):
+        return False
+    lay(draft, known, plan, place, False)
+    return True
+
+
+def _in_blocks(p: State, draft: Draft, tokens: list[Token], made: tuple[Plan, int, tuple[int, int]]) -> bool:
+    """Rows that are repeated, in blocks of colour, until there are so many blocks; whether the repeat was understood."""
+    plan, total, (first, last) = made
+    place = Span(tokens[0].start + first, tokens[0].start + last)
+    end = next(
+        (k for k, t in enumerate(tokens) if t.word == "," or t.value == "until" or t.start >= place.start), len(tokens)
+    )
+    until = p.vocabulary.read(rows(f"until there are {total} rows")[0].tokens)
+    known = {id(line) for line in draft.lines}
+    if not end or not plainly(p, [*tokens[:end], *(replace(t, start=place.start, end=place.end) for t in until)]):
+        return False
+    lay(draft, known, plan, place, False)
+    return True
+
+
+def plainly(p: State, tokens: list[Token]) -> bool:
+    """One sentence outside rounds; whether it was understood."""
+    handed, p.handed = p.handed, True
+    edged, p.edged = p.edged, p.edged and tokens[0].value == "fasten off"
+    if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value == "notes" and tokens[1].word in (":", "-"):
+        tokens = tokens[2:]
+    close = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), 0) if tokens[0].word in ("(", "[") else 0
+    if 0 < close < len(tokens) - 1 and tokens[1].value == "make":  # "(make 2) With D, work as given for Outer Ear"
+        taken = sentence_read(p, tokens[: close + 1])
+        return sentence_read(p, tokens[close + 1 :]) and taken
+    alone = copies_alone(tokens)
+    if (more := copies_said(tokens) or (None if alone is None else (*alone, False))) is not None:
+        return more_copies(p, tokens, more)
+    if finishing(p, tokens):
+        return True
+    text = p.source.text.text[tokens[0].start : tokens[-1].end]
+    span = Span(tokens[0].start, tokens[-1].end)
+    if p.mode not in ("materials", "abbreviations"):
+        if by_hand(tokens) or convention(p, tokens) or (handed and _once_more(tokens)):
+            p.passed.append(span)
+            return True
+        if edged_again(p, tokens, edged) or again_made(p, tokens):
+            return True
+        if chosen(tokens) and instructs(p, tokens):
+            p.source.doubt(CHOICE, "say what is made, without an if", span)
+            return True
+    if established(p, tokens) or _joined_pieces(tokens):
+        return True
+    p.handed = False
+    if numbered(p.palette, text):
+        p.passed.append(span)
+        return True
+    said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end", "up side"))
+    draft = p.parts[-1] if p.parts else None
+    if said is not None:
+        key, fields = said
+        amount = STUFFING[_PART[key]] if key in _PART else fields.get("factor")
+        name, value = ("up", key.removeprefix("up ")) if amount is None else ("stuffing", amount)
+        if draft is None or p.heading is not None:
+            p.early[name] = value  # of the part that the heading begins
+        else:
+            setattr(draft, name, value)
+        return True
+    stuffing = stuffed(tokens, draft.name if draft is not None else "")
+    if stuffing is not None and draft is not None:
+        if stuffing >= 0:
+            draft.stuffing = stuffing
+        return True
+    if draft is not None and draft.chain is not None and [t.value for t in tokens] == ["turn"]:
+        return True  # "ch 6; turn"
+    if p.mode in ("materials", "abbreviations", "notes", "assembly"):
+        if not (founding(tokens) and founds(p)):
+            return p.mode == "assembly" and edging(p, tokens)
+        p.mode = ""  # the list ends where a piece begins
+    if any(t.kind == "key" and t.value == "not" for t in tokens[:2]):
+        p.passed.append(span)
+        return True  # "do not fasten off", "do not stuff"
+    try:
+        body = decided(p.source, tokens, p.palette, draft.edge if draft else None, p.phrases)
+    except NotUnderstood:
+        return edging(p, tokens)
+    tied = [i for i in body.items if makes(i)]
+    joins = tokens[0].value == "join" or any(t.word == "," and u.value == "join" for t, u in pairwise(tokens))
+    single = joins and len(tied) == 1 and [i.name for i in _flat(tied[0])] == ["sc"]
+    if body.moved is not None and draft is not None and not body.left and (single or not tied):
+        p.moved = body.moved
+        p.tied = Token("stitch", "sc", tied[0].span.start, tied[0].span.end, "sc") if tied else None
+        p.lead += [
+            Line((i,), Span(tokens[0].start, tokens[-1].end), False)
+            for i in body.items
+            if isinstance(i, Action) and i.name == "color"
+        ]
+        return True
+    if body.left and edging(p, tokens):
+        return True
+    if body.curled and p.moved is not None and draft is not None and not body.left:
+        p.heading = p.heading or Heading(f"{draft.name or 'piece'} edging", p.moved.span)
+        p.moved = None
+    elif body.moved is not None:
+        return along(p, body, tokens)
+    if body.refers is not None and draft is not None:
+        return _referred(p, body, tokens)
+    if body.pending:
+        for left in body.left:
+            left_over(p, left)
+        p.lead += [Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False)] if body.items else []
+        return True
+    if body.doings and not body.items and not body.left:
+        p.passed.append(span)
+        return True
+    if body.left or not (body.items or body.ends):
+        return False
+    if body.items and all(isinstance(i, Action) and i.name == "color" for i in body.items):
+        if not any(t.kind == "key" and t.value in ("color", "with", "begin", "in", "join") for t in tokens):
+            return False
+        p.lead.append(Line(tuple(body.items), Span(tokens[0].start, tokens[-1].end), False))
+        return True
+    starts = body.curled or any((isinstance(i, Action) and i.name in ("mr", "ch")) or _ring(i) for i in body.items)
+    if draft is None and not starts:
+        return False
+    if starts and (draft is None or p.heading is not None):
+        p.begin(True, span)
+    elif draft is not None and p.lead:
+        draft.lines += p.lead
+        p.lead = []
+    draft = p.parts[-1]
+    if draft.last and _smooths(body.items):
+        body.items = [Action("join", span)]  # one slip stitch at the end evens the edge, and is no round
+    draft.add(p.source, None, body, span)
+    p.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
+    return True
+
+
+def _smooths(items: list[Item]) -> bool:
+    """Whether a sentence works one slip stitch and no more: "Sl st to first sc and fasten off"."""
+    worked = [i for i in items if not isinstance(i, Action) or works(i)]
+    return len(worked) == 1 and isinstance(worked[0], Action) and worked[0].name == "slst" and worked[0].times == 1
+
+
+def _flat(item: Item) -> list[Action]:
+    return [item] * item.times if isinstance(item, Action) else [i for i in item.items if isinstance(i, Action)]
+
+
+def _joined_pieces(tokens: list[Token]) -> bool:
+    """Whether a sentence only heads the round that joins two pieces: "Join Legs", "Joining the legs"."""
+    plain = all(t.kind in ("word", "ordinal") or t.value == "and" for t in tokens[1:])
+    return tokens[0].value == "join" and 1 < len(tokens) <= 5 and plain and bool(kind_of(one(tokens[-1].word)))
+
+
+def _once_more(tokens: list[Token]) -> bool:
+    """Whether a sentence has what hands just did done again: "Repeat for second ear"."""
+    return repeats_for(tokens, ("for", "in", "with", "as", "once", "twice", "other", "until"))
+
+
+def _referred(p: State, body: Body, tokens: list[Token]) -> bool:
+    """A sentence between the rounds that works rounds once more: "Rep last rnd 3 times more."."""
+    span = Span(tokens[0].start, tokens[-1].end)
+    assert body.refers is not None
+    body.refers = marked(p, body.refers)
+    if p.heading is not None and (body.refers.part or body.refers.numbers or body.refers.marks):
+        p.begin(True, span)
+    draft = p.parts[-1]
+    if again(p, draft, None, body, span):
+        p.understood += 1
+        for left in body.left:
+            left_over(p, left)
+        for more in body.more:
+            if not again(p, draft, None, Body(refers=more), more.span):
+                p.tell(NOT_UNDERSTOOD, "name rounds that stand before this", more.span)
+        return True
+    return False
+
+
+def _ring(item: object) -> bool:
+    return isinstance(item, Action) and item.name.startswith("MR{")
