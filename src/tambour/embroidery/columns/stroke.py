@@ -23,7 +23,7 @@ from tambour.embroidery.columns.satin import (
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.stitches import Stitches, chain
 
-CORNER = math.radians(75)  # a line that turns by more is sewn as two columns
+CORNER = math.radians(50)  # a line that turns by more is sewn as two columns
 SHARP = math.radians(105)  # a corner that turns by more leaves no room for a mitre
 SMALL = 0.12  # widths: what is smaller in a line is no part of its shape
 NEAR = 0.15  # widths before and after a vertex between which its turn is measured
@@ -36,7 +36,7 @@ KEPT = 0.4  # mm that a column goes on below another that hides its end
 
 
 def from_stroke(line: Array, width: float, join: int = 1) -> list[Column]:
-    """Columns of a line with a width: one, or several where the line turns by more than 75° at a corner.
+    """Columns of a line with a width: one, or several where the line turns by more than 50° at a corner.
 
     ``join`` : how corners are drawn, as in Styles: round ones are rounded, the others meet in a mitre. Either way the
     columns part at the corner's bisector, where both sides have room for that.

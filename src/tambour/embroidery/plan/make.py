@@ -19,9 +19,11 @@ from tambour.embroidery.families.decide import decided
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Piece, Region
 from tambour.embroidery.plan.design import piece_of
+from tambour.embroidery.plan.drawn import drawn
 from tambour.embroidery.plan.facts import outside
 from tambour.embroidery.plan.joints import joints
 from tambour.embroidery.plan.layers import elevation, layers
+from tambour.embroidery.plan.massed import massed
 from tambour.embroidery.plan.order import order, ranked, upside_down
 from tambour.embroidery.plan.overlap import overlapped
 from tambour.embroidery.plan.sequence import Layout
@@ -164,7 +166,7 @@ def _flat(
         )
     if params.keep_hidden:
         return strung(found)
-    one = joined(found)
+    one = joined(massed(drawn(found)))
     seen = uncovered(one.regions)
     if seen.hidden:
         progress.warn(

@@ -12,6 +12,7 @@ from tambour.embroidery.piece import Region
 
 WORK = 2_000_000  # regions looked at before the search for the fewest changes goes on along its best lines only
 LINES = 32  # so many of them at most, and as many as as much work again allows
+TOUCH = 0.3  # mm: a line that ends no farther from an area ends at it
 MOST = 500  # satin lines above which nobody looks which of them ends on which
 
 
@@ -56,10 +57,11 @@ def order(regions: Sequence[Region], how: str) -> list[int]:
 
 def turned_under(regions: Sequence[Region]) -> list[int]:
     """Painter's order, but that of two satin lines of one colour the one that ends on the other comes before it: what goes on
-    lies on top, and hides the end."""
+    lies on top, and hides the end. So an area comes after the lines of its colour that end on it, and before those that do not."""
     n = len(regions)
     lines = [k for k, r in enumerate(regions) if r.role == "line" and r.stitch == "satin"]
-    if not 1 < len(lines) <= MOST:
+    areas = [k for k, r in enumerate(regions) if r.role == "area" and not r.flags and not r.params.applique]
+    if not lines or not 1 < len(lines) + len(areas) <= MOST:
         return list(range(n))
     boxes = np.array([[*r.paths.coords.min(0), *r.paths.coords.max(0)] for r in regions])
     waits = _waits(regions, boxes)
@@ -77,10 +79,15 @@ def turned_under(regions: Sequence[Region]) -> list[int]:
         return False
 
     turned = False
-    for a in lines:
-        for b in sorted(waits[a] & set(lines)):
+    held = set(areas)
+    for a in sorted([*lines, *areas]):
+        for b in sorted(waits[a] & (set(lines) if a in held else held | set(lines))):
             one, two = regions[a], regions[b]
-            if one.color == two.color and ends_on(one, two) and not ends_on(two, one) and not behind(a, b):
+            if one.role == "area" or two.role == "area":
+                below = ends_in(one, two) if two.role == "area" else not ends_in(two, one)
+            else:
+                below = ends_on(one, two) and not ends_on(two, one)
+            if one.color == two.color and below and not behind(a, b):
                 waits[a].discard(b)
                 waits[b].add(a)
                 turned = True
@@ -118,6 +125,17 @@ def ends_on(a: Region, b: Region) -> bool:
                 if free and way.distance(shapely.Point(p)) < b.width / 2:
                     return True
     return False
+
+
+def ends_in(line: Region, area: Region) -> bool:
+    """Whether an end of a line lies in an area or at its edge."""
+    import shapely
+
+    from tambour.geometry.areas import to_shapely
+
+    ends = [p for way in line.paths if (way[0] != way[-1]).any() for p in way[[0, -1]]]
+    whole = shapely.union_all(to_shapely(area.paths))
+    return bool(ends) and bool((shapely.distance(whole, shapely.points(np.array(ends))) < TOUCH).any())
 
 
 def _both(regions: Sequence[Region], k: int) -> bool:
