@@ -16,6 +16,7 @@ from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
+from tambour.crochet.language.finishes import Tie
 from tambour.crochet.language.parse import parse
 from tambour.crochet.maker.facts import facts
 from tambour.crochet.model.couple import couple
@@ -28,10 +29,12 @@ from tambour.crochet.model.readable import cost, easy, kind, rounds, sparing
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
 from tambour.crochet.model.tips import facing, mirror, stands
 from tambour.crochet.model.whole import bodies, volume
+from tambour.crochet.page import instructions
 from tambour.crochet.page.own import pattern as printed_anew
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 from tambour.crochet.plush import make
+from tambour.crochet.printed.choose import read
 from tambour.geometry.motion import turned
 
 
@@ -130,12 +133,30 @@ def test_the_loop_mends_rounds_that_began_too_wide(monkeypatch: pytest.MonkeyPat
 
 
 @pytest.mark.slow
-def test_what_misses_its_model_is_told_with_its_part_and_round_and_a_ball_is_not() -> None:
+def test_what_misses_its_model_is_told_with_its_part_and_round_and_a_ball_is_not(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("tambour.crochet.model.threads.EVERY", 10_000)  # which would pull it in
     box, told = made(Mesh(40.0 * BOX * [1.0, 1.0, 0.4], SIDES), stitches=800)
     assert [w.message[:23] for w in told.warnings] == ["Body misses its model: "]
     assert "about its round 1, which lies outside of it" in told.warnings[0].message
     assert facts(box)["off_the_model"].startswith(f"mean {box.aim.distance['mean']:.2g} stitches (")  # type: ignore[union-attr]
     assert not made(Mesh(*globe(40.0)), stitches=300)[1].warnings
+
+
+@pytest.mark.slow
+def test_a_flat_cushion_is_pulled_in_by_threads(monkeypatch: pytest.MonkeyPatch) -> None:
+    x, faces = globe(20.0, 20, 1.3)
+    cushion = Mesh(x * [1.0, 1.0, 0.5], faces)
+    pulled, _ = made(cushion, stitches=500)
+    monkeypatch.setattr("tambour.crochet.model.threads.EVERY", 10_000)
+    round_, _ = made(cushion, stitches=500)
+    assert pulled.aim is not None and round_.aim is not None
+    assert pulled.aim.distance["mean"] < 0.75 * round_.aim.distance["mean"]
+    ties = [f for f in pulled.built.pattern.finish if isinstance(f, Tie)]
+    assert 2 <= len(ties) <= len(pulled.built.graph) / 80 and not round_.built.pattern.finish
+    again = read(instructions.plain(pulled))
+    assert [(f.spots, f.apart) for f in again.finish if isinstance(f, Tie)] == [(f.spots, f.apart) for f in ties]
 
 
 def test_options_of_models_are_told_to_do_nothing_on_a_pattern() -> None:

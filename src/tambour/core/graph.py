@@ -12,13 +12,14 @@ from tambour.core.errors import LawError
 
 # Edge kinds: along the working yarn, into the anchor below, sewn together afterwards, a slip stitch's join, two stitches
 # that one stitch was worked through, so that they lie on each other, a stitch in a chain space and the one beside the space
-# that it stands over.
+# that it stands over; a thread that is pulled through the stuffing from one stitch to another.
 YARN: Final = 0
 THROUGH: Final = 1
 SEWN: Final = 2
 JOIN: Final = 3
 LAID: Final = 4
 OVER: Final = 5
+THREAD: Final = 6
 
 # Loops worked into.
 BOTH: Final = 0

@@ -150,6 +150,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     from tambour.crochet.finish.features import doubts
     from tambour.crochet.finish.joining import flat_parts, with_seams
     from tambour.crochet.finish.placing import standing
+    from tambour.crochet.finish.pulled import pulled
     from tambour.crochet.finish.shape import Task, seen, simulate
     from tambour.crochet.settle.body import centroid_counts
 
@@ -166,7 +167,7 @@ def _shaped(built: Built, joining: Joining | None, params: CrochetParams, known:
     with progress.stage("settle"):
         stuffing = params.stuffing or "pressure"
         # Sheets inside the piece are fabric, but do not bound its volume.
-        shell = replace(built.graph, faces=built.graph.faces[built.shell])
+        shell = replace(pulled(built, built.graph), faces=built.graph.faces[built.shell])
         counts = centroid_counts(shell, params, [part.centroids for part in built.parts])
         snug = stuffing == "pressure" and params.solver == "settle"
         usual = params.bending == CrochetParams.model_fields["bending"].default

@@ -19,7 +19,7 @@ from tambour.crochet.finish.placing import Frames, frames, level, standing
 from tambour.crochet.graph.assemble import SEWN_SHORT
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, Spot
+from tambour.crochet.language.finishes import Placed, spots_of
 from tambour.geometry.motion import dot, length, turned
 from tambour.geometry.surface import vertex_normals
 
@@ -128,15 +128,11 @@ def prepare_what_stands(built: Built) -> tuple[Built, Joining | None]:
         except TambourError as error:
             wrong = [p for p in error.problems if not p.warning]
             spans = {p.span for p in wrong}
-            kept = tuple(f for f in built.pattern.finish if not spans & {f.span, *(s.span for s in _spots(f))})
+            kept = tuple(f for f in built.pattern.finish if not spans & {f.span, *(s.span for s in spots_of(f))})
             if len(kept) == len(built.pattern.finish):
                 raise
             told = (*built.pattern.unread, *(replace(p, message=f"left out: {p.message}", warning=True) for p in wrong))
             built = replace(built, pattern=replace(built.pattern, finish=kept, unread=told))
-
-
-def _spots(finish: Finish) -> tuple[Spot, ...]:
-    return finish.spots if isinstance(finish, (Embroidery, Hair)) else (finish.spot,)
 
 
 def shut(spots: Spots, steps: Sequence[tuple[Placed, sewing.End]]) -> list[Array]:

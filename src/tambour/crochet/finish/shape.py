@@ -235,14 +235,14 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
         own = np.unique(graph.part[nodes])
         mine = np.concatenate([np.arange(first[p], first[p + 1]) for p in own]).astype(int)
         moved = x[nodes] - x[nodes[0]]
-        shape = [piece.edges, piece.rest, piece.faces, piece.plane, piece.peculiarity, task.used[own]]
+        shape = [piece.edges, piece.edge_kind, piece.rest, piece.faces, piece.plane, piece.peculiarity, task.used[own]]
         key = digest([joined is None, *shape, [p.stuffing for p in piece.parts], np.round(moved, GRAIN)])
         if key not in known:
             state = State(x[nodes], c[mine], np.zeros(len(own)))
             body = task.body(piece, task.used[own])
             if joined is not None:
                 body = joined_up(body, nodes, joined.stays, joined.rest, joined.lying)
-            fabric = digest([body.edges, body.cubic])
+            fabric = digest([body.edges, body.threads, body.cubic])
             if fabric not in factors:
                 factors[fabric] = laplacian(body, np.zeros(len(body), bool))
             goal = ROUGHLY * tolerance(len(body)) if roughly else task.params.tolerance

@@ -15,7 +15,7 @@ from tambour.core.errors import Problem
 from tambour.core.graph import ROOT, TIP, StitchGraph
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.lids import lids
-from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Spot
+from tambour.crochet.language.finishes import Finish, Spot, spots_of
 
 MOSTLY = 0.25
 """The first stretch of a part that has this share of its nodes is the part; what hangs together with nothing of it is not."""
@@ -281,7 +281,7 @@ class Spots:
         """What is wrong with the spots of ``finishes``: rounds and stitches that are not there."""
         seen: set[Spot] = set()
         for finish in finishes:
-            for spot in finish.spots if isinstance(finish, (Embroidery, Hair)) else (finish.spot,):
+            for spot in spots_of(finish):
                 if spot not in seen and spot.part in self.parts:
                     seen.add(spot)
                     yield from self._problem(spot)

@@ -1,4 +1,4 @@
-"""Finish: what is done to worked parts: sewn on at a place, eyes, embroidery, felt, hair; and the lines that say it."""
+"""Finish: what is done to worked parts: sewn on at a place, pulled in, eyes, embroidery, felt, hair; and the lines that say it."""
 
 from __future__ import annotations
 
@@ -97,7 +97,23 @@ class Hair:
     span: Span = field(default=Span(0, 0), compare=False)
 
 
-Finish = Placed | Eye | Embroidery | Felt | Hair
+@dataclass(frozen=True, slots=True)
+class Tie:
+    """A thread led through the stuffed part from one spot to another, pulled until they are ``apart`` mm apart, and knotted:
+    what makers call needle sculpting. It holds the stitch at each spot and the one after it."""
+
+    spots: tuple[Spot, ...]
+    apart: float
+    span: Span = field(default=Span(0, 0), compare=False)
+
+
+Finish = Placed | Tie | Eye | Embroidery | Felt | Hair
+
+
+def spots_of(finish: Finish) -> tuple[Spot, ...]:
+    """The spots of a record, those on the part that it is done to."""
+    return finish.spots if isinstance(finish, (Tie, Embroidery, Hair)) else (finish.spot,)
+
 
 GUESSED: Final = "guessed where these go"
 """How a doubt begins that tells of parts put where such parts usually are."""
@@ -113,6 +129,7 @@ KINDS: Final[dict[str, tuple[str, dict[str, tuple[float, float]]]]] = {
         "place(Ear.1, Head, round=14.5, stitch=8, tilt=20, towards=90, flat)",
         {**_SPOT, "across": _DEGREES, "tilt": (-90.0, 90.0), "towards": _DEGREES, "by": (0.0, 100_000.0)},
     ),
+    "tie": ("tie(Body, 12:5, 14:20, apart=24)", {"apart": (0.0, 10_000.0)}),
     "eye": ("eye(Head, round=14.5, stitch=20, size=9, color=black)", {**_SPOT, "size": (1.0, 100.0)}),
     "embroider": ("embroider(Head, 20.5:18, 21:20, 20.5:22, color=black, width=2)", {"width": (0.1, 30.0)}),
     "felt": (
@@ -124,6 +141,9 @@ KINDS: Final[dict[str, tuple[str, dict[str, tuple[float, float]]]]] = {
         {"count": (1.0, 10_000.0), "length": (1.0, 2000.0)},
     ),
 }
+
+PLAIN: Final = ("place", "tie")
+"""What has no colour of its own."""
 
 _LINE = re.compile(rf"[ \t]*({'|'.join(KINDS)})[ \t]*\((.*)\)[ \t]*,?[ \t]*$", re.IGNORECASE)
 _COLOR = re.compile(r"#[0-9A-Fa-f]{3}(?:[0-9A-Fa-f]{3})?$|[A-Za-z]+$")
@@ -156,10 +176,10 @@ def read_finish(source: Source, line: str, span: Span) -> Finish | None:
             plain.append((text, place))
         elif key.lower() in named:
             source.error(f'"{key}" is given twice', "keep one of the two", place)
-        elif key.lower() in ranges or (key.lower() == "color" and word != "place"):
+        elif key.lower() in ranges or (key.lower() == "color" and word not in PLAIN):
             named[key.lower()] = (value, place)
         else:
-            known = [*ranges, *(["color"] if word != "place" else [])]
+            known = [*ranges, *(["color"] if word not in PLAIN else [])]
             source.error(f'"{key}" is nothing that {word} takes', did_you_mean(key, known) or f"write {usage}", place)
     values: dict[str, Any] = {}
     for key, (value, place) in named.items():
@@ -249,6 +269,19 @@ def _spots(source: Source, plain: list[tuple[str, Span]], usage: str, span: Span
     return tuple(spots)
 
 
+def _tie(
+    source: Source, plain: list[tuple[str, Span]], values: dict[str, Any], usage: str, span: Span
+) -> Finish | None:
+    spots = _spots(source, plain, usage, span)
+    if len(plain) > 1 and (len(plain) != 3 or "apart" not in values):
+        source.error("a thread goes from one place to another, and is pulled to a length", f"write {usage}", span)
+        return None
+    if any(spot.stitch is None for spot in spots):
+        source.error("a thread needs its stitch at both ends", f"write {usage}", span)
+        return None
+    return Tie(spots, span=span, **values) if len(spots) == 2 else None
+
+
 def _embroider(
     source: Source, plain: list[tuple[str, Span]], values: dict[str, Any], usage: str, span: Span
 ) -> Finish | None:
@@ -264,6 +297,7 @@ def _hair(
 
 _READ: Final[dict[str, Callable[..., Finish | None]]] = {
     "place": _place,
+    "tie": _tie,
     "eye": _eye,
     "embroider": _embroider,
     "felt": _felt,
@@ -273,8 +307,7 @@ _READ: Final[dict[str, Callable[..., Finish | None]]] = {
 
 def parts_of(finish: Finish) -> list[tuple[str, Span]]:
     """The names of the parts that a record speaks of, each with its place in the text."""
-    spots = finish.spots if isinstance(finish, (Embroidery, Hair)) else (finish.spot,)
-    named = [(s.part, s.span) for s in spots]
+    named = [(s.part, s.span) for s in spots_of(finish)]
     return [(finish.part, finish.span), *named] if isinstance(finish, Placed) else named
 
 

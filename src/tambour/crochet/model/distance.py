@@ -140,6 +140,13 @@ def distance(
     )
 
 
+def outside(target: Target, points: Array) -> Array:
+    """How far (N,) points (N, 3) lie outside of ``target``; inside is negative."""
+    face, uv, far = nearest(target.tree, points)
+    at = _point(target.vertices[target.faces[face]], uv)
+    return np.asarray(far * np.sign(((points - at) * target.normals[face]).sum(1)))
+
+
 def slid(moving: Array, fixed: Array, out: Array, weight: Array) -> tuple[Array, Array]:
     """The turn and shift that bring points ``moving`` nearest to planes through ``fixed`` with normals ``out``, all (K, 3).
 

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.model import readable
-from tambour.crochet.model.distance import Distance, Target, distance
+from tambour.crochet.model import readable, threads
+from tambour.crochet.model.distance import Distance, Target, distance, outside
 from tambour.crochet.model.fronts import DRAWN, Fronts, laid
-from tambour.crochet.model.rounds import Rounds
+from tambour.crochet.model.rounds import Rounds, Thread
 from tambour.crochet.model.settled import Settled, settled
-from tambour.geometry.closest import nearest
 from tambour.geometry.motion import fit, turned
 
 if TYPE_CHECKING:
@@ -26,6 +25,8 @@ STEP = 0.8
 """How much of what a round is too wide is taken off it at once."""
 GAIN = 0.004
 """An improvement of the mean distance by less than this, in stitches, is none."""
+BATCHES, AGAIN = 4, 3
+"""In how many batches threads are pulled, and how often rounds are corrected after each."""
 BOUNDS = 0.6, 1.5
 """Shares of a line's length that its round may come to."""
 
@@ -35,6 +36,7 @@ class Tried:
     """Rounds and what the simulation made of them.
 
     goal : (N, 3) where each node of the part belongs on the model; wanted : the lengths that the counts were made for
+    holds : the threads that pull it in; target : what it is held against
     """
 
     rounds: Rounds
@@ -43,6 +45,8 @@ class Tried:
     wanted: Array
     worked: Settled
     distance: Distance
+    holds: tuple[threads.Hold, ...]
+    target: Target
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -64,31 +68,58 @@ class Task:
     hollow: tuple[int, int] = (0, 0)
 
 
-def drafted(task: Task, wanted: Array) -> tuple[Rounds, list[int], Array]:
+def drafted(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> tuple[Rounds, list[int], Array]:
     """Rounds as long as ``wanted`` (R,): the part, its counts, and where every stitch belongs (N, 3)."""
     made = readable.sparing(list(wanted), task.plain)
     points = laid(task.way, made, task.seam)
     rounds = readable.rounds(task.way.lines, points, task.plain)
     closed = task.way.closed and made[-1] <= DRAWN
-    part = Rounds(task.name, made[0], rounds, closed, stuffing=task.stuffing, up=task.up, hollow=task.hollow)
     tip = [task.way.end[None]] if closed else []
-    return part, made, np.concatenate([task.way.tip[None], *points, *tip])
+    goal = np.concatenate([task.way.tip[None], *points, *tip])
+    first = np.concatenate([[1], 1 + np.cumsum(made)])
+
+    def place(node: int) -> tuple[int, int]:
+        k = int(np.searchsorted(first, node, "right")) - 1
+        return k + 1, node - int(first[k]) + 1
+
+    apart = task.stitch[0]
+    pulled = tuple(
+        Thread(place(a), place(b), max(1, round(apart * float(np.sqrt(((goal[a] - goal[b]) ** 2).sum())))))
+        for a, b in threads.held(holds, made)
+    )
+    part = Rounds(task.name, made[0], rounds, closed, 1, task.stuffing, None, task.up, task.hollow, pulled)
+    return part, made, goal
 
 
-def tried(task: Task, wanted: Array) -> Tried:
-    """Rounds as long as ``wanted``, worked and measured."""
-    part, made, goal = drafted(task, wanted)
+def tried(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> Tried:
+    """Rounds as long as ``wanted``, pulled in by the threads ``holds``, worked and measured."""
+    part, made, goal = drafted(task, wanted, holds)
     worked = settled(part, task.params, task.stitch)
     start = fit(worked.x, goal, np.ones(len(goal)))
-    return Tried(part, made, goal, wanted, worked, distance(task.target, worked.x, worked.graph.faces, start))
+    lain = distance(task.target, worked.x, worked.graph.faces, start)
+    return Tried(part, made, goal, wanted, worked, lain, holds, task.target)
 
 
 def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[Tried, list[float]]:
-    """The best rounds that corrections lead to, and the mean distances on the way."""
-    best = tried(task, task.way.girths) if first is None else first
+    """The best rounds that corrections lead to, and the mean distances on the way: of counts first, then of threads as well."""
+    best, history = _counted(task, tried(task, task.way.girths) if first is None else first, tries)
+    most = sum(best.counts) // threads.EVERY if (best.rounds.stuffing or task.params.stuffing) != "none" else 0
+    for k in range(BATCHES):
+        holds = threads.chosen(best, most * (k + 1) // BATCHES - len(best.holds))
+        if len(holds) == len(best.holds):
+            break
+        now, more = _counted(task, tried(task, best.wanted, holds), min(AGAIN, tries))
+        history += more
+        if now.distance.mean > best.distance.mean - GAIN:
+            break
+        best = now
+    return best, history
+
+
+def _counted(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
     history, step, idle = [best.distance.mean], STEP, 0
     for _ in range(tries):
-        now = tried(task, corrected(task, best, step))
+        now = tried(task, corrected(task, best, step), best.holds)
         history.append(now.distance.mean)
         if now.distance.mean < best.distance.mean - GAIN:
             best, idle = now, 0
@@ -102,7 +133,11 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
 def faithful(task: Task, best: Tried) -> float:
     """The mean distance, in stitches, of the same lengths where increases lie wherever the shape wants them: what rounds that
     read more easily are to be held against."""
-    return best.distance.mean if task.plain <= 0.0 else tried(replace(task, plain=0.0), best.wanted).distance.mean
+    return (
+        best.distance.mean
+        if task.plain <= 0.0
+        else tried(replace(task, plain=0.0), best.wanted, best.holds).distance.mean
+    )
 
 
 def corrected(task: Task, last: Tried, step: float) -> Array:
@@ -119,11 +154,7 @@ def corrected(task: Task, last: Tried, step: float) -> Array:
 
 def signed(target: Target, x: Array, lain: Distance) -> Array:
     """How far (N,) points lie outside of ``target``, once they are laid upon it; inside is negative."""
-    points = turned(x, lain.turn) + lain.shift
-    face, uv, far = nearest(target.tree, points)
-    corner = target.vertices[target.faces[face]]
-    at = corner[:, 0] + uv[:, :1] * (corner[:, 1] - corner[:, 0]) + uv[:, 1:] * (corner[:, 2] - corner[:, 0])
-    return np.asarray(far * np.sign(((points - at) * target.normals[face]).sum(1)))
+    return outside(target, turned(x, lain.turn) + lain.shift)
 
 
 def missed(target: Target, made: Tried) -> tuple[int, str]:

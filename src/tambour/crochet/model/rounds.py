@@ -39,6 +39,15 @@ class Round:
 
 
 @dataclass(frozen=True, slots=True)
+class Thread:
+    """A thread pulled through the part: the round and the stitch, both from 1, at either end; how far ``apart`` they then are, mm."""
+
+    first: tuple[int, int]
+    second: tuple[int, int]
+    apart: int
+
+
+@dataclass(frozen=True, slots=True)
 class Rounds:
     """A part worked in rounds.
 
@@ -46,6 +55,7 @@ class Rounds:
     closed : the last round, of 12 stitches or fewer, is drawn together
     copies : how many of it are made; stuffing : none, light, medium, firm or a factor, "" for what is usual
     color : its yarn, None for undyed; up : which end of the work is on top (start, end), "" for what is usual
+    threads : pulled through it once it is stuffed
     hollow : the numbers of the first and the last round that are pushed inside, (0, 0) for none
     """
 
@@ -58,6 +68,7 @@ class Rounds:
     color: RGB | None = None
     up: str = ""
     hollow: tuple[int, int] = (0, 0)
+    threads: tuple[Thread, ...] = ()
 
     def counts(self) -> list[int]:
         """Stitches of every round, the ring first."""
@@ -97,8 +108,9 @@ def text(parts: Iterable[Rounds], finish: Sequence[str] = (), name: str = "patte
     """The pattern of ``parts`` in tambour's own language, every stitch written out; ``finish``: lines such as
     ``place(Ear.1, Head, round=7, stitch=12)``; ``lead``: comments that it begins with."""
     blocks = ["\n".join(f"# {line}" for line in lead)] if lead else []
+    parts = list(parts)
     blocks += ["\n".join(_lines(part)) for part in parts]
-    if finish:
+    if finish := [*(line for part in parts for line in _pulled(part)), *finish]:
         blocks.append("\n".join(finish))
     return Text("\n\n".join(blocks) + "\n", name)
 
@@ -119,6 +131,16 @@ def printed(
     made = written(pattern(parts, finish, name))
     head = "".join(f"# {line}\n" for line in lead)
     return Text(head + made.text, name)
+
+
+def _pulled(part: Rounds) -> list[str]:
+    """The lines of a part's threads, for each of its copies."""
+    names = [f"{part.name}.{k + 1}" for k in range(part.copies)] if part.copies > 1 else [part.name]
+    return [
+        f"tie({name}, {one.first[0]}:{one.first[1]}, {one.second[0]}:{one.second[1]}, apart={one.apart})"
+        for name in names
+        for one in part.threads
+    ]
 
 
 def _lines(part: Rounds) -> list[str]:

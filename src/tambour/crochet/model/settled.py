@@ -28,11 +28,12 @@ def settled(part: Rounds, params: CrochetParams, stitch: tuple[float, float] = (
     """A single part (of its copies one) at rest by itself. stitch : width and height of a single crochet, mm."""
     import numpy as np
 
+    from tambour.crochet.finish.pulled import pulled
     from tambour.crochet.finish.shape import Task, simulate
     from tambour.crochet.graph.build import build
 
     built = build(pattern([replace(part, copies=1, name="Part")]), stitch=stitch)
-    graph = built.graph
+    graph = pulled(built, built.graph)
     task = Task(
         replace(graph, faces=graph.faces[built.shell]),
         params,
@@ -51,11 +52,12 @@ def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float
     import numpy as np
 
     from tambour.crochet.finish.joining import prepare
+    from tambour.crochet.finish.pulled import pulled
     from tambour.crochet.finish.shape import Task, simulate
     from tambour.crochet.graph.build import build
 
     built = build(pattern, stitch=stitch)
-    graph = built.graph
+    graph = pulled(built, built.graph)
     stuffing = params.stuffing or "pressure"
     task = Task(
         replace(graph, faces=graph.faces[built.shell]),

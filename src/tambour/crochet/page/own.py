@@ -12,7 +12,7 @@ from tambour.core.errors import Text
 from tambour.core.rgb import hexed
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.built import Built, Done
-from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
+from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot, Tie
 from tambour.crochet.language.stitches import RULES, SPELT, STITCHES, STUFFING, Stitch
 from tambour.crochet.language.tree import Pattern, Section
 from tambour.crochet.page.written import Written, sections
@@ -172,6 +172,8 @@ def finishing(record: Finish, names: Mapping[str, str] = MappingProxyType({})) -
                 *flat,
                 *odd("across", "tilt", "towards", "by"),
             ]
+        case Tie():
+            what, said = "tie", [part(record.spots[0].part), *places(record.spots), f"apart={number(record.apart)}"]
         case Eye():
             what, said = "eye", [part(record.spot.part), *at(record.spot), *odd("size", "color")]
         case Embroidery():

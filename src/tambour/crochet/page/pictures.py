@@ -14,7 +14,7 @@ from tambour.core.check import Array
 from tambour.core.graph import SEWN
 from tambour.core.picture import Picture
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Embroidery, Finish, Hair, Placed, Spot
+from tambour.crochet.language.finishes import Finish, Placed, spots_of
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.album import FEW, MANY, Album
 from tambour.crochet.page.angle import VIEW, angle
@@ -96,12 +96,8 @@ def steps(piece: Plush) -> list[Step]:
     return made
 
 
-def _spots(record: Finish) -> tuple[Spot, ...]:
-    return record.spots if isinstance(record, (Embroidery, Hair)) else (record.spot,)
-
-
 def _on(record: Finish, names: dict[str, int]) -> int:
-    return names.get(_spots(record)[0].part, -1)
+    return names.get(spots_of(record)[0].part, -1)
 
 
 def lies(piece: Plush) -> bool:
@@ -215,11 +211,11 @@ def of_step(album: Album, step: Step, frame: Array, width: int, height: int) -> 
     view = angle(piece, step.parts, step.fresh)
     if not step.fresh:
         # A face is seen from near and in front: the parts that it is on fill the picture.
-        hosts = {known.place(s).nodes[0] for r in step.finishes for s in _spots(r)}
+        hosts = {known.place(s).nodes[0] for r in step.finishes for s in spots_of(r)}
         part, x = piece.built.graph.part, piece.positions
         low = x[np.isin(part, part[sorted(hosts)]), 1].min()
         near = np.isin(part, [k for k in step.parts if x[part == k, 1].min(initial=np.inf) >= low])
-        points = [n for r in step.finishes for s in _spots(r) for n in known.place(s).nodes]
+        points = [n for r in step.finishes for s in spots_of(r) for n in known.place(s).nodes]
         frame, view = np.concatenate([skin(piece, np.flatnonzero(near)), skin(piece, np.array(points))]), _NEAR
         middle = 0.5 * (frame.min(0) + frame.max(0))
         if (frame[-2 * len(points) :, 1] < middle[1] - _UNDER * np.ptp(frame[:, 1])).mean() > 0.5:

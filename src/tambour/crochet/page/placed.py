@@ -9,7 +9,7 @@ from itertools import groupby
 from tambour.crochet.finish.placing import frames
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
+from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot, Tie
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import Terms
 
@@ -37,6 +37,8 @@ class Spoken:
         match record:
             case Placed():
                 return "place", self._base(record.part), self._base(record.spot.part), record.spot.round
+            case Tie():
+                return "tie", record
             case Eye():
                 return "eye", record.spot.part, record.spot.round, record.size
             case Embroidery():
@@ -63,6 +65,8 @@ class Spoken:
                     *self.where([r.spot for r in placed], self._breadth(first)),
                 ]
                 return ", ".join([*said, *self._held(placed)])
+            case Tie():
+                return self.phrases.finish(first)
             case Eye():
                 many = "put eyes" if len(group) > 1 else "put eye"
                 said = [page[many].format(n=len(group), size=f"{first.size:g}", part=first.spot.part)]

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 # What only tambour's own language says, at the beginning of a line; and what it says besides.
 _OWN: Final = re.compile(
-    r"[ \t]*(?::|\d+[ \t]*:.*\bMR\(|define[ \t]+\w+.{0,40}=|@(?!terms\b)\w+[ \t]*=|(?:mark|goto|attach|sew|color|place|eye"
+    r"[ \t]*(?::|\d+[ \t]*:.*\bMR\(|define[ \t]+\w+.{0,40}=|@(?!terms\b)\w+[ \t]*=|(?:mark|goto|attach|sew|color|place|tie|eye"
     r"|embroider|felt|hair)[ \t]*\(|[A-Za-z_]\w*[ \t]*\{[ \t]*$)"
 )
 _ALSO: Final = re.compile(

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.core.graph import BLO, FLO, JOIN, ROOT, SEWN, TIP, StitchGraph
+from tambour.core.graph import BLO, FLO, JOIN, ROOT, SEWN, THREAD, TIP, StitchGraph
 
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
@@ -43,6 +43,7 @@ class Body:
     fabric (G, 3) faces without lids; faces (F, 3), face_part (F,), lid_offsets, lid_nodes with them; amount (P,) of
     stuffing, per_edge and pressure (P,) its ln V energy per edge and in all, least (P,) volume, and most (P,), where fibre lies loose;
     folds : whether the fabric answers the push of a single loop, as a hinge does (the seed's steps push one-sidedly)
+    threads (K, 2), thread_most (K,) : pulled through the stuffing, from stitch to stitch, and how long they are
     lying (K, 4) : stitches of placed parts' seams and triangles that they lie on
     offsets, neighbours : the edges as ragged lists; reach, near, touch : contact's distances and stiffness (0: none)
     centroid : f, cap, b, c; first (P + 1,) each part's centroids
@@ -82,6 +83,8 @@ class Body:
     members: Array
     section_neighbours: Array
     skeleton: float
+    threads: Array
+    thread_most: Array
     lying: Array
     folds: bool
 
@@ -132,6 +135,8 @@ def displacement(body: Body, state: State, move_centroids: bool = True, held: Ar
     x = state.x
     D = np.zeros_like(x)
     forces.link(x, body.edges, body.rest, body.cubic, D)
+    if len(body.threads):
+        forces.thread(x, body.threads, body.thread_most, D)
     if len(body.triples):
         forces.bend(x, body.triples, body.bending, D)
     if body.stuffing == "pressure":
@@ -199,6 +204,8 @@ def build(
 
     n, parts, folds = len(graph), len(graph.parts), params.solver == "settle"
     order = np.argsort(graph.edges[:, 0], kind="stable")
+    pulled = order[graph.edge_kind[order] == THREAD]
+    order = order[graph.edge_kind[order] != THREAD]
     edges = graph.edges[order]
     rest = graph.rest[order] / width * params.link_distance
     faces = graph.faces[np.argsort(graph.faces.max(1, initial=0), kind="stable")]
@@ -259,6 +266,8 @@ def build(
         members=members,
         section_neighbours=beside,
         skeleton=params.skeleton_force,
+        threads=np.ascontiguousarray(graph.edges[pulled]),
+        thread_most=graph.rest[pulled] / width,
         lying=np.zeros((0, 4), np.int32),
         folds=folds,
     )
@@ -310,6 +319,8 @@ def grown(body: Body, m: int) -> Body:
         face_part=face_part.astype(np.int32),
         lid_offsets=rims,
         lid_nodes=rim,
+        threads=body.threads[: upto(body.threads[:, 0])],
+        thread_most=body.thread_most[: upto(body.threads[:, 0])],
         pressure=body.per_edge * np.bincount(part[edges[:, 0]], minlength=len(body.amount)),
         bone=np.minimum(body.bone, sections),
         radius=body.radius[:sections],

@@ -48,6 +48,24 @@ def link(x: F8x2, edges: I4x2, rest: F8x1, cubic: bool, D: F8x2) -> None:
 
 
 @kernel
+def thread(x: F8x2, threads: I4x2, most: F8x1, D: F8x2) -> None:
+    """Pull on the ends of every thread (K, 2) that is longer than its ``most`` (K,), as a spring would; a slack one does nothing."""
+    for k in range(len(threads)):
+        i, j = threads[k, 0], threads[k, 1]
+        dx, dy, dz = x[i, 0] - x[j, 0], x[i, 1] - x[j, 1], x[i, 2] - x[j, 2]
+        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        if r <= most[k]:
+            continue
+        t = (r - most[k]) / r
+        D[i, 0] -= dx * t
+        D[i, 1] -= dy * t
+        D[i, 2] -= dz * t
+        D[j, 0] += dx * t
+        D[j, 1] += dy * t
+        D[j, 2] += dz * t
+
+
+@kernel
 def single_loop(x: F8x2, nodes: I4x1, planes: I4x2, strength: F8x1, D: F8x2) -> None:
     """Push each node worked into one loop along its plane's normal (seed, "Handling front-loop-only …").
 

@@ -156,7 +156,8 @@ def laplacian(body: Body, held: Array) -> Callable[[Array], Array]:
     from tambour.crochet.settle.factor import factor
 
     stiff = 0.2 if body.cubic else 1.0
-    offsets, neighbours = ragged(len(body), body.edges, np.zeros(len(body.edges), bool))
+    pairs = np.concatenate([body.edges, body.threads])
+    offsets, neighbours = ragged(len(body), pairs, np.zeros(len(pairs), bool))
     diagonal = stiff * np.diff(offsets) + np.where(held, HELD, SOFT)
     return factor(offsets, neighbours, np.full(len(neighbours), stiff), diagonal)
 

@@ -16,7 +16,7 @@ from typing import Any, Final
 
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB, colored, hexed
-from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
+from tambour.crochet.language.finishes import SHAPES, Embroidery, Eye, Felt, Finish, Hair, Placed, Spot, Tie
 from tambour.crochet.words.table import SENTENCES, Terms
 
 ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
@@ -44,7 +44,7 @@ ITEMS: Final[dict[str, tuple[str, tuple[int, ...]]]] = {
 """Sentence → the action that it says, and the numbers that it implies."""
 
 _NOWHERE: Final = Span(0, 0)
-_FINISH: Final = ("place", "eye", "embroider", "felt", "hair")
+_FINISH: Final = ("place", "tie", "eye", "embroider", "felt", "hair")
 _SILENT: Final = ("flat", "front")
 _NUMBER = r"-?\d{1,9}(?:\.\d+)?"
 _LABEL = r"[A-Za-z0-9_]+(?:\.\d+)?"
@@ -157,7 +157,7 @@ class Phrases:
             return self.terms.word(value)
         if field in ("part", "onto"):
             return self._spoken.get(value, value)
-        if field == "spot":
+        if field in ("spot", "far"):
             return self._at(value)
         if field == "spots":
             return "; ".join(map(self._at, value))
@@ -182,6 +182,9 @@ class Phrases:
             case Placed():
                 clauses = {name: odd(name) for name in ("flat", "across", "tilt", "towards", "by")}
                 return self.say("place", part=record.part, onto=record.spot.part, spot=record.spot, **clauses)
+            case Tie():
+                one, far = record.spots
+                return self.say("tie", part=one.part, spot=one, far=far, apart=record.apart)
             case Eye():
                 return self.say("eye", part=record.spot.part, spot=record.spot, size=record.size, color=odd("color"))
             case Embroidery():
@@ -249,6 +252,8 @@ class Phrases:
 
         if key == "place":
             return Placed(part, spot(fields.pop("spot"), fields.pop("onto")), span=span, **fields)
+        if key == "tie":
+            return Tie((spot(fields.pop("spot")), spot(fields.pop("far"))), span=span, **fields)
         if key in ("eye", "felt"):
             return {"eye": Eye, "felt": Felt}[key](spot(fields.pop("spot")), span=span, **fields)
         spots = tuple(spot(at) for at in fields.pop("spots"))
@@ -288,7 +293,7 @@ class Phrases:
             return "|".join([r"#[0-9a-f]{6}\b", r"#[0-9a-f]{3}\b", shade, *map(re.escape, said)])
         if field == "shape":
             return "|".join(re.escape(s) for shape in SHAPES for s in words[shape])
-        if field in ("spot", "spots"):
+        if field in ("spot", "far", "spots"):
             spot = "|".join(self._regex(self.terms.sentences[k], False) for k in ("at between", "at round"))
             return rf"(?:{spot})(?:\s*;\s*(?:{spot}))*" if field == "spots" else spot
         if field in ("label", "one", "other"):
@@ -312,7 +317,7 @@ class Phrases:
             return self.color(words)
         if field == "shape":
             return next(s for s in SHAPES if words.lower() in (w.lower() for w in self.terms.words[s]))
-        if field == "spot":
+        if field in ("spot", "far"):
             return self._place(words)
         if field == "spots":
             return [self._place(piece) for piece in words.split(";")]

@@ -57,6 +57,7 @@ SENTENCES: Final = {
     # Finishing.
     "place": "part onto spot flat across tilt towards by",
     "eye": "part spot size color",
+    "tie": "part spot far apart",
     "embroider": "part spots color width",
     "felt": "part spot shape width height turn color",
     "hair": "part spots count length color",

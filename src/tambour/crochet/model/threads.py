@@ -1,0 +1,75 @@
+"""Threads: where a stuffed part is to be pulled in, from stitch to stitch through its stuffing, so that it comes nearer its model."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from tambour.crochet.model.distance import outside
+from tambour.geometry.motion import turned
+from tambour.geometry.surface import vertex_normals
+
+if TYPE_CHECKING:
+    from tambour.crochet.model.loop import Tried
+
+EVERY = 80
+"""A part has a thread for so many of its stitches, at the most."""
+APART = 2.5
+"""Ends of threads lie at least so far from each other, in stitches: each wants fabric of its own."""
+PROUD, MORE = 0.3, 0.6
+"""Both ends lie so far outside of the model, and by so much more apart than they should, in stitches, or it is not worth it."""
+ACROSS = 0.5
+"""The cosine of the angle at which a thread leaves the fabric, at the least: it goes through the stuffing."""
+SHORT = 1.5
+"""A thread is not pulled shorter than this, in stitches."""
+
+Hold = tuple[int, float, int, float]
+"""A thread: the round, from 0, and the share of the way round it, of either end."""
+
+
+def held(holds: tuple[Hold, ...], counts: list[int]) -> list[tuple[int, int]]:
+    """The nodes that threads hold in a part of rounds of ``counts`` stitches, its ring's middle first."""
+    first = np.concatenate([[1], 1 + np.cumsum(counts)]).tolist()
+
+    def node(k: int, share: float) -> int:
+        return int(first[k]) + round(share * counts[k]) % counts[k]
+
+    made = [(node(k, s), node(n, t)) for k, s, n, t in holds if max(k, n) < len(counts)]
+    return [(a, b) for a, b in dict.fromkeys(made) if a != b]
+
+
+def chosen(last: Tried, many: int) -> tuple[Hold, ...]:
+    """The threads of ``last`` and up to ``many`` more: between stitches that lie outside of the model on either side of it, those
+    first that are too far apart by most."""
+    counts = last.counts
+    first = np.concatenate([[1], 1 + np.cumsum(counts)])
+    n = np.arange(1, first[-1])
+    number = np.repeat(np.arange(len(counts)), counts)
+    goal = last.goal[n]
+    lain = turned(last.worked.x, last.distance.turn) + last.distance.shift
+    normal = vertex_normals(lain, last.worked.graph.faces)[n]
+    free = outside(last.target, lain)[n] > PROUD
+    for node in [v for pair in held(last.holds, counts) for v in pair]:
+        free &= ((goal - last.goal[node]) ** 2).sum(1) > APART**2
+    open_ = np.flatnonzero(free)
+    x, g, out = lain[n][open_], goal[open_], normal[open_]
+    way = x[None] - x[:, None]
+    far = np.sqrt((way**2).sum(2)) + 1e-9
+    wanted = np.sqrt(((g[None] - g[:, None]) ** 2).sum(2))
+    leaves, comes = -(way * out[:, None]).sum(2) / far, (way * out[None]).sum(2) / far
+    across = np.minimum(leaves, comes)
+    price = np.where((across > ACROSS) & (wanted > SHORT), (far - wanted) * across, 0.0)
+    made = list(last.holds)
+    for _ in range(many if len(open_) else 0):
+        a, b = np.unravel_index(int(price.argmax()), price.shape)
+        if price[a, b] < MORE:
+            break
+        ends = sorted((int(open_[a]), int(open_[b])))
+        share = [(int(number[v]), float((n[v] - first[number[v]]) / counts[number[v]])) for v in ends]
+        made.append((*share[0], *share[1]))
+        for v in (a, b):
+            near = ((g - g[v]) ** 2).sum(1) < APART**2
+            price[near] = 0.0
+            price[:, near] = 0.0
+    return tuple(made)
