@@ -666,14 +666,16 @@ LEAF = (
     "Working in opposite side of foundation ch, 1 sc in each of next 7 ch. Fasten off.\n"
 )
 FAN = (
+    "Ch 3.\n1st row: 6 dc in 3rd ch from hook. Turn. 6 dc.\n2nd row: Ch 2. 2 dc in each dc across. Fasten off. 12 dc.\n"
+)
+TIGHT_FAN = (
     "Ch 2.\n1st row: 5 sc in 2nd ch from hook. Turn. 5 sc.\n2nd row: Ch 1. 2 sc in each sc across. Fasten off. 10 sc.\n"
 )
 
 
-@pytest.mark.parametrize("rounds", [LEAF, FAN])
-def test_a_leaf_is_sewn_by_its_end_and_a_fan_by_its_straight_edge(rounds: str) -> None:
-    """So that both stand: sewn by all of their edge they lay on the head as a ridge, or stood on their outer round."""
-    pattern = toy("Sew the head to the body. Sew the ears to the top of the head.", EARS=rounds)
+def test_a_leaf_is_sewn_by_its_end() -> None:
+    """So that it stands: sewn by all of its edge it lay on the head as a ridge."""
+    pattern = toy("Sew the head to the body. Sew the ears to the top of the head.", EARS=LEAF)
     built = build(pattern)
     spots = Spots(built)
     record = placed(pattern, "EARS")
@@ -684,6 +686,17 @@ def test_a_leaf_is_sewn_by_its_end_and_a_fan_by_its_straight_edge(rounds: str) -
     out = x[rest] - x[sewn].mean(0)
     way = out.mean(0) / np.sqrt((out.mean(0) ** 2).sum())
     assert (out @ way > -0.5).all()  # all else is on one side of the seam
+
+
+@pytest.mark.parametrize("rounds", [FAN, TIGHT_FAN])
+def test_a_fan_is_sewn_by_the_ends_of_its_rows_though_it_may_go_more_than_half_round(rounds: str) -> None:
+    """So that it stands: by half of that edge it stood on a corner, by its outer row it lay."""
+    pattern = toy("Sew the ears to the top of the head.", EARS=rounds)
+    built = build(pattern)
+    spots, record = Spots(built), placed(pattern, "EARS")
+    rows = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == spots.parts[record.part]]
+    sewn = set(end_of(built, spots, record).nodes.tolist())
+    assert all({int(row[0]), int(row[-1])} <= sewn for row in rows[1:]) and not sewn & set(rows[-1][1:-1].tolist())
 
 
 def test_a_stuffed_body_that_stays_open_is_sewn_shut_from_side_to_side() -> None:

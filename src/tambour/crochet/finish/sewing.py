@@ -113,17 +113,17 @@ def _end_of_rows(built: Built, spots: Spots, part: int) -> Array:
     mine = [spots.stitches(k) for k, r in enumerate(built.rounds) if r.part == part]
     mine = [nodes for nodes in mine if len(nodes)]
     first, last = mine[0], mine[-1]
+    if len(mine) > 1 and len(first) <= FAN and len(last) >= FAN * len(mine):
+        # A fan is sewn by its straight edge: where its rows begin and end.
+        ends = np.unique(np.concatenate([row[[0, -1]] for row in mine]))
+        way = spots.layout[last[-1]] - spots.layout[last[0]]
+        return ends[np.argsort(dot(spots.layout[ends], _unit(way)), kind="stable")]
     if len(last) >= STRIP * len(mine):
         x = spots.layout
         own = np.concatenate(mine)
         way = x[last[-1]] - x[last[0]]
         reach = dot(x[own] - x[last[-1]], _unit(way))
         return np.sort(own[reach > -0.6])
-    if len(mine) > 1 and len(first) <= FAN and len(last) >= FAN * len(mine):
-        # A fan is sewn by its straight edge: where its rows begin and end.
-        ends = np.unique(np.concatenate([row[[0, -1]] for row in mine]))
-        way = spots.layout[last[-1]] - spots.layout[last[0]]
-        return ends[np.argsort(dot(spots.layout[ends], _unit(way)), kind="stable")]
     wide = mine[1] if len(mine) > 1 and len(mine[1]) >= len(first) else first
     return wide if len(last) <= 2 < len(wide) else last
 

@@ -33,6 +33,9 @@ _SHEETS: Final = frozenset(("", "base", "stem", "bow", "shell", "handle", "branc
 """Kinds of parts that are flat where they are worked in rows, and no edges of them are sewn together."""
 _SMALL: Final = frozenset(("bow", "spot", "cheek", "tooth", "lamp"))
 """Kinds of things that are small beside what they are put on."""
+_LIMBS: Final = frozenset(("arm", "leg", "foot", "wing", "fin", "tail", "ear", "horn"))
+_PATCHES: Final = frozenset(("belly", "face", "spot"))
+"""Kinds of things that stand out from a toy, and of things that only lie on it, and bear none of them."""
 DOMED: Final = frozenset(("muzzle", "nose"))
 """Kinds of parts that bulge, however flat they are worked: stuffing is put under them while they are sewn on."""
 
@@ -216,6 +219,10 @@ class Assembly(Upright):
             if last is not None and last.guess and last.kind == part.kind == "tentacle":
                 last.copies.extend(free)  # the first, and the second to the eighth
                 continue
+            mine = [p for p in self.heard.puts if p.copies[0][0] == part and not p.guess]
+            if len(mine) == 1 and len(mine[0].copies) == 1 and mine[0].where.stitch is None and not part.worn:
+                mine[0].copies[:] = sorted([*mine[0].copies, *free], key=lambda c: c[1])  # "repeat for the left ear"
+                continue
             onto = main if (part.kind in ("head", "body")) else None
             self.heard.puts.append(
                 Put(free, None if onto is None else (onto, 1), "", _NO_GUESS, Span(0, 0), order, True)
@@ -277,6 +284,9 @@ class Assembly(Upright):
                     else main
                 )
                 p.host = (host, 1)
+            if kind in _LIMBS and p.host[0].kind in _PATCHES:  # beside a patch, on what the patch lies on
+                p.host = (head if head is not None and kind in ("ear", "horn") else main, 1)
+                p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())
             if kind == "wheel":
                 p.host = (main, 1)
                 p.where = replace(p.where, rounds=None, beside=(), words=p.where.words & {"front", "back"})

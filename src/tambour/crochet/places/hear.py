@@ -41,7 +41,8 @@ _ADJACENT: Final = re.compile(
 """What may stand between a verb and what is put."""
 _PASSIVE: Final = re.compile(r"(?:\b(?:is|are|be|being|get|gets|should be)\s+|[:–—-]\s*|^\s*|\beach\s+)$")
 _FIRST_DONE: Final = re.compile(
-    r"\b(?:stuff|fold|flatten|gather|pin|weight|close|shape|bend)\w*\s+(?:the\s+|each\s+|both\s+)*$"
+    r"\b(?:stuff|fold|flatten|gather|pin|weight|close|shape|bend)\w*\s+(?:down\s+|up\s+|over\s+|in\s+)?"
+    r"(?:(?:the\s+)?(?:top|bottom|end|edge|tip|base)s?\s+of\s+)?(?:the\s+|each\s+|both\s+|left\s+|right\s+)*$"
 )
 """What is done with a part before it is sewn: "stuff the snout and sew to the head"."""
 _CLOSING: Final = re.compile(r"\b(?:closed|shut|tog|together|in half|seams?|opening|flat)\b")
@@ -266,6 +267,9 @@ class Heard:
             objects = [m for m in found if m.end <= verb.start()]
         if not objects and found and found[0].end <= verb.start() and _FIRST_DONE.search(low[: found[0].start]):
             objects = [m for m in found if m.end <= verb.start()]
+            at = where(
+                low[verb.start() :]
+            )  # "fold down the top of the ear and sew it to the body" says no top of the body
         if not objects and _IT.match(low, verb.start()) and (meant := self._just_closed(sentence)):
             objects = meant
             hosts = [m for m in hosts if m.copies[0][0] != meant[0].copies[0][0]]

@@ -31,6 +31,10 @@ _LAID: Final = frozenset(
 """Kinds of pieces that lie on the fabric, sewn all round, where they are worked in rows."""
 SPREAD: Final = frozenset(("butterfly", "moth", "dragonfly"))
 """Toys, by their titles, whose wings are spread beside them."""
+BESIDE: Final = frozenset(
+    ("elephant", "monkey", "koala", "mouse", "chimp", "sloth", "sheep", "lamb", "cow", "giraffe", "llama")
+)
+"""Toys, by their titles, whose ears are at the sides of their heads."""
 _PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
 """Kinds of open pieces that stand on a line, where they are not stuffed."""
 

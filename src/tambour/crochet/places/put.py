@@ -13,7 +13,8 @@ from tambour.core.check import Array
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import SIDE
 from tambour.crochet.places.hear import Copy, Put
-from tambour.crochet.places.held import SPREAD, Holder
+from tambour.crochet.places.held import BESIDE, SPREAD, Holder
+from tambour.crochet.places.names import one
 from tambour.crochet.places.room import aside
 from tambour.crochet.places.stand import Host, neck
 from tambour.crochet.places.usual import Way, usual
@@ -75,7 +76,7 @@ class Putter(Holder):
         wanted = frozenset(w for c in put.copies for w in c[0].words) | (
             frozenset(put.where.text.split()) - {"front", "fore"}
         )
-        wanted |= frozenset(work.text[:200].split()) & SPREAD
+        wanted |= frozenset(one(w) for w in re.findall(r"[a-z]+", work.text[:200])) & (SPREAD | BESIDE)
         if kind == "leaf" and len(put.copies) > 8:  # they stand in rings, whatever round the first of them is in
             put = replace(put, where=replace(put.where, rounds=None, beside=(), words=frozenset()))
         if kind == "ear" and len(put.copies) == 4:  # two layers each: of the inner ones nothing is seen

@@ -162,6 +162,12 @@ def usual(
             pairs = replace(pairs, at=(0.42, 0.92, 0.0), axis=(0.28, 1.0, 0.0), line=(1.0, -0.28, 0.0))
         if kind == "ear" and words & {"floppy", "hanging", "droopy"}:
             pairs = replace(pairs, at=(0.78, 0.62, 0.0), axis=(0.5, -0.85, 0.1), line=_ALONG)
+        if kind == "ear" and words & {"elephant"}:  # large ones, their faces ahead
+            pairs = replace(pairs, at=(0.95, 0.3, 0.1), axis=(1.0, 0.1, -0.1), line=_UP)
+        elif kind == "ear" and words & {"monkey", "koala", "mouse", "chimp", "sloth"} and not long:
+            pairs = replace(pairs, at=(0.85, 0.5, 0.0), axis=(0.85, 0.5, 0.0), line=(0.5, -0.85, 0.0))
+        elif kind == "ear" and words & {"sheep", "lamb", "cow", "giraffe", "llama"} and not lying:
+            pairs = replace(pairs, at=(0.85, 0.5, 0.0), axis=(1.0, -0.15, 0.0), line=_ALONG)
         if kind == "wing" and words & {"butterfly", "moth", "dragonfly"}:
             pairs = replace(pairs, at=(0.55, 0.35, -0.75), axis=(1.0, 0.45, -0.1), line=_UP)
         if kind == "leg" and words & {"front", "fore"}:
