@@ -1,5 +1,6 @@
 """Assembly by sense: loose names, places in words, usual places that are told, faces by their names."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -955,3 +956,27 @@ def test_a_wide_muzzle_lies_below_the_eyes(eyes: str, muzzle: str) -> None:
         for s in (snout.spot, *(f.spot for f in pattern.finish if isinstance(f, Eye)))
     )
     assert len(seen) == 2 and min(float(np.linalg.norm(eye - middle)) for eye in seen) > 24 / (2 * np.pi) - 0.7
+
+
+def test_a_roof_closes_its_walls_and_a_door_below_is_not_in_its_way() -> None:
+    from tambour.crochet.graph.check import tech_edit
+
+    door = "Ch 6.\nRow 1: 5 sc, turn (5)\nRows 2-6: ch 1, 5 sc, turn (5)\nFasten off.\n"
+    text = (
+        f"House\n\nWALLS\n{BALL}Stuff firmly.\n\nROOF\n{BALL}\nDOOR\n{door}\nWINDOWS (make 2)\nRnd 1: 6 sc in MR (6)\n"
+    )
+    said = "Sew the roof onto the walls. Sew the door to the front of the walls. Sew one window on either side of the door."
+    built = build(read_printed(Text(f"{text}\nAssembly\n{said}\n", "house.txt")))
+    joining = prepare(built)
+    assert joining is not None and not crowded(joining)
+    assert not [p for p in tech_edit(built) if "stays open" in p.message]
+
+
+@pytest.mark.parametrize(("apart", "told"), [(3.0, 0), (2.0, 0), (1.0, 1)])
+def test_two_alike_may_touch_and_may_not_overlap(apart: float, told: int) -> None:
+    """Tubes of six stitches, two stitches wide: flukes and legs are sewn side by side."""
+    joining = prepare(build(toy("Sew the legs to the body between rounds 7 and 8.", LEGS_make_2=TUBE)))
+    assert joining is not None
+    legs = [(f, end) for f, end in joining.steps if f.part.startswith("LEGS")]
+    moved = [(replace(f, spot=replace(f.spot, stitch=10.0 + k * apart)), end) for k, (f, end) in enumerate(legs)]
+    assert len(legs) == 2 and len(crowded(replace(joining, steps=tuple(moved)))) == told

@@ -31,6 +31,10 @@ DISC = 5
 """A disc has so many stitches round its edge for every round or more; with twice as many it is a ruffle."""
 APART = 1.0
 """Two seams that come nearer to each other than this, in stitches, are in each other's way."""
+SAME_SIDE = 0.5
+"""One seam can be inside another where the fabric under both looks so nearly the same way, as a cosine."""
+BESIDE = 0.8
+"""Seams whose middles are so far apart, as a share of half their widths together, are beside each other."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -175,25 +179,30 @@ def crowded(joining: Joining) -> list[Problem]:
     """Doubts about parts whose seams are in each other's way, or one inside of the other."""
     spots, steps = joining.spots, joining.steps
     found: list[Problem] = []
-    known: list[tuple[Placed, bool, Array]] = []
+    known: list[tuple[Placed, bool, Array, Array]] = []
     told: set[tuple[object, ...]] = set()
     for f, end in steps:
         frame = frames(spots, spots.layout, [f.spot])
-        points = sewing.line(f, end, frame)
-        for other, ring, its in known:
+        span = spots.built.graph.parts[spots.parts[f.part]]
+        points = sewing.outline(spots.layout, np.arange(span.start, span.end), f, end, frame)
+        normal = frame.normals[0]
+        for other, ring, its, way in known:
             if spots.parts[f.spot.part] != spots.parts[other.spot.part]:
                 continue
             apart = np.sqrt(((points[:, None] - its) ** 2).sum(2))
             middles = float(np.sqrt(((points.mean(0) - its.mean(0)) ** 2).sum()))
             sizes = [float(np.sqrt(((p - p.mean(0)) ** 2).sum(1).max())) for p in (points, its)]
-            inside = (ring and middles < sizes[1]) or (end.ring and middles < sizes[0])
+            # A door on a wall is not inside of the roof's ring over it.
+            inside = ((ring and middles < sizes[1]) or (end.ring and middles < sizes[0])) and normal @ way > SAME_SIDE
             pair = (f.span, f.part.rsplit(".", 1)[0], other.part.rsplit(".", 1)[0])
-            if (float(apart.min()) < APART or inside) and pair not in told:
+            # Flukes, legs, petals are sewn side by side, and touch: two alike are in each other's way where they overlap.
+            over = middles < BESIDE * sum(sizes) or pair[1] != pair[2]
+            if ((float(apart.min()) < APART and over) or inside) and pair not in told:
                 told.add(pair)  # of twenty leaves one is enough
                 message = f'"{f.part}" and "{other.part}" are sewn to the same place'
                 hint = "their seams are in each other's way: move one of the two"
                 found.append(Problem(message, hint, f.span, spots.built.pattern.text, warning=True))
-        known.append((f, end.ring, points))
+        known.append((f, end.ring, points, normal))
     return found
 
 

@@ -232,6 +232,13 @@ def line(placed: Placed, end: End, frame: Frames) -> Array:
     return np.asarray(p + t * (math.cos(a) * along + math.sin(a) * up))
 
 
+def outline(layout: Array, own: Array, placed: Placed, end: End, frame: Frames) -> Array:
+    """The same (K, 3); of a piece in rows that is laid flat its own edge; ``layout`` (N, 3) has parts by themselves, ``own`` its nodes."""
+    if not end.laid or end.disc:
+        return line(placed, end, frame)
+    return brought(layout, end.nodes, end, held(layout, own, end), *ways(placed, end, frame, False), frame.points[0])
+
+
 def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array, frame: Frames) -> Array:
     """Pairs (S, 2): every stitch of ``end`` with the stitch among ``target`` (nodes) that it is sewn to.
 

@@ -132,7 +132,8 @@ def _open(built: Built) -> Iterator[Problem]:
     graph, pattern = built.graph, built.pattern
     if not pattern.terms:
         return
-    held = {f.part for f in pattern.finish if isinstance(f, Placed)}
+    placed = [f for f in pattern.finish if isinstance(f, Placed)]
+    held = {f.part for f in placed} | {f.spot.part for f in placed if f.spot.stitch is None}  # a roof closes the walls
     held |= {f.removesuffix(".1") for f in held}
     across = graph.part[graph.edges]
     sewn = set(across[across[:, 0] != across[:, 1]].ravel().tolist())

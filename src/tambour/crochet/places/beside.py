@@ -145,7 +145,7 @@ class Beside:
                     continue
                 return host.ahead(middle[0], middle[1])
             if relation in SIDE and sign:
-                return np.asarray(own + np.array([sign * (steps or half_size + 0.8), 0.0, 0.0]))
+                return _around(host.box[0], own, sign * (steps or half_size + 0.8))
             if relation in _LEVEL or relation in ("back from", "behind"):
                 there = host.towards(way.direction)
                 there[1] = middle[1]
@@ -153,3 +153,11 @@ class Beside:
             if relation == "in front of":
                 return np.asarray(middle + np.array([0.0, 0.0, 2.0]))
         return None
+
+
+def _around(middle: Array, point: Array, far: float) -> Array:
+    """A point so far (stitches, to the toy's left) around the upright axis through ``middle``, as fabric runs round it."""
+    x, z = point[0] - middle[0], point[2] - middle[2]
+    wide = max(math.hypot(x, z), 1.0)
+    angle = math.atan2(x, z) + far / wide
+    return np.array([middle[0] + wide * math.sin(angle), point[1], middle[2] + wide * math.cos(angle)])

@@ -11,6 +11,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.crochet.finish import sewing
+from tambour.crochet.finish.joining import SAME_SIDE
 from tambour.crochet.language.finishes import Placed
 from tambour.crochet.places.stand import Stand
 from tambour.crochet.places.usual import Way
@@ -29,11 +30,12 @@ _LAYERS: Final = frozenset(
 
 @dataclass(frozen=True, eq=False)
 class Seam:
-    """Where a part is sewn: points (K, 3) of its line; how far they are from their middle; whether they run round."""
+    """Where a part is sewn: points (K, 3) of its line; the fabric's normal; how far they are from their middle; whether they run round."""
 
     kind: str
     host: str
     points: Array
+    normal: Array
     wide: float
     ring: bool
 
@@ -50,9 +52,11 @@ class Room:
         spots, made = self._stand.spots, []
         for record in records:
             end = sewing.end_of(spots.built, spots, record)
-            points = sewing.line(record, end, self._stand.frame(record.spot))
+            frame = self._stand.frame(record.spot)
+            own = self._stand.nodes(spots.parts[record.part])
+            points = sewing.outline(spots.layout, own, record, end, frame)
             wide = float(np.sqrt(((points - points.mean(0)) ** 2).sum(1).max()))
-            made.append(Seam(kind, record.spot.part, points, wide, end.ring))
+            made.append(Seam(kind, record.spot.part, points, frame.normals[0], wide, end.ring))
         return made
 
     def free(self, seams: list[Seam]) -> bool:
@@ -69,7 +73,8 @@ def _meet(one: Seam, other: Seam) -> bool:
         return False
     apart = float(np.sqrt(((one.points[:, None] - other.points) ** 2).sum(2)).min())
     middles = float(np.sqrt(((one.points.mean(0) - other.points.mean(0)) ** 2).sum()))
-    return apart < _APART or (other.ring and middles < other.wide) or (one.ring and middles < one.wide)
+    inside = (other.ring and middles < other.wide) or (one.ring and middles < one.wide)
+    return apart < _APART or (inside and float(one.normal @ other.normal) > SAME_SIDE)
 
 
 def aside(ways: list[Way]) -> Iterator[list[Way]]:
