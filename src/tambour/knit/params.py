@@ -132,7 +132,7 @@ class KnitParams(Params):
     # --- from the picture to stitches
     stitches: int | None = Field(default=None, ge=1, le=20000)
     """Stitches in a row. Without it charts and pixel art have a stitch for each pixel, other pictures the width that is usual for
-    {--use}: 33 cm across the front of a garment."""
+    {--use}: 80 for the front of a garment (33 cm at 24 stitches in 10 cm)."""
     rows: int | None = Field(default=None, ge=1, le=20000)
     """Rows; without it they follow from the picture's shape and the gauge."""
     gauge: Ratio | None = Field(default=None, json_schema_extra={"metavar": "STSxROWS"})

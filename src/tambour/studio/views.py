@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
@@ -160,14 +161,20 @@ async def thumb(studio: Studio, request: Request) -> Response:
     return Response(raw, media_type="image/webp", headers=headers)
 
 
+def drawn(name: str, content: Content, view: str) -> Content:
+    """What a view is made of: a pen's lines, of the scroll as ``--plotter`` draws it; all else of the content as it is."""
+    pen = name == "ink" and view == "plot" and not content.params.get("plotter")
+    return replace(content, params={**content.params, "plotter": True}) if pen else content
+
+
 async def takeaway(studio: Studio, request: Request) -> dict[str, Any]:
     """Every file that can be made of it; with its size where it was made already."""
     piece, found = await _titled(studio, request)
     name, listed = piece.craft, []
-    key = key_of(name, found.content)
     for view, it in craft(name).views.items():
         for suffix in sorted(s for s, kind in files.WRITE if kind == it.value):
-            called = file_name(name, found.content, view, suffix, piece.title)
+            called = file_name(name, drawn(name, found.content, view), view, suffix, piece.title)
+            key = key_of(name, drawn(name, found.content, view))
             made = studio.making.known(f"{key}/{view}/{called}")
             size = None if made is None else made.size
             listed.append({"view": view, "suffix": suffix, "help": it.help, "name": called, "size": size})
@@ -184,4 +191,5 @@ async def download(studio: Studio, request: Request) -> Response:
     if view not in views or not files.can_write(suffix, views[view].value):
         raise Answer.of(404, "there is no such file of this piece")
     kind = _KINDS.get(suffix, "application/octet-stream")
-    return await shown(studio, request, name, found.content, view, suffix, kind, True, piece.title)
+    content = drawn(name, found.content, view)
+    return await shown(studio, request, name, content, view, suffix, kind, True, piece.title)

@@ -19,7 +19,7 @@ const FIRST = {
     ["worksheet", ".pdf", "Worksheet", "threads and stops, PDF"], ["preview", ".png", "Picture", "thread on cloth, PNG"]],
 };
 /** Formats that take long, and are made when they are asked for alone. */
-const DEAR = new Set([".gif", ".glb"]), WAIT = 1500;
+const DEAR = new Set([".gif", ".glb", ".hpgl"]), WAIT = 1500;
 /** Second names of one format, and what a text of this craft is not. */
 const SAME = new Set([".jpeg", ".tiff", ".plt", ".knitout", ".usd"]), TEXTS = new Set([".txt", ".md", ".html", ".pdf"]);
 

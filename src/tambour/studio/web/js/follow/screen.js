@@ -92,7 +92,7 @@ export async function follow(root, { title, craft, pack, steps, place, to }) {
   show(one(".words"), () => {
     const { step, unit, done } = at();
     if (done) return html`<div class="row">Finished</div><h1>${title} is made.</h1>`;
-    return html`<div class="row">${step.label}${yarns(step).map((c) => html` <i class="swatch" ${ref(dyed(c))}></i>`)}</div>${step.stop ? html`<p class="stop">${colored(step.stop)}</p>` : ""}
+    return html`<div class="row">${step.label}</div><div class="dyed" aria-hidden="true">${yarns(step).map((c) => html`<i class="swatch" ${ref(dyed(c))}></i>`)}</div>${step.stop ? html`<p class="stop">${colored(step.stop)}</p>` : ""}
       <h1>${colored(bare(step.words))}${step.count && !/[[(]\s*\d+\s*[\])]\s*$|^[\d,]+ stitches/.test(step.words) ? html` <span class="quiet">${number(step.count)}</span>` : ""}</h1>
       <div class="tokens">${tokens(step).map((t) => html`<button class=${t.end <= unit ? "done" : t.first <= unit ? "now" : ""} @click=${() => place.go(at().k, t.first)}>
         ${t.color ? html`<i class="swatch" ${ref(dyed(t.color))}></i> ` : ""}${t.text}</button>`)}</div>`;
