@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tambour.core.chart import Chart
+from tambour.core.chart import Chart, Gauge
 from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
 from tambour.knit.piece import Piece
@@ -57,11 +57,30 @@ def test_a_picture_s_chart_keeps_its_stitches_when_rows_come_in():
 
     grey = np.tile(np.linspace(0, 255, 40, dtype=np.uint8), (30, 1))
     picture = Picture(np.dstack([grey] * 3 + [np.full_like(grey, 255)]))
-    params = WHAT.params.of({"stitches": 20, "border": 0} if "border" in WHAT.params.form() else {"stitches": 20})
+    params = WHAT.params.of({"stitches": 20})
     plain: Piece = make(WHAT, picture, params).piece
     taller: Piece = make(WHAT, picture, params, ["rows:3=2", "rows:1=-1"]).piece
     cells = plain.chart.cells
     assert (taller.chart.cells == np.delete(np.insert(cells, [2, 2], cells[2], 0), 0, 0)).all()
+
+
+def test_what_was_asked_of_a_chart_holds_when_it_grows():
+    """The limit of its use, its gauge, and yarns that are told by the colours they had."""
+    grown = made(lawful(1), "columns:3=9", use="mitten", gauge="24x32", yarn=("poppy=#141e5a",))
+    assert grown.limit == grown.figures["max_float"] == 3 and grown.figures["violations"] == 0
+    assert grown.figures["longest_float"] <= 3 and grown.chart.gauge == Gauge(24, 32)
+    assert grown.chart.palette.names[0] == "poppy"
+
+
+def test_a_chart_keeps_floats_that_are_caught_and_tells_what_it_does_not_heed():
+    cells = np.zeros((4, 30), np.uint8)
+    cells[1:3, 12:15] = 1
+    assert (made(cells, floats="caught").chart.cells == cells).all()
+    assert (made(cells).chart.cells != cells).any()
+    told = make(
+        WHAT, Chart(cells, Palette(WOOL.rgb[:2])), WHAT.params.of({"stitches": 9, "border": 2, "gauge": "20x30"})
+    )
+    assert [w.where for w in told.progress.warnings] == ["{--stitches}", "{--border}"]
 
 
 @pytest.mark.parametrize("edit", ["rows:30=1", "rows:1=-9", "rows:1=-20", "columns:13=1", "rows:10=-1", "run:3,9,9=1"])

@@ -12,7 +12,7 @@ import itertools
 import re
 import textwrap
 import types
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -219,6 +219,16 @@ class Params(BaseModel):
             made["properties"][name] |= {"description": told["help"], **told}
         return made
 
+    def said(self, names: Iterable[str]) -> list[str]:
+        """Those of the fields ``names`` that are not as usual.
+
+        >>> from tambour.run import craft
+        >>> craft("knit").params(stitches=24, rows="30").said(("stitches", "rows", "gauge"))
+        ['stitches', 'rows']
+        """
+        usual = {name: type(self).model_fields[name] for name in names}
+        return [n for n, f in usual.items() if getattr(self, n) != f.get_default(call_default_factory=True)]
+
     def idle(self) -> list[Problem]:
         """Warnings about the fields that are set and have no effect, by ``when``.
 
@@ -229,7 +239,7 @@ class Params(BaseModel):
         problems = []
         for name, needs in self.when.items():
             unmet = [(k, v) for k, v in needs.items() if not _holds(getattr(self, k), v)]
-            if unmet and getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
+            if unmet and self.said((name,)):
                 why = " and ".join(_needed(k, v) for k, v in unmet)
                 problems.append(Problem(f"has no effect without {why}", where=f"{{--{_dashed(name)}}}", warning=True))
         return problems

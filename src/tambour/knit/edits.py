@@ -111,13 +111,6 @@ def _mattering(source: Any, params: KnitParams, edits: Sequence[Matter]) -> tupl
     return _marked("matter", "weights", source, params, edits)
 
 
-_PICTURED = (
-    *("stitches", "rows", "crop", "rotate", "direction", "repeat", "arrange", "border", "edge_stitches", "shape"),
-    *("style", "tones", "ground", "use", "seen_from", "relax", "lock", "weights", "focus", "colors", "yarns", "stash"),
-)
-"""Parameters that lead from a picture to stitches: a chart of another size stands as it is, and is no picture's any more."""
-
-
 def _reshaped(piece: Piece, edits: Sequence[Rows] | Sequence[Columns], progress: Progress) -> Piece:
     """The chart with other rows or columns, solved again where floats became too long; stitches held by hand stay."""
     from dataclasses import replace
@@ -125,7 +118,9 @@ def _reshaped(piece: Piece, edits: Sequence[Rows] | Sequence[Columns], progress:
     import numpy as np
 
     from tambour.core.chart import LONGEST
-    from tambour.knit.flow import make
+    from tambour.knit.flow import fitting
+    from tambour.knit.params import PICTURED
+    from tambour.knit.solve.make import given
 
     chart = piece.chart
     for e in edits:
@@ -151,8 +146,9 @@ def _reshaped(piece: Piece, edits: Sequence[Rows] | Sequence[Columns], progress:
             masks["locked"] = masks["locked"] & ~(new[None, :] if axis else new[:, None])
         chart = replace(chart, cells=np.ascontiguousarray(np.take(chart.cells, kept, axis)), **masks)
     usual = type(piece.params)()
-    params = piece.params.model_copy(update={name: getattr(usual, name) for name in _PICTURED})
-    return replace(make(chart, params, progress), params=params)
+    # What made stitches of the picture has made them; a shape's words would count stitches that are elsewhere now.
+    params = piece.params.model_copy(update={name: getattr(usual, name) for name in (*PICTURED, "shape")})
+    return fitting(replace(given(chart, params, progress), params=params))
 
 
 def _set(piece: Piece, edits: Sequence[Stitch], progress: Progress) -> Piece:

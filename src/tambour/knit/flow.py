@@ -15,7 +15,6 @@ def make(source: Any, params: KnitParams, progress: Progress) -> Piece:
     """The piece of a Picture, a Chart or a Drawing; TambourError for what --stash or --machine cannot do."""
     from dataclasses import replace
 
-    from tambour.core.chart import Chart
     from tambour.core.drawing import Drawing
     from tambour.knit.solve.make import make as solved
 
@@ -29,8 +28,6 @@ def make(source: Any, params: KnitParams, progress: Progress) -> Piece:
         progress.warn(
             "nothing is carried behind this: to relax areas of it changes nothing", hint="{--technique} stranded"
         )
-    if isinstance(source, Chart) and piece.chart.gauge is None:
-        piece = replace(piece, chart=replace(piece.chart, gauge=source.gauge))
     if params.yarn:
         from tambour.knit.hands.dyed import dyed
 

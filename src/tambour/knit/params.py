@@ -12,6 +12,13 @@ from tambour.core.params import Params, file, length
 YARNS = 8
 """The most yarns in a piece that is made here; a chart that is read may hold more (picture/charts.py)."""
 
+PICTURED = (
+    "stitches rows crop rotate direction repeat arrange border edge_stitches behind use_within cross_within style tones ground "
+    "brightness contrast detail sharpen tone start threshold patches patch_from relax lock weights focus yarns colors card switch "
+    "max_switches min_contrast"
+).split()
+"""What leads from a picture to stitches, and nothing else: a chart that is given has its stitches already."""
+
 Paper = Literal["a4", "a3", "letter"]
 """Papers that charts are printed on; their sizes stand in render/page.py."""
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tambour.core.chart import Chart
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.picture import Picture
@@ -49,6 +50,15 @@ class Layout:
             return cells
         extra = cells[:, : self.repeat[1]]
         return np.concatenate([cells] * self.copies + [extra], axis=1)
+
+
+def unframed(chart: Chart) -> Layout:
+    """A chart as it lies: no frame, no repeat, a stitch for each cell."""
+    none = np.zeros((0, 0), np.uint8)
+    knit = NONE if chart.no_stitch is None else ~chart.no_stitch
+    relaxed, locked = (NONE if mask is None else mask for mask in (chart.relaxed, chart.locked))
+    rgb = np.ascontiguousarray(chart.palette.rgb[chart.cells])
+    return Layout(rgb, (0, 0, 0, 0), NONE, none, knit, relaxed, locked, PLAIN, None, 1)
 
 
 def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:

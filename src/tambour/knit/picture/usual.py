@@ -28,6 +28,11 @@ STEP, NOISE = 40, 48  # code values: what counts as a change, and as the same co
 SAME = 0.08  # Oklab distance below which two colours of pixel art that JPEG went over are one
 CHART, SMALL, SPRITE = 200, 128, 64  # stitches: of a full bed; pixels, and colours, of a sprite
 LAWFUL = 12  # longest run, in stitches, of a wider picture in two colours that is a chart already
+STRANDED = (
+    "tones ground floats tone light start threshold patches max_float soft catch relax weights focus method keep round "
+    "repeat arrange steek border edge_stitches edges shape yarns machine detail"
+).split()
+"""What belongs to stranded knitting: whoever says one of these wants it."""
 GREY = 0.04  # Oklab chroma below which a colour is a grey
 
 
@@ -177,38 +182,8 @@ def in_colour(picture: Array) -> bool:
 
 def of_stranded(params: KnitParams) -> bool:
     """Whether something was asked for that belongs to stranded knitting, or a use that it suits best."""
-    usual = KnitParams()
-    said = [
-        "tones",
-        "ground",
-        "floats",
-        "tone",
-        "light",
-        "start",
-        "threshold",
-        "patches",
-        "max_float",
-        "soft",
-        "catch",
-        "relax",
-        "weights",
-        "focus",
-        "method",
-        "keep",
-        "round",
-        "repeat",
-        "arrange",
-        "steek",
-        "border",
-        "edge_stitches",
-        "edges",
-        "shape",
-        "yarns",
-        "machine",
-        "detail",
-    ]
     return (
-        any(getattr(params, name) != getattr(usual, name) for name in said)
+        bool(params.said(STRANDED))
         or params.style not in ("auto", "graphic")
         or params.use == "mitten"
         or len(params.colors) == 2

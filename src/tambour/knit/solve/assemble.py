@@ -12,6 +12,7 @@ from tambour.core.chart import Chart
 from tambour.core.check import Array
 from tambour.core.palette import Palette
 from tambour.core.progress import Progress
+from tambour.core.rgb import hexed
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import resample
 from tambour.knit.picture.layout import Layout
@@ -29,7 +30,7 @@ class State:
 
     task: Task
     cells: Array
-    layout: Layout | None
+    layout: Layout
     pairs: Array
 
 
@@ -43,7 +44,7 @@ def assemble(
     progress: Progress,
 ) -> Piece:
     """The Piece of solved cells: colours instead of bits, the repeat laid out, the law checked once more."""
-    task, layout = state.task, state.layout
+    task, layout, tiled = state.task, state.layout, state.layout.tiled
     after = floats.measure(task, state.cells)
     lawful = params.method in ("exact", "diffused", "perceptual") and params.soft is None and not params.check
     if lawful and after.violations:
@@ -56,7 +57,6 @@ def assemble(
     flips = state.cells != task.start
     if task.knit.size:
         flips &= task.knit
-    tiled = layout.tiled if layout else (lambda cells: cells)
 
     def coloured(bits: Array) -> Array:
         if len(palette) == 2 and (state.pairs[:, 1] > state.pairs[:, 0]).all():
@@ -99,19 +99,18 @@ def assemble(
         figures["edge_travel"] = travel(state.cells, task)
     # The dominant yarn is carried below and stands out: the one that draws the figure, so the rarer.
     order = np.argsort(-counts, kind="stable")
-    picture = layout.picture if layout else np.ascontiguousarray(palette.rgb[coloured(task.start)])
     return Piece(
         chart,
         params,
         tiled(task.tone),
         coloured(task.start),
         task.limit,
-        tiled(picture) if layout else picture,
+        tiled(layout.picture),
         int(order[1]) if len(order) > 1 else 0,
         int(order[0]),
         kind,
         tiled(task.weights) if task.weights.size else None,
-        layout.repeat if layout else None,
+        layout.repeat,
         figures,
         state,
     )
@@ -119,7 +118,7 @@ def assemble(
 
 def name_of(palette: Palette, k: int) -> str:
     """A yarn's name, or its colour as #rrggbb."""
-    return palette.names[k] or "#" + bytes(palette.rgb[k].tolist()).hex()
+    return palette.names[k] or hexed(palette.rgb[k])
 
 
 def travel(cells: Array, task: Task) -> int:

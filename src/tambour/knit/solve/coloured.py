@@ -14,14 +14,13 @@ from tambour.core.palette import Palette
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import resample, tone, wools
-from tambour.knit.picture.layout import Layout
+from tambour.knit.picture.layout import Layout, unframed
 from tambour.knit.picture.prepare import prepared
 from tambour.knit.picture.style import NEAR, Style, suggested
 from tambour.knit.piece import Piece
 from tambour.knit.solve import areas
 from tambour.knit.solve.assemble import name_of
 from tambour.knit.solve.stages import squash_of
-from tambour.knit.task import NONE, PLAIN
 
 LEAST = {"intarsia": 3, "jacquard": 1}  # stitches of an area in a row: a bobbin for fewer is not worth its two ends
 BORDER = {"intarsia": 0.008, "jacquard": 0.004}  # squared distance that a border is worth
@@ -95,22 +94,16 @@ def of_chart(chart: Chart, params: KnitParams, progress: Progress) -> Piece:
     """The Piece of an existing chart: as it is, or, without ``check``, with the fewest stitches changed that make every
     area wide enough."""
     params = params.model_copy(update={"technique": chart.technique, "back": chart.backing, "style": "graphic"})
-    if not chart.cells.size:
-        raise TambourError("the chart has no stitches")
-    knit = NONE if chart.no_stitch is None else ~chart.no_stitch
-    rgb = np.ascontiguousarray(chart.palette.rgb[chart.cells])
-    none = np.zeros((0, 0), np.uint8)
-    layout = Layout(rgb, (0, 0, 0, 0), NONE, none, knit, NONE, NONE, PLAIN, None, 1)
+    layout = unframed(chart)
     cost = (np.arange(len(chart.palette)) != chart.cells[..., None]).astype(np.float32)
     free, least = np.zeros(chart.shape, np.float32), LEAST[chart.technique]
     locked = np.zeros(chart.shape, np.bool_) if chart.locked is None else chart.locked
     cost = held(cost, chart.cells, locked)
     with progress.stage("solve"):
-        cells = chart.cells.copy() if params.check else areas.solve(cost, free, free, least, knit)
+        cells = chart.cells.copy() if params.check else areas.solve(cost, free, free, least, layout.knit)
     field = Field(cost, free, free, least, layout, cells, locked)
     told = {"style": "graphic", "why": "graphic: a chart is taken as it is", "seen_from": NEAR[params.use]}
-    piece = assembled(field, chart.palette, chart.cells, "chart", told, params)
-    return replace(piece, chart=replace(piece.chart, gauge=piece.chart.gauge or chart.gauge))
+    return assembled(field, chart.palette, chart.cells, "chart", told, params)
 
 
 def costs(layout: Layout, params: KnitParams, style: Style, exact: bool) -> tuple[Palette, Array]:

@@ -3,22 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from tambour.core.chart import Chart, Technique
 from tambour.core.check import Array
-from tambour.core.errors import TambourError
+from tambour.core.errors import TambourError, option
 from tambour.core.palette import Palette
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
-from tambour.knit.params import YARNS, KnitParams
+from tambour.knit.params import PICTURED, YARNS, KnitParams
 from tambour.knit.picture import shades, tone
 from tambour.knit.picture.charts import chart_of, two_per_row
 from tambour.knit.picture.grounds import laid
-from tambour.knit.picture.layout import Layout, lay
+from tambour.knit.picture.layout import Layout, lay, unframed
 from tambour.knit.picture.prepare import mixed, prepared
 from tambour.knit.picture.regions import divided
+from tambour.knit.picture.resample import gauge_of
 from tambour.knit.picture.style import Style, chosen, of_plain, recognised, settled, suggested
 from tambour.knit.picture.usual import coloured
 from tambour.knit.piece import Piece
@@ -26,7 +28,7 @@ from tambour.knit.solve import coloured as areas
 from tambour.knit.solve import faces, floats, yarns
 from tambour.knit.solve.assemble import State, assemble
 from tambour.knit.solve.stages import advise, mirrored, solved, squash_of, task_of
-from tambour.knit.task import NONE, PLAIN, Task
+from tambour.knit.task import NONE, Task
 
 
 def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Piece:
@@ -35,6 +37,8 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
     Raises TambourError for pictures, masks and limits that cannot be used together.
     """
     if isinstance(source, Chart) or params.check:
+        for name in params.said(PICTURED):
+            progress.warn("has no effect on a chart, whose stitches are there already", where=f"{{{option(name)}}}")
         return given(source, params, progress)
     limit = floats.limit_of(params)
     if params.edge_stitches > limit and params.edges == "anchored":
@@ -171,46 +175,35 @@ def finished(
 def given(source: Picture | Chart, params: KnitParams, progress: Progress) -> Piece:
     """The Piece of an existing chart, in the technique that it says, or that was asked for."""
     technique = source.technique if isinstance(source, Chart) and source.technique != "stranded" else params.technique
-    if technique not in ("auto", "stranded"):
-        chart = source if isinstance(source, Chart) else chart_of(source, two=False)
-        if chart.behind is not None:
-            return faces.of_chart(chart, params)
-        if chart.technique != technique:
-            worked: Technique = "jacquard" if technique == "jacquard" else "intarsia"
+    stranded = technique in ("auto", "stranded")
+    chart = source if isinstance(source, Chart) else chart_of(source, two=stranded)
+    if not chart.cells.size:
+        raise TambourError("the chart has no stitches")
+    if stranded:
+        piece = of_chart(chart, params, progress)
+    elif chart.behind is not None:
+        piece = faces.of_chart(chart, params)
+    else:
+        worked: Technique = "jacquard" if technique == "jacquard" else "intarsia"
+        if chart.technique != worked:
             chart = replace(chart, technique=worked, backing=params.back)
-        return areas.of_chart(chart, params, progress)
-    params = params.model_copy(update={"technique": "stranded", "method": params.method or "exact", "style": "plain"})
-    return of_chart(source, params, floats.limit_of(params), progress)
+        piece = areas.of_chart(chart, params, progress)
+    return replace(piece, chart=replace(piece.chart, gauge=gauge_of(params) or chart.gauge))
 
 
-def of_chart(source: Picture | Chart, params: KnitParams, limit: int, progress: Progress) -> Piece:
-    """The Piece of an existing chart: checked, or mended by the method that was asked for."""
+def of_chart(chart: Chart, params: KnitParams, progress: Progress) -> Piece:
+    """The Piece of a stranded chart: checked, or mended by the method that was asked for."""
+    said: dict[str, Any] = {"technique": "stranded", "method": params.method or "exact", "style": "plain"}
+    params = params.model_copy(update=said | ({"round": True, "edges": "anchored"} if chart.circular else {}))
     with progress.stage("start_assignment"):
-        chart = source if isinstance(source, Chart) else chart_of(source)
         bits, pairs = two_per_row(chart)
-        empty = chart.cells.shape[1] == 0 or chart.cells.shape[0] == 0
-        if empty:
-            raise TambourError("the chart has no stitches")
-        task = Task(
-            bits.astype(np.float32),
-            bits,
-            limit,
-            free=params.edges == "free",
-            cap=params.edge_run or 1 << 30,
-            ring=params.round or chart.circular,
-            soft=params.soft,
-            knit=NONE if chart.no_stitch is None else ~chart.no_stitch,
-            relaxed=NONE if chart.relaxed is None else chart.relaxed,
-            locked=NONE if chart.locked is None else chart.locked,
-            weights=PLAIN,
-            seed=params.seed,
-        )
+        layout = unframed(chart)
+        task = task_of(bits.astype(np.float32), bits, floats.limit_of(params), params, layout)
     before = floats.measure(task, bits)
     with progress.stage("solve"):
         cells = bits.copy() if params.check else solved(task, params, progress)
-    wanted = params if not chart.circular else params.model_copy(update={"round": True, "edges": "anchored"})
     palette = chart.palette
     if len(palette) < 2:
         other = 0 if int(palette.rgb[0].sum()) > 382 else 255
         palette = Palette(np.vstack([palette.rgb, [[other] * 3]]).astype(np.uint8), (*palette.names, ""))
-    return assemble(State(task, cells, None, pairs), palette, "chart", "chart", wanted, before, progress)
+    return assemble(State(task, cells, layout, pairs), palette, "chart", "chart", params, before, progress)
