@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
@@ -11,7 +13,7 @@ from tambour.core.drawing import Drawing, Groups, Styles
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.embroidery.families.decide import stitch_of
-from tambour.embroidery.lines.angle import angle
+from tambour.embroidery.lines.angle import angle, spans
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import FILL, RUNNING, SATIN
 from tambour.embroidery.plan.make import make
@@ -82,13 +84,33 @@ def test_a_hair_is_a_line_there_and_back():
 @pytest.mark.parametrize("turn", [0, 30, 60, 105])
 def test_rows_run_along_a_long_shape(turn):
     shape = shapely.affinity.rotate(shapely.box(-30, -8, 30, 8), -turn, origin=(0, 0))  # y down
-    got = angle(Paths.of([np.array(shape.exterior.coords)]), 1.0)
+    got = angle(spans(Paths.of([np.array(shape.exterior.coords)]), 1.0))
     assert min(abs(got - turn) % 180, 180 - abs(got - turn) % 180) <= 15
 
 
-def test_neighbours_lie_in_other_directions():
-    made = make(
-        drawn(shapely.box(0, 0, 20, 20), shapely.box(20, 0, 40, 20)), EmbroideryParams(keep_hidden=True), Progress()
-    )
+def two(*polygons):
+    """Areas of which every second is red."""
+    styles = Styles.of(((0, 0, 0, 255), None, 0.0), ((200, 0, 0, 255), None, 0.0))
+    return replace(drawn(*polygons), styles=styles, style=np.arange(len(polygons)) % 2)
+
+
+def test_neighbours_of_other_colours_lie_in_other_directions():
+    made = make(two(shapely.box(0, 0, 20, 20), shapely.box(20, 0, 40, 20)), EmbroideryParams(), Progress())
     a, b = (r.params.angle for r in made.regions)
     assert min(abs(a - b) % 180, 180 - abs(a - b) % 180) >= 30
+
+
+def test_areas_of_one_colour_lie_in_one_direction_unless_that_suits_one_far_worse():
+    tile = shapely.Polygon([(0, 0), (20, 8), (16, 24), (2, 20)])
+    tiles = [shapely.affinity.translate(shapely.affinity.scale(tile, s), 30 * k) for k, s in enumerate((1, -1, 1))]
+    made = make(drawn(*tiles), EmbroideryParams(), Progress())
+    assert len({r.params.angle for r in made.regions}) == 1
+    bars = [shapely.box(0, 0, 60, 14), shapely.box(80, 0, 94, 60)]
+    assert len({r.params.angle for r in make(drawn(*bars), EmbroideryParams(), Progress()).regions}) == 2
+
+
+def test_the_bands_of_a_flag_are_sewn_one_way():
+    bands = two(*(shapely.box(0, 10 * k, 60, 10 * k + 9.98) for k in range(4)), shapely.box(0, 40, 60, 70))
+    assert {r.stitch for r in make(bands, EmbroideryParams(), Progress()).regions} == {"tatami"}
+    alone = make(drawn(shapely.box(0, 0, 60, 10)), EmbroideryParams(), Progress())
+    assert [r.stitch for r in alone.regions] == ["satin"]

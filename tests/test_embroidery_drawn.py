@@ -107,10 +107,16 @@ def test_an_outline_of_its_fill_s_colour_is_part_of_the_fill():
 
 def test_only_the_stretch_along_the_fill_becomes_part_of_it():
     ring = [(0, 0), (20, 0), (20, 20), (0, 20)]
-    made = massed([region(shapely.Polygon(ring)), outline([(0, 0), (20, 0), (50, 0)])])
+    made = massed([region(shapely.Polygon(ring)), outline([(0, 20), (0, 0), (20, 0), (50, 0)])])
     assert sorted(r.role for r in made) == ["area", "line"]
     line = next(r for r in made if r.role == "line")
     assert line.paths.coords[:, 0].min() == pytest.approx(20, abs=2) and line.paths.coords[:, 0].max() == 50
+
+
+def test_a_line_that_only_touches_a_fill_stays_a_line():
+    bar = shapely.box(0, 0, 8, 30)
+    made = massed([region(bar), outline([(-20, 30), (30, 30)])])
+    assert [r.role for r in made] == ["area", "line"] and np.ptp(made[1].paths.coords[:, 0]) == 50
 
 
 def test_thin_fills_and_other_colours_keep_their_outlines():

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.embroidery.columns.cut import flush
+from tambour.embroidery.columns.rails import outlined
 from tambour.embroidery.columns.satin import Column, resample
 
 SAMPLE = 0.35  # mm between the outline's samples (finer in small areas)
@@ -217,6 +219,8 @@ def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
         closed = bool(path[0] == path[-1] and len(path) > 3)
         line, wide = passed(places[path], wide, [(places[f], float(radius[f])) for f in forks])
         column = across(area, line, wide, (free_start, free_end), closed, (met(int(path[0])), met(int(path[-1]))))
+        if column is not None and len(joined) == 1 and free_start and free_end and not area.interiors:
+            column = outlined(column, area, float(np.median(wide)))
         if column is not None:
             made.append(Limb(column, int(path[0]), int(path[-1]), tuple((f, places[f]) for f in forks)))
         elif fork_of(int(path[0])) != fork_of(int(path[-1])):
@@ -334,7 +338,13 @@ def across(
         ends = np.asarray(shapely.get_coordinates(best))[[0, -1]]
         side = (ends - p[i]) @ normal[i]
         right[i], left[i] = ends[np.argmin(side)], ends[np.argmax(side)]
-    return Column(left, right)
+    column = Column(left, right)
+    for last in (True, False) if not closed else ():
+        if free[last]:
+            turned = column if last else column.reversed()
+            turned = flush(turned, area, half)
+            column = turned if last else turned.reversed()
+    return column
 
 
 def _smoothed(p: Array, reach: int, closed: bool) -> Array:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from tambour.embroidery.columns.medial import branches, skeleton
-from tambour.embroidery.lines.angle import angle
+from tambour.embroidery.lines.angle import STEP, angle, spans
 from tambour.embroidery.piece import AUTO, Region
 from tambour.embroidery.regions.flat import shape
 from tambour.geometry.areas import of_shapely, to_shapely
@@ -20,10 +20,15 @@ SPLIT = 12.1  # mm: up to this satin that is split, above it tatami
 BODY = 0.15  # share of an area that may be wider and still be left to what satin leaves
 ROUND = 17.0  # length² / area of a dot: 12.6 for a disc, 16 for a square, 18 for a bar twice as long as wide
 LONG = 3.0  # times as long as it is wide: a limb of a filled area that is sewn by itself
+FLARE = 1.35  # times as wide as it is in the mean where a limb widens into the wide part
+HORN = 0.9  # of that width: what is thinner there belongs to the wide part too
 EVEN = 0.72  # share of its length by its width that such a limb's area must have
 COVERED = 0.01  # share of an area above which it counts as lying below another
 LEAN = 0.7  # share of the width of the rest that it may have
 SEAM = 0.1  # mm that the wide part goes beyond what discs of its width reach
+LARGE = 0.25  # share of the largest one's box: areas of a colour whose neighbours its direction heeds
+WORSE = 1.6  # times as many pieces of rows as in its best direction an area may need in that of its colour
+MOST = 1500  # regions above which none are compared
 UNDER = 0.6  # mm that it goes on below the limbs
 BUNCH = 0.3  # share of an area that the widest disc in it must have to count as a middle; a T has 0.16, a star 0.4
 ROWS = ("tatami", "gradient")
@@ -37,7 +42,27 @@ def decided(found: Sequence[Region]) -> tuple[Region, ...]:
     made: list[Region] = []
     for k, region in enumerate(found):
         made += _parts(region, found[k + 1 :]) if region.stitch == AUTO else [region]
-    return _angled(made)
+    return _angled(_alike(made, {id(r) for r in found}))
+
+
+def _alike(found: list[Region], asked: set[int]) -> list[Region]:
+    """The regions, those that are satin only because they are plain and long as tatami where they lie beside other fills: a
+    flag's bands are sewn one way."""
+    fills = [r for r in found if r.role == "area" and r.stitch == "tatami"]
+    wide = [r for r in found if r.role == "area" and r.stitch == "satin" and id(r) not in asked]
+    wide = [r for r in wide if any(_wider(p, SATIN) > BODY for p in to_shapely(r.paths))]
+    if not wide or len(found) > MOST:
+        return found
+    import shapely
+
+    near = shapely.union_all([shape(r) for r in fills]).buffer(UNDER)
+    turned = {id(r) for r in wide if near.intersects(shape(r))}
+    turned |= {
+        id(r)
+        for r in wide
+        if any(s is not r and s.color != r.color and shape(s).distance(shape(r)) < UNDER for s in wide)
+    }
+    return [replace(r, stitch="tatami") if id(r) in turned else r for r in found]
 
 
 def stitch_of(area: Any) -> str:
@@ -75,10 +100,33 @@ def divided(area: Any) -> list[Any]:
     ]
     if not found:
         return [area]
+    found = [_blunt(p, core) for p in found]
     rest = area.difference(shapely.union_all(found).buffer(1e-3))
     left = [p for p in shapely.get_parts(rest) if p.area > 0.5]
     grown = [p for b in left for p in shapely.get_parts(b.buffer(UNDER).intersection(area)) if p.geom_type == "Polygon"]
     return [*grown, *found]
+
+
+def _blunt(limb: Any, core: Any) -> Any:
+    """A limb without the flare with which it meets the wide part, and without the thin horns that are left of it there."""
+    import shapely
+
+    half = limb.area / limb.length
+    flare = [p for p in shapely.get_parts(_opened(limb, FLARE * half)) if p.distance(core) < FLARE * half]
+    left = (
+        limb.difference(shapely.union_all(flare).buffer(SEAM))
+        if sum(p.area for p in flare) < 0.25 * limb.area
+        else limb
+    )
+    near = shapely.union_all([core, *flare]).buffer(2 * SEAM)
+    horns = [p for p in shapely.get_parts(left.difference(_opened(left, HORN * half))) if p.intersects(near)]
+    parts = shapely.get_parts(left.difference(shapely.union_all(horns).buffer(1e-6)))
+    return max(parts, key=lambda p: p.area) if len(parts) else limb
+
+
+def _opened(area: Any, by: float) -> Any:
+    """What discs of a radius reach in an area."""
+    return area.buffer(-by, quad_segs=8).buffer(by, quad_segs=8)
 
 
 def _bunched(area: Any) -> bool:
@@ -127,16 +175,29 @@ def _parts(region: Region, later: Sequence[Region]) -> list[Region]:
 
 
 def _angled(found: list[Region]) -> tuple[Region, ...]:
-    """Rows along each area's own shape where no angle was asked for, apart from those of neighbours."""
+    """Rows along areas' own shapes where no angle was asked for, apart from those of neighbours of other colours; areas of one
+    colour in one direction, for threads that lie otherwise shine otherwise, unless that suits one of them far worse."""
     boxes = np.array([[*r.paths.coords.min(0) - 0.5, *r.paths.coords.max(0) + 0.5] for r in found]).reshape(-1, 4)
-    made: list[Region] = []
+    size = (boxes[:, 2:] - boxes[:, :2]).prod(axis=1)
+    free = [k for k, r in enumerate(found) if r.params.angle is None and r.role == "area" and r.stitch == "tatami"]
+    counts = {k: spans(found[k].paths, 1.0) for k in free}
+    angles = {k: math.degrees(r.turn) for k, r in enumerate(found) if r.params.angle is not None and r.stitch in ROWS}
+    by_color: dict[tuple[int, int, int], list[int]] = {}
+    for k in free:
+        by_color.setdefault(found[k].color, []).append(k)
+    for same in by_color.values():
+        large = [k for k in same if size[k] >= LARGE * size[same].max()]
+        meets = np.zeros(len(found), bool)
+        for k in large:
+            meets |= ((boxes[k, :2] <= boxes[:, 2:]) & (boxes[:, :2] <= boxes[k, 2:])).all(axis=1)
+        beside = [angles[j] for j in np.flatnonzero(meets)[-20:].tolist() if j in angles]
+        one = angle(np.sum([counts[k] for k in same], axis=0), beside)
+        for k in same:
+            fits = counts[k][round(one / STEP) % len(counts[k])] <= WORSE * counts[k].min()
+            angles[k] = one if fits else angle(counts[k], beside)
+    made = []
     for k, region in enumerate(found):
         own = region.params.angle
-        if own is None:
-            own = 0.0
-            if region.role == "area" and region.stitch == "tatami":
-                meets = ((boxes[:k, :2] <= boxes[k, 2:]) & (boxes[k, :2] <= boxes[:k, 2:])).all(axis=1)
-                near = [made[j] for j in np.flatnonzero(meets)[-20:].tolist()]
-                own = angle(region.paths, 1.0, [math.degrees(r.turn) for r in near if r.stitch in ROWS])
+        own = angles.get(k, 0.0) if own is None else own
         made.append(replace(region, params=region.params.model_copy(update={"angle": own})))
     return tuple(made)

@@ -22,12 +22,12 @@ def spans(area: Paths, spacing: float) -> Array:
     return np.array([len(rows(area, math.radians(a), spacing).row) for a in range(0, 180, STEP)])
 
 
-def angle(area: Paths, spacing: float, beside: Sequence[float] = ()) -> float:
-    """Degrees of the rows that turn least often in an area: along its length, and across few notches.
+def angle(count: Array, beside: Sequence[float] = ()) -> float:
+    """Degrees of the rows that turn least often, of how many pieces they need in every direction (``spans``): along an area's
+    length, and across few notches.
 
     beside : the angles of neighbours; of directions that are about as good the one that differs most is taken.
     """
-    count = spans(area, spacing)
     good = np.flatnonzero(count <= ROOM * max(1, int(count.min()))) * STEP
     # Where nothing speaks for another, rows lie aslant: they show least where the cloth draws in.
     apart = [min([_between(a, b) for b in beside], default=0.0) for a in good.tolist()]

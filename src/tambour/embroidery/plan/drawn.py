@@ -17,7 +17,7 @@ from tambour.embroidery.piece import AUTO, Region
 from tambour.embroidery.regions.flat import shape
 from tambour.geometry.areas import of_shapely, to_shapely
 
-LEAST = 2.0
+LEAST = 1.2
 """mm: thinner lines are as well sewn as areas."""
 EVEN = 0.08
 """Share by which a line's half width may differ from place to place."""

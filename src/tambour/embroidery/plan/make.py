@@ -32,6 +32,7 @@ from tambour.embroidery.regions.blots import blotted
 from tambour.embroidery.regions.card import card
 from tambour.embroidery.regions.catalogue import with_catalogue
 from tambour.embroidery.regions.flat import joined, mixed, uncovered
+from tambour.embroidery.regions.gaps import SHOWN, opened
 from tambour.embroidery.regions.lettering import lettered
 from tambour.embroidery.regions.palette import reduced
 from tambour.embroidery.regions.read import extent, regions
@@ -172,7 +173,12 @@ def _flat(
         progress.warn(
             f"{seen.hidden} shape(s) lie hidden below others and were left out", hint="{--keep-hidden} sews them"
         )
-    return strung(seen.regions)
+    wide, gaps = opened(seen.regions)
+    if gaps:
+        progress.warn(
+            f"{gaps} hair line(s) of cloth between areas of one colour are sewn {SHOWN:g} mm wide, or thread would close them"
+        )
+    return strung(wide)
 
 
 def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:

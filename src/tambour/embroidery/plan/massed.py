@@ -16,6 +16,8 @@ ALONG = 0.35
 """Widths: a line whose middle lies no farther from an area runs along it."""
 LONG = 2.5
 """Widths that a line must run along an area to be part of it."""
+EDGE = 0.35
+"""Share of an area's edge that lines must run along for them and it to be one mass."""
 MASS = 1.5
 """Widths of the lines that half of the area must have at least that they and the fill give."""
 LAP = 0.5
@@ -48,6 +50,8 @@ def massed(found: Sequence[Region]) -> tuple[Region, ...]:
             between = [shape(r) for r in found[min([k, *near]) + 1 : last] if r.color != found[k].color]
             seen = own.difference(shapely.union_all([b for b in between if b.intersects(own)]))
             taken = {j: _along(seen, lines[j]) for j in near}
+            if sum(p.length for parts in taken.values() for p in parts) < EDGE * seen.length:
+                continue
             strokes = [p.buffer(found[j].width / 2, cap_style="round") for j, parts in taken.items() for p in parts]
             whole = shapely.union_all([seen, *strokes]).buffer(0.02)
             parts = [p for p in shapely.get_parts(whole) if any(p.intersects(s) for s in strokes)]
