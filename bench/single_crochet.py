@@ -59,6 +59,10 @@ HEAD = [
 # in their hole and apart above, a V, as close-ups of amigurumi show it; drawn tight alone they stay parallel.
 LEGS = {7: -0.02, 8: -0.06, 9: -0.12, 10: -0.12, 14: 0.42, 15: 0.37, 16: 0.28, 17: 0.20, 18: 0.17}
 
+# And how far before the fabric (row, w): the legs outside, and behind them, hidden, the yarn that comes through the loop to be the
+# next head; drawn tight alone it lies beside the right leg's top as a curl that no close-up shows.
+DEEP = {8: 0.38, 9: 0.36, 10: 0.28, 14: 0.06, 15: 0.24, 16: 0.32, 24: -0.12, 25: -0.08, 26: -0.06, 27: -0.04, 28: -0.02, 29: 0.02}  # fmt: skip
+
 
 def evenly(course: np.ndarray, count: int) -> np.ndarray:
     """A course (N, 4) of a stitch, the next one behind it, as a smooth line of ``count`` points at even distances."""
@@ -136,22 +140,6 @@ def relax(x: F8x2, drawn: F8x2, up: F8x1, free: float, width: float, tight: floa
     return length
 
 
-@kernel
-def nearest(x: F8x2, up: F8x1, width: float) -> float:
-    """The smallest distance between points of the lattice that are not near by nature."""
-    n, least = len(x), 1e9
-    for row in range(2):
-        for beside in range(-3 if row else 0, 4):
-            for k in range(n):
-                for m in range(n):
-                    if row == 0 and ((beside == 0 and m <= k) or abs(m + beside * n - k) < 1.6 * width * n / 8.0):
-                        continue
-                    size = (x[m, 0] + beside + row * up[0] - x[k, 0]) ** 2
-                    size += (x[m, 1] + row * up[1] - x[k, 1]) ** 2 + (x[m, 2] + row * up[2] - x[k, 2]) ** 2
-                    least = min(least, size)
-    return least**0.5
-
-
 def found(course: np.ndarray, high: float, lean: float, tight: float) -> tuple[np.ndarray, np.ndarray, float]:
     """The stitch (N, 3), the lattice's way up (3,) and the yarn's length, for rows ``high`` widths apart.
 
@@ -176,7 +164,7 @@ def table(x: np.ndarray, up: np.ndarray) -> np.ndarray:
         if cell[k, 2] < -0.12:
             back = int(k)
             break
-    line = np.vstack([cell, (*cell[:1], 1.0, 0.0, 0.0)])
+    line = np.vstack([cell, cell[:1] + np.array([1.0, 0.0, 0.0])])
     rows = []
     for (first, last), (a, b) in zip((BAR, LOOP, TOP), ((0, front), (front, back), (back, len(cell)))):
         at = np.linspace(a, b, last - first + 1)[:-1]
@@ -184,25 +172,31 @@ def table(x: np.ndarray, up: np.ndarray) -> np.ndarray:
     return np.array(rows)
 
 
-def rested(line: np.ndarray, high: float, lean: float, legs: dict[int, float], rounds: int = 300) -> np.ndarray:
-    """The table (46, 3), the legs of its loop drawn to where hands leave them, as :mod:`tambour.crochet.yarn.clearance` leaves it: its few points cut the corners of the course,
+def rested(
+    line: np.ndarray,
+    high: float,
+    lean: float,
+    legs: dict[int, float],
+    deep: dict[int, float],
+    snug: float,
+    rounds: int = 300,
+) -> np.ndarray:
+    """The table (46, 3), its loop drawn to where hands leave it (``legs`` aside, ``deep`` before the fabric), as :mod:`tambour.crochet.yarn.clearance` leaves it: its few points cut the corners of the course,
     so that a lattice of it is pushed apart as pieces are, until nothing in it is nearer than the yarn's width."""
     made, ends = line.copy(), np.arange(8) * 9 * len(line)
 
     def lattice() -> np.ndarray:
-        rows = [
-            np.column_stack([made[:, 0] - lean * (made[:, 1] + row) + column, high * (made[:, 1] + row), made[:, 2]])
-            for row in range(7)
-            for column in range(9)
-        ]
+        rows = [spread(made, high, lean, row, column) for row in range(7) for column in range(9)]
         return np.concatenate(rows) / RATIO
 
     for number in range(rounds):
         for k, u in legs.items() if number < rounds - 60 else ():
             made[k, 0] += 0.15 * (u + lean * made[k, 1] - made[k, 0])
-        if legs and number < rounds - 60:  # and the yarn is drawn tight, for the legs take more
+        for k, w in deep.items() if number < rounds - 60 else ():
+            made[k, 2] += 0.15 * (w - made[k, 2])
+        if number < rounds - 60:  # and the yarn is drawn tight, for the legs take more
             one = np.array([1.0, 0.0, 0.0])
-            made += 0.0008 * (
+            made += snug * (
                 0.5 * (np.vstack([made[-1:] - one, made[:-1]]) + np.vstack([made[1:], made[:1] + one])) - made
             )
         before = lattice()
@@ -222,6 +216,20 @@ def rested(line: np.ndarray, high: float, lean: float, legs: dict[int, float], r
     return made
 
 
+def measured(made: np.ndarray, high: float, lean: float) -> tuple[float, float]:
+    """The yarn's length in a stitch, in its widths, and the least distance in a lattice of it, in the yarn's."""
+    one = np.array([1.0, 0.0, 0.0])
+    line = np.vstack([made, made[:1] + one])
+    length = np.linalg.norm(np.diff(spread(line, high, lean, 0, 0), axis=0), axis=1).sum()
+    every = np.concatenate([spread(made, high, lean, row, column) for row in range(5) for column in range(7)]) / RATIO
+    return float(length), float(clearance.distances(every, np.arange(6) * 7 * len(made), 1.0, 1.1)[1].min())
+
+
+def spread(line: np.ndarray, high: float, lean: float, row: int, column: int) -> np.ndarray:
+    """A course in cells (N, 3) as it lies in a row and a column of the lattice, in widths."""
+    return np.column_stack([line[:, 0] - lean * (line[:, 1] + row) + column, high * (line[:, 1] + row), line[:, 2]])
+
+
 def main(arguments: list[str]) -> None:
     """Find the course, print it and how it was found."""
     under = "--under" in arguments
@@ -236,11 +244,20 @@ def main(arguments: list[str]) -> None:
         if abs(length - LENGTH) < 0.03:
             break
         low, most = (tight, most) if length > LENGTH else (low, tight)
-    near = nearest(x, up, RATIO) / RATIO
+    # Its few points cut corners, and its legs take more: drawn tight once more, by as much as it needs.
+    low, most, made, legs, deep = 1e-4, 0.1, table(x, up), {} if under else LEGS, {} if under else DEEP
+    for _ in range(9):
+        snug = (low * most) ** 0.5
+        made = rested(table(x, up), high, -up[0], legs, deep, snug)
+        length, near = measured(made, high, -up[0])
+        print(f"snug {snug:.5f}: {length:.2f} widths", file=sys.stderr, flush=True)
+        if abs(length - LENGTH) < 0.03:
+            break
+        low, most = (snug, most) if length > LENGTH else (low, snug)
     print(
         f"# {length:.2f} widths of yarn, nothing nearer than {near:.3f} of the yarn's width, a lean of {-up[0]:.3f} widths a row"
     )
-    for k, (u, v, w) in enumerate(rested(table(x, up), high, -up[0], {} if under else LEGS).tolist()):
+    for k, (u, v, w) in enumerate(made.tolist()):
         print(f"({u:.3f}, {v:.3f}, {w:.3f}),", end="\n" if k % 4 == 3 else " ")
     print()
 

@@ -7,6 +7,7 @@ import numpy as np
 from tambour.core.errors import Text
 from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
+from tambour.crochet.page import portrait
 from tambour.crochet.page.portrait import PRESSED, laid, pressed, sagging, sheet
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
@@ -51,3 +52,34 @@ def test_weight_presses_a_little_of_a_ball_and_all_of_a_baskets_bottom() -> None
     wall = graph.round >= graph.round.max() - 2
     np.testing.assert_array_equal(flat[wall], x[wall])
     assert sagging(piece(DISC)) == 0.0  # what lies flat is not pressed
+
+
+def test_a_face_worked_in_colours_looks_at_the_camera() -> None:
+    up = ": MR(6)\n: 6 inc\n: [sc, inc] x 6\n: [2 sc, inc] x 6\n" + ": 24 sc\n" * 2
+    down = ": 24 sc\n" * 2 + ": [2 sc, dec] x 6\n: [sc, dec] x 6\n: 6 dec\nFO\n"
+    turned = []
+    for first in (2, 14):
+        eyes = f": {first} sc, color(#ffffff), 6 sc, color(#804020), {18 - first} sc\n" * 2
+        made = make(Text("color(#804020)\n" + up + eyes + down), CrochetParams(), Progress())
+        found = portrait.facing(made)
+        assert found is not None and portrait.stand(made)[0] == portrait.AHEAD[0] + found
+        white = made.positions[(made.built.graph.color == 255).all(1)].mean(0) - made.positions.mean(0)
+        assert np.cos(found - np.arctan2(white[0], white[2])) > 0.95
+        turned.append(found)
+    assert np.cos(turned[0] - turned[1]) < -0.8  # half a round further
+    striped = "color(#804020)\n" + up + ": color(#ffffff), 24 sc\n: color(#804020), 24 sc\n" + down
+    assert portrait.facing(make(Text(striped), CrochetParams(), Progress())) is None
+
+
+def test_pale_yarn_is_set_off_against_its_table_and_a_piece_keeps_its_own() -> None:
+    from tambour.render.tables import TABLES
+
+    found = {}
+    for color in ("f4f0e6", "202830", "c04030"):
+        one, two = (
+            make(Text(f"color(#{color})\n: MR(6)\n: {n}\n"), CrochetParams(), Progress()) for n in ("6 sc", "6 inc")
+        )
+        found[color] = portrait.table(one)
+        assert portrait.table(two) == found[color]
+        assert {*portrait.PALE, *portrait.DEEP} == set(TABLES)
+    assert found["f4f0e6"] in portrait.PALE and found["202830"] in portrait.DEEP

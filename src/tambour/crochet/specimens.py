@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-_FLAT = "@stuffing = none\ncolor(#c98f6b)\n"
+_TAN, _PALE = "color(#c98f6b)", "color(#f2e6d8)"
+_FLAT = f"@stuffing = none\n{_TAN}\n"
 
 
 def _rows(tall: str, lift: str, times: int, *, back: str = "") -> str:
@@ -48,8 +49,11 @@ TABLE: Final[dict[str, tuple[str, str]]] = {
     "dc": ("double crochet", _rows("12 dc", "2 ch", 4)),
     "tr": ("treble", _rows("12 tr", "3 ch", 2, back="12 sc")),
     "inc": ("a magic ring and increases", _rounds("[2 sc, inc] x 6", "[3 sc, inc] x 6")),
-    "dec": ("decreases", _ball(*["30 sc"] * 2)),
-    "blo": ("back loops only, in rounds", _tube("BLO, 24 sc", "24 sc", "BLO, 24 sc", "24 sc", "BLO, 24 sc", "24 sc")),
+    "dec": (
+        "decreases, in another yarn",
+        _tube("24 sc", f"[2 sc, {_PALE}, dec, {_TAN}] x 6", "18 sc", f"[sc, {_PALE}, dec, {_TAN}] x 6", "12 sc"),
+    ),
+    "blo": ("back loops only, in rounds", _tube("24 sc", "BLO, 24 sc", "24 sc", "24 sc", "BLO, 24 sc", "24 sc")),
     "flo": (
         "front loops only, in rounds: the ridge is inside",
         _tube("24 sc", "FLO, 24 sc", "24 sc", "FLO, 24 sc", "24 sc"),
@@ -67,11 +71,11 @@ TABLE: Final[dict[str, tuple[str, str]]] = {
     "picot": ("picots", _rows("12 sc", "ch", 2).rstrip() + ", turn, ch\nR5: [3 sc, picot] x 4\n"),
     "crab": (
         "reverse single crochet, an edge",
-        _rows("12 sc", "ch", 4).rstrip() + ", turn, ch, color(#f2e6d8)\nR7: 12 crab\n",
+        _rows("12 sc", "ch", 4).rstrip() + f", turn, ch, {_PALE}\nR7: 12 crab\n",
     ),
     "spike": (
         "spike stitches",
-        _tube("24 sc", "color(#f2e6d8), [3 sc, spike] x 6", "24 sc", "color(#c98f6b), [sc, spike, 2 sc] x 6", "24 sc"),
+        _tube("24 sc", f"{_PALE}, [3 sc, spike] x 6", "24 sc", f"{_TAN}, [sc, spike, 2 sc] x 6", "24 sc"),
     ),
     "loopst": ("loop stitches", _tube("24 sc", "24 loopst", "24 sc", "24 loopst", "24 sc")),
     "fur": ("fur stitches", _tube("24 sc", "24 fur", "24 sc", "24 fur", "24 sc")),

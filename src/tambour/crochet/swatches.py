@@ -9,6 +9,7 @@ from tambour.crochet.specimens import TABLE
 
 if TYPE_CHECKING:
     from tambour.core.drawing import Drawing
+    from tambour.core.mesh import Mesh
     from tambour.core.picture import Picture
     from tambour.crochet.piece import Plush
 
@@ -56,4 +57,24 @@ def near(piece: Plush, width: int) -> Picture:
     azimuth, elevation = (0.0, radians(70.0)) if lies(piece) else (pi, radians(4.0)) if flat else (0.3, radians(14.0))
     if piece.params.specimen in INSIDE:
         azimuth, elevation = azimuth + pi, radians(36.0)
-    return picture(toy(piece), width=width, height=width, azimuth=azimuth, elevation=elevation, lights=LIGHTS)
+    shown = toy(piece)
+    if flat and not lies(piece):
+        shown = level(shown, piece)
+    return picture(shown, width=width, height=width, azimuth=azimuth, elevation=elevation, lights=LIGHTS)
+
+
+def level(mesh: Mesh, piece: Plush) -> Mesh:
+    """A mesh of a swatch turned so that the chain it was begun on lies level."""
+    from dataclasses import replace
+    from math import atan2, cos, sin
+
+    import numpy as np
+
+    from tambour.core.graph import ROOT
+
+    graph = piece.built.graph
+    first = np.flatnonzero((graph.round == graph.round.min()) & (graph.peculiarity != ROOT))
+    x, y = (piece.positions[first, k] - piece.positions[first, k].mean() for k in (0, 1))
+    turn = 0.5 * atan2(2.0 * float((x * y).sum()), float((x * x - y * y).sum()))
+    turned = np.array([[cos(turn), sin(turn), 0.0], [-sin(turn), cos(turn), 0.0], [0.0, 0.0, 1.0]])
+    return replace(mesh, vertices=mesh.vertices @ turned.T)

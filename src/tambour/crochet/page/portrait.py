@@ -31,6 +31,8 @@ FLAT: Final = 0.3
 """What is less deep than so much of its width and height is a sheet."""
 PRESSED: Final = 0.025
 """What of its height is pressed flat below a toy on its table."""
+FACE: Final = 6
+"""A face worked in colours has as many stitches or more."""
 _LONG: Final = 1.25
 """A toy so much deeper than high is seen from the side as well."""
 
@@ -72,7 +74,6 @@ def table(piece: Plush) -> str:
     import numpy as np
 
     from tambour.color import linear
-    from tambour.noise import stream
 
     colors, count = np.unique(piece.built.graph.color, axis=0, return_counts=True)
     if not len(colors):
@@ -80,7 +81,7 @@ def table(piece: Plush) -> str:
     most = colors[int(np.argmax(count))]
     light = float(linear(most / 255.0) @ np.array([0.2126, 0.7152, 0.0722]))
     among = PALE if light > 0.45 else DEEP
-    return among[int(stream("table", *(int(c) // 16 for c in most)).integers(len(among)))]
+    return among[int(most.sum()) // 24 % len(among)]
 
 
 def sheet(piece: Plush) -> bool:
@@ -144,7 +145,38 @@ def stand(piece: Plush) -> tuple[float, float]:
     from tambour.crochet.page.pictures import lies
 
     _, high, deep = np.ptp(piece.positions, axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
-    return ABOVE if lies(piece) else ASIDE if deep > _LONG * high else AHEAD
+    if lies(piece):
+        return ABOVE
+    face = facing(piece)
+    if face is not None:
+        return AHEAD[0] + face, AHEAD[1]
+    return ASIDE if deep > _LONG * high else AHEAD
+
+
+def facing(piece: Plush) -> float | None:
+    """Radians to where a face looks that is worked in colours; None where the piece has another face, or none."""
+    from math import atan2
+
+    import numpy as np
+
+    from tambour.crochet.finish.features import present
+
+    graph = piece.built.graph
+    if present(piece.built) or not len(graph):
+        return None
+    largest = graph.parts[int(np.argmax([part.end - part.start for part in graph.parts]))]
+    own = slice(largest.start, largest.end)
+    x, rounds = piece.positions[own], graph.round[own]
+    _, of = np.unique(graph.color[own], axis=0, return_inverse=True)
+    seen = of.reshape(-1) != np.argmax(np.bincount(of.reshape(-1)))
+    # A stripe goes all the way round; what is drawn does not.
+    whole = [number for number in np.unique(rounds) if seen[rounds == number].mean() > 0.75]
+    seen &= ~np.isin(rounds, whole)
+    if seen.sum() < FACE:
+        return None
+    out = (x - 0.5 * (x.min(0) + x.max(0)))[:, [0, 2]]
+    mean, far = out[seen].mean(0), np.sqrt((out[seen] ** 2).sum(1)).mean()
+    return float(atan2(mean[0], mean[1])) if np.sqrt((mean**2).sum()) > 0.4 * far else None
 
 
 front, back, left, right, top = (partial(portrait, side=side) for side in SIDES)

@@ -13,7 +13,7 @@ from tambour.core.kernels import kernel
 ALONG = 1.6
 """Stretches of one strand nearer to each other along it than so many diameters are not two that touch: yarn that turns
 back on itself as tightly as it can is half a circle, π/2 diameters, away."""
-BENT = 0.95
+BENT = 0.9
 """As a share of that, from where on they are pushed apart: what is pushed grows longer."""
 FIRST = 3
 """Pushes at the first look, which is at all of the yarn."""
