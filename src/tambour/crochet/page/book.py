@@ -17,9 +17,10 @@ from tambour.crochet.maker.size import Size
 from tambour.crochet.page.album import Album
 from tambour.crochet.page.flow import Frame
 from tambour.crochet.page.hers import hers
-from tambour.crochet.page.instructions import Words, words
+from tambour.crochet.page.instructions import words
 from tambour.crochet.page.placed import Spoken
 from tambour.crochet.page.type import BACKDROP, HAIR, INK, LEAD, wrap
+from tambour.crochet.page.wording import Words
 from tambour.crochet.yarns import WEIGHTS
 from tambour.render.page import PAPERS, Page
 

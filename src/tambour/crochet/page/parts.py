@@ -14,10 +14,10 @@ from tambour.crochet.page.begin import heading, paragraph
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, cropped, short
 from tambour.crochet.page.diagram import plates, symbols
 from tambour.crochet.page.flow import Atom, Chunk, together
-from tambour.crochet.page.instructions import PartText, Row
 from tambour.crochet.page.pictures import Step, from_side, lies, of_parts, of_step, steps
 from tambour.crochet.page.plain import eyes_now, reach
 from tambour.crochet.page.type import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, width_of, wrap
+from tambour.crochet.page.wording import PartText, Row
 from tambour.render.page import Page
 
 _DOTS = 7.6  # pixels a mm of the small pictures

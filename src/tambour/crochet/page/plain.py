@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Final
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Eye
 from tambour.crochet.page.placed import Spoken
+from tambour.crochet.page.wording import Row, Words
 
 if TYPE_CHECKING:
-    from tambour.crochet.page.instructions import Words
     from tambour.crochet.words.table import Terms
 
 
@@ -81,8 +81,6 @@ def eyes_now(page: Mapping[str, str], said: Sequence[str]) -> str:
 
 def with_eyes(made: Words, built: Built) -> Words:
     """The words with the eyes where they are put in, and no more at the end."""
-    from tambour.crochet.page.instructions import Row
-
     spoken, finish = Spoken(built, made.terms), built.pattern.finish
     parts, done = [], list[str]()
     for part in made.parts:

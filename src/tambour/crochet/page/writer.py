@@ -1,0 +1,340 @@
+"""Writer: a pattern, as worked, in the words of one language: its rounds, its abbreviations, its own stitches."""
+
+from __future__ import annotations
+
+import re
+from pathlib import PurePath
+from typing import Final
+
+from tambour.color import families, family
+from tambour.core.errors import TambourError
+from tambour.core.graph import TIP
+from tambour.core.rgb import RGB, hexed
+from tambour.crochet.graph.built import Built, Done
+from tambour.crochet.language.finishes import Embroidery, Hair
+from tambour.crochet.language.stitches import RULES, STITCHES, STUFFING, Stitch
+from tambour.crochet.language.tree import Section
+from tambour.crochet.page.plain import fills, reach
+from tambour.crochet.page.wording import PartText, Row, Words
+from tambour.crochet.page.written import Written, sections
+from tambour.crochet.printed.shades import spoken
+from tambour.crochet.words.phrases import Phrases
+from tambour.crochet.words.special import told
+from tambour.crochet.words.table import Terms
+
+_LETTERS: Final = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+_PLACES: Final = {"": "stitch", "sp": "space", "ring": "ring"}
+_TERMS_SAID: Final = re.compile(r"\s*\((?:US|UK|American|British)\b[^)]*\)", re.IGNORECASE)
+_CLOSED: Final = 8
+"""A part whose last rounds have so few stitches is closed by them."""
+_STATED: Final = {"yarn": "yarn", "hook": "hook", "eyes": "eyes"}
+
+
+def _sews(line: Written) -> bool:
+    return not line.makes and all(d.what == "sew" for unit, _ in line.pieces for d in unit)
+
+
+def _all(line: Written) -> list[Done]:
+    return [done for unit, _ in line.pieces for done in unit]
+
+
+def _hues(done: list[Done]) -> tuple[RGB, ...]:
+    """The colours that things done change to."""
+    return tuple(dict.fromkeys((d.numbers[0], d.numbers[1], d.numbers[2]) for d in done if d.what == "color"))
+
+
+def _takes_color(written: list[Written]) -> bool:
+    """Whether a part says the colour that it begins with."""
+    for done in (d for line in written for unit, _ in line.pieces for d in unit):
+        if done.what == "color":
+            return True
+        if done.what not in RULES or done.what in ("mr", "oval", "fsc"):
+            return False
+    return True  # it makes nothing
+
+
+class Writer:
+    """Writes one pattern in one language."""
+
+    def __init__(self, built: Built, terms: Terms, exact: bool) -> None:
+        self.exact = exact
+        self.built, self.terms, self.pattern = built, terms, built.pattern
+        self.sections = list(sections(built))
+        copies = {s.name: s.copies for s in self.pattern.parts if s.name}
+        self.hues = {} if exact else spoken(terms.code)
+        self.phrases = Phrases(terms, copies, self._legend(), self.hues)
+        self.own = {n for n in self.pattern.own if n in self.pattern.stitches}
+        self.begins = self._begins()
+        self.begun = False  # the part under way has its first stitches
+        self.used: dict[str, None] = {}  # what the list of abbreviations explains
+
+    def _begins(self) -> list[tuple[int, ...] | None]:
+        """The colour that every copy of a part begins with, for each part of the text; None where it is not one, or undyed."""
+        found: list[set[tuple[int, ...] | None]] = [set() for _ in self.pattern.parts]
+        color: tuple[int, ...] | None = None
+        for done in self.built.log:
+            if done.what == "color":
+                color = done.numbers
+            elif done.what == "part":
+                found[done.numbers[0]].add(color)
+        return [next(iter(hues)) if len(hues) == 1 else None for hues in found]
+
+    def _legend(self) -> dict[str, RGB]:
+        """The yarn's colours that have no plain name, by letter, in the order in which they are taken up."""
+        plain = Phrases(self.terms, {}, {}, self.hues)
+        hues: dict[tuple[int, ...], None] = {}
+        for done in self.built.log:
+            if done.what == "color":
+                hues[done.numbers] = None
+        for record in self.pattern.finish:
+            if (
+                isinstance(record, (Embroidery, Hair))
+                and record.color != type(record).__dataclass_fields__["color"].default
+            ):
+                hues[record.color] = None
+        made: dict[str, RGB] = {}
+        for hue in hues:
+            red, green, blue = hue
+            if plain.shade(hue).startswith("#"):
+                n = len(made)
+                made[_LETTERS[n % 26] + (str(n // 26 + 1) if n >= 26 else "")] = (red, green, blue)
+        return made
+
+    def words(self) -> Words:
+        """All of it."""
+        seams: list[str] = []
+        parts = []
+        for k, (section, part, written) in enumerate(self.sections):
+            while k == len(self.sections) - 1 and written and _sews(written[-1]):
+                seams[:0] = [row.words for row in self._alone(written.pop(), True)]
+            index = self.built.parts[part].section
+            parts.append(self._section(section, part, index, written, self.begins[index]))
+        if not self.exact:
+            from tambour.crochet.page.placed import Spoken
+
+            finish = Spoken(self.built, self.terms)(self.pattern.finish)
+        else:
+            finish = [self._sentence(self.phrases.finish(record)) for record in self.pattern.finish]
+        special = self._special()
+        materials = [f"{self.terms.word(key)}: {said}" for key in _STATED if (said := self._stated(key))]
+        hues = list(self.phrases.legend.values())
+        names = [family(h) for h in hues] if self.exact else families(hues)
+        colors = [
+            (x, self.terms.colors[name][0], h, self._legend_line(x, name, h))
+            for (x, h), name in zip(self.phrases.legend.items(), names)
+        ]
+        return Words(
+            self.terms,
+            self.terms.sentences["terms"],
+            self._title(),
+            tuple(materials),
+            tuple(colors),
+            self._stated("gauge"),
+            self._stated("size"),
+            self._abbreviations(),
+            tuple((said, meaning) for said, _, meaning in (line.partition(" = ") for line in special)),
+            tuple(parts),
+            tuple(seams),
+            tuple(finish),
+            self.hues,
+        )
+
+    # -- before the parts -------------------------------------------------------------------------------------------
+
+    def _stated(self, key: str) -> str:
+        return " ".join(self.pattern.stated[key][0].split()) if key in self.pattern.stated else ""
+
+    def _title(self) -> str:
+        title = self._stated("title") or PurePath(self.pattern.text.name).stem.replace("_", " ")
+        title = _TERMS_SAID.sub("", title)
+        return "" if title.strip("<> ") in ("", "text", "stdin") else title[:1].upper() + title[1:]
+
+    def _legend_line(self, letter: str, name: str, hue: RGB) -> str:
+        said = self.phrases.say("legend", letter=letter, name=self.terms.colors[name][0], hex=hexed(hue))
+        return self._sentence(said, "")
+
+    def _abbreviations(self) -> tuple[tuple[str, str], ...]:
+        meaning, word = self.terms.meaning, self.terms.word
+        listed = []
+        order = ("round", "row", "front loops", "back loops", *STITCHES)
+        for key in sorted(self.used, key=order.index):
+            said = word(key)
+            if key in meaning and said.lower() != meaning[key].lower():
+                listed.append((said, meaning[key]))
+        return tuple(listed)
+
+    def _special(self) -> tuple[str, ...]:
+        """The pattern's own stitches that are used, and what each is made of."""
+        made = {d.what for d in self.built.log}
+        made |= {n for what in made if what in self.pattern.stitches for n, _ in self.pattern.stitches[what].inner}
+        needed = made & self.own
+        lines: list[str] = []
+        known: dict[str, Stitch] = {}
+        order = [name for name in self.pattern.own if name in self.own]
+        said: dict[str, tuple[str, list[str]]] = {}
+        for name in order:
+            stitch = self.pattern.stitches[name]
+            line = told(stitch, known, self.terms)
+            if line is not None:
+                said[name] = line
+                known[name] = stitch
+        for name in reversed(order):
+            if name in needed and name in said:
+                needed |= {n for n in said[name][1] if n in self.own}
+        for name in order:
+            if name in needed and name not in said:
+                hint = "name it with moves and stitches only"
+                raise TambourError(f'the stitch "{name}" cannot be explained', hint=hint, where="{--terms}")
+            if name in needed and any(self.terms.word(key).lower() == name for key in self.used if key in STITCHES):
+                hint = f"give it another name; {self.terms.name} use this one"
+                raise TambourError(f'the stitch "{name}" means two things', hint=hint, where="{--terms}")
+            if name in needed:
+                lines.append(said[name][0])
+                self.used.update(dict.fromkeys(n for n in said[name][1] if n not in self.own))
+        return tuple(lines)
+
+    # -- parts ------------------------------------------------------------------------------------------------------
+
+    def _section(
+        self, section: Section, part: int, index: int, written: list[Written], color: tuple[int, ...] | None
+    ) -> PartText:
+        lines: list[Row] = []
+        if section.up is not None:
+            lines.append(Row("", self._sentence(self.phrases.say(f"up {section.up}"))))
+        settings = [
+            f"@{key} = {value}"
+            for key, value in (
+                ("centroids", section.centroids),
+                ("initializer", section.initializer),
+                ("hollow", section.hollow and "{}-{}".format(*section.hollow)),
+            )
+            if value is not None
+        ]
+        g = self.built.graph
+        here = g.parts[part]
+        closing = bool((g.peculiarity[here.start : here.end] == TIP).any())
+        stuffing = self._stuffing(section, part)
+        worked = {d.what for line in written for unit, _ in line.pieces for d in unit}
+        kind = "row" if "turn" in worked and not worked & {"mr", "join", "oval"} else "round"
+        self.begun = False
+        if color is not None and not _takes_color(written):
+            done = Done("color", 1, color)
+            lines.append(Row("", self._sentence(self._done(done, closing)), colors=_hues([done])))
+        closes = closing or (bool(written) and 0 < min(line.count or 99 for line in written[-2:]) <= _CLOSED)
+        reached = reach([(line.count, line.makes) for line in written]) if closes and not self.exact else -1
+        for k, line in enumerate(written):
+            said = self._alone(line, closing) if not line.number else [self._round(line, kind, closing)]
+            if stuffing and any(d.what == "fo" for unit, _ in line.pieces for d in unit):
+                lines, stuffing = [*lines, *(Row("", words) for words in stuffing)], []
+            if stuffing and k == reached:
+                lines, stuffing = [*lines, *said, *(Row("", words) for words in stuffing)], []
+                said = []
+            lines += [*said, *(Row("", f"*{' '.join(note.split()).strip('*')}*") for note in line.notes)]
+        name = self._heading(section.name) if section.name else self.terms.word("instructions")
+        copies = self.phrases.say("copies", count=section.copies) if section.copies > 1 else ""
+        return PartText(name, copies, (*lines, *(Row("", words) for words in stuffing)), tuple(settings), part, index)
+
+    def _heading(self, name: str) -> str:
+        """A part's name; with the word for a part before it, where it could be taken for another heading."""
+        taken = {s.lower() for spellings in self.terms.words.values() for s in spellings}
+        part = self.terms.word("part")
+        if name.lower() in taken or name.lower().startswith(part.lower()):
+            return f"{part}: {name}"
+        return name
+
+    def _stuffing(self, section: Section, part: int) -> list[str]:
+        if section.stuffing is None and not self.exact and fills(self.built, part):
+            return [self._sentence(self.phrases.say("stuff medium"))]
+        if section.stuffing is None or (section.guessed and not self.exact):
+            return []
+        amount = next((w for w, factor in STUFFING.items() if factor == section.stuffing), None)
+        if amount is not None:
+            return [self._sentence(self.phrases.say(f"stuff {amount}"))]
+        return [self._sentence(self.phrases.say("stuff factor", factor=section.stuffing))]
+
+    def _alone(self, line: Written, closing: bool) -> list[Row]:
+        """Lines outside rounds: a sentence each, but stitches in a row stay together."""
+        if line.makes:
+            return [Row("", self._sentence(self._items(line, closing)), colors=_hues(_all(line)))]
+        alone = [d for unit, times in line.pieces for _ in range(times) for d in unit]
+        return [Row("", self._sentence(self._done(d, closing)), colors=_hues([d])) for d in alone]
+
+    def _round(self, line: Written, kind: str, closing: bool) -> Row:
+        self.used[kind] = None
+        word = self.terms.word(kind)
+        first, last = line.number, line.number + line.times - 1
+        number = f"{first}" if line.times == 1 else f"{first}-{last}"
+        head = word + number if len(word) == 1 else f"{word} {number}"
+        words, count = self._items(line, closing), line.count
+        if line.said and not self.exact:  # her count stays hers, with the doubt beside it
+            words, count = f"{words} [{self.terms.page['makes'].format(n=count)}]", line.said
+        return Row(head, words, count, last, _hues(_all(line)))
+
+    def _items(self, line: Written, closing: bool) -> str:
+        said = []
+        for unit, times in line.pieces:
+            words = ", ".join(self._done(d, closing) for d in unit)
+            said.append(words if times == 1 else self.phrases.say("group", items=words, count=times))
+        return ", ".join(said)
+
+    def _done(self, done: Done, closing: bool) -> str:
+        say = self.phrases.say
+        self.begun = self.begun or done.what not in RULES or done.what in ("mr", "oval", "fsc")
+        match done.what:
+            case "mr":
+                self.used["sc"] = None
+                return say("ring", count=done.numbers[0])
+            case "color":
+                return say("color" if self.begun else "use color", color=done.numbers)
+            case "bl":
+                return say("both loops")
+            case "flo" | "blo":
+                key = "front loops" if done.what == "flo" else "back loops"
+                self.used[key] = None
+                return say(key)
+            case "mark" | "goto":
+                return say(done.what, label=done.labels[0])
+            case "attach":
+                size = done.numbers[0]
+                if size > 0:
+                    self.used["ch"] = None
+                    return say("attach chain", label=done.labels[0], count=size)
+                return say("attach merge" if size < 0 else "attach over", label=done.labels[0])
+            case "sew":
+                return say("sew", one=done.labels[0], other=done.labels[1])
+            case "fo":
+                return say("close" if closing else "fasten off")
+            case "turn" | "join":
+                return say(done.what)
+            case "gap":
+                return say("gap", count=done.numbers[0])
+            case "again":
+                first, last = done.numbers
+                return say("again", first=first, last=None if first == last else last, part=done.labels[0] or None)
+            case "oval":
+                self.used["ch"] = None
+                return say("oval", count=done.numbers[0], next=done.numbers[1])
+            case "fsc":
+                self.used["sc"] = None
+                return say("foundation", count=done.numbers[0])
+            case "fold":
+                return say("fold to", label=done.labels[0]) if done.labels else say("fold")
+        assert done.what not in RULES, done.what
+        return self._stitch(done)
+
+    def _stitch(self, done: Done) -> str:
+        stitch = self.pattern.stitches[done.what]
+        if stitch.inner:
+            inner = ", ".join(self._stitch(Done(name, times)) for name, times in stitch.inner)
+            said = self.phrases.say(f"one {_PLACES[stitch.where]}", items=inner)
+            return said if done.times == 1 else self.phrases.say("group", items=said, count=done.times)
+        if done.what in self.own:
+            word = done.what
+        else:
+            self.used[done.what] = None
+            word = self.terms.word(done.what)
+        return word if done.times == 1 else self.phrases.say("several", count=done.times, item=word)
+
+    @staticmethod
+    def _sentence(said: str, end: str = ".") -> str:
+        return said[:1].upper() + said[1:] + end
