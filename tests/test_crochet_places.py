@@ -980,3 +980,19 @@ def test_two_alike_may_touch_and_may_not_overlap(apart: float, told: int) -> Non
     legs = [(f, end) for f, end in joining.steps if f.part.startswith("LEGS")]
     moved = [(replace(f, spot=replace(f.spot, stitch=10.0 + k * apart)), end) for k, (f, end) in enumerate(legs)]
     assert len(legs) == 2 and len(crowded(replace(joining, steps=tuple(moved)))) == told
+
+
+def test_a_doubt_that_is_the_same_elsewhere_is_said_once_with_its_lines_and_clothes_are_not_unsewn_parts() -> None:
+    from tambour.crochet.graph.check import tech_edit
+    from tambour.crochet.page.annotated import annotated
+
+    close = "Fold flat and sc through both layers to close (6 sc).\n"
+    text = f"Bear\n\nBODY\n{CLOSED}\nEARS (make 2)\n{CUP}{close}\nTAIL\n{CUP}{close}\nSCARF\nCh 11.\nRow 1: Sc in 2nd ch from hook and in each ch across (10)\n"
+    text += "Fasten off.\n\nAssembly\nSew the ears to the body. Sew the tail to the body.\n"
+    built = build(read_printed(Text(text, "bear.txt")))
+    assert not [p for p in tech_edit(built) if "never sewn" in p.message]
+    lines = annotated(built, (1.0, 1.0, 1.0)).text.split("\n")
+    said = [line for line in lines if "along an edge that is no round's" in line]
+    at = [k for k, line in enumerate(text.split("\n"), 1) if "both layers" in line]
+    assert len(said) == 1 and said[0].endswith(f"also at line {at[1]}")
+    assert sum(line.startswith("✗ Fold") for line in lines) == 2

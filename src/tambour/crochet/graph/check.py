@@ -11,7 +11,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.errors import Problem, Span
 from tambour.crochet.graph.built import Built, Worked
-from tambour.crochet.language.finishes import GUESSED, Eye, Placed
+from tambour.crochet.language.finishes import ASIDE, GUESSED, Eye, Placed
 from tambour.crochet.language.tree import Group, Item
 
 NEAR = 0.2
@@ -119,8 +119,15 @@ def _loose(built: Built) -> Iterator[Problem]:
     for k, part in enumerate(graph.parts):
         stitches[top(k)] += part.end - part.start
     main = int(stitches.argmax())
+    # Clothes, and what has no name, are told together where the assembly was read.
+    told = {
+        n
+        for p in built.warnings
+        if p.message.startswith(ASIDE)
+        for n in p.message.removeprefix(f"{ASIDE}: ").split(", ")
+    }
     for k, part in enumerate(graph.parts):
-        if part.end > part.start and top(k) != main:
+        if part.end > part.start and top(k) != main and pattern.parts[built.parts[k].section].name not in told:
             name, at = instance(built, k), pattern.parts[built.parts[k].section].span
             yield Problem(
                 f"{name} is never sewn on", "say where it goes: on which part, between which rounds", at, pattern.text

@@ -117,6 +117,8 @@ def spots_of(finish: Finish) -> tuple[Spot, ...]:
 
 GUESSED: Final = "guessed where these go"
 """How a doubt begins that tells of parts put where such parts usually are."""
+ASIDE: Final = "no sentence places these, so they stand beside it"
+"""How the doubt of parts begins that are put nowhere: clothes, and what has no name."""
 
 SHAPES: Final = ("circle", "oval", "half", "triangle", "heart", "square")
 """Shapes of felt."""

@@ -44,6 +44,10 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
             at = text.place(problem.span.start)[0] if problem.span is not None else 1
             under.setdefault(at, []).append((sign, problem))
     wrong = {at for at, said in under.items() if any(sign == DOUBT for sign, _ in said)}
+    where: dict[tuple[str, str | None], list[int]] = {}
+    for row in sorted(under):
+        for _, problem in under[row]:
+            where.setdefault((problem.message, problem.hint), []).append(row)
     stated = {text.place(w.line.stated_span.start)[0] for w in built.worked if w.line.stated_span is not None}
     lines: list[str] = []
     photos = sorted(text.photos, key=lambda photo: photo[0])
@@ -57,7 +61,11 @@ def annotated(built: Built, size_mm: tuple[float, ...]) -> Text:
         while photos and photos[0][0] < at:
             kept.append((sum(len(one) + 1 for one in lines) - 1, photos.pop(0)[1]))
         for mark, problem in under.get(number, []):
-            lines.append(f"{'':<{_WIDE}}    {mark} {problem.message}" + (f" ({problem.hint})" if problem.hint else ""))
+            first, *others = dict.fromkeys(where[problem.message, problem.hint])
+            if number == first:  # what is the same elsewhere is said once
+                told = problem.message + (f" ({problem.hint})" if problem.hint else "")
+                also = f"; also at line {', '.join(map(str, others))}" if others else ""
+                lines.append(f"{'':<{_WIDE}}    {mark} {told}{also}")
     counts = sum(w.line.stated is not None for w in built.worked)
     lines += ["", f"{len(built.rounds)} rounds worked, {counts} stated counts checked, {len(found)} doubts"]
     return Text("\n".join(lines) + "\n", text.name, tuple(kept))

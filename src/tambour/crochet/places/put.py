@@ -133,7 +133,14 @@ class Putter(Holder):
         made = [(c, (spot if put.where.stitch is not None else host.within(spot), way)) for c, (spot, way) in made]
         if not all(self.stand.there(spot) for _, (spot, _) in made):
             return [Placed(c[0].copy(c[1]), spot, span=put.span) for c, (spot, _) in made]
-        return [self._placed(put, c, spot, way, host) for c, (spot, way) in made]
+        records = [self._placed(put, c, spot, way, host) for c, (spot, way) in made]
+        if (
+            len(records) == 2
+            and put.copies[0][0] == put.copies[1][0]
+            and records[0].spot.round == records[1].spot.round
+        ):
+            records[1] = _mirrored(records[0], records[1])
+        return records
 
     def _exactly(self, put: Put) -> bool:
         """Whether a place is said so that nothing of it is left to choose."""
@@ -328,3 +335,11 @@ class Putter(Holder):
         work.made.ups[put.copies[0][0].name] = "side"
         self.stand.place(record)
         return [record]
+
+
+def _mirrored(one: Placed, other: Placed) -> Placed:
+    """The other of a pair held as the mirror image of the one: rounds that spiral lean a little, hands make up for it."""
+    towards = (360.0 - one.towards) % 360.0
+    return replace(
+        other, tilt=one.tilt, towards=towards, across=-one.across if one.across else 0.0, flat=one.flat, by=one.by
+    )

@@ -7,7 +7,7 @@ from typing import Final
 
 from tambour.core.errors import Problem, Span, TambourError, Text
 from tambour.crochet.graph.built import Built
-from tambour.crochet.language.finishes import GUESSED, check_names
+from tambour.crochet.language.finishes import ASIDE, GUESSED, check_names
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Again, Line, Pattern
 from tambour.crochet.places.halves import joined as halved
@@ -140,9 +140,7 @@ class Printed(Headed):
             source.doubt(f"{GUESSED}: {told(found)}", hint, Span(0, 0))
         if found.apart:
             hint = "say where they are sewn: sew the part to the body between rounds 5 and 6"
-            source.doubt(
-                f"no sentence places these, so they stand beside it: {', '.join(found.apart)}", hint, Span(0, 0)
-            )
+            source.doubt(f"{ASIDE}: {', '.join(found.apart)}", hint, Span(0, 0))
         if found.behind:
             hint = "they are worked and counted: work through both layers as the text says"
             source.doubt(
