@@ -188,7 +188,7 @@ export class Hand {
    * @param {number} part @param {"higher"|"lower"|"nearer"|"farther"} way @param {string} text the pattern */
   async nudge(part, way, text) {
     const seats = this.seatsOf(part), name = pattern(this.pack.facts.parts[part].name), rounds = this.piece.steps.value?.steps ?? [];
-    let onto = seats.from;
+    let onto = seats.from, spare = -1; // where only words that count stitches would put it: better than none
     for (let k = 0; k < STEPS; k++) {
       const next = seats.beside(way, rounds, onto);
       if (next < 0) break;
@@ -196,9 +196,17 @@ export class Hand {
       this.stage.move(seats.carried(onto));
       this.word.value = `${name} ${{ higher: "a round higher", lower: "a round lower", nearer: "nearer", farther: "farther" }[way]} …`;
       const said = await this.asked(name, onto);
-      if (!said || exact(said) || said.split(". ").every((s) => text.includes(s.replace(/\.$/, "")))) continue;
+      if (!said || said.split(". ").every((s) => text.includes(s.replace(/\.$/, "")))) continue;
+      if (exact(said)) {
+        if (spare < 0) spare = onto;
+        continue;
+      }
       this.word.value = "";
       return this.dropped(name, onto);
+    }
+    if (spare >= 0) {
+      this.word.value = "";
+      return this.dropped(name, spare);
     }
     this.word.value = `There are no plain words for ${name} ${way === "nearer" || way === "farther" ? way : `a round ${way}`} than this: drag it, or write how many stitches apart`;
     setTimeout(() => this.held || (this.word.value = ""), 8000);

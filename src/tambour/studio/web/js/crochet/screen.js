@@ -141,6 +141,17 @@ export function screen(root, piece, { over }) {
     placed.value = answer.sentence;
   } });
 
+  // What the pattern says now stands over the toy, not over its ears; where the eye was moved by hand it stays.
+  let moved = false;
+  const onmove = stage.camera.onmove;
+  stage.camera.onmove = () => ((moved = true), onmove());
+  stop.push(effect(() => {
+    if (placed.value && !moved) requestAnimationFrame(() => {
+      stage.camera.head = Math.min(stage.camera.height / 3, Math.max(stage.camera.head, at.top.offsetHeight + 14));
+      stage.fit(false);
+    });
+  }));
+
   let shown = /** @type {any} */ (null);
   stop.push(effect(() => {
     const pack = piece.live.value;
