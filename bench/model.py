@@ -20,6 +20,7 @@ import numpy as np
 from tambour import files
 from tambour.core.errors import TambourError
 from tambour.core.progress import Progress
+from tambour.crochet.finish.covered import seen
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
 from tambour.crochet.model.readable import easy
@@ -119,7 +120,8 @@ def bounds(piece: Any) -> tuple[float, float]:
     from tambour.crochet.model.distance import Target, distance
 
     graph, goals = piece.built.graph, piece.aim.goals
-    target, faces = Target.of(piece.aim.vertices, piece.aim.faces), graph.faces[piece.built.shell]
+    target = Target.of(piece.aim.vertices, piece.aim.faces)
+    faces = seen(graph, piece.positions, piece.shape.joined, graph.faces[piece.built.shell])
     round_ = goals.copy()
     for r in piece.built.rounds:
         own = goals[r.first : r.last + 1]

@@ -56,6 +56,7 @@ def score(
     >>> [one.mean < 0.5 for one in found], found[3].reason
     ([False, True, False, False], 'a part begins with a magic ring or a chain')
     """
+    from tambour.crochet.finish.covered import seen
     from tambour.crochet.model.aim import lain
     from tambour.crochet.plush import make
 
@@ -68,13 +69,14 @@ def score(
         except TambourError as error:
             yield Score(float("inf"), reason=error.problems[0].message)
             continue
-        faces = piece.built.graph.faces[piece.built.shell]
+        graph = piece.built.graph
+        faces = seen(graph, piece.positions, piece.shape.joined, graph.faces[piece.built.shell])
         if not len(faces):
             yield Score(float("inf"), reason="the pattern makes no fabric")
             continue
         found = lain(aim, piece.positions, faces)
         unit = piece.stitch[0]
-        count = len(piece.built.graph)
+        count = len(graph)
         yield Score(found.mean / unit, found.p95 / unit, found.largest / unit, count, piece.shape.settled)
 
 

@@ -29,7 +29,7 @@ GATHER = 8
 """An edge of fewer stitches closes by itself."""
 DISC = 5
 """A disc has so many stitches round its edge for every round or more; with twice as many it is a ruffle."""
-APART = 1.0
+APART = 0.5
 """Two seams that come nearer to each other than this, in stitches, are in each other's way."""
 SAME_SIDE = 0.5
 """One seam can be inside another where the fabric under both looks so nearly the same way, as a cosine."""

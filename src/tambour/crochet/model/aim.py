@@ -47,12 +47,14 @@ def lain(target: Target, x: Array, faces: Array) -> Distance:
 
 def sought(model: Mesh, piece: Plush) -> Aim:
     """The model that a plush is compared with, laid upon it."""
+    from tambour.crochet.finish.covered import seen
     from tambour.crochet.model.loop import signed
     from tambour.crochet.piece import Aim
     from tambour.geometry.motion import turned
 
     x = piece.positions
     target = Target.of(model.vertices, model.faces)
-    found = lain(target, x, piece.built.graph.faces[piece.built.shell])
+    graph = piece.built.graph
+    found = lain(target, x, seen(graph, x, piece.shape.joined, graph.faces[piece.built.shell]))
     back = turned(target.vertices - found.shift, found.turn.T)
     return Aim(back, model.faces, found.plain(piece.stitch[0]), signed(target, x, found), {}, {}, np.zeros((0, 3)), "")

@@ -27,7 +27,7 @@ QUARTER = 0.25
 STEEP = 85.0
 """How far a part leans at the most, in degrees."""
 SIDEWAYS = 0.5
-"""How much farther off a place may be, in stitches, whose fabric looks where the part points, than one that looks across."""
+"""How much farther off a place may be, in radii of the end, whose fabric looks where the part points, than one that looks across."""
 NUDGE = 0.7
 """How much of what a part is off it is moved at once."""
 
@@ -91,7 +91,14 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
             point = turned(base + to, turn) + shift
             other = pieces[piece.onto[c][0]].name(piece.onto[c][1])
             ahead = turned(turned(goal[here.start] - base, aim), turn)
-            spot = _spot(spots, joined.x, number[piece.onto[c]], other, point, looks=(normals, ahead))
+            spot = _spot(
+                spots,
+                joined.x,
+                number[piece.onto[c]],
+                other,
+                point,
+                looks=(normals, ahead, piece.tried.counts[-1] / (2.0 * math.pi)),
+            )
             plain = Placed(piece.name(c), spot)
             end = end_of(built, spots, plain)
             frame = frame_of(joining, joined.x, plain, end, joined.upright, bodies_of(bodies, there.start))
@@ -226,11 +233,11 @@ def _spot(
     name: str,
     point: Array,
     only: float | None = None,
-    looks: tuple[Array, Array] | None = None,
+    looks: tuple[Array, Array, float] | None = None,
 ) -> Spot:
     """The place of a part, to a quarter of a round and of a stitch, that is nearest to ``point``; in the round ``only``.
 
-    looks : normals (N, 3) and a way (3,): of places that are hardly farther off, the one whose fabric looks that way
+    looks : normals (N, 3), a way (3,) and the end's radius: of places that are hardly farther off, the one whose fabric looks that way
     """
     built = spots.built
     graph = built.graph
@@ -238,7 +245,9 @@ def _spot(
     plain = own[~np.isin(graph.peculiarity[own], (ROOT, TIP))]
     far = length(x[plain] - point)
     if looks is not None:
-        far = far + SIDEWAYS * (1.0 - (looks[0][plain] * looks[1]).sum(1) / max(float(length(looks[1])), 1e-9))
+        far = far + SIDEWAYS * looks[2] * (
+            1.0 - (looks[0][plain] * looks[1]).sum(1) / max(float(length(looks[1])), 1e-9)
+        )
     node = int(plain[int(far.argmin())])
     k = int(graph.round[node])
     number = built.rounds[k].number

@@ -25,6 +25,7 @@ GHOST: Final = 0.3
 
 def aimed(made: Design, piece: Plush) -> Aim:
     """The model laid upon the plush, without scaling, and how far they lie apart."""
+    from tambour.crochet.finish.covered import seen
     from tambour.crochet.model.distance import Target, distance
     from tambour.crochet.model.loop import signed
     from tambour.geometry.motion import fit, turned
@@ -32,7 +33,8 @@ def aimed(made: Design, piece: Plush) -> Aim:
     graph, x = piece.built.graph, piece.positions
     target = Target.of(made.vertices, made.faces, samples=4000)
     start = fit(x, made.goals, np.ones(len(x)))
-    lain = distance(target, x, graph.faces[piece.built.shell], start, samples=4000)
+    faces = seen(graph, x, piece.shape.joined, graph.faces[piece.built.shell])
+    lain = distance(target, x, faces, start, samples=4000)
     off = signed(target, x, lain)
     back, goals = (turned(p - lain.shift, lain.turn.T) for p in (made.vertices, made.goals))
     return Aim(back, made.faces, lain.plain(piece.stitch[0]), off, made.history, made.parts, goals, made.stands)

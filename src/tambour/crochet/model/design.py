@@ -162,8 +162,8 @@ def _assembled(
         seats: dict[Key, Seat] = {}
         for _ in range(times):
             lines = placed(pieces, nudges, mirrored)
-            built, x = together(pattern([p.rounds for p in pieces], lines), params, stitch)
-            lain = distance(target, x, built.graph.faces[built.shell], fit(x, goal, np.ones(len(x))))
+            _, x, faces = together(pattern([p.rounds for p in pieces], lines), params, stitch)
+            lain = distance(target, x, faces, fit(x, goal, np.ones(len(x))))
             way.append(round(lain.mean, 4))
             price = lain.mean - (PAIR if mirrored else 0.0)
             if best is None or price < best[0]:

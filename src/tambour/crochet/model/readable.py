@@ -25,6 +25,8 @@ UNEVEN = 2.0
 """What a change costs that cannot be spread as a repeat, in square stitches that a count is off."""
 KINDS = 25
 """How many different rounds a part has at the most."""
+FEWEST = 6
+"""The same of one that is as easy as can be."""
 EASY = 0.72
 """The share of rounds that are plain, or one repeat."""
 GAINS = (0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.45, 0.7, 1.0, 1.5, 2.5, 5.0, math.inf)
@@ -103,7 +105,7 @@ def rounds(lines: Sequence[Array], points: Sequence[Array], plain: float) -> tup
     those where most is gained by it. Between them columns of stitches go straight on, and what they are off by adds up.
     """
     wanted = 1.0 - 2.0 * (1.0 - EASY) * (1.0 - plain)
-    most = math.inf if plain <= 0.0 else 2.0 * KINDS * (1.0 - plain) + 6.0 * plain
+    most = math.inf if plain <= 0.0 else KINDS + (KINDS - FEWEST) * (1.0 - 2.0 * plain)
     low, high = 0, len(GAINS) - 1 if plain > 0.0 else 0
     while low < high:  # the least gain that leaves rounds which read easily
         middle = (low + high) // 2

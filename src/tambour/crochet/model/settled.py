@@ -47,10 +47,11 @@ def settled(part: Rounds, params: CrochetParams, stitch: tuple[float, float] = (
     return Settled(task.graph, shape.x, shape.settled)
 
 
-def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float]) -> tuple[Built, Array]:
-    """A pattern worked, its parts sewn on and brought to rest together: positions (N, 3) in stitches."""
+def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float]) -> tuple[Built, Array, Array]:
+    """A pattern worked, its parts sewn on and brought to rest together: positions (N, 3) in stitches, and the faces that are seen."""
     import numpy as np
 
+    from tambour.crochet.finish.covered import seen
     from tambour.crochet.finish.joining import prepare
     from tambour.crochet.finish.pulled import pulled
     from tambour.crochet.finish.shape import Task, simulate
@@ -69,4 +70,5 @@ def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float
         stuffing == "pressure",
         prepare(built),
     )
-    return built, simulate(task).x
+    shape = simulate(task)
+    return built, shape.x, seen(graph, shape.x, shape.joined, task.graph.faces)
