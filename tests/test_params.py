@@ -74,9 +74,13 @@ def test_what_has_no_effect_is_told() -> None:
     (one,) = what.of({"steps": 7}).idle()
     assert str(one) == "--steps: warning: has no effect without --solver steps"
     assert not what.of({"steps": 7, "solver": "steps"}).idle() and not what().idle()
-    assert str(what.of({"gauge": "20x20", "gauge_circle": "9cm"}).idle()[0]).endswith(
-        "without leaving out --gauge-circle"
-    )
+    assert str(what.of({"gauge": "20x20", "gauge_circle": "9cm"}).idle()[0]).endswith("no effect with --gauge-circle")
+    ink = craft("ink").params
+    told = [str(p) for p in ink.of({"plotter": True, "mist": 0.9, "heights": "60..10", "specimen": "pine"}).idle()]
+    assert told == [
+        "--mist: warning: has no effect with --specimen and --plotter",
+        "--heights: warning: has no effect without --swell",
+    ]
     progress = Progress()
     made = make("ink", None, craft("ink").params(span=300, pens=2), (), progress)
     assert [str(w) for w in made.progress.warnings] == ["--pens: warning: has no effect without --plotter"]

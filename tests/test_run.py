@@ -101,10 +101,10 @@ def test_everything_wrong_is_said_at_once() -> None:
     with pytest.raises(TambourError) as caught:
         WeaveParams.of({"width": "2 miles", "ends": "1", "structure": "satin", "colour": "red"})
     said = str(caught.value).split("\n")
-    assert len(said) == 4
+    assert len(said) == 5
     assert said[0].startswith("--width: '2 miles' is not a number with one of the units mm, cm")
     assert said[1] == "--ends: input should be greater than or equal to 2 (got '1')"
-    assert said[3] == "--colour: there is no such parameter"
+    assert said[3:] == ["--colour: there is no such parameter", '  did you mean "colors"?']
 
 
 def test_infinite_and_missing_numbers_are_refused() -> None:
@@ -147,7 +147,7 @@ def test_a_report_is_enough_to_make_the_piece_again(tmp_path: Path) -> None:
     first = out.read_bytes()
     out.unlink()
     code, said = call("run", report)
-    assert code == 0 and out.read_bytes() == first, said
+    assert code == 0 and out.read_bytes() == first and "warning: twelve ends are few" in said, said
 
 
 def test_file_fields_are_read_for_make(tmp_path: Path) -> None:
@@ -165,7 +165,7 @@ def test_file_fields_are_read_for_make(tmp_path: Path) -> None:
     [
         (("--width", "-3"), 2, "--width: input should be greater than 0"),
         (("--structure", "satin"), 2, "satin"),
-        (("--stucture", "plain"), 2, "Did you mean"),
+        (("--stucture", "plain"), 2, "did you mean"),
         (("none.txt",), 2, "there is no such file"),
         (("--ends", "13"), 1, "This is a fault of tambour"),
         (("-o", "x.xyz"), 2, "weave makes no"),
@@ -250,6 +250,8 @@ def test_what_is_made_once_can_be_written_often(tmp_path: Path) -> None:
         '{"craft": "weave", "params": [1], "source": null}',
         '{"craft": "weave", "params": {}, "source": {"path": 7}}',
         '{"craft": "weave", "params": {}, "source": null, "files": "a.svg"}',
+        '{"craft": "weave", "params": {}, "source": {"sha256": 5}}',
+        '{"craft": "weave", "params": {}, "source": null, "edits": "leave:x"}',
     ],
 )
 def test_what_is_no_report_is_told(text: str, tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from tambour import files
 from tambour.core.digest import digest
-from tambour.core.errors import Problem, TambourError, did_you_mean, unspeakable
+from tambour.core.errors import Problem, TambourError, did_you_mean, option, unspeakable
 from tambour.core.progress import Progress
 from tambour.craft import Craft, Edit, View, plain_edit
 
@@ -134,10 +134,9 @@ def load_files(params: Params) -> Params:
                 words = params.words(name)
                 near = did_you_mean(str(given), words) if words and not Path(given).suffix else ""
                 hint = near or f"{', '.join(words)}, or a file"
-                option = f"{{--{name.rstrip('_').replace('_', '-')}}}"
                 for p in error.problems:
                     told = replace(p, hint=hint) if words and not Path(given).suffix else p
-                    problems.append(replace(told, where=f"{option} {told.where}") if told.where else told)
+                    problems.append(replace(told, where=f"{{{option(name)}}} {told.where}") if told.where else told)
     if problems:
         raise TambourError(problems)
     return params.model_copy(update=loaded) if loaded else params

@@ -15,7 +15,7 @@ import click
 from tambour import __version__
 from tambour.cli import commands
 from tambour.cli.craft import craft_command
-from tambour.core.errors import TambourError, did_you_mean, shown
+from tambour.core.errors import Problem, TambourError, did_you_mean, shown
 from tambour.core.progress import Stopped
 from tambour.run import CRAFTS
 from tambour.sweep import command as sweep
@@ -65,6 +65,16 @@ for command in (commands.again, commands.formats, commands.examples, commands.st
     tambour.add_command(command)
 
 
+def _misused(error: click.UsageError) -> Problem:
+    """What click finds wrong with the words of a command, in the form of every other problem."""
+    command = "tambour" if error.ctx is None else error.ctx.command_path
+    near = ""
+    if isinstance(error, click.NoSuchOption) and error.ctx is not None:
+        near = did_you_mean(error.option_name, [word for one in error.ctx.command.params for word in one.opts])
+    said = error.message if isinstance(error, click.NoSuchOption) else error.format_message()
+    return Problem(said[:1].lower() + said[1:].rstrip("."), near or f"{command} --help tells more", where=command)
+
+
 def main(arguments: list[str] | None = None) -> None:
     """Run the command line; leaves with 0, 2 for bad input, 1 for a fault of ours, 130 when interrupted."""
     opened()
@@ -90,8 +100,11 @@ def main(arguments: list[str] | None = None) -> None:
     except Stopped as stopped:
         click.echo("stopped; no file is left half written", err=True)
         sys.exit(128 + stopped.args[0])
-    except click.ClickException as error:
+    except click.exceptions.NoArgsIsHelpError as error:
         error.show()
+        sys.exit(2)
+    except click.UsageError as error:
+        click.echo(str(_misused(error)), err=True)
         sys.exit(2)
     except OSError as error:  # files speak by TambourError: this was printing, or something that bears a name
         hushed()

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import click
 
-from tambour.cli.craft import summary
-from tambour.cli.process import BEGAN
+from tambour.cli.craft import made_and_told
 from tambour.core.errors import Problem, TambourError
 
 
 @click.command("run")
-@click.argument("report", type=click.Path(exists=True, dir_okay=False))
+@click.argument("report")
 @click.option("-o", "out", multiple=True, metavar="OUT", help="A file to write instead of the report's own.")
 def again(report: str, out: tuple[str, ...]) -> None:
     """Make a piece again from its report."""
@@ -19,16 +18,15 @@ def again(report: str, out: tuple[str, ...]) -> None:
     from pathlib import Path
 
     from tambour.files.text import small
-    from tambour.run import craft, run
+    from tambour.run import craft
 
     raw = small(report)
     try:
         told = json.loads(raw)
-        name, values, source = told["craft"], dict(told["params"]), (told["source"] or {}).get("path")
-        known, kept = (told["source"] or {}).get("sha256"), told.get("files", ())
-        edits = list(told.get("edits", ()))
-        words = [name, *kept, *([source] if source is not None else [])]
-        if isinstance(kept, str) or not all(isinstance(word, str) for word in words):
+        name, values, origin = told["craft"], dict(told["params"]), told["source"] or {}
+        kept, edits = told.get("files", []), told.get("edits", [])
+        words = [name, *kept, *origin.values()]
+        if not (isinstance(kept, list) and isinstance(edits, list) and all(isinstance(word, str) for word in words)):
             raise ValueError("words are wanted")
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise TambourError("this is not a report of tambour", where=report) from None
@@ -39,11 +37,10 @@ def again(report: str, out: tuple[str, ...]) -> None:
         raise TambourError(
             [Problem("the report would write elsewhere", f"to write there: -o {k}", where=k) for k in astray]
         )
-    what = craft(name)
-    made = run(what, source, what.params.of(values), out or kept, began=BEGAN, edits=edits)
-    if known and made["source"]["sha256"] != known:
+    what, source = craft(name), origin.get("path")
+    made = made_and_told(what, source, what.params.of(values), out or tuple(kept), edits)
+    if source and made["source"]["sha256"] != origin.get("sha256"):
         click.echo(f"{source}: warning: the source has changed since the report was written", err=True)
-    summary(made)
 
 
 @click.command("formats")

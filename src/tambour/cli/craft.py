@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import sys
-import types
-from collections.abc import Callable
-from typing import Any, Literal, Union, get_args, get_origin
+from collections.abc import Callable, Sequence
+from typing import Any, Literal, get_args, get_origin
 
 import click
 
 from tambour.cli.process import BEGAN, streams
+from tambour.core.errors import option as spelling
 from tambour.core.errors import shown, spelt
 
 
@@ -31,16 +31,12 @@ def options(params: Any) -> Callable[[Any], Any]:
     Values arrive as texts and are judged by the model alone, so that the library, the command line and the studio
     refuse the same things in the same words.
     """
-    from tambour.core.params import unit
+    from tambour.core.params import kind_of, unit
 
     def option(name: str, f: Any) -> Any:
-        flag = "--" + name.rstrip("_").replace("_", "-")  # "from_": a word that Python keeps for itself
+        flag = spelling(name)
         extra = f.json_schema_extra if isinstance(f.json_schema_extra, dict) else {}
-        kind, many = f.annotation, False
-        if get_origin(kind) in (Union, types.UnionType):
-            kind = next(k for k in get_args(kind) if k is not type(None))
-        if get_origin(kind) is tuple and get_args(kind)[-1] is Ellipsis:
-            kind, many = get_args(kind)[0], True
+        kind, many = kind_of(f.annotation)
 
         def told() -> str:
             default = f.get_default(call_default_factory=True)
@@ -130,17 +126,32 @@ def run_craft(
 ) -> None:
     """Run one craft from the words of the command line."""
     from tambour.files.text import read_edits
-    from tambour.run import run
 
     values = {name: value for name, value in given.items() if value is not None and value != ()}
     params = what.params.of(values)
-    with _bar(quiet) as progress, streams(what.reads, source, out) as (given_source, places):
-        changed = [*(read_edits(edits) if edits else ()), *edit]
-        made = run(what, given_source, params, places, progress, BEGAN, report, changed)
+    changed = [*(read_edits(edits) if edits else ()), *edit]
+    made_and_told(what, source, params, out, changed, report, quiet)
+
+
+def made_and_told(
+    what: Any,
+    source: str | None,
+    params: Any,
+    out: tuple[str, ...],
+    edits: Sequence[Any],
+    report: str | None = None,
+    quiet: bool = False,
+) -> dict[str, Any]:
+    """Make a piece and its files, with a bar, warnings and a summary; gives the report."""
+    from tambour.run import run
+
+    with _bar(quiet) as progress, streams(what.reads, source, out) as (given, places):
+        made = run(what, given, params, places, progress, BEGAN, report, edits)
     for problem in progress.warnings:
         click.echo(str(problem), err=True)
     if not quiet and places == out:  # else standard output is the piece
         summary(made)
+    return made
 
 
 def summary(report: dict[str, Any]) -> None:

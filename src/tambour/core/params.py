@@ -20,7 +20,7 @@ from typing import Annotated, Any, ClassVar, Literal, Union, get_args, get_origi
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, ValidationInfo, field_validator
 
-from tambour.core.errors import Problem, TambourError, did_you_mean, unspeakable
+from tambour.core.errors import Problem, TambourError, did_you_mean, option, unspeakable
 
 _LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, '"': 25.4, "pt": 25.4 / 72}
 _TIMES = {"s": 1.0, "min": 60.0, "m": 60.0, "h": 3600.0}
@@ -181,7 +181,7 @@ class Params(BaseModel):
         of_group = {name: group for group, names in cls.groups.items() for name in names.split()}
         made = {}
         for name, f in cls.asked().items():
-            kind, many = _kind(f.annotation)
+            kind, many = kind_of(f.annotation)
             extra = f.json_schema_extra if isinstance(f.json_schema_extra, dict) else {}
             listed = extra.get("choices", ())
             choices = [*cls.words(name), *(get_args(kind) if get_origin(kind) is Literal else ())]
@@ -240,8 +240,10 @@ class Params(BaseModel):
         for name, needs in self.when.items():
             unmet = [(k, v) for k, v in needs.items() if not _holds(getattr(self, k), v)]
             if unmet and self.said((name,)):
-                why = " and ".join(_needed(k, v) for k, v in unmet)
-                problems.append(Problem(f"has no effect without {why}", where=f"{{--{_dashed(name)}}}", warning=True))
+                lacking = " and ".join(_needed(k, v) for k, v in unmet if v is not False)
+                against = " and ".join(_needed(k, v) for k, v in unmet if v is False)
+                why = [f"without {lacking}"] * bool(lacking) + [f"with {against}"] * bool(against)
+                problems.append(Problem(f"has no effect {' and '.join(why)}", where=_needed(name), warning=True))
         return problems
 
     @classmethod
@@ -262,8 +264,8 @@ class Params(BaseModel):
                 [
                     Problem(
                         _sentence(e),
-                        _remedy(e),
-                        where=spell.format(_dashed(str(e["loc"][0]))) if e["loc"] else "",
+                        _remedy(e, cls.asked()),
+                        where=spell.format(option(str(e["loc"][0]))[2:]) if e["loc"] else "",
                     )
                     for e in error.errors()
                 ]
@@ -316,31 +318,26 @@ def _texts(cls: type) -> dict[str, str]:
     return made
 
 
-def _dashed(name: str) -> str:
-    return name.rstrip("_").replace("_", "-")
-
-
 def _holds(value: Any, wanted: Any) -> bool:
     if isinstance(wanted, bool):
         return (value not in (None, "", (), False)) == wanted
     return value in wanted
 
 
-def _needed(name: str, wanted: Any) -> str:
-    field = f"{{--{_dashed(name)}}}"
-    if isinstance(wanted, bool):
-        return field if wanted else f"leaving out {field}"
-    return f"{field} {' or '.join(str(w) for w in wanted if w is not None)}"
+def _needed(name: str, wanted: Any = True) -> str:
+    """A field, and the values that are wanted of it where not any will do, as messages name them."""
+    values = "" if isinstance(wanted, bool) else " or ".join(str(w) for w in wanted if w is not None)
+    return f"{{{option(name)}}} {values}".strip()
 
 
-def _kind(annotation: Any) -> tuple[Any, bool]:
+def kind_of(annotation: Any) -> tuple[Any, bool]:
     """The type of a field's values, None left out, and whether it takes many."""
     if get_origin(annotation) in (Union, types.UnionType):
         annotation = next(k for k in get_args(annotation) if k is not type(None))
     if get_origin(annotation) is Annotated:
         annotation = get_args(annotation)[0]
     if get_origin(annotation) is tuple and get_args(annotation)[-1] is Ellipsis:
-        return _kind(get_args(annotation)[0])[0], True
+        return kind_of(get_args(annotation)[0])[0], True
     return annotation, False
 
 
@@ -363,7 +360,9 @@ def bounds(f: Any) -> dict[str, Any]:
     return {w: v for m in _marks(f) for k, w in words.items() if (v := getattr(m, k, None)) is not None}
 
 
-def _remedy(error: Any) -> str:
+def _remedy(error: Any, fields: Iterable[str]) -> str:
+    if error["type"] == "extra_forbidden":
+        return did_you_mean(str(error["loc"][0]), fields)
     if error["type"] != "literal_error" or not isinstance(error["input"], str):
         return ""
     return did_you_mean(error["input"].lower(), re.findall(r"'([^']+)'", error["ctx"]["expected"]))
@@ -375,4 +374,8 @@ def _sentence(error: Any) -> str:
     text = text[:1].lower() + text[1:]
     if error["type"] == "extra_forbidden":
         return "there is no such parameter"
-    return text if isinstance(given, dict) or repr(given) in text else f"{text} (got {given!r})"
+    return (
+        text
+        if isinstance(given, dict) or (isinstance(given, str) and repr(given) in text)
+        else f"{text} (got {given!r})"
+    )

@@ -35,24 +35,18 @@ class Ink(Params):
     rare: ClassVar = "edition steps speed frame model heights"
     widgets: ClassVar = {"inscription": "lines"}
     when: ClassVar = {
-        **{name: {"specimen": False} for name in ("from_", "span", "density", "mist")},
+        **{
+            name: {"specimen": False}
+            for name in "from_ span density height reading figures buildings boats birds waterfalls".split()
+        },
+        "mist": {"specimen": False, "plotter": False},
         **{
             name: {"plotter": True}
-            for name in (
-                "page",
-                "margin",
-                "crop",
-                "model",
-                "nib",
-                "pens",
-                "swell",
-                "refill",
-                "speed",
-                "budget",
-                "frame",
-            )
+            for name in "page margin crop model nib pens swell refill speed budget frame".split()
         },
-        "tall": {"plotter": False},
+        "heights": {"plotter": True, "swell": True},
+        "mirrored": {"paper": True, "plotter": False},
+        **{name: {"plotter": False} for name in ("paper", "tall")},
     }
 
     seed: str = Field(default="1", max_length=1000)
@@ -135,7 +129,7 @@ class Ink(Params):
     """Lines for a pen plotter instead of the painting: what lies behind removed, layers per pen, sorted."""
 
     page: str = "a4"
-    """The plotter's sheet, landscape: a5, a4, a3, a2, or a size such as 300x200mm."""
+    """The plotter's sheet, landscape: a5, a4, a3, a2, letter, or a size such as 300x200mm."""
 
     margin: Length = Field(default=10.0, ge=0.0, le=500.0)
     """The sheet's margin."""
@@ -211,9 +205,9 @@ class Ink(Params):
         from tambour.ink.ground.pages import page
 
         if min(page(self.page)) - 2 * self.margin < 5:
-            raise ValueError(f"a margin of {self.margin:g} mm leaves nothing of the page {self.page}")
+            raise ValueError(f"{{--margin}} {self.margin:g} mm leaves nothing of {{--page}} {self.page}")
         if self.sheets and not self.plotter:
-            raise ValueError("sheets are the plotter's: add {--plotter}")
+            raise ValueError("{--sheets} are the plotter's: add {--plotter}")
         if self.sheets and self.specimen:
             raise ValueError("a specimen has one sheet: leave {--sheets} out")
         return self
