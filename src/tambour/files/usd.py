@@ -72,7 +72,7 @@ def write_scene(value: Scene, sink: Sink) -> None:
             prim.CreateDoubleSidedAttr(True)
             color = thing.color if thing.color is not None else np.array([[226, 221, 212]], np.uint8)
             plain = len(color) == 1 or (color == color[:1]).all()
-            _color(geom, vt, prim, color[:1] if plain else color, "constant" if plain else "vertex")
+            _color(vt, prim, color[:1] if plain else color, "constant" if plain else "vertex")
             if thing.uv is not None:
                 st = geom.PrimvarsAPI(prim).CreatePrimvar("st", sdf.ValueTypeNames.TexCoord2fArray, geom.Tokens.vertex)
                 st.Set(vt.Vec2fArray.FromNumpy(thing.uv.astype(np.float32)))
@@ -130,7 +130,7 @@ def _curves(pxr: Any, stage: Any, place: str, thing: Strands) -> Any:
     else:
         prim.CreateWidthsAttr(vt.FloatArray.FromNumpy(2 * radius))
         prim.SetWidthsInterpolation(geom.Tokens.varying)
-    _color(geom, vt, prim, thing.color, "uniform")
+    _color(vt, prim, thing.color, "uniform")
     for kind, rows in (("uniform", thing.strand_data), ("vertex", thing.point_data)):
         for name, values in rows.items():
             _attribute(pxr, prim, name, np.asarray(values), kind)
@@ -150,7 +150,7 @@ def _attribute(pxr: Any, prim: Any, name: str, values: Array, kind: str) -> None
     pxr.UsdGeom.PrimvarsAPI(prim).CreatePrimvar(name, spec, kind).Set(made)
 
 
-def _color(geom: Any, vt: Any, prim: Any, rgb: Array, kind: str) -> None:
+def _color(vt: Any, prim: Any, rgb: Array, kind: str) -> None:
     made = vt.Vec3fArray.FromNumpy(linear(rgb / 255.0).astype(np.float32))
     prim.CreateDisplayColorAttr(made)
     prim.GetDisplayColorPrimvar().SetInterpolation(kind)

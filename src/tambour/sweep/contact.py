@@ -26,10 +26,14 @@ def contact(folder: Folder, rows: Sequence[Row]) -> None:
         folder.leave(folder.path / "sheet.png", picture(folder, rows))
 
 
+def _counted(rows: Sequence[Row]) -> str:
+    """How many pieces there are, and how many failed."""
+    failed = sum(row.status != "made" for row in rows)
+    return f"{len(rows):,} pieces" + (f", {failed:,} failed" if failed else "")
+
+
 def page(rows: Sequence[Row]) -> str:
     """The page: every piece with its picture, its files and its report, or why there is none; and a filter."""
-    failed = sum(row.status != "made" for row in rows)
-    count = f"{len(rows):,} pieces" + (f", {failed:,} failed" if failed else "")
     cells = []
     for row in rows:
         links = [(f.removeprefix(row.name) or f, f) for f in row.files]
@@ -45,7 +49,7 @@ def page(rows: Sequence[Row]) -> str:
             f'<figure class="{row.status}"><a href="{first}">{shown}</a>'
             f"<figcaption>{escape(row.name)}<br>{ends}</figcaption></figure>"
         )
-    return _PAGE.format(count=count, cells="\n".join(cells))
+    return _PAGE.format(count=_counted(rows), cells="\n".join(cells))
 
 
 _PAGE = """<!doctype html>
@@ -94,7 +98,7 @@ def picture(folder: Folder, rows: Sequence[Row]) -> bytes:
     across = max(1, min(len(shown), math.ceil(math.sqrt(len(shown) * high / wide))))
     down = math.ceil(len(shown) / across)
     places = [(4 + k % across * wide, top + k // across * high) for k in range(len(shown))]
-    sheet = _lettered(folder, rows, shown, places, (across * wide, top + down * high), side, text)
+    sheet = _lettered(rows, shown, places, (across * wide, top + down * high), side, text)
     for row, (x, y) in zip(shown, places):
         if row.status != "made":
             continue
@@ -110,7 +114,6 @@ def picture(folder: Folder, rows: Sequence[Row]) -> bytes:
 
 
 def _lettered(
-    folder: Folder,
     rows: Sequence[Row],
     shown: Sequence[Row],
     places: Sequence[tuple[int, int]],
@@ -127,9 +130,7 @@ def _lettered(
     from tambour.render import flat
 
     letters = max(8, int(side / (0.55 * text)))
-    failed = sum(row.status != "made" for row in rows)
-    head = f"{len(rows):,} pieces" + (f", {failed:,} failed" if failed else "")
-    head += f", the first {len(shown):,}" if len(shown) < len(rows) else ""
+    head = _counted(rows) + (f", the first {len(shown):,}" if len(shown) < len(rows) else "")
     labels = [Label(head, 4, 1.5 * text, 1.2 * text)]
     for row, (x, y) in zip(shown, places):
         color = (0, 0, 0, 255) if row.status == "made" else (190, 30, 30, 255)

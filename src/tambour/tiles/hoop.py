@@ -58,16 +58,8 @@ def make(job: Job, laid: Mapping[str, Path], progress: Progress | None = None) -
 
     suffixes = tuple(s for s, kind in files.WRITE if kind == "ThreadPlan")
     views = {"machine": View(lambda piece: piece.plan, "ThreadPlan", "the machine's file", suffixes, "write")}
-    ink = replace(craft("ink"), make=sewn, views=views, facts=facts, check=_any, prefer=_none)
+    ink = replace(craft("ink"), make=sewn, views=views, facts=facts)
     return make_piece(job, laid, progress, ink)
-
-
-def _any(params: Any, views: Any) -> None:
-    pass
-
-
-def _none(params: Any) -> dict[str, str]:
-    return {}
 
 
 def facts(piece: Hoop) -> dict[str, Any]:

@@ -96,7 +96,11 @@ def tiles(
     hoops = [k for k in kinds if k in machine]
     if hoops and len(hoops) < len(kinds):
         problems.append(
-            Problem("hoops are made by themselves, without pictures", "sweep twice", where=f"-o {hoops[0]}")
+            Problem(
+                "hoops are made by themselves, without pictures",
+                "make the pictures by a command of their own",
+                where=f"-o {hoops[0]}",
+            )
         )
     if not (abs(first) <= LAST and abs(first + count) <= LAST):
         problems.append(Problem(f"tiles are numbered from -{LAST:,} to {LAST:,}", where="{--first}"))

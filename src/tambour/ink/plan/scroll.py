@@ -25,7 +25,7 @@ from tambour.ink.paint import seal
 from tambour.ink.params import Ink, exactly
 from tambour.ink.plan.draw import Manner, draw
 from tambour.ink.plan.whole import Planned, Rules
-from tambour.ink.plan.wholes import HEIGHT, tile, window
+from tambour.ink.plan.wholes import HEIGHT, window
 
 BATCH = 60
 """Wholes drawn at a time: about a tile's worth of marks."""
@@ -115,11 +115,7 @@ def make(source: None, params: Ink, progress: Progress) -> Scroll:
         seal.check(params.inscription, params.seal, params.font)
     how = rules(params)
     with progress.stage("plan"):
-        first, last = int(params.from_ // 512), int((params.from_ + params.span) // 512)
-        for k in range(first, last + 1):
-            progress.step(k - first, last + 1 - first)
-            tile(how, k)
-        planned = tuple(window(how, params.from_, params.from_ + params.span))
+        planned = tuple(window(how, params.from_, params.from_ + params.span, progress.step))
         ids = {p.id for p in planned}
         if strange := [name for name in params.left_out if name not in ids]:
             hint = did_you_mean(strange[0], ids) or "the plan (-o plan.json) lists them"

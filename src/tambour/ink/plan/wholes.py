@@ -7,6 +7,7 @@ anywhere first.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
@@ -24,15 +25,15 @@ FAR = 4
 """Tiles to either side of a window whose elements may reach into it (a range is up to 2000 long)."""
 
 
-def window(rules: Rules, begin: float, end: float) -> list[Planned]:
-    """All wholes that may reach into [begin, end), in painter's order."""
-    first, last = int(np.floor(begin / TILE)), int(np.floor((end - 1e-9) / TILE))
-    found = [
-        p
-        for k in range(first - FAR, last + FAR + 1)
-        for p in tile(rules, k)
-        if p.x + p.right >= begin and p.x - p.left < end
-    ]
+def window(
+    rules: Rules, begin: float, end: float, told: Callable[[int, int], None] = lambda done, total: None
+) -> list[Planned]:
+    """All wholes that may reach into [begin, end), in painter's order; ``told`` how many tiles of how many are planned."""
+    first, last = int(np.floor(begin / TILE)) - FAR, int(np.floor((end - 1e-9) / TILE)) + FAR
+    found: list[Planned] = []
+    for k in range(first, last + 1):
+        told(k - first, last + 1 - first)
+        found += [p for p in tile(rules, k) if p.x + p.right >= begin and p.x - p.left < end]
     return sorted(found, key=lambda p: p.order)
 
 

@@ -61,7 +61,7 @@ def make(source: None, params: Ink, progress: Progress) -> Plot:
         left = len(seen.order)
         total = taken(pages, params)
         if params.budget and total > params.budget:
-            seen, pages = thinned(seen, tuple(sheets), pages, params)
+            seen, pages = thinned(seen, tuple(sheets), params)
         given_up = left - len(seen.order)
         if given_up:
             progress.warn(f"{given_up} of {left} lines are left out to keep to the budget", where="{--budget}")
@@ -107,9 +107,7 @@ def taken(pages: tuple[Page, ...], params: Ink) -> float:
     return sum(layer.seconds(params) for page in pages for layer in page)
 
 
-def thinned(
-    seen: Lines, sheets: tuple[Sheet, ...], pages: tuple[Page, ...], params: Ink
-) -> tuple[Lines, tuple[Page, ...]]:
+def thinned(seen: Lines, sheets: tuple[Sheet, ...], params: Ink) -> tuple[Lines, tuple[Page, ...]]:
     """The lines that matter most and can be drawn within the budget.
 
     Lines are given up by their worth for the time they take: a lift costs as much as drawing LIFT · speed mm. How many
