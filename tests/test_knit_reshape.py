@@ -83,6 +83,15 @@ def test_a_chart_keeps_floats_that_are_caught_and_tells_what_it_does_not_heed():
     assert [w.where for w in told.progress.warnings] == ["{--stitches}", "{--border}"]
 
 
+def test_a_blank_picture_is_told():
+    from tambour.core.picture import Picture
+
+    blank, spot = np.zeros((20, 20, 4), np.uint8), np.full((20, 20, 4), 255, np.uint8)
+    spot[5:9, 5:9, :3] = 0
+    told = [make(WHAT, Picture(p), WHAT.params.of({"gauge": "24x32"})).progress.warnings for p in (blank, spot)]
+    assert ["one colour" in str(w) for w in told[0]] == [True] and not told[1]
+
+
 @pytest.mark.parametrize("edit", ["rows:30=1", "rows:1=-9", "rows:1=-20", "columns:13=1", "rows:10=-1", "run:3,9,9=1"])
 def test_what_is_not_there_is_told(edit):
     with pytest.raises(TambourError):

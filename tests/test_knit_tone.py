@@ -99,7 +99,7 @@ def test_drawings_and_photographs_are_told_apart():
 def test_patches_are_lawful_and_as_bright_as_asked(patches):
     params = KnitParams(start="patches", patches=patches)
     for limit in (2, 4, 6):
-        tiles = texture.ready(limit, params) if patches == "ready" else texture.noise(limit, params)
+        tiles = texture.ready(limit) if patches == "ready" else texture.noise(limit, params)
         assert len(tiles) == texture.LEVELS
         for tile, mean in zip(tiles, texture.levels(limit)):
             wide = np.tile(tile, (1, 12))

@@ -155,7 +155,7 @@ def test_cards_colours_and_contrast():
 
 
 def test_what_two_yarns_alone_can_do_is_said():
-    with pytest.raises(TambourError, match="--border is for two yarns"):
+    with pytest.raises(TambourError, match="--border: this is for two yarns"):
         made(yarns=3, border=2)
 
 

@@ -343,15 +343,16 @@ class KnitParams(Params):
             raise ValueError("{--behind} does not go with {--repeat}, {--shape}, {--border} and {--edge-stitches}")
         if self.technique not in ("auto", "stranded"):
             self._of_areas()
+        for color in self.colors:
+            if not re.fullmatch(r"#[0-9a-fA-F]{6}", color):
+                once = "; each yarn by a {--colors} of its own" if "," in color else ""
+                raise ValueError(f"{{--colors}}: wanted #rrggbb (got {color!r}){once}")
         if len(self.colors) == 1:
             raise ValueError("{--colors}: at least two yarns are wanted")
         if self.colors and self.yarns and len(self.colors) != self.yarns:
             raise ValueError(f"{{--yarns}} {self.yarns} needs as many {{--colors}} (got {len(self.colors)})")
         if len({color.lower() for color in self.colors}) < len(self.colors):
             raise ValueError("{--colors}: two are the same")
-        for color in self.colors:
-            if not re.fullmatch(r"#[0-9a-fA-F]{6}", color):
-                raise ValueError(f"{{--colors}}: wanted #rrggbb (got {color!r})")
         for told in self.yarn:
             if not re.fullmatch(r"[^=]{1,40}=[^=]{1,40}", told):
                 raise ValueError(f"{{--yarn}}: wanted a colour and a yarn, such as #aa3322=MC (got {told!r})")

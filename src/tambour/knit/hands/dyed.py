@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 
 from tambour.core.chart import Chart
-from tambour.core.errors import Problem, TambourError
+from tambour.core.errors import Problem, TambourError, did_you_mean
 from tambour.core.palette import Palette
 from tambour.core.rgb import hexed
 from tambour.knit.hands.working import roles
-from tambour.knit.picture.shades import named
+from tambour.knit.picture.shades import CARDS, named
 
 
 def dyed(chart: Chart, told: Sequence[tuple[str, str, str]]) -> Chart:
@@ -30,7 +30,8 @@ def dyed(chart: Chart, told: Sequence[tuple[str, str, str]]) -> Chart:
         if k is None:
             problems.append(Problem("there is no such yarn", ", ".join(called), where=where))
         if found is None:
-            problems.append(Problem("there is no such colour", "#rrggbb, or a shade of a card", where=where))
+            near = did_you_mean(colour.strip().lower(), [name for card in CARDS.values() for name, _ in card])
+            problems.append(Problem("there is no such colour", near or "#rrggbb, or a shade of a card", where=where))
         if k is not None and found is not None:
             rgb[k], names[k] = found.rgb, found.name
             if any(hexed(rgb[j].tolist()) == hexed(found.rgb) for j in range(len(rgb)) if j != k):

@@ -6,7 +6,7 @@ import numpy as np
 
 from tambour.core.chart import Gauge
 from tambour.core.check import Array
-from tambour.core.errors import TambourError
+from tambour.core.errors import TambourError, option
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
@@ -168,7 +168,7 @@ def mask(
             raise TambourError(
                 "a mask of the picture's size cannot follow {--rotate} auto",
                 hint="give the angle, or a mask of the chart's size",
-                where=f"--{name}",
+                where=f"{{{option(name)}}}",
             )
         # Turned with black about it, as nothing beyond the picture is selected.
         rgb = 255 - turned(255 - rgb, float(params.rotate.removesuffix("deg")))
@@ -177,6 +177,6 @@ def mask(
         raise TambourError(
             f"the mask is {have[1]} x {have[0]}",
             hint=f"wanted the chart's {full[1]} x {full[0]} stitches, or the picture's {source[1]} x {source[0]} pixels",
-            where=f"--{name}",
+            where=f"{{{option(name)}}}",
         )
     return np.ascontiguousarray((rgb.astype(np.float32) @ LUMA / 255)[::-1])

@@ -53,6 +53,8 @@ def make(source: Picture | Chart, params: KnitParams, progress: Progress) -> Pie
         )
     with progress.stage("tone"):
         layout = lay(source, params, progress)
+        if (layout.picture == layout.picture[:1, :1]).all():
+            progress.warn("the picture is of one colour throughout: its chart shows nothing of it")
         luma = tone.brightness(layout.picture, "code")
         kind = recognised(layout.picture, luma)
         # Pixel art that is given to us, and no word said, stays as it is.

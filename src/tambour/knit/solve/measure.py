@@ -124,26 +124,6 @@ def bands(rows: int, stitches: int) -> list[slice]:
     return [slice(k, k + high) for k in np.linspace(0, rows - high, 8).astype(int)]
 
 
-def anisotropy(cells: Array) -> float:
-    """How far a chart of one flat tone is from looking alike in all directions, 0 and up.
-
-    The variance over directions of the power spectrum, relative to its mean, ring by ring (Ulichney 1987), over
-    frequencies that the eye sees (below half a cycle in two stitches), as a mean of rings weighted by their power.
-    """
-    size = min(cells.shape)
-    v = cells[:size, :size].astype(np.float64)
-    power = np.abs(np.fft.fftshift(np.fft.fft2(v - v.mean()))) ** 2
-    f = np.fft.fftshift(np.fft.fftfreq(size))
-    radius = np.hypot(*np.meshgrid(f, f))
-    rings = np.clip((radius / 0.25 * 16).astype(int), 0, 16)
-    shares = []
-    for ring in range(1, 16):
-        p = power[rings == ring]
-        if len(p) > 8 and p.mean() > 0:
-            shares.append((p.mean(), p.var(ddof=1) / p.mean() ** 2))
-    return float(np.average([s for _, s in shares], weights=[w for w, _ in shares])) if shares else 0.0
-
-
 def facts(piece: Piece) -> dict[str, Any]:
     """What the report says beside the piece's own figures: lined-up flips, and how like its target it looks."""
     chart = piece.chart

@@ -27,15 +27,15 @@ def assign(t: Array, limit: int, params: KnitParams) -> Array:
     """(R, C) uint8: every stitch as the tile of its level has it."""
     from scipy.ndimage import gaussian_filter
 
-    tiles = ready(limit, params) if params.patches == "ready" else noise(limit, params)
+    tiles = ready(limit) if params.patches == "ready" else noise(limit, params)
     low, high = tone.reach(limit, 1.0)
     # Areas, not specks: the tone is sorted after a blur.
     smooth = gaussian_filter(t, 1.5)
     level = np.clip(np.round((smooth - low) / max(high - low, 1e-6) * (LEVELS - 1)), 0, LEVELS - 1)
     level = level.astype(np.int64)
     if params.patches == "marked":
-        own = marked(t, level, limit, params)
-        tiles = [other if mine is None else mine for other, mine in zip(tiles, own)]
+        middle, own = marked(t, level, limit, params)
+        tiles[middle] = own
     out = np.zeros(t.shape, np.uint8)
     r, x = np.arange(t.shape[0])[:, None], np.arange(t.shape[1])[None]
     for k, tile in enumerate(tiles):
@@ -50,7 +50,7 @@ def levels(limit: int) -> list[Fraction]:
     return [low + (1 - 2 * low) * Fraction(k, LEVELS - 1) for k in range(LEVELS)]
 
 
-def ready(limit: int, params: KnitParams) -> list[Array]:
+def ready(limit: int) -> list[Array]:
     """Twills: every row has the same rhythm of light and dark, and is moved by two or three stitches against the last."""
     tiles = []
     for mean in levels(limit):
@@ -81,11 +81,9 @@ def noise(limit: int, params: KnitParams) -> list[Array]:
     return tiles
 
 
-def marked(t: Array, level: Array, limit: int, params: KnitParams) -> list[Array | None]:
-    """For each level the marked region's texture, if the region has it; None elsewhere.
-
-    The region is dithered, the largest rectangle about the level's stitches in it becomes the tile, and is made lawful
-    as it repeats. Raises TambourError when the region lies outside the chart.
+def marked(t: Array, level: Array, limit: int, params: KnitParams) -> tuple[int, Array]:
+    """The level of the marked region, the median of its stitches', and its tile: the region itself, dithered, and made
+    lawful as it repeats. Raises TambourError when the region lies outside the chart.
     """
     assert params.patch_from is not None, "checked by the params"
     left, top, wide, high = map(int, params.patch_from.split(","))
@@ -97,8 +95,5 @@ def marked(t: Array, level: Array, limit: int, params: KnitParams) -> list[Array
         )
     part = (slice(rows - top - high, rows - top), slice(left, left + wide))
     texture = tone.assign(np.ascontiguousarray(t[part]), "floyd-steinberg", params.threshold)
-    middle = int(np.median(level[part]))
-    found: list[Array | None] = [None] * LEVELS
-    base = exact.solve(Task(np.zeros(texture.shape, np.float32), texture, limit, ring=True, seed=params.seed))
-    found[middle] = base
-    return found
+    task = Task(np.zeros(texture.shape, np.float32), texture, limit, ring=True, seed=params.seed)
+    return int(np.median(level[part])), exact.solve(task)

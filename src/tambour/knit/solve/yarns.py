@@ -15,7 +15,7 @@ import numpy as np
 
 from tambour import color
 from tambour.core.check import Array
-from tambour.core.errors import TambourError
+from tambour.core.errors import Problem, TambourError, option
 from tambour.core.palette import Palette
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
@@ -39,20 +39,13 @@ def make(layout: Layout, style: Style, params: KnitParams, limit: int, progress:
     Raises TambourError for what needs two yarns only (locked stitches, frames, weights, patches), and for yarns that
     have too little contrast to share any row.
     """
-    for what, given in (
-        ("lock", params.lock),
-        ("weights", params.weights),
-        ("border", params.border),
-        ("edge-stitches", params.edge_stitches),
-        ("keep", params.keep),
-    ):
-        if given:
-            raise TambourError(f"--{what} is for two yarns", where=f"--{what}")
-    if params.focus != "none" or params.start == "patches":
-        raise TambourError(
-            f"this is for two yarns ({params.count} were asked for)",
-            where="{--focus}" if params.focus != "none" else "{--start} patches",
-        )
+    only = [
+        f"{{{option(name)}}}" for name in params.said(("lock", "weights", "border", "edge_stitches", "keep", "focus"))
+    ]
+    only += ["{--start} patches"] * (params.start == "patches")
+    if only:
+        why = f"this is for two yarns ({params.count} were asked for)"
+        raise TambourError([Problem(why, where=where) for where in only])
     with progress.stage("tone"):
         params = settled(params, style)
         kind = style.kind
@@ -75,7 +68,7 @@ def make(layout: Layout, style: Style, params: KnitParams, limit: int, progress:
             seen = min(limit, percept.LARGEST)
             task = stages.task_of(blank.astype(np.float32), blank, seen, params, layout)
             eye = stages.sight_of(limit, params)
-            chosen, bits = choose(task, aim, space, possible, eye, params, progress)
+            chosen, bits = choose(task, aim, space, possible, eye, params)
             pairs = possible[chosen]
             projected = project(aim, space, pairs)
             how = params.start or ("threshold" if kind == "line drawing" else "floyd-steinberg")
@@ -93,21 +86,7 @@ def make(layout: Layout, style: Style, params: KnitParams, limit: int, progress:
     told = {"style": style.name, "why": style.why, "technique": "stranded", "seen_from": style.metres}
     more = {"yarns": len(palette), "switches": switches, **colour_error(piece, aim, space)}
     figures = {**told, **piece.figures, **more}
-    return Piece(
-        piece.chart,
-        params,
-        piece.tone,
-        piece.start,
-        limit,
-        piece.picture,
-        piece.dominant,
-        piece.background,
-        kind,
-        None,
-        piece.repeat,
-        figures,
-        piece.state,
-    )
+    return replace(piece, weights=None, figures=figures)
 
 
 def colour_error(piece: Piece, aim: Array, space: Array) -> dict[str, float]:
@@ -167,7 +146,7 @@ def project(aim: Array, space: Array, pairs: Array) -> Array:
 
 
 def choose(
-    task: Task, aim: Array, space: Array, possible: Array, eye: percept.Eye, params: KnitParams, progress: Progress
+    task: Task, aim: Array, space: Array, possible: Array, eye: percept.Eye, params: KnitParams
 ) -> tuple[Array, Array]:
     """(R,) index of each row's pair, and (R, C) uint8 bits of a first chart with these pairs."""
     rows, stitches = aim.shape[:2]
