@@ -83,3 +83,16 @@ def test_pale_yarn_is_set_off_against_its_table_and_a_piece_keeps_its_own() -> N
         assert portrait.table(two) == found[color]
         assert {*portrait.PALE, *portrait.DEEP} == set(TABLES)
     assert found["f4f0e6"] in portrait.PALE and found["202830"] in portrait.DEEP
+
+
+def test_what_lies_flat_shows_its_right_side() -> None:
+    from tambour.geometry.surface import vertex_normals
+
+    disc = ": MR(6)\n: 6 inc\n: [sc, inc] x 6\n: [2 sc, inc] x 6\n"
+    made = make(Text("@stuffing = none\n" + disc), CrochetParams(), Progress())
+    normals = vertex_normals(made.positions, made.built.graph.faces)
+    assert portrait.face_down(made) == bool(normals[:, 1].mean() < 0)
+    flat = Mesh(made.positions, made.built.graph.faces)
+    over = portrait.turned(flat) if portrait.face_down(made) else flat
+    assert vertex_normals(over.vertices, over.faces)[:, 1].mean() > 0.8
+    assert not portrait.face_down(make(Text(disc + ": 24 sc\n" * 6), CrochetParams(), Progress()))  # a cup stands

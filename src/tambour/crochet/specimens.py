@@ -51,7 +51,7 @@ TABLE: Final[dict[str, tuple[str, str]]] = {
     "inc": ("a magic ring and increases", _rounds("[2 sc, inc] x 6", "[3 sc, inc] x 6")),
     "dec": (
         "decreases, in another yarn",
-        _tube("24 sc", f"[2 sc, {_PALE}, dec, {_TAN}] x 6", "18 sc", f"[sc, {_PALE}, dec, {_TAN}] x 6", "12 sc"),
+        _tube("24 sc", "24 sc", f"[2 sc, {_PALE}, dec, {_TAN}] x 6", "18 sc", "18 sc"),
     ),
     "blo": ("back loops only, in rounds", _tube("24 sc", "BLO, 24 sc", "24 sc", "24 sc", "BLO, 24 sc", "24 sc")),
     "flo": (

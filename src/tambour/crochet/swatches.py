@@ -50,6 +50,7 @@ def near(piece: Plush, width: int) -> Picture:
 
     from tambour.crochet.looks import toy
     from tambour.crochet.page.pictures import lies
+    from tambour.crochet.page.portrait import face_down, turned
     from tambour.render.raster import picture
 
     wide, _, deep = np.ptp(piece.positions, axis=0).tolist()
@@ -60,6 +61,8 @@ def near(piece: Plush, width: int) -> Picture:
     shown = toy(piece)
     if flat and not lies(piece):
         shown = level(shown, piece)
+    if face_down(piece):
+        shown = turned(shown)
     return picture(shown, width=width, height=width, azimuth=azimuth, elevation=elevation, lights=LIGHTS)
 
 

@@ -19,7 +19,7 @@ from tambour.render.camera import MARGIN, THREE_QUARTER, Camera, look
 from tambour.render.cover import cover, turn
 from tambour.render.fleece import fibres, tones
 from tambour.render.hair import hairs
-from tambour.render.light import Lights, floor_light, shine, studio, window
+from tambour.render.light import Lights, floor_light, shine, studio, touched, window
 from tambour.render.setting import behind, plain, wall
 from tambour.render.shade import HAIRS, shade
 from tambour.render.tables import PLANK, TABLES, tile
@@ -30,7 +30,7 @@ MATERIALS: dict[str, tuple[float, ...]] = {
     "yarn": (0.55, 0.3, 0.0, 1.0, 4.0, 0.22, 0.035, 34.0, 0.85, 0.0105),
     "cotton": (0.3, 0.15, 0.1, 14.0, 4.0, 0.30, 0.018, 12.0, 0.5, 0.0085),
     "acrylic": (0.45, 0.2, 0.05, 18.0, 4.0, 0.26, 0.026, 30.0, 0.8, 0.0095),
-    "chenille": (1.2, 0.6, 0.0, 1.0, 0.0, 0.0, 0.05, 170.0, 0.3, 0.03),
+    "chenille": (1.2, 0.6, 0.0, 1.0, 0.0, 0.0, 0.02, 110.0, 0.32, 0.022),
     "mohair": (0.9, 0.4, 0.0, 1.0, 2.0, 0.12, 0.025, 16.0, 2.6, 0.010),
     "plied": (0.6, 0.25, 0.0, 1.0, 0.0, 0.0, 0.012, 8.0, 0.75, 0.012),
     "thread": (0.2, 0.1, 0.22, 18.0, 2.0, 0.2, 0.0, 0.0, 0.0, 0.0),
@@ -152,6 +152,7 @@ def shot(
     # Rows run down: faces that look here have negative area.
     cover(x, y, z, mesh.faces, near, face, -rimless)
 
+    large = float(np.linalg.norm(np.ptp(points, axis=0)))
     chosen = TABLES.get(table)
     if lit is None:
         # A map as fine as the picture, as far as that is seen.
@@ -170,6 +171,7 @@ def shot(
     color = np.broadcast_to(np.array(PLAIN, np.uint8), mesh.vertices.shape) if mesh.color is None else mesh.color
     color = palette[color]
     if chosen and len(color):
+        pool, plot = touched(pool, plot, mesh.vertices, large)
         # The room's own light is weaker, too, where the thing is near; and it sends back some of it, in its own colour.
         pool = pool**NEARBY
         pool = pool + BOUNCED * (1.0 - pool) ** 2 * color.mean(0)
@@ -213,7 +215,6 @@ def shot(
             out, samples, near, x, y, z, mesh.vertices, normals, mesh.faces, color, uv, group, surfaces, thick, *view,
             lit.direction, lit.weight, lit.axes, lit.origin, lit.texel, lit.depth, max(1, len(lit.direction) // 20),
         )  # fmt: skip
-    large = float(np.linalg.norm(np.ptp(points, axis=0)))
     focus = 0.5 * (points.min(0) + points.max(0)) - 0.25 * large * camera.axes[2]
     room = np.zeros((height, width, 3), np.float32)
     behind(

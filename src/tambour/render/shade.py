@@ -15,7 +15,7 @@ from tambour.render.light import seen
 # on it, in radii; of the hairs that stand off it: how many on a square radius, how long and how thick, in radii.
 FUZZ, WRAP, GLOSS, SHARP, PLIES, GROOVE, FIBRE, HAIRS, REACH, FINE = range(10)
 DYED = (0.028, 0.81)
-HOLLOW = 0.25  # of the window's light that a hollow's sides would send into it, were they white and all about it
+HOLLOW = 0.6  # of the window's light that a hollow's sides send into it, were they white: what half of the sky reaches most of all
 SOFT = 0.04  # how round the bottom of the groove between plies is
 
 
@@ -273,7 +273,7 @@ def shade(
                         ) * share
                         light = open_sky[c] * max(share, bounced) + lamp[c] * (0.4 + 0.6 * occlude)
                         # What the window's light meets round about sends some of it into the hollow.
-                        light += HOLLOW * tone * (1.0 - share) * open_lamp[c]
+                        light += HOLLOW * tone * share * (1.0 - share) * open_lamp[c]
                         total[c] += tone * light + rim * light * (0.35 * tone + 0.08) + gloss * shine
                     total[3] += 1.0
             for c in range(4):

@@ -63,6 +63,8 @@ def _taken(piece: Plush, detail: str | None, **asked: Any) -> Picture:
     if sheet(piece):
         azimuth, elevation = ABOVE
         made, cast = laid(made), laid(cast)
+    elif face_down(piece):
+        made, cast = turned(made), turned(cast)
     else:
         deep = sagging(piece)
         made, cast = pressed(made, deep), pressed(cast, deep)
@@ -109,6 +111,22 @@ def sagging(piece: Plush) -> float:
         below = (normals[:, 1] < -0.75) & (x[:, 1] < x[:, 1].min() + 0.3 * high)
         deep = max(deep, float(x[below, 1].max() - x[:, 1].min()) if below.any() else 0.0)
     return deep
+
+
+def face_down(piece: Plush) -> bool:
+    """Whether a piece that lies flat shows its wrong side."""
+    from tambour.crochet.page.pictures import lies
+    from tambour.geometry.surface import vertex_normals
+
+    graph = piece.built.graph
+    return lies(piece) and bool(vertex_normals(piece.positions, graph.faces)[:, 1].mean() < 0.0)
+
+
+def turned(mesh: Mesh) -> Mesh:
+    """A mesh turned over."""
+    from dataclasses import replace
+
+    return replace(mesh, vertices=mesh.vertices * (1.0, -1.0, -1.0))
 
 
 def pressed(mesh: Mesh, deep: float) -> Mesh:

@@ -88,33 +88,11 @@ def nearest(coords: F8x2, i: int, j: int, found: F8x1) -> float:
 
 
 @kernel
-def _bins(
-    coords: F8x2,
-    strand: I4x1,
-    arc: F8x1,
-    middle: F8x2,
-    half: F8x1,
-    low: F8x1,
-    cell: float,
-    shape: I8x1,
-    head: I8x1,
-    order: I4x1,
-    near: F4x2,
-    owner: I4x1,
-    only: B1x1,
-    wanted: B1x1,
-    full: B1x1,
-) -> None:
-    """Segments by cell of a grid: those of cell k are order[head[k]:head[k + 1]].
-
-    In that order, near : (M, 8) float32, middle from ``low``, half the length, arc length, direction; owner : (M,) strand; wanted : (M,) whether it is
-    among ``only`` (P,); full : (K,) whether any of a cell's is
-    """
-    n = len(strand)
-    where = np.empty(n, np.int32)
-    for i in range(n):
+def _live(strand: I4x1, middle: F8x2, low: F8x1, cell: float, shape: I8x1, only: B1x1, where: I4x1, live: B1x1) -> None:
+    """Fill where (N,), the cell of each segment of a grid, and mark those in and about which one of ``only`` (N,) lies."""
+    for i in range(len(strand)):
+        where[i] = -1
         if strand[i] < 0:
-            where[i] = -1
             continue
         p, q, r = (
             int((middle[i, 0] - low[0]) / cell),
@@ -122,28 +100,62 @@ def _bins(
             int((middle[i, 2] - low[2]) / cell),
         )
         where[i] = (p * shape[1] + q) * shape[2] + r
-        head[where[i] + 1] += 1
+        if only[i]:
+            for a in range(max(0, p - 1), min(p + 2, shape[0])):
+                for b in range(max(0, q - 1), min(q + 2, shape[1])):
+                    row = (a * shape[1] + b) * shape[2]
+                    for c in range(max(0, r - 1), min(r + 2, shape[2])):
+                        live[row + c] = True
+
+
+@kernel
+def _bins(
+    coords: F8x2,
+    strand: I4x1,
+    arc: F8x1,
+    middle: F8x2,
+    half: F8x1,
+    low: F8x1,
+    only: B1x1,
+    where: I4x1,
+    live: B1x1,
+    head: I4x1,
+    order: I4x1,
+    near: F4x2,
+    owner: I4x1,
+    wanted: B1x1,
+    full: B1x1,
+) -> None:
+    """Segments of live cells by cell: those of cell k are order[head[k]:head[k + 1]].
+
+    In that order, near : (8, M) float32, middle from ``low``, half the length, arc length, direction; owner : (M,) strand; wanted : (M,) whether it is
+    among ``only`` (P,); full : (K,) whether any of a cell's is
+    """
+    n = len(strand)
+    for i in range(n):
+        if where[i] >= 0 and live[where[i]]:
+            head[where[i] + 1] += 1
     for k in range(len(head) - 1):
         head[k + 1] += head[k]
     at = head[:-1].copy()
     for i in range(n):
-        if where[i] >= 0:
+        if where[i] >= 0 and live[where[i]]:
             k = at[where[i]]
             at[where[i]] += 1
             order[k], owner[k], wanted[k] = i, strand[i], only[i]
             if only[i]:
                 full[where[i]] = True
             for c in range(3):
-                near[k, c] = middle[i, c] - low[c]
-                near[k, 5 + c] = (coords[i + 1, c] - coords[i, c]) / max(2.0 * half[i], 1e-9)
-            near[k, 3], near[k, 4] = half[i], arc[i]
+                near[c, k] = middle[i, c] - low[c]
+                near[5 + c, k] = (coords[i + 1, c] - coords[i, c]) / max(2.0 * half[i], 1e-9)
+            near[3, k], near[4, k] = half[i], arc[i]
 
 
 @kernel
 def close_pairs(
     coords: F8x2,
     shape: I8x1,
-    head: I8x1,
+    head: I4x1,
     order: I4x1,
     near: F4x2,
     owner: I4x1,
@@ -161,6 +173,7 @@ def close_pairs(
     found = np.zeros(2)
     # Single precision only leaves out what is clearly too far.
     wide = np.float32(reach * 1.0001)
+    within = np.empty(max(64, len(order)), np.int32)
     for p in range(shape[0]):
         for q in range(shape[1]):
             for r in range(shape[2]):
@@ -173,30 +186,37 @@ def close_pairs(
                     if a >= shape[0] or b < 0 or b >= shape[1]:
                         continue
                     row = (a * shape[1] + b) * shape[2]
-                    last = head[row + min(r + 2, shape[2])]
+                    first, last = head[row + max(r - 1, 0)], head[row + min(r + 2, shape[2])]
                     some = full[row + max(r - 1, 0)] or full[row + r] or full[row + min(r + 1, shape[2] - 1)]
-                    if not some and not full[here]:
+                    if first == last or (not some and not full[here]):
                         continue
                     for k in range(head[here], head[here + 1]):
                         if not some and not wanted[k]:
                             continue
-                        x, y, z, size = near[k, 0], near[k, 1], near[k, 2], near[k, 3] + wide
-                        for m in range(k + 1 if side == 0 else head[row + max(r - 1, 0)], last):
-                            dx, dy, dz, most = x - near[m, 0], y - near[m, 1], z - near[m, 2], size + near[m, 3]
-                            if dx * dx + dy * dy + dz * dz >= most * most or not (wanted[k] or wanted[m]):
+                        x, y, z, size = near[0, k], near[1, k], near[2, k], near[3, k] + wide
+                        # No branch: what is near enough is kept by counting on.
+                        many = 0
+                        for m in range(k + 1 if side == 0 else first, last):
+                            dx, dy, dz, most = x - near[0, m], y - near[1, m], z - near[2, m], size + near[3, m]
+                            within[many] = m
+                            many += 1 if dx * dx + dy * dy + dz * dz < most * most else 0
+                        for number in range(many):
+                            m = within[number]
+                            if not (wanted[k] or wanted[m]):
                                 continue
                             if owner[k] == owner[m]:
-                                most = near[k, 3] + near[m, 3]
-                                if abs(near[k, 4] - near[m, 4]) < along + most:
+                                most = near[3, k] + near[3, m]
+                                if abs(near[4, k] - near[4, m]) < along + most:
                                     continue
                             # Nor by its distance from the line of the one or of the other.
+                            dx, dy, dz = x - near[0, m], y - near[1, m], z - near[2, m]
                             square = dx * dx + dy * dy + dz * dz
-                            t = dx * near[k, 5] + dy * near[k, 6] + dz * near[k, 7]
-                            most = wide + near[m, 3]
+                            t = dx * near[5, k] + dy * near[6, k] + dz * near[7, k]
+                            most = wide + near[3, m]
                             if square - t * t >= most * most:
                                 continue
-                            t = dx * near[m, 5] + dy * near[m, 6] + dz * near[m, 7]
-                            most = wide + near[k, 3]
+                            t = dx * near[5, m] + dy * near[6, m] + dz * near[7, m]
+                            most = wide + near[3, k]
                             if square - t * t >= most * most:
                                 continue
                             i, j = order[k], order[m]
@@ -225,7 +245,7 @@ def push(coords: F8x2, pairs: I4x2, apart: float, rounds: int, move: F8x2, weigh
             i, j = pairs[k, 0], pairs[k, 1]
             gap = nearest(coords, i, j, found)
             if gap >= apart * apart:
-                wait[k] = min(3, int((math.sqrt(gap) / apart - 1.0) / 0.02))
+                wait[k] = min(6, 1 + int((math.sqrt(gap) / apart - 1.0) / 0.015))
                 continue
             gap = max(math.sqrt(gap), 1e-9)
             s, t = found[0], found[1]
@@ -266,11 +286,17 @@ def _pairs(coords: Array, ends: Array, reach: float, along: float, only: Array |
     while np.prod(np.floor((high - low) / cell) + 1) > CELLS:
         cell *= 1.1
     shape = np.floor((high - low) / cell).astype(np.int64) + 1
-    head = np.zeros(int(shape.prod()) + 1, np.int64)
-    order, owner, near = np.empty(count, np.int32), np.empty(count, np.int32), np.empty((count, 8), np.float32)
-    wanted, full = np.zeros(count, np.bool_), np.zeros(len(head), np.bool_)
+    where, live = np.empty(n, np.int32), np.zeros(int(shape.prod()), np.bool_)
     some = np.ones(n, np.bool_) if only is None else only
-    _bins(coords, strand, arc, middle, half, low, cell, shape, head, order, near, owner, some, wanted, full)
+    if only is None:
+        live[:] = True
+    _live(strand, middle, low, cell, shape, np.zeros(n, np.bool_) if only is None else only, where, live)
+    if only is not None:
+        count = int(np.count_nonzero(live[where[where >= 0]]))
+    head = np.zeros(len(live) + 1, np.int32)
+    order, owner, near = np.empty(count, np.int32), np.empty(count, np.int32), np.empty((8, count), np.float32)
+    wanted, full = np.zeros(count, np.bool_), np.zeros(len(head), np.bool_)
+    _bins(coords, strand, arc, middle, half, low, some, where, live, head, order, near, owner, wanted, full)
     pairs = np.zeros((max(64, 2 * count), 2), np.int32)
     found = int(close_pairs(coords, shape, head, order, near, owner, wanted, full, reach, along, pairs))
     if found > len(pairs):
