@@ -996,3 +996,23 @@ def test_a_doubt_that_is_the_same_elsewhere_is_said_once_with_its_lines_and_clot
     at = [k for k, line in enumerate(text.split("\n"), 1) if "both layers" in line]
     assert len(said) == 1 and said[0].endswith(f"also at line {at[1]}")
     assert sum(line.startswith("✗ Fold") for line in lines) == 2
+
+
+def test_legs_worked_on_from_a_body_are_no_body_below_a_neck() -> None:
+    """A face said to be on the head stays on it, though rounds of legs and of an edge go on with the body's numbers."""
+    from tambour.crochet.places.stand import neck
+
+    rounds = [6, 12, 18, 24, 24, 24, 18, 12, 12, 18, 24, 30, 30, 30, 15, 12, 8, 4, 24, 24, 12, 6, 48, 48]
+    lines = []
+    for k, n in enumerate(rounds):
+        before = rounds[k - 1] if k else 0
+        said = "6 sc in MR" if k == 0 else "sc around" if n == before else ""
+        if not said and n > 3 * before:
+            said = f"[{n // before} sc in next st] x {before}"
+        elif not said:
+            less, more = sorted((before, n))
+            said = f"{'inc' if n > before else 'dec'} x {more - less}, {2 * less - more if n > before else less - (more - less)} sc"
+        lines.append(f"Rnd {k + 1}: {said} ({n})")
+    built = build(read_printed(Text("Rabbit\n\nHEAD AND BODY\n" + "\n".join(lines) + "\nFasten off.\n", "toy.txt")))
+    assert [r.count for r in built.rounds] == rounds
+    assert neck(Spots(built), 0) in (8, 9)

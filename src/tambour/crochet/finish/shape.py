@@ -29,6 +29,8 @@ ROUGHLY = 30.0
 """How many times farther from rest a shape may be that only tells how far stuffing stretches it."""
 TIPS = 12.0
 """By how many degrees a toy is turned at the most to stand on what it stands on; what tips farther is held by hand."""
+FALLEN = 0.9
+"""The cosine of the angle from which on a part has fallen over while it settled."""
 BUILDING = 2_000_000
 """Node-steps that building one by one may take before settling; what is left then comes at once."""
 
@@ -223,6 +225,7 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
     graph = task.graph
     first = np.concatenate([[0], np.cumsum(task.used)])
     x, c = np.round(x, GRAIN), np.round(c, GRAIN)
+    begun = x.copy()
     volume = np.zeros(len(graph.parts))
     ends: dict[int, Rest] = {}
     known: dict[str, tuple[Array, Array, Rest, Array]] = {}
@@ -275,6 +278,9 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
         graph = task.graph
     for nodes in parts(graph):
         yield from settle(nodes)
+    if task.joining is not None:
+        risen = _risen(x, begun, parts(graph))
+        x, c = risen, _carried(task, x, risen, c)
     task, x, c, joined = placed(task, x, c)
     x, c = np.round(x, GRAIN), np.round(c, GRAIN)
     graph = task.graph
@@ -299,6 +305,16 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
     residual, move = max(e.residual for e in ends.values()), max(e.move for e in ends.values())
     settled = all(e.settled for e in ends.values())
     return Shape(x, c, residual, move, evaluations, settled, volume, hurried, -1, joined, task)
+
+
+def _risen(x: Array, begun: Array, bodies: list[Array]) -> Array:
+    """Bodies of fabric that fell over while they settled, turned back to how they began: places are told from there."""
+    x = x.copy()
+    for nodes in bodies:
+        turn, shift = fit(x[nodes], begun[nodes], np.ones(len(nodes)))
+        if (np.trace(turn) - 1.0) / 2.0 < FALLEN:
+            x[nodes] = turned(x[nodes], turn) + shift
+    return x
 
 
 def _standing(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tuple[Array, Array]:

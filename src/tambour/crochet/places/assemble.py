@@ -6,6 +6,8 @@ import re
 from dataclasses import replace
 from typing import Final
 
+import numpy as np
+
 from tambour.core.errors import Span
 from tambour.crochet.graph.built import Built
 from tambour.crochet.language.finishes import Eye, Placed
@@ -67,7 +69,9 @@ class Assembly(Upright):
             kind = "body" if len(before) > 1 else Made(from_, 1).kind
             self.parts = [replace(p, likely=kind) if p.name == name and kind else p for p in self.parts]
         of = built.graph.part
-        self.sewn = {int(k) for a, b in built.sewn.tolist() for k in (of[a], of[b]) if of[a] != of[b]}
+        # What is sewn to, or worked on from, another part has its place there.
+        ties = of[np.concatenate([built.graph.edges, built.sewn.reshape(-1, 2)])]
+        self.sewn = {int(k) for k in np.unique(ties[ties[:, 0] != ties[:, 1]])}
         if self.parts:
             self._shaped()
         self.heard = Heard(self.parts, sentences, self.text)
@@ -284,6 +288,8 @@ class Assembly(Upright):
                     else main
                 )
                 p.host = (host, 1)
+            if p.host[0].halved:  # of two halves the front one bears all
+                p.host = (p.host[0], 1)
             if kind in _LIMBS and p.host[0].kind in _PATCHES:  # beside a patch, on what the patch lies on
                 p.host = (head if head is not None and kind in ("ear", "horn") else main, 1)
                 p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())

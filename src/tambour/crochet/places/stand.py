@@ -17,6 +17,8 @@ from tambour.crochet.language.finishes import Eye, Placed, Spot
 
 NECK = 0.82
 """A part has a neck where it is this much narrower than the narrower of what lies above and below."""
+TIP_OF = 8
+"""A limb's tip is closed from so many stitches or fewer."""
 
 
 class Stand:
@@ -270,6 +272,11 @@ def neck(spots: Spots, part: int) -> int | None:
     """The number of the round that is the neck of a part that is head and body in one; None where it has none."""
     low, high = numbers_of(spots, part)
     counts = [(n, len(spots.stitches(k))) for n in range(low, high + 1) if (k := spots.round_at(part, n)) is not None]
+    # Behind a tip that was closed and a round that nobody increases to another limb begins, and no body.
+    end = next(
+        (i for i in range(1, len(counts)) if counts[i - 1][1] <= TIP_OF and counts[i][1] > 3 * counts[i - 1][1]), None
+    )
+    counts = counts[:end]
     best: tuple[float, int] | None = None
     for i, (n, c) in enumerate(counts):
         before, after = max((c for _, c in counts[:i]), default=0), max((c for _, c in counts[i + 1 :]), default=0)
