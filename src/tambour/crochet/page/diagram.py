@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from pathlib import PurePath
 from typing import Any
 
+import numpy as np
+
 from tambour.core.drawing import Drawing
 from tambour.core.graph import BACK, FRONT, JOIN, ROOT
 from tambour.core.rgb import RGB
@@ -26,6 +28,7 @@ _PALE = (250, 248, 244)
 _GREY = (150, 146, 140)
 _GAP = 0.06  # of a cell, between two
 _WHITISH = 215  # a patch of which every channel is above this is outlined, for it stands on white paper
+_TINT = 0.6  # how far towards white the yarn's colours are on paper: dark signs on little ink
 _SHOWS = 6.0  # contrast of a symbol with its patch (WCAG 2: 4.5 for text, 7 for small text)
 
 
@@ -70,7 +73,7 @@ def plates(built: Built, *, left: bool = False) -> list[tuple[int, bool, Drawing
     for chart in charts(built):
         before, behind, up, down = _extent(chart, left)
         sheet = Page((before + behind) * CELL, (up + down) * CELL, ink=_INK)
-        _chart(sheet, built, chart, before * CELL, up * CELL, left)
+        _chart(sheet, built, chart, before * CELL, up * CELL, left, _TINT)
         made.append((chart.part, chart.rows, sheet.drawing(title="")))
     return made
 
@@ -110,11 +113,11 @@ def _extent(chart: Chart, left: bool) -> tuple[float, float, float, float]:
     return sides[left], sides[not left], chart.reach + 0.5, 0.8
 
 
-def _chart(page: Page, built: Built, chart: Chart, x: float, y: float, left: bool) -> None:
-    """One chart with its origin at x, y mm, mirrored for the ``left`` hand."""
+def _chart(page: Page, built: Built, chart: Chart, x: float, y: float, left: bool, tint: float = 0.0) -> None:
+    """One chart with its origin at x, y mm, mirrored for the ``left`` hand, its colours so far towards white (``tint``, 0 to 1)."""
     sheet = _Mirror(page, x) if left else page
     graph = built.graph
-    colors = graph.color.tolist()
+    colors = np.round(graph.color + (255.0 - graph.color) * tint).astype(int).tolist()
     anchors, cuts = graph.anchors.tolist(), graph.anchor_offsets.tolist()
     kinds, loops = [graph.kinds[k] for k in graph.kind.tolist()], graph.loop.tolist()
     for node, cell in chart.cells.items():
