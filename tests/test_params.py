@@ -69,6 +69,12 @@ def test_bad_values_are_refused_or_understood(name: str, field: str, bad: Any) -
     assert not (isinstance(bad, float) and abs(bad) > 1e12 and isinstance(getattr(made, field), float))
 
 
+def test_a_message_repeats_no_more_than_the_beginning_of_a_value() -> None:
+    with pytest.raises(TambourError) as caught:
+        craft("ink").params.of({"seed": "x" * 1001})
+    assert len(str(caught.value)) < 200 and str(caught.value).endswith("xxx…)")
+
+
 def test_what_has_no_effect_is_told() -> None:
     what = craft("crochet").params
     (one,) = what.of({"steps": 7}).idle()

@@ -24,6 +24,8 @@ from tambour.core.errors import Problem, TambourError, did_you_mean, option, uns
 
 _LENGTHS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, '"': 25.4, "pt": 25.4 / 72}
 _TIMES = {"s": 1.0, "min": 60.0, "m": 60.0, "h": 3600.0}
+LONG = 100
+"""Characters of a value that messages repeat."""
 _NUMBER = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-zA-Z\"]*)\s*$")
 
 
@@ -372,10 +374,9 @@ def _sentence(error: Any) -> str:
     text = str(error["msg"]).removeprefix("Value error, ")
     given = error.get("input")
     text = text[:1].lower() + text[1:]
+    said = repr(given) if len(repr(given)) <= LONG else f"{repr(given)[:LONG]}…"
     if error["type"] == "extra_forbidden":
         return "there is no such parameter"
     return (
-        text
-        if isinstance(given, dict) or (isinstance(given, str) and repr(given) in text)
-        else f"{text} (got {given!r})"
+        text if isinstance(given, dict) or (isinstance(given, str) and repr(given) in text) else f"{text} (got {said})"
     )

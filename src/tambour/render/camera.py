@@ -59,8 +59,6 @@ def look(
     q = turn(points, axes).T
     slope = tan(lens / 2)
     t = slope * margin
-    wide = ((q[:, 0] + t * q[:, 2]).max(), (t * q[:, 2] - q[:, 0]).max())
-    tall = ((q[:, 1] + t * q[:, 2]).max(), (t * q[:, 2] - q[:, 1]).max())
     if height is None:
         spread = q.max(0) - q.min(0)
         shape = spread[1] / max(spread[0], 1e-9)

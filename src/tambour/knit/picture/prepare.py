@@ -48,11 +48,9 @@ def prepared(rgb: Array, params: KnitParams, squash: float, flat: bool) -> Array
 
     rgb : (R, C, 3) uint8; squash : rows per stitch width, so that blurs are round in wool
     """
-    from tambour.knit.picture.tone import guided
+    from tambour.knit.picture.tone import adjusted, guided
 
-    t = stretched(lightness(rgb), (0.0, 100.0) if flat else ENDS)
-    if params.contrast != 1.0 or params.brightness:
-        t = np.clip((t - np.float32(0.5)) * np.float32(params.contrast) + np.float32(0.5 + params.brightness), 0, 1)
+    t = adjusted(stretched(lightness(rgb), (0.0, 100.0) if flat else ENDS), params)
     if flat:
         return np.ascontiguousarray(t, np.float32)
     t = guided(evened(t, squash), radius=2, flat=FLAT)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from io import StringIO
 
@@ -263,15 +264,26 @@ def choose(costs: Array, count: int) -> list[int]:
     while len(chosen) < count:
         rest = [k for k in range(total) if k not in chosen]
         chosen.append(min(rest, key=lambda k: cost([*chosen, k])))
+    return swapped(chosen, total, cost)
+
+
+def swapped(chosen: list[int], total: int, cost: Callable[[list[int]], float]) -> list[int]:
+    """``chosen`` out of 0 … total - 1, one exchanged for another as long as that costs less."""
     best, better = cost(chosen), True
     while better:
         better = False
-        for place in range(count):
+        for place in range(len(chosen)):
             for k in range(total):
                 other = [*chosen[:place], k, *chosen[place + 1 :]]
-                if k not in chosen and cost(other) < best * (1 - 1e-9):
-                    chosen, best, better = other, cost(other), True
+                if k not in chosen and (price := cost(other)) < best * (1 - 1e-9):
+                    chosen, best, better = other, price, True
     return chosen
+
+
+def dark_to_light(shades: list[Shade]) -> Palette:
+    """The palette of some yarns, the darkest first."""
+    order = sorted(shades, key=lambda s: (float(np.array(s.rgb) @ LUMA), s.name))
+    return Palette(np.array([s.rgb for s in order], np.uint8), tuple(s.name for s in order))
 
 
 def palette_of(picture: Array, params: KnitParams, progress: Progress) -> Palette:
@@ -305,13 +317,12 @@ def palette_of(picture: Array, params: KnitParams, progress: Progress) -> Palett
                 where="{--min-contrast}",
             )
         shades = [shades[k] for k in choose(costs, params.count)]
-    shades = sorted(shades, key=lambda s: (float(np.array(s.rgb) @ LUMA), s.name))
     if params.count == 2 and contrast(shades[0].rgb, shades[1].rgb) < params.min_contrast:
         progress.warn(
             f"the two yarns have a contrast of {contrast(shades[0].rgb, shades[1].rgb):.2f}, the picture will be faint",
             where="{--min-contrast}",
         )
-    return Palette(np.array([s.rgb for s in shades], np.uint8), tuple(s.name for s in shades))
+    return dark_to_light(shades)
 
 
 def warn_of_shortage(palette: Palette, needs: list[tuple[int, float]], params: KnitParams, progress: Progress) -> None:

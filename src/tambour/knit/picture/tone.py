@@ -27,8 +27,8 @@ def reach(limit: int, amount: float) -> tuple[float, float]:
 
 def amount(tone: str | None) -> float:
     """0 to 1 of the parameter ``tone``; all of it when none was given."""
-    tone = tone or "reachable"
-    return {"raw": 0.0, "reachable": 1.0}.get(tone) if tone in ("raw", "reachable") else float(tone)  # type: ignore[return-value]
+    words = {None: 1.0, "reachable": 1.0, "raw": 0.0}
+    return words[tone] if tone in words else float(tone or 0)
 
 
 def brightness(rgb: Array, light: str | None) -> Array:
@@ -48,6 +48,15 @@ def brightness(rgb: Array, light: str | None) -> Array:
     return out
 
 
+def adjusted(t: Array, params: KnitParams) -> Array:
+    """Tones in 0…1, of any shape, float32, with ``contrast`` and ``brightness``; as they are where neither was said."""
+    if params.contrast == 1.0 and not params.brightness:
+        return t
+    return np.asarray(
+        np.clip((t - np.float32(0.5)) * np.float32(params.contrast) + np.float32(0.5 + params.brightness), 0, 1)
+    )
+
+
 def toned(raw: Array, params: KnitParams, limit: int) -> Array:
     """(R, C) float32: contrast and brightness, detail and edges, then the range compressed. ``raw`` is used up.
 
@@ -55,9 +64,7 @@ def toned(raw: Array, params: KnitParams, limit: int) -> Array:
     that, giving the fine layer back times ``detail``. ``sharpen`` adds the difference to a blur of one stitch.
     """
     low, high = reach(limit, amount(params.tone))
-    t = raw
-    if params.contrast != 1.0 or params.brightness:
-        t = np.clip((t - np.float32(0.5)) * np.float32(params.contrast) + np.float32(0.5 + params.brightness), 0, 1)
+    t = adjusted(raw, params)
     if params.sharpen:
         from scipy.ndimage import gaussian_filter
 

@@ -10,8 +10,7 @@ from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
 from tambour.knit.params import YARNS, KnitParams
 from tambour.knit.picture.focus import saliency
-from tambour.knit.picture.resample import LUMA
-from tambour.knit.picture.shades import Shade, candidates, few
+from tambour.knit.picture.shades import Shade, candidates, dark_to_light, few, swapped
 
 HUE = 2.2  # how much more a difference of hue counts than one of lightness: a cheek and a wall may be as light
 APART = 0.11  # Oklab distance below which two yarns are one to a knitter
@@ -78,8 +77,7 @@ def chosen(picture: Array, params: KnitParams, flat: bool) -> Palette:
                 where="{--stash}" if params.stash is not None else "{--card}",
             )
         shades = best(picture, known, count)
-    shades = sorted(shades, key=lambda s: (float(np.array(s.rgb) @ LUMA), s.name))
-    return Palette(np.array([s.rgb for s in shades], np.uint8), tuple(s.name for s in shades))
+    return dark_to_light(shades)
 
 
 def own(picture: Array) -> list[Shade]:
@@ -116,12 +114,4 @@ def best(picture: Array, shades: list[Shade], count: int) -> list[Shade]:
     taken: list[int] = []
     while len(taken) < min(count, len(shades)):
         taken.append(min((k for k in range(len(shades)) if k not in taken), key=lambda k: cost([*taken, k])))
-    least, better = cost(taken), True
-    while better:
-        better = False
-        for at in range(len(taken)):
-            for k in range(len(shades)):
-                other = [*taken[:at], k, *taken[at + 1 :]]
-                if k not in taken and cost(other) < least * (1 - 1e-9):
-                    taken, least, better = other, cost(other), True
-    return [shades[k] for k in taken]
+    return [shades[k] for k in swapped(taken, len(shades), cost)]

@@ -219,11 +219,11 @@ def solve_rows(
             x = columns[k]
             row[k] = start[y, x]
             loose[k] = relaxed.size > 0 and relaxed[y, x]
-            weight = np.int64(round(weights[y, x] * 1000)) if weights.size else np.int64(1000)
+            weight = np.int64(round(weights[y, x] * UNIT)) if weights.size else np.int64(UNIT)
             dislike = preference(start, out, y, x, key)
-            flip[k] = weight * (np.int64(1) << 27) + dislike * (1 + tidy)
+            flip[k] = weight * SCALE + dislike * (1 + tidy)
             if locked.size and locked[y, x]:
-                flip[k] = np.int64(1) << 61
+                flip[k] = INFINITE
         cost = (
             solve_ring(row, flip, loose, n, f, soft, back, found)
             if ring
@@ -240,7 +240,7 @@ def solve_ring(
     row: Array, flip: Array, loose: Array, n: int, f: int, soft: np.int64, back: Array, found: Array
 ) -> np.int64:
     """A closed row: the best over every state that it can be entered in and left in again."""
-    best = np.int64(1) << 61
+    best = INFINITE
     chosen = -1
     if n <= f:
         # So short a round may be all of one colour, or anything else.
@@ -281,9 +281,8 @@ def solve_line(
     ``enter``: -1, or the state that a closed row is entered in, and must be left in.
     """
     width = f + 4
-    infinite = np.int64(1) << 61
-    now = np.full(2 * width, infinite, np.int64)
-    then = np.full(2 * width, infinite, np.int64)
+    now = np.full(2 * width, INFINITE, np.int64)
+    then = np.full(2 * width, INFINITE, np.int64)
     if enter >= 0:
         now[enter] = 0
     for x in range(n):
@@ -291,16 +290,16 @@ def solve_line(
             price = np.int64(0) if row[x] == c else flip[x]
             o, other = c * width, (1 - c) * width
             for k in range(width):
-                then[o + k] = infinite
+                then[o + k] = INFINITE
             # The best way to change colour here.
-            change, source = infinite, 0
+            change, source = INFINITE, 0
             if x == 0 and enter < 0:
                 change, source = np.int64(0), -1
             else:
                 for k in range(f + 3):
                     if now[other + k] < change:
                         change, source = now[other + k], other + k
-            if price >= infinite:
+            if price >= INFINITE:
                 continue
             if loose[x]:
                 value, origin = change, source
@@ -333,7 +332,7 @@ def solve_line(
                     then[o + f + 3] = value + price
                     back[x, o + f + 3] = origin
         for s in range(2 * width):
-            now[s] = min(then[s], infinite)
+            now[s] = min(then[s], INFINITE)
     state = 0 if enter < 0 else enter
     if enter < 0:
         for s in range(2 * width):

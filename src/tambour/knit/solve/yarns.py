@@ -112,8 +112,7 @@ def target(picture: Array, space: Array, params: KnitParams, limit: int) -> Arra
     t = picture.astype(np.float32) / np.float32(255)
     if params.light == "linear":
         t = color.linear(t).astype(np.float32)
-    if params.contrast != 1.0 or params.brightness:
-        t = np.clip((t - 0.5) * np.float32(params.contrast) + np.float32(0.5 + params.brightness), 0, 1)
+    t = tone.adjusted(t, params)
     low, high = tone.reach(limit, tone.amount(params.tone))
     middle = (space.min(0) + space.max(0)) / 2
     return np.ascontiguousarray(middle + (t - middle) * np.float32(high - low), np.float32)
