@@ -186,5 +186,5 @@ function words(paint, { title, pack, steps }, at) {
   paint.font = "600 52px Inter, system-ui, sans-serif";
   paint.fillText(done ? "Finished" : (step?.label ?? ""), w / 2, h - 220, w - 120);
   paint.font = "400 40px Inter, system-ui, sans-serif";
-  if (!done && step) paint.fillText(bare(step.words).split("\n")[0].replace(/,?\s*colou?r\(#[0-9a-f]{6}\)/gi, ""), w / 2, h - 150, w - 120);
+  if (!done && step) paint.fillText(bare(step.words).split("\n")[0].replace(/,?\s*change to #[0-9a-f]{6}/gi, ""), w / 2, h - 150, w - 120);
 }

@@ -1,5 +1,5 @@
 // The scrub bar, shared by the four crafts: through the making, unit by unit; its text twin says where one is.
-import { counted, html, number, show, signal, svg } from "./view.js";
+import { colored, counted, html, number, show, signal, svg } from "./view.js";
 
 /** @typedef {import("./piece.js").Piece} Piece */
 /** @typedef {{label: string, more: string, words: unknown}} Told */
@@ -32,7 +32,7 @@ export class Timeline {
     return {
       label: step.label,
       more: `${unit} ${number(at - step.first + 1)} of ${number(step.end - step.first)}${step.part ? ` · ${step.part}` : ""}`,
-      words: html`<b>${step.label}</b> ${bare(step.words)}
+      words: html`<b>${step.label}</b> ${colored(bare(step.words))}
         ${step.stop ? html` · <b>${step.stop}</b>` : ""}<span class="unseen">, step ${index + 1} of ${steps.length}, ${alike.indexOf(step) + 1} of ${alike.length} here</span>`,
     };
   }
@@ -131,4 +131,5 @@ export class Timeline {
 }
 
 /** A step's words as one reads them aloud: without the label that begins them in the text. @param {string} words */
-export const bare = (words) => words.replace(/^\s*(r|rnds?|rounds?|rows?)\s*\d+(\s*[–-]\s*(r|rnd)?\s*\d+)?\s*[:.)]\s*/i, "").replace(/\bMR\((\d+)\)/g, "$1 sc in magic ring");
+export const bare = (words) => words.replace(/^\s*(r|rnds?|rounds?|rows?)\s*\d+(\s*[–-]\s*(r|rnd)?\s*\d+)?\s*[:.)]\s*/i, "")
+  .replace(/\bMR\((\d+)\)/g, "$1 sc in magic ring").replace(/\bcolou?r\((#[0-9a-f]{6})\)/gi, "change to $1").replace(/\bmark\((\w+)\)/g, "mark $1");

@@ -8,7 +8,7 @@ import { unpack } from "../pack.js";
 import { list, told } from "../problems.js";
 import { night } from "../theme.js";
 import { Timeline, bare } from "../timeline.js";
-import { counted, dyed, effect, html, number, ref, show, signal, untracked } from "../view.js";
+import { colored, counted, dyed, effect, html, number, ref, show, signal, untracked } from "../view.js";
 import { Trouble, ask } from "../wire.js";
 import { Hand } from "./drag.js";
 import { Editor } from "./editor.js";
@@ -242,7 +242,7 @@ export function screen(root, piece, { over }) {
     return html`${working(piece.going.value, !pack ? "a bare cord first, then its yarn" : "shown as it was")}
       ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert">${pack ? "This is how it was: " : ""}the words cannot be made yet; see ${counted(told(piece.failed.value).length, "place")} in them.</div>` : ""}
       ${pack && step ? html`<div class="said" role="status"><b>${step.label}</b>, stitch ${i - step.first + 1} of ${step.end - step.first}
-        · ${pack.facts.kinds[pack.arrays.kind[i]]}${pack.arrays.tension[i] > 0.08 ? html` · stretched ${Math.round(100 * pack.arrays.tension[i])} %` : ""}<br><span class="quiet">${bare(step.words)}</span></div>` : ""}
+        · ${pack.facts.kinds[pack.arrays.kind[i]]}${pack.arrays.tension[i] > 0.08 ? html` · stretched ${Math.round(100 * pack.arrays.tension[i])} %` : ""}<br><span class="quiet">${colored(bare(step.words))}</span></div>` : ""}
       ${hand.word.value ? html`<div class="said" role="status">${hand.word.value}</div>` : placed.value ? html`<div class="said" role="status">Now the pattern says: <b>${placed.value}</b> <button class="link" @click=${() => piece.step("undo")}>Undo</button></div>` : ""}
       ${hand.pinned.value ? html`<div class="said">${counted(hand.pinned.value, "stitch", "stitches")} pinned <button class="link" @click=${() => hand.loose()}>Let go</button></div>` : ""}
       ${building.value && pack ? html`<div class="said" role="group" aria-label="worked one by one"><b>${number(worked.value)}</b> of ${number(pack.arrays.positions.length / 3)} stitches
