@@ -18,8 +18,8 @@ const FIRST = {
   embroidery: [["machine", ".dst", "Machine", "DST, read by nearly all"], ["machine", ".pes", "Brother", "PES with its colours"], ["machine", ".jef", "Janome", "JEF"], ["machine", ".vp3", "Husqvarna", "VP3"],
     ["worksheet", ".pdf", "Worksheet", "threads and stops, PDF"], ["preview", ".png", "Picture", "thread on cloth, PNG"]],
 };
-/** Formats that take long, and are made when they are asked for alone. */
-const DEAR = new Set([".gif", ".glb", ".hpgl"]), WAIT = 1500;
+/** Formats that take long, or that not every piece can be: made when they are asked for alone. */
+const DEAR = new Set([".gif", ".glb", ".hpgl", ".k"]), WAIT = 1500;
 /** Second names of one format, and what a text of this craft is not. */
 const SAME = new Set([".jpeg", ".tiff", ".plt", ".knitout", ".usd"]), TEXTS = new Set([".txt", ".md", ".html", ".pdf"]);
 
