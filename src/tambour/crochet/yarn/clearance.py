@@ -302,7 +302,25 @@ def _pairs(coords: Array, ends: Array, reach: float, along: float, only: Array |
     if found > len(pairs):
         pairs = np.zeros((found, 2), np.int32)
         close_pairs(coords, shape, head, order, near, owner, wanted, full, reach, along, pairs)
-    return pairs[:found]
+    out = np.empty((found, 2), np.int32)
+    _along(pairs[:found], np.zeros(n + 1, np.int32), out)
+    return out
+
+
+@kernel
+def _along(pairs: I4x2, count: I4x1, out: I4x2) -> None:
+    """Fill ``out`` (Q, 2) with pairs in the order of their first along the yarn: what is pushed lies side by side in memory.
+
+    count : (P + 1,) zeros
+    """
+    for k in range(len(pairs)):
+        count[min(pairs[k, 0], pairs[k, 1]) + 1] += 1
+    for i in range(len(count) - 1):
+        count[i + 1] += count[i]
+    for k in range(len(pairs)):
+        i = min(pairs[k, 0], pairs[k, 1])
+        out[count[i], 0], out[count[i], 1] = i, max(pairs[k, 0], pairs[k, 1])
+        count[i] += 1
 
 
 def distances(coords: Array, ends: Array, diameter: float, reach: float) -> tuple[Array, Array]:
