@@ -1016,3 +1016,14 @@ def test_legs_worked_on_from_a_body_are_no_body_below_a_neck() -> None:
     built = build(read_printed(Text("Rabbit\n\nHEAD AND BODY\n" + "\n".join(lines) + "\nFasten off.\n", "toy.txt")))
     assert [r.count for r in built.rounds] == rounds
     assert neck(Spots(built), 0) in (8, 9)
+
+
+def test_the_top_of_a_snout_below_a_round_says_where_its_middle_is() -> None:
+    snout = (
+        "Rnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nRnd 4: sc around (18)\nFasten off.\n"
+    )
+    at = [
+        placed(toy(f"Sew the head to the body. Sew the snout to the head, {said}.", SNOUT=snout), "SNOUT").spot.round
+        for said in ("at round 8", "with top of snout placed below 8th rnd of head")
+    ]
+    assert abs(at[1] - at[0]) == pytest.approx(18 / (2 * np.pi), abs=0.01)

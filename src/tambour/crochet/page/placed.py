@@ -92,9 +92,10 @@ class Spoken:
     def _rounds(self, low: float, high: float) -> str:
         """A stretch of rounds: those that it lies between, or the one that it is on."""
         a, b = math.floor(low + 0.25), math.ceil(high - 0.25)
-        if a == b:
-            return self.phrases.say("at round", round=max(a, 1), stitch=None, front=None)
-        return self.phrases.say("at between", round=max(a, 0), next=b, stitch=None, front=None)
+        a = max(a, 1)  # before the first round is the ring, which has no number
+        if a >= b:
+            return self.phrases.say("at round", round=a, stitch=None, front=None)
+        return self.phrases.say("at between", round=a, next=b, stitch=None, front=None)
 
     def _breadth(self, record: Placed) -> float:
         """How many stitches a part's end takes up along the round that it is sewn to."""

@@ -37,6 +37,11 @@ _STANDS: Final = re.compile(
     r"\b(?:bottom|lower|straight|flat|base)\s+(?:end|edge|side)\b[^.;]{0,25}\b(?:on|at|along|above)\s+(?:the\s+)?(?:top of\s+)?(?:rounds?|rnds?|rows?|r)\b"
 )
 """A piece of which the lower edge is in the round that is said."""
+_HANGS: Final = re.compile(
+    r"\b(?:top|upper)\s+(?:edge\s+)?of\s+(?:the\s+)?\w+\s+(?:\w+\s+)?(?:just\s+)?(?:below|under|at|on|with|along)\s+(?:the\s+)?"
+    r"(?:rounds?|rnds?|rows?|r|\d+(?:st|nd|rd|th))\b"
+)
+"""A piece of which the upper edge is at the round that is said."""
 _RIM, _RIM_OFF = 16, 3
 """Rims of so many stitches or more meet where they differ by no more than this."""
 
@@ -174,6 +179,14 @@ class Putter(Holder):
                 level += 0.5 * (
                     len(self.work.host(put.copies[k]).levels) - 1
                 )  # the middle of what stands on that round
+            if _HANGS.search(at.text):
+                half = self._half(put.copies[k])
+                both = [n for n in (level - half, level + half) if host.low <= n <= host.high]
+                level = min(
+                    both,
+                    default=level,
+                    key=lambda n: min((p[:, 1].mean() for i, p in host.levels if i == int(n)), default=0.0),
+                )
             if at.stitch is not None and len(put.copies) == 1:
                 return Spot(host.name, level, at.stitch, put.span), way
             if at.aside is not None and len(put.copies) == 1:

@@ -20,6 +20,8 @@ _APART: Final = 1.5
 """Two seams that come nearer to each other than this, in stitches, are in each other's way."""
 _STEP: Final = 0.12
 """A part is moved aside by so much of half its host's width at a time."""
+_MIDDLE: Final = 0.15
+"""What is no further from the middle, of half its host's width, is in the middle."""
 _MOST: Final = 9
 """How often at the most."""
 _LAYERS: Final = frozenset(
@@ -92,5 +94,8 @@ def aside(ways: list[Way]) -> Iterator[list[Way]]:
         elif len(ways) == 1:
             x, y, z = ways[0].at
             out = math.copysign(off, x) if x else off
-            for dx, dy in ((out, 0.0), (-out, 0.0), (0.0, -off), (0.0, off)):
-                yield [replace(ways[0], at=(x + dx, y + dy, z))]
+            beside = ((out, 0.0, 0.0), (-out, 0.0, 0.0))
+            along = ((0.0, -off, 0.0), (0.0, off, 0.0), (0.0, 0.0, off), (0.0, 0.0, -off))
+            # What is in the middle stays there as long as it can.
+            for dx, dy, dz in (*along, *beside) if abs(x) < _MIDDLE else (*beside, *along):
+                yield [replace(ways[0], at=(x + dx, y + dy, z + dz))]

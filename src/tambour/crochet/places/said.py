@@ -49,7 +49,7 @@ _AWAY: Final = re.compile(
     rf"against|around|near)\s+(?:the |both |your |its |each |two |safety |bottom of (?:the )?|top of (?:the )?)*{_BESIDE}\b"
 )
 _WHERE: Final[dict[str, str]] = {
-    "top": r"\b(?:tops?|crown|upper part|very top|highest)\b(?! of (?:the )?(?:legs?|arms?|ears?|thighs?|last|first|sts?))",
+    "top": r"\b(?:tops?|crown|upper part|very top|highest)\b(?! of (?:the )?(?:legs?|arms?|ears?|thighs?|snout|muzzle|beak|nose|face|tail|wings?|fins?|feet|last|first|sts?))",
     "bottom": r"\b(?:bottom|base|underside|beneath the body|under the body|underneath|lower edge|belly side)\b",
     "front": r"\b(?:front|facing forwards?|forehead|face side|chest)\b(?! (?:loops?|post|legs?|paws?|feet|flippers?|hooves|fins?))",
     "back": r"\b(?:back|rear|backside|behind(?! (?:rounds?|rnds?|the \w+ rnd)))\b(?! (?:loops?|post|st|stitch|legs?|paws?|feet|and forth|hooves|fins?))",
