@@ -25,6 +25,8 @@ from tambour.geometry.surface import vertex_normals
 
 TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corps|hoofd|lichaam)\b")
 """Names of parts that are filled, and closed if nothing is sewn to their end."""
+UPRIGHT = 0.95
+"""The cosine of the angle up to which the fabric of an end leans by chance."""
 GATHER = 8
 """An edge of fewer stitches closes by itself."""
 DISC = 5
@@ -291,6 +293,9 @@ def frame_of(joining: Joining, x: Array, placed: Placed, end: sewing.End, uprigh
     outward = vertex_normals(x, faces[np.isin(faces, near).any(1)])[near]
     # What lies on the other side of a thin part looks the other way.
     mean = outward[dot(outward, frame.normals[0]) > 0.0].sum(0)
+    away = frame.points[0] - x[target].mean(0)
+    if placed.spot.stitch is None and dot(away, mean) > UPRIGHT * length(away) * length(mean):
+        mean = away  # where a spiral ends its fabric leans a little; what stands on it stands on the axis of the whole
     size = float(length(mean))
     normals = frame.normals if size < 1e-9 else (mean / size)[None]
     return Frames(frame.points, normals, *level(normals, upright[[joining.spots.parts[placed.spot.part]]]))
