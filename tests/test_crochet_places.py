@@ -375,6 +375,22 @@ def test_pictures_show_the_toy_without_the_clothes_beside_it():
     assert [piece.built.graph.parts[k].name for k in shown] == ["BODY", "HEAD", "SHELF"]
 
 
+def test_eyes_of_what_is_not_in_sight_are_not_drawn() -> None:
+    from tambour.crochet.looks import _faced
+
+    text = "Sew the head to the body. Put the eyes on the head between rounds 6 and 7. Embroider a smile on the dress between rounds 2 and 3."
+    built = build(toy(text, DRESS=CUP))
+    known = Spots(built).parts
+    kept = _faced(built, [known["BODY"], known["HEAD"]]).pattern.finish
+    assert {type(r) for r in kept} == {Placed, Eye} and any(isinstance(r, Embroidery) for r in built.pattern.finish)
+
+
+def test_legs_in_one_piece_are_the_lower_end_of_the_body() -> None:
+    pattern = toy("Sew the head to the body. Sew the legs to the body.", **{"LEGS_(make_1)": CUP})
+    legs = placed(pattern, "LEGS")
+    assert where_is(pattern, legs)[1] < -0.9 and abs(where_is(pattern, legs)[2]) < 0.3
+
+
 def test_places_are_printed_as_people_say_them():
     pattern = toy(
         "Sew the arms to the sides of the body between rounds 8 and 9, hanging down.", **{"ARM (make 2)": TUBE}

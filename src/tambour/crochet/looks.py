@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from tambour.core.check import Array
     from tambour.core.graph import StitchGraph
     from tambour.core.mesh import Mesh
+    from tambour.crochet.graph.built import Built
+    from tambour.crochet.language.finishes import Finish
     from tambour.crochet.places.names import Made
 
 LEAST: Final = 0.1
@@ -77,10 +79,24 @@ def toy(piece: Plush, *, detail: str | None = None) -> Mesh:
         source=led.source[keep] if led.source is not None and len(led.source) else led.source,
         point_data={name: values[points] for name, values in led.point_data.items()},
     )
-    face, made = meshes(piece.built, positions, made, detail=detail, upright=piece.upright)
+    face, made = meshes(_faced(piece.built, parts), positions, made, detail=detail, upright=piece.upright)
     fabric = replace(graph, faces=graph.faces[wanted[graph.faces].all(1)])
     worked = mesh(fabric, positions, detail=detail, made=made, material=piece.params.material)
     return joined([worked, *face]) if face else worked
+
+
+def _faced(built: Built, parts: list[int]) -> Built:
+    """``built`` without the eyes and stitches of parts that are not in sight: they would lie on the floor."""
+    from tambour.crochet.graph.spots import Spots
+    from tambour.crochet.language.finishes import Placed, Tie, spots_of
+
+    known, pattern = Spots(built).parts, built.pattern
+    seen = set(parts)
+
+    def there(record: Finish) -> bool:
+        return isinstance(record, (Placed, Tie)) or known.get(spots_of(record)[0].part) in seen
+
+    return replace(built, pattern=replace(pattern, finish=tuple(r for r in pattern.finish if there(r))))
 
 
 def gathered(graph: StitchGraph, x: Array, wanted: Array) -> Array:

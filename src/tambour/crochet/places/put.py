@@ -97,6 +97,12 @@ class Putter(Holder):
             pair = usual(kind, 2, lying=lies, long=self._long(put.copies[0]), words=wanted)
             right = "right" in made.words or "right" in put.where.words or (made.copies == 2 and put.copies[0][1] == 2)
             ways = [pair[1] if right else pair[0]]
+        if (
+            kind in ("leg", "foot")
+            and made.copies == 1
+            and re.search(r"(?:legs|feet|pants|trousers)$", made.name.lower())
+        ):
+            ways = [Way((0.0, -1.0, 0.0), (0.0, -1.0, 0.0), flat=False)]  # both in one piece: the lower end of the body
         # Only of what is head and body in one a sentence says which of the two it means.
         two = {"head", "body"} <= set(work.main.kinds) or put.region == "head"
         region = (put.region if two else "") or (ways[0].on if onto[0] == work.main else "")
