@@ -91,6 +91,13 @@ function hooped(piece) {
     ${wrong.map((p) => html`<span class="wrongness" role="alert">${p.message}</span>`)}</div>`;
 }
 
+/** A small drawing in a large hoop: one button makes it as large as the hoop takes, a little room about it. @param {Piece} piece @param {any} report */
+function filled(piece, report) {
+  const hoop = piece.live.value?.facts.hoop, by = hoop ? 0.94 * Math.min(hoop[0] / report.width_mm, hoop[1] / report.height_mm) : 1;
+  const width = Math.floor(report.width_mm * by);
+  return hoop && by > 1.1 ? html`<p><button class="button" @click=${() => piece.change({ params: { width: `${width}mm` }, said: `${width} mm wide` })}>Fill the hoop: ${width} mm wide</button></p>` : "";
+}
+
 /** Which hoops take it. @param {any} report @param {[number, number]|null|undefined} hoop the one that was asked for, mm */
 function fit(report, hoop) {
   if (hoop) {
@@ -107,7 +114,7 @@ export function facts(piece) {
   const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value } });
   const steps = piece.steps.value?.steps ?? [];
   return html`${report ? html`<h2 class="head">Size</h2><p class="big">${report.width_mm.toFixed(0)} × ${report.height_mm.toFixed(0)} mm</p>
-      <p class="quiet">${(report.width_mm / 25.4).toFixed(2)} × ${(report.height_mm / 25.4).toFixed(2)} in${fit(report, piece.live.value?.facts.hoop)}</p>` : ""}${craft ? hooped(piece) : ""}${report ? html`
+      <p class="quiet">${(report.width_mm / 25.4).toFixed(2)} × ${(report.height_mm / 25.4).toFixed(2)} in${fit(report, piece.live.value?.facts.hoop)}</p>` : ""}${craft ? hooped(piece) : ""}${report && craft ? filled(piece, report) : ""}${report ? html`
       <h2 class="head">At the machine</h2><ul class="facts"><li><span>Stitches</span><span class="number">${number(report.stitches)}</span></li>
       <li><span>Time</span><span class="number">${minutes(report.machine_seconds)}</span></li><li><span>Thread</span><span class="number">${report.thread_m.toFixed(1)} m</span></li>
       <li><span>Colour changes</span><span class="number">${report.color_changes}</span></li><li><span>Cuts</span><span class="number">${report.trims}</span></li>

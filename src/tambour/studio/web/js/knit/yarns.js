@@ -31,7 +31,7 @@ const seen = signal(new Set(/** @type {string[]} */ ([])));
 export function usual(piece) {
   const form = piece.craft.value?.form, said = chose(piece);
   if (!form || !said || piece.params.value.stitches || piece.going.value || seen.value.has(piece.id) || piece.revision.value?.edits.length) return "";
-  const all = /(\d+) a stitch for each pixel/.exec(said.hint ?? "")?.[1], why = piece.report.value?.suggested ?? piece.report.value?.why;
+  const all = /(\d+) a stitch for each pixel/.exec(said.hint ?? "")?.[1], told = piece.report.value, best = told?.suggested, other = best && told.technique && !best.startsWith(told.technique), why = other ? `Perhaps better: ${best}` : (best ?? told?.why);
   const set = (/** @type {number} */ stitches) => piece.change({ params: { stitches }, said: "another width" });
   return html`<div class="said" role="status"><button class="icon plain shut" aria-label="put this away" @click=${() => (seen.value = new Set([...seen.value, piece.id]))}>×</button>${said.message[0].toUpperCase() + said.message.slice(1)}.${why ? html`<br><span class="quiet">${why[0].toUpperCase() + why.slice(1)}.</span>` : ""}
     <br>${[40, 60, 120].map((n) => html`<button class="link" @click=${() => set(n)}>${n} stitches</button> · `)}${all ? html`<button class="link" @click=${() => set(Number(all))}>a stitch for each pixel (${all})</button>` : "or another width at the right"}</div>`;
