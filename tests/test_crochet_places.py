@@ -1043,3 +1043,19 @@ def test_the_top_of_a_snout_below_a_round_says_where_its_middle_is() -> None:
         for said in ("at round 8", "with top of snout placed below 8th rnd of head")
     ]
     assert abs(at[1] - at[0]) == pytest.approx(18 / (2 * np.pi), abs=0.01)
+
+
+def test_an_oval_snout_is_wider_than_high() -> None:
+    oval = (
+        "Ch 6.\n1st rnd: 1 sc in 2nd ch from hook. 1 sc in each of next 3 ch. 3 sc in last ch. Working in rem loops of foundation ch, "
+        "1 sc in each of next 3 ch. 2 sc in last ch. Join. 12 sc.\n2nd rnd: 1 sc in each sc around. 12 sc.\nFasten off.\n"
+    )
+    from tambour.crochet.finish.joining import join
+    from tambour.crochet.settle.arrange import parts
+
+    built = build(toy("Sew the head to the body. Sew the beak to the front of the head.", BEAK=oval))
+    joining = prepare(built)
+    assert joining is not None
+    beak = built.graph.parts[joining.spots.parts["BEAK"]]
+    size = np.ptp(join(joining, joining.spots.layout, parts(built.graph)).x[beak.start : beak.end], axis=0)
+    assert size[0] > 1.5 * size[1]

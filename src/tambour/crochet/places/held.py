@@ -35,6 +35,10 @@ BESIDE: Final = frozenset(
     ("elephant", "monkey", "koala", "mouse", "chimp", "sloth", "sheep", "lamb", "cow", "giraffe", "llama")
 )
 """Toys, by their titles, whose ears are at the sides of their heads."""
+_WIDE_ONES: Final = frozenset(("muzzle", "nose", "beak"))
+"""Kinds of things that are wider than high on a face, where they are ovals."""
+_OVAL: Final = 1.25
+"""What is so many times as long as wide is an oval."""
 _PINCHED: Final = frozenset(("ear", "wing", "fin", "fluke", "leaf"))
 """Kinds of open pieces that stand on a line, where they are not stuffed."""
 
@@ -109,11 +113,19 @@ class Holder(Beside):
                 across = -90.0
         else:
             across = way.turn if abs(way.turn) == 180.0 and tilt else 0.0
+            if put.kind in _WIDE_ONES and self._lengthwise(copy):
+                across = 90.0
         name = copy[0].copy(copy[1])
         record = Placed(name, spot, flat, across, tilt, _STEP * round(towards / _STEP) % 360.0, None, put.span)
         if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
             return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
         return replace(record, by=self._by(record, host, n)) if not flat else record
+
+    def _lengthwise(self, copy: Copy) -> bool:
+        """Whether a part is an oval, which is worked from a chain that runs from front to back."""
+        index = self.work.spots.parts[copy[0].copy(copy[1])]
+        size = np.ptp(self.work.spots.layout[self.stand.nodes(index)], axis=0)
+        return bool(size[2] > _OVAL * size[0])
 
     @property
     def butterfly(self) -> bool:
