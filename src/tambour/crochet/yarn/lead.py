@@ -10,6 +10,21 @@ from tambour.core.check import Array
 from tambour.core.graph import BACK, FRONT, JOIN, ROOT, SEWN, TIP, StitchGraph
 from tambour.crochet.language.stitches import POSTS
 from tambour.crochet.yarn.course import STANDS
+from tambour.crochet.yarn.ends import (
+    AFTER,
+    CHAINED,
+    CUT,
+    END,
+    INWARD,
+    NONE,
+    OUTWARD,
+    START,
+    STITCH,
+    Pieces,
+    begun,
+    behind,
+    ended,
+)
 from tambour.crochet.yarn.loops import (
     BACK_ONLY,
     CHAIN,
@@ -26,23 +41,6 @@ from tambour.crochet.yarn.loops import (
 from tambour.geometry.motion import length
 from tambour.noise import stream
 
-# What a node is to the yarn.
-NONE, STITCH, CHAINED = 0, 1, 2
-
-# Ends and joins in (u, v, w); heights are those in a single crochet.
-# An end is woven in: it runs along its own row, close behind the fabric, whichever side that is in a turned row.
-_INWARD = np.array([(0.50, 0.42, -0.50), (0.0, 0.38, -0.53), (-0.55, 0.38, -0.53), (-1.1, 0.40, -0.50)])
-_OUTWARD = np.array([(2.3, 0.48, -0.50), (1.7, 0.46, -0.53), (1.2, 0.46, -0.53), (0.86, 0.46, -0.36)])
-_BEGIN = np.array([(1.2, 0.44, -0.50), (0.65, 0.42, -0.53), (0.1, 0.45, -0.53), (-0.22, 0.52, -0.45)])
-# From a stitch in the front of a turned row an end gets behind the fabric around the edge.
-_EDGE = np.array([(0.85, 0.46, 0.0)])
-# Where a magic ring is drawn tight its end lies across the middle: over the far side of the ring, the middle, this side.
-_FAR = np.array([(0.0, 0.75, -0.50), (0.0, 0.25, -0.48)])
-_MIDDLE = np.array([(0.0, 1.0, -0.30)])
-_RING = np.array([(-0.2, 0.15, -0.15)])
-_ROUND = np.array([(-0.25, 0.22, 0.0), (0.05, 0.24, 0.02), (0.42, 0.22, 0.0)])
-_GATHER = np.array([(0.3, 0.5, 0.1), (0.75, 0.5, 0.1)])
-_CLOSE = np.array([(0.2, 0.85, 0.0), (0.2, 1.0, -0.5), (0.2, 0.9, -1.2)])
 # A slip stitch, from the top of the stitch that it is worked into.
 _SLIP = np.array(
     [
@@ -97,17 +95,11 @@ _THIRD = np.array(
 )
 _SEAM = np.array([(0.0, -0.1, -0.45), (0.0, -0.1, 0.12)])
 
-OPEN = 1.3
-"""A magic ring of stitches as high as this stays open: its end is woven in behind them, and does not cross it."""
 TIGHT = 0.6
 """As far along the work, in stitches, a head keeps its place that is drawn tight."""
 
 # How far kinds bulge, against a bobble: clusters lie flat, popcorns stand out.
 _BULGE = {"cl": 0.5, "popcorn": 1.25, "puff": 0.85}
-
-# What comes first where several things happen at one place of the yarn.
-_AFTER, _END, _BREAK, _START = range(4)
-_CUT = -20  # and on: what hangs out of fur
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,22 +116,6 @@ class Way:
     ends: Array
     first: Array
     color: Array
-
-
-class _Pieces:
-    """Points to put in between those of the stitches, and where strands begin."""
-
-    def __init__(self) -> None:
-        self.rows: list[tuple[int, int, int, int, float, float, float]] = []
-        self.breaks: list[tuple[int, int, int]] = []
-
-    def put(self, where: int, when: int, cell: int, below: int, rows: Array, rise: float = 0.0) -> None:
-        """Points ``rows`` (K, 3) in a cell, before the point that is now number ``where``."""
-        self.rows += [(where, when, cell, below, u, v + rise, w) for u, v, w in rows.tolist()]
-
-    def begin(self, where: int, stitch: int, when: int = _BREAK) -> None:
-        """A strand begins with the point that is now number ``where``, or with what is put before it from ``when`` on."""
-        self.breaks.append((where, stitch, when))
 
 
 def roles(graph: StitchGraph) -> Array:
@@ -204,45 +180,45 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
     # The last node that a stitch was worked into; a chain has none.
     on = np.full(n, -1, np.int64)
     on[role == STITCH] = graph.anchors[graph.anchor_offsets[1:][role == STITCH] - 1]
-    pieces = _Pieces()
+    pieces = Pieces()
     for i, loops in _loops(graph):
         where = int(start[i]) + LOOPED
         for k in range(loops):
             if loops == 1:
-                pieces.put(where, _AFTER, i, int(on[i]), _hanging(i, k, loops))
+                pieces.put(where, AFTER, i, int(on[i]), _hanging(i, k, loops))
                 continue
             # Fur is cut: two ends hang where a loop hung.
-            cut = _CUT + 2 * k
+            cut = CUT + 2 * k
             pieces.put(where, cut, i, int(on[i]), _hanging(i, 2 * k, 2 * loops)[: len(_HANGING) // 2 + 1])
             pieces.begin(where, i, cut + 1)
             pieces.put(where, cut + 1, i, int(on[i]), _hanging(i, 2 * k + 1, 2 * loops)[len(_HANGING) // 2 :])
     for i, out in _crowned(graph):
         loops = int(np.diff(graph.anchor_offsets)[i])
         crown = _CROWN * (1.0, 1.0, out) + (0.0, 0.0, out)
-        pieces.put(int(start[i]) + 5 + 14 * loops, _AFTER, i, int(on[i]), crown, float(graph.height[i]) - 1)
+        pieces.put(int(start[i]) + 5 + 14 * loops, AFTER, i, int(on[i]), crown, float(graph.height[i]) - 1)
     for i, before, rows, rise in _overs(graph, role):
-        pieces.put(int(start[i]) + before, _AFTER, i, int(on[i]), rows, rise)
+        pieces.put(int(start[i]) + before, AFTER, i, int(on[i]), rows, rise)
     _tight(graph, role, follows, start, at)
     drop = np.zeros(total, np.bool_)
     for i in worked[~follows[worked]].tolist():
-        _begun(graph, pieces, i, int(on[i]), int(start[i]), role, ring, follows, drop)
+        begun(graph, pieces, i, int(on[i]), int(start[i]), role, ring, follows, drop)
     changed = worked[follows[worked]]
     changed = changed[(graph.color[changed] != graph.color[changed - 1]).any(1)]
     for i in changed.tolist():
         # The new colour is taken up with the top loop of the stitch before.
         p, where = i - 1, int(start[i]) - (TOP[1] - HEAD)
         rise = float(graph.height[p]) - 1
-        pieces.put(where, _END, p, int(on[p]), _behind(graph, p, _INWARD), rise)
+        pieces.put(where, END, p, int(on[p]), behind(graph, p, INWARD), rise)
         pieces.begin(where, i)
-        pieces.put(where, _START, p, int(on[p]), _behind(graph, p, _OUTWARD), rise)
+        pieces.put(where, START, p, int(on[p]), behind(graph, p, OUTWARD), rise)
     joins = graph.edges[graph.edge_kind == JOIN]
     for i, a in joins[(role[joins] != NONE).all(1)].tolist():
-        pieces.put(int(start[i + 1]), _AFTER, a, -1, _SLIP, float(graph.height[a]))
+        pieces.put(int(start[i + 1]), AFTER, a, -1, _SLIP, float(graph.height[a]))
     tips = {int(graph.previous[t]) if graph.previous[t] >= 0 else int(t) - 1: t for t in _tips(graph)}
     last = np.ones(n, np.bool_)
     last[:-1] = ~follows[1:]
     for i in worked[last[worked]].tolist():
-        _ended(graph, pieces, i, int(on[i]), int(start[i + 1]), tips.get(i))
+        ended(graph, pieces, i, int(on[i]), int(start[i + 1]), tips.get(i))
         if i in tips:
             # The last top loop is not left lying: its yarn is drawn on.
             drop[int(start[i + 1]) - (TOP[1] - HEAD) + 3 : int(start[i + 1])] = True
@@ -336,70 +312,16 @@ def _tips(graph: StitchGraph) -> list[int]:
     return [int(t) for t in np.flatnonzero(graph.peculiarity == TIP)]
 
 
-def _behind(graph: StitchGraph, i: int, rows: Array, edge: Array | None = None) -> Array:
-    """An end's points at stitch ``i``, behind the fabric also where its row shows its back; around the ``edge`` to there."""
-    if graph.direction[i] >= 0:
-        return rows
-    turned = rows * np.array([1.0, 1.0, -1.0])
-    if edge is None:
-        return turned
-    return np.vstack([turned, edge] if rows is _OUTWARD else [edge, turned])
-
-
-def _begun(
-    graph: StitchGraph,
-    pieces: _Pieces,
-    i: int,
-    on: int,
-    where: int,
-    role: Array,
-    ring: Array,
-    follows: Array,
-    drop: Array,
-) -> None:
-    """The yarn's beginning before stitch ``i``: a magic ring, the first chain, or yarn joined anew."""
-    pieces.begin(where, i)
-    if ring[i]:
-        # A tail across the middle, once around the ring, then into it.
-        k = i
-        while k < len(graph) and ring[k] and graph.parent[k] == graph.parent[i] and (k == i or follows[k]):
-            k += 1
-        if graph.height[i] < OPEN:
-            pieces.put(where, _START, (i + k) // 2, on, _behind(graph, i, _FAR))
-            pieces.put(where, _START, i, -2 - on, _behind(graph, i, _MIDDLE))
-        else:
-            pieces.put(where, _START, i, on, _behind(graph, i, _BEGIN))
-        pieces.put(where, _START, i, on, _RING)
-        for n in range(i, k):
-            pieces.put(where, _START, n, on, _ROUND)
-        drop[where : where + 4] = True
-    elif role[i] == CHAINED:
-        pieces.put(where, _START, i, -1, _behind(graph, i, _OUTWARD, _EDGE))
-        drop[where : where + 4] = True
-    else:
-        pieces.put(where, _START, i, on, _behind(graph, i, _BEGIN), float(graph.height[i]) - 1)
-
-
-def _ended(graph: StitchGraph, pieces: _Pieces, i: int, on: int, where: int, tip: int | None) -> None:
-    """The yarn's end after stitch ``i``: drawn through the last round's stitches and inside, or only inside."""
-    if tip is None:
-        pieces.put(where, _END, i, on, _behind(graph, i, _INWARD, _EDGE), float(graph.height[i]) - 0.9)
-        return
-    for a in graph.anchors[graph.anchor_offsets[tip] : graph.anchor_offsets[tip + 1]].tolist():
-        pieces.put(where, _END, a, -2 - tip, _GATHER)
-    pieces.put(where, _END, i, -2 - tip, _CLOSE)
-
-
-def _joined(graph: StitchGraph, cell: Array, below: Array, at: Array, drop: Array, pieces: _Pieces) -> Way:
+def _joined(graph: StitchGraph, cell: Array, below: Array, at: Array, drop: Array, pieces: Pieces) -> Way:
     """Stitches, pieces in between and the seams' yarn, in the order of the yarn."""
     total = len(cell)
     seams = _seams(graph)
     for number, (later, earlier) in enumerate(seams):
         if number == 0 or (graph.part[seams[number - 1]] != graph.part[[later, earlier]]).any():
             seam = len(pieces.breaks) + 1
-            pieces.begin(total, -1 - later, _START + seam)
+            pieces.begin(total, -1 - later, START + seam)
         for node, rows in ((earlier, _SEAM), (later, _SEAM[::-1])):
-            pieces.put(total, _START + seam, node, STANDS, rows, float(graph.height[node]))
+            pieces.put(total, START + seam, node, STANDS, rows, float(graph.height[node]))
     rows = np.array(pieces.rows).reshape(-1, 7)
     order = np.lexsort((np.arange(len(rows)), rows[:, 1], rows[:, 0]))
     rows = rows[order]
