@@ -26,6 +26,8 @@ OUT = 0.55
 """What of a loop stitch lies further out than this, in widths, hangs."""
 OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
+BOWED = 1.1
+"""How much of its length what hangs falls where the fabric slopes away under it."""
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
@@ -160,7 +162,7 @@ def _fall(coords: Array, hung: Array, cell: Array, rows: Course) -> None:
     turned = off * cosine + np.cross(axis, off) + axis * (axis * off).sum(1)[:, None] / np.maximum(1.0 + cosine, 0.05)
     # Where the fabric slopes away under it, it bends over the further it hangs.
     far, slope = length(turned), np.clip(normal[:, 1], 0.0, 0.8)
-    turned[:, 1] -= 0.45 * slope * far * np.minimum(far / (3.0 * length(rows.along[cell[run]]) + 1e-9), 1.0)
+    turned[:, 1] -= BOWED * slope * far * np.minimum(far / (3.0 * length(rows.along[cell[run]]) + 1e-9), 1.0)
     coords[run] = foot + turned
 
 

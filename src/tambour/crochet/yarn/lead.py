@@ -187,11 +187,13 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
             if loops == 1:
                 pieces.put(where, AFTER, i, int(on[i]), _hanging(i, k, loops))
                 continue
-            # Fur is cut: two ends hang where a loop hung.
-            cut = CUT + 2 * k
-            pieces.put(where, cut, i, int(on[i]), _hanging(i, 2 * k, 2 * loops)[: len(_HANGING) // 2 + 1])
+            # Fur is cut: two ends hang where a loop hung, each straight down.
+            cut, middle = CUT + 2 * k, len(_HANGING) // 2
+            left, right = _hanging(i, 2 * k, 2 * loops)[: middle + 1], _hanging(i, 2 * k + 1, 2 * loops)[middle:]
+            left[-1, 0], right[0, 0] = left[-2, 0], right[1, 0]
+            pieces.put(where, cut, i, int(on[i]), left)
             pieces.begin(where, i, cut + 1)
-            pieces.put(where, cut + 1, i, int(on[i]), _hanging(i, 2 * k + 1, 2 * loops)[len(_HANGING) // 2 :])
+            pieces.put(where, cut + 1, i, int(on[i]), right)
     for i, out in _crowned(graph):
         loops = int(np.diff(graph.anchor_offsets)[i])
         crown = _CROWN * (1.0, 1.0, out) + (0.0, 0.0, out)
