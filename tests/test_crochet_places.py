@@ -1059,3 +1059,12 @@ def test_an_oval_snout_is_wider_than_high() -> None:
     beak = built.graph.parts[joining.spots.parts["BEAK"]]
     size = np.ptp(join(joining, joining.spots.layout, parts(built.graph)).x[beak.start : beak.end], axis=0)
     assert size[0] > 1.5 * size[1]
+
+
+def test_eyes_are_on_a_face_that_is_sewn_on_and_not_behind_it() -> None:
+    disc = "Rnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nFasten off.\n"
+    said = "Sew the head to the body. Sew the face to the head. Sew the eyes on. Embroider a smile."
+    pattern = toy(said, FACE=disc, EYES_make_2="Rnd 1: 6 sc in MR (6)\nFasten off.\n")
+    assert placed(pattern, "EYES").spot.part == "FACE" and placed(pattern, "FACE").spot.part == "HEAD"
+    smile = next(r for r in pattern.finish if isinstance(r, Embroidery))
+    assert smile.spots[0].part == "FACE"

@@ -35,6 +35,8 @@ _SHEETS: Final = frozenset(("", "base", "stem", "bow", "shell", "handle", "branc
 """Kinds of parts that are flat where they are worked in rows, and no edges of them are sewn together."""
 _SMALL: Final = frozenset(("bow", "spot", "cheek", "tooth", "lamp"))
 """Kinds of things that are small beside what they are put on."""
+_ON_FACES: Final = frozenset(("eye", "nose", "muzzle", "beak", "cheek"))
+"""Kinds of parts that a face bears."""
 _LIMBS: Final = frozenset(("arm", "leg", "foot", "wing", "fin", "tail", "ear", "horn"))
 _PATCHES: Final = frozenset(("belly", "face", "spot"))
 """Kinds of things that stand out from a toy, and of things that only lie on it, and bear none of them."""
@@ -288,6 +290,9 @@ class Assembly(Upright):
                     else main
                 )
                 p.host = (host, 1)
+            mask = next((c[0] for q in puts for c in q.copies if c[0].kind == "face" and c[0].single), None)
+            if kind in _ON_FACES and mask is not None and p.where.rounds is None and p.copies[0][0] != mask:
+                p.host = (mask, 1)  # on the face that is sewn on, and not behind it
             if p.host[0].halved:  # of two halves the front one bears all
                 p.host = (p.host[0], 1)
             if kind in _LIMBS and p.host[0].kind in _PATCHES:  # beside a patch, on what the patch lies on

@@ -130,6 +130,9 @@ class Facer(Putter):
             and f.where.rounds is None
         ):
             return work.host((muzzle, 1))
+        mask = work.of_kind("face")
+        if mask is not None and mask.name in placed and f.where.rounds is None and f.host is None:
+            return work.host((mask, 1))
         head = work.of_kind("head")
         return work.host((head, 1)) if head is not None and head != work.main else work.host((work.main, 1), "head")
 
