@@ -28,7 +28,7 @@ OPEN: Final = 0.022
 FALLOFF: Final = 0.16
 """How much less light the picture's corners get."""
 BRIGHT: Final = 0.8
-"""Light of the brightest twentieth of a thing as a camera sets it, where it may."""
+"""Light of the brightest fiftieth of a thing as a camera sets it, where it may."""
 EXPOSED: Final = (0.92, 1.3)
 """How long the film sees it at least and at most, against one that shows a white wall by the window just white."""
 GRAIN: Final = 0.8
@@ -124,7 +124,7 @@ def _exposure(thing: Array) -> float:
     seen = thing[thing[..., 3] > 0.5]
     if not len(seen):
         return 1.0
-    bright = float(np.quantile(seen[..., :3] @ np.array([0.2126, 0.7152, 0.0722], np.float32), 0.95))
+    bright = float(np.quantile(seen[..., :3] @ np.array([0.2126, 0.7152, 0.0722], np.float32), 0.98))
     return float(np.clip(BRIGHT / max(bright, 1e-6), *EXPOSED))
 
 
