@@ -253,7 +253,7 @@ def _first(
     """The task of a body worked in one piece, with its first rounds, from the tip that the simulation likes best."""
     target = Target.of(x, faces)
     best: tuple[Task, Tried] | None = None
-    for tip, f in tips.choose(x, faces, plane, params.tip, BEGINNINGS):
+    for tip, f in tips.choose(target, plane, params.tip, BEGINNINGS):
         rows = max(3, round(float(f.max()) * stitch[0] / stitch[1]) - 1)
         way = fronts(x, faces, f, rows, tip)
         ahead = way.tip - np.mean([line.mean(0) for line in way.lines], axis=0)
@@ -261,7 +261,7 @@ def _first(
         up = "" if side == 1 and ahead[1] < 0 else "start" if side == 1 else "side"
         seam = np.array([0.0, 0.0, -1.0]) if side == 1 else np.array([0.0, -1.0, 0.0])
         task = Task(name, way, target, seam, params.plain_, up, params, stitch)
-        looks = [tips.inward(x, faces, line) for line in way.lines]
+        looks = [tips.inward(target, line) for line in way.lines]
         inside = [k + 1 for k, value in enumerate(looks) if value < INSIDE]
         if len(inside) > 2 and inside[0] > 3:
             task = replace(

@@ -35,6 +35,8 @@ STRICT = 6.0
 """What a round that is no plain one costs at the most, in square stitches that a count is off."""
 LEAST, MOST_RING = 4, 8
 """Stitches of a ring."""
+SNUG = 5.6
+"""A ring is not made for less: four stitches about it leave a hole to be seen."""
 
 
 def counts(wanted: Sequence[float], plain: float) -> list[int]:
@@ -54,7 +56,7 @@ def counts(wanted: Sequence[float], plain: float) -> list[int]:
 def _goal(wanted: Sequence[float]) -> list[float]:
     """The counts that are wanted, the first one a ring's and none below it."""
     goal = np.maximum(np.asarray(wanted, float), LEAST)
-    goal[0] = min(goal[0], MOST_RING)
+    goal[0] = min(max(goal[0], SNUG), MOST_RING)
     return list(goal.tolist())
 
 

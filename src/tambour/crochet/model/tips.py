@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.model.distance import spread
+from tambour.crochet.model.distance import Target, spread
 from tambour.crochet.model.geodesic import about, distances, girth, lines
 from tambour.geometry.closest import nearest, tree
 from tambour.geometry.motion import axes
@@ -157,24 +157,21 @@ def lost(vertices: Array, faces: Array, f: Array) -> float:
     return beside / max(total, 1e-12)
 
 
-def inward(vertices: Array, faces: Array, line: Array) -> float:
+def inward(surface: Target, line: Array) -> float:
     """How far the surface along a closed line (K, 3) looks away from the line's middle: 1 on a rod, -1 inside of a cup."""
-    from tambour.geometry.surface import vertex_normals
-
-    own = np.unique(faces)
-    near = own[np.array([int(((vertices[own] - p) ** 2).sum(1).argmin()) for p in line[:: max(1, len(line) // 24)]])]
-    off = vertices[near] - line.mean(0)
+    points = line[:: max(1, len(line) // 24)]
+    face, _, _ = nearest(surface.tree, points)
+    off = points - line.mean(0)
     off = off / np.maximum(np.sqrt((off**2).sum(1, keepdims=True)), 1e-9)
-    return float((off * vertex_normals(vertices, faces)[near]).sum(1).mean())
+    return float((off * surface.normals[face]).sum(1).mean())
 
 
-def choose(
-    vertices: Array, faces: Array, plane: Mirror | None, side: str | None, few: int = 2
-) -> list[tuple[int, Array]]:
+def choose(surface: Target, plane: Mirror | None, side: str | None, few: int = 2) -> list[tuple[int, Array]]:
     """The best ``few`` tips, each with the way (V,) from it: those that leave least out, long ways before short ones.
 
     side : the side that it shall lie on, None: the best wherever it is
     """
+    vertices, faces = surface.vertices, surface.faces
     known = about(faces, len(vertices))
     if side is not None:
         used = np.unique(faces)
@@ -188,7 +185,7 @@ def choose(
         first = lines(vertices, faces, f, 2.0)
         wide = max((girth(line) for line in first), default=0.0) / (4.0 * np.pi)
         # Nor is the inside of a cup one: rounds there would be begun where no hand comes.
-        hollow = float((inward(vertices, faces, first[0]) if first else 0.0) < -0.1)
+        hollow = float((inward(surface, first[0]) if first else 0.0) < -0.1)
         # A part can be stood on its end or laid with its start ahead: one that leans is shown leaning.
         axis = vertices[tip] - vertices[int(f.argmax())]
         leans = 1.0 - max(abs(float(axis[1])), float(axis[2])) / (float(np.sqrt((axis**2).sum())) + 1e-9)
