@@ -149,9 +149,9 @@ def test_a_flat_cushion_is_pulled_in_by_threads(monkeypatch: pytest.MonkeyPatch)
     x, faces = globe(20.0, 20, 1.3)
     cushion = Mesh(x * [1.0, 1.0, 0.5], faces)
     monkeypatch.setattr("tambour.crochet.model.design.TRIES", 3)
-    pulled, _ = made(cushion, stitches=350)
+    pulled, _ = made(cushion, stitches=500)
     monkeypatch.setattr("tambour.crochet.model.threads.EVERY", 10_000)
-    round_, _ = made(cushion, stitches=350)
+    round_, _ = made(cushion, stitches=500)
     assert pulled.aim is not None and round_.aim is not None
     assert pulled.aim.distance["mean"] < 0.75 * round_.aim.distance["mean"]
     ties = [f for f in pulled.built.pattern.finish if isinstance(f, Tie)]

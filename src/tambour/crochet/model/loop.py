@@ -110,9 +110,8 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
             break
         now, more = _counted(task, tried(task, best.wanted, holds), min(AGAIN, tries))
         history += more
-        if now.distance.mean > best.distance.mean - GAIN:
-            break
-        best = now
+        if now.distance.mean < best.distance.mean - GAIN:  # else more of them at once, in the next batch
+            best = now
     return best, history
 
 
