@@ -21,6 +21,7 @@ BODY = 0.15  # share of an area that may be wider and still be left to what sati
 ROUND = 17.0  # length² / area of a dot: 12.6 for a disc, 16 for a square, 18 for a bar twice as long as wide
 LONG = 3.0  # times as long as it is wide: a limb of a filled area that is sewn by itself
 FLARE = 1.35  # times as wide as it is in the mean where a limb widens into the wide part
+THIN = 0.25  # share of the wide part's width below which a limb hardly flares
 HORN = 0.9  # of that width: what is thinner there belongs to the wide part too
 EVEN = 0.72  # share of its length by its width that such a limb's area must have
 COVERED = 0.01  # share of an area above which it counts as lying below another
@@ -112,6 +113,8 @@ def _blunt(limb: Any, core: Any) -> Any:
     import shapely
 
     half = limb.area / limb.length
+    if half < THIN * shapely.maximum_inscribed_circle(core, 0.05).length:
+        return limb
     flare = [p for p in shapely.get_parts(_opened(limb, FLARE * half)) if p.distance(core) < FLARE * half]
     left = (
         limb.difference(shapely.union_all(flare).buffer(SEAM))

@@ -27,7 +27,10 @@ _ROWS = 64  # of painted pixels that one thread takes at a time
 DIVES = 0.45
 """How far up (0 at the needle's hole, 1 on top) thread counts as lying, and hides what was sewn before."""
 
-GAIN = 1.36
+KNEE = 0.9
+"""Light above which highlights are rolled off."""
+
+GAIN = 1.43
 """What makes a field of thread in the mean as light as its thread's colour: between threads and at needle holes it is darker."""
 
 _SAMPLES = 2  # painted pixels along each side of one of the picture's
@@ -254,13 +257,13 @@ def _light(
             tone = 0.96 + 0.08 * _hash(s, 5)
             lit = 0.35 + 0.65 * shade  # thread lets light through
             diffuse = (
-                GAIN * tone * groove * ((0.30 + 0.10 * face) * open_ + (0.52 * lambert + 0.36 * fibre * face) * lit)
+                GAIN * tone * groove * ((0.30 + 0.17 * face) * open_ + (0.52 * lambert + 0.28 * fibre * face) * lit)
             )
-            gloss = face * groove * (0.30 * narrow + 0.17 * broad) * (0.15 + 0.85 * shade) * open_
+            gloss = face * groove * (0.16 * narrow + 0.09 * broad) * (0.15 + 0.85 * shade) * open_
             for c in range(3):
                 body = color[s, c]
                 # Dyed fibre colours most of its own shine.
-                out[j, i, c] = body * diffuse + gloss * (0.35 + 0.65 * np.sqrt(body)) * (0.25 + 0.75 * (body + 0.35))
+                out[j, i, c] = body * diffuse + gloss * (0.18 + 0.82 * np.sqrt(body)) * (0.25 + 0.75 * (body + 0.35))
 
 
 def _sloped(high: Array, joined: Array) -> Array:
@@ -385,7 +388,7 @@ def developed(f: Field) -> Picture:
     """The picture of a field: averaged over its samples, highlights rolled off instead of clipped."""
     height, width = f.top.shape[0] // _SAMPLES, f.top.shape[1] // _SAMPLES
     small = f.light.reshape(height, _SAMPLES, width, _SAMPLES, 3).mean(axis=(1, 3))
-    small = np.where(small > 0.8, 0.8 + 0.2 * (1 - np.exp(-(small - 0.8) / 0.2)), small)
+    small = np.where(small > KNEE, KNEE + (1 - KNEE) * (1 - np.exp(-(small - KNEE) / (1 - KNEE))), small)
     rgba = np.full((height, width, 4), 255, np.uint8)
     rgba[..., :3] = np.round(np.clip(coded(small), 0, 1) * 255)
     return Picture(rgba, 1 / f.density)
