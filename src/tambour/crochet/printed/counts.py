@@ -34,7 +34,8 @@ def ends_with_number(r: Reader, ahead: int) -> bool:
         return False
     key = c.key("stitch", ahead=ahead)
     named = key or c.kind("stitch", ahead)
-    if c.kind("stitch", ahead) and colon and not (c.key("around", ahead=-1) or c.mark(")", "]", ahead=-1)):
+    worked = c.key("around", "times", "twice", "turn", "stitch", ahead=-1) or c.mark(")", "]", ahead=-1)
+    if c.kind("stitch", ahead) and colon and not worked and not c.kind("stitch", -1):
         return False  # "White: 36 sc"; but "(2 sc in next sc, sc in next 7 sc) around: 36 sc" counts
     ahead += named
     while (token := c.look(ahead)) is not None:

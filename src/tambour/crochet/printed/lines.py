@@ -41,7 +41,9 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
         return tokens
     if first.kind == "mark" and first.word in "([{*=":
         return tokens
-    if first.value in ("in", "around", "over", "side", "turn") and _other_side(tokens) and not _joined(before):
+    stays = [t.value for t in tokens[:2]] == ["not", "turn"]  # "Do not turn. Working into opposite side of ch, …"
+    told = tokens[3:] if stays else tokens
+    if told and told[0].value in ("in", "around", "over", "side", "turn") and _other_side(told) and not _joined(before):
         return tokens  # "Working in rem loops of foundation ch, …" goes on with the first round
     below = p.rows[at - 1].tokens and not row.marked and not founding(tokens)
     worked = (first.kind == "stitch" and first.value not in ("slst", "ch")) or (

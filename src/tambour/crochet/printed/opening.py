@@ -35,10 +35,11 @@ def founding(tokens: list[Token]) -> bool:
     return chained and not any(t.kind == "stitch" and t.value not in ("ch", "slst") for t in tokens)
 
 
-def founds(p: State) -> bool:
-    """Whether rounds begin at 1 in one of the next lines."""
+def founds(p: State, at: int | None = None) -> bool:
+    """Whether rounds begin at 1 in one of the next lines, from the one that is read or from line ``at``."""
     seen = 0
-    for row in p.rows[p.row_at : p.row_at + 12]:
+    begin = p.row_at if at is None else at
+    for row in p.rows[begin : begin + 12]:
         if row.tokens:
             found = heads(p.vocabulary.read(row.tokens))
             if any(head.numbers[:1] == (1,) for _, head in found):
@@ -58,7 +59,7 @@ def opening(text: str, tokens: list[Token]) -> tuple[Heading, int] | None:
         not at
         or at == len(tokens)
         or tokens[0].kind not in ("word", "ordinal", "key")
-        or (not tokens[0].capital and tokens[0].kind != "ordinal")
+        or (not tokens[0].capital and tokens[0].kind != "ordinal" and tokens[at].word != ":")
     ):
         return None
     name = plain_name(text[tokens[0].start : tokens[at - 1].end])

@@ -22,7 +22,7 @@ from tambour.crochet.printed.lines import goes_on, rounds, stop_between, wrapped
 from tambour.crochet.printed.mend import Found, agreed, mended
 from tambour.crochet.printed.naming import nameless_is
 from tambour.crochet.printed.notes import Heading, plain_name
-from tambour.crochet.printed.opening import alone, opening
+from tambour.crochet.printed.opening import alone, founds, opening
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.prose import WRAPPED, text_line
 from tambour.crochet.printed.state import Height, plain_height
@@ -209,10 +209,13 @@ class Printed(Headed):
             elif name:
                 self._between(row, name)
             end = found[k + 1][0] if k + 1 < len(found) else len(tokens)
-            if k + 1 < len(found) and found[k + 1][1].numbers[:1] == (1,):
+            last = k + 1 == len(found)
+            if founds(self, at) if last else found[k + 1][1].numbers[:1] == (1,):
                 end = self._opens(tokens, head.end, end)
             ended = end
             self._round(head, tokens[head.end : end], tokens[begin:end])
+        if ended < len(tokens):
+            self._between(row, tokens[ended:])  # "… for sewing. EAR (make 2) With A, ch 2.", and a first round below it
         return at
 
     def _between(self, row: Row, tokens: list[Token]) -> None:

@@ -11,6 +11,7 @@ from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.heads import head
 from tambour.crochet.printed.leaves import leaves
 from tambour.crochet.printed.moved import Moved
 from tambour.crochet.printed.naming import heading_above, made_of
@@ -21,6 +22,7 @@ from tambour.crochet.printed.restated import lettered
 from tambour.crochet.printed.shades import spoken
 from tambour.crochet.printed.tokens import Row, Token, rows
 from tambour.crochet.printed.vocabulary import vocabulary
+from tambour.crochet.printed.wrapping import unwrapped
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
 
@@ -76,6 +78,7 @@ class State:
         self.long = _long(self.rows)
         self.language = recognised(source, self.rows)
         self.vocabulary = vocabulary(self.language.code)
+        self.rows = unwrapped(source.text.text, self.rows, self._begins_round)
         terms = TERMS[self.language.code]
         ours = terms.prints(source.text.text)
         self.palette = Palette([*self.vocabulary.stitches(), *_KNOWN], ours)
@@ -101,6 +104,18 @@ class State:
         self.handed = False  # the sentence before this one was something that hands do
         self.edged = False  # it worked along an edge that is no round's
         self.sentences: list[Said] = []  # of finishing, read once the parts are known
+
+    def _begins_round(self, tokens: list[Token], alone: bool) -> bool:
+        """Whether words begin with the head of a round or, ``alone``, with the capital of an instruction."""
+        said = self.vocabulary.read(tokens)
+        found = head(said)
+        colon = found is not None and any(t.word == ":" for t in said[: found.end])
+        if found is not None and found.strong and (colon or (found.parted and (tokens[0].capital or not alone))):
+            return True
+        first = said[0] if said else None
+        begun = first is not None and first.capital and first.start == tokens[0].start
+        named = ("round", "row", "color")  # "Break | Color 2", "of | Round 3"
+        return alone and begun and first.kind in ("key", "stitch") and first.value not in named  # type: ignore[union-attr]
 
     def narrow(self, row: Row) -> bool:
         """Whether a line is as long as the column that it may be broken at."""

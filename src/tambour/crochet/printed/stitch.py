@@ -328,6 +328,8 @@ def spread(r: Reader, found: list[Item]) -> bool:
     group = last.items[0] if isinstance(last, Group) and last.times is None and len(last.items) == 1 else None
     if token is None or token.value not in ("inc", "dec") or not number or not r.edge or not isinstance(group, Action):
         return False
+    if c.key("times", "more", ahead=2) or c.mark("x", ahead=2):
+        return False  # "to last 6 sc, sc2tog 3 times"
     kind = "" if group.name == "sc" else group.name
     fewest = 1 if token.value == "inc" else 2
     if group.times != 1 or f"{kind}{token.value}" not in r.stitches or number * fewest > r.edge:

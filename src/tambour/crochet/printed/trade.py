@@ -45,6 +45,10 @@ class Trade(Dyes):
     def counted(self, at: int) -> bool:
         """Whether a count stands behind the dash, or in the bracket, at ``at``."""
         c, before = self.c, self.c.at
+        if at > 1 and c.tokens[at].word == "-" and c.tokens[at - 1].kind == "number":
+            named = c.tokens[at - 2]
+            if named.kind == "key" and named.value in ("round", "row"):
+                return False  # "sew edges of Rows 14-35 together"
         c.at = at
         depth, self.depth = self.depth, 0
         try:

@@ -21,9 +21,14 @@ def unheaded(p: State, row: Row, tokens: list[Token]) -> int | None:
     if len(sentences) < 3 or not any(t.kind == "key" and t.value == "join" for t in first[:1]):
         return None
     there = moved(first)
-    if there is None or not (there.number or there.free) or not any(map(bare_count, sentences[2:])):
+    if there is None or not (there.number or there.free) or not any(map(_count, sentences[2:])):
         return None
     return at if not any(t.kind == "key" and t.value == "thicknesses" for t in tokens) else None
+
+
+def _count(tokens: list[Token]) -> bool:
+    """Whether a sentence is only a count: "36 sts", "(36)"."""
+    return bare_count(tokens) is not None or [t.kind for t in tokens] == ["mark", "number", "mark"]
 
 
 def _sentences(tokens: list[Token]) -> list[list[Token]]:

@@ -178,11 +178,14 @@ class Vocabulary:
         return made
 
     def _longest(self, tokens: list[Token], at: int) -> tuple[int, str, Any] | None:
-        for words, kind, value in self._first.get(tokens[at].word, ()):
+        meanings = self._first.get(tokens[at].word, ())
+        stops = any(len(words) == 1 and kind == "stitch" for words, kind, _ in meanings)  # "1 sc. Inc." is two
+        for words, kind, value in meanings:
             end = at + 1
             for word in words[1:]:
                 # "sl-st", "sl. st."
-                if (end + 1 < len(tokens) and tokens[end].word in _JOINS and tokens[end].glued) or (
+                join = end + 1 < len(tokens) and tokens[end].word in _JOINS and tokens[end].glued
+                if (join and not (stops and tokens[end].word == ".")) or (
                     end + 1 < len(tokens)
                     and tokens[end].word in _ARTICLES
                     and word != tokens[end].word

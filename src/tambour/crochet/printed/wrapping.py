@@ -1,0 +1,94 @@
+"""Printed patterns, wrapping: lines that the edge of a page or column broke are one again. A break is one of these where the next word had no
+room left on the line; a writer's own break leaves room, or begins a round, a heading or a point of a list."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Final
+
+from tambour.crochet.printed.tokens import Row, Token
+
+_NEAR: Final = 9  # lines before and after that show how wide the column is, where the whole text does not
+_WIDEST: Final = 130  # characters of a line that was broken
+_NARROWEST: Final = 24
+_BROKEN: Final = 2  # lines near by that end in mid-sentence, for a column at all
+_WHOLLY: Final = 5  # such lines in all of a text that no line is wider of, and a thirtieth of its lines
+_FEW: Final = 0.03  # of the lines of such a text may be wider, in lists
+_FULL: Final = 0.72  # of the column's width, from where a line may have been broken
+_ROOM: Final = 0.9  # of the width: letters differ in theirs
+_ENDED: Final = re.compile(r"[.!?:)\]}”\"*][ \t]*$")
+_LESS: Final = 0.8  # where a small letter goes on with what no mark ended
+_POINT: Final = re.compile(r"[ \t]*(?:[•▪●■○✓☐◦]|[A-Za-z][\w ]{0,20} = )")
+_NUMBERED: Final = re.compile(r"[ \t]*\d{1,2}[.)][ \t]+[A-Z]")
+_LABEL: Final = re.compile(r"[A-Z][\w/&’' ]{0,30}(?:\([^()]{0,20}\)[ ]?)?:")
+_TITLE: Final = re.compile(r"[A-Z][^.:,;()]{1,40}(?:\([^()]{2,40}\)[ ]?){1,2}[.:]?$")  # "Wings (make 2)"
+_COPIES: Final = re.compile(r"[A-Za-z][\w /&-]{1,40}\((?:make|work) [^()]{1,20}\)")
+_SHORT: Final = 6  # words of a heading
+
+
+def unwrapped(text: str, rows: list[Row], begins: Callable[[list[Token], bool], bool]) -> list[Row]:
+    """``rows`` with those together that a page's edge parted.
+
+    begins : whether words begin a round, or a sentence of their own although no mark ends the line above them (the flag)
+    """
+    lengths = [row.end - row.start if row.tokens else 0 for row in rows]
+    cut = [
+        0 < n <= _WIDEST and not _ENDED.search(text, max(row.start, row.end - 4), row.end)
+        for n, row in zip(lengths, rows, strict=True)
+    ]
+    whole = _column(lengths, cut)
+    made: list[Row] = []
+    for at, row in enumerate(rows):
+        above = rows[at - 1] if at else row
+        if not (made and row.tokens and above.tokens) or row.marked or above.marked:
+            made.append(row)
+            continue
+        near = slice(max(0, at - _NEAR), at + _NEAR)
+        width = whole or max(lengths[near])
+        if not _NARROWEST <= width <= _WIDEST or lengths[at - 1] < _FULL * width:
+            made.append(row)
+            continue
+        sure = cut[at - 1] and text[row.start : row.start + 1].islower()
+        broken = (
+            sure
+            or whole
+            or sum(c and n >= _FULL * width for c, n in zip(cut[near], lengths[near], strict=True)) >= _BROKEN
+        )
+        first = text[row.start : row.end].split(None, 1)[0]
+        room = (_ROOM if not sure else _LESS) * width
+        if not broken or lengths[at - 1] + 1 + len(first) <= room or _begins(text, above, row, not cut[at - 1], begins):
+            made.append(row)
+            continue
+        last, more = made[-1], row.tokens
+        if more[0].word == "a" and more[0].capital and cut[at - 1]:
+            more = [replace(more[0], value="A"), *more[1:]]  # a yarn's letter, no article
+        made[-1] = Row([*last.tokens, *more], last.start, row.end, last.marked)
+    return made
+
+
+def _column(lengths: list[int], cut: list[bool]) -> int:
+    """How wide the column is that all of a text is broken at, 0 where it is not."""
+    known = sorted(n for n in lengths if n)
+    widest = known[min(len(known) - 1, int(len(known) * (1 - _FEW)))] if known else 0
+    full = sum(c and n >= _FULL * widest for c, n in zip(cut, lengths, strict=True))
+    return widest if _NARROWEST <= widest <= _WIDEST and full >= max(_WHOLLY, len(known) // 30) else 0
+
+
+def _begins(text: str, above: Row, row: Row, ended: bool, begins: Callable[[list[Token], bool], bool]) -> bool:
+    """Whether a line begins a round, a point of a list, a sentence that the line above it cannot go on with, or a heading; or whether that
+    line is a heading itself."""
+    said = text[row.start : row.end].strip()
+    if _POINT.match(said) or begins(row.tokens, not ended) or _TITLE.match(text[above.start : above.end].strip()):
+        return True
+    words = said.split()
+    named = _TITLE.match(said) is not None or _COPIES.match(said) is not None
+    titled = said[:1].isupper() and len(words) <= _SHORT and not said.endswith(".")
+    labelled = _LABEL.match(said) is not None
+    return ended and (
+        labelled
+        or named
+        or _NUMBERED.match(said) is not None
+        or (titled and (said.isupper() or not _ENDED.search(said) or said.endswith((":", ")"))))
+    )
