@@ -261,7 +261,12 @@ def _waits(regions: Sequence[Region], boxes: Array) -> list[set[int]]:
     keep = (color[later] == color[earlier]) & ~(line[later] & line[earlier])
     pairs = np.flatnonzero(~keep)
     shapes = {k: _shape(regions[k]) for k in np.unique(np.r_[later[pairs], earlier[pairs]]).tolist()}
-    keep[pairs] = [shapely.intersects(shapes[later[k]], shapes[earlier[k]]) for k in pairs]
+    # Not by their widened shapes: those of a letter's thousand crossing strokes take seconds to make.
+    shapely.prepare(list(shapes.values()))
+    room = [max(r.params.pull, 0) + 0.1 if r.role == "area" else r.width / 2 + 0.2 for r in regions]
+    keep[pairs] = [
+        shapely.dwithin(shapes[a], shapes[b], room[a] + room[b]) for a, b in zip(later[pairs], earlier[pairs])
+    ]
     waits: list[set[int]] = [set() for _ in range(n)]
     for a, b in zip(later[keep].tolist(), earlier[keep].tolist()):
         waits[a].add(b)
@@ -274,6 +279,5 @@ def _shape(region: Region) -> object:
     from tambour.geometry.areas import to_shapely
 
     if region.role == "area":
-        return shapely.union_all(to_shapely(region.paths)).buffer(max(region.params.pull, 0) + 0.1)
-    lines = [shapely.LineString(p) for p in region.paths if len(p) > 1]
-    return shapely.union_all(lines).buffer(region.width / 2 + 0.2)
+        return shapely.union_all(to_shapely(region.paths))
+    return shapely.MultiLineString([shapely.LineString(p) for p in region.paths if len(p) > 1])
