@@ -21,6 +21,7 @@ from tambour.knit.machines.limits import check, end_needles, hookups, separated,
 from tambour.knit.params import KnitParams
 from tambour.knit.picture import shades, wools
 from tambour.knit.solve import areas
+from tambour.knit.solve.edit import resolve
 
 NONE = np.zeros((0, 0), np.bool_)
 FIVE = Palette(np.array([[20, 20, 20], [190, 40, 40], [60, 120, 60], [210, 180, 130], [245, 240, 230]], np.uint8))
@@ -244,3 +245,19 @@ def test_floats_are_hooked_onto_needles_of_their_own_colour():
     for row, start, length in zip(long.row.tolist(), long.start.tolist(), long.length.tolist()):
         at = np.flatnonzero(marks[row, crossed(chart, row, start, length)])
         assert np.diff([-1, *at, length]).max() - 1 <= limit
+
+
+def test_a_stitch_by_hand_changes_nothing_farther_than_its_area() -> None:
+    """A row solved again from the picture brought back, 40 stitches away, small areas that had been given to their neighbours."""
+    rng = np.random.default_rng(7)
+    y, x = np.mgrid[:48, :60]
+    light = 90 + 60 * np.sin(x / 9 + y / 17) + 40 * np.cos(y / 7) + rng.normal(0, 18, (48, 60))
+    rgb = np.clip(light[..., None] * [1.0, 0.8, 0.6] + [0, 20, 60], 0, 255).astype(np.uint8)
+    piece = made(rgb, technique="intarsia", yarns=4, style="graphic")
+    cells = piece.chart.cells
+    for r, at in [(5, 7), (17, 30), (24, 44), (33, 52), (41, 3)]:
+        colour = (int(cells[r, at]) + 1) % len(piece.chart.palette)
+        now = resolve(piece, [(r, at, colour)]).chart.cells
+        rows, columns = np.nonzero(now != cells)
+        assert now[r, at] == colour and set(rows.tolist()) == {r}
+        assert abs(columns - at).max() <= 4 and len(columns) <= 5

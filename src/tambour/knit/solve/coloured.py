@@ -27,6 +27,7 @@ BORDER = {"intarsia": 0.008, "jacquard": 0.004}  # squared distance that a borde
 FEWEST = {"intarsia": 10, "jacquard": 0}  # stitches of an area, all its rows together, in a photograph
 SOFT = 0.02  # squared distance of neighbours at which the price of a border between them has fallen to a third
 FIXED = np.float32(1e6)
+TIE = 0.01  # of a change: what the picture's say weighs between changes by hand that are as few
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -201,7 +202,7 @@ def assembled(
 
 
 def edited(piece: Piece, edits: list[tuple[int, int, int]]) -> Piece:
-    """The piece with stitches (row, stitch, palette entry) set, and their rows solved again around them.
+    """The piece with stitches (row, stitch, palette entry) set, and as few others of their rows changed as areas want.
 
     Raises TambourError where no row holds them in areas that are wide enough.
     """
@@ -212,9 +213,11 @@ def edited(piece: Piece, edits: list[tuple[int, int, int]]) -> Piece:
         cells[r, x % wide] = colour
         locked[r, x % wide] = True
     wanted = cells.copy()
-    cost = held(field.cost, cells, locked)
+    # What stands is wished for; the picture decides only between changes that are as few.
+    wish = (np.arange(field.cost.shape[2]) != wanted[..., None]) + TIE * field.cost / max(float(field.cost.max()), 1.0)
+    wish, free = held(wish.astype(np.float32), cells, locked), np.zeros(cells.shape, np.float32)
     for r in sorted({r for r, _, _ in edits}) if piece.params.style != "tonal" else ():
-        areas.sweep(cost, field.across, field.up, field.least, field.layout.knit, cells, r, r + 1, 0)
+        areas.sweep(wish, free, free, field.least, field.layout.knit, cells, r, r + 1, 0)
         if (cells[r] != wanted[r])[locked[r]].any():
             raise TambourError(
                 f"row {r + 1} cannot hold these stitches in areas of {field.least} stitches and more",
@@ -222,6 +225,6 @@ def edited(piece: Piece, edits: list[tuple[int, int, int]]) -> Piece:
                 where="{--edit}",
             )
     told = {k: piece.figures[k] for k in ("style", "why", "suggested", "seen_from") if k in piece.figures}
-    again = replace(field, cost=cost, cells=cells, locked=locked)
+    again = replace(field, cost=held(field.cost, cells, locked), cells=cells, locked=locked)
     start = np.ascontiguousarray(piece.start[:, :wide])
     return assembled(again, piece.chart.palette, start, piece.kind, told, piece.params)
