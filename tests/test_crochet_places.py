@@ -102,6 +102,8 @@ def test_rounds_and_distances(text, rounds, apart):
 def test_lengths_apart_and_clauses():
     assert where('1½" [4 cm] apart').apart_mm == pytest.approx(38.1)
     assert where("3 cm apart").apart_mm == pytest.approx(30.0)
+    assert where("centered on the opposite side from the face").words == {"back", "middle"}
+    assert where("on opposite sides of the head").words == {"sides"}
     text = "sew head to body at neck and join arms at shoulders; pin the legs in place"
     assert [text[a:b].strip() for a, b in clauses(text)] == [
         "sew head to body at neck and",

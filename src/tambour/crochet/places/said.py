@@ -48,12 +48,13 @@ _AWAY: Final = re.compile(
     rf"level with|at the level of|on either side of|on both sides of|at (?:the )?sides? of|in front of|behind|back from|"
     rf"against|around|near)\s+(?:the |both |your |its |each |two |safety |bottom of (?:the )?|top of (?:the )?)*{_BESIDE}\b"
 )
+_FACED: Final = r"opposite (?:side )?(?:from |of |to )?(?:the )?(?:face|eyes?|muzzle|snout|nose|front|belly|tummy)"
 _WHERE: Final[dict[str, str]] = {
     "top": r"\b(?:tops?|crown|upper part|very top|highest)\b(?! of (?:the )?(?:legs?|arms?|ears?|thighs?|snout|muzzle|beak|nose|face|tail|wings?|fins?|feet|last|first|sts?))",
     "bottom": r"\b(?:bottom|base|underside|beneath the body|under the body|underneath|lower edge|belly side)\b",
     "front": r"\b(?:front|facing forwards?|forehead|face side|chest)\b(?! (?:loops?|post|legs?|paws?|feet|flippers?|hooves|fins?))",
-    "back": r"\b(?:back|rear|backside|behind(?! (?:rounds?|rnds?|the \w+ rnd)))\b(?! (?:loops?|post|st|stitch|legs?|paws?|feet|and forth|hooves|fins?))",
-    "sides": r"\b(?:sides|either side|each side|both sides|opposite sides?|on the sides?|to the side|each other side|one side|side of)\b",
+    "back": rf"\b(?:{_FACED}|back|rear|backside|behind(?! (?:rounds?|rnds?|the \w+ rnd)))\b(?! (?:loops?|post|st|stitch|legs?|paws?|feet|and forth|hooves|fins?))",
+    "sides": rf"\b(?:sides|either side|each side|both sides|(?!{_FACED})opposite sides?|on the sides?|to the side|each other side|one side|side of)\b",
     "left": r"\bleft\b(?! (?:open|over|long|for))",
     "right": r"\bright\b(?! (?:sides? (?:facing|out|together|of (?:the )?(?:work|fabric))|below|above|under|next|sides))",
     "upper": r"\b(?:upper|shoulders?|high(?:er)?)\b",
