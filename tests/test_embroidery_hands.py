@@ -102,3 +102,26 @@ def test_stops_and_cuts_after_a_region(drawing):
 def test_what_is_no_place_is_told(drawing, edit):
     with pytest.raises(TambourError, match=r"no place|two rails"):
         sewn(drawing, edit)
+
+
+def test_shapes_of_one_group_have_names_of_their_own(tmp_path):
+    """What reports and the studio call a shape is what an edit changes, before and after it, and the group's id means all."""
+    import re
+
+    (tmp_path / "group.svg").write_text(
+        re.sub(r' id="\w+"', "", SQUARES).replace("<path", '<g id="color"><path', 1).replace("</svg>", "</g></svg>")
+    )
+    drawing = tmp_path / "group.svg"
+    names = ["color/1", "color/2", "color/3"]
+
+    def stitches(*edits: str) -> list[str]:
+        regions = sewn(drawing, *edits).regions
+        assert [r.id for r in regions] == names
+        return [r.stitch for r in regions]
+
+    fill = stitches()[0]
+    assert stitches("region:color/2.stitch=contour") == [fill, "contour", fill]
+    twice = stitches("region:color/2.stitch=contour", "region:color/2.angle=30", "region:3.stitch=spiral")
+    assert twice == [fill, "contour", "spiral"]
+    assert stitches("region:color.stitch=contour") == ["contour"] * 3
+    assert sequence(sewn(drawing, "order:color/3|color/1|color/2")) == ["color/3", "color/1", "color/2"]

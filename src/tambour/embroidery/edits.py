@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -87,23 +86,27 @@ def _told(drawing: Drawing, region: str, key: str, value: str, where: str) -> Dr
     """The drawing with one more datum on a group, or on a group of its own for one shape."""
     import numpy as np
 
+    from tambour.embroidery.regions.read import ALONE
+
     groups = drawing.groups
     data = tuple(groups.data) or tuple({} for _ in groups.ids)
-    named = re.fullmatch(r"shape (\d+)(?: \(\d+\))?", region)
+    named = ALONE.fullmatch(region)
     if named and region not in groups.ids:
-        region = named[1]  # as reports call shapes without an id
-    if f"shape {region}" in groups.ids:
-        region = f"shape {region}"  # a shape that has a group of its own by an edit before
-    if region in groups.ids:
-        k = groups.ids.index(region)
+        region = named[1]  # as reports call shapes without an id of their own
+    number = int(region) if region.isdecimal() and len(region) < 9 else 0
+    k = groups.ids.index(region) if region in groups.ids else -1
+    if k < 0 and 1 <= number <= len(drawing):
+        own = int(drawing.group[number - 1])
+        if own >= 0 and (drawing.group == own).sum() == 1 and own not in groups.parent:
+            k = own  # it holds this shape alone, by the drawing or by an edit before
+    if k >= 0:
         changed = tuple({**d, key: value} if i == k else d for i, d in enumerate(data))
         return replace(drawing, groups=replace(groups, data=changed))
-    number = int(region) if region.isdecimal() and len(region) < 9 else 0
     if not 1 <= number <= len(drawing):
         hint = did_you_mean(region, groups.ids) or f"a number from 1 to {len(drawing)}, or an id of the drawing"
         raise TambourError("there is no such region", hint=hint, where=where)
     old = int(drawing.group[number - 1])
-    alone = f"shape {number}"
+    alone = f"{groups.ids[old]}/{number}" if old >= 0 and groups.ids[old] else f"shape {number}"
     group = drawing.group.copy()
     group[number - 1] = len(groups.ids)
     made = replace(

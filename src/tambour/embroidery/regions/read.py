@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -28,6 +29,8 @@ FINE = 0.01  # mm that an outline may move for having fewer places: some files h
 BOLD = 0.6  # mm: lines of this width and more that are no satin are sewn thrice
 LARGEST = 4_000_000.0  # mm² of design
 REACH = 100_000.0  # mm from the hoop's centre
+ALONE = re.compile(r"(?:shape |.*/)(\d+)(?: \(\d+\))?")
+"""What reports call a shape without an id of its own: by its number in the drawing, after the group's id where it has one."""
 HANDS = ("role", "start", "end", "trim", "stop", "rails", "rank")
 """What ``data-tambour-…`` say of a shape beside parameters: ``start``, ``end`` and ``rails`` as places in mm of the hoop."""
 
@@ -143,6 +146,7 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
     cache: dict[int, tuple[EmbroideryParams, Mapping[str, str], str]] = {}
     found: list[Region] = []
     guides = _guides(drawing, parts, scale, shift)
+    shared = _shared(drawing)
     tiny = 0
     for m, style in enumerate(drawing.style.tolist()):
         group = int(drawing.group[m])
@@ -166,7 +170,7 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
             | ({"whole"} if any(key.startswith("inkstitch-") for key in data) else set())
             | {word for word in ("letter",) if word in data},
         }
-        name = name or f"shape {m + 1}"
+        name = f"{name}/{m + 1}" if name in shared else name or f"shape {m + 1}"
         common |= _by_hand(data, name, common, problems)
         if rails := _rails(data, name, problems):
             rgb = tuple(int(c) for c in (fill if fill[style, 3] else stroke)[style, :3])
@@ -208,6 +212,13 @@ def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Arra
             "there is nothing to embroider in this drawing", hint="its shapes have no area and no stroke"
         )
     return found, tiny
+
+
+def _shared(drawing: Drawing) -> set[str]:
+    """The ids of groups that hold several shapes: each of these is told by its number too, as in ``color/5``."""
+    many = np.bincount(drawing.group[drawing.group >= 0], minlength=1) > 1
+    ids = drawing.groups.ids
+    return {ids[k] for k in np.flatnonzero(many).tolist()} | {i.rpartition("/")[0] for i in ids if ALONE.fullmatch(i)}
 
 
 def _thinned(line: Array) -> Array:
