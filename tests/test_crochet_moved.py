@@ -106,3 +106,19 @@ def test_a_muzzle_goes_wherever_it_is_let_go_and_back():
     back = moved(words, PARAMS, "Muzzle", stitch(worked(words, PARAMS)[0], "Head", 14, 25))
     now = placed(worked(Text(back.text, "bear.txt"), PARAMS)[0])["Muzzle"]
     assert now.spot.round == 14.5 and abs((now.spot.stitch or 0) - 25) <= 1.0 and back.text.count("stitches left") == 0
+
+
+def test_parts_that_nothing_places_are_placed_by_a_sentence_at_the_end():
+    """Arms of which the words say nothing are put where arms go; moved, they are said (at the text's beginning nobody read it)."""
+    words = (
+        "Little Bear\n\nBody\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: inc in each st around. (12)\nRnd 3: (1 sc, inc) x 6. (18)\n"
+        "Rnds 4-9: sc around. (18)\nRnd 10: (1 sc, dec) x 6. (12)\nStuff.\nRnd 11: dec 6 times. (6)\nFasten off.\n\n"
+        "Arms (make 2)\nRnd 1: 5 sc in magic ring. (5)\nRnds 2-5: sc around. (5)\nFasten off, leaving a long tail.\n"
+    )
+    built = worked(Text(words, "bear.txt"), PARAMS)[0]
+    before = placed(built)["Arms.1"]
+    at = round(before.spot.stitch or 1.0)
+    made = moved(Text(words, "bear.txt"), PARAMS, "Arms.1", stitch(built, "Body", int(before.spot.round) + 1, at))
+    assert made.text.startswith(words) and made.sentence in made.text[len(words) :]
+    now = placed(worked(Text(made.text, "bear.txt"), PARAMS)[0])
+    assert now["Arms.1"].spot.round == now["Arms.2"].spot.round == before.spot.round + 1

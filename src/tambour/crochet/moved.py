@@ -232,7 +232,11 @@ def _rewritten(built: Built, params: CrochetParams, wanted: dict[int, Placed]) -
             said = [(span, say(span, of, apart)) for span, of in groups]
             if any(words is None for _, words in said):
                 break
-            made = _put(text.text, [(span, words or "") for span, words in said])
+            # What was guessed, as nothing is said of it, is said at the end.
+            end = Span(len(text.text), len(text.text))
+            made = _put(
+                text.text, [(span, words or "") if span.end else (end, f"\n\n{words}.\n") for span, words in said]
+            )
             found = _heard(Text(made.text, text.name), params)
             if found is None:
                 break
@@ -320,7 +324,7 @@ def _line_of(record: Finish) -> str:
 def _put(text: str, said: Sequence[tuple[Span, str]]) -> Moved:
     for span, words in sorted(said, key=lambda one: -one[0].start):
         text = text[: span.start] + words + text[span.end :]
-    return Moved(text, ". ".join(words for _, words in said))
+    return Moved(text, ". ".join(words.strip().rstrip(".") for _, words in said))
 
 
 def _people(built: Built) -> Callable[[Sequence[Finish]], list[str]]:
