@@ -98,8 +98,8 @@ _SEAM = np.array([(0.0, -0.1, -0.45), (0.0, -0.1, 0.12)])
 TIGHT = 0.6
 """As far along the work, in stitches, a head keeps its place that is drawn tight."""
 
-# How far kinds bulge, against a bobble: clusters lie flat, popcorns stand out.
-_BULGE = {"cl": 0.5, "popcorn": 1.25, "puff": 0.85}
+# How far kinds bulge, against other groups of stitches in one place: clusters lie flat, bobbles and popcorns stand out.
+_BULGE = {"bobble": 1.1, "cl": 0.5, "popcorn": 1.35, "puff": 0.85}
 
 
 @dataclass(frozen=True, slots=True)
