@@ -388,6 +388,11 @@ def test_knit_painted_over_all_agrees_with_itself(page, tmp_path):
         return c.getContext('2d').getImageData((r.x - on.x) * k, (r.y - on.y) * k, r.width * k, r.height * k).data.some(v => v); }"""
     picture(page)
     assert not page.evaluate(hidden)
+    metres = "[...document.querySelectorAll('.yarnrow .number')].map(n => n.textContent).filter(Boolean).length"
+    until(page, f"{metres} === 2")
+    page.locator(".yarnrow input").first.fill("#cc3355")  # dyed otherwise, it takes as much
+    until(page, f"document.querySelector('.yarnrow').textContent.includes('red') && {metres} === 2")
+    made(page)
     page.keyboard.press("Control+k")
     page.keyboard.type("whole chart")
     page.keyboard.press("Enter")

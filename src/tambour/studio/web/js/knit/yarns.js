@@ -15,8 +15,10 @@ export function yarns(piece, yarn) {
     piece.change({ edits: [...edits, { edit: "yarn", yarn: String(k + 1), colour }], said: "another colour" });
   };
   return html`<h2 class="head">Yarns</h2><ul>${Array.from({ length: n }, (_, k) => {
-    const color = hex(p.subarray(3 * k, 3 * k + 3)), name = pack.facts.names[k], told = used.find((/** @type {any} */ y) => y.name === name);
-    return html`<li class="yarnrow"><button class="rowbutton" aria-pressed=${yarn.value === k} @click=${() => (yarn.value = k)}><i class="swatch" ${ref(dyed(color))}></i> ${name || piece.report.value?.named?.[color] || color}
+    const color = hex(p.subarray(3 * k, 3 * k + 3)), name = pack.facts.names[k], own = [pack.facts.codes[k], name].filter(Boolean).join(" ");
+    // A yarn without a name of its own is called by its colour.
+    const told = used.find((/** @type {any} */ y) => (own && !own.startsWith("#") ? y.name === own : y.name.endsWith(color)));
+    return html`<li class="yarnrow"><button class="rowbutton" aria-pressed=${yarn.value === k} @click=${() => (yarn.value = k)}><i class="swatch" ${ref(dyed(color))}></i> ${name || piece.report.value?.named?.[color] || told?.name || color}
       <span class="number">${told ? `${told.metres.toFixed(1)} m` : ""}</span></button>
       <input type="color" aria-label="colour of ${name || color}" .value=${live(color)} @change=${(/** @type {any} */ e) => recolor(k, e.target.value)}></li>`;
   })}</ul>`;
