@@ -179,13 +179,12 @@ class Vocabulary:
 
     def _longest(self, tokens: list[Token], at: int) -> tuple[int, str, Any] | None:
         meanings = self._first.get(tokens[at].word, ())
-        stops = any(len(words) == 1 and kind == "stitch" for words, kind, _ in meanings)  # "1 sc. Inc." is two
         for words, kind, value in meanings:
             end = at + 1
             for word in words[1:]:
                 # "sl-st", "sl. st."
                 join = end + 1 < len(tokens) and tokens[end].word in _JOINS and tokens[end].glued
-                if (join and not (stops and tokens[end].word == ".")) or (
+                if (join and not (tokens[end].word == "." and _stops(meanings))) or (
                     end + 1 < len(tokens)
                     and tokens[end].word in _ARTICLES
                     and word != tokens[end].word
@@ -217,6 +216,11 @@ class Vocabulary:
             number = Token("number", word[len(head) :], middle, token.end, int(word[len(head) :]), True)
             return [Token(kind, head, token.start, middle, value, token.glued), number]
         return [token]
+
+
+def _stops(meanings: Iterable[tuple[tuple[str, ...], str, Any]]) -> bool:
+    """Whether a word is a stitch by itself, so that a point behind it ends a sentence: "1 sc. Inc." is two."""
+    return any(len(words) == 1 and kind == "stitch" for words, kind, _ in meanings)
 
 
 def _of_both(name: str) -> bool:

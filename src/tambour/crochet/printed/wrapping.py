@@ -80,6 +80,8 @@ def _begins(text: str, above: Row, row: Row, ended: bool, begins: Callable[[list
     """Whether a line begins a round, a point of a list, a sentence that the line above it cannot go on with, or a heading; or whether that
     line is a heading itself."""
     said = text[row.start : row.end].strip()
+    if "|" in (said[:1], text[above.start : above.end].lstrip()[:1]):  # a row of a table is whole
+        return True
     if _POINT.match(said) or begins(row.tokens, not ended) or _TITLE.match(text[above.start : above.end].strip()):
         return True
     words = said.split()
