@@ -40,8 +40,8 @@ def apart(function: str, path: Path, kind: str, seconds: int, memory: int, words
         )
     except subprocess.TimeoutExpired:
         raise much from None
-    # Python itself may run short while it loads the library: a SystemError without a reason.
-    short = (b"MemoryError", b"SystemError", b"failed to map", b"bad_alloc")
+    # Python itself may run short while it compiles or loads the library: errors without a reason.
+    short = (b"MemoryError", b"SystemError", b"failed to map", b"bad_alloc", b"source_to_code")
     if ran.returncode < 0 or any(said in ran.stderr for said in short):
         raise much
     if ran.returncode:
