@@ -52,8 +52,6 @@ def goes_on(p: State, before: list[Token], at: int) -> list[Token] | None:
     if below and (worked or (first.kind == "key" and first.value in ("turn", "join") and len(tokens) < _SHORT)):
         return tokens  # the sentences of a round on lines of their own
     plain = p.source.text.text[first.start].islower() or first.kind == "number"
-    if plain and first.kind == "word" and last.word not in (".", "!", "?", ":") and p.narrow(p.rows[at - 1]):
-        return tokens
     times = first.value in ("twice", "once") or (
         first.kind == "number" and len(tokens) > 1 and tokens[1].kind == "key" and tokens[1].value == "times"
     )

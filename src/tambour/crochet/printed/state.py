@@ -117,10 +117,6 @@ class State:
         named = ("round", "row", "color")  # "Break | Color 2", "of | Round 3"
         return alone and begun and first.kind in ("key", "stitch") and first.value not in named  # type: ignore[union-attr]
 
-    def narrow(self, row: Row) -> bool:
-        """Whether a line is as long as the column that it may be broken at."""
-        return self.long < _LONG and row.end - row.start >= self.long
-
     def height(self) -> float:
         """The height of a round, mm, by what the pattern states so far."""
         return self._high(self.stated)
