@@ -131,12 +131,18 @@ def kept(page: Any, name: str, raw: str) -> dict[str, str]:
 
 
 def until(page: Any, holds: str) -> None:
-    """Wait, frame by frame, until a condition holds; by the debugger's way in, as the policy lets no text become code."""
+    """Wait, frame by frame, until a condition holds; by the debugger's way in, as the policy lets no text become code.
+    What it asks of may not be there yet: that it throws is no answer, and is told when the time is over."""
     page.evaluate(f"""() => new Promise((done, failed) => {{
         const ends = Date.now() + 120000;
         const look = async () => {{
-            if (await ({holds})) done();
-            else if (Date.now() > ends) failed(new Error("two minutes went by"));
+            let thrown = "";
+            try {{
+                if (await ({holds})) return done();
+            }} catch (error) {{
+                thrown = `: ${{error.message}}`;
+            }}
+            if (Date.now() > ends) failed(new Error(`two minutes went by${{thrown}}`));
             else setTimeout(look, 30);
         }};
         look();
@@ -654,8 +660,8 @@ def test_pictures_of_each_step_and_a_film_come_from_the_scrub(page, tmp_path):
     for at in (0.5, 6, 13.8):
         until(shown, "document.querySelector('video').readyState > 1")
         shown.evaluate(
-            "t => new Promise(done => {const v = document.querySelector('video'); v.pause(); v.controls = false;"
-            " v.onseeked = done; v.currentTime = t})",
+            "t => new Promise((done, failed) => {const v = document.querySelector('video'); v.pause(); v.controls = false;"
+            " setTimeout(() => failed(new Error('never there')), 60000); v.onseeked = done; v.currentTime = t})",
             at,
         )
         seen.append(shown.locator("video").screenshot())
