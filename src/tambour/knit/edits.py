@@ -174,7 +174,7 @@ def _set(piece: Piece, edits: Sequence[Stitch], progress: Progress) -> Piece:
     if problems:
         raise TambourError(problems)
     with progress.stage("solve"):
-        return fitting(resolve(piece, wanted))
+        return fitting(resolve(piece, wanted, progress))
 
 
 def _codes(piece: Piece) -> list[str]:

@@ -9,7 +9,6 @@ import numpy as np
 
 from tambour.core.chart import Chart
 from tambour.core.check import Array
-from tambour.core.errors import TambourError
 from tambour.core.palette import Palette
 from tambour.core.progress import Progress
 from tambour.knit.params import KnitParams
@@ -27,16 +26,15 @@ BORDER = {"intarsia": 0.008, "jacquard": 0.004}  # squared distance that a borde
 FEWEST = {"intarsia": 10, "jacquard": 0}  # stitches of an area, all its rows together, in a photograph
 SOFT = 0.02  # squared distance of neighbours at which the price of a border between them has fallen to a third
 FIXED = np.float32(1e6)
-TIE = 0.01  # of a change: what the picture's say weighs between changes by hand that are as few
+BESIDE = "set the stitches beside it, too, and it is an area for a bobbin of its own"
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Field:
-    """What it takes to solve again: costs (R, C, K), prices of borders, the narrowest area, and how cells lie in the chart."""
+    """What it takes to change it by hand: how many yarns, the narrowest area it was solved for, how cells lie in the chart,
+    (R, C) their yarns, and which are held."""
 
-    cost: Array
-    across: Array
-    up: Array
+    yarns: int
     least: int
     layout: Layout
     cells: Array
@@ -45,7 +43,7 @@ class Field:
     @property
     def pairs(self) -> Array:
         """(R, K) uint8: the palette entries that each row may hold: all."""
-        return np.tile(np.arange(self.cost.shape[2], dtype=np.uint8), (len(self.cells), 1))
+        return np.tile(np.arange(self.yarns, dtype=np.uint8), (len(self.cells), 1))
 
 
 def make(layout: Layout, style: Style, params: KnitParams, exact: bool, progress: Progress) -> Piece:
@@ -72,7 +70,7 @@ def make(layout: Layout, style: Style, params: KnitParams, exact: bool, progress
         else:
             fewest = 0 if style.flat else FEWEST[params.technique]
             cells = areas.solve(cost, across, up, least, layout.knit, fewest)
-    field = Field(cost, across, up, least, layout, cells, locked)
+    field = Field(len(palette), least, layout, cells, locked)
     colours = len(palette) if style.flat else 0
     figures = {
         "style": style.name,
@@ -81,29 +79,29 @@ def make(layout: Layout, style: Style, params: KnitParams, exact: bool, progress
         "seen_from": style.metres,
     }
     if least < LEAST[params.technique]:
-        figures["embroidered"] = areas.narrow(cells, LEAST[params.technique], layout.knit)
-        if figures["embroidered"]:
-            progress.warn(
-                f"{figures['embroidered']} places are narrower than {LEAST[params.technique]} stitches in their row: "
-                "strand them, or embroider them in duplicate stitch",
-                hint="{--stitches} lets areas be as wide as a bobbin wants",
-            )
+        wider = "{--stitches} lets areas be as wide as a bobbin wants"
+        figures |= embroidered(field, params.technique, wider, progress)
     return assembled(field, palette, start, style.kind, figures, params)
 
 
 def of_chart(chart: Chart, params: KnitParams, progress: Progress) -> Piece:
-    """The Piece of an existing chart: as it is, or, without ``check``, with the fewest stitches changed that make every
-    area wide enough."""
+    """The Piece of an existing chart: as it is where ``check`` says so or a hand held stitches of it, else with the fewest
+    stitches changed that make every area wide enough."""
     params = params.model_copy(update={"technique": chart.technique, "back": chart.backing, "style": "graphic"})
     layout = unframed(chart)
-    cost = (np.arange(len(chart.palette)) != chart.cells[..., None]).astype(np.float32)
-    free, least = np.zeros(chart.shape, np.float32), LEAST[chart.technique]
     locked = np.zeros(chart.shape, np.bool_) if chart.locked is None else chart.locked
-    cost = held(cost, chart.cells, locked)
+    least, by_hand = LEAST[chart.technique], bool(locked.any())
     with progress.stage("solve"):
-        cells = chart.cells.copy() if params.check else areas.solve(cost, free, free, least, layout.knit)
-    field = Field(cost, free, free, least, layout, cells, locked)
+        if params.check or by_hand:
+            cells = chart.cells.copy()
+        else:
+            cost = (np.arange(len(chart.palette)) != chart.cells[..., None]).astype(np.float32)
+            free = np.zeros(chart.shape, np.float32)
+            cells = areas.solve(cost, free, free, least, layout.knit)
+    field = Field(len(chart.palette), 1 if by_hand else least, layout, cells, locked)
     told = {"style": "graphic", "why": "graphic: a chart is taken as it is", "seen_from": NEAR[params.use]}
+    if by_hand:
+        told |= embroidered(field, chart.technique, BESIDE, progress)
     return assembled(field, chart.palette, chart.cells, "chart", told, params)
 
 
@@ -201,30 +199,32 @@ def assembled(
     )
 
 
-def edited(piece: Piece, edits: list[tuple[int, int, int]]) -> Piece:
-    """The piece with stitches (row, stitch, palette entry) set, and as few others of their rows changed as areas want.
-
-    Raises TambourError where no row holds them in areas that are wide enough.
-    """
+def edited(piece: Piece, edits: list[tuple[int, int, int]], progress: Progress) -> Piece:
+    """The piece with stitches (row, stitch, palette entry) set, and no other: what is narrower than an area then is told."""
     field: Field = piece.state
     cells, locked = field.cells.copy(), field.locked.copy()
     wide = cells.shape[1]
     for r, x, colour in edits:
         cells[r, x % wide] = colour
         locked[r, x % wide] = True
-    wanted = cells.copy()
-    # What stands is wished for; the picture decides only between changes that are as few.
-    wish = (np.arange(field.cost.shape[2]) != wanted[..., None]) + TIE * field.cost / max(float(field.cost.max()), 1.0)
-    wish, free = held(wish.astype(np.float32), cells, locked), np.zeros(cells.shape, np.float32)
-    for r in sorted({r for r, _, _ in edits}) if piece.params.style != "tonal" else ():
-        areas.sweep(wish, free, free, field.least, field.layout.knit, cells, r, r + 1, 0)
-        if (cells[r] != wanted[r])[locked[r]].any():
-            raise TambourError(
-                f"row {r + 1} cannot hold these stitches in areas of {field.least} stitches and more",
-                hint="set their neighbours too",
-                where="{--edit}",
-            )
     told = {k: piece.figures[k] for k in ("style", "why", "suggested", "seen_from") if k in piece.figures}
-    again = replace(field, cost=held(field.cost, cells, locked), cells=cells, locked=locked)
+    again = replace(field, cells=cells, locked=locked, least=1)
+    told |= embroidered(again, piece.params.technique, BESIDE, progress)
     start = np.ascontiguousarray(piece.start[:, :wide])
     return assembled(again, piece.chart.palette, start, piece.kind, told, piece.params)
+
+
+def embroidered(field: Field, technique: str, hint: str, progress: Progress) -> dict[str, int]:
+    """How many places are narrower than an area should be, told with what one does about them."""
+    least, knit = LEAST[technique], field.layout.knit
+    count = areas.narrow(field.cells, least, knit)
+    if count:
+        one = "one stitch stands alone" if areas.narrow(field.cells, 2, knit) else f"one place is narrower than {least}"
+        many = f"{count} places are narrower than {least} stitches"
+        it = "it" if count == 1 else "them"
+        progress.warn(
+            f"{one if count == 1 else many} in {'its' if count == 1 else 'their'} row: embroider {it} afterwards in "
+            f"duplicate stitch, or strand {it}",
+            hint=hint,
+        )
+    return {"embroidered": count} if least > 1 else {}

@@ -18,8 +18,8 @@ from tambour.knit.solve.stages import priced, seen_task, sight_of
 from tambour.knit.task import PLAIN, Task
 
 
-def resolve(piece: Piece, edits: Iterable[tuple[int, int, int]]) -> Piece:
-    """The piece with stitches set by hand and the rows that this concerns solved again.
+def resolve(piece: Piece, edits: Iterable[tuple[int, int, int]], progress: Progress | None = None) -> Piece:
+    """The piece with stitches set by hand and, in stranded knitting, the rows that this concerns solved again.
 
     edits : (row, stitch, palette entry) each; row 0 is the cast-on row. The stitches become locked.
 
@@ -34,7 +34,7 @@ def resolve(piece: Piece, edits: Iterable[tuple[int, int, int]]) -> Piece:
             where="{--edit}",
         )
     if piece.chart.technique != "stranded":
-        return coloured.edited(piece, list(edits))
+        return coloured.edited(piece, list(edits), progress or Progress())
     state: State = piece.state
     task, params = state.task, piece.params
     rows, stitches = state.cells.shape
