@@ -23,6 +23,7 @@ HEAD = "\nHEAD\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each sc around. (
 @pytest.mark.parametrize(
     "joined, made",
     [
+        (TWO + "Next rnd: Ch 1. 1 sc in each of next 6 sc of Second Leg. Sl st in first sc of First Leg. 1 sc in same sp as sl st. 1 sc in each of next 11 sc of First Leg. 1 sc in each of last 6 sc of Second Leg. Join with sl st to first sc. 24 sc.\n", 24),
         (TWO + "Join Legs: 1st rnd: 2 sc in next sc of Second Leg (PM on first sc). 2 sc in first sc of First Leg to join. 1 sc in each of next 10 sc of First Leg. 2 sc in last sc of First Leg. 2 sc in next sc of Second Leg. 1 sc in each of rem 10 sc of Second Leg. 28 sc.\n", 28),
         (TWO + "Next rnd: With B, ch 1. 1 sc in each of first 6 sc of Second Leg. 1 sc in 12 sc of First Leg. 1 sc in each of last 6 sc of Second Leg. Join with sl st to first sc. 24 sc.\n", 24),
         (TWO + "Rnd 6: Sc in each sc around Second Leg, sc in each sc around First Leg. 24 sc.\n", 24),
@@ -41,6 +42,16 @@ def test_two_legs_become_one_body(joined: str, made: int) -> None:
     assert rounds == [6, 12, 12, 12, 12, 6, 12, 12, 12, 12, made, made]
     again = build(read(Text(instructions(pattern).text, "printed.md")))
     assert len(again.graph) == len(built.graph)
+
+
+def test_joined_rounds_go_on_over_both_legs() -> None:
+    words = (
+        TWO
+        + "Next rnd: Ch 1. 1 sc in each of next 6 sc of Second Leg. 1 sc in 12 sc of First Leg. 1 sc in each of last 6 sc of Second Leg. Join with sl st to first sc. 24 sc.\n"
+    )
+    words += "Next rnd: Ch 1. 1 sc in each st around. Join with sl st to first sc.\nNext rnd: Ch 1. *Sc2tog, 1 sc in each of next 4 sc. Rep from * around. Join with sl st to first sc. 20 sts.\n"
+    built = build(read(Text(words, "bear.txt")))
+    assert [w.edge for w in built.worked if w.line.in_round][-3:] == [24, 24, 20] and not built.warnings
 
 
 def test_a_wrong_count_of_both_is_told() -> None:

@@ -124,3 +124,5 @@ def _merge(hook: Hook, moment: Moment, edge: int) -> None:
     now.stretch = hook.stretches.begin(edge, mine)
     hook.end_round(False)
     hook.ahead = now.count
+    if 0 < moment.left < now.count:
+        now.left = moment.left  # the mark stood within a round, which goes on to where it began

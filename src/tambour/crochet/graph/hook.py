@@ -10,6 +10,8 @@ from tambour.core.graph import BACK, BLO, BOTH, FLO, FRONT, PLAIN, ROOT, TIP
 from tambour.crochet.graph.moment import Moment, Round, Stretches
 from tambour.crochet.language.stitches import JOIN, KNOT, NEXT, OVER, THROUGH, UNDYED, Stitch
 
+LIFT = 5
+"""Chains that only lift the yarn for a row or round, at most: a longer chain at a row's end is worked into."""
 MOST_AT_TIP = 12
 
 
@@ -405,11 +407,11 @@ class Hook:
         self.end_round(False)
         made = list(now.front)
         spine = now.spine
-        # A chain at the hook only lifts the yarn; when there is nothing else, its last stitch does.
+        # A chain at the hook only lifts the yarn; when there is nothing else, or it is longer than any stitch is high, its last stitch does.
         chains = 0
         while made and chains < len(made) and self._is_chain(made[-1 - chains]):
             chains += 1
-        lifted = 1 if chains == len(made) else chains
+        lifted = 1 if chains == len(made) or chains > LIFT else chains
         if lifted:
             base = made[-1 - lifted] if lifted < len(made) else made[0]
             spine = [base if base >= 0 else ~base, *[n for n in made[-lifted:] if n >= 0]]

@@ -82,8 +82,11 @@ def _lines(section: Section, log: list[Done], numbered: dict[str, dict[int, Writ
             makes = in_round or any(d.what in _MAKES for d in line)
             if not line and not again:
                 continue
+            above = (
+                not last and number is None and numbers[at : at + 1] == [1]
+            )  # the ring above Round 1 bears no number
             chain = not last and number is None and all(d.what == "ch" or d.what in RULES for d in line)
-            if makes and not (chain and not any(d.what in ("mr", "oval", "fsc") for d in line)):
+            if makes and not above and not (chain and not any(d.what in ("mr", "oval", "fsc") for d in line)):
                 last = last + 1 if number is None else number
                 number = last
             else:

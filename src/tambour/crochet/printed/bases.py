@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.counts import makes
@@ -25,7 +26,6 @@ from tambour.crochet.printed.tokens import Token
 
 _MOST: Final = 400
 MOST: Final = 5000  # stitches of a round that is taken from its count
-_LIFT: Final = 5
 
 
 def base(items: list[Item], stated: int | None, stitches: dict[str, Stitch]) -> int | None:
@@ -56,7 +56,7 @@ def lifted(items: list[Item]) -> list[Item]:
         0,
     )
     first = items[at] if items else None
-    if isinstance(first, Action) and first.name == "ch" and first.times <= _LIFT:
+    if isinstance(first, Action) and first.name == "ch" and first.times <= LIFT:
         return [*items[:at], *items[at + 1 :]]
     return items
 
@@ -205,7 +205,7 @@ def is_first(body: Body, stitches: dict[str, Stitch]) -> bool:
     """Whether a body begins a piece of its own."""
     begun = next((k for k, i in enumerate(body.items) if makes(i)), len(body.items))
     founded = any(
-        is_start(i, stitches) and not (isinstance(i, Action) and i.name == "ch" and (i.times <= _LIFT or k > begun))
+        is_start(i, stitches) and not (isinstance(i, Action) and i.name == "ch" and (i.times <= LIFT or k > begun))
         for k, i in enumerate(body.items)
         if not isinstance(i, Group) or i.times is not None  # "*sl st in next st, ch 3" goes around on what is there
     )

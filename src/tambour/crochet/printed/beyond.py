@@ -11,6 +11,7 @@ from tambour.core.errors import Span
 from tambour.crochet.language.finishes import GUESSED
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.places.names import kind_of, one
+from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.cursor import Refers
 from tambour.crochet.printed.heads import STARS, heads
 from tambour.crochet.printed.moved import along_edge
@@ -115,12 +116,33 @@ def more_copies(p: State, tokens: list[Token], more: tuple[int, Span, bool]) -> 
     own = {one(w) for w in name.lower().replace("_", " ").split()}
     if name and nouns and not any(one(t.word) in own for t in nouns):
         return False
+    if (
+        p.heading is None
+        and not p.parts
+        and p.mode == ""
+        and any(t.word in ("alike", "pieces", "the same") for t in tokens)
+    ):
+        p.early |= {"copies": count, "copies_span": span}  # "(Make 2 pieces alike). Ch 11."
+        return True
     if p.heading is not None:
         p.heading = replace(p.heading, copies=count, copies_span=span, strong=True)
     elif p.parts:
         draft = p.parts[-1]
         draft.copies, draft.copies_span = draft.copies + count if added else max(draft.copies, count), span
     return p.heading is not None or bool(p.parts)
+
+
+def tallied(p: State, line: str, span: Span) -> bool:
+    """Whether a line of a list says how many of a part are made in which yarns: "Motif 1: Make 6 using A as Color 1; B as Color 2". That is
+    remembered."""
+    found = _TALLY.match(line) if not p.parts else None
+    if found is None:
+        return False
+    noun = one(found[1].lower())
+    p.tally[noun] = p.tally.get(noun, 0) + int(found[2])
+    numbered(p.palette, line)
+    p.passed.append(span)
+    return True
 
 
 def repeats_for(tokens: list[Token], after: tuple[str, ...]) -> bool:
@@ -192,6 +214,7 @@ def _made_twice(p: State, tokens: list[Token]) -> bool:
     return True
 
 
+_TALLY: Final = re.compile(r"([A-Z][a-z]+) (?:\d|[A-Z]) ?[:–-] ?[Mm]ake (\d{1,2})\b(?=.*\b(?:using|with|in)\b)")
 _ANOTHER: Final = re.compile(
     r"(?:make|work|crochet)\s+(?:another|(?:a|the)\s+(?:second|2nd))(?:\s+([A-Za-z]+))?"
     r"(?:,?\s+(?:exactly\s+)?(?:alike|the\s+same|(?:in\s+)?the\s+same\s+(?:way|manner)|like\s+(?:it|this|the\s+first)(?:\s+one)?))?\s*(?:[.!;]|$)",

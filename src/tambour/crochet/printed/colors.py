@@ -112,7 +112,7 @@ _BESIDE: Final = re.compile(
 _OF_YARN: Final = re.compile(
     r"(?:\bwith|,[ \t]*in|\d[ \t]*,?[ \t]*in|\b[Mm]ake[ \t]+\w+[ \t]*,)[ \t]+([A-Za-z]{3,}(?:[ -](?:blue|green|brown|pink|gr[ae]y|red))?)\b"
 )
-_NUMBERED: Final = re.compile(r"(?:^|[,:]|\band)\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
+_NUMBERED: Final = re.compile(r"(?:^|[,:;]|\b(?:and|using|with))\s*([A-Z][A-Za-z ]{0,30}?)\s+as\s+Colou?r\s+(\d)\b")
 
 _AS: Final = re.compile(r"[a-z]\s+as\s+(?:MC|CC|[A-K])\b")
 

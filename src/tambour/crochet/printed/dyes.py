@@ -35,13 +35,16 @@ class Dyes(Courses):
         self.body.later.append((found.pop(), number))
 
     def versions(self) -> bool:
-        """Takes the yarns of another version, "A for shoe and D for legs", in their order; whether they are said at the cursor."""
+        """Takes the yarns of another version, "A for shoe and D for legs" or "with D", in their order; whether they are said at the cursor."""
         c, begin = self.c, self.c.at
         hues: list[RGB] = []
-        if not c.skip_key("with"):
+        whole = self.yarned()
+        if not c.skip_key("with", "over"):
             return False
         while (shade := self.palette.color(c) or self.palette.letter(c, c.at)) is not None:
             c.at += shade[1]
+            if whole:
+                hues.append(shade[0])
             if not c.key("for"):
                 break
             hues.append(shade[0])

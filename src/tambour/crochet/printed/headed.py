@@ -17,6 +17,7 @@ from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.doubts import decided
+from tambour.crochet.printed.formed import worked_in
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import works as works_some
 from tambour.crochet.printed.mend import is_start
@@ -46,6 +47,7 @@ class Headed(State):
 
     def worked(self, draft: Draft, head: Head, tokens: list[Token], span: Span) -> None:
         """The round as its words say, in the stripes that they or a sentence before them plan."""
+        worked_in(self, span.start, span.end)
         words = self.source.text.text[span.start : span.end]
         found = planned(words, self.palette, draft.lines)
         if found is not None:

@@ -6,6 +6,7 @@ import re
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.notes import MODES, Heading, heading, plain_name
 from tambour.crochet.printed.state import State
@@ -72,6 +73,24 @@ def copied(p: State, row: Row, line: str) -> Heading | None:
         return None
     span = Span(row.tokens[0].start, row.tokens[-1].end)
     return Heading(name, span, max(1, said[1]["count"]), span, True, True)
+
+
+_SMALL: Final = re.compile(r"[a-z]+(?: [a-z]+){0,2}")
+
+
+def small(p: State, row: Row, line: str) -> Heading | None:
+    """A heading in small letters that names a part, on a line of its own before what founds it or names its rounds: "hair", "left leg"."""
+    if not _SMALL.fullmatch(line) or not kind_of(one(line.split()[-1])) or p.mode in ("materials", "abbreviations"):
+        return None
+    text = p.source.text.text
+    before = text[: row.start].rstrip(" \t")
+    after = text[row.end :].lstrip()
+    ended = before.rstrip("\n*")[-1:] in (".", ")", "]", "") or before.endswith("\n\n")
+    if not (ended or p.heading is not None):
+        return None
+    if not after[:1].isupper():
+        return None
+    return Heading(plain_name(line), Span(row.tokens[0].start, row.tokens[-1].end), 1, None, True, False)
 
 
 def colorless(p: State, tokens: list[Token]) -> list[Token]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Final
 
 from tambour.core.errors import Span
@@ -31,6 +32,36 @@ def named(names: list[str], words: str) -> int | None:
             rank = (common * 4 - abs(len(name) - common) + 2 * ordered, ordered, at)
             best = rank if best is None else max(best, rank)
     return best[2] if best is not None else None
+
+
+def over(above: Heading | None, below: Heading) -> str:
+    """What a heading names that another follows before any round: "Version 2" over "MUZZLE", "GOLD DOLL" over "head"; "" where the first may
+    be a part itself, or the second none."""
+
+    def part(name: str) -> bool:
+        return any(kind_of(one(w)) for w in re.findall(r"[^\W\d_]+", name.lower()))
+
+    return above.name if above is not None and not part(above.name) and part(below.name) else ""
+
+
+def version(parts: Sequence[tuple[str, str]], name: str, words: str) -> int | None:
+    """Which of the parts, each its name and what stands over it, "as given for Version 1" means in the part ``name``: the one of that name
+    there, or the only one; None where none is meant."""
+    want = _said(words)
+    if not want:
+        return None
+    there = [k for k, (_, above) in enumerate(parts) if above and want <= _said(above)]
+    same = [k for k in there if _plain(parts[k][0]) == _plain(name)]
+    return same[-1] if same else there[0] if len(there) == 1 else None
+
+
+def _said(words: str) -> set[str]:
+    return {_one(w) for w in words.lower().replace("_", " ").split()} - _SMALL
+
+
+def _plain(name: str) -> list[str]:
+    """The words of a part's name, without the number that tells it from others of that name."""
+    return sorted(_one(w) for w in re.sub(r"_\d+$", "", name).lower().replace("_", " ").split())
 
 
 def _one(word: str) -> str:

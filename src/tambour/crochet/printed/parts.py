@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from tambour.core.errors import Span
-from tambour.crochet.graph.hook import MOST_AT_TIP
+from tambour.crochet.graph.hook import LIFT, MOST_AT_TIP
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import STANDING
 from tambour.crochet.language.tree import Action, Group, Item, Line, Section, written
@@ -42,8 +42,6 @@ MOST_ROUNDS = 20_000
 MARKED = 50
 """Rounds that a marked stitch is followed through."""
 _LOOPS = ("flo", "blo", "bl")
-LIFT = 5
-"""Chains at a round's beginning that only lift the yarn, at most."""
 
 
 if TYPE_CHECKING:
@@ -66,7 +64,7 @@ class Draft:
     spread : where lines begin that fit the round below them only;
     marked : which stitch of its last round is marked, from 0; spoken : where lines begin → the words they were read from
     merged : it has become part of another piece; bordered : what was worked last goes along an edge that is no round's
-    plan : the stripes that its next rounds are worked in, and where they are said
+    plan : the stripes that its next rounds are worked in, and where they are said; over : what stands over its heading and others
     loops : "flo" or "blo" where all its rounds are worked into those
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
@@ -101,6 +99,7 @@ class Draft:
     merged: bool = False
     bordered: bool = False
     plan: tuple[Plan, Span] | None = None
+    over: str = ""
 
     def begun(self) -> bool:
         """Whether anything but colours stands in it."""
@@ -151,6 +150,10 @@ class Draft:
             items = [Action(self.loops, span), *items, Action("bl", span)]
         if items:
             self._line(source, head, body, self._begun(source, head, _facing(items), body), span, notes)
+
+    def ringed(self) -> bool:
+        """Whether all of it is a round without a number: "Work 6 sc in ring." above Round 1."""
+        return [line.number for line in self.lines if line.in_round] == [None] and self.last == 1
 
     def ahead(self) -> int | None:
         """Which stitch is the marked one as the next round meets it: rows are turned."""

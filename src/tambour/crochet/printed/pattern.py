@@ -16,6 +16,7 @@ from tambour.crochet.places.tubes import closed
 from tambour.crochet.printed.assembly import UNPLACED, assembled, told, with_places
 from tambour.crochet.printed.colors import dyeing
 from tambour.crochet.printed.cursor import Cursor
+from tambour.crochet.printed.formed import complete
 from tambour.crochet.printed.headed import Headed
 from tambour.crochet.printed.heads import STARS, Head, heads
 from tambour.crochet.printed.lines import goes_on, rounds, stop_between, wrapped
@@ -175,7 +176,7 @@ class Printed(Headed):
             return at + 1
         tokens = self.vocabulary.read(row.tokens)
         found = heads(tokens, self.source.text.text)
-        if not found:
+        if not found or complete(self.source.text.text[row.start : row.end]):
             end = at + 1
             while end < len(self.rows) and end - at < WRAPPED and wrapped(self, self.rows[end - 1], self.rows[end]):
                 tokens += self.vocabulary.read(self.rows[end].tokens)
@@ -274,17 +275,19 @@ class Printed(Headed):
         """Begins the part that a head begins; its numbers go on where they only begin at 1 again."""
         last = self.parts[-1] if self.parts else None
         first = head.numbers[:1] == (1,)
+        ringed = last is not None and last.ringed()
         if (
             first
             and last is not None
             and last.last
             and last.off is None
             and (last.edge or 0) > 2
-            and not _starts(tokens)
+            and not _starts(tokens, ringed)
             and (self.heading is None or not self.heading.marked)
         ):
             self.heading = None
-            last.offset, first = last.last, False
+            last.offset, first = 0 if ringed else last.last, False
+            last.last = 0 if ringed else last.last
         self.begin(first, span)
         draft = self.parts[-1]
         if (
@@ -316,15 +319,13 @@ def _ends_line(tokens: list[Token], k: int) -> bool:
     return not named and (after is None or before is None or before.word in (".", ")", "]"))
 
 
-def _starts(tokens: list[Token]) -> bool:
-    """Whether words begin a piece of work: in a ring, in a chain, or as another part."""
+def _starts(tokens: list[Token], ringed: bool) -> bool:
+    """Whether words begin a piece of work: in a ring, in a chain or, where no ring was ``ringed`` already, as another part."""
+    starts = ("ring", "loop", "hook", "foundation") if ringed else ("ring", "loop", "hook", "foundation", "as", "same")
     yarn = {
         k + 1 for k, t in enumerate(tokens) if t.kind == "key" and t.value in ("with", "join", "color")
     }  # "With MC"
-    return any(
-        t.kind == "key" and t.value in ("ring", "loop", "hook", "foundation", "as", "same") and k not in yarn
-        for k, t in enumerate(tokens)
-    )
+    return any(t.kind == "key" and t.value in starts and k not in yarn for k, t in enumerate(tokens))
 
 
 def _place(problem: Problem) -> int:

@@ -9,9 +9,12 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.assembly import Said
+from tambour.crochet.printed.beyond import tallied
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.cursor import OPEN
-from tambour.crochet.printed.headlines import below, colorless, copied, headed, named_color, trailing
+from tambour.crochet.printed.formed import forms
+from tambour.crochet.printed.headlines import below, colorless, copied, headed, named_color, small, trailing
+from tambour.crochet.printed.naming import over
 from tambour.crochet.printed.notes import BELOW, MODES, copies_alone, definition, heading, own_stitch, stated
 from tambour.crochet.printed.opening import founds
 from tambour.crochet.printed.sentences import sentences
@@ -39,6 +42,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     text = p.source.text.text
     if _said(p, Span(row.tokens[0].start, row.tokens[-1].end)):
         return
+    line = text[row.tokens[0].start : row.tokens[-1].end]
+    if forms(p, line, whole) or tallied(p, line, whole):
+        return
     title = p.title is not None and p.heading is not None and p.heading.span == p.title[1]
     if title and p.heading is not None and p.heading.copies_span is None and tokens[0].word not in OPEN:
         p.heading = None  # what stands over the whole pattern names no part
@@ -61,7 +67,6 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.vocabulary.define(new[0].word, new[1])
         p.passed.append(whole)
         return
-    line = text[row.tokens[0].start : row.tokens[-1].end]
     shade = named_color(p, tokens)
     if numbered(p.palette, line) and not any(t.kind == "stitch" and t.value == "ch" for t in tokens):
         p.passed.append(whole)
@@ -88,7 +93,12 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if p.heading is not None and (more := copies_alone(tokens)) is not None:
         p.heading = replace(p.heading, copies=more[0], copies_span=more[1], strong=True, marked=True)
         return
-    found = copied(p, row, line) or heading(text, row, tokens) or heading(text, row, colorless(p, tokens))
+    found = (
+        copied(p, row, line)
+        or heading(text, row, tokens)
+        or heading(text, row, colorless(p, tokens))
+        or small(p, row, line)
+    )
     lefts: list[list[Token]] = []
     if (found is None or not found.marked) and sentences(p, tokens, lefts):
         found = None
@@ -107,6 +117,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
             p.title = (text[found.span.start : found.span.end], found.span)
             p.heading = found if found.strong else None
         elif p.heading is None or p.heading.copies_span is None or found.copies_span is not None:
+            p.over = over(p.heading, found) or p.over
             p.heading = found  # "Arms (make 2)." before "Glove: With A, ch 2." stays
         if found.copies > 1 and found.name == "":
             p.heading = None

@@ -12,7 +12,7 @@ from tambour.core.rgb import RGB
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Action, Item
 from tambour.crochet.printed.clauses import Where
-from tambour.crochet.printed.colors import Palette
+from tambour.crochet.printed.colors import LETTERS, Palette
 from tambour.crochet.printed.cursor import Cursor, NotUnderstood, Refers
 from tambour.crochet.printed.tokens import Token
 
@@ -132,6 +132,17 @@ class Reader(ABC):
     def is_ring(self, action: Action) -> bool:
         """Whether an action begins with a magic ring."""
         return action.name == "mr" or (action.name in self.stitches and self.stitches[action.name].where == "ring")
+
+    def yarned(self) -> bool:
+        """Whether "using D" or "with brown" stands at the cursor, and no more of its clause."""
+        c = self.c
+        if not c.key("with", "over"):
+            return False
+        after = c.look(1)
+        lettered = after is not None and after.word in LETTERS
+        shade = self.palette.color(c, c.at + 1) or (self.palette.letter(c, c.at + 1) if lettered else None)
+        end = None if shade is None else c.look(1 + shade[1])
+        return shade is not None and (end is None or end.word in _STOPS)
 
     def to_separator(self, *keys: str) -> None:
         """Goes on to the end of a clause."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.stitches import Stitch
 from tambour.crochet.language.tree import Group, Item, Line
 from tambour.crochet.printed.repeats import led
@@ -18,7 +19,7 @@ def worked(
     them, so that chains are a space."""
     made = taken = 0
     turned = False
-    for item in items:
+    for k, item in enumerate(items):
         if turned and not isinstance(item, Group) and item.name == "ch":
             continue  # it lifts the yarn for the next row
         turned = not isinstance(item, Group) and item.name == "turn"
@@ -44,6 +45,8 @@ def worked(
                 made, taken = made + item.times, taken + item.times
             elif item.name != "ch" or made or begun:  # chains at the beginning only lift the yarn
                 made, taken = made + kind.makes * item.times, taken + kind.takes * item.times
+                if item.name == "ch" and item.times > LIFT and _turned(items, k + 1):
+                    made -= 1  # the next row goes into this chain, from the 2nd from the hook
         elif item.name in ("turn", "join"):
             continue
         elif item.name == "gap":
@@ -51,6 +54,11 @@ def worked(
         elif item.name not in ("flo", "blo", "bl", "color", "fo"):
             return None
     return made, taken
+
+
+def _turned(items: list[Item] | tuple[Item, ...], at: int) -> bool:
+    """Whether the work is turned at ``at``."""
+    return at < len(items) and getattr(items[at], "name", "") == "turn"
 
 
 def after(items: list[Item] | tuple[Item, ...], edge: int | None, stitches: dict[str, Stitch]) -> int | None:

@@ -79,8 +79,8 @@ def refers(r: Reader) -> Refers | None:
             r.body.doings.append(c.tokens[c.at + 1 : past])
             c.at = past
             continue
-        if c.key("color") and token.word.startswith("chang"):
-            break
+        if (c.key("color") and token.word.startswith("chang")) or (words and r.yarned()):
+            break  # "as for Head using D", whose yarn is no word of a name
         if not numbers and not found.latest and found.marks is None and _named(c, numbers):
             found = replace(found, numbers=tuple(numbers))
             continue

@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tambour.core.errors import Span
+from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Action, Again, Item, Line, written
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import closes, sets_mark, works
-from tambour.crochet.printed.naming import named
-from tambour.crochet.printed.parts import LIFT, MARKED, MOST_ROUNDS, Draft
+from tambour.crochet.printed.naming import named, version
+from tambour.crochet.printed.parts import MARKED, MOST_ROUNDS, Draft
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, rounds_until
 from tambour.crochet.printed.redyed import redyed
@@ -25,12 +26,17 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     names = [one.name for one in parts]
     meant = named(names, refers.part) if refers.part else None
     origin = draft if not refers.part or meant == -1 else None if meant is None else parts[meant]
+    if origin is None and refers.part:
+        meant = version([(one.name, one.over) for one in parts[:-1]], draft.name, refers.part)
+        origin = None if meant is None else parts[meant]
     if refers.marks and (origin is None or origin.between(refers.marks) is None):
         marks = refers.marks
         origin = next((one for one in reversed(parts) if one.between(marks) is not None), origin)
     if origin is None:
         return False
     lines = origin.referred(refers)
+    bare = origin is not draft and [line.number for line in lines[:2]] == [None, 1]
+    lines = lines[1:] if bare else lines  # the ring above Round 1 is none of the rounds that numbers mean
     gaps = [i for line in lines[:1] for i in line.items if line.gap and line.stated is None and isinstance(i, Action)]
     guessed = any(i.name == "gap" and i.numbers[:1] != (draft.edge,) for i in gaps)
     if not lines or guessed or any(line.span.start in origin.spread for line in lines):
@@ -71,7 +77,7 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     if refers.mirrored:
         source.doubt("sides are not reversed here", "write the mirrored rounds out", refers.span)
     if not draft.begun() or draft.chain is not None:
-        first = next(k for k, one in enumerate(origin.lines) if one.in_round)
+        first = next(k for k, one in enumerate(origin.lines) if one.in_round and not (bare and one.number is None))
         if lines[0].number == origin.lines[first].number and origin is not draft:
             hues = [
                 (line, tuple(i for i in line.items if isinstance(i, Action) and i.name == "color"))
@@ -84,6 +90,8 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     number = numbers[0] if numbers else draft.last + 1
     at = head.span if head is not None and numbers else refers.span
     first_number, last_number = lines[0].number or 0, (lines[-1].number or 0) + lines[-1].times - 1
+    if total < once and refers.times is None and lines[0].number:
+        last_number = lines[0].number + total - 1  # "Rounds 1-3: as for Body" are its first three
     if number + total > MOST_ROUNDS:
         source.error(f"more than {MOST_ROUNDS:,} rounds in one part", "a lower number", at)
         return True
@@ -99,10 +107,11 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     if numbers and head is not None:
         draft._numbered(source, head, True)
     made = redyed(line, origin.lines, body.hues) if body.hues else [line]
-    if body.hues:
+    dyes = {i.numbers for one in origin.lines for i in one.items if isinstance(i, Action) and i.name == "color"}
+    if body.hues and max(len(body.hues), len(dyes)) > 1:
         message = "these yarns are taken in the order in which colours come there"
         source.doubt(message, "nothing is amiss", refers.span)
-    elif marked:
+    if marked and not body.hues:
         made = list(line.rounds())  # written out, so that they hold marks of their own
     draft.lines += [*made, *([Line(later, span, False)] if later else [])]
     draft.last, before = number + total - 1, draft.edge

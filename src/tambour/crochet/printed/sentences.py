@@ -18,6 +18,7 @@ from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
+from tambour.crochet.printed.formed import worked_in
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.items import bare_count, works
 from tambour.crochet.printed.notes import Heading, copies_alone, copies_said
@@ -128,6 +129,7 @@ def sentence_read(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds, in the stripes that it plans; whether it was understood."""
     draft = p.parts[-1] if p.parts else None
     begin, end = tokens[0].start, tokens[-1].end
+    worked_in(p, begin, end)
     if (
         draft is not None
         and draft.last
@@ -136,7 +138,11 @@ def sentence_read(p: State, tokens: list[Token]) -> bool:
         return _in_blocks(p, draft, tokens, made)
     found = planned(p.source.text.text[begin:end], p.palette, draft.lines) if draft is not None and draft.last else None
     if draft is None or found is None or p.heading is not None or p.mode in ("materials", "abbreviations", "assembly"):
-        return plainly(p, tokens)
+        known = {id(line) for line in draft.lines} if draft is not None and draft.plan is not None else set()
+        read = plainly(p, tokens)
+        if draft is not None and draft.plan is not None and p.parts[-1] is draft and len(draft.lines) > len(known) > 0:
+            lay(draft, known, *draft.plan, True)
+        return read
     plan, (first, last) = found
     place = Span(begin + first, begin + last)
     rest = without(tokens, place)
@@ -265,7 +271,13 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     starts = body.curled or any((isinstance(i, Action) and i.name in ("mr", "ch")) or _ring(i) for i in body.items)
     if draft is None and not starts:
         return False
-    if starts and (draft is None or p.heading is not None):
+    anew = any(
+        isinstance(i, Action) and (i.name == "mr" or (i.name == "ch" and i.times > 1) or _ring(i)) for i in body.items
+    )
+    ended = (
+        draft is not None and draft.off is not None and anew and not body.curled
+    )  # "Fasten off" stands before another part
+    if starts and (draft is None or p.heading is not None or ended):
         p.begin(True, span)
     elif draft is not None and p.lead:
         draft.lines += p.lead

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from tambour.core.errors import Problem, Span
+from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import GUESSED
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
+from tambour.crochet.places.names import one
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.heads import head
@@ -25,6 +27,9 @@ from tambour.crochet.printed.vocabulary import vocabulary
 from tambour.crochet.printed.wrapping import unwrapped
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.table import TERMS
+
+if TYPE_CHECKING:
+    from tambour.crochet.printed.stripes import Plan
 
 _KNOWN: Final = (
     "around",
@@ -100,6 +105,12 @@ class State:
         self.ended: list[str] = []  # asterisks that end the round under way
         self.starred = ""  # asterisks that stand before what comes next
         self.moved: Moved | None = None  # where yarn was joined that the next round begins with
+        self.runs: list[tuple[RGB, int]] | None = None  # of stripes that a list forms, while it is read
+        self.formed: Plan | None = None  # the stripes that it formed
+        self.tally: dict[
+            str, int
+        ] = {}  # how many of each part are made, where lists of yarns say so: "Motif 1: Make 6 using A …"
+        self.over = ""  # what stands over the headings of several parts: "Version 2", "GOLD DOLL"
         self.tied: Token | None = None  # the stitch that yarn was joined with, which the next round begins with
         self.handed = False  # the sentence before this one was something that hands do
         self.edged = False  # it worked along an edge that is no round's
@@ -135,7 +146,7 @@ class State:
         if (
             last is not None
             and last.begun()
-            and not (first and (last.last or (self.heading and (last.chain is None or last.off is not None))))
+            and not (first and (last.last or last.off is not None or (self.heading and last.chain is None)))
         ):
             if self.heading is not None and not title:
                 self.passed.append(self.heading.span)
@@ -158,10 +169,12 @@ class State:
         taken = {draft.name for draft in self.parts}
         if name in taken:
             name = next(f"{name}_{k}" for k in range(2, len(taken) + 3) if f"{name}_{k}" not in taken)
-        draft = Draft(name, found.span if found is not None else span)
+        draft = Draft(name, found.span if found is not None else span, over=self.over)
         if found is not None:
             draft.copies_span = found.copies_span
             draft.copies, guess = made_of(self.source.text.text, found)
+            if draft.copies == 1 and (many := self.tally.get(one(found.name.lower().split()[-1]), 0)):
+                draft.copies, draft.copies_span = many, found.span
             if guess:
                 hint = "say how many: (make 2), or (make 1)"
                 self.source.doubt(f"{GUESSED}: two of {found.name} are made", hint, found.span)

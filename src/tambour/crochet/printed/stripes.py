@@ -74,7 +74,7 @@ def planned(words: str, palette: Palette, worked: list[Line]) -> tuple[Plan, tup
     if not _HINT.search(words):
         return None
     if (found := _CHANGED.search(words)) is not None and (runs := _changed(found, palette, worked)):
-        return Plan(runs, _phase(runs, worked)), found.span()
+        return Plan(runs, phase(runs, worked)), found.span()
     if (found := _BETWEEN.search(words)) is not None:
         hues = _hues(found[0], palette)
         every = _many(found[len(found.groups()) - 1], found[len(found.groups())])
@@ -90,7 +90,7 @@ def planned(words: str, palette: Palette, worked: list[Line]) -> tuple[Plan, tup
         many = _number(found[1])
         if len(used) > 1 and many:
             runs = tuple((hue, many) for hue in used)
-            return Plan(runs, _phase(runs, worked)), found.span()
+            return Plan(runs, phase(runs, worked)), found.span()
     return None
 
 
@@ -108,7 +108,7 @@ def blocks(words: str, palette: Palette, worked: list[Line]) -> tuple[Plan, int,
     if not high or not many or len(hues) < 2:
         return None
     runs = tuple((hue, high) for hue in hues)
-    return Plan(runs, _phase(runs, worked)), high * many, found.span()
+    return Plan(runs, phase(runs, worked)), high * many, found.span()
 
 
 def without(tokens: list[Token], place: Span) -> list[Token]:
@@ -120,7 +120,10 @@ def lay(draft: Draft, known: set[int], plan: Plan, place: Span, onward: bool) ->
     """Lays ``plan`` over the lines of ``draft`` that are not ``known`` by their identity; a plan that goes ``onward`` ends where a round
     says a yarn of its own."""
     new = [line for line in draft.lines if id(line) not in known]
-    if not any(line.in_round for line in new) or (onward and any(_colors(line) for line in new)):
+    own = [
+        hue for line in new if line.span.start >= place.start for hue in _colors(line)
+    ]  # a chain above may name the first
+    if not any(line.in_round for line in new) or (onward and own):
         draft.plan = None if new else draft.plan
         return
     draft.lines = [line for line in draft.lines if id(line) in known] + striped(new, plan, place)
@@ -200,6 +203,12 @@ def _hue(words: str, palette: Palette) -> RGB | None:
     return found[0] if found is not None and found[1] == len(c.tokens) else None
 
 
+def run(line: str, palette: Palette) -> tuple[RGB, int] | None:
+    """The run that a line of a list says, "With D – 2 rnds"; None for another line."""
+    found = _ONE.fullmatch(re.sub(r"^[ \t*•]*(?:[Ww]ith|[Ii]n|[Uu]sing)?[ \t]+|[\s.;,*]+$", "", f" {line}"))
+    return None if found is None else _item(found, palette)
+
+
 def _item(found: re.Match[str], palette: Palette) -> tuple[RGB, int] | None:
     """One run of a list: "2 rounds in B", "A 2 rounds", "With C, work 1 row"."""
     number, yarn = next((n, y) for n, y in ((found[1], found[2]), (found[4], found[3]), (found[6], found[5])) if n)
@@ -223,7 +232,7 @@ def _colors(line: Line) -> list[Action]:
     return [i for one in line.rounds() for i in one.items if isinstance(i, Action) and i.name == "color"]
 
 
-def _phase(runs: tuple[tuple[RGB, int], ...], worked: list[Line]) -> int:
+def phase(runs: tuple[tuple[RGB, int], ...], worked: list[Line]) -> int:
     """Rounds of the plan that are worked already: those in the last yarn, behind all the runs before it."""
     done = 0
     hue: tuple[int, ...] | None = None

@@ -138,6 +138,7 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
     runs: list[Run] = []
     waiting: list[Token] = []  # what comes before the first piece is named
     chain = 0
+    over: set[int] = set()
     for clause in clauses:
         at = [k for k in range(len(clause) - 1) if _rank(clause[k]) is not None and one(clause[k + 1].word) == noun]
         pieces = {which(_rank(clause[k]) or 0) for k in at}
@@ -156,6 +157,13 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
                 continue
         if not rest:
             continue
+        slipped = rest[0].value == "slst" and not any(t.kind == "number" for t in rest)
+        if slipped and pieces and runs and pieces != {runs[-1].piece}:
+            over = pieces  # "Sl st in first sc of First Leg": the yarn goes over to it
+            continue
+        if over and not pieces and len(stitches) > 0 and any(t.value == "same" for t in rest):
+            pieces, rest = over, [stitches[0]]  # "1 sc in same sp as sl st" is its first stitch
+        over = set()
         if pieces and rest[0].value == "join" and stitches and stitches[-1].value != "slst":
             rest = [stitches[-1]]  # "join to first leg with a sc"
         spaces = any(t.value == "ch" and k and rest[k - 1].value != "ch" for k, t in enumerate(rest) if k) or any(
