@@ -30,12 +30,14 @@ STAY = 2.5
 """How far from a seam's middle stays begin on the fabric, in stitches."""
 BEND = 1.0
 """Radians that a flat piece reaches around what it is sewn to, at the most, from its middle."""
-DISC, GROWS = 24, 5.0
+DISC, GROWS = 12, 5.0
 """A flat circle has so many stitches or more round its edge, and so many for every round."""
 FAN = 3
 """A fan begins with so few stitches, and its last row has so many for every row, or more."""
 STRIP = 3
 """A piece in rows is a strip where its last row has so many stitches to a row, or more."""
+ROUND = 0.3
+"""An end that encloses less than this share of a circle of as many stitches is no ring."""
 REACH = 5.0
 """How far up a part they hold it at the most."""
 
@@ -72,7 +74,7 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
         nodes = _end_of_rows(built, spots, part)
     else:
         nodes = spots.sewn_rim(part)
-        if placed.flat and _disc(built, part) and len(nodes) >= DISC:
+        if placed.flat and not _oval(built, part) and _disc(built, part, 2) and len(nodes) >= DISC:
             # A full circle is sewn by a piece of its edge: the part of it that is worked last.
             nodes = nodes[~np.isin(graph.peculiarity[nodes], (ROOT, TIP))]
             return End(nodes[-max(4, len(nodes) // 5) :], False, none)
@@ -88,11 +90,18 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
         first, last = whole(graph, part)
         nodes = np.arange(max(first, last - 3), last)
     m = len(nodes)
+    if shut(spots, nodes):
+        return End(nodes, False, none)
     if not placed.flat and not rows and graph.parts[part].stuffing == 0.0 and _disc(built, part, 1):
         return End(nodes, True, none, laid=True, disc=True)
     pinch = placed.flat and not rows
     pairs = np.column_stack([nodes[: m // 2], nodes[::-1][: m // 2]]) if pinch else none
     return End(nodes, not rows and not placed.flat, pairs)
+
+
+def shut(spots: Spots, nodes: Array) -> bool:
+    """Whether an end was closed by stitches through both its layers: a line, and no ring."""
+    return len(nodes) > 1 and bool(spots.folded[nodes].mean() > 0.5)
 
 
 def _disc(built: Built, part: int, least: int = 4) -> bool:
@@ -154,7 +163,9 @@ def held(x: Array, own: Array, end: End) -> Held:
     off = loop - middle
     axis = np.cross(off, np.roll(off, -1, 0)).sum(0)
     axis = axis if dot(axis, away) >= 0 else -axis
-    axis = _unit(axis) if length(axis) > 0.1 * len(loop) else _unit(away)
+    # What lies flat has no plane of its own.
+    plain = length(axis) > ROUND * len(loop) ** 2 / (2.0 * math.pi)
+    axis = _unit(axis) if plain else _unit(away)
     ahead = np.array([0.0, 0.0, 1.0]) if abs(axis[2]) < 0.95 else np.array([0.0, -1.0, 0.0])
     return Held(middle, axis, _unit(ahead - dot(ahead, axis) * axis))
 

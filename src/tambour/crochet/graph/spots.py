@@ -71,6 +71,13 @@ class Spots:
         return rounds(graph, graph.rest / graph.stitch_width)
 
     @cached_property
+    def folded(self) -> Array:
+        """Which nodes (N,) are worked through both layers of an opening that was laid flat."""
+        from tambour.crochet.graph.ovals import layers
+
+        return layers(self.built.graph)
+
+    @cached_property
     def in_rows(self) -> Array:
         """Which parts (P,) are worked in rows."""
         from tambour.crochet.graph.layout import in_rows

@@ -7,6 +7,7 @@ from math import pi, radians
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
+    from tambour.core.check import Array
     from tambour.core.mesh import Mesh
     from tambour.core.picture import Picture
     from tambour.crochet.piece import Plush
@@ -162,13 +163,26 @@ def stand(piece: Plush) -> tuple[float, float]:
 
     from tambour.crochet.page.pictures import lies
 
-    _, high, deep = np.ptp(piece.positions, axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
     if lies(piece):
         return ABOVE
     face = facing(piece)
     if face is not None:
         return AHEAD[0] + face, AHEAD[1]
+    _, high, deep = np.ptp(trunk(piece), axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
     return ASIDE if deep > _LONG * high else AHEAD
+
+
+def trunk(piece: Plush) -> Array:
+    """Where the stitches (K, 3) are of what a toy's parts are sewn to, one on the other, without the limbs that stick out:
+    one that sits with its legs ahead is not long."""
+    import numpy as np
+
+    graph, joining = piece.built.graph, piece.joining
+    bear = {joining.spots.parts[f.spot.part] for f, _ in joining.steps} if joining is not None else set[int]()
+    large = max((graph.parts[k].end - graph.parts[k].start for k in bear), default=0)
+    spans = [graph.parts[k] for k in sorted(bear) if 3 * (graph.parts[k].end - graph.parts[k].start) > large]
+    own = [piece.positions[p.start : p.end] for p in spans]
+    return np.concatenate(own) if own else piece.positions
 
 
 def facing(piece: Plush) -> float | None:

@@ -50,7 +50,8 @@ class Beside:
             x, y, z = 0.7 * x, max(0.75, y), 0.7 * z  # about the top, not all of them in one place
         elif "top" in said and "bottom" not in said:
             x, y, z = (sign * 0.42 if copies == 2 or x else 0.0), 0.92, (z if abs(z) < 0.3 else 0.0)
-            axis = axis if axis is not None and axis[1] > 0.3 else (x * 0.6, 1.0, 0.0)
+            hangs = axis is not None and axis[1] < -0.5 and "upwards" not in said  # arms, also from the shoulders' top
+            axis = axis if hangs or (axis is not None and axis[1] > 0.3) else (x * 0.6, 1.0, 0.0)
         elif "bottom" in said and copies <= 2:
             x, y, z = (sign * 0.45 if x else 0.0), -0.9, (0.12 if x else z * 0.3)
             axis = (sign * 0.08 if x else 0.0, -1.0, 0.08)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 from typing import Final
@@ -27,6 +28,12 @@ _INSIDE: Final = 2.0
 """How many rounds eyes stay away from where another colour begins."""
 _CLEAR: Final = 0.6
 """Eyes stay so many stitches clear of a snout, and are moved up by as many at a time."""
+_NOSE: Final = 1.2
+"""How far below the eyes' lower edge a nose is, in stitches."""
+_SNOUT, _FULL = 0.6, 0.6
+"""A snout ends in this first part of a head's rounds, where they have less than this share of the widest one's stitches."""
+_BROW: Final = np.array([0.6, 0.5, 0.0])
+"""Where eyes are about a head that lies, seen from its nose."""
 _KNOT: Final = 1.4
 """Eyes of knots are so many stitches wide at the most, and three quarters of what satin stitch would fill."""
 
@@ -81,10 +88,30 @@ class Facer(Putter):
             near = host.near(there)
             level, stitch = near.round, near.stitch or 1.0
             level = self._in_one_color(host, level) if point is None else level  # what is said stays
+            if point is None and self._ahead(host) and not f.where.words - {"sides", "front"}:
+                level = self._behind_snout(host)
+                stitch = host.in_round(level, _BROW)
         middle, count = host.middle(level), host.count(level)
         apart = self._apart(f.where)
         off = abs((stitch - middle + count / 2) % count - count / 2) if apart is None else 0.5 * apart
         return [host.within(Spot(host.name, level, round(middle + s * off, 3), f.span)) for s in (-1.0, 1.0)]
+
+    def _ahead(self, host: Host) -> bool:
+        """Whether a part is a head, or head and body, that is worked from its nose and looks ahead."""
+        made = next(p for p in self.work.parts if host.name in {p.copy(k) for k in range(1, p.copies + 1)})
+        lies = made == self.work.main and self._lies((made, 1)) and not self._swims()
+        return (lies and host.axis[2] < -0.7) or self.work.nose_first(made)
+
+    def _swims(self) -> bool:
+        return any(p.kind in ("fluke", "fin") for p in self.work.parts)
+
+    @staticmethod
+    def _behind_snout(host: Host) -> float:
+        """The round in which a snout becomes the head: the first that is nearly as wide as the widest, and stays so."""
+        counts = [len(ring) for _, ring in host.levels]
+        some = counts[: max(1, math.ceil(_SNOUT * len(counts)))]
+        narrow = [k for k, c in enumerate(some) if c < _FULL * max(counts)]
+        return float(host.levels[min(narrow[-1] + 1 if narrow else 0, len(counts) - 1)][0])
 
     def _off_the_snout(self, f: Feature, host: Host, point: Array) -> Array:
         """An eye's place moved up its head until no snout covers it."""
@@ -260,7 +287,7 @@ class Facer(Putter):
                 middle = np.array(there[1]).mean(0)
                 if thing == "muzzle":
                     continue
-                fall = (0.5 if name.split()[-1] == "nose" else down) + (
+                fall = (_NOSE if name.split()[-1] == "nose" else down) + (
                     self.deep.get(thing, 0.5) if thing == "eye" else 0.0
                 )
                 return host.ahead(middle[0], middle[1] - fall)

@@ -117,6 +117,10 @@ class Feature:
     guess: bool = False
 
 
+_BUTTONS: Final = re.compile(
+    r"\b(?:buttons|beads)\b[^.]{0,60}\b(?:to|on|onto)\s+(?:the\s+)?(?:front of\s+(?:the\s+)?)?(?:head|face)\b"
+)
+"""Buttons on a head that nobody calls eyes."""
 _WOUND: Final = re.compile(r"\b(?:loop|wrap|wind)\w* (?:the )?(?:yarn|thread|floss)\b")
 """How noses are made that are not called embroidered."""
 
@@ -229,6 +233,12 @@ class Heard:
                 self.features.append(
                     Feature(name, host, self._region(low, host), place, sentence.span, order, color, low)
                 )
+            return True
+        if _BUTTONS.search(low) and not re.search(r"\b(?:eyes?|nose|nostril)", low):
+            head = next((p for p in self.parts if p.single and p.kind == "head"), None)
+            place = replace(at, words=frozenset(), beside=())
+            host = None if head is None else (head, 1)
+            self.features.append(Feature("safety eyes", host, "head", place, sentence.span, order, None, "eyes"))
             return True
         return self._put(low, found, at, sentence, order)
 

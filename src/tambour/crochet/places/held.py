@@ -10,6 +10,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.graph import BLO, FLO
+from tambour.crochet.finish import sewing
 from tambour.crochet.finish.placing import level
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import Beside
@@ -95,7 +96,8 @@ class Holder(Beside):
         standing = copy[0].kind in _PINCHED and bool(
             self.work.spots.in_rows[self.work.spots.parts[copy[0].copy(copy[1])]]
         )
-        if flat or standing:
+        closed = self._shut(copy)
+        if flat or standing or closed:
             line = np.array(way.line)
             if at.rounds is not None and abs(at.rounds[1] - at.rounds[0]) >= 3:
                 line = host.axis
@@ -111,6 +113,8 @@ class Holder(Beside):
             across = across - 180.0 if across > 90.0 else across + 180.0 if across <= -90.0 else across
             if across == 90.0 and float(n[0]) > 0.05:
                 across = -90.0
+            if closed < 0 and copy[0].kind in ("leg", "foot"):
+                across += -180.0 if across > 0.0 else 180.0  # toes look ahead, or up
         else:
             across = way.turn if abs(way.turn) == 180.0 and tilt else 0.0
             if put.kind in _WIDE_ONES and self._lengthwise(copy):
@@ -120,6 +124,14 @@ class Holder(Beside):
         if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
             return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
         return replace(record, by=self._by(record, host, n)) if not flat else record
+
+    def _shut(self, copy: Copy) -> int:
+        """Whether a part's end is a line, closed through both layers: 1, or -1 where that runs to the part's right; else 0."""
+        spots, index = self.work.spots, self.work.spots.parts[copy[0].copy(copy[1])]
+        nodes = np.zeros(0, int) if spots.in_rows[index] else spots.stitches(spots.last(index))
+        if not sewing.shut(spots, nodes):
+            return 0
+        return -1 if spots.layout[nodes[-1], 0] < spots.layout[nodes[0], 0] else 1
 
     def _lengthwise(self, copy: Copy) -> bool:
         """Whether a part is an oval, which is worked from a chain that runs from front to back."""

@@ -218,6 +218,8 @@ def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) ->
                 len(name),
                 part.noun,
             )
+            if noun and begin + n > part.noun and _elsewhere(name[max(begin, part.noun) : begin + n], part, parts):
+                continue  # "the top of the head" is no "fleece on top of head" where there is a head
             if n and noun and name[begin] == words[at][3]:
                 if i - at > best:
                     best, hit = i - at, [part]
@@ -241,6 +243,12 @@ def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) ->
     if not alike:
         alike = [p for p in parts for group in LIKE if kind in group and set(p.kinds) & group]
     return (1, alike) if alike else (0, [])
+
+
+def _elsewhere(said: list[str], part: Made, parts: list[Made]) -> bool:
+    """Whether words behind a part's noun name another part."""
+    kinds = {kind_of(w) for w in said} - {"", "inner"}
+    return any(p is not part and kinds & set(p.kinds) for p in parts)
 
 
 def _mention(words: list[tuple[int, int, str, str]], at: int, n: int, hit: list[Made]) -> Mention:

@@ -42,6 +42,8 @@ _HANGS: Final = re.compile(
     r"(?:rounds?|rnds?|rows?|r|\d+(?:st|nd|rd|th))\b"
 )
 """A piece of which the upper edge is at the round that is said."""
+_BESIDE_BELLY: Final = -0.15
+"""How high the arms of a ball with a face are."""
 _RIM, _RIM_OFF = 16, 3
 """Rims of so many stitches or more meet where they differ by no more than this."""
 
@@ -103,6 +105,8 @@ class Putter(Holder):
             and re.search(r"(?:legs|feet|pants|trousers)$", made.name.lower())
         ):
             ways = [Way((0.0, -1.0, 0.0), (0.0, -1.0, 0.0), flat=False)]  # both in one piece: the lower end of the body
+        if self._all_in_one(onto, lies) and kind in ("arm", "foot", "wing", "") and put.where.rounds is None:
+            ways = [self._below_face(way) for way in ways]
         # Only of what is head and body in one a sentence says which of the two it means.
         two = {"head", "body"} <= set(work.main.kinds) or put.region == "head"
         region = (put.region if two else "") or (ways[0].on if onto[0] == work.main else "")
@@ -135,6 +139,23 @@ class Putter(Holder):
         elif not put.where.says and not (kind in _ON_TOP and len(put.copies) == 1):
             self.work.made.guessed.append(f"{made.name} on {onto[0].name}")
         return records
+
+    def _all_in_one(self, onto: Copy, lies: bool) -> bool:
+        """Whether a part is a toy's head and body without a neck: a ball with a face and limbs."""
+        work = self.work
+        whole = work.host(onto)
+        return (
+            onto[0] == work.main
+            and not lies
+            and work.of_kind("head") in (None, work.main)
+            and work.host(onto, "body").high - work.host(onto, "body").low == whole.high - whole.low
+        )
+
+    @staticmethod
+    def _below_face(way: Way) -> Way:
+        """Arms of a ball are beside its belly, and not beside its eyes."""
+        x, y, z = way.at
+        return replace(way, at=(x, _BESIDE_BELLY, max(z, 0.25))) if abs(x) > 0.6 and y > _BESIDE_BELLY else way
 
     def _sewn(self, put: Put, host: Host, ways: list[Way]) -> list[Placed]:
         """The records of a part's copies, each put on its way."""

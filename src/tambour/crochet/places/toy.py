@@ -94,7 +94,8 @@ class Toy:
         waist = (neck(self.spots, part) or self._half(part, low, high)) if region and alone else None
         if waist is not None:
             x, own = self.stand.x, self.stand.nodes(part)
-            down = x[own[0], 1] > x[own[-1], 1] if abs(x[own[0], 1] - x[own[-1], 1]) > 2.0 else True
+            _, up, ahead = x[own[0]] - x[own[-1]]
+            down = up > 0.0 if abs(up) > max(2.0, abs(ahead)) else ahead > -2.0  # of what lies the head is ahead
             low, high = (low, waist) if (region == "head") == bool(down) else (waist, high)
         return Host(self.stand, name, low, high)
 

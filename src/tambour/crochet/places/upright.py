@@ -15,6 +15,8 @@ from tambour.crochet.places.toy import Toy
 _TOP: Final = re.compile(
     r"\b(?:begin|start|work)\w*\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:top|crown)|from (?:the )?top (?:to|down|of)|top[- ]down\b"
 )
+_MEASURED: Final = re.compile(r"\bmeasure(?:s|ments?)\b[^\n]*\n?[^\n]*")
+"""What a toy is said to measure."""
 _SHAPED: Final = re.compile(
     r"(?:^|\n)\s*(?:shap(?:e|ing) (?:the )?)?(head|body|tail)(?: shap\w+)?\s*:\s*(?:\d|rnd|round|next)"
 )
@@ -71,6 +73,13 @@ class Upright(Toy):
         )
         if self.ahead(main):
             return "side"
+        if self._from_top(main):
+            return "start"
+        arms = any(p.kind == "arm" for p in self.parts)
+        if sum(p.copies for p in self.parts if p.kind in ("leg", "foot")) == 4 and not arms and head is None:
+            measured = _MEASURED.search(self.text)
+            if measured and "long" in measured[0] and not re.search(r"\b(?:tall|high)\b", measured[0]):
+                return "side"
         if not self.spots.in_rows[part] and (said := self._shapes(main)) is not None:
             return said
         if not stands and (swims or (legs == 4 and main.kind != "head")) and (early or not faces):
@@ -103,6 +112,12 @@ class Upright(Toy):
             if wide >= 12 and not self.spots.in_rows[part] and (hung or main.kind in ("hat", "head", ""))
             else "end"
         )
+
+    def _from_top(self, main: Made) -> bool:
+        """Whether the main part's own first words begin it at the top."""
+        part = next(p for p in self.built.pattern.parts if p.name == main.name)
+        first = part.lines[0].span.start if part.lines else part.span.end
+        return _TOP.search(self.text[part.span.start : max(first, part.span.start) + 60]) is not None
 
     def _shapes(self, main: Made) -> str | None:
         """Which end of one piece is up where its text shapes the head behind the body, or the body, or a tail, behind the head."""

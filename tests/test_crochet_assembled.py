@@ -1,0 +1,157 @@
+"""Toys as they are put together: what is sewn by a closed end, where faces and arms are on a ball, what looks ahead, who looks on."""
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.finish.joining import join, prepare
+from tambour.crochet.finish.sewing import end_of, held
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.page import portrait
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
+from tambour.crochet.printed.pattern import read_printed
+from tambour.crochet.settle.arrange import parts
+
+BODY = """BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-12: sc around (24)
+Rnd 13: (2 sc, dec) x 6 (18)
+Rnd 14: (sc, dec) x 6 (12)
+Rnd 15: dec x 6 (6)
+Fasten off and close.
+
+"""
+LEGS = """LEGS (make 2)
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnds 3-14: sc around (12)
+Rnd 15: Flatten opening; working through both thicknesses, sc in each st across (6)
+Fasten off leaving a long tail for sewing.
+
+"""
+LIMBS = """{0} (make {1})
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnds 3-5: sc around (12)
+Fasten off.
+
+"""
+SNOUTED = """HEAD
+Beginning at nose, ch 2.
+Rnd 1: 6 sc in 2nd ch from hook (6)
+Rnds 2-4: sc around (6)
+Rnd 5: inc x 6 (12)
+Rnd 6: (sc, inc) x 6 (18)
+Rnd 7: (2 sc, inc) x 6 (24)
+Rnds 8-12: sc around (24)
+Rnd 13: (2 sc, dec) x 6 (18)
+Rnd 14: (sc, dec) x 6 (12)
+Rnd 15: dec x 6 (6)
+Fasten off and close.
+
+"""
+
+
+def read(parts: str, sentences: str, title: str = "Toy"):
+    return read_printed(Text(f"{title}\n\n{parts}FINISHING\n{sentences}\n", "toy.txt"))
+
+
+def points(pattern):
+    """Where every record's place is as the parts are laid out and put together (N, 3), by its part and order."""
+    built = build(pattern)
+    joining = prepare(built)
+    assert joining is not None
+    joined = join(joining, joining.spots.layout.copy(), parts(built.graph))
+    return built, joining.spots, joined.x
+
+
+def spot(spots: Spots, x: np.ndarray, record) -> np.ndarray:
+    place = spots.place(record.spot)
+    return np.asarray(np.array(place.weights) @ x[list(place.nodes)])
+
+
+def test_an_end_closed_through_both_layers_is_a_line_and_its_limb_goes_where_it_points() -> None:
+    """It was taken for a ring: six stitches in a line have no plane, and legs swung to one side."""
+    pattern = read(BODY + LEGS, "Sew the legs to the body.")
+    built = build(pattern)
+    spots = Spots(built)
+    records = [f for f in pattern.finish if isinstance(f, Placed)]
+    assert len(records) == 2
+    for record in records:
+        part = built.graph.parts[spots.parts[record.part]]
+        own, end = np.arange(part.start, part.end), end_of(built, spots, record)
+        assert not end.ring and not len(end.pinched) and len(end.nodes) == 6
+        assert held(spots.layout, own, end).axis @ [0.0, -1.0, 0.0] > 0.95  # out of its end, to its toes
+    one, other = (spots.layout[built.graph.parts[spots.parts[r.part]].start] for r in records)
+    assert one == pytest.approx(other)
+    piece = make(pattern_text(BODY + LEGS, "Sew the legs to the body."), CrochetParams(), Progress())
+    x, graph = piece.positions, piece.built.graph
+    ways = []
+    for record in records:
+        part = graph.parts[spots.parts[record.part]]
+        ways.append(x[part.start] - x[end_of(built, spots, record).nodes].mean(0))
+    left, right = (w / np.sqrt(w @ w) for w in ways)
+    assert left[2] > 0.7 and right[2] > 0.7 and left[0] * right[0] < 0.0
+
+
+def pattern_text(parts_: str, sentences: str) -> Text:
+    return Text(f"Toy\n\n{parts_}FINISHING\n{sentences}\n", "toy.txt")
+
+
+def test_arms_of_a_ball_are_below_its_eyes() -> None:
+    ball = BODY.replace("5-12", "5-10").replace("13:", "11:").replace("14:", "12:").replace("15:", "13:")
+    pattern = read(
+        ball + LIMBS.format("ARMS", 2) + LIMBS.format("EARS", 2),
+        "Sew the arms and ears to the body as shown. Attach the safety eyes as shown.",
+    )
+    _, spots, x = points(pattern)
+    eyes = [spot(spots, x, f)[1] for f in pattern.finish if isinstance(f, Eye)]
+    arms = [spot(spots, x, f)[1] for f in pattern.finish if isinstance(f, Placed) and f.part.startswith("ARMS")]
+    assert len(eyes) == len(arms) == 2 and max(arms) < min(eyes)
+
+
+def test_the_top_of_the_head_is_no_fleece_on_top_of_it() -> None:
+    fleece = LIMBS.format("FLEECE ON TOP OF HEAD", 1)
+    head = BODY.replace("BODY", "HEAD")
+    pattern = read(
+        BODY + head + fleece + LIMBS.format("EARS", 2),
+        "Sew the fleece to the top of the head. Sew the ears to the top of the head. Sew the head to the body.",
+    )
+    on = {f.part.split(".")[0]: f.spot.part for f in pattern.finish if isinstance(f, Placed)}
+    assert on["EARS"] == on["FLEECE ON TOP OF HEAD"] == "HEAD"
+
+
+def test_buttons_on_a_head_that_nobody_calls_eyes_are_its_eyes() -> None:
+    head = BODY.replace("BODY", "HEAD")
+    said = "Stack black buttons on top of white buttons and sew to head. Sew the head to the body."
+    eyes = [f for f in read(BODY + head, said).finish if isinstance(f, Eye)]
+    assert len(eyes) == 2 and {f.spot.part for f in eyes} == {"HEAD"}
+
+
+def test_eyes_of_a_head_that_begins_at_its_nose_are_where_the_snout_ends() -> None:
+    pattern = read(BODY + SNOUTED, "Sew the head to the body. Attach the safety eyes.")
+    level = {f.spot.round for f in pattern.finish if isinstance(f, Eye)}
+    assert level and all(6.0 <= n <= 8.0 for n in level)
+
+
+@pytest.mark.parametrize("measured, lies", [("22 in long x 10 in wide", True), ("10 in tall x 9 in wide", False)])
+def test_what_is_long_goes_on_its_four_feet(measured: str, lies: bool) -> None:
+    text = BODY + LIMBS.format("FEET", 4)
+    pattern = read(text, "Sew the feet to the body.", f"Toy\n\nMEASUREMENTS\nApprox {measured}.")
+    assert (pattern.parts[0].up == "side") == lies
+
+
+def test_a_toy_that_sits_with_its_legs_ahead_is_looked_at_from_its_front() -> None:
+    """Its legs are not its length: from the side its face was not to be seen."""
+    long = LEGS.replace("Rnds 3-14", "Rnds 3-24").replace("Rnd 15", "Rnd 25")
+    piece = make(pattern_text(BODY + long, "Sew the legs to the body."), CrochetParams(), Progress())
+    _, high, deep = np.ptp(piece.positions, axis=0)
+    assert deep > 1.3 * high  # or there is nothing to test
+    assert portrait.stand(piece) == portrait.AHEAD
