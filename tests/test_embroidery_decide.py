@@ -48,7 +48,8 @@ def test_a_bar_is_satin_up_to_its_width(wide, kind, turn):
 
 def test_a_disc_is_filled_and_a_ring_is_satin():
     disc = shapely.Point(0, 0).buffer(12)
-    assert stitch_of(disc) == stitch_of(shapely.Point(0, 0).buffer(2)) == "tatami"
+    assert stitch_of(disc) == stitch_of(shapely.Point(0, 0).buffer(3)) == "tatami"
+    assert stitch_of(shapely.Point(0, 0).buffer(2)) == "satin"  # no tatami narrower than 5 mm
     assert stitch_of(disc.difference(shapely.Point(0, 0).buffer(7))) == "satin"
 
 

@@ -11,8 +11,9 @@ from tambour import files
 from tambour.core.progress import Progress
 from tambour.core.thread import JUMP, STITCH, TRIM
 from tambour.embroidery.columns import stroke
+from tambour.embroidery.columns.ends import ended
 from tambour.embroidery.columns.satin import side_to_side
-from tambour.embroidery.columns.stroke import closed, covered, ended, from_stroke, trimmed
+from tambour.embroidery.columns.stroke import closed, covered, from_stroke, trimmed
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import SATIN
 from tambour.embroidery.plan.make import make
@@ -75,7 +76,35 @@ def test_the_columns_of_a_corner_part_at_its_bisector(turn, width, join):
             assert covered(column).difference(area(column).buffer(0.05)).area < 0.02
     double = shapely.intersection(area(one), area(other)).area
     seam = width / 2 * (1 / math.cos(math.radians(turn / 2)) + 1)  # from the inner corner to the round outer one
-    assert double < 1.1 * 0.4 * seam
+    tip = 0.4 * width / 2  # the laps widen by 0.4 mm on the way to the outer corner
+    assert double < 1.1 * (0.4 * seam + tip)
+
+
+@pytest.mark.parametrize("width", [3.0, 6.0, 9.0])
+@pytest.mark.parametrize("turn", [80, 90, -120])
+def test_a_round_corner_has_no_nick_where_its_columns_meet_outside(turn, width):
+    # The columns taper to nothing there: the needle points of both must reach as near to the tip as rows lie apart.
+    line = angle(turn)
+    made = [side_to_side(c, EmbroideryParams(pull=0), "corner").xy for c in from_stroke(line, width, 0)]
+    out = -np.array([math.cos(math.radians(turn)) - 1, math.sin(math.radians(turn))])
+    tip = width / 2 * out / np.hypot(*out)
+    assert all(np.hypot(*(xy - tip).T).min() < 0.3 for xy in made)
+
+
+@pytest.mark.parametrize("turn", [70, 100, -133])
+def test_a_tight_round_turn_is_a_corner_with_its_outline_as_drawn(turn):
+    # Legs of 20 mm, between them an arc of .55 half widths: no fan of stitches from one place, none outside, none bare.
+    half, t = 4.0, math.radians(abs(turn))
+    at = np.linspace(0, t, 7)
+    arc = 0.55 * half * np.c_[np.sin(at), (1 - np.cos(at)) * np.sign(turn)]
+    end = arc[-1] + 20 * np.array([math.cos(t), math.sin(t) * np.sign(turn)])
+    line = np.concatenate([[(-20, 0)], arc, [end]])
+    columns = from_stroke(line, 2 * half, 0)
+    assert len(columns) == 2
+    drawn = shapely.LineString(line).buffer(half, cap_style="flat", quad_segs=32)
+    sewn = shapely.union_all([area(c) for c in columns])
+    assert drawn.difference(sewn).buffer(-0.15).is_empty
+    assert sewn.difference(drawn.buffer(0.1)).area < 0.02
 
 
 @pytest.mark.parametrize("legs", [(26.0, 3.0), (3.0, 26.0)])

@@ -5,8 +5,9 @@ import pytest
 import shapely
 
 from tambour.core.paths import Paths
+from tambour.embroidery.columns.ends import ended
 from tambour.embroidery.columns.satin import Column, side_to_side
-from tambour.embroidery.columns.stroke import ended, from_stroke
+from tambour.embroidery.columns.stroke import from_stroke
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import Region
 from tambour.embroidery.regions.strung import strung

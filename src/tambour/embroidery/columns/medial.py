@@ -10,13 +10,15 @@ from typing import Any
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.embroidery.columns.cut import flush
+from tambour.embroidery.columns.angles import parted
+from tambour.embroidery.columns.chords import across, passed
 from tambour.embroidery.columns.rails import outlined
 from tambour.embroidery.columns.satin import Column, resample
 
 SAMPLE = 0.35  # mm between the outline's samples (finer in small areas)
-REACH = 1.25  # radii of a fork on both sides of it in which it bends the limb that goes through
 BELOW = 0.4  # mm that a limb which ends at another goes on below it
+ROUND = 17.0  # length² / area of a dot: 12.6 for a disc, 16 for a square, 18 for a bar twice as long as wide
+TIP = 0.5  # mm that the first and the last stitch of a dot are long at least
 SPUR = 1.46  # a branch that reaches no farther than this many radii beyond its fork is a corner, not a limb
 
 
@@ -191,6 +193,8 @@ def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
     """
     import shapely
 
+    if round_of(area):
+        return [Limb(_dot(area), 0, 1)], shapely.Polygon()
     places, radius, edges = skeleton(area)
     made: list[Limb] = []
     same: dict[int, int] = {}  # forks that only a stump lies between are one
@@ -201,7 +205,7 @@ def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
         return k
 
     parts = branches(places, radius, edges) if len(places) > 1 else []
-    joined = straightened(parts, places, radius)
+    joined = parted(straightened(parts, places, radius), places, radius, area)
     through: dict[int, float] = {}  # by fork, half the width of what goes through it
     for path, _, _, forks in joined:
         for f in forks:
@@ -217,7 +221,7 @@ def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
         if np.median(wide) * 2 > widest:
             continue
         closed = bool(path[0] == path[-1] and len(path) > 3)
-        line, wide = passed(places[path], wide, [(places[f], float(radius[f])) for f in forks])
+        line, wide = passed(places[path], wide, [(places[f], float(radius[f])) for f in forks], (free_start, free_end))
         column = across(area, line, wide, (free_start, free_end), closed, (met(int(path[0])), met(int(path[-1]))))
         if column is not None and len(joined) == 1 and free_start and free_end and not area.interiors:
             column = outlined(column, area, float(np.median(wide)))
@@ -240,42 +244,25 @@ def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
     return made, shapely.union_all(pieces) if pieces else shapely.Polygon()
 
 
-def passed(line: Array, wide: Array, forks: list[tuple[Array, float]]) -> tuple[Array, Array]:
-    """A limb's middle line and half widths (n,) past the forks (place, radius) that it goes through: as if none were there.
+def round_of(area: Any) -> bool:
+    """Whether a shapely polygon is a dot: as wide as it is long, and so without a middle line."""
+    return not area.interiors and bool(area.length**2 < ROUND * area.area)
 
-    Where a bar meets a stem the middle line leans towards the bar, and its stitches would fan out and leave nicks; it is led on
-    from before the fork to behind it by its directions there (a cubic), as wide as it is there.
-    """
-    for fork, radius in forks:
-        way = np.r_[0, np.cumsum(np.hypot(*np.diff(line, axis=0).T))]
-        middle = float(way[int(((line - fork) ** 2).sum(1).argmin())])
-        a, b = middle - REACH * radius, middle + REACH * radius
-        if a < 0.3 * radius or b > way[-1] - 0.3 * radius:
-            continue
-        at = [
-            np.array([np.interp(v, way, line[:, i]) for i in (0, 1)])
-            for v in (a - 0.3 * radius, a, b, b + 0.3 * radius)
-        ]
-        d0, d1 = (at[1] - at[0], at[3] - at[2])
-        d0, d1 = (d / max(1e-9, float(np.hypot(*d))) for d in (d0, d1))
-        if d0 @ d1 < 0.8:
-            continue  # a stroke that turns there
-        t = np.linspace(0, 1, max(4, math.ceil((b - a) / 0.2)))[:, None]
-        size = float(np.hypot(*(at[2] - at[1])))
-        curve = (
-            (2 * t**3 - 3 * t**2 + 1) * at[1]
-            + (t**3 - 2 * t**2 + t) * size * d0
-            + (3 * t**2 - 2 * t**3) * at[2]
-            + (t**3 - t**2) * size * d1
-        )
-        half = np.interp([a, b], way, wide)
-        between = (
-            half[0] + (half[1] - half[0]) * t[:, 0]
-        ) * 0.82  # chords reach 1.25 of it: to the stroke's edge, not into the bar
-        low, high = way < a, way > b
-        line = np.concatenate([line[low], curve, line[high]])
-        wide = np.r_[wide[low], between, wide[high]]
-    return line, wide
+
+def _dot(area: Any) -> Column:
+    """The column of a dot: straight across it, from one end of its longer side to the other."""
+    import shapely
+
+    box = shapely.get_coordinates(shapely.minimum_rotated_rectangle(area))
+    sides = box[1:3] - box[:2]
+    size = np.hypot(*sides.T)
+    along = sides[int(size.argmax())] / size.max()
+    middle = shapely.get_coordinates(area.centroid)[0]
+    line = middle + np.linspace(-0.1, 0.1, 5)[:, None] * size.max() * along
+    column = across(area, line, np.full(5, float(size.min()) / 2), (True, True), False, ((0.0, 0.0), (0.0, 0.0)))
+    assert column is not None
+    seen = np.flatnonzero(np.hypot(*(column.left - column.right).T) > TIP)
+    return Column(column.left[seen[0] : seen[-1] + 1], column.right[seen[0] : seen[-1] + 1])
 
 
 def _outline(column: Column) -> Any:
@@ -285,111 +272,3 @@ def _outline(column: Column) -> Any:
     a, b = resample(column.left, n), resample(column.right, n)
     quads = [shapely.Polygon([a[i], a[i + 1], b[i + 1], b[i]]).buffer(0) for i in range(n - 1)]
     return shapely.union_all(quads)
-
-
-def across(
-    area: Any,
-    line: Array,
-    wide: Array,
-    free: tuple[bool, bool],
-    closed: bool,
-    forks: tuple[tuple[float, float], tuple[float, float]],
-) -> Column | None:
-    """The column across one limb: its middle line smoothed, run out to the outline at free ends and straight into
-    forks (whose radii are given, and how far beyond them) at the others; then chords are cast."""
-    import shapely
-
-    step = np.hypot(*np.diff(line, axis=0).T)
-    size = float(step.sum())
-    half = float(np.median(wide))
-    if size + (free[0] + free[1]) * half < 0.8 * half:
-        return None
-    way = np.r_[0, np.cumsum(step)]
-    n = max(4, math.ceil(size / 0.2))
-    at = np.linspace(0, size, n)
-    p = np.c_[np.interp(at, way, line[:, 0]), np.interp(at, way, line[:, 1])]
-    r = np.interp(at, way, wide)
-    reach = max(1, round(0.8 * half / max(size / (n - 1), 1e-9)))
-    p = _smoothed(p, min(reach, max(1, n // 4)), closed)
-    if not closed:
-        for last in (False, True):
-            p, r = (p, r) if last else (p[::-1], r[::-1])
-            p, r = _run_out(area, p, r, half) if free[last] else _into_fork(p, r, *forks[last])
-            p, r = (p, r) if last else (p[::-1], r[::-1])
-    if len(p) < 3:
-        return None
-    d = np.gradient(p, axis=0)
-    if closed:
-        d[0] = d[-1] = p[1] - p[-2]
-    heading = np.unwrap(np.arctan2(d[:, 1], d[:, 0]))
-    k = min(reach, max(1, len(p) // 4))
-    heading = _smoothed(np.c_[heading, heading], k, False)[:, 0] if not closed else heading
-    normal = np.c_[-np.sin(heading), np.cos(heading)]
-    limit = np.maximum(1.25 * r, 0.3)[:, None]
-    limit = np.minimum(limit, 1.5 * half)
-    chords = shapely.linestrings(np.stack([p - limit * normal, p + limit * normal], 1))
-    left, right = p.copy(), p.copy()
-    cut = shapely.intersection(chords, area)
-    for i, piece in enumerate(cut):
-        parts = [q for q in shapely.get_parts(piece) if q.geom_type == "LineString" and not q.is_empty]
-        if not parts:
-            continue
-        best = parts[int(np.argmin([shapely.distance(q, shapely.points(p[i])) for q in parts]))]
-        ends = np.asarray(shapely.get_coordinates(best))[[0, -1]]
-        side = (ends - p[i]) @ normal[i]
-        right[i], left[i] = ends[np.argmin(side)], ends[np.argmax(side)]
-    column = Column(left, right)
-    for last in (True, False) if not closed else ():
-        if free[last]:
-            turned = column if last else column.reversed()
-            turned = flush(turned, area, half)
-            column = turned if last else turned.reversed()
-    return column
-
-
-def _smoothed(p: Array, reach: int, closed: bool) -> Array:
-    window = np.hanning(2 * reach + 3)[1:-1]
-    window /= window.sum()
-    if closed:
-        padded = np.concatenate([p[-reach - 1 : -1], p, p[1 : reach + 1]])
-    else:
-        # Mirrored through the ends, so that they stay where they are.
-        padded = np.concatenate([2 * p[0] - p[reach:0:-1], p, 2 * p[-1] - p[-2 : -reach - 2 : -1]])
-    return np.c_[np.convolve(padded[:, 0], window, "valid"), np.convolve(padded[:, 1], window, "valid")]
-
-
-def _into_fork(p: Array, r: Array, fork: float, beyond: float) -> tuple[Array, Array]:
-    """The line cut where the fork begins to bend it, and carried on straight to so far beyond the fork's middle."""
-    away = np.hypot(*(p - p[-1]).T)
-    keep = away > 0.9 * fork
-    if keep.sum() < 4:
-        return p, r
-    last = int(np.flatnonzero(keep)[-1])
-    back = max(0, last - max(2, round(fork / 0.2)))
-    d = p[last] - p[back]
-    d = d / max(float(np.hypot(*d)), 1e-9)
-    size = 0.9 * fork + beyond
-    n = max(1, math.ceil(size / 0.2))
-    more = p[last] + np.linspace(0, size, n + 1)[1:, None] * d
-    return np.concatenate([p[: last + 1], more]), np.r_[r[: last + 1], np.full(n, r[last])]
-
-
-def _run_out(area: Any, p: Array, r: Array, half: float) -> tuple[Array, Array]:
-    """The line carried on in its last direction until it meets the outline."""
-    import shapely
-
-    back = min(len(p) - 1, max(2, round(half / 0.2)))
-    d = p[-1] - p[-1 - back]
-    size = float(np.hypot(*d))
-    if size < 1e-9:
-        return p, r
-    d = d / size
-    ray = shapely.intersection(shapely.linestrings([p[-1], p[-1] + 4 * max(float(r[-1]), half) * d]), area)
-    parts = [q for q in shapely.get_parts(ray) if q.geom_type == "LineString" and not q.is_empty]
-    if not parts:
-        return p, r
-    first = min(parts, key=lambda q: shapely.distance(q, shapely.points(p[-1])))
-    far = float(np.hypot(*(shapely.get_coordinates(first) - p[-1]).T).max())
-    n = max(1, math.ceil(far / 0.2))
-    more = p[-1] + np.linspace(0, far - 0.02, n + 1)[1:, None] * d if far > 0.05 else np.zeros((0, 2))
-    return np.concatenate([p, more]), np.r_[r, np.full(len(more), max(float(r[-1]), 0.5 * half))]

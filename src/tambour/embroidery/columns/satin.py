@@ -18,7 +18,7 @@ from tambour.embroidery.piece import RUNNING, SATIN, TRAVEL, UNDERLAY
 from tambour.embroidery.stitches import Stitches, chain, line_stitches
 from tambour.noise import key, uniform
 
-CROWDED = 0.25  # mm: where stitches of a bend come closer than this, some of them end before the inner side
+CROWDED = 0.2  # mm: where stitches of a bend come closer than this, some of them end before the inner side
 DRAWN = 0.45  # share of the width that they may end before it
 EDGE_INSET = 0.4  # mm that underlay keeps from a column's edges
 GOLDEN = (math.sqrt(5) - 1) / 2

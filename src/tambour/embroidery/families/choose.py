@@ -11,8 +11,9 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.paths import Paths
 from tambour.embroidery.columns.branch import branched
+from tambour.embroidery.columns.ends import ended
 from tambour.embroidery.columns.satin import drawn_back, from_rails
-from tambour.embroidery.columns.stroke import closed, ended, from_stroke, stroke_stitches
+from tambour.embroidery.columns.stroke import closed, from_stroke, stroke_stitches
 from tambour.embroidery.families.rows import ROWS, body, compensated, filled, rim, rimmed
 from tambour.embroidery.families.tatami import tatami
 from tambour.embroidery.lines import curves, grids
@@ -26,6 +27,9 @@ from tambour.embroidery.piece import TRAVEL, UNDERLAY, Region
 from tambour.embroidery.stitches import Stitches, join, line_stitches
 
 Place = tuple[float, float] | None
+RIMMED = (
+    1.0  # mm that thin rows keep from an edge along which a run lies already: their turns would show as a ridge there
+)
 NARROW = 8.0  # mm: where an area is no wider, as a column might be, its edge walk is underlay enough
 COVERED = ("tatami", "contour", "spiral", "radial", "guided", "flow", "gradient", "satin")
 
@@ -249,7 +253,8 @@ def area_underlay(polygon: Paths, region: Region, start: Place) -> list[Stitches
     for piece in [] if edge is None else _split(edge):
         made.append(rim(piece, region, here))
         here = _last(made, here)
-    inner = grown(polygon, -min(0.5, 1.25 * p.row_spacing) - max(p.pull, 0.0), empty=True)
+    drawn = RIMMED if under else min(0.5, 1.25 * p.row_spacing)
+    inner = grown(polygon, -drawn - max(p.pull, 0.0), empty=True)
     if inner is None:
         return made
     for piece in _split(inner):

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tambour.embroidery.columns.medial import branches, skeleton
+from tambour.embroidery.columns.medial import branches, round_of, skeleton
 from tambour.embroidery.lines.angle import STEP, angle, spans
 from tambour.embroidery.piece import AUTO, Region
 from tambour.embroidery.regions.flat import shape
@@ -18,7 +18,7 @@ from tambour.geometry.areas import of_shapely, to_shapely
 SATIN = 7.0  # mm: limbs up to this width are satin
 SPLIT = 12.1  # mm: up to this satin that is split, above it tatami
 BODY = 0.15  # share of an area that may be wider and still be left to what satin leaves
-ROUND = 17.0  # length² / area of a dot: 12.6 for a disc, 16 for a square, 18 for a bar twice as long as wide
+DOT = 5.0  # mm: dots up to this width are satin, straight across: rows as short would be all ends
 LONG = 3.0  # times as long as it is wide: a limb of a filled area that is sewn by itself
 FLARE = 1.35  # times as wide as it is in the mean where a limb widens into the wide part
 THIN = 0.25  # share of the wide part's width below which a limb hardly flares
@@ -68,8 +68,10 @@ def _alike(found: list[Region], asked: set[int]) -> list[Region]:
 
 def stitch_of(area: Any) -> str:
     """Satin or tatami for one shapely polygon, by the share of it that is wider than satin can be."""
-    if not area.interiors and area.length**2 < ROUND * area.area:
-        return "tatami"  # a dot has no middle line to sew along
+    import shapely
+
+    if round_of(area):
+        return "satin" if 2 * shapely.maximum_inscribed_circle(area, 0.05).length < DOT else "tatami"
     if _wider(area, SATIN) <= BODY:
         return "tatami" if _bunched(area) else "satin"
     # Between the two a plain long shape is satin that is split; what branches or turns back is better filled.

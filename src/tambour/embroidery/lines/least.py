@@ -10,6 +10,7 @@ from tambour.core.arrays import B1x1, F8x2, I8x1
 from tambour.core.kernels import kernel
 from tambour.embroidery.lines.corridor import holds
 from tambour.embroidery.lines.fill import Rings
+from tambour.embroidery.piece import TRAVEL
 from tambour.embroidery.stitches import Stitches
 
 SLACK = 0.05  # mm that thread may move, and that a joined stitch may leave its area
@@ -81,12 +82,15 @@ def drop_short(xy: F8x2, least: float, slack: float) -> B1x1:
 
 
 @kernel
-def merge_short(xy: F8x2, least: float, far: float, points: F8x2, offsets: I8x1, slack: float) -> tuple[F8x2, B1x1]:
+def merge_short(
+    xy: F8x2, ways: B1x1, least: float, far: float, points: F8x2, offsets: I8x1, slack: float
+) -> tuple[F8x2, B1x1]:
     """Needle points, and which of them stay, so that no stitch is shorter than ``least``: ((n, 2), (n,) bool).
 
     Of the two ends of a short stitch the second goes, or the first, or one place between takes both, as long as no stitch of
-    these leaves the rings by more than ``slack`` or is longer than the longest there was, and no point that goes lies farther
-    than ``far`` beside what takes its place. What nothing helps stays short.
+    these leaves the rings by more than ``slack`` or is longer than the longest there was (a way, by ``SLACK``), and no point that goes lies farther
+    than ``far`` beside what takes its place. Where a row meets a way (``ways``: points between two stitches of travel) the way's point
+    goes rather than the row's end, for a row that ends aslant leaves a slit beside it. What nothing helps stays short.
     """
     xy = xy.copy()
     n = len(xy)
@@ -99,12 +103,14 @@ def merge_short(xy: F8x2, least: float, far: float, points: F8x2, offsets: I8x1,
         if math.hypot(xy[i, 0] - xy[p, 0], xy[i, 1] - xy[p, 1]) < least:
             off, span = beside(xy, i, p, i + 1) if i + 1 < n else (np.inf, np.inf)
             other, wide = (np.inf, np.inf) if before < 0 else beside(xy, p, before, i)
-            second, first = off <= far and span <= most + 1e-9, other <= far and wide <= most + 1e-9
+            second = off <= far and span <= most + (SLACK if ways[i] else 1e-9)
+            first = other <= far and wide <= most + (SLACK if ways[p] else 1e-9)
             if second:
                 second = not strays(points, offsets, xy[p, 0], xy[p, 1], xy[i + 1, 0], xy[i + 1, 1], slack)
             if first:
                 first = not strays(points, offsets, xy[before, 0], xy[before, 1], xy[i, 0], xy[i, 1], slack)
-            if second and (off <= other or not first):
+            near = off <= other if ways[p] == ways[i] else ways[i]
+            if second and (near or not first):
                 keep[i] = False
                 continue
             if first:
@@ -143,6 +149,7 @@ def tidy(stitches: Stitches, least: float, area: Rings | None = None) -> Stitche
     none = (np.zeros((0, 2)), np.zeros(1, np.int64))
     points, offsets = none if area is None else (area.points, area.offsets)
     for short, far in ((WELCOME * least, WELCOME_FAR), (least, math.inf)):
-        xy, keep = merge_short(xy, short, far, points, offsets, 0.8 * SLACK)
+        travel = kind == TRAVEL
+        xy, keep = merge_short(xy, travel & np.r_[travel[1:], True], short, far, points, offsets, 0.8 * SLACK)
         xy, kind, run = xy[keep], kind[keep], run[keep]
     return Stitches(xy, kind, run, stitches.facts)

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from tambour.embroidery.piece import Region
+from tambour.embroidery.regions.flat import EDGE
 
 UNDER = 0.5
 """mm that a fill goes on below its neighbour (what Wilcom lets neighbours overlap by)."""
@@ -35,11 +36,11 @@ def overlapped(found: Sequence[Region]) -> tuple[Region, ...]:
         if not near:
             continue
         below = shapely.union_all([shapes[j] for j in near])
-        paths = of_shapely(
-            shapely.union_all(
-                [*to_shapely(found[k].paths), *_polygons(shapes[k].buffer(UNDER + NEAR, quad_segs=8) & below)]
-            )
-        )
+        reach = shapes[k].buffer(UNDER + NEAR, quad_segs=8) & below
+        # Only what is seen has an edge to hide: what lies below already keeps from the cover's other edges (regions/flat).
+        seen = shapes[k].difference(below).buffer(UNDER + NEAR, quad_segs=8)
+        reach = reach.difference(reach.difference(seen) - (shapes[k] | below).buffer(-EDGE))
+        paths = of_shapely(shapely.union_all([*to_shapely(found[k].paths), *_polygons(reach)]))
         if paths is not None:
             made[k] = replace(found[k], paths=paths)
     return tuple(made)

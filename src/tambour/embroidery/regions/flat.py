@@ -22,6 +22,8 @@ TOUCH = 0.02
 """mm: areas of one colour that are no farther apart are one."""
 BARE = 0.25
 """mm² of an area that must show for it to be sewn."""
+EDGE = 0.6
+"""mm that what is hidden keeps from the edge of what hides it where cloth begins."""
 HAIR = 0.1
 """mm: half of what holds two parts of an area together."""
 MOST = 1500
@@ -219,8 +221,14 @@ def _area(region: Region, area: Any, cover: Any, over: list[Any]) -> Region:
             deep = shapely.union_all(twice).buffer(-UNDER).intersection(below)
             cut.append(deep.buffer(-UNDER).buffer(UNDER - 1e-3))
     gone = shapely.union_all(cut)
-    if gone.is_empty or gone.area < 1.0:
+    # Where nothing of it is seen at the edge of all, its ends would stand out below what covers it, sewn in another direction.
+    whole = shapely.union(area, cover)
+    seen = area.difference(cover).buffer(UNDER)
+    rim = area.difference(whole.buffer(-EDGE)).difference(seen)
+    rim = shapely.union_all([p for p in shapely.get_parts(rim) if p.area > EDGE**2 / 4])
+    if gone.area < 1.0 and rim.is_empty:
         return region
+    gone = shapely.union(gone, rim) if gone.area >= 1.0 else rim
     # What hangs together only by a thread's breadth of hidden rim is looked at apart.
     rest = area.difference(gone).buffer(-HAIR, join_style="mitre").buffer(HAIR, join_style="mitre")
     left = [p for p in shapely.get_parts(rest) if p.difference(cover).area > BARE / 5]

@@ -80,11 +80,13 @@ def _joined(lines: list[tuple[int, Array]], width: float, found: Sequence[Region
     for i, j in sorted(cKDTree(spots).query_pairs(NEAR * width)):
         turn = _turn(ends[i][3], -ends[j][3])
         if turn <= HAIRPIN:
-            meets.append((round(turn, 6), round(float(np.hypot(*(spots[i] - spots[j]))), 6), i, j))
+            # What a line closes by itself was drawn closed, however straight another goes on from there.
+            other = ends[i][0] != ends[j][0]
+            meets.append((other, round(turn, 6), round(float(np.hypot(*(spots[i] - spots[j]))), 6), i, j))
     whose = {(k, last): (k, last) for k, last, _, _ in ends}  # where each line's ends are now
     used: set[int] = set()
     gone: set[int] = set()
-    for _, _, i, j in sorted(meets):
+    for *_, i, j in sorted(meets):
         if i in used or j in used:
             continue
         (a, last_a), (b, last_b) = whose[ends[i][:2]], whose[ends[j][:2]]
@@ -177,14 +179,19 @@ def _led_on(lines: list[tuple[int, Array]], width: float) -> list[tuple[int, Arr
     ends = _ends(lines, width)
     made = dict(enumerate(lines))
     for k, last, at, out in ends:
-        far = 0.0
+        far, way = 0.0, out
         for j, _, other, leads in ends:
             step = other - at
             along, aside = float(step @ out), abs(float(step[0] * out[1] - step[1] * out[0]))
-            if j != k and aside < ABREAST * width and _turn(out, leads) < math.pi - HAIRPIN and along < LED * width:
-                far = max(far, along)
+            if (
+                j != k
+                and aside < ABREAST * width
+                and _turn(out, leads) < math.pi - HAIRPIN
+                and far < along < LED * width
+            ):
+                far, way = along, leads  # where that one leads: this one may come out of a bend
         if far > 0:
             owner, line = made[k]
-            on = (at + far * out)[None]
+            on = (at + far * way)[None]
             made[k] = (owner, np.concatenate([line, on] if last else [on, line]))
     return list(made.values())

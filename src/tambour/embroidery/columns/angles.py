@@ -1,0 +1,110 @@
+"""Angles: where limbs of an area meet in a sharp corner, as a stem and its serif do, one is sewn through, others end below it."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from tambour.core.check import Array
+
+Part = tuple[Array, bool, bool, list[int]]
+"""A limb: its way over the skeleton, whether its first end is free, whether its last is, the forks that it passes."""
+
+TURN = math.radians(55)
+"""A limb that turns by less bends as a whole."""
+VERTEX = math.radians(50)
+"""An outline that turns by less has no corner there."""
+GRAIN = 0.05
+"""mm that an outline may be off when its corners are sought."""
+INNER = 1.3
+"""Radii from the bend within which its inner corner lies."""
+OUTER = 2.3
+"""Radii from the bend within which its outer corner lies."""
+LEG = 1.1
+"""Radii beyond the bend that a leg must reach at least."""
+ALIKE = 0.12
+"""Share by which legs' widths may differ for the longer one, and not the wider, to go through."""
+
+
+def parted(joined: list[Part], places: Array, radius: Array, area: Any) -> list[Part]:
+    """The limbs, those that bend at a sharp corner of a shapely polygon as two: one runs through to the outline and passes the
+    bend as a fork, the other ends at it."""
+    inner, outer = _corners(area)
+    if not len(inner) or not len(outer):
+        return joined
+    made: list[Part] = []
+    todo = list(joined)
+    while todo:
+        part = todo.pop()
+        path = part[0]
+        bend = None if path[0] == path[-1] else _bend(path, places, radius, inner, outer)
+        if bend is None:
+            made.append(part)
+        else:
+            todo += _two(part, bend, places, radius)
+    return made[::-1]
+
+
+def _corners(area: Any) -> tuple[Array, Array]:
+    """The places of a shapely polygon's inner (reflex) and outer corners, (n, 2) each."""
+    import shapely
+
+    found: tuple[list[Array], list[Array]] = ([], [])
+    for k, ring in enumerate((area.exterior, *area.interiors)):
+        at = shapely.get_coordinates(ring.simplify(GRAIN))[:-1]
+        at = at if shapely.LinearRing(at).is_ccw == (k == 0) else at[::-1]
+        before, after = at - np.roll(at, 1, axis=0), np.roll(at, -1, axis=0) - at
+        turn = np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(1))
+        found[0].append(at[turn < -VERTEX])
+        found[1].append(at[turn > VERTEX])
+    return np.concatenate(found[0]), np.concatenate(found[1])
+
+
+def _bend(path: Array, places: Array, radius: Array, inner: Array, outer: Array) -> int | None:
+    """The index in a path where it turns sharply between an inner and an outer corner; None where it nowhere does."""
+    line, wide = places[path], radius[path]
+    way = np.r_[0, np.cumsum(np.hypot(*np.diff(line, axis=0).T))]
+    best, where = TURN, None
+    for k in range(1, len(path) - 1):
+        reach = LEG * wide[k]
+        if way[k] < reach or way[-1] - way[k] < reach:
+            continue
+        if (np.hypot(*(inner - line[k]).T) > INNER * wide[k]).all():
+            continue
+        if (np.hypot(*(outer - line[k]).T) > OUTER * wide[k]).all():
+            continue
+        at = [
+            np.array([np.interp(way[k] + d, way, line[:, i]) for i in (0, 1)])
+            for d in (-2 * reach, -reach, reach, 2 * reach)
+        ]
+        one, two = at[1] - at[0], at[3] - at[2]
+        if min(float(np.hypot(*one)), float(np.hypot(*two))) < 1e-9:
+            one, two = line[k] - at[1], at[2] - line[k]
+        turn = abs(math.atan2(one[0] * two[1] - one[1] * two[0], float(one @ two)))
+        if turn > best:
+            best, where = turn, k
+    return where
+
+
+def _two(part: Part, k: int, places: Array, radius: Array) -> list[Part]:
+    """A limb that bends at an index of its path as two, the one that goes through cut off before it leans into the bend."""
+    path, free_start, free_end, forks = part
+    legs = [path[: k + 1][::-1], path[k:]]  # each from the bend on
+    free = [free_start, free_end]
+    ways = [np.r_[0, np.cumsum(np.hypot(*np.diff(places[leg], axis=0).T))] for leg in legs]
+    wide = [
+        float(np.median(radius[leg[way > min(float(radius[path[k]]), 0.5 * way[-1])]])) for leg, way in zip(legs, ways)
+    ]
+    if abs(wide[0] - wide[1]) < ALIKE * max(wide):
+        on = int(ways[1][-1] > ways[0][-1])
+    else:
+        on = int(wide[1] > wide[0])
+    first = int(np.argmax(ways[on] > LEG * radius[path[k]]))
+    at = {int(f): leg for leg in (0, 1) for f in forks if f in legs[leg].tolist()}
+    passed = [[f for f in forks[:: 1 if leg else -1] if at.get(int(f)) == leg] for leg in (on, 1 - on)]
+    return [
+        (legs[on][first:], True, free[on], [int(path[k]), *passed[0]]),
+        (legs[1 - on], False, free[1 - on], passed[1]),
+    ]

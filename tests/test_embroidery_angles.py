@@ -1,0 +1,51 @@
+"""Areas' limbs at sharp corners: what goes through, what ends below it, and dots."""
+
+import numpy as np
+import pytest
+import shapely
+
+from tambour.embroidery.columns.medial import limbs
+
+F = [(0, 0), (3, 0), (3, 12), (10, 12), (10, 14), (0, 14)]
+"""A stem 3 mm wide and 14 high, and an arm of 2 mm at its top."""
+
+
+def column_area(column):
+    quads = np.stack([column.left[:-1], column.left[1:], column.right[1:], column.right[:-1]], axis=1)
+    return shapely.union_all(shapely.make_valid(shapely.polygons(quads)))
+
+
+@pytest.mark.parametrize("turn", [0, 33, 90])
+@pytest.mark.parametrize("mirror", [1, -1])
+def test_a_stem_goes_through_its_corner_and_the_arm_ends_below_it(turn, mirror):
+    area = shapely.affinity.rotate(shapely.affinity.scale(shapely.Polygon(F), mirror, 1, origin=(0, 0)), turn)
+    made, left = limbs(area, 14)
+    assert len(made) == 2 and left.is_empty
+    stem = max(made, key=lambda limb: np.median(np.hypot(*(limb.column.left - limb.column.right).T)))
+    (arm,) = [limb for limb in made if limb is not stem]
+    assert len(stem.through) == 1 and stem.through[0][0] in (arm.start, arm.end)
+    # No fan: the stem's stitches lie one way all along it, the corner's too.
+    across = stem.column.left - stem.column.right
+    way = np.unwrap(2 * np.arctan2(across[:, 1], across[:, 0])) / 2
+    assert np.ptp(way) < np.radians(12)
+    bare = area.difference(shapely.union_all([column_area(limb.column) for limb in made]))
+    assert bare.buffer(-0.2).is_empty
+
+
+@pytest.mark.parametrize("radius", [4.0, 7.0])
+def test_a_round_bend_stays_one_limb(radius):
+    arch = shapely.LineString(
+        [(0, 0), (0, 10)] + [(radius - radius * np.cos(t), 10 + radius * np.sin(t)) for t in np.linspace(0, np.pi, 40)]
+    )
+    made, _ = limbs(arch.buffer(1.5, cap_style="flat"), 14)
+    assert len(made) == 1 and not made[0].through
+
+
+@pytest.mark.parametrize("dot", [shapely.Point(3, 4).buffer(2.2), shapely.box(0, 0, 4, 4), shapely.box(0, 0, 4.4, 3.8)])
+def test_a_dot_is_one_column_straight_across_it(dot):
+    (limb,), left = limbs(dot, 14)
+    assert left.is_empty
+    across = limb.column.left - limb.column.right
+    way = np.unwrap(2 * np.arctan2(across[:, 1], across[:, 0])) / 2
+    assert np.ptp(way) < np.radians(8) and np.hypot(*across.T).min() > 0.4
+    assert dot.difference(column_area(limb.column)).buffer(-0.15).is_empty
