@@ -379,3 +379,16 @@ def test_wide_satin_beside_small_stitches_is_no_doubt(tmp_path):
     command[-1] = END
     files.write(ThreadPlan(xy, command, np.zeros(len(xy), np.int16), THREADS[:1]), path)
     assert "doubts" not in files.read(path, ("ThreadPlan",)).about
+
+
+def test_moves_that_a_program_wrote_as_stitches_are_no_doubt_and_a_changed_byte_is(tmp_path):
+    # 200 stitches of 2 mm, and between two blocks of them a move of 20 mm, cut at 12.1 mm as many programs cut it.
+    small = [(20, 0), (-20, 3)] * 50
+    steps = [*small, (120, 15), (78, 10), *small, (-120, -15), (-78, -10)]
+    path = tmp_path / "a.exp"
+    path.write_bytes(b"".join(bytes([x & 255, -y & 255]) for x, y in steps))
+    assert "doubts" not in files.read(path, ("ThreadPlan",)).about
+    steps[30] = (90, 3)
+    alone = [s for s in steps if abs(s[0]) in (20, 90)]
+    path.write_bytes(b"".join(bytes([x & 255, -y & 255]) for x, y in alone))
+    assert "bytes may have been changed" in files.read(path, ("ThreadPlan",)).about["doubts"]

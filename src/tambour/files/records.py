@@ -16,6 +16,10 @@ from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.thread import COLOR, END, JUMP, STITCH, STOP, TRIM, Thread, ThreadPlan
 
+LARGEST = 127
+"""Units: the largest step of formats that hold steps in signed bytes."""
+CUT = 121
+"""Units: what many programs cut a long move into, whatever the format takes (the largest step of DST)."""
 FARTHEST = 20_000
 """No coordinate lies further out than this many units (2 m): more is not a design."""
 
@@ -147,15 +151,24 @@ def strange(xy: Array, command: Array) -> str:
     """A doubt about stitches far longer than the rest, in units: what a changed byte leaves; "" where there are none.
 
     Of a hundred files by a dozen programs the longest stitch was at most 1.7 times as long as all but the longest hundredth,
-    but for one, whose longest is the largest step there is.
+    but for those that write moves as stitches: cut at a largest step, or going on one way in several. Where most long ones are
+    such, none is doubted.
     """
     both = (command[1:] == STITCH) & (command[:-1] == STITCH)
-    long = np.hypot(*np.diff(xy, axis=0)[both].T.astype(np.float64))
+    step = np.diff(xy, axis=0)[both].astype(np.float64)
+    long = np.hypot(*step.T)
     if len(long) < 100:
         return ""
     usual = float(np.quantile(long, 0.99))
     odd = np.flatnonzero(long > max(50.0, 2 * usual))
     if not len(odd):
+        return ""
+    cut = (np.abs(step[odd]).max(axis=1) == LARGEST) | (np.abs(long[odd] - CUT) < 1.5)
+    beside = [np.clip(odd + d, 0, len(long) - 1) for d in (-1, 1)]
+    for k in beside:
+        along = (step[odd] * step[k]).sum(axis=1) > 0.99 * long[odd] * long[k]
+        cut |= along & (long[k] > 0.25 * long[odd]) & (k != odd)
+    if 2 * cut.sum() >= len(odd):
         return ""
     many = f"{len(odd)} stitches are" if len(odd) > 1 else "one stitch is"
     return f"{many} up to {long[odd].max() / 10:.1f} mm long, nearly all others at most {usual / 10:.1f}: bytes may have been changed"
