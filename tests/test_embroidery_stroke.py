@@ -10,7 +10,7 @@ import shapely
 from tambour import files
 from tambour.core.progress import Progress
 from tambour.core.thread import JUMP, STITCH, TRIM
-from tambour.embroidery.columns import stroke
+from tambour.embroidery.columns import ends, stroke
 from tambour.embroidery.columns.ends import ended
 from tambour.embroidery.columns.satin import side_to_side
 from tambour.embroidery.columns.stroke import closed, covered, from_stroke, trimmed
@@ -192,5 +192,5 @@ def test_what_is_left_out_below_other_thread_is_not_seen(tmp_path, path, monkeyp
     assert strokes.buffer(-0.3).difference(thread).area < 0.02
     less = shapely.length(satin(piece)).sum()
     monkeypatch.setattr(stroke, "KEPT", 100.0)  # so far below that nothing is
-    monkeypatch.setattr(stroke, "HAIRPIN", 0.0)  # nor are corners parted
+    monkeypatch.setattr(ends, "HAIRPIN", 0.0)  # nor are corners parted
     assert less < 0.985 * shapely.length(satin(made(tmp_path, line))).sum()
