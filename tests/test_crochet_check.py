@@ -109,3 +109,19 @@ def test_check_refuses_and_makes_nothing(tmp_path: Path) -> None:
     with pytest.raises(TambourError, match="says 17"):
         run("crochet", source, CrochetParams(check=True), [tmp_path / "toy.acl.pattern.acl"])
     assert [p.name for p in tmp_path.iterdir()] == ["toy.acl"]
+
+
+def test_what_a_run_says_check_says_too(tmp_path: Path) -> None:
+    """A wrong count did not leave room for the gaps: --check told the one, and a run the other."""
+    from tambour.run import run
+
+    source = tmp_path / "toy.txt"
+    head = "BALL\nRnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [13]\nRnd 3: frobnicate all of it. [12]\n"
+    source.write_text(head + "Rnd 4: dec around. [6]\nFrob 6 sc under the moon.\nFasten off.\n")
+    with pytest.raises(TambourError) as refused:
+        run("crochet", source, CrochetParams(check=True))
+    told = [(p.warning, source.read_text()[: p.span.start].count("\n") + 1) for p in refused.value.problems if p.span]
+    assert (False, 3) in told and {(True, 4), (True, 6)} <= set(told)
+    assert [at for _, at in told] == sorted(at for _, at in told)
+    warned = run("crochet", source, CrochetParams(solver="none"))["warnings"]
+    assert all(any(p.message in w for p in refused.value.problems) for w in warned) and warned

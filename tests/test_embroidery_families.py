@@ -13,9 +13,9 @@ from tambour import files
 from tambour.core.drawing import Drawing, Groups, Styles
 from tambour.core.paths import Paths
 from tambour.core.progress import Progress
-from tambour.core.thread import JUMP, STITCH
+from tambour.core.thread import COLOR, JUMP, STITCH
 from tambour.embroidery.params import EmbroideryParams
-from tambour.embroidery.piece import FILL, SATIN, UNDERLAY
+from tambour.embroidery.piece import FILL, LOCK, SATIN, TRAVEL, UNDERLAY
 from tambour.embroidery.plan.facts import facts, steps
 from tambour.embroidery.plan.make import make
 
@@ -171,6 +171,15 @@ def test_applique_stops_twice_and_covers_the_edge():
     made = make(drawing(leaf()[:1]), EmbroideryParams(applique=True), Progress())
     told = facts(made)
     assert told["stops"] == 2 and (made.kind == SATIN).sum() > 100
+
+
+def test_a_knockdown_is_of_the_cloths_colour_and_a_stop_of_its_own():
+    made = make(drawing(leaf()), EmbroideryParams(fabric="towel", ground="#336699"), Progress())
+    cloth, *design = made.plan.threads
+    assert cloth.rgb == (0x33, 0x66, 0x99) and cloth.name == "as the cloth" and cloth not in design
+    kinds = [set(made.kind[(made.plan.thread == t) & (made.plan.command == STITCH)].tolist()) for t in (0, 1)]
+    assert kinds[0] <= {UNDERLAY, TRAVEL, LOCK} and (made.plan.command == COLOR).sum() == 1
+    assert FILL in kinds[1] or SATIN in kinds[1]
 
 
 def test_basting_and_knockdown_come_first():

@@ -128,17 +128,18 @@ def _built(source: Text, params: CrochetParams, progress: Progress) -> tuple[Bui
             built, joining = prepare_what_stands(built)
         else:
             joining = prepare(built)
+    said = [*built.pattern.unread, *built.warnings]
+    if joining is not None:
+        said += [*joining.doubts, *crowded(joining)]
+    said += twisted(built)
     if params.check:
         from tambour.crochet.graph.check import tech_edit
 
-        found = tech_edit(built)
-        if found:
-            raise TambourError(found)
-    for warning in (*built.pattern.unread, *built.warnings):
-        progress.warn(warning)
-    for warning in joining.doubts if joining is not None else ():
-        progress.warn(warning)
-    for warning in [*(crowded(joining) if joining is not None else []), *twisted(built)]:
+        if found := tech_edit(built):
+            known_of = {(p.message, p.span) for p in found}
+            told = [replace(p, warning=True) for p in said if (p.message, p.span) not in known_of]
+            raise TambourError(sorted([*found, *told], key=lambda p: p.span.start if p.span else 0))
+    for warning in said:
         progress.warn(warning)
     return built, joining, known
 

@@ -11,6 +11,7 @@ from tambour.core.drawing import Drawing
 from tambour.core.errors import Problem, TambourError
 from tambour.core.picture import Picture
 from tambour.core.progress import Progress
+from tambour.core.rgb import unhexed
 from tambour.core.thread import Thread, ThreadPlan
 from tambour.embroidery.families.applique import applique, basting_box, knockdown
 from tambour.embroidery.families.blend import blended
@@ -94,12 +95,13 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     with progress.stage("fill"):
         below = knockdown(found, params) if params.knockdown else []
         box = basting_box(*extent(found)) if params.baste else None
-    if below or box is not None:
-        layout.color(Thread(found[sequence[0]].color))
     if box is not None:
+        layout.color(Thread(found[sequence[0]].color))
         layout.stitches(box, -1, tie=False)
-    for thread in below:
-        layout.stitches(thread, -1)
+    if below:  # in a colour of the design it would be a net over the pile: it shows between the fills and round them
+        layout.color(Thread(unhexed(params.ground), "as the cloth"))
+        for thread in below:
+            layout.stitches(thread, -1)
     for done, k in enumerate(sequence):
         region = found[k]
         progress.step(done, len(sequence))
