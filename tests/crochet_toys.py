@@ -9,6 +9,18 @@ import numpy as np
 from tambour.core import graph as g
 
 Rows = list[list[str]]
+TEXT_BALL = """== Ball ==
+R1: MR(6)
+R2: 6 inc
+R3: [sc, inc] x 6
+R4: [2 sc, inc] x 6
+R5-R8: 24 sc
+R9: [2 sc, dec] x 6
+R10: [sc, dec] x 6
+R11: 6 dec
+FO
+"""
+"""A ball of 24 stitches around, in the language."""
 
 
 def ball_rows(k: int, m: int) -> Rows:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from crochet_toys import TEXT_BALL
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.covered import seen
@@ -11,17 +12,6 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 from tambour.crochet.plush import make
 
-BALL = """== Ball ==
-R1: MR(6)
-R2: 6 inc
-R3: [sc, inc] x 6
-R4: [2 sc, inc] x 6
-R5-R8: 24 sc
-R9: [2 sc, dec] x 6
-R10: [sc, dec] x 6
-R11: 6 dec
-FO
-"""
 HORN = "== Horn ==\nR1: MR(6)\nR2: 6 inc\nR3-R6: 12 sc\n"
 
 
@@ -30,7 +20,7 @@ def made(text: str) -> Plush:
 
 
 def test_what_lies_under_an_end_is_not_seen_and_all_else_is() -> None:
-    piece = made(BALL + HORN + "place(Horn, Ball, round=6, stitch=12)\n")
+    piece = made(TEXT_BALL + HORN + "place(Horn, Ball, round=6, stitch=12)\n")
     graph, x = piece.built.graph, piece.positions
     assert piece.shape.joined is not None
     shell = graph.faces[piece.built.shell]
@@ -46,6 +36,6 @@ def test_what_lies_under_an_end_is_not_seen_and_all_else_is() -> None:
 
 
 def test_of_a_part_by_itself_all_is_seen() -> None:
-    piece = made(BALL)
+    piece = made(TEXT_BALL)
     shell = piece.built.graph.faces[piece.built.shell]
     assert (seen(piece.built.graph, piece.positions, None, shell) == shell).all()

@@ -284,7 +284,7 @@ def test_eyes_and_stuffing_stand_where_hands_still_reach_and_her_count_stays_her
 
 def test_a_step_is_seen_from_where_its_part_is_not_hidden() -> None:
     """A ball's tail is behind it, a snout before it; the camera goes where the part is, and stays for what it sees already."""
-    from tambour.crochet.page.angle import VIEW, angle, behind
+    from tambour.crochet.page.angle import VIEW, angle, called
 
     ball = "== Ball ==\n: MR(6)\n: 6 inc\n: [sc, inc] x 6\n: [2 sc, inc] x 6\n6: 24 sc\n: [2 sc, dec] x 6\n: [sc, dec] x 6\nFO\n"
     text = ball + "== Knob ==\n: MR(6)\n3: 6 sc\n" + "place(Knob, Ball, round=7, stitch={})\n"
@@ -295,7 +295,7 @@ def test_a_step_is_seen_from_where_its_part_is_not_hidden() -> None:
     middle = 1.0 + Spots(placed(1).built).front(6)
     snout, tail = placed(middle), placed((middle + 11.0) % 24.0 + 1.0)
     assert angle(snout, [0, 1], [1]) == VIEW
-    assert behind(angle(tail, [0, 1], [1]))
+    assert called(angle(tail, [0, 1], [1])) == "back" and called(VIEW) == ""
     assert angle(tail, [0, 1], [0, 1]) == VIEW
 
 

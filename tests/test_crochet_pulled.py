@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from crochet_toys import TEXT_BALL
 from tambour.core.errors import TambourError, Text
 from tambour.core.progress import Progress
 from tambour.crochet.graph.spots import Spots
@@ -19,22 +20,10 @@ from tambour.crochet.printed.choose import read
 from tambour.crochet.settle import forces
 from tambour.crochet.words.table import TERMS
 
-BALL = """== Ball ==
-R1: MR(6)
-R2: 6 inc
-R3: [sc, inc] x 6
-R4: [2 sc, inc] x 6
-R5-R8: 24 sc
-R9: [2 sc, dec] x 6
-R10: [sc, dec] x 6
-R11: 6 dec
-FO
-"""
-
 
 @cache
 def made(*lines: str) -> Plush:
-    return make(Text(BALL + "".join(line + "\n" for line in lines)), CrochetParams(), Progress())
+    return make(Text(TEXT_BALL + "".join(line + "\n" for line in lines)), CrochetParams(), Progress())
 
 
 def apart(piece: Plush, one: tuple[int, int], other: tuple[int, int]) -> float:
@@ -71,7 +60,7 @@ def test_the_pull_is_a_spring_that_only_pulls() -> None:
 @pytest.mark.parametrize("code", list(TERMS))
 def test_it_is_printed_so_that_it_reads_back(code: str) -> None:
     line = "tie(Ball, 6:1, 7.5:13, apart=22)"
-    shown = plain(make(Text(BALL + line), CrochetParams(terms=code, stuffing="none"), Progress()))
+    shown = plain(make(Text(TEXT_BALL + line), CrochetParams(terms=code, stuffing="none"), Progress()))
     assert [type(f) for f in read(shown).finish] == [Tie], TERMS[code].sentences["tie"]
     (tie,) = read(shown).finish
     assert [(s.part, s.round, s.stitch) for s in tie.spots] == [("Ball", 6.0, 1.0), ("Ball", 7.5, 13.0)]

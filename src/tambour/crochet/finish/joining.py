@@ -247,9 +247,9 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         own = bodies[body[part]]
         frame = frame_of(joining, x, f, end, upright, bodies[body[other]])
         how = sewing.held(x, own, end)
-        straight = sewing.brought(x, own, end, how, *sewing.ways(f, end, frame, False), frame.points[0])
+        straight = sewing.brought(x, own, how, *sewing.ways(f, end, frame, False), frame.points[0])
         ways = sewing.ways(f, end, frame)
-        moved = sewing.brought(x, own, end, how, *ways, frame.points[0])
+        moved = sewing.brought(x, own, how, *ways, frame.points[0])
         fixed = np.concatenate([bodies[b] for b in group[body[other]]])
         outward = vertex_normals(x, shell[np.isin(shell[:, 0], fixed)])
         at_end = np.isin(own, end.nodes)

@@ -197,7 +197,7 @@ def leaning(placed: Placed, frame: Frames) -> Array:
     return np.asarray(made)
 
 
-def brought(x: Array, own: Array, end: End, how: Held, axis: Array, front: Array, point: Array) -> Array:
+def brought(x: Array, own: Array, how: Held, axis: Array, front: Array, point: Array) -> Array:
     """The part's nodes with the middle of its end at ``point`` and its axis and front turned as told."""
     before = np.column_stack([how.axis, how.front, np.cross(how.axis, how.front)])
     after = np.column_stack([axis, front, np.cross(axis, front)])
@@ -247,7 +247,7 @@ def outline(layout: Array, own: Array, placed: Placed, end: End, frame: Frames) 
     """The same (K, 3); of a piece in rows that is laid flat its own edge; ``layout`` (N, 3) has parts by themselves, ``own`` its nodes."""
     if not end.laid or end.disc:
         return line(placed, end, frame)
-    return brought(layout, end.nodes, end, held(layout, own, end), *ways(placed, end, frame, False), frame.points[0])
+    return brought(layout, end.nodes, held(layout, own, end), *ways(placed, end, frame, False), frame.points[0])
 
 
 def seam(x: Array, graph: StitchGraph, end: End, straight: Array, target: Array, frame: Frames) -> Array:

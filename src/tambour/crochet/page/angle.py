@@ -18,14 +18,19 @@ if TYPE_CHECKING:
 VIEW: Final = (radians(24.0), radians(14.0))
 """Azimuth and elevation from which a piece is shown unless something hides there."""
 _BACK: Final = (pi + VIEW[0], radians(20.0))
-_OTHERS: Final = (_BACK, (radians(75.0), VIEW[1]), (radians(-75.0), VIEW[1]), (VIEW[0], radians(-20.0)))
+_LEFT, _RIGHT = (radians(75.0), VIEW[1]), (radians(-75.0), VIEW[1])
+_OVER, _UNDER = (pi - VIEW[0], radians(62.0)), (VIEW[0], radians(-20.0))
+_OTHERS: Final = {_BACK: "back", _LEFT: "side", _RIGHT: "side", _UNDER: "below", _OVER: "above"}
+"""Other views, and how they are called."""
 _ENOUGH: Final = 0.6
 """The usual view is kept where it shows so much of what the best one shows."""
 
 
-def angle(piece: Plush, there: Sequence[int], fresh: Sequence[int]) -> tuple[float, float]:
+def angle(piece: Plush, there: Sequence[int], fresh: Sequence[int], words: str = "") -> tuple[float, float]:
     """Azimuth and elevation, radians, that show the parts ``fresh`` among those that are ``there``: the usual ones, or those of
-    the back, a side or below where much more of them is in sight."""
+    the back, a side, below or above where much more of them is in sight; from above where ``words`` say so."""
+    if fresh and "from above" in words.lower():
+        return _OVER
     part = piece.built.graph.part
     nodes = np.flatnonzero(np.isin(part, list(there)))
     new = np.tile(np.isin(part[nodes], list(fresh)), 2)
@@ -33,12 +38,12 @@ def angle(piece: Plush, there: Sequence[int], fresh: Sequence[int]) -> tuple[flo
         return VIEW
     points = skin(piece, nodes)
     seen = [_seen(points, new, 0.7 * piece.stitch[0], view) for view in (VIEW, *_OTHERS)]
-    return VIEW if seen[0] >= _ENOUGH * max(seen) else _OTHERS[int(np.argmax(seen[1:]))]
+    return VIEW if seen[0] >= _ENOUGH * max(seen) else list(_OTHERS)[int(np.argmax(seen[1:]))]
 
 
-def behind(view: tuple[float, float]) -> bool:
-    """Whether a view is that of the back."""
-    return view == _BACK
+def called(view: tuple[float, float]) -> str:
+    """What a view is called: back, side, above, below; "" the usual one."""
+    return _OTHERS.get(view, "")
 
 
 def _seen(points: Array, new: Array, cell: float, view: tuple[float, float]) -> int:

@@ -6,6 +6,7 @@ import re
 from typing import Final
 
 from tambour.core.rgb import RGB, unhexed
+from tambour.crochet.language.finishes import Placed
 from tambour.crochet.maker.materials import materials
 from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.book import Book, short, size_lines, weight_name, yarn_name
@@ -105,8 +106,11 @@ def begin(book: Book) -> None:
         chunks += together(heading(book, word("special stitches"), width), special, word("special stitches"))
     notes = paragraph(own["notes text"], width)
     pattern = book.piece.built.pattern
-    if pattern.finish and not any(part.up == "side" for part in pattern.parts):
-        notes += paragraph(own["front text"], width, space=1.4)
+    if pattern.finish:
+        lying = any(part.up == "side" for part in pattern.parts)
+        notes += paragraph(own["below text" if lying else "front text"], width, space=1.4)
+    if any(isinstance(record, Placed) for record in pattern.finish):
+        notes += paragraph(own["tail text"], width, space=1.4)
     chunks.append(Chunk([*heading(book, own["notes"], width), *notes], own["notes"]))
     flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
 
@@ -117,12 +121,14 @@ def _of_hers(book: Book) -> list[tuple[str, str]]:
         return []
     ours = {word.lower() for word, _ in book.said.abbreviations}
     steps = [words for record in book.piece.built.pattern.finish if (words := book.words_of(record))]
-    whole = " ".join([*book.hers.sentences, *steps])
+    whole = " ".join([*book.hers.sentences, *steps, *book.hers.intro])
     known = (
         {said: said for said in book.hers.terms} | {said: said for said in _USUAL} if book.code in ("us", "uk") else {}
     )
     made = []
     for said in known:
+        if said.startswith(("(", "[", "*")):
+            continue  # how she brackets repeats; ours are explained with the notes
         plain = said.split("(")[0]
         if plain.lower() not in ours and re.search(rf"(?<![\w]){re.escape(plain)}(?![A-Za-z_])", whole):
             made.append((said, book.hers.terms.get(said) or _USUAL[said]))
@@ -150,9 +156,10 @@ def _materials(book: Book, width: float) -> list[Atom]:
         letter, name = book.said.color(color)
         key = "leftover" if yarn["grams"] < LEFTOVER else "skein" if yarn["skeins"] == 1 else "skeins"
         skein = own[key].format(n=yarn["skeins"], grams=number(kind.skein, 0))
-        much = f"{number(max(1.0, yarn['metres']), 0)} m"
+        metres = max(1.0, float(round(yarn["metres"])))
+        much = f"{number(metres, 0)} m"
         if book.imperial:
-            much += f" / {number(max(1.0, yarn['yards']), 0)} yd"
+            much += f" / {number(metres / 0.9144, 0)} yd"
         grams = f"{number(max(1.0, yarn['grams']), 0)} g"
         made.append(_yarn(color, letter, name, much, grams, skein, width))
     threads: dict[RGB, float] = {}

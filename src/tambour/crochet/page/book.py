@@ -128,7 +128,7 @@ class Book:
     def length(self, mm: float) -> str:
         """A length in cm, and in inches where readers want them."""
         cm = f"{self.number(mm / 10)} cm"
-        return f"{cm} ({self.number(mm / 25.4)} in)" if self.imperial else cm
+        return f"{cm} ({self.number(round(mm / 10, 1) / 2.54)} in)" if self.imperial else cm
 
     @property
     def below(self) -> tuple[Page, float]:
@@ -151,11 +151,17 @@ def size_lines(book: Book, size: Size) -> list[tuple[str, str]]:
     width, height, depth = size.extent
     flat = size.how == "laid flat"
     made = [("height", depth if flat else height), ("width", width)]
-    made += [] if flat else [("depth", depth)]
+    made += [] if flat else [("length" if along(book.piece, size) else "depth", depth)]
     said = [(book.own[name], book.length(mm)) for name, mm in made]
     if size.stitches and not flat:
         said.append((book.own["around"], book.length(size.around)))
     return said
+
+
+def along(piece: Plush, size: Size) -> bool:
+    """Whether a piece is longer than high: one that swims, or goes on four legs."""
+    lies = any(part.up == "side" for part in piece.built.pattern.parts)
+    return lies and size.how != "laid flat" and size.extent[2] > size.extent[1]
 
 
 def short(book: Book, what: str) -> str:

@@ -11,7 +11,7 @@ from tambour.core.picture import Picture
 from tambour.crochet.language.finishes import Eye
 from tambour.crochet.maker.size import skin, whole_size
 from tambour.crochet.page.begin import begin, heading, paragraph
-from tambour.crochet.page.book import FOOT, MARGIN, TOP, WHITE, Book, cropped, cut, short, weight_name
+from tambour.crochet.page.book import FOOT, MARGIN, TOP, WHITE, Book, along, cropped, cut, short, weight_name
 from tambour.crochet.page.flow import flow, together
 from tambour.crochet.page.parts import assembly, charts, rounds, sides
 from tambour.crochet.page.pictures import whole
@@ -49,7 +49,7 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     charts(book)
     _care(book, since)
     if not book.low:
-        sides(book, before)
+        sides(book, [before, *book.pages[since:]])
     total = len(book.pages)
     foot = book.title if not book.designer else f"{book.title} · {book.designer}"
     for k, sheet in enumerate(book.pages):
@@ -100,10 +100,13 @@ def _cover(book: Book) -> None:
         y += LEAD * 1.45
     # Three facts in a row at the foot.
     whole_ = whole_size(book.piece)
-    upright = whole_.how != "laid flat"
-    size_of = f"{book.said.terms.word('finished size')}, {book.own['height' if upright else 'width']}"
+    upright, long = whole_.how != "laid flat", along(book.piece, whole_)
+    size_of = (
+        f"{book.said.terms.word('finished size')}, {book.own['length' if long else 'height' if upright else 'width']}"
+    )
+    of = whole_.extent[2] if long else whole_.extent[1] if upright else max(whole_.extent[0], whole_.extent[2])
     facts = [
-        (size_of, book.length(whole_.extent[1] if upright else max(whole_.extent[0], whole_.extent[2]))),
+        (size_of, book.length(of)),
         (book.said.terms.word("yarn"), weight_name(book)),
         (book.own["hook"][:1].upper() + book.own["hook"][1:], f"{book.number(book.piece.gauge.hook, 2)} mm"),
     ]

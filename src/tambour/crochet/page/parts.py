@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
 from tambour.core.check import Array
 from tambour.core.picture import Picture
-from tambour.crochet.language.finishes import Eye
-from tambour.crochet.page.angle import angle, behind
+from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.page.angle import angle, called
 from tambour.crochet.page.begin import heading, paragraph
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, cropped, short
 from tambour.crochet.page.diagram import plates, symbols
@@ -191,21 +192,25 @@ def _symbols(book: Book, sheet: Page, x: float, y: float, wide: float) -> float:
     return y + tall + 3.0
 
 
-def sides(book: Book, sheet: Page) -> None:
-    """The piece from three sides at the foot of a page, where that is still white."""
+def sides(book: Book, sheets: Sequence[Page]) -> None:
+    """The piece from three sides at the foot of the first of these pages that is still white there."""
     bottom, wide = book.size[1] - FOOT, book.size[0] - 2 * MARGIN
-    gap, top = 5.0, sheet.lowest + 14.0
+    gap = 5.0
     width = (wide - 2 * gap) / 3
-    high = min(bottom - top - 6.0, width * 1.2)
-    if high < 0.6 * width or lies(book.piece):
+    room = [min(bottom - sheet.lowest - 20.0, width * 1.2) for sheet in sheets]
+    k = next((k for k, high in enumerate(room) if high >= 0.6 * width), None)
+    if k is None or lies(book.piece):
         return
+    sheet, high = sheets[k], room[k]
     y = bottom - high - 6.0
-    for k, side in enumerate(("front", "right", "back")):
+    long = any(part.up == "side" for part in book.piece.built.pattern.parts)
+    for k, side in enumerate(("right", "top", "back") if long else ("front", "right", "back")):
         x = MARGIN + k * (width + gap)
         sheet.image(
             from_side(book.album, side, round(width * _DOTS), round(high * _DOTS)), x, y, width, high, photo=True
         )
-        sheet.text(book.own[side], x, y + high + SMALL + 1.6, SMALL, color=SOFT)
+        name = book.own["above" if side == "top" else side]
+        sheet.text(name, x, y + high + SMALL + 1.6, SMALL, color=SOFT)
 
 
 def assembly(book: Book, frame: Array) -> list[Chunk]:
@@ -219,10 +224,11 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     sentences = _sentences(book, found)
     chunks = []
     for k, (step, said) in enumerate(zip(found, sentences)):
-        picture = of_step(book.album, step, frame, round(width * _DOTS), round(high * _DOTS))
+        view = angle(piece, step.parts, step.fresh, " ".join(said))
+        picture = of_step(book.album, step, frame, view, round(width * _DOTS), round(high * _DOTS))
         names = _names(book, step)
-        if behind(angle(piece, step.parts, step.fresh)):
-            names += f" ({book.own['back']})"
+        if step.fresh and (where := called(view)):
+            names += f" ({book.own[where]})"
         head = f"{book.own['step'].format(n=k + 1)}: {names}"
 
         def draw(sheet: Page, x: float, y: float, picture: Picture = picture, head: str = head) -> None:
@@ -236,10 +242,35 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
             for k, sentence in enumerate(said)
             for atom in paragraph(sentence, width, size, None, 0.9 if k else 0.0)
         ]
+        for note in _held(book, step):
+            lines += paragraph(note, width, SMALL, SOFT, 0.9)
         chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
     if any(step.fresh for step in found):
         chunks[0].atoms += paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
     return chunks
+
+
+def _held(book: Book, step: Step) -> list[str]:
+    """How the ends of a designer's parts are sewn on in the pictures, which her sentence seldom says: pressed flat, as a ring, by the edge."""
+    from tambour.crochet.finish.sewing import end_of
+    from tambour.crochet.graph.spots import Spots
+
+    built = book.piece.built
+    if book.hers is None:
+        return []
+    spots, made = Spots(built), dict[str, None]()
+    for record in (built.pattern.finish[n] for n in step.records):
+        if not isinstance(record, Placed) or spots.in_rows[spots.parts[record.part]]:
+            continue
+        end = end_of(built, spots, record)
+        open_ = len(spots.sewn_rim(spots.parts[record.part])) > 0
+        if end.laid:
+            made[book.own["sewn edge"]] = None
+        elif open_ and end.ring and record.spot.stitch is not None:
+            made[book.own["sewn ring"]] = None
+        elif open_ and len(end.pinched):
+            made[book.own["sewn flat"].format(n=len(end.nodes) - len(end.pinched))] = None
+    return list(made)
 
 
 def _eyes_only(book: Book, step: Step) -> bool:

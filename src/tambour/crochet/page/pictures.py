@@ -17,7 +17,7 @@ from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Finish, Placed, spots_of
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.album import FEW, MANY, Album
-from tambour.crochet.page.angle import VIEW, angle
+from tambour.crochet.page.angle import VIEW
 from tambour.crochet.page.type import BACKDROP
 from tambour.render.raster import film
 
@@ -109,6 +109,7 @@ def lies(piece: Plush) -> bool:
 def whole(album: Album, width: int, height: int) -> Picture:
     """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
     from tambour.crochet.looks import in_sight, toy
+    from tambour.crochet.page.portrait import stand
     from tambour.render.raster import picture, shown
 
     made = toy(album.piece)
@@ -117,16 +118,16 @@ def whole(album: Album, width: int, height: int) -> Picture:
     # Some air around it, but the floor stays where it stands.
     room = middle + AIR * (points - middle)
     room[:, 1] = np.maximum(room[:, 1], points[:, 1].min())
-    elevation = _ABOVE if lies(album.piece) else VIEW[1]
+    azimuth, elevation = (VIEW[0], _ABOVE) if lies(album.piece) else stand(album.piece)
     seen = picture(
         made,
         width=width,
         height=height,
-        azimuth=VIEW[0],
+        azimuth=azimuth,
         elevation=elevation,
         background=album.backdrop,
         frame=room,
-        lit=album.light(in_sight(album.piece) or album.all, album.face, VIEW[0], MANY),
+        lit=album.light(in_sight(album.piece) or album.all, album.face, azimuth, MANY),
     )
     paper = np.round(coded(film(linear(np.array(album.backdrop) / 255.0))) * 255).astype(np.float32)
     y = np.linspace(0.0, 1.0, height, dtype=np.float32)
@@ -201,14 +202,14 @@ def from_side(album: Album, side: str, width: int, height: int) -> Picture:
     )
 
 
-def of_step(album: Album, step: Step, frame: Array, width: int, height: int) -> Picture:
-    """The piece after a step, what is new in full colour; ``frame`` (P, 3) is what fills every step's picture."""
+def of_step(album: Album, step: Step, frame: Array, view: tuple[float, float], width: int, height: int) -> Picture:
+    """The piece after a step, what is new in full colour; ``frame`` (P, 3) is what fills every step's picture; ``view`` : of
+    :func:`tambour.crochet.page.angle.angle`."""
     from tambour.render.raster import picture
 
     piece = album.piece
     known = Spots(piece.built)
     fresh = step.fresh or step.parts
-    view = angle(piece, step.parts, step.fresh)
     if not step.fresh:
         # A face is seen from near and in front: the parts that it is on fill the picture.
         hosts = {known.place(s).nodes[0] for r in step.finishes for s in spots_of(r)}

@@ -22,7 +22,7 @@ SIDES: Final[dict[str, tuple[float, float]]] = {
 """Side → azimuth and elevation of the camera; left and right are those of one who looks at the front."""
 AHEAD, ASIDE, ABOVE = (
     (radians(18.0), radians(13.0)),
-    (radians(38.0), radians(16.0)),
+    (radians(48.0), radians(15.0)),
     (radians(9.0), radians(76.0)),
 )
 """Azimuth and elevation for a toy that stands or sits, for one that lies or goes on four legs, for what is flat."""

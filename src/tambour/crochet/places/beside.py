@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from typing import Final
 
@@ -100,6 +101,8 @@ class Beside:
             if word in said and not (word == "forwards" and way.turn == 180.0):
                 base = base + lean * np.array(to)
                 axis = (float(base[0]), float(base[1]), float(base[2]))
+        if re.search(r"\bhang\w*(?: \w+)? straight(?: down)?\b|\bstraight down\b", at.text) and axis is not None:
+            axis = (0.0, -1.0, 0.1)
         flat = way.flat
         if "flat" in said:
             flat = True

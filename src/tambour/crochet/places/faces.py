@@ -34,6 +34,8 @@ _SNOUT, _FULL = 0.6, 0.6
 """A snout ends in this first part of a head's rounds, where they have less than this share of the widest one's stitches."""
 _BROW: Final = np.array([0.6, 0.5, 0.0])
 """Where eyes are about a head that lies, seen from its nose."""
+_TINY: Final = 0.7
+"""How large something is that is called tiny, little or small."""
 _KNOT: Final = 1.4
 """Eyes of knots are so many stitches wide at the most, and three quarters of what satin stitch would fill."""
 
@@ -182,6 +184,8 @@ class Facer(Putter):
             tall = f.where.rounds[1] - f.where.rounds[0]
         large = min(2.2, max(0.7, 2.0 * float(host.box[1][0]) / _FACE))
         wide = min(f.where.wide or large * face.USUAL[name], 0.6 * host.count(host.levels[len(host.levels) // 2][0]))
+        if re.search(rf"\b(?:tiny|little|small)\s+(?:\w+\s+)?{name.split()[-1]}", f.text) and not f.where.wide:
+            wide *= _TINY
         if name == "eyes" and not f.where.wide and "french knot" in f.text:
             wide = min(0.75 * wide, _KNOT)
         color = f.color or (face.PINK if name == "cheeks" else face.DARK)
@@ -207,6 +211,8 @@ class Facer(Putter):
                 big = size(f.text) or 12.0
                 return [Felt(s, "circle", big, big, 0.0, color, f.span) for s in spots]
             points = [self.stand.frame(s).points[0] for s in spots]
+            if name == "whiskers":
+                points = self._beside_snout(host, f) or points
             if name in ("eyes", "closed eyes"):
                 self.asleep = name == "closed eyes"
                 self._note("eye", host, spots)
@@ -220,6 +226,15 @@ class Facer(Putter):
         point = self._single(f, host, name, wide)
         self.known[{"smile": "mouth"}.get(name, name.split()[-1])] = (host.name, [point])
         return [*face.embroidered(host, name, point, wide, False, color, f.span, tall, self.work.stitch)]
+
+    def _beside_snout(self, host: Host, f: Feature) -> list[Array]:
+        """Where whiskers begin: on both sides of a snout that is sewn on; nowhere where there is none."""
+        snout = self.known.get("muzzle")
+        if snout is None or snout[0] != host.name or f.where.rounds is not None:
+            return []
+        x, y, _ = np.array(snout[1]).mean(0)
+        wide = self.deep.get("muzzle", 1.0) + _CLEAR
+        return [host.ahead(float(x - wide), float(y)), host.ahead(float(x + wide), float(y))]
 
     def _usual_pair(self, name: str, host: Host, f: Feature) -> Way:
         eyes = self.known.get("eye")

@@ -230,9 +230,7 @@ class Heard:
             for name, piece in zip(names, pieces):
                 own = where(piece)
                 place = own if own.says or own.wide else at if piece is low or not at.beside else replace(at, beside=())
-                self.features.append(
-                    Feature(name, host, self._region(low, host), place, sentence.span, order, color, low)
-                )
+                self.features.append(Feature(name, host, self._region(low), place, sentence.span, order, color, low))
             return True
         if _BUTTONS.search(low) and not re.search(r"\b(?:eyes?|nose|nostril)", low):
             head = next((p for p in self.parts if p.single and p.kind == "head"), None)
@@ -301,9 +299,7 @@ class Heard:
             copies = [c for c in copies if c[0] != host[0]]
         word = {p: m.word for m in objects for p, _ in m.copies}
         for group in _apart(copies):
-            self.puts.append(
-                Put(group, host, self._region(low, host), at, sentence.span, order, word=one(word[group[0][0]]))
-            )
+            self.puts.append(Put(group, host, self._region(low), at, sentence.span, order, word=one(word[group[0][0]])))
         return True
 
     def _just_closed(self, sentence: Sentence) -> list[Mention]:
@@ -336,7 +332,7 @@ class Heard:
         return single[-1].copies[0] if single else None
 
     @staticmethod
-    def _region(low: str, host: Copy | None) -> str:
+    def _region(low: str) -> str:
         """Whether the head or the body of a part that is both is meant."""
         if re.search(r"\b(?:head|face|forehead)\b", low):
             return "head"

@@ -20,6 +20,8 @@ from tambour.crochet.places.usual import Way
 
 _STEP: Final = 5.0
 """Angles are rounded to so many degrees."""
+_ALONG_OUT: Final = 0.85
+"""A seam that would run so nearly out of the fabric, as a cosine, runs level."""
 _STILL: Final = 10.0
 """A part that leans less than this stands straight out."""
 _WIDE: Final = 1.15
@@ -32,9 +34,7 @@ _LAID: Final = frozenset(
 """Kinds of pieces that lie on the fabric, sewn all round, where they are worked in rows."""
 SPREAD: Final = frozenset(("butterfly", "moth", "dragonfly"))
 """Toys, by their titles, whose wings are spread beside them."""
-BESIDE: Final = frozenset(
-    ("elephant", "monkey", "koala", "mouse", "chimp", "sloth", "sheep", "lamb", "cow", "giraffe", "llama")
-)
+BESIDE: Final = frozenset(("elephant", "monkey", "koala", "mouse", "chimp", "sloth", "sheep", "lamb", "cow", "giraffe"))
 """Toys, by their titles, whose ears are at the sides of their heads."""
 _WIDE_ONES: Final = frozenset(("muzzle", "nose", "beak"))
 """Kinds of things that are wider than high on a face, where they are ovals."""
@@ -74,7 +74,11 @@ class Holder(Beside):
             flat = self.work.open(copy[0].copy(copy[1])) >= 4
         frame = self.stand.frame(spot)
         n, along, up = frame.normals[0], frame.along[0], frame.up[0]
-        if spot.stitch is not None and not self.work.spots.in_rows[host.part]:
+        end = bool(len(self.work.spots.rim(host.part))) and spot.round >= host.high - 1
+        if put.kind == "fluke" and end and abs(float(host.axis[1])) < 0.5:
+            # The open end of what lies will be sewn shut, flat from side to side.
+            n, along, up = np.array([0.0, 1.0, 0.0]), np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, -1.0])
+        elif spot.stitch is not None and not self.work.spots.in_rows[host.part]:
             # Before it is stuffed the top of a ball is flat: where it will be round its fabric leans more.
             middle, half = host.box
             round_ = (frame.points[0] - middle) / half**2
@@ -108,6 +112,8 @@ class Holder(Beside):
                 and copy[0].kind in ("arm", "leg", "wing")
             ):
                 line = np.cross(n, host.axis)
+            if abs(float(line @ n)) > _ALONG_OUT * math.sqrt(float(line @ line)):
+                line = along  # what is sewn to the front runs across it
             a, b = float(line @ along), float(line @ up)
             across = _STEP * round(math.degrees(math.atan2(b, a)) / _STEP) if a * a + b * b > 1e-6 else 0.0
             across = across - 180.0 if across > 90.0 else across + 180.0 if across <= -90.0 else across

@@ -79,6 +79,8 @@ _SECOND: Final = frozenset(("right", "second", "other", "2nd"))
 _FIRST: Final = frozenset(("left", "first", "one", "1st"))
 SIDED: Final = _FIRST | _SECOND
 """Words that tell the two of a pair apart."""
+_NAMELESS: Final = re.compile(r"(?:part|piece)(?:_\d+)?$")
+"""What parts are called that no heading names."""
 _YARN: Final = frozenset(
     ("long", "yarn", "beg", "beginning", "leaving", "using", "rem", "remaining", "with", "ending", "ch", "chain")
 )
@@ -203,7 +205,7 @@ def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) ->
     """How many words from ``at`` on name parts, and which: the longest run of a name's words that holds its noun."""
     best, hit = 0, list[Made]()
     for part in parts:
-        name = part.words
+        name = [] if _NAMELESS.match(part.name) else part.words
         for begin in range(len(name)):
             n = 0
             i = at

@@ -116,7 +116,7 @@ class Putter(Holder):
         if not all(self.stand.there(r.spot) for r in records):
             return [Placed(r.part, r.spot, span=put.span) for r in records]
         seams = self.room.seams(records, kind)
-        if not self.room.free(seams) and not self._exactly(put):
+        if not self.room.free(seams) and not self._exactly(put) and kind != "fluke":
             for others in aside(told):
                 found_ = self._sewn(put, host, others)
                 if all(self.stand.there(r.spot) for r in found_) and self.room.free(
@@ -299,6 +299,8 @@ class Putter(Holder):
             if put.where.rounds is None and (wider := self._wider(host, a.round, _ROOM * off)) is not None:
                 a, b = replace(a, round=wider), replace(b, round=wider)
                 middle, count = host.middle(wider), host.count(wider)
+        elif put.kind == "fluke" and self._lies_name(host) and a.round >= host.high - 1:
+            off = (self.work.open(one[0].copy(1)) or 6) / 4  # side by side on the edge of a flat end
         elif "tip" in put.where.words:
             off = 0.25 * count  # on both sides of it, not both in front
         if apart is not None and self._lies_name(host) and way.at[1] < -0.3:

@@ -58,7 +58,7 @@ class Stand:
         how = sewing.held(layout, own, end)
         frame = self.frame(placed.spot)
         axis, front = sewing.ways(placed, end, frame)
-        self.x[own] = sewing.brought(layout, own, end, how, axis, front, frame.points[0])
+        self.x[own] = sewing.brought(layout, own, how, axis, front, frame.points[0])
         self.upright[part] = sewing.leaning(placed, frame) @ self.upright[self.spots.parts[placed.spot.part]]
 
 

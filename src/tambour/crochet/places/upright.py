@@ -15,6 +15,8 @@ from tambour.crochet.places.toy import Toy
 _TOP: Final = re.compile(
     r"\b(?:begin|start|work)\w*\s+(?:at|from|with)\s+(?:the\s+)?(?:very\s+)?(?:top|crown)|from (?:the )?top (?:to|down|of)|top[- ]down\b"
 )
+_NECK: Final = 0.7
+"""A long neck: the first quarter of a body's rounds stays narrower than this share of the widest."""
 _MEASURED: Final = re.compile(r"\bmeasure(?:s|ments?)\b[^\n]*\n?[^\n]*")
 """What a toy is said to measure."""
 _SHAPED: Final = re.compile(
@@ -73,8 +75,10 @@ class Upright(Toy):
         )
         if self.ahead(main):
             return "side"
-        if self._from_top(main):
-            return "start"
+        counts = [r.count for r in self.built.rounds if r.part == part]
+        necked = max(counts[: max(1, len(counts) // 4)], default=0) < _NECK * max(counts, default=1)
+        if self._from_top(main) and (head in (None, main) or necked):
+            return "start"  # what begins at its neck, and widens at once, may go on four legs
         arms = any(p.kind == "arm" for p in self.parts)
         if sum(p.copies for p in self.parts if p.kind in ("leg", "foot")) == 4 and not arms and head is None:
             measured = _MEASURED.search(self.text)
@@ -99,7 +103,6 @@ class Upright(Toy):
             or self._named_top(main)
         ):
             return "start"
-        counts = [r.count for r in self.built.rounds if r.part == part]
         if len(counts) > 4 and counts[-1] >= 2 * counts[-2] > 20:
             return "start"  # a ruffle hangs
         wide = self.open(f"{main.name}.1")

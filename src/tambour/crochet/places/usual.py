@@ -72,7 +72,7 @@ _PAIRS: Final[dict[str, Way]] = {
     "bow": Way((0.55, 0.8, 0.3), None, flat=False, on="head"),
     "leaf": Way((0.25, 0.97, 0.1), (0.9, 0.5, 0.1), _ALONG, True, on="head"),
     "tail": Way((0.2, -0.35, -0.9), (0.25, 0.3, -1.0), flat=None),
-    "fluke": Way((0.30, 0.05, -1.0), (0.75, 0.15, -0.65), (1.0, 0.0, 0.4), True),
+    "fluke": Way((0.30, 0.05, -1.0), (0.55, 0.1, -0.85), (1.0, 0.0, 0.4), True),
     "spot": Way((0.7, 0.2, 0.7), None, flat=False),
     "tooth": Way((0.2, -0.35, 0.95), (0.0, -1.0, 0.3), _ACROSS, None, on="head"),
     "belly": Way((0.35, 0.0, 0.9), None, flat=False),
@@ -166,7 +166,7 @@ def usual(
             pairs = replace(pairs, at=(0.95, 0.3, 0.1), axis=(1.0, 0.1, -0.1), line=_UP)
         elif kind == "ear" and words & {"monkey", "koala", "mouse", "chimp", "sloth"} and not long:
             pairs = replace(pairs, at=(0.85, 0.5, 0.0), axis=(0.85, 0.5, 0.0), line=(0.5, -0.85, 0.0))
-        elif kind == "ear" and words & {"sheep", "lamb", "cow", "giraffe", "llama"} and not lying:
+        elif kind == "ear" and words & {"sheep", "lamb", "cow", "giraffe"} and not lying:
             pairs = replace(pairs, at=(0.85, 0.5, 0.0), axis=(1.0, -0.15, 0.0), line=_ALONG)
         if kind == "wing" and words & {"butterfly", "moth", "dragonfly"}:
             pairs = replace(pairs, at=(0.55, 0.35, -0.75), axis=(1.0, 0.45, -0.1), line=_UP)
