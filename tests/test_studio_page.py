@@ -921,6 +921,148 @@ def test_a_phone_is_let_in_from_the_page_and_let_go(page, browser):
     made(page)
 
 
+EAR = (
+    "Head\nRnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [12]\nRnd 3: (sc, inc) around. [18]\n"
+    "Rnds 4-9: sc around. [18]\nRnd 10: dec around. [9]\nFasten off.\n\nTail\nRnd 1: 4 sc in magic ring. [4]\n"
+    "Rnd 2: inc around. [8]\nRnd 3: sc around. [8]\nFasten off.\n\nAssembly\nSew Tail to Head, at Rnd 7.\n"
+)
+
+
+def test_a_round_lower_is_the_next_round_of_the_words(page):
+    """The middle of a wide seam lies in another round than the words say: the first press is a step from what they say."""
+    new(page, {"craft": "crochet", "source": {"text": EAR, "name": "ear.txt"}, "title": "ear"})
+    made(page)
+    page.click(".rowbutton >> text=Tail")
+    page.wait_for_selector(".inside >> text=at round 7")
+    page.click("text=A round higher")
+    page.wait_for_selector(".inside >> text=/at round [68]/")
+    now = int(page.inner_text(".inside p").split("at round ")[1].split(";")[0])
+    page.wait_for_selector(f".over.top >> text=Rnd {now}")
+    page.click("text=A round lower")
+    page.wait_for_selector(".inside >> text=at round 7")
+
+
+def test_a_round_is_gone_to_by_its_number_and_plain_words_find_what_to_do(page):
+    new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    made(page)
+    page.click(".goto")
+    page.keyboard.type("3")
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".making .where >> text=Rnd 3")
+    for words, found in (("print", "Take away"), ("delete", "bin"), ("title", "Rename"), ("shortcuts", "All keys")):
+        page.keyboard.press("Control+k")
+        page.keyboard.type(words)
+        page.wait_for_selector(f".palette li >> text={found}")
+        page.keyboard.press("Escape")
+    page.keyboard.press("Control+k")
+    page.keyboard.type("xylophone")
+    page.wait_for_selector(".palette [role=status]")
+    page.keyboard.press("Escape")
+    page.keyboard.press("Control+k")
+    page.keyboard.type("rename")
+    page.keyboard.press("Enter")
+    page.keyboard.type("Round one")
+    page.keyboard.press("Tab")
+    until(page, "document.title.startsWith('Round one')")
+
+
+@pytest.fixture
+def phone(browser, server):
+    """A page of 390 pixels, under a finger."""
+    context = browser.new_context(
+        viewport={"width": 390, "height": 844}, is_mobile=True, has_touch=True, reduced_motion="reduce"
+    )
+    context.set_default_timeout(120_000)
+    opened = context.new_page()
+    context.route("**/api/examples/**", lambda route: route.fulfill(body=b""))
+    opened.goto(server)
+    opened.wait_for_selector(".cardx")
+    yield opened
+    context.close()
+
+
+def whole(page: Any, selector: str) -> None:
+    """All of these are within the page, and nothing lies over them."""
+    page.wait_for_selector(selector)
+    out = page.evaluate(
+        """selector => [...document.querySelectorAll(selector)].filter(e => { const r = e.getBoundingClientRect();
+            const on = document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2);
+            return r.left < 0 || r.right > innerWidth || r.bottom > innerHeight || !(e.contains(on) || on?.contains(e)); })
+            .map(e => e.outerHTML)""",
+        selector,
+    )
+    assert not out
+
+
+def test_a_phone_s_page_is_whole_and_what_is_told_lies_above_what_is_open(phone):
+    new(phone, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    made(phone)
+    whole(phone, ".over.bottom .seg button")
+    phone.tap("text=Take away")
+    phone.tap("dialog[open] >> text=Words")
+    whole(phone, ".note")
+    phone.wait_for_selector("dialog[open] .first >> text=✓ in your downloads")
+    phone.keyboard.press("Escape")
+    until(phone, "document.querySelector('#over > div > .notes')")  # they stay when it is closed
+    phone.tap("#bar >> text=Follow")
+    phone.wait_for_selector(".hands .on")
+    for _ in range(2):
+        phone.tap(".hands .on")
+    phone.tap(".headline .count button")
+    phone.keyboard.type("1")
+    phone.keyboard.press("Enter")
+    until(phone, "document.querySelector('.words .row').textContent === 'Rnd 1'")
+    phone.tap("text=back to Rnd 3, where you came from")
+    until(phone, "document.querySelector('.words .row').textContent === 'Rnd 3'")
+    phone.tap(".headline .count button")
+    phone.keyboard.type("1")
+    phone.keyboard.press("Enter")
+    phone.tap(".hands .on")
+    phone.go_back()
+    made(phone)
+    at = phone.evaluate("(({x, y, width, height}) => [x, y, width, height])(document.body.getBoundingClientRect())")
+    assert at == [0, 0, 390, 844]
+
+
+def test_a_finger_paints_one_stitch_and_comes_nearer(phone, tmp_path):
+    from PIL import Image
+
+    Image.fromarray(__import__("numpy").arange(48, dtype="uint8").reshape(6, 8) // 16 * 100).save(tmp_path / "p.png")
+    with phone.expect_file_chooser() as chosen:
+        phone.tap("text=Choose a file")
+    chosen.value.set_files(tmp_path / "p.png")
+    phone.tap(".choice >> text=Knit it")
+    made(phone)
+    whole(phone, ".over.bottom .seg button, .nearer button")
+    before = picture(phone)
+    phone.tap(".nearer [aria-label=nearer]")
+    assert picture(phone) != before
+
+
+def test_a_tap_says_which_region_it_is_and_another_stitch_leaves_it_chosen_as_its_rows_lie(phone):
+    two = HEART.replace("<script>", '<path d="M5 23h16v5h-16z" fill="#b03030"/><script>').replace('id="square" ', "")
+    new(phone, {"craft": "embroidery", "source": kept(phone, "square.svg", two), "title": "square"})
+    made(phone)
+    box = phone.locator(".view canvas").first.bounding_box()
+    phone.touchscreen.tap(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    phone.wait_for_selector(".over.top .said >> text=stitches")
+    name = phone.inner_text(".over.top .said b")
+    phone.tap("text=Change its stitch")
+    phone.locator(".regions select").first.select_option("contour")
+    until(phone, "document.querySelector('.saved').textContent === 'saved'")
+    made(phone)
+    until(phone, "document.querySelector('.regions .rowbutton[aria-pressed=true]')?.textContent.includes('contour')")
+    assert name in phone.inner_text(".regions .rowbutton[aria-pressed=true]")
+    assert phone.locator(".regions .rowbutton >> text=contour").count() == 1
+    edits = phone.evaluate(
+        "async () => (await (await fetch(`/api/pieces/${location.hash.split('/').pop()}`)).json()).revision.edits"
+    )
+    assert [e["field"] for e in edits] == ["angle", "stitch"]
+    phone.tap(".tabs >> text=Facts")
+    phone.tap("text=Make it fill a 4×4 in hoop")
+    phone.wait_for_selector(".big >> text=/8\\d × 9\\d/")
+
+
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_serious(page, scheme):
     page.emulate_media(color_scheme=scheme, reduced_motion="reduce")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tambour.color import plain_name
 from tambour.core.check import Array
 from tambour.core.packed import Packed, of_strands
 from tambour.core.steps import Step, told
@@ -59,6 +60,7 @@ def live(piece: Plush) -> Packed:
         "craft": "crochet",
         "unit": "stitch",
         "text": piece.built.pattern.text.name,
+        "yarns": [plain_name(shade) for shade in arrays["palette"]],
         "parts": [{"name": p.name, "start": p.start, "end": p.end, "stuffing": p.stuffing} for p in graph.parts],
         "rounds": [{"label": s.label, "part": s.part, "first": s.first, "end": s.end} for s in listed],
         "kinds": list(graph.kinds),

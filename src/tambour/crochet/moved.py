@@ -112,7 +112,7 @@ def _mirrored(known: Spots, part: int, spot: Spot, skew: float) -> Spot:
     off, n = _off(known, part, spot)
     k = known.round_at(part, int(spot.round))
     assert k is not None
-    return replace(spot, stitch=(known.front(k) + skew - off) % n + 1.0)
+    return replace(spot, stitch=round(known.front(k) + skew - off) % n + 1.0)  # makers count whole stitches
 
 
 def _twin(known: Spots, k: int, old: Placed | None) -> tuple[int | None, float]:

@@ -1,7 +1,7 @@
 // The bar: the same in every craft: where one is, whether it is kept, undo, follow, take away.
 import { html, nothing, show } from "./view.js";
 import { help, offer, palette, written } from "./keys.js";
-import { attempt } from "./notes.js";
+import { attempt, tell } from "./notes.js";
 import { theme, turnTheme } from "./theme.js";
 import { ask, online, welcome } from "./wire.js";
 import { begin } from "./drop.js";
@@ -44,8 +44,15 @@ export function bar(element, over, piece) {
       { name: "Undo", key: "mod+z", do: () => piece.step("undo") },
       { name: "Redo", key: "mod+shift+z", do: () => piece.step("redo") },
       { name: "Redo", key: "mod+y", hidden: true, do: () => piece.step("redo") },
-      { name: "Take away", key: "mod+s", do: away },
+      { name: "Take away: print, picture, files", key: "mod+s", do: away },
       { name: "Follow on a phone", do: follow },
+      { name: "Rename this piece", do: () => requestAnimationFrame(() => /** @type {HTMLInputElement|null} */ (element.querySelector(".title input"))?.select()) },
+      { name: "Put this piece into the bin", do: () => attempt(async () => {
+        const gone = piece.piece.value;
+        await ask(`/api/pieces/${piece.id}`, { method: "DELETE" });
+        location.hash = "";
+        setTimeout(() => tell(html`<b>${gone.title}</b> is in the bin, at the foot of the shelf.`, { calm: true }), 300); // the page that is left takes its notes along
+      }) },
     ] : []),
   ];
   const stop = [offer(commands), show(element, view)];
@@ -58,10 +65,10 @@ export function bar(element, over, piece) {
       <nav aria-label="crafts">${Object.entries(CRAFTS).map(([name, label]) => html`<button aria-current=${name === craft ? "page" : nothing} @click=${() => fresh(name)} title="Begin with ${label.toLowerCase()}">${label}</button>`)}</nav>
       ${here ? html`<div class="title"><input type="text" .value=${here.title} aria-label="title" maxlength="120"
           @change=${(/** @type {any} */ e) => e.target.value.trim() && attempt(() => piece.rename(e.target.value.trim()))}>
-        <span class="saved ${saved === "saved" ? "" : "waiting"}" role="status">${saved}</span></div>` : ""}
+        <span class="saved ${saved === "saved" ? "wide" : "waiting"}" role="status">${saved}</span></div>` : ""}
       <div class="right">
         <button class="icon wide" @click=${turnTheme} aria-label="light or dark: ${theme.value}" title="Light or dark: ${theme.value}">${GLYPH[theme.value]}</button>
-        <button class="icon wide" @click=${find} aria-label="find anything" title="Find anything (${written("mod+k")})">⌕</button>
+        <button class="icon ${here ? "" : "wide"}" @click=${find} aria-label="find anything" title="Find anything (${written("mod+k")})">⌕</button>
         ${here ? html`
           <button class="icon" ?disabled=${!here.undo} @click=${() => piece.step("undo")} aria-label="undo" title="Undo${revision?.said ? `: ${revision.said}` : ""} (${written("mod+z")})">↶</button>
           <button class="icon wide" ?disabled=${!here.redo} @click=${() => piece.step("redo")} aria-label="redo" title="Redo">↷</button>

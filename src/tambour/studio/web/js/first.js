@@ -6,5 +6,5 @@
   } catch {} // no storage: as the machine has it
   const dark = chosen === "dark" || (chosen !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
   document.documentElement.dataset.theme = dark ? "dark" : "light";
-  if (location.hash.length > 1) document.documentElement.classList.add("inside");
+  if (location.hash.length > 1) document.documentElement.classList.add("opening");
 })();

@@ -10,10 +10,14 @@ export const speller = (form) => (/** @type {string} */ text) =>
     return field ? `“${field.label}”` : `“${name.replaceAll("-", " ")}”`;
   });
 
+/** On a small page what stands beside the piece is another sheet: bring that of an element to the front. @param {Element|null} element */
+export const bring = (element) => void element?.dispatchEvent(new CustomEvent("wanted", { bubbles: true }));
+
 /** Show a field, and go to it. @param {string} name */
 export function toField(name) {
   const found = document.getElementById(`field-${name}`);
   for (let up = found?.parentElement; up; up = up.parentElement) if (up instanceof HTMLDetailsElement) up.open = true;
+  bring(found);
   found?.scrollIntoView({ block: "center" });
   found?.focus();
 }

@@ -3,7 +3,7 @@ import { html, render, signal } from "./view.js";
 
 /**
  * @param {HTMLElement} root @param {{left?: string, words?: boolean, right: string, view: string}} names what the sides are called
- * @returns {{root: HTMLElement, left: HTMLElement, right: HTMLElement, view: HTMLElement, canvas: HTMLCanvasElement, top: HTMLElement, bottom: HTMLElement, blank: HTMLElement, making: HTMLElement}}
+ * @returns {{root: HTMLElement, left: HTMLElement, right: HTMLElement, view: HTMLElement, canvas: HTMLCanvasElement, top: HTMLElement, bottom: HTMLElement, blank: HTMLElement, making: HTMLElement, nearer: HTMLElement}}
  */
 export function frame(root, { left, words = false, right, view }) {
   let tab = "view";
@@ -15,19 +15,27 @@ export function frame(root, { left, words = false, right, view }) {
   const draw = () => render(html`<div class="work ${left ? "" : "two"}" data-tab=${tab}>
     ${left ? html`<section class="side left ${words ? "words" : ""}" aria-label=${left}></section>` : ""}
     <section class="middle" aria-label=${view}>
-      <div class="view"><canvas tabindex="0" role="img" aria-label=${view}></canvas><div class="blank"></div><div class="over top"></div><div class="over bottom"></div></div>
+      <div class="view"><canvas tabindex="0" role="img" aria-label=${view}></canvas><div class="blank"></div><div class="over top"></div><div class="nearer"></div><div class="over bottom"></div></div>
       <div class="making" role="group" aria-label="the making"></div>
     </section>
     <aside class="side right" aria-label=${right}></aside>
     <div class="tabs"><div class="seg">${tabs.map(([name, label]) => html`<button aria-pressed=${tab === name} @click=${() => turn(name)}>${label}</button>`)}</div></div>
   </div>`, root);
   draw();
+  root.addEventListener("wanted", (event) => { // a field, or the words, that lie on a sheet behind this one
+    const side = /** @type {Element} */ (event.target).closest(".side");
+    turn(!side ? "view" : side.classList.contains("left") ? "left" : "right");
+  });
   const one = (/** @type {string} */ query) => /** @type {any} */ (root.querySelector(query));
   return {
     root, left: one(".left"), right: one(".right"), view: one(".view"), canvas: one("canvas"), top: one(".over.top"), bottom: one(".over.bottom"),
-    blank: one(".blank"), making: one(".making"),
+    blank: one(".blank"), making: one(".making"), nearer: one(".nearer"),
   };
 }
+
+/** Nearer, farther, and all of it: for hands without a wheel. @param {Element} element @param {{zoom: (by: number) => void, fit: () => void}} how by above one: nearer */
+export const nearer = (element, { zoom, fit }) => render(html`<div class="seg upright" role="group" aria-label="how near"><button aria-label="nearer" title="nearer (+)" @click=${() => zoom(1.4)}>+</button>
+  <button aria-label="farther" title="farther (−)" @click=${() => zoom(1 / 1.4)}>−</button><button aria-label="see all of it" title="all of it (F)" @click=${fit}>⤢</button></div>`, element);
 
 const STAGES = {
   check: "checking", read: "reading", parse: "reading the pattern", build: "counting stitches", settle: "settling into its shape", fabric: "leading the yarn", tone: "looking at the picture",

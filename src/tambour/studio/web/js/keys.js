@@ -18,6 +18,22 @@ export function offer(table, key) {
   };
 }
 
+/** Words that people have for one thing: who types one of a row is shown what bears another. */
+const ALIKE = [
+  "print pdf paper booklet take", "download save export file files share send png jpg svg dst pes machine take", "picture photo image png take", "film video gif shop take",
+  "undo back revert", "redo again forward", "name rename title call", "bin delete remove trash throw", "phone mobile qr follow", "mirror flip reflect copy move repeat select", "paint draw pencil",
+  "size resize width wide larger bigger smaller scale enlarge shrink stitches height hoop", "colour color yarn yarns wool thread dye palette ground", "zoom nearer farther closer in out see all fit",
+  "help keys shortcuts how", "dark light night theme", "home start shelf library", "new begin create open import", "gauge tension swatch hook needle", "check checks wrong mistake problem errors doubt",
+  "play animate work one by one", "words text pattern edit", "density crowded", "season autumn winter spring summer", "seed start", "colours look view layer", "float floats catch",
+].map((row) => row.split(" "));
+
+/** Whether a command is meant by a word: its name has it, or a word that people have for the same. @param {string} name @param {string} word */
+function meant(name, word) {
+  if (name.includes(word)) return 2;
+  const own = name.split(/[^\p{L}]+/u);
+  return word.length > 1 && ALIKE.some((row) => row.some((w) => w === word || (word.length > 2 && w.startsWith(word))) && row.some((w) => own.includes(w))) ? 1 : 0;
+}
+
 const all = () => tables.flatMap((t) => t());
 export const mac = /mac|iphone|ipad/i.test(navigator.platform);
 /** How a key is written: "mod+z" → ⌘Z or Ctrl Z. @param {string} key */
@@ -60,8 +76,11 @@ export function palette(over, more = async () => []) {
   box.className = "palette";
   box.setAttribute("aria-label", "find anything");
   let wanted = "", at = 0, others = /** @type {Command[]} */ ([]), turn = 0;
-  const fits = (/** @type {Command} */ c) => !c.hidden && wanted.toLowerCase().split(/\s+/).every((w) => c.name.toLowerCase().includes(w));
-  const found = () => [...all().filter(fits), ...others].slice(0, 60);
+  const fits = (/** @type {Command} */ c) => (c.hidden ? 0 : Math.min(2, ...wanted.toLowerCase().split(/\s+/).filter(Boolean).map((w) => meant(c.name.toLowerCase(), w))));
+  const found = () => {
+    const told = all().map((c) => ({ c, fit: fits(c) })).filter(({ fit }) => fit);
+    return [...told.filter(({ fit }) => fit > 1).map(({ c }) => c), ...others, ...told.filter(({ fit }) => fit === 1).map(({ c }) => c)].slice(0, 60);
+  };
   const seek = async () => {
     const mine = ++turn, told = await more(wanted.trim()).catch(() => []);
     if (mine !== turn || !box.isConnected) return;
@@ -75,7 +94,8 @@ export function palette(over, more = async () => []) {
   const draw = () => render(html`<input type="text" role="combobox" aria-expanded="true" aria-controls="found" aria-activedescendant="found-${at}"
       aria-label="what do you want to do?" placeholder="What do you want to do?" @input=${(/** @type {any} */ e) => ((wanted = e.target.value), (at = 0), draw(), seek())} @keydown=${key}>
     <ul id="found" role="listbox" aria-label="found">${found().map((c, k) => html`<li role="option" id="found-${k}" aria-selected=${k === at} @click=${() => run(c)}>
-      <span>${c.name}</span>${c.key ? html`<kbd>${written(c.key)}</kbd>` : c.note ? html`<span class="quiet">${c.note}</span>` : ""}</li>`)}</ul>`, box);
+      <span>${c.name}</span>${c.key ? html`<kbd>${written(c.key)}</kbd>` : c.note ? html`<span class="quiet">${c.note}</span>` : ""}</li>`)}</ul>
+    ${found().length ? "" : html`<p class="quiet" role="status">Nothing is called so here. All that can be done stands in this list when nothing is typed; what a piece is taken away as, under “Take away”.</p>`}`, box);
   const key = (/** @type {KeyboardEvent} */ event) => {
     const n = Math.max(1, found().length);
     if (event.key === "ArrowDown") at = (at + 1) % n;

@@ -2,7 +2,7 @@
 import { bar } from "./bar.js";
 import { scrollOf } from "./ink/address.js";
 import { shelf } from "./library.js";
-import { attempt, clear, view as notes } from "./notes.js";
+import { attempt, clear, stand, view as notes } from "./notes.js";
 import { Piece } from "./piece.js";
 import "./theme.js";
 import { html, render, show } from "./view.js";
@@ -19,7 +19,7 @@ const at = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.ge
 const over = document.createElement("div");
 at("over").append(over);
 const noted = document.createElement("div");
-at("over").append(noted);
+stand(noted, at("over"));
 show(noted, notes);
 at("bar").replaceChildren(); // what stood there before this was loaded
 

@@ -9,10 +9,13 @@ let last = 0;
 
 /** @param {unknown} text @param {{calm?: boolean, acts?: Note["acts"], stay?: boolean}} [how] */
 export function tell(text, { calm = false, acts = [], stay = !calm } = {}) {
-  const id = ++last;
-  notes.value = [...notes.value.slice(-2), { id, text, calm, acts }];
-  if (!stay) setTimeout(() => away(id), 12000);
+  const id = ++last, said = spoken(text);
+  notes.value = [...notes.value.filter((n) => spoken(n.text) !== said).slice(-2), { id, text, calm, acts }]; // the same twice is one
+  if (!stay) setTimeout(() => away(id), acts.length ? 12000 : 6000);
 }
+
+/** A note as words. @param {any} text @returns {string} */
+const spoken = (text) => (text?.strings ? text.strings.map((/** @type {string} */ s, /** @type {number} */ k) => s + (k in text.values ? spoken(text.values[k]) : "")).join("") : String(text));
 
 /** @param {number} id */
 const away = (id) => (notes.value = notes.value.filter((n) => n.id !== id));
@@ -29,6 +32,13 @@ export async function attempt(act) {
     for (const p of error.problems) tell(html`<b>${p.message}</b>${p.hint ? html`<br>${p.hint}` : ""}`);
     return undefined;
   }
+}
+
+/** Notes stand in the dialog that is open, which is above all else, or over the page. @param {HTMLElement} host what they are drawn in @param {HTMLElement} over where dialogs stand */
+export function stand(host, over) {
+  const home = () => [...over.querySelectorAll("dialog")].filter((d) => d.matches(":modal")).at(-1) ?? over;
+  over.append(host);
+  new MutationObserver(() => host.parentElement === home() || home().append(host)).observe(over, { childList: true, subtree: true, attributeFilter: ["open"] });
 }
 
 addEventListener("unhandledrejection", ({ reason }) => {

@@ -12,6 +12,12 @@ export function told(problems) {
   });
 }
 
+/** The place on the cloth that a problem names, mm. @param {Problem} p @returns {[number, number]|null} */
+export function spotOf(p) {
+  const it = /at \((-?[\d.]+), (-?[\d.]+)\)/.exec(p.message);
+  return it && [Number(it[1]), Number(it[2])];
+}
+
 /**
  * @param {Problem[]} problems @param {{go?: (problem: Problem) => void, spell?: (text: string) => string, at?: (problem: Problem) => string}} [how]
  * go: called when one is chosen; spell: names of options in the page's words; at: what a crafter calls the place
@@ -20,7 +26,7 @@ export function list(problems, { go, spell = (text) => text, at = () => "" } = {
   return told(problems).map((p) => {
     const inner = html`<b>${spell(p.message)}</b>${p.hint ? html`${spell(p.hint)} ` : ""}${p.line ? html`<span class="where">${[at(p), `line ${p.line}`].filter(Boolean).join(" · ")}</span>` : ""}`;
     const kind = `told ${p.warning ? "" : "wrong"}`;
-    const can = go && (p.span || p.line || p.fields?.length);
+    const can = go && (p.span || p.line || p.fields?.length || spotOf(p));
     return can ? html`<button class=${kind} @click=${() => go(p)}>${inner}</button>` : html`<div class=${kind}>${inner}</div>`;
   });
 }

@@ -30,7 +30,7 @@ export async function takeAway(over, piece, { follow }) {
   const found = await attempt(() => ask(`/api/revisions/${id}/files`));
   if (!found) return;
   const { files } = /** @type {{files: {view: string, suffix: string, help: string, name: string, size: number|null}[]}} */ (found);
-  const busy = new Set(), usual = (/** @type {any} */ f) => craft.views.find((/** @type {any} */ v) => v.name === f.view)?.usual.includes(f.suffix);
+  const busy = new Set(), taken = new Set(), usual = (/** @type {any} */ f) => craft.views.find((/** @type {any} */ v) => v.name === f.view)?.usual.includes(f.suffix);
   const text = (/** @type {any} */ f) => files.some((o) => o.view === f.view && o.suffix === ".md");
   const sensible = files.filter((f) => !SAME.has(f.suffix) && (usual(f) || !text(f) || TEXTS.has(f.suffix)));
   const box = document.createElement("dialog");
@@ -70,6 +70,7 @@ export async function takeAway(over, piece, { follow }) {
     try {
       const raw = await made(file);
       save(new Blob([raw]), raw.byteLength > 3 && isZip(raw) && file.suffix !== ".zip" && !ZIPPED.has(file.suffix) ? file.name.replace(/\.\w+$/, ".zip") : file.name);
+      taken.add(file);
     } catch (error) {
       if (!(error instanceof Trouble)) throw error;
       wrong = error.problems;
@@ -77,6 +78,7 @@ export async function takeAway(over, piece, { follow }) {
     busy.delete(file);
     draw();
   };
+  const state = (/** @type {any} */ file) => (taken.has(file) ? " · ✓ in your downloads" : file.size === null ? "" : ` · ${size(file.size)}`);
   const alone = () => attempt(() => shopPage(piece));
   const filmed = async (/** @type {"photos"|"film"} */ what) => {
     box.close();
@@ -90,7 +92,7 @@ export async function takeAway(over, piece, { follow }) {
       <p class="quiet">${craft.name === "ink" ? `What is in sight: from ${number(piece.params.value.from_ ?? 0)}, ${number(piece.params.value.span ?? 0)} wide. ` : ""}Each goes into your downloads.</p>
       ${wrong.length ? html`<div role="alert">${list(wrong, { spell: speller(craft.form) })}</div>` : ""}
       <div class="first">${first.map(({ file, title, line }, k) => html`<button class="button ${k ? "" : "act"}" ?disabled=${busy.has(file)} @click=${() => get(file)}>
-          <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}${file.size === null ? "" : ` · ${size(file.size)}`}</span></button>`)}
+          <b>${busy.has(file) ? "Making it …" : title}</b><span>${line}${state(file)}</span></button>`)}
         ${piece.address ? html`<button class="button" @click=${() => (box.close(), copied(piece))}><b>Copy the address</b><span>of this place, to send</span></button>`
           : html`<button class="button" @click=${() => (box.close(), follow())}><b>Follow</b><span>on a phone, stitch by stitch</span></button>
           <button class="button" @click=${() => attempt(() => followPage(piece))}><b>Follow, to keep</b><span>one file for any phone, HTML</span></button>`}
@@ -102,7 +104,7 @@ export async function takeAway(over, piece, { follow }) {
       ${views.map((v) => html`<h3 class="head">${v}</h3><p class="quiet">${files.find((f) => f.view === v)?.help.replace(/\{--([a-z-]+)\}/g, "“$1”")}</p>
         <div class="ways">${sensible.filter((f) => f.view === v).map((f) => html`<button class="way ${busy.has(f) ? "busy" : ""}" @click=${() => get(f)}>
           <span class="what">${f.suffix.slice(1).toUpperCase()}</span><span class="name">${busy.has(f) ? "making it …" : f.name}</span>
-          <span class="quiet">${f.size === null ? "" : size(f.size)}</span></button>`)}</div>`)}</details>`;
+          <span class="quiet">${state(f).replace(" · ", "")}</span></button>`)}</div>`)}</details>`;
   };
   draw();
   box.addEventListener("close", () => box.remove());

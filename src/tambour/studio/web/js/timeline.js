@@ -1,16 +1,28 @@
 // The scrub bar, shared by the four crafts: through the making, unit by unit; its text twin says where one is.
-import { colored, counted, html, number, show, signal, svg } from "./view.js";
+import { colored, counted, html, number, ref, show, signal, svg } from "./view.js";
 
 /** @typedef {import("./piece.js").Piece} Piece */
 /** @typedef {{label: string, more: string, words: unknown}} Told */
+
+/** A round or row by its number: of the part that one is in, else of the first that has one. @param {import("./piece.js").Step[]} steps @param {import("./piece.js").Step|undefined} here @param {number} n */
+export function numbered(steps, here, n) {
+  const fits = steps.filter((s) => Number(/\d+/.exec(s.label)?.[0]) === n);
+  return fits.find((s) => s.part === here?.part) ?? fits[0];
+}
 
 const SECONDS = 14; // that the whole making is played in
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class Timeline {
-  /** @param {HTMLElement} element @param {Piece} piece @param {{where?: (at: number, told: Told) => Told}} [how] */
-  constructor(element, piece, { where } = {}) {
+  /** @param {HTMLElement} element @param {Piece} piece @param {{where?: (at: number, told: Told) => Told, find?: (n: number) => number|undefined, asks?: string}} [how] find: the unit that a number is typed for; asks: what number that is */
+  constructor(element, piece, { where, find, asks } = {}) {
     this.piece = piece;
+    this.typing = signal(false);
+    this.asks = asks ?? "round or row";
+    this.find = find ?? ((n) => {
+      const { step } = piece.stepAt(Math.min(piece.at.value, this.units - 1)), whole = piece.at.value >= this.units;
+      return numbered(piece.steps.value?.steps ?? [], whole ? undefined : step, n)?.first;
+    });
     this.where = where ?? ((_, told) => told);
     this.playing = signal(false);
     this.stop = show(element, () => this.view());
@@ -85,6 +97,13 @@ export class Timeline {
       this.playing.value = false;
       this.to(Number(/** @type {HTMLInputElement} */ (event.target).value));
     };
+    const typed = (/** @type {any} */ event) => {
+      const n = Number(event.target.value), to = event.target.value.trim() && Number.isFinite(n) ? this.find(n) : undefined;
+      this.typing.value = false;
+      if (to === undefined) return;
+      this.playing.value = false;
+      this.to(to);
+    };
     return html`
       <button class="icon play" @click=${() => this.play()} aria-label=${this.playing.value ? "pause" : "work it, stitch by stitch"}
         title="Work it (space)" ?disabled=${!units}>${this.playing.value ? "❚❚" : "▶"}</button>
@@ -95,7 +114,9 @@ export class Timeline {
         <input type="range" min="0" max=${units || 1} step="1" .value=${String(at)} @input=${input} ?disabled=${!units}
           aria-label="how far the work is" aria-valuetext="${told.label}, ${told.more}">
       </div>
-      <div class="where">${told.label}<span>${told.more}</span></div>
+      <div class="where">${this.typing.value
+        ? html`<input type="text" class="short" inputmode="decimal" aria-label="go to ${this.asks}" placeholder="number" ${ref((el) => el && queueMicrotask(() => /** @type {any} */ (el).focus()))} @change=${typed} @blur=${() => (this.typing.value = false)}>`
+        : html`<button class="link goto" title="go to another ${this.asks}: type its number" ?disabled=${!units} @click=${() => (this.typing.value = true)}>${told.label}</button>`}<span>${told.more}</span></div>
       <div class="text" aria-live="polite">${told.words}</div>`;
   }
 
@@ -131,5 +152,5 @@ export class Timeline {
 }
 
 /** A step's words as one reads them aloud: without the label that begins them in the text. @param {string} words */
-export const bare = (words) => words.replace(/^\s*(r|rnds?|rounds?|rows?)\s*\d+(\s*[–-]\s*(r|rnd)?\s*\d+)?\s*[:.)]\s*/i, "")
+export const bare = (words) => words.replace(/^\s*\d+(st|nd|rd|th)\s+(r|rnd|round|row)\s*[:.)]\s*/i, "").replace(/^\s*(r|rnds?|rounds?|rows?)\s*\d+(\s*[–-]\s*(r|rnd)?\s*\d+)?\s*[:.)]\s*/i, "")
   .replace(/\bMR\((\d+)\)/g, "$1 sc in magic ring").replace(/\bcolou?r\((#[0-9a-f]{6})\)/gi, "change to $1").replace(/\bmark\((\w+)\)/g, "mark $1");

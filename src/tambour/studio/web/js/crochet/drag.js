@@ -188,6 +188,8 @@ export class Hand {
    * @param {number} part @param {"higher"|"lower"|"nearer"|"farther"} way @param {string} text the pattern */
   async nudge(part, way, text) {
     const seats = this.seatsOf(part), name = pattern(this.pack.facts.parts[part].name), rounds = this.piece.steps.value?.steps ?? [];
+    const told = this.piece.report.value?.assembly?.find((/** @type {any} */ a) => a.part === name);
+    if (told?.round) seats.said(rounds, told.on, told.round);
     let onto = seats.from, spare = -1; // where only words that count stitches would put it: better than none
     for (let k = 0; k < STEPS; k++) {
       const next = seats.beside(way, rounds, onto);

@@ -1,6 +1,6 @@
 // Crochet: the pattern's words, the toy in its yarn, and what they say of each other.
-import { frame, withoutGl, working } from "../frame.js";
-import { settings } from "../forms.js";
+import { frame, nearer, withoutGl, working } from "../frame.js";
+import { bring, settings } from "../forms.js";
 import { Stage } from "../gl/stage.js";
 import { offer } from "../keys.js";
 import { attempt } from "../notes.js";
@@ -40,6 +40,7 @@ export function screen(root, piece, { over }) {
   stage.camera.head = 34; // what is said: it does not lie over the ears
   if (!stage.gl) stop.push(show(at.blank, withoutGl(piece, [["front", "Front"], ["back", "Back"], ["left", "Left"], ["right", "Right"], ["top", "Top"]])));
   stage.resize();
+  nearer(at.nearer, { zoom: (by) => stage.camera.zoom(1 / by), fit: () => stage.fit() });
 
   // The words.
   const host = document.createElement("div"), below = document.createElement("div");
@@ -113,6 +114,7 @@ export function screen(root, piece, { over }) {
     return s ? [s.part, s.label].filter(Boolean).join(", ") : "";
   };
   const go = (/** @type {any} */ p) => {
+    bring(host);
     if (p.span) editor.reveal(p.span[0], true);
     else if (p.line) editor.reveal(editor.view.state.doc.line(Math.min(p.line, editor.view.state.doc.lines)).from, true);
   };

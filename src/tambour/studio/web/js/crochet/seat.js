@@ -132,6 +132,23 @@ export class Seats {
     return this.nearest(plus(at, across, -2 * far), this.part[onto]);
   }
 
+  /** From here on the part stands in the round that the words say: the middle of a seam may lie in another.
+   * @param {{label: string, part: string, first: number, end: number}[]} rounds @param {string} on @param {number} round as the words say it, perhaps and a half */
+  said(rounds, on, round) {
+    const step = rounds.find((r) => r.part.replace(/ (\d+)$/, ".$1") === on && Number(/\d+/.exec(r.label)?.[0]) === Math.floor(round));
+    const within = (/** @type {number} */ from) => {
+      if (!step || (step.first <= from && from < step.end)) return from;
+      let best = from, least = Infinity;
+      for (let j = step.first; j < step.end; j++) {
+        const d = sub(this.at(j), this.at(from));
+        if (dot(d, d) < least) [least, best] = [dot(d, d), j];
+      }
+      return best;
+    };
+    this.from = within(this.from);
+    if (this.other >= 0) this.other = within(this.other);
+  }
+
   /** The stitch a step away: up or down by a round, nearer to the other copy (or the middle of the front) or farther by a stitch.
    * @param {"higher"|"lower"|"nearer"|"farther"} way @param {{first: number, end: number, part: string}[]} rounds @param {number} i from this stitch */
   beside(way, rounds, i) {

@@ -14,6 +14,14 @@ function ramp(t) {
   return RAMP[k].map((v, c) => v + (RAMP[k + 1][c] - v) * f);
 }
 
+/** Where thread lies most densely: its place on the cloth, mm, and mm of thread per mm² there. @param {Pack} pack @returns {{spot: [number, number], most: number}} */
+export function densest(pack) {
+  const { x, y, cell } = pack.facts.density, w = pack.shapes.density[1], d = pack.arrays.density;
+  let k = 0;
+  for (let i = 1; i < d.length; i++) if (d[i] > d[k]) k = i;
+  return { spot: [x + ((k % w) + 0.5) * cell, y + (Math.floor(k / w) + 0.5) * cell], most: d[k] ?? 0 };
+}
+
 /** @param {Pack} pack @param {string} mode @param {number} region the chosen one, or -1 @returns {{tint: Uint8Array, legend: [number[], string][]}} */
 export function looks(pack, mode, region) {
   const n = pack.facts.units, a = pack.arrays, tint = new Uint8Array(4 * n);

@@ -23,6 +23,8 @@ export class Overlay {
     /** @type {number|null} degrees, while it is being turned */
     this.turning = null;
     this.cuts = false;
+    /** A place that is pointed at, mm. @type {[number, number]|null} */
+    this.pointed = null;
     /** @type {[number, number]|null} mm */
     this.hoop = null;
   }
@@ -60,6 +62,10 @@ export class Overlay {
           const p = this.spot(a.xy[2 * i], a.xy[2 * i + 1]);
           parts.push(svg`<path class="cut" d="M${p.x - 4} ${p.y - 4}l8 8m0 -8l-8 8"></path>`);
         }
+    }
+    if (this.pointed) {
+      const p = this.spot(...this.pointed);
+      parts.push(svg`<circle class="pointed" cx=${p.x} cy=${p.y} r="17"></circle>`);
     }
     if (this.at > 0 && this.at < a.command.length) {
       const p = this.spot(a.xy[2 * this.at], a.xy[2 * this.at + 1]);

@@ -1,6 +1,6 @@
 // The regions of an embroidery as a list: colour, stitch, order; the chosen one shows how it is sewn, and is changed there.
-import { fields, speller } from "../forms.js";
-import { list, told } from "../problems.js";
+import { fields, speller, toField } from "../forms.js";
+import { list, spotOf, told } from "../problems.js";
 import { colored, dyed, hex, html, live, number, ref } from "../view.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
@@ -16,6 +16,15 @@ export const called = (all, k) => all[k].id || String(k + 1);
 /** Regions in the order of sewing. @param {any[]} all */
 export const sewn = (all) => all.map((_, k) => k).sort((a, b) => all[a].first - all[b].first || a - b);
 
+/** What a region is called for people: those of one name are told apart. @param {any[]} all @param {number} k */
+export function titled(all, k) {
+  const name = all[k].id || `region ${k + 1}`, alike = all.flatMap((/** @type {any} */ r, /** @type {number} */ j) => (r.id && r.id === all[k].id ? [j] : []));
+  return alike.length > 1 ? `${name} (${alike.indexOf(k) + 1})` : name;
+}
+
+/** @param {string} stitch */
+export const stitched = (stitch) => NAMES[stitch] ?? stitch;
+
 /** @param {Piece} piece @param {Hands} hands put: sew in this order; lay: lay rails by hand */
 export function regions(piece, hands) {
   const { chosen, put } = hands;
@@ -30,16 +39,12 @@ export function regions(piece, hands) {
     now.splice(to, 0, k);
     put(now);
   };
-  const titled = (/** @type {number} */ k) => { // those of one name are told apart
-    const name = all[k].id || `region ${k + 1}`, alike = all.flatMap((/** @type {any} */ r, /** @type {number} */ j) => (r.id && r.id === all[k].id ? [j] : []));
-    return alike.length > 1 ? `${name} (${alike.indexOf(k) + 1})` : name;
-  };
   return html`<h2 class="head">In the order of sewing</h2><ol class="regions">${order.map((k, at) => {
     const r = all[k];
     return html`<li draggable="true" @dragstart=${(/** @type {DragEvent} */ e) => e.dataTransfer?.setData("text/tambour-region", String(at))} @dragover=${(/** @type {DragEvent} */ e) => e.dataTransfer?.types.includes("text/tambour-region") && e.preventDefault()}
         @drop=${(/** @type {DragEvent} */ e) => (e.preventDefault(), e.stopPropagation(), move(Number(e.dataTransfer?.getData("text/tambour-region")), at))}>
       <button class="rowbutton" aria-pressed=${chosen.value === k} @click=${() => (chosen.value = chosen.value === k ? -1 : k)}>
-        <i class="swatch" ${ref(dyed(r.color))}></i> ${titled(k)}<span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.count)}</span></button>
+        <i class="swatch" ${ref(dyed(r.color))}></i> ${titled(all, k)}<span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.count)}</span></button>
       ${chosen.value === k ? html`${one(piece, r, k, form, hands)}
         <div class="inside tools"><button class="button" ?disabled=${!at} @click=${() => move(at, at - 1)}>Sew earlier</button><button class="button" ?disabled=${at + 1 >= order.length} @click=${() => move(at, at + 1)}>Sew later</button></div>` : ""}</li>`;
   })}</ol>${threads(piece)}`;
@@ -91,10 +96,14 @@ function hooped(piece) {
     ${wrong.map((p) => html`<span class="wrongness" role="alert">${p.message}</span>`)}</div>`;
 }
 
+const TINY = 35; // mm
+
 /** A small drawing in a large hoop: one button makes it as large as the hoop takes, a little room about it. @param {Piece} piece @param {any} report */
 function filled(piece, report) {
   const hoop = piece.live.value?.facts.hoop, by = hoop ? 0.94 * Math.min(hoop[0] / report.width_mm, hoop[1] / report.height_mm) : 1;
-  const width = Math.floor(report.width_mm * by);
+  const width = Math.floor(report.width_mm * by), large = Math.floor((94 * report.width_mm) / Math.max(report.width_mm, report.height_mm));
+  if (!hoop && Math.max(report.width_mm, report.height_mm) < TINY && !/\.(pes|dst|jef|vp3|exp|hus|xxx|u01|tbf)$/i.test(piece.revision.value?.source?.name ?? ""))
+    return html`<p class="told"><b>This is tiny: no larger than a ${report.width_mm < 20 ? "coin" : "stamp"}.</b>An icon's own size says little. <button class="button" @click=${() => piece.change({ params: { width: `${large}mm`, hoop: "4x4" }, said: `${large} mm wide, for a 4×4 hoop` })}>Make it fill a 4×4 in hoop: ${large} mm wide</button> or say its width below.</p>`;
   return hoop && by > 1.1 ? html`<p><button class="button" @click=${() => piece.change({ params: { width: `${width}mm` }, said: `${width} mm wide` })}>Fill the hoop: ${width} mm wide</button></p>` : "";
 }
 
@@ -108,8 +117,13 @@ function fit(report, hoop) {
   return first ? ` · fits ${first}${INCHES[first] ? ` (${INCHES[first]})` : ""} and larger hoops` : "";
 }
 
-/** Facts of an embroidery. @param {Piece} piece */
-export function facts(piece) {
+/** Facts of an embroidery. @param {Piece} piece @param {(spot: [number, number]) => void} show a place on the cloth */
+export function facts(piece, show) {
+  const go = (/** @type {import("../wire.js").Problem} */ p) => {
+    const spot = spotOf(p);
+    if (spot) show(spot);
+    else if (p.fields?.length) toField(p.fields[0]);
+  };
   const report = piece.report.value, craft = piece.craft.value, problems = told(piece.failed.value.length ? piece.failed.value : piece.problems.value);
   const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value } });
   const steps = piece.steps.value?.steps ?? [];
@@ -120,7 +134,7 @@ export function facts(piece) {
       <li><span>Colour changes</span><span class="number">${report.color_changes}</span></li><li><span>Cuts</span><span class="number">${report.trims}</span></li>
       <li><span>Longest stitch</span><span class="number">${report.longest_mm.toFixed(1)} mm</span></li></ul>
       <h2 class="head">Stops</h2><ol class="facts">${steps.map((s) => html`<li><button class="link" @click=${() => (piece.at.value = s.first)}>${colored(s.stop || s.label)}</button><span class="number quiet">${number(s.count)}</span></li>`)}</ol>` : ""}
-    <h2 class="head">Checks</h2>${problems.length ? list(problems, { spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ nothing doubtful to sew</p>` : ""}
+    <h2 class="head">Checks</h2>${problems.length ? list(problems, { go, spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ nothing doubtful to sew</p>` : ""}
     ${craft ? html`<h2 class="head">How it is sewn</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name) => name !== "hoop" })}` : ""}`;
 }
 

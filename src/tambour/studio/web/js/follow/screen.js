@@ -2,7 +2,7 @@
 import { Chart } from "../gl/chart.js";
 import { Stage } from "../gl/stage.js";
 import { night } from "../theme.js";
-import { bare } from "../timeline.js";
+import { bare, numbered } from "../timeline.js";
 import { colored, dyed, effect, html, number, ref, render, show, signal } from "../view.js";
 import { awake } from "./wake.js";
 
@@ -29,9 +29,14 @@ export async function follow(root, { title, craft, pack, steps, place, to }) {
     if (!done) place.go(k + 1, steps[k + 1]?.first ?? steps[k].end);
   };
   const back = () => {
-    if (place.undo()) return;
-    const { k, done } = at();
-    if (done || k > 0) place.back(done ? k : k - 1, steps[done ? k : k - 1].first);
+    const { k, done } = at(), last = place.before.at(-1);
+    if (last && Math.abs(last.step - place.now.value.step) <= 1 && place.undo()) return; // a step, or a place in it, is taken back
+    if (done || k > 0) place.back(done ? k : k - 1, steps[done ? k : k - 1].first); // after a leap: the round before this one
+  };
+  /** Where a leap came from, to go back there. */
+  const left = () => {
+    const last = place.before.at(-1), now = place.now.value;
+    return last && Math.abs(last.step - now.step) > 1 && last.step < steps.length ? last : null;
   };
 
   // The picture, worked up to here.
@@ -81,37 +86,39 @@ export async function follow(root, { title, craft, pack, steps, place, to }) {
   show(one(".headline"), () => {
     const { k, step, done } = at(), alike = step.part ? steps.filter((/** @type {any} */ s) => s.part === step.part) : steps;
     const jump = (/** @type {any} */ event) => {
-      const n = Math.round(Number(event.target.value));
+      const n = Math.round(Number(event.target.value)), found = numbered(alike, step, n) ?? alike[n - 1];
       typing.value = false;
-      if (n >= 1 && n <= alike.length) place.go(steps.indexOf(alike[n - 1]), alike[n - 1].first);
+      if (event.target.value.trim() && found) place.go(steps.indexOf(found), found.first);
     };
     return html`<b>${title}</b><span class="part">${step.part}</span><span class="count">${typing.value
-      ? html`<input type="text" inputmode="numeric" aria-label="go to number" placeholder="1 to ${alike.length}" ${ref((el) => el && queueMicrotask(() => /** @type {any} */ (el).focus()))} @change=${jump} @blur=${() => (typing.value = false)}>`
-      : html`<button class="button" @click=${() => (typing.value = true)} aria-label="go to another">${done ? "finished" : `${step.label} / ${alike.length}`}</button>`}</span><span class="unseen">step ${k + 1} of ${steps.length}</span>`;
+      ? html`<input type="text" inputmode="numeric" aria-label="go to number, 1 to ${alike.length}" placeholder="1–${alike.length}" ${ref((el) => el && queueMicrotask(() => /** @type {any} */ (el).focus()))} @change=${jump} @blur=${() => (typing.value = false)}>`
+      : html`<button class="button" @click=${() => (typing.value = true)} aria-label="go to another">${done ? "finished" : `${step.label} / ${alike.length}`} ▾</button>`}</span><span class="unseen">step ${k + 1} of ${steps.length}</span>`;
   });
   show(one(".words"), () => {
     const { step, unit, done } = at();
     if (done) return html`<div class="row">Finished</div><h1>${title} is made.</h1>`;
-    return html`<div class="row">${step.label}</div><div class="dyed" aria-hidden="true">${yarns(step).map((c) => html`<i class="swatch" ${ref(dyed(c))}></i>`)}</div>${step.stop ? html`<p class="stop">${colored(step.stop)}</p>` : ""}
+    return html`<div class="row">${step.label}</div><div class="dyed" aria-hidden="true">${yarns(step).map((c) => html`<span><i class="swatch" ${ref(dyed(c.rgb))}></i> ${c.name}</span>`)}</div>${step.stop ? html`<p class="stop">${colored(step.stop)}</p>` : ""}
       <h1>${colored(bare(step.words))}${step.count && !/[[(]\s*\d+\s*[\])]\s*$|^[\d,]+ stitches/.test(step.words) ? html` <span class="quiet">${number(step.count)}</span>` : ""}</h1>
       <div class="tokens">${tokens(step).map((t) => html`<button class=${t.end <= unit ? "done" : t.first <= unit ? "now" : ""} @click=${() => place.go(at().k, t.first)}>
         ${t.color ? html`<i class="swatch" ${ref(dyed(t.color))}></i> ` : ""}${t.text}</button>`)}</div>`;
   });
   show(one(".then"), () => {
     const { k, done } = at(), next = steps[k + 1];
+    const from = left();
+    if (from) return html`<button class="link" @click=${() => place.undo()}>back to ${steps[from.step].label}, where you came from</button>`;
     return done || !next ? "" : html`then ${next.label}: ${colored(bare(next.words))}`;
   });
   show(one(".hands"), () => html`<button class="back" @click=${back}>back</button><button class="on" @click=${on} ?disabled=${at().done}>${NAMES[craft] ?? "Done"}</button>`);
   show(one(".over"), () => html`<details class="menu"><summary class="icon button" aria-label="more">⋯</summary><div>
-      <button class="button" @click=${() => place.go(0, 0)}>Begin again</button> ${to ? html`<a class="button" role="button" href=${to}>To the piece</a>` : ""}
+      ${to ? html`<a class="button" role="button" href=${to}>To the piece</a>` : ""} <button class="button" @click=${() => place.go(0, 0)}>Begin again</button>
       <p class="quiet">${place.word}
         ${sleeps.value ? " This phone's screen may go dark: it does not let a page keep it awake." : ""}</p></div></details>`);
 
-  /** The colours that a round is worked in. @param {any} step @returns {ArrayLike<number>[]} */
+  /** The yarns that a round is worked in. @param {any} step @returns {{rgb: ArrayLike<number>, name: string}[]} */
   function yarns(step) {
     const { color, palette, kind } = pack.arrays;
     if (!color || !kind) return [];
-    return [...new Set(color.subarray(step.first, step.end))].slice(0, 4).map((c) => palette.subarray(3 * c, 3 * c + 3));
+    return [...new Set(color.subarray(step.first, step.end))].slice(0, 4).map((c) => ({ rgb: palette.subarray(3 * c, 3 * c + 3), name: pack.facts.yarns?.[c] ?? "" }));
   }
 
   /** @param {any} step @returns {{first: number, end: number, text: string, color?: ArrayLike<number>}[]} */

@@ -238,7 +238,7 @@ export class Chart {
   fit() {
     const { clientWidth: w, clientHeight: h } = this.canvas;
     const [top, bottom] = this.room().map((px) => Math.min(px, h / 4));
-    this.scale = Math.max(0.02, Math.min((w * 0.92) / (this.columns * this.aspect || 1), ((h - top - bottom) * 0.92) / (this.rows || 1)));
+    this.scale = Math.max(0.02, Math.min(Math.min(w * 0.92, w - 64) / (this.columns * this.aspect || 1), ((h - top - bottom) * 0.92) / (this.rows || 1)));
     this.center = [this.columns / 2, this.rows / 2 + (top - bottom) / 2 / this.scale];
     this.touch();
   }

@@ -1,5 +1,5 @@
 // Knit: the chart from a distance to single stitches, painted by hand and kept lawful.
-import { frame, withoutGl, working } from "../frame.js";
+import { frame, nearer, withoutGl, working } from "../frame.js";
 import { Chart } from "../gl/chart.js";
 import { named, settings, speller, toField } from "../forms.js";
 import { offer } from "../keys.js";
@@ -10,16 +10,21 @@ import { counted, effect, hex, html, number, show, signal, untracked } from "../
 import { LAYERS, marks } from "./layers.js";
 import { Ruler } from "./ruler.js";
 import { TOOLS, area, between, cut, laid, mirrored, painted, repeated, told } from "./paint.js";
-import { facts, usual, yarns } from "./yarns.js";
+import { called, facts, usual, yarns } from "./yarns.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 /** @typedef {import("./paint.js").Put} Put */
+
+/** A finger holds no shift key and turns no wheel. */
+const finger = matchMedia("(pointer: coarse)").matches;
 
 /** @param {HTMLElement} root @param {Piece} piece @returns {() => void} */
 export function screen(root, piece) {
   const at = frame(root, { left: "Tools", right: "Facts", view: "Chart" });
   const tool = signal("pencil"), layer = signal("chart"), yarn = signal(0), chosen = signal(/** @type {[number, number, number, number]|null} */ (null));
   const motif = signal(/** @type {import("./paint.js").Motif|null} */ (null)), spot = signal(/** @type {[number, number]} */ ([-1, -1]));
+  /** Goes on when the stitches that are shown changed. */
+  const drawn = signal(0);
   const chart = new Chart(at.canvas), ruler = new Ruler(chart, at.blank);
   chart.room = () => [at.top.offsetHeight && at.top.offsetHeight + 12, at.bottom.offsetHeight + 44];
   ruler.back = (row) => (piece.steps.value?.steps[row]?.direction ?? -1) > 0;
@@ -58,6 +63,7 @@ export function screen(root, piece) {
     if (!pack || pack === chart.pack) return;
     const before = chart.data, same = !first && pack.arrays.cells.length === before?.length && pack.shapes.cells[1] === chart.columns;
     chart.set(pack, !same);
+    untracked(() => drawn.value++);
     if (!same) fitting = requestAnimationFrame(() => chart.fit()); // once more, when what is said of it stands over it
     locked.clear();
     rows.clear();
@@ -111,6 +117,7 @@ export function screen(root, piece) {
     if (!piece.live.value || !cells.length) return;
     const { before, rest, cells: map } = byHand();
     chart.put(cells);
+    drawn.value++;
     for (const [x, y, v] of cells) {
       const i = y * columns() + x;
       locked.add(i);
@@ -141,16 +148,19 @@ export function screen(root, piece) {
   const within = ([x, y, X, Y] = chosen.value ?? [0, 0, 0, 0]) => Array.from({ length: (X - x) * (Y - y) }, (_, i) => [x + (i % (X - x)), y + Math.floor(i / (X - x))]);
 
   // Gestures.
-  /** @type {{from: [number, number], last: [number, number], cells: Put[], x: number, y: number, slide: boolean, moves?: [number, number, number, number]}|null} */
+  /** @type {{from: [number, number], last: [number, number], cells: Put[], was: Put[], x: number, y: number, slide: boolean, moves?: [number, number, number, number]}|null} */
   let stroke = null;
   /** @type {Map<number, {x: number, y: number}>} */
   const down = new Map();
   at.canvas.addEventListener("pointerdown", (event) => {
     at.canvas.setPointerCapture(event.pointerId);
     down.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
-    if (down.size > 1) return void (stroke = stroke ? { ...stroke, slide: true, cells: [] } : null);
+    if (down.size > 1) { // two fingers move the chart: what the first began to paint is taken back
+      if (stroke?.was.length) chart.put(stroke.was.reverse());
+      return void (stroke = stroke ? { ...stroke, slide: true, cells: [], was: [] } : null);
+    }
     const cell = chart.under(event.offsetX, event.offsetY), slide = tool.value === "hand" || event.button > 0 || event.shiftKey || !inside(cell);
-    stroke = { from: cell, last: cell, cells: [], x: event.offsetX, y: event.offsetY, slide };
+    stroke = { from: cell, last: cell, cells: [], was: [], x: event.offsetX, y: event.offsetY, slide };
     if (slide) return undefined;
     if (tool.value === "pencil") draw(cell);
     else if (tool.value === "pick") yarn.value = grid().data[cell[1] * columns() + cell[0]];
@@ -166,6 +176,7 @@ export function screen(root, piece) {
     const s = /** @type {NonNullable<typeof stroke>} */ (stroke);
     const fresh = between(s.last, cell).filter(inside).map(([x, y]) => /** @type {Put} */ ([x, y, yarn.value]));
     s.cells.push(...fresh);
+    s.was.push(...fresh.map(([x, y]) => /** @type {Put} */ ([x, y, grid().data[y * columns() + x]])));
     chart.put(fresh);
   };
   at.canvas.addEventListener("pointermove", (event) => {
@@ -244,7 +255,8 @@ export function screen(root, piece) {
 
   stop.push(show(at.left, () => html`<h2 class="head">Tools</h2><div class="tools" role="group" aria-label="tools">${TOOLS.map(([name, label, key, help]) => html`
       <button class="button" aria-pressed=${tool.value === name} title="${help} (${key.toUpperCase()})" @click=${() => (tool.value = name)}>${label}</button>`)}</div>
-    <p class="quiet">${TOOLS.find(([n]) => n === tool.value)?.[3]}; shift or two fingers move the chart, the wheel comes nearer. What you paint is held: a dot; the rest gives way so that floats stay short.</p>
+    <p class="quiet">${TOOLS.find(([n]) => n === tool.value)?.[3]}; ${finger ? "two fingers move the chart, + and − come nearer and go farther" : "shift or two fingers move the chart, the wheel comes nearer"}. What you paint is held: a dot; ${
+      piece.report.value?.technique === "stranded" ? "the rest gives way so that floats stay short" : "no other stitch changes"}.</p>
     ${chosen.value && tool.value === "select" ? html`<h2 class="head">Chosen: ${chosen.value[2] - chosen.value[0]} × ${chosen.value[3] - chosen.value[1]}</h2><div class="tools">
       <button class="button" @click=${copy}>Copy</button><button class="button" ?disabled=${!motif.value} @click=${paste}>${motif.value ? "Paste here" : "Paste: copy first"}</button>
       <button class="button" @click=${() => repeat(false)} title="what is chosen, over the whole chart">Repeat over all</button><button class="button" @click=${() => repeat(true)} title="every other column of it half its height lower">Half-drop over all</button>
@@ -263,14 +275,15 @@ export function screen(root, piece) {
   const tooLong = (/** @type {any} */ wrong) => piece.craft.value?.form?.floats && /^the floats in row/.test(wrong.message) && piece.params.value.floats !== "caught";
   const caught = () => piece.change({ params: { floats: "caught" }, said: "long floats are caught" });
   stop.push(show(at.top, () => {
-    const [x, y] = spot.value, pack = piece.live.value, wrong = piece.failed.value[0], form = piece.craft.value?.form ?? {}, spell = speller(form);
+    const [x, y] = (drawn.value, spot.value), pack = piece.live.value, alone = locked.size && piece.problems.value.find((p) => p.warning && p.message.includes("duplicate stitch")), wrong = piece.failed.value[0], form = piece.craft.value?.form ?? {}, spell = speller(form);
     return html`${working(piece.going.value)}${usual(piece)}
       ${wrong && !piece.going.value ? html`<div class="said" role="alert">${pack ? html`<span class="quiet">${rows.size ? "The chart shows what you painted; the facts are of how it was before." : "This is how it was before; the facts are of then."}</span><br>` : ""}<b>${spell(wrong.message)}</b><br>${spell(wrong.hint ?? "")}
         <br><button class="button" @click=${() => piece.step("undo")}>Undo</button> ${tooLong(wrong) ? html`<button class="button act" @click=${caught}>Keep it so, and catch the long floats</button> ` : ""}${named(form, wrong.hint).map(([name, f]) => html`<button class="button" @click=${() => toField(name)}>${f.label} …</button> `)}</div>` : ""}
-      ${x >= 0 && pack && chart.data ? html`<div class="said">row <b>${y + 1}</b> · stitch <b>${chart.columns - x}</b> · ${pack.facts.names[chart.data[y * chart.columns + x]] ?? ""}</div>` : ""}`;
+      ${x >= 0 && pack && chart.data ? html`<div class="said">row <b>${y + 1}</b> · stitch <b>${chart.columns - x}</b> · ${called(piece, chart.data[y * chart.columns + x])}${alone && locked.has(y * chart.columns + x) ? html`<br><span class="quiet">${alone.message}</span>` : ""}</div>` : ""}`;
   }));
   stop.push(show(at.bottom, () => html`<div class="seg" role="group" aria-label="how it is seen">${LAYERS.map(([name, label]) => html`
     <button aria-pressed=${layer.value === name} @click=${() => (layer.value = name)}>${label}</button>`)}</div>`));
+  nearer(at.nearer, { zoom: (by) => chart.zoom(by, at.canvas.clientWidth / 2, at.canvas.clientHeight / 2), fit: () => chart.fit() });
   const walk = (/** @type {number} */ dx, /** @type {number} */ dy) => {
     const [x, y] = inside(spot.value) ? spot.value : [Math.floor(chart.center[0]), Math.floor(chart.center[1])];
     spot.value = [Math.max(0, Math.min(chart.columns - 1, x + dx)), Math.max(0, Math.min(chart.rows - 1, y + dy))];

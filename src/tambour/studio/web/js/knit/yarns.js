@@ -5,22 +5,33 @@ import { counted, dyed, hex, html, live, number, ref, signal } from "../view.js"
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
+/** What a yarn is called: by its own name, else by its colour. @param {Piece} piece @param {number} k */
+export function called(piece, k) {
+  const p = piece.live.value?.arrays.palette, color = p ? hex(p.subarray(3 * k, 3 * k + 3)) : "";
+  return piece.live.value?.facts.names[k] || piece.report.value?.named?.[color] || color;
+}
+
+/** The metres of a yarn. @param {Piece} piece @param {number} k @returns {number|undefined} */
+function metres(piece, k) {
+  const { facts, arrays } = /** @type {any} */ (piece.live.value), used = piece.report.value?.yarn ?? [], own = [facts.codes[k], facts.names[k]].filter(Boolean).join(" ");
+  // A yarn without a name of its own is called by its colour.
+  return used.find((/** @type {any} */ y) => (own && !own.startsWith("#") ? y.name === own : y.name.endsWith(hex(arrays.palette.subarray(3 * k, 3 * k + 3)))))?.metres;
+}
+
 /** The yarns to knit and to paint with. @param {Piece} piece @param {{value: number}} yarn the one in hand */
 export function yarns(piece, yarn) {
   const pack = piece.live.value;
   if (!pack) return "";
-  const p = pack.arrays.palette, n = p.length / 3, used = piece.report.value?.yarn ?? [];
+  const p = pack.arrays.palette, n = p.length / 3;
   const recolor = (/** @type {number} */ k, /** @type {string} */ colour) => {
     const edits = (piece.unsent.value?.edits ?? piece.revision.value.edits ?? []).filter((/** @type {any} */ e) => e.edit !== "yarn" || e.yarn !== String(k + 1));
     piece.change({ edits: [...edits, { edit: "yarn", yarn: String(k + 1), colour }], said: "another colour" });
   };
   return html`<h2 class="head">Yarns</h2><ul>${Array.from({ length: n }, (_, k) => {
-    const color = hex(p.subarray(3 * k, 3 * k + 3)), name = pack.facts.names[k], own = [pack.facts.codes[k], name].filter(Boolean).join(" ");
-    // A yarn without a name of its own is called by its colour.
-    const told = used.find((/** @type {any} */ y) => (own && !own.startsWith("#") ? y.name === own : y.name.endsWith(color)));
-    return html`<li class="yarnrow"><button class="rowbutton" aria-pressed=${yarn.value === k} @click=${() => (yarn.value = k)}><i class="swatch" ${ref(dyed(color))}></i> ${name || piece.report.value?.named?.[color] || told?.name || color}
-      <span class="number">${told ? `${told.metres.toFixed(1)} m` : ""}</span></button>
-      <input type="color" aria-label="colour of ${name || color}" .value=${live(color)} @change=${(/** @type {any} */ e) => recolor(k, e.target.value)}></li>`;
+    const color = hex(p.subarray(3 * k, 3 * k + 3)), name = called(piece, k), long = metres(piece, k);
+    return html`<li class="yarnrow"><button class="rowbutton" aria-pressed=${yarn.value === k} @click=${() => (yarn.value = k)}><i class="swatch" ${ref(dyed(color))}></i> ${name}
+      <span class="number">${long === undefined ? "" : `${long.toFixed(1)} m`}</span></button>
+      <input type="color" aria-label="colour of ${name}" .value=${live(color)} @change=${(/** @type {any} */ e) => recolor(k, e.target.value)}></li>`;
   })}</ul>`;
 }
 
@@ -50,6 +61,7 @@ export function facts(piece) {
   const held = report?.catches && !report.violations, most = report?.max_float ? html` <span class="quiet">of ${report.max_float}</span>` : "";
   return html`${report ? html`<h2 class="head">Size</h2><p class="big">${number(report.width)} × ${number(report.rows)}</p>
       <p class="quiet">stitches and rows${cm ? ` · ${cm[0]} × ${cm[1]} cm at ${gauge[0]} × ${gauge[1]} in 10 cm${pack?.facts.usual ? `, as ${pack.facts.usual} yarn is usually knitted: swatch, and give your gauge` : ""}` : ""}</p>
+      ${pack ? html`<h2 class="head">Yarn</h2><ul class="facts">${Array.from({ length: pack.arrays.palette.length / 3 }, (_, k) => html`<li><span><i class="swatch" ${ref(dyed(pack.arrays.palette.subarray(3 * k, 3 * k + 3)))}></i> ${called(piece, k)}</span><span class="number">${metres(piece, k)?.toFixed(1) ?? ""} m</span></li>`)}</ul>` : ""}
       <h2 class="head">Floats</h2><ul class="facts"><li><span>Longest</span><span class="number">${report.longest_float}${held ? "" : most}</span></li>
       ${held ? html`<li><span>Most that lies free, caught</span><span class="number">${report.longest_span}${most}</span></li>` : html`<li><span>Longer than they may be</span><span class="number">${number(report.violations ?? 0)}</span></li>`}
       <li><span>To catch at the back</span><span class="number">${number(report.catches ?? 0)}</span></li>
