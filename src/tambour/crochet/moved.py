@@ -112,7 +112,7 @@ def _mirrored(known: Spots, part: int, spot: Spot, skew: float) -> Spot:
     off, n = _off(known, part, spot)
     k = known.round_at(part, int(spot.round))
     assert k is not None
-    return replace(spot, stitch=round(known.front(k) + skew - off) % n + 1.0)  # makers count whole stitches
+    return replace(spot, stitch=(known.front(k) + skew - off) % n + 1.0)
 
 
 def _twin(known: Spots, k: int, old: Placed | None) -> tuple[int | None, float]:
@@ -302,12 +302,12 @@ def _so_far(apart: float) -> str:
 
 
 def _between(known: Spots, records: Sequence[Placed]) -> float:
-    """How many stitches two parts' middles stand from each other."""
+    """How many stitches two parts' middles stand from each other, over the front, as words have it."""
     if len(records) != 2 or records[0].spot.part not in known.parts:
         return 0.0
     part = known.parts[records[0].spot.part]
-    (a, n), (b, _) = (_off(known, part, r.spot) for r in records)
-    return min(abs(a - b), n - abs(a - b))
+    (a, _), (b, _) = (_off(known, part, r.spot) for r in records)
+    return abs(a - b)
 
 
 def _now(known: Spots, wanted: dict[int, Placed]) -> list[Placed]:
@@ -344,17 +344,20 @@ def _exactly(built: Built, wanted: Container[int]) -> Callable[[Sequence[Finish]
 
     def say(records: Sequence[Finish]) -> list[str]:
         moved = [r for r in records if isinstance(r, Placed) and known.parts.get(r.part) in wanted]
-        said = [phrases.finish(_rounded(r)) for r in moved]
+        said = [phrases.finish(_counted(known, r)) for r in moved if isinstance(r, Placed)]
         others = people([r for r in records if r not in moved])
         return [*(s.rstrip(".") for s in others), *(s[:1].upper() + s[1:] for s in said)]
 
     return say
 
 
-def _rounded(record: Finish) -> Finish:
-    if not isinstance(record, Placed) or record.spot.stitch is None:
+def _counted(known: Spots, record: Placed) -> Placed:
+    """A place in whole stitches, as makers count them."""
+    spot = record.spot
+    if spot.stitch is None:
         return record
-    return replace(record, spot=replace(record.spot, stitch=round(record.spot.stitch, 1)))
+    n = _off(known, known.parts[spot.part], spot)[1]
+    return replace(record, spot=replace(spot, stitch=(round(spot.stitch) - 1) % n + 1.0))
 
 
 def _heard(text: Text, params: CrochetParams) -> Spots | None:
