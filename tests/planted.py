@@ -140,7 +140,7 @@ FAULTS = [
     Fault("crochet/yarns.py", '"8-ply": "dk"', '"8-ply": "sport"', "promises crochet_size -k class or yarn or weight"),
     Fault("crochet/maker/materials.py", "grams = bought / kind.metres * 100.0", "grams = bought / kind.metres * 50.0",
           P),
-    Fault("crochet/maker/materials.py", "max(1, ceil(grams / kind.skein))", "max(1, int(grams / kind.skein))",
+    Fault("crochet/maker/materials.py", "max(1, ceil(grams / skein))", "max(1, int(grams / skein))",
           P),
     Fault("crochet/graph/check.py", "NEAR = 0.2", "NEAR = 0.6", "crochet_check promises -k size or sizes"),
     Fault("color.py", '(40, "orange")', '(40, "yellow")', "promises crochet_instructions -k hue or plain"),

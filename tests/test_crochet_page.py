@@ -168,6 +168,31 @@ def test_materials_add_up() -> None:
     assert dict(DENSITY)[1.0] == 30.0
 
 
+@pytest.mark.parametrize(
+    ("words", "option", "metres"),
+    [
+        ("Bulky yarn (10.5 oz/300 g; 220 yds/201 m), white", None, 201.168 / 3),
+        ("Cotton, 125 m per 50 g ball", None, 250.0),
+        ("A (4 oz/113g), 212 yd; B 50 g/125 m", None, None),  # as typical: one is half as heavy again
+        ("A (4 oz/113g), 212 yd; B 50 g/125 m", "100 g / 90 m", 90.0),
+        ("22 g of stuffing, 6 mm eyes", None, None),
+    ],
+)
+def test_yarn_is_weighed_by_its_own_ball(words: str, option: str | None, metres: float | None) -> None:
+    text = f"Yarn: {words}\n\nRnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [12]\n"
+    found = materials(make(Text(text, "ball.txt"), CrochetParams(solver="none", ball=option), Progress()))
+    kind = found["weight"]
+    assert (kind["from"] == "ball") == (metres is not None)
+    if metres is not None:
+        assert kind["metres_100_g"] == pytest.approx(metres, abs=0.05)
+        assert found["yarn"][0]["grams"] == pytest.approx(found["yarn"][0]["metres"] / metres * 100, abs=0.1)
+
+
+def test_a_ball_is_said_by_grams_and_metres() -> None:
+    with pytest.raises(ValueError, match="50 g / 125 m"):
+        CrochetParams(ball="large")
+
+
 def test_lines_are_as_wide_as_they_may_be_and_no_wider() -> None:
     text = "the quick brown fox jumps over the lazy dog " * 4
     for room in (20.0, 35.0, 80.0):

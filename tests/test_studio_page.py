@@ -1060,7 +1060,7 @@ def test_a_tap_says_which_region_it_is_and_another_stitch_leaves_it_chosen_as_it
     assert [e["field"] for e in edits] == ["angle", "stitch"]
     phone.tap(".tabs >> text=Facts")
     phone.tap("text=Make it fill a 4×4 in hoop")
-    phone.wait_for_selector(".big >> text=/8\\d × 9\\d/")
+    phone.wait_for_selector(".big >> text=/6\\d × 9\\d/")
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -11,7 +11,7 @@ from tambour.core.errors import TambourError, did_you_mean
 from tambour.core.params import Length, Params, edited, file
 from tambour.crochet.specimens import SPECIMENS
 from tambour.crochet.words.table import TERMS
-from tambour.crochet.yarns import WEIGHTS, class_of, ravelled
+from tambour.crochet.yarns import WEIGHTS, ball_of, class_of, ravelled
 
 if TYPE_CHECKING:
     Code = str
@@ -27,7 +27,7 @@ class CrochetParams(Params):
     groups: ClassVar = {
         "Pattern": "terms size strict check reshape reshape_part target max_stitches specimen",
         "From a model": "stitches height tip model_up model_front plain_ colors",
-        "Yarn and gauge": "hand yarn_under yarn hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
+        "Yarn and gauge": "hand yarn_under yarn ball hook gauge gauge_circle gauge_yarn stitch_width stitch_height",
         "Pictures and pages": "detail material photo page ink large_print title designer",
         "Shape": "stuffing contact solver steps tolerance start link_distance single_loop_force bending",
         "Stuffing": "pressure centroids nodes_per_centroid centroid_force centroid_cap weight_peak weight_width skeleton_force",
@@ -92,6 +92,8 @@ class CrochetParams(Params):
     """Your gauge: stitches unravelled, and how long their yarn is, such as "20 stitches are 64 cm"."""
     yarn: str | None = None
     """Yarn: lace, fingering, sport, dk, worsted, bulky, super-bulky or jumbo, or its number, 0 to 7."""
+    ball: str | None = Field(default=None, max_length=60)
+    """Grams and metres of a ball, such as 50 g / 125 m: grams and skeins are reckoned by it; else by the pattern's own words."""
     hook: Length | None = Field(default=None, ge=0.4, le=30)
     """Hook, mm; yarn and hook give the gauge where none is measured."""
 
@@ -222,6 +224,13 @@ class CrochetParams(Params):
                 ravelled(value)
             except TambourError:
                 raise ValueError("say how much yarn stitches take, such as: 20 stitches are 64 cm") from None
+        return value
+
+    @field_validator("ball")
+    @classmethod
+    def _ball(cls, value: str | None) -> str | None:
+        if value is not None and ball_of(value) is None:
+            raise ValueError("say a ball's grams and metres, such as: 50 g / 125 m")
         return value
 
     @field_validator("yarn", mode="before")

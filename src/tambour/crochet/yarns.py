@@ -57,6 +57,10 @@ _ROWS = re.compile(_NUMBER + r"(\s*½)?\s*(?:(?:sc|hdc|dc)\s+)?(?:rows?|rounds?|
 _CIRCLE = re.compile(r"\b(?:circle|diameter|across|first)\b|\b(?:rounds?|rnds?)\s*\d", re.IGNORECASE)
 _TALL: Final = 1.3  # height over width that no single crochet has: rows of taller stitches
 _RAVELLED = re.compile(r"\s*(\d+)\s*[^\d]*?" + _NUMBER + r"\s*(mm|cm|m|inches|inch|in|\")\s*$", re.IGNORECASE)
+_GRAMS = r"(?P<grams>\d{2,3}(?:[.,]\d+)?)[ \t]*-?[ \t]*(?:g|gr|grs|gms?|grams?)\b"
+_FAR = r"(?P<far>\d{2,4}(?:[.,]\d+)?)[ \t]*-?[ \t]*(?P<unit>m|mtrs?|metres?|meters?|yds?|yards?)\b"
+_UP_TO = r"(?:[ \t,;:/=)(|~-]|\b(?:per|each|approx|approximately|about|balls?|skeins?|of|oz|yds?|yards?)\b|\b\d+(?:[.,]\d+)?(?![.,]?\d))*?"
+_BALLS = [re.compile(_GRAMS + _UP_TO + _FAR, re.IGNORECASE), re.compile(_FAR + _UP_TO + _GRAMS, re.IGNORECASE)]
 _LETTER = re.compile(r"\b([B-P])\s*[-/]\s*\d|\b([B-P])\b(?=\s*(?:hook|size|$|,|\())|size\s+([B-P])\b")
 
 
@@ -115,6 +119,39 @@ def hook_of(words: str) -> float | None:
         return HOOKS.get(letter[1] or letter[2] or letter[3])
     plain = re.fullmatch(r"\s*" + _NUMBER + r"\s*", words)
     return _float(plain[1]) if plain and 0.5 <= _float(plain[1]) <= 30 else None
+
+
+@dataclass(frozen=True, slots=True)
+class Ball:
+    """A ball of yarn: its grams, and its metres."""
+
+    grams: float
+    metres: float
+
+    @property
+    def metres_100_g(self) -> float:
+        return 100.0 * self.metres / self.grams
+
+
+def balls_of(words: str) -> list[Ball]:
+    """The balls that words tell of by their grams and metres.
+
+    >>> balls_of("Bulky (10.5 oz/300 g; 220 yds/201 m), 50 g = 125 m")
+    [Ball(grams=300.0, metres=201.168), Ball(grams=50.0, metres=125.0)]
+    """
+    found = []
+    for said in next(filter(None, (list(order.finditer(words)) for order in _BALLS)), []):
+        ball = Ball(_float(said["grams"]), _float(said["far"]) * (0.9144 if said["unit"][0] in "yY" else 1.0))
+        if 20.0 <= ball.metres_100_g <= 2000.0:
+            found.append(ball)
+    return found
+
+
+def ball_of(words: str) -> Ball | None:
+    """The first ball of a pattern's words, if all are as heavy for their length; None where they are not, or none is said."""
+    found = balls_of(words)
+    weights = [ball.metres_100_g for ball in found]
+    return found[0] if found and max(weights) <= 1.1 * min(weights) else None
 
 
 def swatch_of(words: str) -> tuple[float, float] | None:

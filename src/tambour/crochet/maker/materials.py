@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from tambour.core.rgb import hexed, unhexed
-from tambour.crochet.yarns import WEIGHTS
+from tambour.crochet.yarns import WEIGHTS, ball_of
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
@@ -39,14 +39,16 @@ def lengths(piece: Plush) -> dict[tuple[int, ...], float]:
 def materials(piece: Plush) -> dict[str, Any]:
     """All that is needed, in plain records.
 
-    yarn : per colour its metres, yards, grams and whole skeins, a tenth to spare; weight : their class, typical metres
-    in 100 g and grams of a skein
+    yarn : per colour its metres, yards, grams and whole skeins, a tenth to spare; weight : their class, metres in 100 g
+    and grams of a skein, of the ball that was said ("from": "ball"), else as is typical of the class
     hook_mm; stuffing : litres and grams; eyes, embroidery, felt, hair : as :func:`tambour.crochet.finish.features.materials`
     notions : words for the small things
     """
     from tambour.crochet.finish.features import materials as face
 
     kind = WEIGHTS[piece.gauge.weight]
+    ball = ball_of(piece.params.ball or piece.built.pattern.text.text)
+    metres_100_g, skein = (ball.metres_100_g, ball.grams) if ball else (kind.metres, kind.skein)
     made = face(piece.built, piece.positions)
     metres = lengths(piece)
     ends = TAIL * max(0, len(piece.built.graph.parts) - 1)
@@ -57,14 +59,14 @@ def materials(piece: Plush) -> dict[str, Any]:
     yarn = []
     for color, worked in metres.items():
         bought = (worked + (ends * worked / whole if whole else 0.0)) * SPARE
-        grams = bought / kind.metres * 100.0
+        grams = bought / metres_100_g * 100.0
         yarn.append(
             {
                 "color": hexed(color),
                 "metres": round(bought, 1),
                 "yards": round(bought / 0.9144, 1),
                 "grams": round(grams, 1),
-                "skeins": max(1, ceil(grams / kind.skein)),
+                "skeins": max(1, ceil(grams / skein)),
             }
         )
     litres, grams = 0.0, 0.0
@@ -76,7 +78,13 @@ def materials(piece: Plush) -> dict[str, Any]:
     sewn = len(piece.built.graph.parts) > 1 or bool(made["embroidery"])
     return {
         "yarn": yarn,
-        "weight": {"name": kind.name, "number": kind.number, "metres_100_g": kind.metres, "skein_g": kind.skein},
+        "weight": {
+            "name": kind.name,
+            "number": kind.number,
+            "metres_100_g": round(metres_100_g, 1),
+            "skein_g": round(skein, 1),
+            "from": "ball" if ball else "typical",
+        },
         "hook_mm": piece.gauge.hook,
         "stuffing": {"litres": round(litres, 2), "grams": round(grams, 1)},
         **made,

@@ -12,7 +12,6 @@ from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.book import Book, short, size_lines, weight_name, yarn_name
 from tambour.crochet.page.flow import Atom, Chunk, flow, together
 from tambour.crochet.page.type import BODY, HAIR, HEAD, LEADING, SMALL, SOFT, width_of, wrap
-from tambour.crochet.yarns import WEIGHTS
 from tambour.render.page import Page
 
 _USUAL: Final = {
@@ -141,7 +140,6 @@ def _materials(book: Book, width: float) -> list[Atom]:
     own, number = book.own, book.number
     found = materials(book.piece)
     made: list[Atom] = []
-    kind = WEIGHTS[book.piece.gauge.weight]
     hers = book.hers.materials if book.hers is not None else []
     listed = hers or list(book.said.materials)
     for line in listed:
@@ -155,7 +153,7 @@ def _materials(book: Book, width: float) -> list[Atom]:
         color = unhexed(yarn["color"])
         letter, name = book.said.color(color)
         key = "leftover" if yarn["grams"] < LEFTOVER else "skein" if yarn["skeins"] == 1 else "skeins"
-        skein = own[key].format(n=yarn["skeins"], grams=number(kind.skein, 0))
+        skein = own[key].format(n=yarn["skeins"], grams=number(found["weight"]["skein_g"], 0))
         metres = max(1.0, float(round(yarn["metres"])))
         much = f"{number(metres, 0)} m"
         if book.imperial:
@@ -172,7 +170,9 @@ def _materials(book: Book, width: float) -> list[Atom]:
             continue  # a little of a yarn that is there already
         letter, name = book.said.color(color)
         made.append(_yarn(color, letter, name, "", own["embroidery"].format(cm=number(cm, 0)), "", width))
-    note = own["typical"].format(name=yarn_name(book), metres=number(kind.metres, 0))
+    note = own["typical" if found["weight"]["from"] == "typical" else "ball"].format(
+        name=yarn_name(book), metres=number(found["weight"]["metres_100_g"], 0)
+    )
     made += paragraph(note, width, SMALL, SOFT, 0.8)
     other: list[tuple[str, str]] = []
     if "hook" not in book.piece.built.pattern.stated:
