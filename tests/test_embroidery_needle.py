@@ -102,7 +102,7 @@ def test_letters_of_one_size_are_sewn_one_way(size):
 
 def test_small_holes_are_told(tmp_path):
     _, progress = sewn(tmp_path, '<path fill-rule="evenodd" d="M10 10h30v30h-30z M20 20h.6v.6h-.6z"/>', check=False)
-    assert any("1 hole(s) are so small" in w.message for w in progress.warnings)
+    assert any("a hole is so small" in w.message for w in progress.warnings)
 
 
 def test_stitches_of_a_tight_bend_end_where_they_would_crowd():

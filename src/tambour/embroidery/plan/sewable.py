@@ -63,7 +63,12 @@ def doubts(piece: Piece) -> list[tuple[str, str]]:
     closed, at = _holes(piece)
     if closed:
         made.append(
-            (f"{closed} hole(s) are so small that thread closes them, as at {_at(at)}", "a larger {--width}, or none")
+            (
+                f"{closed} holes are so small that thread closes them, as at {_at(at)}"
+                if closed > 1
+                else f"a hole is so small that thread closes it, at {_at(at)}",
+                "with a larger {--width} they stay open; else they are sewn over",
+            )
         )
     loose, at = _loose(piece)
     if loose > LOOSE:

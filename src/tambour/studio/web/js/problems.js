@@ -24,7 +24,8 @@ export function spotOf(p) {
  */
 export function list(problems, { go, spell = (text) => text, at = () => "" } = {}) {
   return told(problems).map((p) => {
-    const inner = html`<b>${spell(p.message)}</b>${p.hint ? html`${spell(p.hint)} ` : ""}${p.line ? html`<span class="where">${[at(p), `line ${p.line}`].filter(Boolean).join(" · ")}</span>` : ""}`;
+    const said = go && spotOf(p) ? spell(p.message).replace(/,? (as )?at \([^)]*\)/, "") : spell(p.message);
+    const inner = html`<b>${said}</b>${go && spotOf(p) ? html`<span class="where">press here: the picture shows where</span><br>` : ""}${p.hint ? html`${spell(p.hint)} ` : ""}${p.line ? html`<span class="where">${[at(p), `line ${p.line}`].filter(Boolean).join(" · ")}</span>` : ""}`;
     const kind = `told ${p.warning ? "" : "wrong"}`;
     const can = go && (p.span || p.line || p.fields?.length || spotOf(p));
     return can ? html`<button class=${kind} @click=${() => go(p)}>${inner}</button>` : html`<div class=${kind}>${inner}</div>`;

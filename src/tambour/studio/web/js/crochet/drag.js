@@ -75,7 +75,7 @@ export class Hand {
     canvas.addEventListener("pointerup", (event) => {
       const still = Math.hypot(event.offsetX - down.x, event.offsetY - down.y) < 5;
       if (this.held) this.drop(event.offsetX, event.offsetY, still);
-      else if (still && event.button === 0) clicked(this.stage.pick(event.offsetX, event.offsetY));
+      else if (still && event.button === 0) clicked(this.stage.touched(event));
     });
     canvas.addEventListener("keydown", (event) => {
       if (event.key === "Escape" && this.held?.kind === "part") this.let();

@@ -65,7 +65,7 @@ export class Overlay {
     }
     if (this.pointed) {
       const p = this.spot(...this.pointed);
-      parts.push(svg`<circle class="pointed" cx=${p.x} cy=${p.y} r="17"></circle>`);
+      parts.push(svg`<circle class="pointed around" cx=${p.x} cy=${p.y} r="17"></circle><circle class="pointed" cx=${p.x} cy=${p.y} r="17"></circle>`);
     }
     if (this.at > 0 && this.at < a.command.length) {
       const p = this.spot(a.xy[2 * this.at], a.xy[2 * this.at + 1]);

@@ -1,7 +1,7 @@
 // The regions of an embroidery as a list: colour, stitch, order; the chosen one shows how it is sewn, and is changed there.
 import { fields, speller, toField } from "../forms.js";
 import { list, spotOf, told } from "../problems.js";
-import { colored, dyed, hex, html, live, number, ref } from "../view.js";
+import { colored, dyed, hex, html, live, number, ref, signal } from "../view.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
@@ -44,7 +44,7 @@ export function regions(piece, hands) {
     return html`<li draggable="true" @dragstart=${(/** @type {DragEvent} */ e) => e.dataTransfer?.setData("text/tambour-region", String(at))} @dragover=${(/** @type {DragEvent} */ e) => e.dataTransfer?.types.includes("text/tambour-region") && e.preventDefault()}
         @drop=${(/** @type {DragEvent} */ e) => (e.preventDefault(), e.stopPropagation(), move(Number(e.dataTransfer?.getData("text/tambour-region")), at))}>
       <button class="rowbutton" aria-pressed=${chosen.value === k} @click=${() => (chosen.value = chosen.value === k ? -1 : k)}>
-        <i class="swatch" ${ref(dyed(r.color))}></i> ${titled(all, k)}<span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.count)}</span></button>
+        <i class="swatch" ${ref(dyed(r.color))}></i> ${titled(all, k)} <span class="quiet">${piece.report.value?.named?.[hex(r.color)] ?? ""}</span><span class="number">${NAMES[r.stitch] ?? r.stitch} · ${number(r.count)}</span></button>
       ${chosen.value === k ? html`${one(piece, r, k, form, hands)}
         <div class="inside tools"><button class="button" ?disabled=${!at} @click=${() => move(at, at - 1)}>Sew earlier</button><button class="button" ?disabled=${at + 1 >= order.length} @click=${() => move(at, at + 1)}>Sew later</button></div>` : ""}</li>`;
   })}</ol>${threads(piece)}`;
@@ -86,13 +86,16 @@ const INCHES = { "100x100": "4×4 in", "130x180": "5×7 in", "160x260": "6×10 i
 /** Hoops to choose from, as they are sold: what is asked for, and what it is called. */
 const HOOPS = [["4x4", "4 × 4 in (100 × 100 mm)"], ["5x7", "5 × 7 in (130 × 180 mm)"], ["6x10", "6 × 10 in (160 × 260 mm)"], ["8x8", "8 × 8 in (200 × 200 mm)"], ["200x300", "8 × 12 in (200 × 300 mm)"], ["360x200", "14 × 8 in (360 × 200 mm)"]];
 
+/** A size of her own is asked for. */
+const own = signal(false);
+
 /** The hoop: one of those that are sold, or another by its size. @param {Piece} piece */
 function hooped(piece) {
   const now = piece.params.value.hoop ?? "", known = HOOPS.some(([size]) => size === now), set = (/** @type {string} */ hoop) => piece.change({ params: { hoop: hoop || null }, said: `hoop ${hoop || "none"}` });
   const wrong = piece.failed.value.filter((p) => p.fields?.includes("hoop"));
-  return html`<div class="field ${wrong.length ? "wrong" : ""}"><label class="name" for="hoop-sold">Hoop</label><span class="pair"><select id="hoop-sold" .value=${live(known || !now ? now : "own")} @change=${(/** @type {any} */ e) => e.target.value !== "own" ? set(e.target.value) : document.getElementById("field-hoop")?.focus()}>
+  return html`<div class="field ${wrong.length ? "wrong" : ""}"><label class="name" for="hoop-sold">Hoop</label><span class="pair"><select id="hoop-sold" .value=${live(!own.value && (known || !now) ? now : "own")} @change=${(/** @type {any} */ e) => { own.value = e.target.value === "own"; if (own.value) requestAnimationFrame(() => document.getElementById("field-hoop")?.focus()); else set(e.target.value); }}>
       <option value="" ?selected=${!now}>any that takes it</option>${HOOPS.map(([size, label]) => html`<option value=${size} ?selected=${now === size}>${label}</option>`)}<option value="own" ?selected=${now && !known}>another size</option></select>
-      <input id="field-hoop" class="short" type="text" aria-label="hoop: width x height in mm" placeholder="120x90" .value=${live(now)} @change=${(/** @type {any} */ e) => set(e.target.value.trim())}></span>
+      <input id="field-hoop" class="short" type="text" ?hidden=${!own.value && (known || !now)} aria-label="hoop: width x height in mm" placeholder="120x90" .value=${live(now)} @change=${(/** @type {any} */ e) => set(e.target.value.trim())}></span>
     ${wrong.map((p) => html`<span class="wrongness" role="alert">${p.message}</span>`)}</div>`;
 }
 

@@ -123,7 +123,7 @@ export function screen(root, piece) {
   at.canvas.addEventListener("pointerup", (event) => {
     const pack = piece.live.value;
     if (!pack || Math.hypot(event.offsetX - down.x, event.offsetY - down.y) > 4) return;
-    const unit = stage.pick(event.offsetX, event.offsetY);
+    const unit = stage.touched(event);
     chosen.value = unit < 0 ? -1 : pack.arrays.region[unit];
   });
   stop.push(show(at.left, () => regions(piece, { chosen, change, put, lay })));

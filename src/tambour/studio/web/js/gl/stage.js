@@ -335,6 +335,17 @@ export class Stage {
     return pixel[0] + pixel[1] * 256 + pixel[2] * 65536 - 1;
   }
 
+  /** The unit under a hand: at the pixel, else a little beside it, as far as a finger is wide. @param {PointerEvent} event */
+  touched(event) {
+    const far = event.pointerType === "touch" ? [0, 6, 12] : [0, 4];
+    for (const d of far)
+      for (const [a, b] of d ? [[d, 0], [-d, 0], [0, d], [0, -d]] : [[0, 0]]) {
+        const unit = this.pick(event.offsetX + a, event.offsetY + b);
+        if (unit >= 0) return unit;
+      }
+    return -1;
+  }
+
   free() {
     this.watch?.disconnect();
     if (this._asked) cancelAnimationFrame(this._asked);
