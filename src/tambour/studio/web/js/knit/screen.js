@@ -1,12 +1,12 @@
 // Knit: the chart from a distance to single stitches, painted by hand and kept lawful.
 import { frame, nearer, withoutGl, working } from "../frame.js";
 import { Chart } from "../gl/chart.js";
-import { named, settings, speller, toField } from "../forms.js";
+import { bring, named, settings, speller, toField } from "../forms.js";
 import { offer } from "../keys.js";
 import { tell } from "../notes.js";
 import { night } from "../theme.js";
 import { Timeline } from "../timeline.js";
-import { counted, effect, hex, html, number, show, signal, untracked } from "../view.js";
+import { counted, dyed, effect, hex, html, number, ref, show, signal, untracked } from "../view.js";
 import { LAYERS, marks } from "./layers.js";
 import { Ruler } from "./ruler.js";
 import { TOOLS, area, between, cut, laid, mirrored, painted, repeated, told } from "./paint.js";
@@ -160,6 +160,7 @@ export function screen(root, piece) {
       return void (stroke = stroke ? { ...stroke, slide: true, cells: [], was: [] } : null);
     }
     const cell = chart.under(event.offsetX, event.offsetY), slide = tool.value === "hand" || event.button > 0 || event.shiftKey || !inside(cell);
+    if (inside(cell)) spot.value = cell; // a finger hovers over nothing: where it is set down is told
     stroke = { from: cell, last: cell, cells: [], was: [], x: event.offsetX, y: event.offsetY, slide };
     if (slide) return undefined;
     if (tool.value === "pencil") draw(cell);
@@ -220,7 +221,7 @@ export function screen(root, piece) {
   };
   at.canvas.addEventListener("pointerup", up);
   at.canvas.addEventListener("pointercancel", up);
-  at.canvas.addEventListener("pointerleave", () => (spot.value = [-1, -1]));
+  at.canvas.addEventListener("pointerleave", (event) => event.pointerType === "touch" || (spot.value = [-1, -1]));
   at.canvas.addEventListener("wheel", (event) => {
     event.preventDefault();
     chart.zoom(Math.exp(-Math.max(-0.5, Math.min(0.5, event.deltaY * 0.0018))), event.offsetX, event.offsetY);
@@ -282,7 +283,9 @@ export function screen(root, piece) {
       ${x >= 0 && pack && chart.data ? html`<div class="said">row <b>${y + 1}</b> · stitch <b>${chart.columns - x}</b> · ${called(piece, chart.data[y * chart.columns + x])}${alone && locked.has(y * chart.columns + x) ? html`<br><span class="quiet">${alone.message}</span>` : ""}</div>` : ""}`;
   }));
   stop.push(show(at.bottom, () => html`<div class="seg" role="group" aria-label="how it is seen">${LAYERS.map(([name, label]) => html`
-    <button aria-pressed=${layer.value === name} @click=${() => (layer.value = name)}>${label}</button>`)}</div>`));
+    <button aria-pressed=${layer.value === name} @click=${() => (layer.value = name)}>${label}</button>`)}</div>
+    ${piece.live.value ? html`<div class="said inhand" role="group" aria-label="in the hand"><button class="link" @click=${() => bring(at.left)}>${TOOLS.find(([n]) => n === tool.value)?.[1]}</button>
+      ${Array.from({ length: piece.live.value.arrays.palette.length / 3 }, (_, k) => html`<button class="dot" aria-pressed=${yarn.value === k} aria-label="paint with ${called(piece, k)}" @click=${() => (yarn.value = k)}><i class="swatch" ${ref(dyed(piece.live.value?.arrays.palette.subarray(3 * k, 3 * k + 3) ?? ""))}></i></button>`)}</div>` : ""}`));
   nearer(at.nearer, { zoom: (by) => chart.zoom(by, at.canvas.clientWidth / 2, at.canvas.clientHeight / 2), fit: () => chart.fit() });
   const walk = (/** @type {number} */ dx, /** @type {number} */ dy) => {
     const [x, y] = inside(spot.value) ? spot.value : [Math.floor(chart.center[0]), Math.floor(chart.center[1])];

@@ -50,6 +50,15 @@ export function usual(piece) {
     <br>${[40, 60, 120].map((n) => html`<button class="link" @click=${() => set(n)}>${n} stitches</button> · `)}${all ? html`<button class="link" @click=${() => set(Number(all))}>a stitch for each pixel (${all})</button>` : "or another width at the right"}</div>`;
 }
 
+/** A picture whose stitches were taken as square is knitted lower than it is: one button keeps its shape. @param {Piece} piece */
+function squat(piece) {
+  const gauge = piece.live.value?.facts.gauge, name = piece.revision.value?.source?.name ?? "";
+  if (!piece.live.value?.facts.usual || piece.params.value.gauge || !/\.(jpe?g|png|webp|gif|bmp|tiff?|avif|svgz?)$/i.test(name) || gauge[1] / gauge[0] < 1.1) return "";
+  const text = `${gauge[0]}x${gauge[1]}`;
+  return html`<div class="told"><b>Knitted, the picture comes lower than it is</b>A stitch is wider than tall, and here as many rows are taken as if it were square.
+    <button class="button" @click=${() => piece.change({ params: { gauge: text }, said: `gauge ${text}` })}>Keep its shape, at ${gauge[0]} × ${gauge[1]} in 10 cm</button></div>`;
+}
+
 /** Facts of a chart. @param {Piece} piece */
 export function facts(piece) {
   const report = piece.report.value, pack = piece.live.value, craft = piece.craft.value;
@@ -61,6 +70,7 @@ export function facts(piece) {
   const held = report?.catches && !report.violations, most = report?.max_float ? html` <span class="quiet">of ${report.max_float}</span>` : "";
   return html`${report ? html`<h2 class="head">Size</h2><p class="big">${number(report.width)} × ${number(report.rows)}</p>
       <p class="quiet">stitches and rows${cm ? ` · ${cm[0]} × ${cm[1]} cm at ${gauge[0]} × ${gauge[1]} in 10 cm${pack?.facts.usual ? `, as ${pack.facts.usual} yarn is usually knitted: swatch, and give your gauge` : ""}` : ""}</p>
+      ${squat(piece)}
       ${pack ? html`<h2 class="head">Yarn</h2><ul class="facts">${Array.from({ length: pack.arrays.palette.length / 3 }, (_, k) => html`<li><span><i class="swatch" ${ref(dyed(pack.arrays.palette.subarray(3 * k, 3 * k + 3)))}></i> ${called(piece, k)}</span><span class="number">${metres(piece, k)?.toFixed(1) ?? ""} m</span></li>`)}</ul>` : ""}
       <h2 class="head">Floats</h2><ul class="facts"><li><span>Longest</span><span class="number">${report.longest_float}${held ? "" : most}</span></li>
       ${held ? html`<li><span>Most that lies free, caught</span><span class="number">${report.longest_span}${most}</span></li>` : html`<li><span>Longer than they may be</span><span class="number">${number(report.violations ?? 0)}</span></li>`}
