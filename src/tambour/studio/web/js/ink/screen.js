@@ -204,7 +204,8 @@ export function screen(root, piece, { over, extra }) {
     const craft = piece.craft.value;
     const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value }, said: name });
     return html`<button class="seal" aria-expanded=${open.value} aria-label="what the scroll is made of" title="What it is made of (S)" @click=${() => (open.value = !open.value)}><svg viewBox="0 0 24 24" width="26" height="26" aria-hidden="true"><path d="M4 10.5v9h16v-9M12 4.5v15" fill="none" stroke="#fbeee2" stroke-width="2.6" stroke-linecap="round"></path></svg></button>
-      ${open.value && craft ? html`<section class="said inkpanel" aria-label="what the scroll is made of">
+      ${open.value ? "" : html`<button class="said sealed" tabindex="-1" @click=${() => (open.value = true)}>Season, light, seed</button>`}
+      ${open.value && craft ? html`<section class="said inkpanel" aria-label="what the scroll is made of"><button class="icon plain shut" aria-label="close" @click=${() => (open.value = false)}>×</button>
         <div class="field"><label class="name" for="field-seed">Seed</label><span class="pair"><input id="field-seed" type="text" .value=${String(params.value.seed ?? "1")} @change=${(/** @type {any} */ e) => e.target.value.trim() && set("seed", e.target.value.trim())}>
           <button class="icon" aria-label="another seed" title="Another seed (R)" @click=${dice}>⚄</button></span></div>
         ${list(problems.value, { spell: speller(craft.form) })}
