@@ -16,12 +16,12 @@ from tambour.embroidery.lines.least import tidy
 from tambour.embroidery.lines.run import TOLERANCE
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import RUNNING, UNDERLAY, Region
+from tambour.embroidery.regions.read import KNOCKED, ROOM
 from tambour.embroidery.stitches import Stitches, line_stitches
 
 COVER = 3.0  # mm, width of the satin over a patch's edge
 TACK = 1.2  # mm, width of the zigzag that holds a patch
 BASTE = 6.0  # mm, stitch of the basting box
-ROOM = 5.0  # mm between the design and the basting box
 
 
 def applique(region: Region) -> list[list[Stitches]]:
@@ -49,7 +49,7 @@ def basting_box(low: Array, high: Array) -> Stitches:
 
 
 def knockdown(regions: tuple[Region, ...], p: EmbroideryParams) -> list[Stitches]:
-    """Thin rows, 45° from the fills', under the whole design and 2 mm round it."""
+    """Thin rows, 45° from the fills', under the whole design and ``KNOCKED`` mm round it."""
     import shapely
 
     from tambour.geometry.areas import of_shapely, to_shapely
@@ -62,7 +62,7 @@ def knockdown(regions: tuple[Region, ...], p: EmbroideryParams) -> list[Stitches
         for line in r.paths
         if len(line) > 1
     ]
-    whole = of_shapely(shapely.union_all(shapes).buffer(2.0))
+    whole = of_shapely(shapely.union_all(shapes).buffer(KNOCKED))
     made = []
     if whole is not None and whole.parts is not None:
         angle = math.radians((p.angle or 0.0) + 45)

@@ -9,6 +9,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.thread import COLOR, JUMP, STITCH, STOP, TRIM
+from tambour.embroidery.fabric import widened
 from tambour.embroidery.families.applique import COVER
 from tambour.embroidery.lines.density import CELL, density_map
 from tambour.embroidery.piece import FILL, SATIN, Piece
@@ -55,7 +56,8 @@ def outside(piece: Piece, slack: float = SLACK) -> Array:
         mine = np.flatnonzero((region == k) & (kind <= 4))
         if not len(mine):
             continue
-        grow = max(0.0, it.params.pull) + slack + it.params.min_length / 2
+        wide = float(np.hypot(*(xy[mine, 2:] - xy[mine, :2]).T).max()) if it.stitch == "satin" else 0.0
+        grow = max(0.0, widened(wide, it.params.pull, it.params.pull_percent)) + slack + it.params.min_length / 2
         if it.params.applique:
             grow += COVER / 2  # the cover lies over the edge
         area = shapely.union_all(to_shapely(it.paths)).buffer(grow, quad_segs=8)

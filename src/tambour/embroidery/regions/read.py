@@ -35,6 +35,12 @@ HANDS = ("role", "start", "end", "trim", "stop", "rails", "rank")
 """What ``data-tambour-…`` say of a shape beside parameters: ``start``, ``end`` and ``rails`` as places in mm of the hoop."""
 
 
+ROOM = 5.0
+"""mm between the design and its basting box."""
+KNOCKED = 2.0
+"""mm that a knockdown lies beyond the design."""
+
+
 def place(drawing: Drawing, params: EmbroideryParams) -> tuple[float, Array]:
     """Scale and shift that bring the drawing's lines to millimetres round the hoop's centre; strokes count as thin."""
     shown = drawing.styles.fill[:, 3] + drawing.styles.stroke[:, 3].astype(int) > 0
@@ -72,8 +78,9 @@ def extent(found: Sequence[Region], sewn: bool = False) -> tuple[Array, Array]:
     return np.min([b[0] for b in boxes], axis=0), np.max([b[1] for b in boxes], axis=0)
 
 
-def _fits(size: Array, params: EmbroideryParams) -> None:
-    """Raise TambourError for what is larger than the hoop, or than any machine."""
+def _fits(design: Array, beyond: float, params: EmbroideryParams) -> None:
+    """Raise TambourError for what is larger, with so many mm sewn beyond it, than the hoop, or than any machine."""
+    size = design + 2 * beyond
     if size[0] * size[1] > LARGEST:
         raise TambourError(
             f"the design is {size[0]:.0f} x {size[1]:.0f} mm, more than any machine sews",
@@ -83,7 +90,7 @@ def _fits(size: Array, params: EmbroideryParams) -> None:
         machine = MACHINES[params.machine]
         field = machine.field
         if min(size) > min(field) + 0.05 or max(size) > max(field) + 0.05:
-            fits = min(min(field) / min(size), max(field) / max(size)) * size[0]
+            fits = _fitting(design, sorted(field) if design[0] < design[1] else sorted(field)[::-1], beyond, params)
             raise TambourError(
                 f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the field of {params.machine} {field[0]:g} x {field[1]:g} mm ({machine.source})",
                 hint=f"{{--width}} {math.floor(fits * 10) / 10:g}mm would fit",
@@ -99,12 +106,19 @@ def _fits(size: Array, params: EmbroideryParams) -> None:
                 hint=f"a quarter turn fits: {{--hoop}} {hoop[1]:g}x{hoop[0]:g}, the hoop turned",
                 where="{--hoop}",
             )
-        fits = min(hoop[0] / size[0], hoop[1] / size[1]) * size[0]
+        fits = _fitting(design, hoop, beyond, params)
         raise TambourError(
             f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the hoop {hoop[0]:g} x {hoop[1]:g} mm",
             hint=f"{{--width}} {math.floor(fits * 10) / 10:g}mm would fit",
             where="{--hoop}",
         )
+
+
+def _fitting(design: Array, field: Sequence[float], beyond: float, params: EmbroideryParams) -> float:
+    """The ``--width`` with which a design fits into a field: what thread adds to it at its edges does not shrink with it."""
+    thread = 2 * max(0.0, params.pull)
+    room = np.array(field) - 2 * beyond - thread
+    return float((room / (design - thread)).min() * (design[0] - thread))
 
 
 def _points_per_shape(paths: Paths) -> Array:
@@ -131,7 +145,8 @@ def regions(drawing: Drawing, params: EmbroideryParams, progress: Progress) -> t
             break
         scale, shift = scale * grow, (shift - middle) * grow
         found, tiny = _found(drawing, params, scale, shift)
-    _fits(np.subtract(*extent(found, sewn=True)[::-1]), params)
+    beyond = max(ROOM if params.baste else 0.0, KNOCKED if params.knockdown else 0.0)
+    _fits(np.subtract(*extent(found, sewn=True)[::-1]), beyond, params)
     if tiny:
         progress.warn(f"{tiny} shape(s) have no area and were left out")
     return tuple(found)
