@@ -332,3 +332,27 @@ def test_the_bar_of_an_h_lies_below_one_stem_and_ends_at_the_other():
     inner = np.abs(a[~bar, 0]).min()  # where the stems begin
     left, right = (x[(a + b)[bar, 0] * sign > 0].max() for sign in (-1, 1))
     assert min(left, right) < inner + 0.6 and max(left, right) > inner + 1
+
+
+@pytest.mark.parametrize("paint", ['fill="none"', 'fill="none" stroke="#000"', 'style="fill:none;stroke:none"', ""])
+def test_text_stands_on_a_line_that_nobody_sees_too(tmp_path, paint):
+    path = f'<path d="M10 80 Q100 0 190 80" {paint} data-tambour-role="baseline"/>'
+    box = 'xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200 100" width="200mm" height="100mm"'
+    (tmp_path / "a.svg").write_text(f'<svg {box}>{path}<circle cx="100" cy="80" r="10"/></svg>')
+    drawing = files.read(tmp_path / "a.svg", ("Drawing",))
+    letters = make(drawing, EmbroideryParams(text="OOO", text_size=12), Progress()).regions
+    tops = [float(r.paths.coords[:, 1].min()) for r in letters if "letter" in r.flags]
+    dot = next(r for r in letters if "letter" not in r.flags)
+    assert len(letters) == 4 and max(tops) < float(dot.paths.coords[:, 1].min())  # above the dot, on the arch
+
+
+@pytest.mark.parametrize("size, told", [(2.5, True), (3.9, True), (4.1, False), (12, False)])
+def test_letters_too_small_to_be_read_are_told_as_text_and_in_a_drawing(tmp_path, size, told):
+    progress = Progress()
+    make(None, EmbroideryParams(text="abc", text_size=size), progress)
+    assert any("few letters can be read" in str(w) for w in progress.warnings) == told
+    box = 'xmlns="http://www.w3.org/2000/svg" viewBox="0 0 50 20" width="50mm" height="20mm"'
+    (tmp_path / "a.svg").write_text(f'<svg {box}><text x="2" y="15" font-size="{size / 0.7273:.3f}">abc</text></svg>')
+    progress = Progress()
+    make(files.read(tmp_path / "a.svg", ("Drawing",)), EmbroideryParams(), progress)
+    assert any("few letters can be read" in str(w) for w in progress.warnings) == told

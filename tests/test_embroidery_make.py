@@ -13,7 +13,7 @@ from click.testing import CliRunner
 from tambour import files
 from tambour.cli import tambour
 from tambour.core.progress import Progress
-from tambour.core.thread import COLOR, END, JUMP, STITCH
+from tambour.core.thread import COLOR, END, JUMP, STITCH, TRIM
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.plan.facts import steps
 from tambour.embroidery.plan.layers import layers
@@ -93,6 +93,23 @@ def test_a_hoop_takes_what_it_says_would_fit(tmp_path):
     size = re.search(r"--width\}? ([\d.]+mm) would fit", str(told.exception.problems[0].hint))
     facts, _ = report(tmp_path, STROKES.format(6), "--hoop", "50x40", "--width", size[1], "--pull", "0")
     assert facts["width_mm"] <= 50.3 and facts["height_mm"] <= 40.3 and facts["height_mm"] > 38.5
+
+
+@pytest.mark.parametrize("more", [["--knockdown"], ["--baste"], ["--knockdown", "--baste"], []])
+def test_what_is_sewn_beyond_the_design_must_fit_into_the_hoop_too(tmp_path, more):
+    (tmp_path / "in.svg").write_text(STROKES.format(6))
+    command = ["embroidery", str(tmp_path / "in.svg"), "-o", str(tmp_path / "o.json"), "--hoop", "50x40", *more]
+    told = CliRunner().invoke(tambour, [*command, "--width", "49.8mm"], standalone_mode=False)
+    size = re.search(r"--width\}? ([\d.]+mm) would fit", str(told.exception.problems[0].hint))
+    facts, _ = report(tmp_path, STROKES.format(6), "--hoop", "50x40", "--width", size[1], *more)
+    assert facts["width_mm"] <= 50.1 and facts["height_mm"] <= 40.1 and facts["height_mm"] > 38.5
+
+
+def test_basting_is_cut_before_the_design(tmp_path):
+    (tmp_path / "in.svg").write_text(STROKES.format(6))
+    piece = make(files.read(tmp_path / "in.svg", ("Drawing",)), EmbroideryParams(width=40.0, baste=True), Progress())
+    first = int(np.flatnonzero((piece.plan.command == STITCH) & (piece.region >= 0))[0])
+    assert TRIM in piece.plan.command[:first].tolist()
 
 
 def test_thread_lies_in_sewing_order(tmp_path):

@@ -56,7 +56,7 @@ def knockdown(regions: tuple[Region, ...], p: EmbroideryParams) -> list[Stitches
 
     shapes = [a for r in regions if r.role == "area" for a in to_shapely(r.paths)]
     shapes += [
-        shapely.LineString(line).buffer(r.width / 2 + 0.5)
+        shapely.LineString(line).buffer(max(r.width, p.thread) / 2, cap_style=("round", "flat", "square")[r.cap])
         for r in regions
         if r.role != "area"
         for line in r.paths

@@ -106,7 +106,7 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         region = found[k]
         progress.step(done, len(sequence))
         start = region.start or _place(layout.here)
-        end = region.end or _ahead(found, sequence, done, params)
+        end = region.end or _ahead(found, sequence, done)
         with progress.stage("fill"):
             patch = region.role == "area" and region.params.applique
             stages = applique(region) if patch else [region_stitches(region, start, end, over.get(k))]
@@ -183,7 +183,7 @@ def _flat(
     return strung(wide)
 
 
-def _ahead(found: tuple[Region, ...], sequence: list[int], done: int, params: EmbroideryParams) -> Place:
+def _ahead(found: tuple[Region, ...], sequence: list[int], done: int) -> Place:
     """Where the thread goes on after a region: a place of the next one, if it is of the same colour and near."""
     if done + 1 >= len(sequence):
         return None

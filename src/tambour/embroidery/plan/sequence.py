@@ -111,6 +111,8 @@ class Layout:
     def finish(self, cut: bool) -> None:
         """Tie off where the needle is, and cut."""
         if not self.tied or self.here is None:
+            if cut and self.command and self.command[-1][-1] == STITCH:  # basting is not tied, but it ends here
+                self.act(TRIM, int(self.region[-1][-1]))
             return
         region = int(self.region[-1][-1])
         if self.params.locks:

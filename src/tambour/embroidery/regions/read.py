@@ -35,6 +35,8 @@ HANDS = ("role", "start", "end", "trim", "stop", "rails", "rank")
 """What ``data-tambour-…`` say of a shape beside parameters: ``start``, ``end`` and ``rails`` as places in mm of the hoop."""
 
 
+READ = 4.0
+"""mm of capitals below which letters are told to be too small."""
 ROOM = 5.0
 """mm between the design and its basting box."""
 KNOCKED = 2.0
@@ -149,6 +151,13 @@ def regions(drawing: Drawing, params: EmbroideryParams, progress: Progress) -> t
     _fits(np.subtract(*extent(found, sewn=True)[::-1]), beyond, params)
     if tiny:
         progress.warn(f"{tiny} shape(s) have no area and were left out")
+    letters = [float(data["letters"]) for data in drawing.groups.data if "letters" in data]
+    small = min([*letters, *([params.text_size] if params.text is not None else [])], default=math.inf) * scale
+    if small < READ:
+        progress.warn(
+            f"capitals of {small:.1f} mm: below {READ:g} mm few letters can be read once they are sewn",
+            hint="{--text-size} 5mm" if params.text is not None else "a larger {--width}, or a larger font-size",
+        )
     return tuple(found)
 
 

@@ -15,6 +15,8 @@ from tambour.geometry.areas import enclosed
 
 RGBA = tuple[int, int, int, int]
 NONE: RGBA = (0, 0, 0, 0)
+FAINT: RGBA = (0, 0, 0, 1)
+"""What nobody sees and is kept all the same: lines that are notes, such as those on which text stands."""
 MANY = 1000
 """Shapes of a translucent group that are no longer cut out of each other."""
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.files.svg import css, markers, windows
-from tambour.files.svg.canvas import NONE, RGBA, Canvas, Pen, outlined
+from tambour.files.svg.canvas import FAINT, NONE, RGBA, Canvas, Pen, outlined
 from tambour.files.svg.looks import Look
 from tambour.files.svg.paints import Gradient
 from tambour.files.svg.path import after, apply
@@ -61,6 +61,8 @@ def painted(reader: Reader, node: Node, shape: Shape, look: Look) -> None:
     fill = paint(reader, node, "fill", look)
     stroke = paint(reader, node, "stroke", look)
     pen = _pen(node, look, shape)
+    if fill == stroke == NONE and "data-tambour-role" in node.attributes:
+        stroke = FAINT
     order = props.get("paint-order", "normal").split()
     if len(set(order)) != len(order) or not set(order) <= {"fill", "stroke", "markers"}:
         order = []
