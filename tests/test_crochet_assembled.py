@@ -1,5 +1,7 @@
 """Toys as they are put together: what is sewn by a closed end, where faces and arms are on a ball, what looks ahead, who looks on."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -9,8 +11,8 @@ from tambour.crochet.finish.joining import join, prepare
 from tambour.crochet.finish.sewing import end_of, held
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Eye, Placed
-from tambour.crochet.page import portrait
+from tambour.crochet.language.finishes import Eye, Hair, Placed
+from tambour.crochet.page import angle, portrait
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.printed.pattern import read_printed
@@ -155,3 +157,45 @@ def test_a_toy_that_sits_with_its_legs_ahead_is_looked_at_from_its_front() -> No
     _, high, deep = np.ptp(piece.positions, axis=0)
     assert deep > 1.3 * high  # or there is nothing to test
     assert portrait.stand(piece) == portrait.AHEAD
+
+
+def test_hair_of_strands_is_on_the_head_in_its_yarn() -> None:
+    """Dolls were bald: strands that are cut and sewn on are no part."""
+    head = BODY.replace("BODY", "HEAD")
+    materials = "MATERIALS\nContrast A Cream\nContrast D Yellow\n\n"
+    said = "Using backstitch and D, sew hair into place along sewn line. Sew the head to the body."
+    hair = [f for f in read(materials + BODY + head, said).finish if isinstance(f, Hair)]
+    assert len(hair) == 1 and {s.part for s in hair[0].spots} == {"HEAD"} and hair[0].color[2] < hair[0].color[0]
+    assert not [f for f in read(BODY + head, "Sew a bow to the hair band.").finish if isinstance(f, Hair)]
+
+
+@pytest.mark.parametrize("body, head, sits", [("12", False, True), ("36", True, False)])
+def test_a_long_neck_begun_at_its_top_stands(body: str, head: bool, sits: bool) -> None:
+    """A giraffe sits with four legs and a head on its neck; what widens at once behind its neck goes on them."""
+    start = "BODY\nBeginning at top of neck, with A, ch 2.\n" + BODY.split("\n", 1)[1]
+    if sits:
+        start = start.replace("Rnd 3:", "Rnds 3-9: sc around (12)\nRnd 10:")
+        for a, b in (("15", "22"), ("14", "21"), ("13", "20"), ("5-12", "12-19"), ("4", "11")):
+            start = start.replace(f"Rnd {a}:", f"Rnd {b}:").replace(f"Rnds {a}:", f"Rnds {b}:")
+    text = start + BODY.replace("BODY", "HEAD") + LIMBS.format("LEGS", 4)
+    pattern = read(text, "Sew the head to the body. Sew the legs to the body.")
+    assert (pattern.parts[0].up == "side") == (not sits)
+
+
+def test_flukes_lie_side_by_side_on_the_flat_end_and_look_back() -> None:
+    whale = (Path(__file__).parent / "data" / "shop" / "willa.txt").read_text(encoding="utf-8")
+    pattern = read_printed(Text(whale, "willa.txt"))
+    flukes = [f for f in pattern.finish if isinstance(f, Placed) and "FLUKE" in f.part.upper()]
+    assert len(flukes) == 2 and len({f.spot.round for f in flukes}) == 1
+    gap = abs(float(flukes[0].spot.stitch or 0) - float(flukes[1].spot.stitch or 0))
+    assert 2.0 <= gap <= 4.0 and all(f.tilt >= 60 for f in flukes)
+    assert (flukes[0].towards + flukes[1].towards) % 360 == 0
+
+
+@pytest.mark.parametrize(
+    "words, called_", [("so that they look like a heart from above", "above"), ("at the back", None)]
+)
+def test_a_step_that_speaks_of_above_is_seen_from_there(words: str, called_: str | None) -> None:
+    piece = make(pattern_text(BODY + LEGS, "Sew the legs to the body."), CrochetParams(solver="none"), Progress())
+    found = angle.called(angle.angle(piece, [0, 1, 2], [1, 2], words))
+    assert found == called_ if called_ else found != "above"

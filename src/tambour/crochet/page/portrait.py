@@ -20,12 +20,16 @@ SIDES: Final[dict[str, tuple[float, float]]] = {
     "top": (0.0, radians(80.0)),
 }
 """Side → azimuth and elevation of the camera; left and right are those of one who looks at the front."""
-AHEAD, ASIDE, ABOVE = (
+AHEAD, QUARTER, ASIDE, ABOVE = (
     (radians(18.0), radians(13.0)),
-    (radians(48.0), radians(15.0)),
+    (radians(34.0), radians(16.0)),
+    (radians(50.0), radians(15.0)),
     (radians(9.0), radians(76.0)),
 )
-"""Azimuth and elevation for a toy that stands or sits, for one that lies or goes on four legs, for what is flat."""
+"""Azimuth and elevation for a toy that stands or sits, for one that is long and looks ahead, for one that is long and has its
+eyes at its sides, for what is flat."""
+_LOOKS: Final = 0.7
+"""Eyes look ahead whose fabric does, in the mean, as a cosine."""
 PALE, DEEP = ("oak", "stone", "walnut", "linen"), ("paper", "linen", "painted", "oak")
 """Tables for pale yarn and for deep colours: each is set off against its table."""
 FLAT: Final = 0.3
@@ -168,8 +172,21 @@ def stand(piece: Plush) -> tuple[float, float]:
     face = facing(piece)
     if face is not None:
         return AHEAD[0] + face, AHEAD[1]
+    pattern = piece.built.pattern
+    if pattern.terms and not any(part.up == "side" for part in pattern.parts):
+        return AHEAD  # a ball that is wider than high stands all the same
     _, high, deep = np.ptp(trunk(piece), axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
-    return ASIDE if deep > _LONG * high else AHEAD
+    return AHEAD if deep <= _LONG * high else QUARTER if looks_ahead(piece) else ASIDE
+
+
+def looks_ahead(piece: Plush) -> bool:
+    """Whether a piece has eyes, and they look ahead and not to its sides."""
+    from tambour.crochet.finish.features import placed
+    from tambour.crochet.language.finishes import Eye
+
+    found = placed(piece.built, piece.positions)
+    ways = [frames.normals[0, 2] for record, frames in zip(found.records, found.where) if isinstance(record, Eye)]
+    return bool(ways) and sum(ways) > _LOOKS * len(ways)
 
 
 def trunk(piece: Plush) -> Array:

@@ -10,7 +10,7 @@ from typing import Final
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Placed, Spot
+from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hair, Placed, Spot
 from tambour.crochet.places import face
 from tambour.crochet.places.hear import Feature
 from tambour.crochet.places.put import Putter
@@ -34,6 +34,8 @@ _SNOUT, _FULL = 0.6, 0.6
 """A snout ends in this first part of a head's rounds, where they have less than this share of the widest one's stitches."""
 _BROW: Final = np.array([0.6, 0.5, 0.0])
 """Where eyes are about a head that lies, seen from its nose."""
+_HAIR_LONG: Final = 2.6
+"""How far hair hangs, in halves of a head's height, where nothing says it."""
 _TINY: Final = 0.7
 """How large something is that is called tiny, little or small."""
 _KNOT: Final = 1.4
@@ -177,6 +179,8 @@ class Facer(Putter):
         """Something that is embroidered, or cheeks of felt."""
         name = f.what
         host = self._faced(f, name)
+        if name == "hair":
+            return [self._hair(host, f)]
         if f.where.rounds is not None and not self.stand.there(Spot(host.name, 0.5 * sum(f.where.rounds[:2]), None)):
             return [Embroidery((Spot(host.name, f.where.rounds[0], None, f.span),), span=f.span, motif=name)]
         tall = None
@@ -226,6 +230,15 @@ class Facer(Putter):
         point = self._single(f, host, name, wide)
         self.known[{"smile": "mouth"}.get(name, name.split()[-1])] = (host.name, [point])
         return [*face.embroidered(host, name, point, wide, False, color, f.span, tall, self.work.stitch)]
+
+    def _hair(self, host: Host, f: Feature) -> Hair:
+        """Strands along a parting over the crown, from the brow to the nape, that fall to both sides."""
+        middle, half = host.box
+        ways = ((0.0, 0.97, 0.3), (0.0, 1.0, -0.1), (0.0, 0.3, -0.95))
+        spots = [replace(host.near(middle + np.array(way) * half), span=f.span) for way in ways]
+        cut = round(2.0 * _HAIR_LONG * float(half[1]) * self.work.stitch)
+        count = max(16, round(3.5 * float(half[1] + half[2])))
+        return Hair(tuple(spots), count, float(cut), f.color or Hair(()).color, f.span)
 
     def _beside_snout(self, host: Host, f: Feature) -> list[Array]:
         """Where whiskers begin: on both sides of a snout that is sewn on; nowhere where there is none."""

@@ -117,6 +117,8 @@ class Feature:
     guess: bool = False
 
 
+_HAIR: Final = re.compile(r"\b(?:sew|stitch|knot|attach)\w*\b[^.]{0,40}\bhair\b(?!\s*(?:bow|tie|band|clip|ribbon))")
+"""Strands of yarn that are sewn to a head, where no part is hair."""
 _BUTTONS: Final = re.compile(
     r"\b(?:buttons|beads)\b[^.]{0,60}\b(?:to|on|onto)\s+(?:the\s+)?(?:front of\s+(?:the\s+)?)?(?:head|face)\b"
 )
@@ -201,6 +203,10 @@ class Heard:
         low = _MEET.sub("at neck of body", low)
         found = mentions(low, self.parts)
         at = where(low)
+        if _HAIR.search(low) and not any({"hair", "wig"} & set(p.words) for p in self.parts):
+            if not any(f.what == "hair" for f in self.features):
+                self.features.append(Feature("hair", None, "head", at, sentence.span, order, color, low))
+            return True
         glass = re.search(r"\b(?:safety|plastic|toy|bead|button|googly)s? eyes?\b|\bbeads? for eyes\b", low)
         if glass:  # these are no eyelids that were crocheted
             found = [m for m in found if not (glass.start() <= m.start < glass.end())]
