@@ -307,6 +307,20 @@ def test_sheets_made_alone_continue_line_for_line(first):
     assert met > 100
 
 
+@pytest.mark.parametrize("page", ["a3", "letter", "300x100mm"])
+def test_a_window_of_no_said_length_fills_its_sheet(page):
+    from tambour.ink.plan.wholes import HEIGHT
+    from tambour.ink.plotter.sheet import inner, laid, windowed
+
+    params = windowed(Ink(plotter=True, page=page), HEIGHT)
+    (sheet,) = laid(params, params.from_, 0.0, params.span, HEIGHT)
+    width, height = inner(params)
+    left, top, right, bottom = sheet.box
+    assert (right - left, bottom - top) == pytest.approx((width, height))
+    for said in (Ink(plotter=True, page=page, span=3000), Ink(plotter=True, page=page, specimen="pine")):
+        assert windowed(said, HEIGHT) is said
+
+
 @pytest.mark.slow
 def test_a_sheet_alone_is_the_sheet_of_the_booklet(booklet):
     alone = made(sheets="1", pens=2, from_=-5200.0)

@@ -86,6 +86,25 @@ def test_a_yoke_draws_its_picture_in_and_keeps_the_law():
         KnitParams(shape="yoke", border=2)
 
 
+def test_what_is_worn_is_knitted_in_the_round_unless_it_is_said_otherwise():
+    assert KnitParams(shape="hat").round and KnitParams(shape="mitten").round
+    for flat in ({"round": False}, {"technique": "intarsia"}, {"machine": "kh930-ayab"}, {"edges": "free"}):
+        assert not KnitParams(shape="yoke", **flat).round
+    assert not KnitParams(shape=motif()).round and not KnitParams().round
+
+
+def test_a_hat_of_odd_proportions_and_yarns_that_are_nowhere_are_told():
+    def told(**params):
+        progress = Progress()
+        CRAFT.make(motif(), KnitParams(repeat="12", max_float="4", **params), progress)
+        return [w.message for w in progress.warnings]
+
+    assert "this hat is 10.0 cm high, and 50.0 cm round" in told(shape="hat", stitches=120, gauge="24x30", rows=30)
+    assert not told(shape="hat", stitches=120, gauge="24x30", rows=60)
+    yarns = {"colors": ("#1e285a", "#f0e6d2", "#b5532a")}
+    assert told(gauge="24x30", **yarns) == ["no stitch is of #b5532a"]
+
+
 def test_sizes_are_whole_repeats_nearest_to_their_width():
     found = table(Gauge(24, 30), (24, 0))
     for rows in found.values():

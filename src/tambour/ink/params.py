@@ -56,7 +56,7 @@ class Ink(Params):
     """Where the window begins, in scroll units (the scroll is 700 high and has no ends)."""
 
     span: float = Field(default=3000.0, ge=1.0, le=LONGEST)
-    """How long the window is, in scroll units."""
+    """How long the window is, in scroll units. With {--plotter} and no word, as long as fills the {--page}."""
 
     specimen: str | None = Field(default=None, json_schema_extra={"choices": list(SPECIMENS)})
     """One element by itself, or "all" for a sheet of every one with its name."""

@@ -28,6 +28,7 @@ def make(source: Any, params: KnitParams, progress: Progress) -> Piece:
         progress.warn(
             "nothing is carried behind this: to relax areas of it changes nothing", hint="{--technique} stranded"
         )
+    _told(piece, progress)
     if params.yarn:
         from tambour.knit.hands.dyed import dyed
 
@@ -40,6 +41,27 @@ def make(source: Any, params: KnitParams, progress: Progress) -> Piece:
 
         warn_of_shortage(piece.chart.palette, [(a.color, a.metres) for a in yarn(piece)], params, progress)
     return fitting(piece)
+
+
+def _told(piece: Piece, progress: Progress) -> None:
+    """What of the wishes did not come out: yarns that are nowhere, and a garment of odd proportions."""
+    import numpy as np
+
+    from tambour.knit.hands.sizes import misshapen
+    from tambour.knit.hands.yarn import gauge_of
+
+    chart, params = piece.chart, piece.params
+    unused = np.setdiff1d(np.arange(len(chart.palette)), chart.cells)
+    if params.colors and len(unused) and chart.behind is None:
+        names = ", ".join("#{:02x}{:02x}{:02x}".format(*chart.palette.rgb[k].tolist()) for k in unused)
+        progress.warn(
+            f"no stitch is of {names}",
+            "nothing of the picture is nearest to it, or another pair of yarns served those rows better",
+        )
+    if isinstance(params.shape, str) and params.gauge is not None:
+        said = misshapen(params.shape, gauge_of(chart, params.yarn_weight), *chart.cells.shape)
+        if said is not None:
+            progress.warn(*said)
 
 
 def fitting(piece: Piece) -> Piece:

@@ -207,7 +207,7 @@ class KnitParams(Params):
     edge_run: int | None = Field(default=None, ge=1, le=20000)
     """Longest first or last run with free edges; without it, any length."""
     round: bool = False
-    """Knitted in the round: rows close upon themselves."""
+    """Knitted in the round: rows close upon themselves. A {--shape} that is worn is, but on a machine."""
     repeat: Repeat | None = Field(default=None, json_schema_extra={"metavar": "N[+K]|auto"})
     """The motif is N stitches wide and repeats; the chart is a multiple of N, plus K. 24 fits a punch card. Auto finds the
     repeat of a picture taken stitch for stitch."""
@@ -320,6 +320,17 @@ class KnitParams(Params):
     """Make of the punch card's reader: where its row numbers stand."""
     mirror_card: bool = True
     """Punch the card mirrored, as the purl side shows it, which faces the knitter."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _worn(cls, given: Any) -> Any:
+        """A hat, a yoke and a mitten close upon themselves, where nothing said of them is flat."""
+        if not isinstance(given, dict) or "round" in given:
+            return given
+        if not isinstance(shape := given.get("shape"), str) or shape not in cls.words("shape"):
+            return given
+        flat = given.get("technique", "auto") not in ("auto", "stranded") or given.get("edges") == "free"
+        return given if flat or given.get("machine") or given.get("edge_stitches") else {**given, "round": True}
 
     @model_validator(mode="after")
     def _agree(self) -> KnitParams:

@@ -45,12 +45,14 @@ def inner(params: Ink) -> tuple[float, float]:
 
 
 def windowed(params: Ink, high: float) -> Ink:
-    """Params whose window is the one that ``--sheets`` numbers: a sheet holds the scroll's height ``high``."""
-    if not params.sheets:
-        return params
-    first, last = sheets(params.sheets)
+    """Params whose window is the one that ``--sheets`` numbers, or without a ``--span`` the one that fills the sheet: a
+    sheet holds the scroll's height ``high``."""
     wide, tall = inner(params)
     span = wide * high / tall
+    if not params.sheets:
+        given = "span" in params.model_fields_set or params.specimen or params.crop
+        return params if given else params.model_copy(update={"span": span})
+    first, last = sheets(params.sheets)
     return params.model_copy(update={"from_": params.from_ + first * span, "span": (last + 1 - first) * span})
 
 
