@@ -11,7 +11,7 @@ from tambour.crochet.finish.joining import join, prepare
 from tambour.crochet.finish.sewing import end_of, held
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Eye, Hair, Placed
+from tambour.crochet.language.finishes import Embroidery, Eye, Hair, Placed
 from tambour.crochet.page import angle, portrait
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
@@ -199,3 +199,67 @@ def test_a_step_that_speaks_of_above_is_seen_from_there(words: str, called_: str
     piece = make(pattern_text(BODY + LEGS, "Sew the legs to the body."), CrochetParams(solver="none"), Progress())
     found = angle.called(angle.angle(piece, [0, 1, 2], [1, 2], words))
     assert found == called_ if called_ else found != "above"
+
+
+ONE_PIECE = """BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnd 3: (sc, inc) x 6 (18)
+Rnd 4: (2 sc, inc) x 6 (24)
+Rnds 5-9: sc around (24)
+Continue for Head:
+Rnd 10: sc around (24)
+Rnds 11-17: sc around (24)
+Continue for Body:
+Rnd 18: sc around (24)
+Rnds 19-26: sc around (24)
+Rnd 27: (2 sc, dec) x 6 (18)
+Rnd 28: (sc, dec) x 6 (12)
+Rnd 29: dec x 6 (6)
+Fasten off and close.
+
+"""
+
+
+def test_headings_within_one_piece_say_where_its_head_is() -> None:
+    """A mushroom's cap, head and body in one: eyes came onto the cap, spots onto the legs."""
+    cap = ONE_PIECE.replace("BODY\n", "MUSHROOM CAP\n", 1)
+    spots = "SPOTS (make 3)\nRnd 1: 6 sc in MR (6)\nFasten off.\n\n"
+    pattern = read(
+        cap + spots + LIMBS.format("ARMS", 2),
+        "Sew the spots to the mushroom cap. Sew the arms to the body. Attach the safety eyes.",
+    )
+    at: dict[str, set[float]] = {}
+    for f in pattern.finish:
+        at.setdefault("EYES" if isinstance(f, Eye) else f.part.split(".")[0], set()).add(f.spot.round)
+    assert (
+        all(n <= 9 for n in at["SPOTS"]) and all(10 <= n <= 17 for n in at["EYES"]) and all(n >= 18 for n in at["ARMS"])
+    )
+
+
+def test_strokes_stay_together_on_rounds_that_are_turned() -> None:
+    """Between a round and the next, worked back, no stitch stands on its number: eyes were torn apart."""
+    turned = "\n".join(
+        f"Rnd {n}: {'ch 1, turn, ' if n > 2 else ''}{what}, join with sl st to first sc ({count})"
+        for n, what, count in [
+            (1, "6 sc in MR", 6), (2, "inc x 6", 12), (3, "(sc, inc) x 6", 18), (4, "(2 sc, inc) x 6", 24),
+            *((k, "sc around", 24) for k in range(5, 13)),
+        ]
+    )  # fmt: skip
+    pattern = read(f"BODY\n{turned}\nFasten off.\n\n", "With black yarn, embroider the eyes.")
+    built = build(pattern)
+    spots = Spots(built)
+    assert (built.graph.direction < 0).any()  # or there is nothing to test
+    eyes = [f for f in pattern.finish if isinstance(f, Embroidery)]
+    assert len(eyes) >= 2
+    for eye in eyes:
+        places = [spots.place(s) for s in eye.spots]
+        x = np.array([np.array(p.weights) @ spots.layout[list(p.nodes)] for p in places])
+        assert np.ptp(x, axis=0).max() < 4.0
+
+
+def test_a_blunt_nose_has_its_eyes_at_its_sides() -> None:
+    whale = BODY.replace("BODY", "BODY (start at the nose)")
+    pattern = read(whale, "Attach the safety eyes.")
+    level = {f.spot.round for f in pattern.finish if isinstance(f, Eye)}
+    assert pattern.parts[0].up == "side" and level and min(level) >= 4.0

@@ -15,7 +15,7 @@ from tambour.crochet.places import face
 from tambour.crochet.places.hear import Feature
 from tambour.crochet.places.put import Putter
 from tambour.crochet.places.said import size
-from tambour.crochet.places.stand import Host
+from tambour.crochet.places.stand import Host, numbers_of
 from tambour.crochet.places.usual import Way, usual
 
 _FACE: Final = 16.0
@@ -30,8 +30,9 @@ _CLEAR: Final = 0.6
 """Eyes stay so many stitches clear of a snout, and are moved up by as many at a time."""
 _NOSE: Final = 1.2
 """How far below the eyes' lower edge a nose is, in stitches."""
-_SNOUT, _FULL = 0.6, 0.6
-"""A snout ends in this first part of a head's rounds, where they have less than this share of the widest one's stitches."""
+_SNOUT, _FULL, _BLUNT = 0.6, (0.6, 0.9), 0.3
+"""A snout ends in this first part of a head's rounds, where they have more than the first of these shares of the widest one's
+stitches; one that is blunt at the second of them, or behind this part of the rounds."""
 _BROW: Final = np.array([0.6, 0.5, 0.0])
 """Where eyes are about a head that lies, seen from its nose."""
 _HAIR_LONG: Final = 2.6
@@ -109,13 +110,16 @@ class Facer(Putter):
     def _swims(self) -> bool:
         return any(p.kind in ("fluke", "fin") for p in self.work.parts)
 
-    @staticmethod
-    def _behind_snout(host: Host) -> float:
+    def _behind_snout(self, host: Host) -> float:
         """The round in which a snout becomes the head: the first that is nearly as wide as the widest, and stays so."""
+        low, high = numbers_of(self.stand.spots, host.part)
         counts = [len(ring) for _, ring in host.levels]
         some = counts[: max(1, math.ceil(_SNOUT * len(counts)))]
-        narrow = [k for k, c in enumerate(some) if c < _FULL * max(counts)]
-        return float(host.levels[min(narrow[-1] + 1 if narrow else 0, len(counts) - 1)][0])
+        ends = [max((k + 1 for k, c in enumerate(some) if c < share * max(counts)), default=0) for share in _FULL]
+        level = ends[0]
+        if host.name == self.work.main.name and level <= 0.2 * (high - low + 1):
+            level = max(level, min(ends[1], round(_BLUNT * (high - low + 1))))  # a blunt one has its eyes at its sides
+        return float(host.levels[min(level, len(counts) - 1)][0])
 
     def _off_the_snout(self, f: Feature, host: Host, point: Array) -> Array:
         """An eye's place moved up its head until no snout covers it."""

@@ -108,8 +108,11 @@ class Putter(Holder):
         if self._all_in_one(onto, lies) and kind in ("arm", "foot", "wing", "") and put.where.rounds is None:
             ways = [self._below_face(way) for way in ways]
         # Only of what is head and body in one a sentence says which of the two it means.
-        two = {"head", "body"} <= set(work.main.kinds) or put.region == "head"
+        within = work.sections.get(onto[0].name, {})
+        two = {"head", "body"} <= set(work.main.kinds) or put.region == "head" or bool(within)
         region = (put.region if two else "") or (ways[0].on if onto[0] == work.main else "")
+        if kind == "spot" and onto[0].kind in within:
+            region = onto[0].kind  # of the cap, and not of the legs
         host = work.host(onto, region)
         told = [self._told(way, put.where, len(put.copies)) for way in ways]
         records = self._sewn(put, host, told)

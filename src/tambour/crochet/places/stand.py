@@ -119,6 +119,12 @@ class Host:
         rows = bool(self.stand.spots.in_rows[self.part])
         return replace(spot, stitch=float(many) if rows else round((spot.stitch - 1.0) % many + 1.0, 3))
 
+    def _turned(self, number: int) -> bool:
+        """Whether a round was worked from the wrong side."""
+        k = self.stand.spots.round_at(self.part, number)
+        nodes = np.zeros(0, int) if k is None else self.stand.spots.stitches(k)
+        return len(nodes) > 0 and bool(self.stand.spots.built.graph.direction[nodes[0]] < 0)
+
     def middle(self, number: float) -> float:
         """The stitch in the middle of the front of a round."""
         k = self.stand.spots.round_at(self.part, int(number))
@@ -176,8 +182,8 @@ class Host:
             off = round((index + 1.0 - middle) / fine) * fine
             return Spot(self.name, level, round(middle + off, 3))
         for k in (i - 1, i):
-            if not 0 <= k < len(rings) - 1:
-                continue
+            if not 0 <= k < len(rings) - 1 or self._turned(rings[k][0]) != self._turned(rings[k + 1][0]):
+                continue  # between rounds that run against each other no stitch stands on its number
             one, other = rings[k][1], _alike(rings[k + 1][1], len(rings[k][1]))
             if len(one) == 1:
                 one, other = np.repeat(one, len(rings[k + 1][1]), 0), rings[k + 1][1]

@@ -24,6 +24,11 @@ _AHEAD: Final = re.compile(
     r"(?:nose|snout|muzzle|front|bow|head end|face end)\b(?! (?:leg|paw|loop))"
 )
 _FIRST: Final = re.compile(r"\b(?:1st (?:rnd|round|row)|(?:round|rnd|row)s? 1\b)")
+_WITHIN: Final = re.compile(
+    r"\n\s*(?:(?:cont(?:inue)?|beg(?:in)?|shape)\.? (?:for |with )?(?:the )?)?(head|body|neck|cap|torso)\s*(?::\s*\n?|[-–—]\s*)"
+    r"(?:next |see [^\n]*\n)?(?:(?:rnd|round|row)s?\s+)?(\d+)(?:st|nd|rd|th)?\b"
+)
+"""Headings within a piece, with the number of the round that follows."""
 _TALL: Final = 0.6
 """A part with so many rounds to a stitch of its widest is longer than wide."""
 
@@ -69,6 +74,7 @@ class Toy:
         self.made = Assembled()
         self.dog = False  # ears of dogs hang
         self.text = built.pattern.text.text.lower()
+        self.sections = {p.name: made for p in self.parts if p.single and (made := self._sections(p))}
 
     def size(self, made: Made) -> int:
         """How many stitches one copy of a part has."""
@@ -91,6 +97,8 @@ class Toy:
         part = self.spots.parts[name]
         low, high = numbers_of(self.spots, part)
         alone = not [p for p in self.parts if p != copy[0] and p.single and p.kind in ("head", "body")]
+        if region and copy[0].name in self.sections and region in self.sections[copy[0].name]:
+            return Host(self.stand, name, *self.sections[copy[0].name][region])
         waist = (neck(self.spots, part) or self._half(part, low, high)) if region and alone else None
         if waist is not None:
             x, own = self.stand.x, self.stand.nodes(part)
@@ -98,6 +106,21 @@ class Toy:
             down = up > 0.0 if abs(up) > max(2.0, abs(ahead)) else ahead > -2.0  # of what lies the head is ahead
             low, high = (low, waist) if (region == "head") == bool(down) else (waist, high)
         return Host(self.stand, name, low, high)
+
+    def _sections(self, made: Made) -> dict[str, tuple[int, int]]:
+        """The first and last rounds of what headings within a piece call its head, its body, its cap: "Continue for Head:"."""
+        parts = self.built.pattern.parts
+        part = next(p for p in parts if p.name == made.name)
+        end = min((p.span.start for p in parts if p.span.start > part.span.start), default=len(self.text))
+        low, high = numbers_of(self.spots, self.spots.parts[made.copy(1)])
+        found = [(m[1], int(m[2])) for m in _WITHIN.finditer(self.text, part.span.start, end)]
+        found = [(kind_of(word), n) for word, n in found if low < n <= high and kind_of(word)]
+        if [n for _, n in found] != sorted({n for _, n in found}) or not {"head", "body"} & {k for k, _ in found}:
+            return {}
+        first = "head" if not any(kind == "head" for kind, _ in found) else made.kind
+        begins = [(first, low), *found]
+        ends = [n - 1 for _, n in found] + [high]
+        return {kind: (a, b) for (kind, a), b in reversed(list(zip(begins, ends))) if kind and b - a >= 2}
 
     def ahead(self, made: Made) -> bool:
         """Whether a part is worked from its nose, or from a vehicle's front: its first rounds look ahead."""
