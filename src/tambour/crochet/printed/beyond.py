@@ -164,6 +164,18 @@ def another(tokens: list[Token]) -> bool:
     return other and repeats_for(tokens, ("for", "in", "to", "with"))
 
 
+def twin_made(p: State, tokens: list[Token]) -> bool:
+    """Takes "Repeat for second arm opening" for another copy of the part just made where that is an arm, made once, and the only one."""
+    if not p.parts or p.heading is not None or p.parts[-1].copies > 1 or not repeats_for(tokens, ("for", "in", "with")):
+        return False
+    words = [{one(w) for w in d.name.lower().replace("_", " ").split()} for d in p.parts]
+    nouns = {one(t.word) for t in tokens[2:] if t.kind == "word" and kind_of(one(t.word))}
+    second = any(t.word in _OTHER or t.value in ("other", 2) for t in tokens[2:])
+    if not second or not nouns & words[-1] or any(nouns & w for w in words[:-1]):
+        return False
+    return again_made(p, tokens)
+
+
 def again_made(p: State, tokens: list[Token]) -> bool:
     """Takes "Repeat for other legs" for copies of the part just made, and "Repeat on other armhole" for an edge that is worked once
     more, which is told; whether a sentence is either."""

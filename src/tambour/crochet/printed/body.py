@@ -27,6 +27,9 @@ _FLAT: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "
 
 _ENDS_OF_YARN: Final = frozenset(("tail", "tails", "strand", "strands", "end", "ends"))
 _NEAR: Final = 8  # characters between a count and the bracket that ends it
+_HOLES: Final = frozenset("buttonhole armhole underarm strap slit".split())
+"""What chains and skipped stitches are for."""
+_NEAR_BY: Final = 2  # characters between two words that nothing stands between
 _COURSED: Final = ("leave", "in", "begin", "make", "with", "over")
 
 
@@ -51,6 +54,9 @@ class Walk(Trade):
             self.edging, there = False, body.moved is not None
             try:
                 self.items(body.items, ENDS)
+                if self._evens(body.items[made:]):
+                    del body.items[made:]
+                    body.doings.append(c.tokens[at : c.at])
                 if self.edging and not there and any(map(makes, body.items[:made])):
                     del body.items[made:]  # "Work 1 rnd of sc evenly around Ear": along another edge
                     body.stated, body.stated_span, body.rounds, body.sides = before
@@ -81,6 +87,12 @@ class Walk(Trade):
         if body.wrong is not None and idle and body.refers is None:
             raise body.wrong
         return body
+
+    def _evens(self, items: list[Item]) -> bool:
+        """Whether a sentence only evens the end of rounds that are repeated before it: "Slip st in next st"."""
+        again = bool(self.body.more) or self.body.refers is not None
+        one = items[0] if len(items) == 1 else None
+        return again and isinstance(one, Action) and one.name == "slst" and one.times == 1
 
     def _idle(self, at: int, made: int) -> None:
         """Keeps a sentence that was read and works nothing ("Now work in rows"), so that it stands with its round."""
@@ -155,6 +167,8 @@ class Walk(Trade):
             if token.word == "-" and (many := things(c)):
                 c.at += many  # "- 5 petals"
             return True
+        if self._of_round(token):
+            return True
         if token.kind == "key" and token.value in ("and", "begin", "make", "times", "for", "more"):
             if token.value == "begin" and c.key("from", "in", "to", ahead=1):
                 return False
@@ -162,7 +176,29 @@ class Walk(Trade):
                 return False
             if token.value in ("times", "more"):
                 raise NotUnderstood(token, "this repeats nothing", "put what is repeated in brackets before it")
-            c.at += 1
+            hole = c.look(1)
+            c.at += 2 if token.value == "for" and hole is not None and hole.word in _HOLES else 1
+            return True
+        return False
+
+    def _of_round(self, token: Token) -> bool:
+        """Goes past "of Round 1" and "from previous round" behind the stitch that they are said of: "skip next sc of Round 1"; whether they stand
+        here."""
+        c = self.c
+        before, after = c.look(-1), c.look(1)
+        if before is None or token.kind != "key" or not (before.kind == "stitch" or before.value == "stitch"):
+            return False
+        named = token.value == "round" or token.value == "row"
+        if named and c.whole(1) is not None and token.start - before.end > _NEAR_BY:
+            c.at += 2
+            return True
+        if (
+            token.value == "from"
+            and after is not None
+            and after.word in ("previous", "last")
+            and c.key("round", "row", ahead=2)
+        ):
+            c.at += 3
             return True
         return False
 

@@ -12,7 +12,7 @@ from tambour.crochet.printed.courses import Courses
 
 _STOPPED: Final = (",", ".", ";", "(", "[", ")", "]")
 _STRANDS: Final = frozenset(("strand", "strands", "length", "lengths", "double", "separate"))
-_HOOKS: Final = frozenset(("smaller", "larger", "size", "small", "large", "hook"))
+_HOOKS: Final = frozenset("smaller smallest larger largest medium size small large hook".split())
 
 
 class Dyes(Courses):
@@ -38,7 +38,9 @@ class Dyes(Courses):
         """Takes the yarns of another version, "A for shoe and D for legs" or "with D", in their order; whether they are said at the cursor."""
         c, begin = self.c, self.c.at
         hues: list[RGB] = []
-        whole = self.yarned()
+        said = self.body.refers.span.end if self.body.refers is not None else 0
+        parted = any(t.word in (".", ";") for t in c.tokens[: c.at] if t.start >= said)
+        whole = not parted and self.yarned()
         if not c.skip_key("with", "over"):
             return False
         while (shade := self.palette.color(c) or self.palette.letter(c, c.at)) is not None:
@@ -113,6 +115,9 @@ class Dyes(Courses):
         if shade is None:
             return False
         rgb, length = shade
+        after = c.look(at + length - c.at + 1) if c.mark(",", ahead=at + length - c.at) else None
+        if after is not None and after.word.startswith("embroider"):
+            return False  # "On underside of nose, with D, embroider a smile": no round changes to it
         found.append(Action("color", Span(c.tokens[at].start, c.tokens[at + length - 1].end), numbers=rgb))
         c.at = at + length
         self._other_yarn()

@@ -151,6 +151,7 @@ def made_of(text: str, heading: Heading) -> tuple[int, bool]:
     two = (
         bool(text[: heading.span.start].strip())  # a title is none
         and kind_of(one(last)) in _TWO
+        and one(last) not in ("pant", "trouser")
         and one(last) != last
         and not set(heading.name.lower().split()) & {*_NO_PART, "and", "&"}
     )

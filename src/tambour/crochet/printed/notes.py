@@ -187,7 +187,8 @@ def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
     ):
         return None
     if any(
-        t.kind == "stitch" or (t.kind == "key" and t.value in ("round", "row", "ring", "hook", "repeat"))
+        t.kind == "stitch"
+        or (t.kind == "key" and t.value in ("round", "row", "ring", "hook", "repeat") and t.word != "mc")
         for t in tokens
     ):
         return None
@@ -201,7 +202,7 @@ def copies_said(tokens: list[Token]) -> tuple[int, Span, bool] | None:
         letters = sum(
             1
             for t in after[:end]
-            if t.kind == "word" and (len(t.word) == 1 or t.word in ("mc", "cc", "ca", "cb", "cd", "ce"))
+            if (t.kind == "word" and len(t.word) == 1) or t.word in ("mc", "cc", "ca", "cb", "cd", "ce")
         )
         total += int(tokens[k].value) * (letters if each and letters else 1)
         rest = tokens[k + 1 :]

@@ -65,6 +65,7 @@ class Draft:
     marked : which stitch of its last round is marked, from 0; spoken : where lines begin → the words they were read from
     merged : it has become part of another piece; bordered : what was worked last goes along an edge that is no round's
     plan : the stripes that its next rounds are worked in, and where they are said; over : what stands over its heading and others
+    loose : its last line, where a sentence worked part of a round only, the stitches below it, and the round before
     loops : "flo" or "blo" where all its rounds are worked into those
     flat : worked in rows; looped : its foundation chain is joined to a ring; parted : lists of rounds came out of order; shrunk : its last round decreased
     """
@@ -100,6 +101,7 @@ class Draft:
     bordered: bool = False
     plan: tuple[Plan, Span] | None = None
     over: str = ""
+    loose: tuple[Line, int | None, int] | None = None
 
     def begun(self) -> bool:
         """Whether anything but colours stands in it."""
@@ -165,10 +167,13 @@ class Draft:
 
     def drop_chain(self) -> None:
         """Takes the foundation chain away that a ring stands for."""
-        if self.chain is not None:
-            del self.lines[self.chain]
-            self.marks = [(stars, at - (at > self.chain)) for stars, at in self.marks]
-            self.chain = None
+        if self.chain is None:
+            return
+        chain = self.lines[self.chain]
+        hues = tuple(i for i in chain.items if isinstance(i, Action) and i.name == "color")
+        self.lines[self.chain : self.chain + 1] = [replace(chain, items=hues)] if hues else []
+        self.marks = [(stars, at - (at > self.chain and not hues)) for stars, at in self.marks]
+        self.chain = None
 
     def counted(self, tokens: list[Token]) -> bool:
         """Takes a sentence that is only a count ("36 sc.") for that of the round before it; whether it is one."""

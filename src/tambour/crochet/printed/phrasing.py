@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Final
 
@@ -29,10 +30,18 @@ def shortened(tokens: list[Token]) -> list[Token]:
             at = past
             continue
         made.append(tokens[at])
+        if (looped := _LOOPED.fullmatch(tokens[at].word)) is not None and tokens[at].kind == "stitch":
+            end = tokens[at].end
+            made += [Token("key", "in", end, end, "in"), Token("key", looped[1], end, end, _LOOPS[looped[1][0]])]
+            at += 1 + (at + 1 < len(tokens) and tokens[at + 1].word == "in")
+            continue
         at += 4 if _shown(tokens, at) else 1
     return made
 
 
+_LOOPED: Final = re.compile(r"(?:sc|hdc|dc|tr)(bl|fl)o?")
+"""A stitch with its loop in its name, which patterns explain in their abbreviations: "1 scbl in each sc"."""
+_LOOPS: Final = {"b": "back loops", "f": "front loops"}
 _OPENS: Final = frozenset(("(", "[", "draw", "insert"))
 _LONGEST: Final = 45  # tokens of a stitch that is spelled out
 

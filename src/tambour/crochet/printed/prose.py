@@ -15,7 +15,16 @@ from tambour.crochet.printed.cursor import OPEN
 from tambour.crochet.printed.formed import forms
 from tambour.crochet.printed.headlines import below, colorless, copied, headed, named_color, small, trailing
 from tambour.crochet.printed.naming import over
-from tambour.crochet.printed.notes import BELOW, MODES, copies_alone, definition, heading, own_stitch, stated
+from tambour.crochet.printed.notes import (
+    BELOW,
+    MODES,
+    Heading,
+    copies_alone,
+    definition,
+    heading,
+    own_stitch,
+    stated,
+)
 from tambour.crochet.printed.opening import founds
 from tambour.crochet.printed.sentences import sentences
 from tambour.crochet.printed.state import State
@@ -30,6 +39,7 @@ _EXPLAINED: Final = re.compile(r"(?:^|[;|,•])[ \t]*[\w./()]{1,10}[ \t]*(?:=|:|
 """One abbreviation of a list that stands in a line: "ch - chain; sc - single crochet"."""
 
 
+_NEAR: Final = 40  # characters between a heading and another under it
 _SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", "divide", "dividing", "separate"))
 
 
@@ -105,20 +115,25 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         for left in lefts:
             left_over(p, left)
         return
-    if found is not None and (found.marked or found.strong or p.mode not in ("materials", "abbreviations", "notes")):
+    under = found is not None and over(p.heading, found) != "" and p.heading is not None and p.heading.strong
+    if found is not None and (
+        found.marked or found.strong or under or p.mode not in ("materials", "abbreviations", "notes")
+    ):
         # A marked heading ends the list that stands before it, and notes end where a part is headed.
         shaping = found.copies_span is None and p.mode == "" and names[0].word in _SHAPING
         if shaping and p.parts and p.parts[-1].last and p.parts[-1].off is None:
             p.passed.append(whole)  # "Shape Face and Head:" is no part
             return
         alone = found.strong and p.row_at > 0 and not p.rows[p.row_at - 1].tokens
-        p.mode = "" if found.marked or p.mode == "notes" or alone else p.mode
+        p.mode = "" if found.marked or p.mode == "notes" or alone or under else p.mode
         if p.title is None:
             p.title = (text[found.span.start : found.span.end], found.span)
             p.heading = found if found.strong else None
-        elif p.heading is None or p.heading.copies_span is None or found.copies_span is not None:
+        elif p.heading is None or p.heading.copies_span is None or found.copies_span is not None or _far(p, found):
             p.over = over(p.heading, found) or p.over
-            p.heading = found  # "Arms (make 2)." before "Glove: With A, ch 2." stays
+            p.heading = found
+        else:
+            p.pair = p.heading  # "Ears (make 2)" over "Inside Ear:", which "Outside Ear:" may follow  # "Arms (make 2)." before "Glove: With A, ch 2." stays
         if found.copies > 1 and found.name == "":
             p.heading = None
         return
@@ -129,6 +144,15 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.passed.append(whole)
     for left in lefts:
         left_over(p, left)
+
+
+def _far(p: State, found: Heading) -> bool:
+    """Whether sentences stand between the heading at hand and the one that was found, so that the first names no part that is worked: "EYES
+    (make 2) Cut two circles from felt. …"."""
+    return (
+        p.heading is not None
+        and len(p.source.text.text[p.heading.span.end : found.span.start].strip(" \t\n():.")) > _NEAR
+    )
 
 
 def _said(p: State, span: Span) -> bool:

@@ -10,7 +10,16 @@ from tambour.core.errors import Span
 from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Item, Line
 from tambour.crochet.places.names import kind_of, one
-from tambour.crochet.printed.beyond import again_made, along, edged_again, edging, marked, more_copies, repeats_for
+from tambour.crochet.printed.beyond import (
+    again_made,
+    along,
+    edged_again,
+    edging,
+    marked,
+    more_copies,
+    repeats_for,
+    twin_made,
+)
 from tambour.crochet.printed.colors import numbered
 from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counts import makes
@@ -26,6 +35,7 @@ from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.put import finishing, stuffed
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.reckoned import worked as reckoned
 from tambour.crochet.printed.remarks import chosen
 from tambour.crochet.printed.reworked import again
 from tambour.crochet.printed.state import State
@@ -127,6 +137,7 @@ def _held(tokens: list[Token]) -> set[int]:
 
 def sentence_read(p: State, tokens: list[Token]) -> bool:
     """One sentence outside rounds, in the stripes that it plans; whether it was understood."""
+    tokens = _turned(tokens)
     draft = p.parts[-1] if p.parts else None
     begin, end = tokens[0].start, tokens[-1].end
     worked_in(p, begin, end)
@@ -189,6 +200,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
     span = Span(tokens[0].start, tokens[-1].end)
     if p.mode not in ("materials", "abbreviations"):
+        if twin_made(p, tokens):
+            return True
         if by_hand(tokens) or convention(p, tokens) or (handed and _once_more(tokens)):
             p.passed.append(span)
             return True
@@ -205,6 +218,7 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         return True
     said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end", "up side"))
     draft = p.parts[-1] if p.parts else None
+    tokens = _founded(tokens)
     if said is not None:
         key, fields = said
         amount = STUFFING[_PART[key]] if key in _PART else fields.get("factor")
@@ -218,6 +232,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     if stuffing is not None and draft is not None:
         if stuffing >= 0:
             draft.stuffing = stuffing
+        else:
+            p.passed.append(span)
         return True
     if draft is not None and draft.chain is not None and [t.value for t in tokens] == ["turn"]:
         return True  # "ch 6; turn"
@@ -271,6 +287,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     starts = body.curled or any((isinstance(i, Action) and i.name in ("mr", "ch")) or _ring(i) for i in body.items)
     if draft is None and not starts:
         return False
+    if _lifts_alone(body.items) and not body.hook and (draft is None or p.heading is not None):
+        return False  # "Strap: Ch 1, sc in each of the 35 ch": what it is worked into stands elsewhere
     anew = any(
         isinstance(i, Action) and (i.name == "mr" or (i.name == "ch" and i.times > 1) or _ring(i)) for i in body.items
     )
@@ -285,9 +303,62 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     draft = p.parts[-1]
     if draft.last and _smooths(body.items):
         body.items = [Action("join", span)]  # one slip stitch at the end evens the edge, and is no round
-    draft.add(p.source, None, body, span)
+    _added(p, draft, body, span)
     p.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
     return True
+
+
+def _added(p: State, draft: Draft, body: Body, span: Span) -> None:
+    """Adds the line of a sentence; where the one before it left stitches of its round and did not end it, both are one round: "1 sc in each of
+    next 12 sc. Stuff lightly. 1 sc in each sc to end of rnd"."""
+    line, edge, last = draft.loose if draft.loose is not None else (None, None, 0)
+    if line is not None and draft.lines[-1] is line and any(map(works, body.items)):
+        draft.lines.pop()
+        draft.edge, draft.last = edge, last
+        body.items, span = [*line.items, *body.items], Span(line.span.start, span.end)
+    before, edge, last = len(draft.lines), draft.edge, draft.last
+    draft.add(p.source, None, body, span)
+    draft.loose = None
+    if len(draft.lines) == before + 1 and draft.lines[-1].in_round and edge is not None:
+        ends = any(isinstance(i, Action) and i.name in ("join", "turn", "fo") for i in body.items)
+        done = reckoned(body.items, edge, p.source.stitches)
+        if not ends and body.stated is None and done is not None and done[0] and 0 < done[1] < edge:
+            draft.loose = draft.lines[-1], edge, last
+
+
+def _lifts_alone(items: list[Item]) -> bool:
+    """Whether a piece would begin with one chain that stitches are not worked into."""
+    rest = [i for i in items if not (isinstance(i, Action) and i.name == "color")]
+    first = rest[0] if rest else None
+    return isinstance(first, Action) and first.name == "ch" and first.times == 1 and any(map(works, rest[1:]))
+
+
+def _turned(tokens: list[Token]) -> list[Token]:
+    """A sentence with "through Round 12" behind the part whose rounds are meant: "Work through Round 12 as for Large Body"."""
+    for k, t in enumerate(tokens[:-3]):
+        if (
+            t.word in ("through", "thru")
+            and tokens[k + 1].value in ("round", "row")
+            and tokens[k + 3].value in ("as", "same")
+        ):
+            end = next((n for n in range(k + 3, len(tokens)) if tokens[n].word in (",", ".", ";", "(")), len(tokens))
+            return [*tokens[:k], *tokens[k + 3 : end], *tokens[k : k + 3], *tokens[end:]]
+    return tokens
+
+
+def _founded(tokens: list[Token]) -> list[Token]:
+    """A sentence that makes a ring "as given for Head", without what only says how."""
+    ring = next((k for k, t in enumerate(tokens[:8]) if t.kind == "key" and t.value == "ring" and t.word != "mc"), None)
+    as_at = next(
+        (k for k, t in enumerate(tokens) if t.kind == "key" and t.value in ("as", "same") and k > (ring or 0)), None
+    )
+    if (
+        ring is None
+        or as_at is None
+        or any(t.kind == "stitch" or t.value in ("repeat", "round", "row") for t in tokens)
+    ):
+        return tokens
+    return tokens[: as_at - (tokens[as_at - 1].word == ",")]
 
 
 def _smooths(items: list[Item]) -> bool:

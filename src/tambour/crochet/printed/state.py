@@ -107,6 +107,7 @@ class State:
         self.moved: Moved | None = None  # where yarn was joined that the next round begins with
         self.runs: list[tuple[RGB, int]] | None = None  # of stripes that a list forms, while it is read
         self.formed: Plan | None = None  # the stripes that it formed
+        self.pair: Heading | None = None  # a heading of copies over those of parts of its kind
         self.tally: dict[
             str, int
         ] = {}  # how many of each part are made, where lists of yarns say so: "Motif 1: Make 6 using A …"
@@ -173,8 +174,7 @@ class State:
         if found is not None:
             draft.copies_span = found.copies_span
             draft.copies, guess = made_of(self.source.text.text, found)
-            if draft.copies == 1 and (many := self.tally.get(one(found.name.lower().split()[-1]), 0)):
-                draft.copies, draft.copies_span = many, found.span
+            self._paired(draft, found, guess)
             if guess:
                 hint = "say how many: (make 2), or (make 1)"
                 self.source.doubt(f"{GUESSED}: two of {found.name} are made", hint, found.span)
@@ -183,3 +183,13 @@ class State:
             setattr(draft, key, value)
         self.early = {}
         self.parts.append(draft)
+
+    def _paired(self, draft: Draft, found: Heading, guess: bool) -> None:
+        """How many are made of a part whose heading says nothing of it, where one over it or a list of yarns does."""
+        if draft.copies > 1 or found.copies_span is not None or guess:
+            return
+        noun = one(found.name.lower().split()[-1])
+        if self.pair is not None and noun == one(self.pair.name.lower().split()[-1]):
+            draft.copies, draft.copies_span = self.pair.copies, self.pair.copies_span
+        elif noun in self.tally:
+            draft.copies, draft.copies_span = self.tally[noun], found.span

@@ -169,6 +169,7 @@ class Vocabulary:
                     )
                     end += (
                         not ordinal
+                        and tokens[at - 1].word != "of"  # "for beg of rnd. 1 sc in next ch" are two sentences
                         and not after.glued
                         and (after.kind == "number" or (after.kind == "word" and not after.capital))
                     )
@@ -184,6 +185,7 @@ class Vocabulary:
             for word in words[1:]:
                 # "sl-st", "sl. st."
                 join = end + 1 < len(tokens) and tokens[end].word in _JOINS and tokens[end].glued
+                join = join and not (tokens[end].word == "." and tokens[end + 1].capital)  # "Turn. Work 4 sc …"
                 if (join and not (tokens[end].word == "." and _stops(meanings))) or (
                     end + 1 < len(tokens)
                     and tokens[end].word in _ARTICLES

@@ -1,0 +1,164 @@
+"""Printed patterns, nothing lost in silence: what readers of forty strangers' texts found dropped or changed without a word, in texts of our own."""
+
+from __future__ import annotations
+
+import pytest
+
+from tambour.core.errors import Text
+from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern
+from tambour.crochet.printed.choose import read
+
+TOY = (
+    "Toy\n\nMATERIALS\nYarn: worsted\nContrast A White\nContrast B Black\nContrast C Red\n\nABBREVIATIONS\n"
+    "Scbl = single crochet in back loop only\nScfl = single crochet in front loop only\n\nINSTRUCTIONS\n"
+)
+BODY = "BODY\nWith A, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n"
+BLACK, WHITE = (28, 28, 30), (250, 249, 245)
+
+
+def whole(words: str) -> Pattern:
+    """The pattern of a text of which nothing is told unread."""
+    pattern = read(Text(TOY + words, "toy.txt"))
+    assert not [(p.message, pattern.text.text[p.span.start : p.span.end]) for p in pattern.unread if p.span]
+    return pattern
+
+
+def made(pattern: Pattern) -> dict[str, list[int]]:
+    """Part → the stitches of its rounds, of the first copy."""
+    assert pattern.built is not None and not pattern.built.warnings
+    first, found = 0, {}
+    for part in pattern.parts:
+        found[part.name] = [w.made for w in pattern.built.worked if w.part == first and w.line.in_round]
+        first += part.copies
+    return found
+
+
+def names(items: tuple[Item, ...]) -> list[str]:
+    return [n for i in items for n in (names(i.items) if isinstance(i, Group) else [i.name])]
+
+
+def rounds(pattern: Pattern, part: int) -> list[Line]:
+    return [line for line in pattern.parts[part].lines if line.in_round]
+
+
+def hues(line: Line) -> list[tuple[int, ...]]:
+    return [i.numbers for i in line.items if isinstance(i, Action) and i.name == "color"]
+
+
+@pytest.mark.parametrize(
+    "words, expected",
+    [
+        ("1 scbl in each sc around. 12 sc.", ["blo", "sc", "bl"]),
+        ("*1 scfl in each of next 3 sc. 2 scbl in next sc. Rep from * around. 15 sc.", ["flo", "sc", "bl", "blo", "inc", "bl"]),
+        ("Ch 1. 1 scbl in each of next 6 sc. 1 sc in each of last 6 sc. 12 sc.", ["blo", "sc", "bl", "sc"]),
+    ],
+)  # fmt: skip
+def test_a_loop_in_a_stitchs_own_name_is_worked(words: str, expected: list[str]) -> None:
+    assert [n for n in names(rounds(whole(f"{BODY}3rd rnd: {words}\n"), 0)[2].items) if n != "ch"] == expected
+
+
+@pytest.mark.parametrize("chains", [5, 6, 8])
+def test_the_yarn_of_a_chain_that_curls_is_kept(chains: int) -> None:
+    words = f"{BODY}Fasten off.\n\nFlower (make 2): With B and smaller hook, ch {chains}.\n1st row: Sl st in {chains}th ch from hook. *Ch {chains}. Sl st in same sp as last sl st. Rep from * 3 times more. Fasten off.\n"
+    flower = whole(words).parts[1]
+    assert [h for line in flower.lines for h in hues(line)] == [BLACK]
+
+
+@pytest.mark.parametrize("put", ["On underside of nose, with B, embroider a smile.", "With B, embroider a smile."])
+def test_the_yarn_of_a_face_is_none_of_a_round_that_is_repeated(put: str) -> None:
+    pattern = whole(f"{BODY}3rd rnd: Repeat 2nd rnd. Fasten off. {put}\n")
+    assert not hues(rounds(pattern, 0)[2]) and made(pattern)["BODY"] == [6, 12, 24]
+
+
+@pytest.mark.parametrize("said", ["of Round 2", "on Round 2", "from previous round"])
+def test_the_round_that_a_stitch_is_of_is_no_round_to_repeat(said: str) -> None:
+    pattern = whole(f"{BODY}Round 3: *Ch 3, skip next sc {said}, sl st in next sc; repeat from * around. Fasten off.\n")
+    assert len(rounds(pattern, 0)) == 3 and names(rounds(pattern, 0)[2].items) == ["ch", "skip", "slst"]
+
+
+@pytest.mark.parametrize("ring", ["make an adjustable ring as given for Body", "make a magic ring, as for Body"])
+def test_a_ring_as_given_for_a_part_is_that_ring_alone(ring: str) -> None:
+    pattern = whole(
+        f"{BODY}3rd rnd: 1 sc in each sc around. Fasten off.\n\nNOSE\nWith B, {ring}.\n1st and 2nd rnds: As 1st and 2nd rnds of Body. 12 sc.\n"
+    )
+    assert made(pattern) == {"BODY": [6, 12, 12], "NOSE": [6, 12]}
+
+
+def test_a_heading_of_felt_is_not_the_name_of_what_comes_behind_it() -> None:
+    words = f"{BODY}Fasten off.\n\nEYES (make 2)\nCut two circles from black felt. Using photograph as a guide, glue Eyes in place.\n\nRING COVER\nWith B, ch 10.\n"
+    pattern = whole(f"{words}1st row: 1 sc in 2nd ch from hook. 1 sc in each ch to end. 9 sc.\n")
+    assert [(part.name, part.copies) for part in pattern.parts] == [("BODY", 1), ("RING COVER", 1)]
+
+
+@pytest.mark.parametrize("until", ["until piece measures 3 ins from beginning", "5 times more"])
+def test_a_slip_stitch_behind_rounds_that_are_repeated_is_none_of_them(until: str) -> None:
+    words = f"SLEEVE\nWith A, ch 20; join with slip st in first ch to form a ring. Round 1: Sc in each ch around - 20 sc. Round 2: Sc in each sc around. Repeat Round 2 {until}. Slip st in next st. Fasten off.\n"
+    assert set(made(whole(words))["SLEEVE"]) == {20}
+
+
+def test_sentences_that_share_a_round_are_one_round() -> None:
+    words = f"{BODY}3rd rnd: 1 sc in each sc around. Fasten off.\n\nCOVER\nWork as for Body.\nWorking in back loops only, 1 sc in each of next 5 sc. Stuff lightly. 1 sc in each sc to end of rnd. Fasten off.\n"
+    assert made(whole(words))["COVER"] == [6, 12, 12, 12]
+
+
+@pytest.mark.parametrize(
+    "words, copies",
+    [
+        ("EARS (Make 2 each with MC and A)\nCh 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n", 4),
+        ("Arm\nWith B, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\nThread end through sts and draw up firmly.\nRepeat for second arm opening.\n", 2),
+        ("Ears (make 2)\nInner Ear: With C, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\nOuter Ear: With B, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n", 2),
+        ("PANTS\nWith B, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n", 1),
+    ],
+)  # fmt: skip
+def test_how_many_are_made_of_the_last_part(words: str, copies: int) -> None:
+    assert whole(f"{BODY}Fasten off.\n\n{words}").parts[-1].copies == copies
+
+
+def test_a_second_arm_that_is_there_already_is_not_made_again() -> None:
+    arm = "Arm\nWith B, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc. Fasten off.\n"
+    pattern = whole(f"{BODY}Fasten off.\n\nLeft {arm}\nRight {arm}Thread end through sts.\nRepeat for second arm.\n")
+    assert [part.copies for part in pattern.parts] == [1, 1, 1]
+
+
+def test_the_point_behind_a_round_ends_a_sentence() -> None:
+    words = "HANDS (Make 2)\nWith A, ch 5.\n1st rnd: 1 sc in 2nd ch from hook. Place marker on last st for beg of rnd. 1 sc in each of next 2 ch. 3 sc in last ch. Working across opposite side of foundation ch, 1 sc in each of next 2 ch. 2 sc in last ch. 10 sc.\n"
+    assert made(whole(words))["HANDS"] == [10]
+
+
+def test_a_point_before_a_capital_ends_a_sentence() -> None:
+    words = "PATCH\nWith B, ch 9.\n1st row: 1 sc in 2nd ch from hook. 1 sc in each ch to end of ch. Turn. 8 sc.\n2nd row: Ch 1. 1 sc in each sc to end of row. Do not turn. Work 4 sc evenly along side edge. Fasten off.\n"
+    pattern = whole(words)
+    assert [w.message for w in pattern.warnings if "no round's" in w.message]
+
+
+@pytest.mark.parametrize(
+    "words", ["Work through Round 2 as for Body, changing to B at end of Round 2.", "Work as for Body through Round 2."]
+)
+def test_a_part_that_begins_as_another_is_a_part(words: str) -> None:
+    pattern = whole(
+        f"{BODY}3rd rnd: 2 sc in each sc around. 24 sc. Fasten off.\n\nSmall Body\n{words}\nRound 3: Sc in each sc around. 12 sc.\n"
+    )
+    assert made(pattern) == {"BODY": [6, 12, 24], "Small Body": [6, 12, 12]}
+
+
+def test_a_part_under_a_toys_name_is_named_by_its_own() -> None:
+    notes = "Notes\nPuppet is worked in rounds.\nSpecial Stitch\nSc2tog = (insert hook in next st, yo and pull up a loop) twice, yo and pull through 3 loops on hook.\n"
+    words = f"{BODY}Fasten off.\n\n{notes}MEAN WITCH\nHead\nWith B, ch 2.\nRound 1: 8 sc in 2nd ch from hook. 8 sc.\n"
+    assert [part.name for part in whole(words).parts] == ["BODY", "Head"]
+
+
+@pytest.mark.parametrize("hook", ["medium hook and", "largest hook and", "smallest hook and"])
+def test_chains_for_a_buttonhole_are_chains(hook: str) -> None:
+    words = f"BAG\nWith {hook} A, ch 10.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn - 9 sc.\nRow 2: Ch 1, sc in first 2 sc, ch 2 for buttonhole, skip next 2 sc, sc in each of last 5 sc, turn.\n"
+    assert made(whole(words))["BAG"] == [9, 9]
+
+
+def test_what_is_worked_into_a_chain_elsewhere_is_told() -> None:
+    words = f"{TOY}{BODY}Fasten off.\n\nStrap: Ch 1, sc in each of the 35 ch, slip st in next sc; leave remaining sts unworked.\n"
+    assert any("35 ch" in words[p.span.start : p.span.end] for p in read(Text(words, "toy.txt")).unread if p.span)
+
+
+def test_stuffing_that_no_part_under_way_is_meant_by_is_kept() -> None:
+    words = f"{TOY}{BODY}Fasten off.\n\nFINISHING\nSew shut. Stuff shoes.\n"
+    pattern = read(Text(words, "toy.txt"))
+    assert any("Stuff shoes" in words[p.start : p.end] for p in pattern.passed)
