@@ -10,6 +10,7 @@ from tambour.crochet.printed.choose import read
 
 TOY = (
     "Toy\n\nMATERIALS\nYarn: worsted\nContrast A White\nContrast B Black\nContrast C Red\n\nABBREVIATIONS\n"
+    "Sc2togtbl = Draw up a loop in back loop of each of next 2 sc. Yoh and draw through all loops on hook\n"
     "Scbl = single crochet in back loop only\nScfl = single crochet in front loop only\n\nINSTRUCTIONS\n"
 )
 BODY = "BODY\nWith A, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n"
@@ -51,6 +52,7 @@ def hues(line: Line) -> list[tuple[int, ...]]:
         ("1 scbl in each sc around. 12 sc.", ["blo", "sc", "bl"]),
         ("*1 scfl in each of next 3 sc. 2 scbl in next sc. Rep from * around. 15 sc.", ["flo", "sc", "bl", "blo", "inc", "bl"]),
         ("Ch 1. 1 scbl in each of next 6 sc. 1 sc in each of last 6 sc. 12 sc.", ["blo", "sc", "bl", "sc"]),
+        ("*Sc2togtbl. 1 scbl in next sc. Rep from * around. 8 sc.", ["blo", "dec", "bl", "blo", "sc", "bl"]),
     ],
 )  # fmt: skip
 def test_a_loop_in_a_stitchs_own_name_is_worked(words: str, expected: list[str]) -> None:
@@ -151,6 +153,12 @@ def test_a_part_under_a_toys_name_is_named_by_its_own() -> None:
 def test_chains_for_a_buttonhole_are_chains(hook: str) -> None:
     words = f"BAG\nWith {hook} A, ch 10.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn - 9 sc.\nRow 2: Ch 1, sc in first 2 sc, ch 2 for buttonhole, skip next 2 sc, sc in each of last 5 sc, turn.\n"
     assert made(whole(words))["BAG"] == [9, 9]
+
+
+@pytest.mark.parametrize("how", ["loosely", "firmly"])
+def test_how_a_chain_is_worked_is_no_fault(how: str) -> None:
+    words = f"CUFF\nWith A, ch 14 {how}. Join with sl st to first ch.\n1st rnd: Ch 1. 1 sc in each ch around. Join with sl st to first sc. 14 sc.\n"
+    assert made(whole(words))["CUFF"] == [14]
 
 
 def test_what_is_worked_into_a_chain_elsewhere_is_told() -> None:

@@ -27,6 +27,7 @@ _FLAT: Final = frozenset(("flatten", "flattening", "fold", "folding", "pinch", "
 
 _ENDS_OF_YARN: Final = frozenset(("tail", "tails", "strand", "strands", "end", "ends"))
 _NEAR: Final = 8  # characters between a count and the bracket that ends it
+_HOW: Final = frozenset(("loosely", "tightly", "firmly"))
 _HOLES: Final = frozenset("buttonhole armhole underarm strap slit".split())
 """What chains and skipped stitches are for."""
 _NEAR_BY: Final = 2  # characters between two words that nothing stands between
@@ -168,6 +169,9 @@ class Walk(Trade):
                 c.at += many  # "- 5 petals"
             return True
         if self._of_round(token):
+            return True
+        if token.word in _HOW and c.look(-1) is not None:
+            c.at += 1  # "ch 14 loosely"
             return True
         if token.kind == "key" and token.value in ("and", "begin", "make", "times", "for", "more"):
             if token.value == "begin" and c.key("from", "in", "to", ahead=1):

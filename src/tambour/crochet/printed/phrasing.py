@@ -39,7 +39,7 @@ def shortened(tokens: list[Token]) -> list[Token]:
     return made
 
 
-_LOOPED: Final = re.compile(r"(?:sc|hdc|dc|tr)(bl|fl)o?")
+_LOOPED: Final = re.compile(r"(?:sc|hdc|dc|tr)(?:[2-6]tog)?t?(bl|fl)o?")
 """A stitch with its loop in its name, which patterns explain in their abbreviations: "1 scbl in each sc"."""
 _LOOPS: Final = {"b": "back loops", "f": "front loops"}
 _OPENS: Final = frozenset(("(", "[", "draw", "insert"))
