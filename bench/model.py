@@ -4,7 +4,7 @@ python bench/model.py FOLDER [--stitches N] [--only PART-OF-NAME] [--out FOLDER]
 
 Per mesh: stitches, parts, seconds of processor, distance of the whole (mean, p95, largest, in stitches), what is left of the mean if every stitch lay
 where it belongs (laid) and if every round did, as a circle (circles), of its worst part (p95), overlap of the silhouettes from the front and the side, share of rounds that are plain or one repeat, most distinct rounds of a part, and whether the
-text parses, its check finds nothing, it settles, and what is printed reads back as the same graph.
+text parses, its check finds nothing, how many of its triangles its own fabric passes through, whether it settles, and what is printed reads back as the same graph.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ from tambour.crochet.page.instructions import plain
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.printed.choose import read
+from tambour.geometry.crossed import crossed
 
 GRID = 220
 
@@ -108,6 +109,9 @@ def measured(path: Path, stitches: int, out: Path | None) -> dict[str, Any]:
         "easy": round(float(np.mean(shares)), 3),
         "kinds": max(kinds),
         "check": len(tech_edit(piece.built)),
+        "crossed": len(
+            crossed(piece.positions, seen(graph, piece.positions, piece.shape.joined, graph.faces[piece.built.shell]))
+        ),
         "settled": bool(piece.shape.settled),
         "same": bool(same),
         "told": [w.message for w in told.warnings],

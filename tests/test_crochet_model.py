@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,11 +16,13 @@ from tambour.core.check import Array
 from tambour.core.errors import TambourError, Text
 from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
+from tambour.crochet.finish import shape
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
 from tambour.crochet.language.finishes import Tie
 from tambour.crochet.language.parse import parse
 from tambour.crochet.maker.facts import facts
+from tambour.crochet.model.assemble import Piece
 from tambour.crochet.model.couple import couple
 from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.dyed import dye, dyed
@@ -27,15 +31,18 @@ from tambour.crochet.model.geodesic import distances, girth
 from tambour.crochet.model.limbs import limbs
 from tambour.crochet.model.readable import cost, easy, kind, rounds, sparing
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
+from tambour.crochet.model.seating import nudged
+from tambour.crochet.model.settled import settled
 from tambour.crochet.model.tips import facing, mirror, stands
-from tambour.crochet.model.whole import bodies, volume
+from tambour.crochet.model.whole import bodies, refined, volume
 from tambour.crochet.page import instructions
 from tambour.crochet.page.own import pattern as printed_anew
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 from tambour.crochet.plush import make
 from tambour.crochet.printed.choose import read
-from tambour.geometry.motion import turned
+from tambour.geometry.crossed import crossed
+from tambour.geometry.motion import fit, turned
 
 
 def globe(radius: float, rings: int = 24, tall: float = 1.0) -> tuple[Array, Array]:
@@ -252,6 +259,55 @@ def test_a_ball_has_no_limbs_and_a_horned_one_has_two() -> None:
     pairs = np.sort(np.concatenate([rest[:, :2], rest[:, 1:], rest[:, ::2]]), axis=1)
     assert (np.unique(pairs, axis=0, return_counts=True)[1] == 2).all()
     assert np.sqrt((body**2).sum(1)).max() < 16.0
+
+
+def test_a_head_on_its_neck_stays_with_the_body_and_an_arm_does_not() -> None:
+    turn = np.linspace(0.0, np.pi, 13)
+    below = [(10.0 * math.sin(a), -10.0 * math.cos(a)) for a in turn[:12]]
+    head = [(4.0 * math.sin(a), 16.0 - 4.0 * math.cos(a)) for a in turn[2:-1]]
+    x, faces, _ = bodies(Mesh(*revolved([*below, (1.8, 11.0), *head, (0.0, 20.0)], 24)), [])[0]
+    x, faces, _ = refined(x, faces, 1.5)
+    plane = mirror(x, faces)
+    body, _, groups = limbs(x, faces, plane, [])
+    assert groups == [] and np.ptp(body[:, 1]) == pytest.approx(30.0, abs=0.1)
+    ball, own = globe(10.0, 20, 1.6)
+    way = ball / np.sqrt((ball**2).sum(1, keepdims=True))
+    arm = 1.2 * np.exp(-((np.arccos(np.clip(way[:, 0], -1, 1)) / 0.35) ** 4))
+    ball, own, _ = bodies(Mesh(ball * (1.0 + arm[:, None]), own), [])[0]
+    assert [len(group) for group in limbs(ball, own, mirror(ball, own), [])[2]] == [1]
+
+
+def test_a_part_that_spun_while_it_came_to_rest_is_stood_up_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    part = Rounds("Leg", 8, (Round(("sc",) * 8),) * 6, closed=False)
+    straight = settled(part, CrochetParams()).x
+    half = np.diag([-1.0, 1.0, -1.0])
+    monkeypatch.setattr(shape, "simulate", lambda task, f=shape.simulate: replace((g := f(task)), x=g.x @ half))
+    turn, _ = fit(settled(part, CrochetParams()).x, straight, np.ones(len(straight)))
+    assert np.trace(turn) > 2.9
+
+
+def test_a_hand_is_not_moved_for_what_its_arm_is_off() -> None:
+    rng = np.random.default_rng(3)
+    body, arm, hand = (rng.normal(0.0, 3.0, (20, 3)) + np.array([0.0, 6.0 * k, 0.0]) for k in range(3))
+    none: Any = None
+    bases = ((None,), (np.array([0.0, 3.0, 0.0]),), (np.array([0.0, 9.0, 0.0]),))
+    onto = (((0, 0),), ((0, 0),), ((1, 0),))
+    pieces = [Piece(none, none, none, 0.0, (g,), b, o) for g, b, o in zip((body, arm, hand), bases, onto)]
+    a = 0.4
+    turn = np.array([[math.cos(a), -math.sin(a), 0.0], [math.sin(a), math.cos(a), 0.0], [0.0, 0.0, 1.0]])
+    found = nudged(pieces, np.concatenate([body, turned(np.concatenate([arm, hand]), turn)]), {}, {})
+    assert found[1, 0][0] == pytest.approx(turn.T, abs=1e-9)
+    assert found[2, 0][0] == pytest.approx(np.eye(3), abs=1e-9) and found[2, 0][1] == pytest.approx(
+        np.zeros(3), abs=1e-9
+    )
+
+
+def test_fabric_that_passes_through_itself_is_seen_and_what_only_touches_is_not() -> None:
+    x, faces, _ = bodies(Mesh(*globe(10.0, 8)), [])[0]
+    assert not len(crossed(x, faces))
+    both = np.concatenate([faces, faces + len(x)])
+    assert len(crossed(np.concatenate([x, x + np.array([8.0, 1.0, 0.3])]), both)) > 10
+    assert not len(crossed(np.concatenate([x, x + np.array([20.5, 0.0, 0.0])]), both))
 
 
 def test_colours_become_yarns_and_single_stitches_go() -> None:

@@ -177,12 +177,11 @@ def flat_parts(joining: Joining) -> frozenset[str]:
     return frozenset(names)
 
 
-def crowded(joining: Joining) -> list[Problem]:
-    """Doubts about parts whose seams are in each other's way, or one inside of the other."""
+def clashes(joining: Joining) -> list[tuple[Placed, Placed]]:
+    """Parts whose seams are in each other's way, or one inside of the other, with the one before that they are in the way of."""
     spots, steps = joining.spots, joining.steps
-    found: list[Problem] = []
+    found: list[tuple[Placed, Placed]] = []
     known: list[tuple[Placed, bool, Array, Array]] = []
-    told: set[tuple[object, ...]] = set()
     for f, end in steps:
         frame = frames(spots, spots.layout, [f.spot])
         span = spots.built.graph.parts[spots.parts[f.part]]
@@ -196,15 +195,25 @@ def crowded(joining: Joining) -> list[Problem]:
             sizes = [float(np.sqrt(((p - p.mean(0)) ** 2).sum(1).max())) for p in (points, its)]
             # A door on a wall is not inside of the roof's ring over it.
             inside = ((ring and middles < sizes[1]) or (end.ring and middles < sizes[0])) and normal @ way > SAME_SIDE
-            pair = (f.span, f.part.rsplit(".", 1)[0], other.part.rsplit(".", 1)[0])
             # Flukes, legs, petals are sewn side by side, and touch: two alike are in each other's way where they overlap.
-            over = middles < BESIDE * sum(sizes) or pair[1] != pair[2]
-            if ((float(apart.min()) < APART and over) or inside) and pair not in told:
-                told.add(pair)  # of twenty leaves one is enough
-                message = f'"{f.part}" and "{other.part}" are sewn to the same place'
-                hint = "their seams are in each other's way: move one of the two"
-                found.append(Problem(message, hint, f.span, spots.built.pattern.text, warning=True))
+            over = middles < BESIDE * sum(sizes) or f.part.rsplit(".", 1)[0] != other.part.rsplit(".", 1)[0]
+            if (float(apart.min()) < APART and over) or inside:
+                found.append((f, other))
         known.append((f, end.ring, points, normal))
+    return found
+
+
+def crowded(joining: Joining) -> list[Problem]:
+    """Doubts about parts whose seams are in each other's way; of twenty leaves one is enough."""
+    found: list[Problem] = []
+    told: set[tuple[object, ...]] = set()
+    for f, other in clashes(joining):
+        pair = (f.span, f.part.rsplit(".", 1)[0], other.part.rsplit(".", 1)[0])
+        if pair not in told:
+            told.add(pair)
+            message = f'"{f.part}" and "{other.part}" are sewn to the same place'
+            hint = "their seams are in each other's way: move one of the two"
+            found.append(Problem(message, hint, f.span, joining.built.pattern.text, warning=True))
     return found
 
 

@@ -279,8 +279,8 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
     for nodes in parts(graph):
         yield from settle(nodes)
     if task.joining is not None:
-        risen = _risen(x, begun, parts(graph))
-        x, c = risen, _carried(task, x, risen, c)
+        up = risen(x, begun, parts(graph))
+        x, c = up, _carried(task, x, up, c)
     task, x, c, joined = placed(task, x, c)
     x, c = np.round(x, GRAIN), np.round(c, GRAIN)
     graph = task.graph
@@ -307,7 +307,7 @@ def _settled(task: Task, x: Array, c: Array, evaluations: int, hurried: bool) ->
     return Shape(x, c, residual, move, evaluations, settled, volume, hurried, -1, joined, task)
 
 
-def _risen(x: Array, begun: Array, bodies: list[Array]) -> Array:
+def risen(x: Array, begun: Array, bodies: list[Array]) -> Array:
     """Bodies of fabric that fell over while they settled, turned back to how they began: places are told from there."""
     x = x.copy()
     for nodes in bodies:

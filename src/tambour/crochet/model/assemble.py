@@ -28,8 +28,6 @@ STEEP = 85.0
 """How far a part leans at the most, in degrees."""
 SIDEWAYS = 0.5
 """How much farther off a place may be, in radii of the end, whose fabric looks where the part points, than one that looks across."""
-NUDGE = 0.7
-"""How much of what a part is off it is moved at once."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -150,64 +148,6 @@ def _between(a: float, b: float) -> float:
     x = math.cos(math.radians(a)) + math.cos(math.radians(b))
     y = math.sin(math.radians(a)) + math.sin(math.radians(b))
     return math.degrees(math.atan2(y, x))
-
-
-@dataclass(eq=False, slots=True)
-class Seat:
-    """How a copy came to lie: the nudge it was aimed by, how far off it came to lie, and what would bring it home.
-
-    aim : the nudge; off : stitches, of its middle and of its tip; turn (3, 3), shift (3,) : what mends it; step : how much of
-    that is tried next
-    """
-
-    aim: tuple[Array, Array]
-    off: float
-    turn: Array
-    shift: Array
-    step: float = 1.0
-
-
-def nudged(pieces: list[Piece], x: Array, nudges: Nudges, seats: dict[Key, Seat]) -> Nudges:
-    """Where parts are to be aimed next, so that they come to rest where they belong.
-
-    x : (N, 3) all parts at rest together; nudges : what they were aimed by
-    seats : the best that each came to lie so far, brought up to date; a part that came to lie worse goes half the way from there
-    """
-    main = len(pieces[0].goals[0])  # of the first body: what it bears shall not turn it
-    turn, shift = fit(x[:main], pieces[0].goals[0], np.ones(main))
-    there = turned(x, turn) + shift
-    made: Nudges = {}
-    at = 0
-    for k, p in enumerate(pieces):
-        for c, goal in enumerate(p.goals):
-            own = there[at : at + len(goal)]
-            at += len(goal)
-            base = p.bases[c]
-            if base is None:
-                continue
-            off = float(length(own.mean(0) - goal.mean(0)) + length(own[0] - goal[0]))
-            best = seats.get((k, c))
-            if best is None or off < best.off:
-                turn, shift = fit(own, goal, np.ones(len(goal)))
-                aim = nudges.get((k, c), (np.eye(3), np.zeros(3)))
-                best = seats[k, c] = Seat(aim, off, turn, NUDGE * (base - turned(base - shift, turn.T)))
-            else:
-                best.step *= 0.5
-            made[k, c] = turned(best.aim[0].T, share(best.turn, best.step)).T, best.aim[1] + best.step * best.shift
-    return made
-
-
-def share(turn: Array, part: float) -> Array:
-    """A ``part``, 0 to 1, of a turn (3, 3) about its own axis."""
-    angle = math.acos(float(np.clip((np.trace(turn) - 1.0) / 2.0, -1.0, 1.0)))
-    skew = turn - turn.T
-    axis = np.array([skew[2, 1], skew[0, 2], skew[1, 0]])
-    size = float(length(axis))
-    if size < 1e-9:
-        return turn if part >= 1.0 else np.eye(3)
-    n = axis / size
-    cross = np.array([[0.0, -n[2], n[1]], [n[2], 0.0, -n[0]], [-n[1], n[0], 0.0]])
-    return np.asarray(np.eye(3) + math.sin(part * angle) * cross + (1.0 - math.cos(part * angle)) * (cross @ cross))
 
 
 def bodies_of(bodies: list[Array], node: int) -> Array:

@@ -13,18 +13,17 @@ from tambour.core.errors import TambourError, Text
 from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
 from tambour.crochet.model import tips
-from tambour.crochet.model.assemble import Key, Nudges, Piece, Seat, nudged, placed
-from tambour.crochet.model.distance import Target, distance
+from tambour.crochet.model.assemble import Piece
+from tambour.crochet.model.distance import Target
 from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
 from tambour.crochet.model.limbs import Limb, limbs
 from tambour.crochet.model.loop import TRIES, Task, Tried, faithful, looped, missed, tried
 from tambour.crochet.model.named import names
-from tambour.crochet.model.rounds import pattern, printed
-from tambour.crochet.model.settled import together
+from tambour.crochet.model.rounds import printed
+from tambour.crochet.model.seating import seated
 from tambour.crochet.model.whole import area, bodies, refined, volume
 from tambour.geometry.closest import nearest
-from tambour.geometry.motion import fit
 
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
@@ -41,10 +40,6 @@ BEGINNINGS = 2
 """How many tips are tried in the simulation."""
 LARGE = 4000
 """Stitches of a part that is corrected fewer times than a smaller one, as its simulation takes longer."""
-SEATINGS, LOPSIDED = 6, 2
-"""How often the parts are put together; and after that with what pairs say left to each of the two."""
-PAIR = 0.1
-"""How much farther off, in stitches, a toy whose pairs say the same angles may be."""
 INSIDE = -0.3
 """Rounds that look so far inwards lie inside: of a cup, say."""
 LOST = 0.03
@@ -100,7 +95,11 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
         pieces += made
     target = Target.of(np.concatenate([x for x, _ in whole]), _one([f for _, f in whole], [len(x) for x, _ in whole]))
     with progress.stage("assembly"):
-        lines = _assembled(pieces, target, params, stitch, tips.mirror(target.vertices, target.faces), history)
+        plane = tips.mirror(target.vertices, target.faces)
+        even = plane is not None and abs(float(plane.normal[0])) > 0.9
+        lines, way = seated(pieces, target, params, stitch, even)
+        if way:
+            history["assembly"] = way
     if mesh.color is not None:
         first = np.concatenate([origin for _, _, origin in found])
         how = dye(target.tree, target.faces, mesh.color[first], target.points, params.colors)
@@ -140,38 +139,6 @@ def _one(faces: list[Array], counts: list[int]) -> Array:
     """The faces of several bodies, their vertices one after the other."""
     first = np.cumsum([0, *counts])
     return np.concatenate([f + n for f, n in zip(faces, first)])
-
-
-def _assembled(
-    pieces: list[Piece],
-    target: Target,
-    params: CrochetParams,
-    stitch: tuple[float, float],
-    plane: tips.Mirror | None,
-    history: dict[str, list[float]],
-) -> list[str]:
-    """The lines that sew the parts on, corrected by how the whole comes to rest."""
-    if all(base is None for p in pieces for base in p.bases):
-        return []
-    even = plane is not None and abs(float(plane.normal[0])) > 0.9
-    goal = np.concatenate([g for p in pieces for g in p.goals])
-    best: tuple[float, list[str]] | None = None
-    way: list[float] = []
-    nudges: Nudges = {}
-    for mirrored, times in ((True, SEATINGS), (False, LOPSIDED)) if even else ((False, SEATINGS),):
-        seats: dict[Key, Seat] = {}
-        for _ in range(times):
-            lines = placed(pieces, nudges, mirrored)
-            _, x, faces = together(pattern([p.rounds for p in pieces], lines), params, stitch)
-            lain = distance(target, x, faces, fit(x, goal, np.ones(len(x))))
-            way.append(round(lain.mean, 4))
-            price = lain.mean - (PAIR if mirrored else 0.0)
-            if best is None or price < best[0]:
-                best = price, lines
-            nudges = nudged(pieces, x, nudges, seats)
-    history["assembly"] = way
-    assert best is not None
-    return best[1]
 
 
 def _scale(whole: list[tuple[Array, Array]], params: CrochetParams, stitch: tuple[float, float]) -> float:

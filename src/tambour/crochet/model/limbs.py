@@ -10,6 +10,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.crochet.model.geodesic import about, distances, girth, lines
 from tambour.crochet.model.tips import Mirror
+from tambour.crochet.model.trunk import trunk
 from tambour.crochet.model.whole import area, pieces
 
 SOURCES = 10
@@ -30,6 +31,8 @@ STANDS = 0.7
 """How much farther out a tip lies than where its limb begins, in stitches of the mean distance to the rest, at the least."""
 MOST = 24
 """The most limbs that are looked for."""
+NEAR = 3.0
+"""Tips nearer to each other than this, in stitches, are one."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -195,28 +198,35 @@ def limbs(
 ) -> tuple[Array, Array, list[list[Limb]]]:
     """A surface, in stitches, without its limbs, closed where they were; and the limbs, mirrored ones together.
 
-    What is too thin to be worked is cut off as well, and told.
+    What goes on where the body ends stays with it (:mod:`tambour.crochet.model.trunk`). What is too thin to be worked is cut off, and told.
     """
-    found: list[list[Limb]] = []
-    x, f, thin = vertices, faces, 0
-    for _ in range(3):  # where fingers were, a hand has its tip
-        more, x, f = _round_of(x, f, plane)
-        thin += sum(len(group) for group in more if group[0].around < LEAST)
-        found += [group for group in more if group[0].around >= LEAST]
-        if not more:
-            break
+    found, x, f = _cut(vertices, faces, plane, [])
+    if kept := trunk(x, f, found, plane):
+        found, x, f = _cut(vertices, faces, plane, kept)
+    thin = sum(len(group) for group in found if group[0].around < LEAST)
     if thin:
         tell.append(
             f"{thin} limb{'s are' if thin > 1 else ' is'} left out: thinner than {LEAST:g} stitches around; "
             f"more {{--stitches}} would show {'them' if thin > 1 else 'it'}"
         )
     used = np.unique(f)
-    return x[used], np.searchsorted(used, f), found
+    return x[used], np.searchsorted(used, f), [group for group in found if group[0].around >= LEAST]
 
 
-def _round_of(x: Array, f: Array, plane: Mirror | None) -> tuple[list[list[Limb]], Array, Array]:
+def _cut(x: Array, f: Array, plane: Mirror | None, kept: list[Array]) -> tuple[list[list[Limb]], Array, Array]:
+    """All limbs but those with tips (3,) ``kept``, cut off, and what is left of the surface."""
+    found: list[list[Limb]] = []
+    for _ in range(3):  # where fingers were, a hand has its tip
+        more, x, f = _round_of(x, f, plane, kept)
+        found += more
+        if not more:
+            break
+    return found, x, f
+
+
+def _round_of(x: Array, f: Array, plane: Mirror | None, kept: list[Array]) -> tuple[list[list[Limb]], Array, Array]:
     """The limbs that the surface has now, cut off, the smallest first, so that what they stood on comes after them."""
-    points = [x[v] for v in tips_of(x, f)][:MOST]
+    points = [x[v] for v in tips_of(x, f) if all(((x[v] - tip) ** 2).sum() > NEAR**2 for tip in kept)][:MOST]
     known = about(f, len(x))
     used = np.unique(f)
     sizes = {}
@@ -247,12 +257,18 @@ def _round_of(x: Array, f: Array, plane: Mirror | None) -> tuple[list[list[Limb]
                     break
                 rim = cut[0]
             made = severed(x, f, way, tip, rim)
-            if made is not None:
+            if made is not None and not _bears(made[0], kept):
                 limb, x, f = made
                 cutoff.append(limb)
         if cutoff:
             found.append(cutoff)
     return found, x, f
+
+
+def _bears(limb: Limb, tips: list[Array]) -> bool:
+    """Whether one of the ``tips`` (3,) lies on a limb."""
+    own = limb.vertices[np.unique(limb.faces[limb.own])]
+    return any(bool((((own - tip) ** 2).sum(1) < 1.0).any()) for tip in tips)
 
 
 def _twins(points: list[Array], plane: Mirror | None, x: Array) -> dict[int, int]:

@@ -19,13 +19,13 @@ from tambour.geometry.motion import fit, turned
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
 
-TRIES = 10
+TRIES = 8
 """How often a part is corrected at the most."""
 STEP = 0.8
 """How much of what a round is too wide is taken off it at once."""
 GAIN = 0.004
 """An improvement of the mean distance by less than this, in stitches, is none."""
-BATCHES, AGAIN = 4, 3
+BATCHES, AGAIN = 4, 4
 """In how many batches threads are pulled, and how often rounds are corrected after each."""
 BOUNDS = 0.6, 1.5
 """Shares of a line's length that its round may come to."""
@@ -84,8 +84,8 @@ def drafted(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> 
 
     apart = task.stitch[0]
     pulled = tuple(
-        Thread(place(a), place(b), max(1, round(apart * float(np.sqrt(((goal[a] - goal[b]) ** 2).sum())))))
-        for a, b in threads.held(holds, made)
+        Thread(place(a), place(b), max(1, round(apart * (float(np.sqrt(((goal[a] - goal[b]) ** 2).sum())) - more))))
+        for a, b, more in threads.held(holds, made)
     )
     part = Rounds(task.name, made[0], rounds, closed, 1, task.stuffing, None, task.up, task.hollow, pulled)
     return part, made, goal
@@ -103,7 +103,8 @@ def tried(task: Task, wanted: Array, holds: tuple[threads.Hold, ...] = ()) -> Tr
 def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[Tried, list[float]]:
     """The best rounds that corrections lead to, and the mean distances on the way: of counts first, then of threads as well."""
     best, history = _counted(task, tried(task, task.way.girths) if first is None else first, tries)
-    most = sum(best.counts) // threads.EVERY if (best.rounds.stuffing or task.params.stuffing) != "none" else 0
+    stuffed = (best.rounds.stuffing or task.params.stuffing) != "none"
+    most = int(sum(best.counts) * (1.5 - task.plain) / threads.EVERY) if stuffed else 0
     for k in range(BATCHES):
         holds = threads.chosen(best, most * (k + 1) // BATCHES - len(best.holds))
         if len(holds) == len(best.holds):
@@ -118,7 +119,7 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
 def _counted(task: Task, best: Tried, tries: int) -> tuple[Tried, list[float]]:
     history, step, idle = [best.distance.mean], STEP, 0
     for _ in range(tries):
-        now = tried(task, corrected(task, best, step), best.holds)
+        now = tried(task, corrected(task, best, step), threads.tightened(best, step))
         history.append(now.distance.mean)
         if now.distance.mean < best.distance.mean - GAIN:
             best, idle = now, 0

@@ -25,11 +25,11 @@ class Settled:
 
 
 def settled(part: Rounds, params: CrochetParams, stitch: tuple[float, float] = (5.0, 5.0)) -> Settled:
-    """A single part (of its copies one) at rest by itself. stitch : width and height of a single crochet, mm."""
+    """A single part (of its copies one) at rest by itself, as upright as it is sewn on. stitch : width and height of a single crochet, mm."""
     import numpy as np
 
     from tambour.crochet.finish.pulled import pulled
-    from tambour.crochet.finish.shape import Task, simulate
+    from tambour.crochet.finish.shape import Task, first_positions, risen, simulate
     from tambour.crochet.graph.build import build
 
     built = build(pattern([replace(part, copies=1, name="Part")]), stitch=stitch)
@@ -44,7 +44,7 @@ def settled(part: Rounds, params: CrochetParams, stitch: tuple[float, float] = (
         (params.stuffing or "pressure") == "pressure",
     )
     shape = simulate(task)
-    return Settled(task.graph, shape.x, shape.settled)
+    return Settled(task.graph, risen(shape.x, first_positions(task)[0], [np.arange(len(graph))]), shape.settled)
 
 
 def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float]) -> tuple[Built, Array, Array]:

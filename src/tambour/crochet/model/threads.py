@@ -13,8 +13,8 @@ from tambour.geometry.surface import vertex_normals
 if TYPE_CHECKING:
     from tambour.crochet.model.loop import Tried
 
-EVERY = 80
-"""A part has a thread for so many of its stitches, at the most."""
+EVERY = 40
+"""A part has a thread for so many of its stitches, at the most; half as many where it shall be as easy as can be."""
 APART = 2.5
 """Ends of threads lie at least so far from each other, in stitches: each wants fabric of its own."""
 PROUD, MORE = 0.3, 0.6
@@ -24,19 +24,39 @@ ACROSS = 0.5
 SHORT = 1.5
 """A thread is not pulled shorter than this, in stitches."""
 
-Hold = tuple[int, float, int, float]
-"""A thread: the round, from 0, and the share of the way round it, of either end."""
+FIRST, TIGHT = 0.1, 0.35
+"""A thread is pulled tighter than its ends belong by such a share of their way at first, and at the most: fabric bulges on all sides of them."""
+
+Hold = tuple[int, float, int, float, float]
+"""A thread: the round, from 0, and the share of the way round it, of either end; and how much tighter than its ends belong, in stitches."""
 
 
-def held(holds: tuple[Hold, ...], counts: list[int]) -> list[tuple[int, int]]:
-    """The nodes that threads hold in a part of rounds of ``counts`` stitches, its ring's middle first."""
+def held(holds: tuple[Hold, ...], counts: list[int]) -> list[tuple[int, int, float]]:
+    """The nodes that threads hold in a part of rounds of ``counts`` stitches, its ring's middle first, and how much tighter each is."""
     first = np.concatenate([[1], 1 + np.cumsum(counts)]).tolist()
 
     def node(k: int, share: float) -> int:
         return int(first[k]) + round(share * counts[k]) % counts[k]
 
-    made = [(node(k, s), node(n, t)) for k, s, n, t in holds if max(k, n) < len(counts)]
-    return [(a, b) for a, b in dict.fromkeys(made) if a != b]
+    made = {(node(k, s), node(n, t)): more for k, s, n, t, more in holds if max(k, n) < len(counts)}
+    return [(a, b, more) for (a, b), more in made.items() if a != b]
+
+
+def tightened(last: Tried, step: float) -> tuple[Hold, ...]:
+    """The threads of ``last``, each pulled tighter by what the fabric about its two ends lies outside of the model, or let out."""
+    lain = turned(last.worked.x, last.distance.turn) + last.distance.shift
+    off = outside(last.target, lain)
+    made = []
+    for hold in last.holds:
+        found = held((hold,), last.counts)
+        if not found:
+            made.append(hold)
+            continue
+        a, b, more = found[0]
+        far = float(np.sqrt(((last.goal[a] - last.goal[b]) ** 2).sum()))
+        proud = sum(float(off[((last.goal - last.goal[v]) ** 2).sum(1) < APART**2].mean()) for v in (a, b))
+        made.append((*hold[:4], float(np.clip(more + step * proud, 0.0, TIGHT * far))))
+    return tuple(made)
 
 
 def chosen(last: Tried, many: int) -> tuple[Hold, ...]:
@@ -50,7 +70,7 @@ def chosen(last: Tried, many: int) -> tuple[Hold, ...]:
     lain = turned(last.worked.x, last.distance.turn) + last.distance.shift
     normal = vertex_normals(lain, last.worked.graph.faces)[n]
     free = outside(last.target, lain)[n] > PROUD
-    for node in [v for pair in held(last.holds, counts) for v in pair]:
+    for node in [v for a, b, _ in held(last.holds, counts) for v in (a, b)]:
         free &= ((goal - last.goal[node]) ** 2).sum(1) > APART**2
     open_ = np.flatnonzero(free)
     x, g, out = lain[n][open_], goal[open_], normal[open_]
@@ -67,7 +87,7 @@ def chosen(last: Tried, many: int) -> tuple[Hold, ...]:
             break
         ends = sorted((int(open_[a]), int(open_[b])))
         share = [(int(number[v]), float((n[v] - first[number[v]]) / counts[number[v]])) for v in ends]
-        made.append((*share[0], *share[1]))
+        made.append((*share[0], *share[1], FIRST * float(wanted[a, b])))
         for v in (a, b):
             near = ((g - g[v]) ** 2).sum(1) < APART**2
             price[near] = 0.0
