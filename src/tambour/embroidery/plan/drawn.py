@@ -33,15 +33,11 @@ TRUE = 0.08
 """mm that the lines' edge may lie beside the area's, at most (four per cent of the width, where that is more)."""
 LONG = 4.6
 """Square of half its outline's length by its area that an area must have to be a line: that of one thrice as long as wide."""
-MOST = 400
-"""Areas above which none are looked at."""
 
 
 def drawn(found: Sequence[Region]) -> tuple[Region, ...]:
     """The regions, areas that are lines of one width as lines; only where nobody said how the area is sewn."""
     asked = [r for r in found if _may(r)]
-    if len(asked) > MOST:
-        return tuple(found)
     if not asked:
         return tuple(found)
     from shapely import union_all

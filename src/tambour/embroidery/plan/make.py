@@ -44,6 +44,7 @@ from tambour.embroidery.stitches import Stitches
 
 ASTRAY = 4.0  # mm that a region may begin or end beside where it was asked to without a word
 BARE = 0.3  # mm that thread may lie beside its area without a word
+LOOKED = 1500  # regions, or lines of them, above which none are compared with each other
 MOST = 5000  # regions above which their order is not sought: pairs of them would be counted in millions
 
 
@@ -167,6 +168,12 @@ def _flat(
             f"gradients and translucent shapes have {many} shades; {COLORS} threads take them",
             hint="{--colors} says how many",
         )
+    if max(len(found), sum(len(r.paths) for r in found if r.role == "line")) > LOOKED:
+        progress.warn(
+            f"{len(found):,} regions: what is hidden, what touches and which areas are lines is not looked for",
+            hint="embroider a picture of it, or a part at a time",
+        )
+        return found
     if params.keep_hidden:
         return strung(found)
     one = joined(massed(drawn(found)))

@@ -22,8 +22,6 @@ MASS = 1.5
 """Widths of the lines that half of the area must have at least that they and the fill give."""
 LAP = 0.5
 """Widths of a line that lie on the mass where it leaves it."""
-MOST = 300
-"""Areas and lines of one colour above which none are looked at."""
 
 
 def massed(found: Sequence[Region]) -> tuple[Region, ...]:
@@ -39,7 +37,7 @@ def massed(found: Sequence[Region]) -> tuple[Region, ...]:
     for same in by_color.values():
         areas = [k for k in same if found[k].role == "area" and found[k].stitch == AUTO and not _own(found[k])]
         lines = {k: found[k] for k in same if found[k].role == "line" and found[k].stitch == "satin"}
-        if not areas or not lines or len(same) > MOST:
+        if not areas or not lines:
             continue
         for k in areas:
             own = shape(found[k])

@@ -26,8 +26,6 @@ EDGE = 0.6
 """mm that what is hidden keeps from the edge of what hides it where cloth begins."""
 HAIR = 0.1
 """mm: half of what holds two parts of an area together."""
-MOST = 1500
-"""Regions above which nothing is cut."""
 CLOTH = (255, 255, 255)
 """What shines through where nothing lies below."""
 DENSE = (AUTO, "tatami", "contour", "spiral", "radial", "guided", "flow", "satin")
@@ -122,7 +120,7 @@ def joined(found: Sequence[Region]) -> Flat:
     """Areas of one colour and one stitch that touch, as one; nothing that lies between them is covered by that."""
     import shapely
 
-    if not 1 < len(found) <= MOST:
+    if len(found) < 2:
         return Flat(tuple(found))
     shapes: list[Any] = [shape(r) if r.role == "area" else None for r in found]
     boxes = [shapely.box(*_bounds(r)) for r in found]
@@ -182,7 +180,7 @@ def uncovered(found: Sequence[Region]) -> Flat:
     """Regions without what later ones hide, but for ``UNDER`` mm below their edges and for what a fill can bridge."""
     import shapely
 
-    if not 1 < len(found) <= MOST:
+    if len(found) < 2:
         return Flat(tuple(found))
     shapes = [shape(r) for r in found]
     solid = [_solid(r) for r in found]

@@ -16,8 +16,6 @@ LONG = 6.0
 """times as long as that a gap must be: shorter ones are notches."""
 SEEN = 0.1
 """mm: what is narrower, in the mean, is no gap that somebody drew."""
-MOST = 300
-"""Areas above which none are looked at."""
 
 
 def opened(found: Sequence[Region]) -> tuple[tuple[Region, ...], int]:
@@ -25,7 +23,7 @@ def opened(found: Sequence[Region]) -> tuple[tuple[Region, ...], int]:
     import shapely
 
     asked = [k for k, r in enumerate(found) if _may(r)]
-    if not asked or len(asked) > MOST:
+    if not asked:
         return tuple(found), 0
     made = list(found)
     count = 0

@@ -28,8 +28,6 @@ LED = 1.0
 """Widths that an end is led on, to end side by side with another."""
 LAID = 1.0
 """mm of a line that must lie below something else for it to have to stay there."""
-MOST = 1500
-"""Lines above which none are joined."""
 
 
 def strung(found: Sequence[Region]) -> tuple[Region, ...]:
@@ -42,8 +40,6 @@ def strung(found: Sequence[Region]) -> tuple[Region, ...]:
             key = (region.color, region.cap, region.join, region.flags, repr(region.params))
             kinds.setdefault(key, []).append(k)
     held = {k: list(found[k].paths) for ks in kinds.values() for k in ks}
-    if sum(map(len, held.values())) > MOST:
-        return tuple(found)
     for ks in kinds.values():
         while ks:
             like = [k for k in ks if abs(found[k].width - found[ks[0]].width) <= LIKE * found[ks[0]].width]
