@@ -49,3 +49,22 @@ def test_a_dot_is_one_column_straight_across_it(dot):
     way = np.unwrap(2 * np.arctan2(across[:, 1], across[:, 0])) / 2
     assert np.ptp(way) < np.radians(8) and np.hypot(*across.T).min() > 0.4
     assert dot.difference(column_area(limb.column)).buffer(-0.15).is_empty
+
+
+@pytest.mark.parametrize(
+    "radius, cut, bar",
+    [(6, 0.5, (-30, -0.75, -9, 0.75)), (7, 0.4, (-5.25, -30, -3.75, -4.2)), (8, 0.4, (-6, -30, -4.5, -4.8))],
+)
+def test_a_bar_that_runs_into_a_bend_does_not_part_it(radius, cut, bar):
+    # A round bow, and a thin bar that meets its outside: corners there are, but not those of the bend.
+    t = np.linspace(cut * np.pi, (2 - cut) * np.pi, 60)
+    bow = shapely.LineString(radius * np.c_[np.cos(t), np.sin(t)]).buffer(3.5, cap_style="flat")
+    made, _ = limbs(bow.union(shapely.box(*bar)), 14)
+    assert len(made) == 2  # the bow and the bar
+
+
+@pytest.mark.parametrize("wide", [2.0, 4.0, 6.0])
+def test_a_frame_open_below_is_three_bars(wide):
+    area = shapely.box(0, 0, 40, 30) - shapely.box(wide, wide, 40 - wide, 40)
+    made, left = limbs(area, 14)
+    assert len(made) == 3 and left.is_empty and sum(len(limb.through) for limb in made) == 2

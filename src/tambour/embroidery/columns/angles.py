@@ -22,6 +22,10 @@ INNER = 1.3
 """Radii from the bend within which its inner corner lies."""
 OUTER = 2.3
 """Radii from the bend within which its outer corner lies."""
+AHEAD = 0.5
+"""Cosine of the angle to the bend's bisector within which its corners lie."""
+FLAT = math.radians(8)
+"""By how much less than most a limb may turn at a place that counts as the bend."""
 LEG = 1.1
 """Radii beyond the bend that a leg must reach at least."""
 ALIKE = 0.12
@@ -66,14 +70,10 @@ def _bend(path: Array, places: Array, radius: Array, inner: Array, outer: Array)
     """The index in a path where it turns sharply between an inner and an outer corner; None where it nowhere does."""
     line, wide = places[path], radius[path]
     way = np.r_[0, np.cumsum(np.hypot(*np.diff(line, axis=0).T))]
-    best, where = TURN, None
+    found: list[tuple[int, float]] = []
     for k in range(1, len(path) - 1):
         reach = LEG * wide[k]
         if way[k] < reach or way[-1] - way[k] < reach:
-            continue
-        if (np.hypot(*(inner - line[k]).T) > INNER * wide[k]).all():
-            continue
-        if (np.hypot(*(outer - line[k]).T) > OUTER * wide[k]).all():
             continue
         at = [
             np.array([np.interp(way[k] + d, way, line[:, i]) for i in (0, 1)])
@@ -83,9 +83,32 @@ def _bend(path: Array, places: Array, radius: Array, inner: Array, outer: Array)
         if min(float(np.hypot(*one)), float(np.hypot(*two))) < 1e-9:
             one, two = line[k] - at[1], at[2] - line[k]
         turn = abs(math.atan2(one[0] * two[1] - one[1] * two[0], float(one @ two)))
-        if turn > best:
-            best, where = turn, k
-    return where
+        out = one / max(1e-9, float(np.hypot(*one))) - two / max(1e-9, float(np.hypot(*two)))
+        if (
+            turn > TURN
+            and _faces(inner - line[k], -out, INNER * wide[k])
+            and _faces(outer - line[k], out, OUTER * wide[k])
+        ):
+            found.append((k, turn))
+    if not found:
+        return None
+    # It turns as much from a little before the bend to a little after it: the bend is the middle.
+    turns = dict(found)
+    most = max(turns, key=lambda k: turns[k])
+    ends = []
+    for step in (-1, 1):
+        k = most
+        while turns.get(k + step, 0.0) > turns[most] - FLAT:
+            k += step
+        ends.append(k)
+    return sum(ends) // 2
+
+
+def _faces(corners: Array, way: Array, near: float) -> bool:
+    """Whether one of some places (n, 2) lies ``near`` and ahead in a direction (2,)."""
+    far = np.hypot(*corners.T)
+    ahead = corners @ way > AHEAD * far * float(np.hypot(*way))
+    return bool((ahead & (far < near)).any())
 
 
 def _two(part: Part, k: int, places: Array, radius: Array) -> list[Part]:
@@ -102,8 +125,9 @@ def _two(part: Part, k: int, places: Array, radius: Array) -> list[Part]:
     else:
         on = int(wide[1] > wide[0])
     first = int(np.argmax(ways[on] > LEG * radius[path[k]]))
-    at = {int(f): leg for leg in (0, 1) for f in forks if f in legs[leg].tolist()}
-    passed = [[f for f in forks[:: 1 if leg else -1] if at.get(int(f)) == leg] for leg in (on, 1 - on)]
+    # A fork at which the limb was cut off before lies on neither leg, but near the end of one.
+    at = {f: int(np.argmin([np.hypot(*(places[leg] - places[f]).T).min() for leg in legs])) for f in forks}
+    passed = [[f for f in forks[:: 1 if leg else -1] if at[f] == leg] for leg in (on, 1 - on)]
     return [
         (legs[on][first:], True, free[on], [int(path[k]), *passed[0]]),
         (legs[1 - on], False, free[1 - on], passed[1]),
