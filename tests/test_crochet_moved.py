@@ -122,3 +122,36 @@ def test_parts_that_nothing_places_are_placed_by_a_sentence_at_the_end():
     assert made.text.startswith(words) and made.sentence in made.text[len(words) :]
     now = placed(worked(Text(made.text, "bear.txt"), PARAMS)[0])
     assert now["Arms.1"].spot.round == now["Arms.2"].spot.round == before.spot.round + 1
+
+
+FOUR = (
+    "Body\nRnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [12]\nRnd 3: (sc, inc) around. [18]\nRnds 4-9: sc around. [18]\n"
+    "Rnd 10: dec around. [9]\nFasten off.\n\nTrunk\nRnd 1: 4 sc in magic ring. [4]\nRnds 2-4: sc around. [4]\nFasten off.\n\n"
+    "Feet (make 4)\nRnd 1: 5 sc in magic ring. [5]\nRnd 2: sc around. [5]\nFasten off.\n\nSew trunk and feet to body.\n"
+)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("part", "up"), [("Trunk", 1), ("Trunk", -1), ("Feet.1", 1), ("Feet.3", -1)])
+def test_a_part_whose_place_was_guessed_goes_a_round_on(part, up):
+    """By words that are read so, and leave the others where they are; else held by an edit: never refused."""
+    source = Text(FOUR, "four.txt")
+    before, _ = worked(source, PARAMS)
+    spots, was = Spots(before), placed(before)[part]
+    k = spots.round_at(spots.parts[was.spot.part], int(was.spot.round) + up)
+    assert k is not None
+    nodes = spots.stitches(k)
+    onto = int(nodes[min(len(nodes), round(was.spot.stitch or 1)) - 1])
+    made = moved(source, PARAMS, part, onto)
+    edits = [f"{e['part']} round={e['round']:g} stitch={e['stitch']:g}" for e in made.edits]
+    after, _ = worked(Text(made.text, "four.txt"), PARAMS.model_copy(update={"pose": tuple(edits)}))
+    now = placed(after)
+    assert abs(now[part].spot.round - was.spot.round - up) <= 0.6
+    for name, record in placed(before).items():
+        if name.split(".")[0] != part.split(".")[0]:
+            assert abs(now[name].spot.round - record.spot.round) <= 0.6, name
+
+
+def test_a_place_that_is_not_there_is_told():
+    with pytest.raises(TambourError, match="no round 99"):
+        worked(Text(FOUR, "four.txt"), PARAMS.model_copy(update={"pose": ("Trunk round=99 stitch=1",)}))

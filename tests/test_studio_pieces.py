@@ -436,6 +436,14 @@ def test_pictures_for_the_shelf_and_examples(ours: TestClient) -> None:
     assert form["form"]["gauge"]["label"] and "stitch" in form["changes"]
 
 
+def test_yarns_are_called_as_the_pattern_calls_them() -> None:
+    from tambour.studio.worker import _named
+
+    words = "MATERIALS\nContrast A Adobe (04923) 1 ball\nContrast B Soft Ecru (04924)\n2 yards of black yarn\n"
+    named = _named({"yarn": [{"color": "#be6852"}, {"color": "#f3ebdb"}, {"color": "#1c1c1e"}]}, words)
+    assert list(named.values()) == ["charcoal", "Adobe (A)", "Soft Ecru (B)"]
+
+
 @pytest.mark.slow
 def test_a_part_is_put_elsewhere_by_its_sentence(ours: TestClient) -> None:
     """The revision's text says where it is now; what cannot be is told, and changes nothing."""
@@ -443,13 +451,19 @@ def test_a_part_is_put_elsewhere_by_its_sentence(ours: TestClient) -> None:
     piece, first = new(ours, source={"text": toy, "name": "toy.acl"})
     path = f"/api/pieces/{piece['id']}/place-part"
     asked = ours.post(path, json={"base": first["id"], "part": "Nose", "onto": 20, "keep": False})
-    assert asked.json() == {"sentence": "place(Nose, Ball, round=3, stitch=2)"}  # the words alone
+    assert asked.json() == {
+        "sentence": "place(Nose, Ball, round=3, stitch=2)",
+        "held": False,
+        "problems": [],
+    }  # the words alone
     assert ours.get(f"/api/pieces/{piece['id']}").json()["revision"]["id"] == first["id"]
     answer = ours.post(path, json={"base": first["id"], "part": "Nose", "onto": 20})
     assert answer.status_code == 201, answer.text
     assert answer.json()["sentence"] == "place(Nose, Ball, round=3, stitch=2)"
     assert answer.json()["sentence"] in answer.json()["revision"]["source"]["text"]
     base = answer.json()["revision"]["id"]
+    while_it_moves = ours.post(path, json={"base": base, "part": "Ear", "onto": 1, "keep": False})
+    assert while_it_moves.status_code == 200 and "not in the pattern" in while_it_moves.json()["problems"][0]["message"]
     wrong = ours.post(path, json={"base": base, "part": "Ear", "onto": 1})
     assert wrong.status_code == 422 and "not in the pattern" in wrong.json()["problems"][0]["message"]
     assert ours.post(path, json={"base": first["id"], "part": "Nose", "onto": 21}).status_code == 409

@@ -105,19 +105,20 @@ _NAMES = {
     "midnight": "#10123a", "navy": "#1e2a52", "indigo": "#30407c", "blue": "#3564b4", "sky blue": "#8fb8e0", "teal": "#1f7478",
     "turquoise": "#4cb8b4", "bottle green": "#1f4a34", "green": "#3f8f4a", "sage": "#98ac84", "lime": "#a8c848",
     "mustard": "#c99a24", "yellow": "#f0d040", "gold": "#e0b050", "orange": "#e07c2c", "rust": "#a84a24",
-    "red": "#c4242c", "madder": "#8c2a34", "wine": "#581c2c", "rose": "#d87c8c", "pink": "#f0bcc8",
+    "peach": "#f7cdb2", "coral": "#e4735c", "red": "#c4242c", "madder": "#8c2a34", "wine": "#581c2c", "rose": "#d87c8c", "pink": "#f0bcc8",
     "plum": "#6c3464", "violet": "#7c58a8", "lilac": "#c0a8d8",
 }  # fmt: skip
 
 
 def plain_name(rgb: Array) -> str:
-    """What one would call a colour, (3,) uint8: the nearest of 34 words, such as "bottle green".
+    """What one would call a colour, (3,) uint8: the nearest of 36 words, such as "bottle green";
+    hue and chroma tell more than lightness does.
 
     >>> plain_name(np.array([30, 74, 50], np.uint8))
     'bottle green'
     """
     shades = np.array([unhexed(v) for v in _NAMES.values()], np.uint8)
-    return list(_NAMES)[int(((oklab(shades) - oklab(rgb)) ** 2).sum(axis=1).argmin())]
+    return list(_NAMES)[int((((oklab(shades) - oklab(rgb)) ** 2) @ [1.0, 2.0, 2.0]).argmin())]
 
 
 def family(color: RGB) -> str:

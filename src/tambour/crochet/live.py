@@ -29,6 +29,7 @@ def live(piece: Plush) -> Packed:
     """
     from tambour.crochet.finish.features import joined, meshes
     from tambour.crochet.graph.check import doubtful, size_edit, tech_edit
+    from tambour.crochet.printed.colors import yarns_named
     from tambour.crochet.yarn.surface import lined, lining
 
     not_empty(piece)
@@ -55,12 +56,12 @@ def live(piece: Plush) -> Packed:
     if face:
         whole = joined(face)
         arrays |= _mesh("face", whole, np.full(len(whole.faces), len(graph)))
-    listed = rounds(piece.built)
+    listed, called = rounds(piece.built), yarns_named(piece.built.pattern.text.text)
     facts |= {
         "craft": "crochet",
         "unit": "stitch",
         "text": piece.built.pattern.text.name,
-        "yarns": [plain_name(shade) for shade in arrays["palette"]],
+        "yarns": [called.get(tuple(shade.tolist())) or plain_name(shade) for shade in arrays["palette"]],
         "parts": [{"name": p.name, "start": p.start, "end": p.end, "stuffing": p.stuffing} for p in graph.parts],
         "rounds": [{"label": s.label, "part": s.part, "first": s.first, "end": s.end} for s in listed],
         "kinds": list(graph.kinds),

@@ -10,6 +10,7 @@ import re
 from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
+from typing import Any
 
 from tambour.core.errors import Span, TambourError, Text
 from tambour.crochet.graph.built import Built
@@ -34,10 +35,12 @@ _COMMENT = re.compile(r"#[^\n]*")
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """The pattern's text, and the sentences in it that say where the part is now."""
+    """The pattern's text, and the sentences in it that say where the part is now; where no words would say it, the text
+    as it was, and the edits ("place") that hold the part there."""
 
     text: str
     sentence: str
+    edits: tuple[dict[str, Any], ...] = ()
 
 
 def moved(source: Text, params: CrochetParams, part: str, onto: int) -> Moved:
@@ -76,7 +79,20 @@ def moved(source: Text, params: CrochetParams, part: str, onto: int) -> Moved:
         wanted[twin] = replace(other, spot=across) if other else Placed(_name(known, twin), across)
     if old is None:
         return _resewn(built, wanted, [*seams, *([] if twin is None else _seams(built, twin))])
-    return _rewritten(built, params, wanted)
+    try:
+        return _rewritten(built, params, wanted)
+    except TambourError:
+        if old is None or known.parts[old.spot.part] != there:
+            raise
+        return _held(source, known, wanted)
+
+
+def _held(source: Text, known: Spots, wanted: dict[int, Placed]) -> Moved:
+    """Parts held by hand where words do not put them: what is guessed of the others would change with every sentence."""
+    places = [_counted(known, record) for record in wanted.values()]
+    said = [f"{r.part.replace('.', ' ')} at Rnd {r.spot.round:g}, st {r.spot.stitch or 1:g}" for r in places]
+    edits = [{"edit": "place", "part": r.part, "round": r.spot.round, "stitch": r.spot.stitch or 1.0} for r in places]
+    return Moved(source.text, "; ".join(said), tuple(edits))
 
 
 def _name(known: Spots, k: int) -> str:
@@ -120,6 +136,10 @@ def _twin(known: Spots, k: int, old: Placed | None) -> tuple[int | None, float]:
     rounds in a spiral lean, so that patterns count a few stitches beside the middle."""
     built = known.built
     copies = [j for j, fact in enumerate(built.parts) if fact.section == built.parts[k].section]
+    if old is not None and len(copies) > 2:  # two pairs of feet, or ears of two layers: the one that stands opposite
+        placed = {known.parts[r.part]: r.spot for r in built.pattern.finish if isinstance(r, Placed)}
+        near = [j for j in copies if j == k or (j in placed and abs(placed[j].round - old.spot.round) <= 0.6)]
+        copies = near if len(near) == 2 else copies
     if len(copies) != 2:
         return None, 0.0
     twin = copies[1 - copies.index(k)]

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.color import plain_name
 from tambour.core.packed import Packed
 from tambour.core.steps import Step, told
 from tambour.knit.hands.working import catches, floats, roles, wrong_side
@@ -42,7 +43,7 @@ def live(piece: Piece) -> Packed:
         **{name: mask for name, mask in masks.items() if mask is not None},
     }
     gauge, weight = chart.gauge, piece.params.yarn_weight
-    knit = gauge_of(chart, weight)
+    knit, called = gauge_of(chart, weight), roles(chart)
     facts = {
         "craft": "knit",
         "unit": "stitch",
@@ -56,6 +57,10 @@ def live(piece: Piece) -> Packed:
         "dominant": piece.dominant,
         "repeat": None if piece.repeat is None else list(piece.repeat),
         "names": list(chart.palette.names),
+        "yarns": [
+            " ".join(filter(None, (called.get(k, ""), name or plain_name(rgb))))
+            for k, (rgb, name) in enumerate(zip(chart.palette.rgb, chart.palette.names))
+        ],
         "codes": list(chart.palette.codes),
         "figures": dict(piece.figures),
     }

@@ -11,6 +11,7 @@ from pydantic import Field
 from tambour.studio.asked import Body, Plain
 from tambour.studio.context import Answer, Studio, until_left
 from tambour.studio.pieces import both
+from tambour.studio.pool import Failed
 
 if TYPE_CHECKING:
     from starlette.requests import Request
@@ -34,14 +35,32 @@ async def place_part(studio: Studio, request: Request, body: PlacePart) -> tuple
     if old.piece != name or piece.craft != "crochet" or old.content.name is None:
         raise Answer.of(422, "no part of this can be sewn elsewhere", where="base")
     spec = await studio.making.spec(piece.craft, old.content)
-    told = await until_left(request, studio.pool.run({"do": "place", "part": body.part, "onto": body.onto}, spec))
+    job = {"do": "place", "part": body.part, "onto": body.onto}
+    try:
+        told = await until_left(request, studio.pool.run(job, spec))
+    except Failed as failed:
+        if body.keep or failed.status != 422:
+            raise
+        return 200, {
+            "sentence": "",
+            "problems": failed.problems,
+        }  # a hand still moves: that it is no place is an answer
     if not body.keep:
-        return 200, {"sentence": told["sentence"]}
+        return 200, {"sentence": told["sentence"], "held": bool(told["edits"]), "problems": []}
     own = Path(old.content.name)
     called = own.name if own.suffix in (".txt", ".acl", ".md") else f"{own.stem}.txt"
-    content = replace(old.content, name=called, source="")
+    # What was held by hand before is let go: the words say it now, or other edits.
+    moved = _stem(body.part)
+    kept = (e for e in old.content.edits if not (e.get("edit") == "place" and _stem(str(e.get("part"))) == moved))
+    content = replace(old.content, name=called, source="", edits=(*kept, *told["edits"]))
     raw, said = told["text"].encode(), told["sentence"]
     made = await studio.library.do(studio.library.revise, name, body.base, content, raw, said[:120], False)
-    answer = {**await both(studio, made), "sentence": said}
+    answer = {**await both(studio, made), "sentence": said, "held": bool(told["edits"])}
     studio.hub.revised(name, made[1].id)
     return 201, answer
+
+
+def _stem(part: str) -> str:
+    """A part's name without the number of its copy."""
+    base, _, copy = part.rpartition(".")
+    return base if copy.isdecimal() else part

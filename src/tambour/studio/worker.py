@@ -150,7 +150,7 @@ class Desk:
         os.chdir(job["folder"])
         params = craft("crochet").params.of({**job["params"], **job["files"]})
         made = moved(files.read(job["source"], ("Text",)), params, job["part"], job["onto"])
-        return {"text": made.text, "sentence": made.sentence}
+        return {"text": made.text, "sentence": made.sentence, "edits": list(made.edits)}
 
     def play(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """A toy under the hand: moves by what is heard, shows its states, and ends when nobody asks anything of it."""
@@ -207,10 +207,11 @@ def _named(report: dict[str, Any], words: str = "") -> dict[str, str]:
 
     from tambour.color import plain_name
     from tambour.core.rgb import hexed, unhexed
+    from tambour.crochet.printed.colors import yarns_named
 
     found = set(re.findall(r"#[0-9a-f]{6}\b", json.dumps(report)))
     found |= {hexed(t["rgb"]) for t in report.get("threads", ()) if "rgb" in t}
-    own = {
+    own = {hexed(shade): name for shade, name in (yarns_named(words) if words else {}).items()} | {
         it[2].lower(): it[1]
         for it in re.finditer(r"(?m)(?:^|[:=,;])[ \t]*([A-Za-z][A-Za-z ]{0,30}?) ?\((#[0-9A-Fa-f]{6})\)", words)
         if it[1].lower() not in ("color", "colour")  # the language's own word, not a name

@@ -141,3 +141,17 @@ def dyeing(lines: list[Line], heading: Span, palette: Palette, text: str) -> lis
     begin = lines[0].span.start if lines else heading.end
     hue = palette.first(text[heading.start : max(begin, heading.end)][:_HEADING]) or palette.main
     return [] if hue is None else [Line((Action("color", heading, numbers=hue),), heading, False)]
+
+
+def yarns_named(text: str) -> dict[RGB, str]:
+    """What a pattern's list of materials calls its yarns, by their colours: ``{(236, 224, 200): "Ecru"}``, with the letter
+    that it gives them, ``"Adobe (A)"``."""
+    found: dict[RGB, str] = {}
+    for line in text.splitlines():
+        for letter, name in listed(line).items():
+            hue = dyed(name)
+            if hue is None and letter:
+                hue = _SHADES[(LETTERS.index(letter) if letter in LETTERS else 0) % len(_SHADES)]
+            if hue is not None:
+                found.setdefault(hue, f"{name} ({letter.upper()})" if letter else name)
+    return found

@@ -17,7 +17,8 @@ export async function fromFile(file, craft) {
     const source = { sha256: kept.sha256, name: kept.name };
     const choice = craft ?? (kept.crafts.length === 1 ? kept.crafts[0] : await chosen(kept.name, kept.crafts));
     const head = choice === "crochet" && /\.(txt|md)$/.test(kept.name) ? (await file.text()).trim().split("\n")[0] : "";
-    if (choice) await begin({ craft: choice, source, title: named(head, titled(kept.name)) });
+    const title = named(head, titled(kept.name));
+    if (choice) await begin({ craft: choice, source, title, ...(choice === "knit" ? { params: { title } } : {}) }); // what its pages are headed with
   });
 }
 

@@ -1,7 +1,7 @@
 // The shelf: four finished examples that move, one field that takes anything, and one's own pieces.
 import { html, ref, render, show, signal } from "./view.js";
 import { begin, fromFile, fromText, meant, takes } from "./drop.js";
-import { attempt, tell } from "./notes.js";
+import { attempt } from "./notes.js";
 import { ask } from "./wire.js";
 import { CRAFTS } from "./bar.js";
 
@@ -91,13 +91,20 @@ export function shelf(element, left) {
     const title = craft.examples.find((/** @type {any} */ e) => e.name === name)?.title;
     return title ? html`<b class="title">${title}</b>: ` : "";
   };
+  /** What is in the bin, where one looks into it. */
+  const bin = signal(/** @type {any[]|null} */ (null));
+  const look = () => attempt(async () => (bin.value = (await ask("/api/pieces?limit=50&binned=1")).pieces));
+  // A card keeps its place when its piece goes: nothing slides under the finger, and it comes back from there.
   const away = (/** @type {any} */ piece) => attempt(async () => {
     await ask(`/api/pieces/${piece.id}`, { method: "DELETE" });
-    pieces.value = pieces.value.filter((p) => p !== piece);
-    tell(html`<b>${piece.title}</b> is in the bin.`, { calm: true, acts: [{ name: "Bring it back", do: () => attempt(async () => {
-      await ask(`/api/pieces/${piece.id}`, { method: "PATCH", body: { binned: false } });
-      pieces.value = [piece, ...pieces.value];
-    }) }] });
+    pieces.value = pieces.value.map((p) => (p.id === piece.id ? { ...p, binned: true } : p));
+    if (bin.value) await look();
+  });
+  const back = (/** @type {any} */ piece) => attempt(async () => {
+    await ask(`/api/pieces/${piece.id}`, { method: "PATCH", body: { binned: false } });
+    const here = pieces.value.some((p) => p.id === piece.id);
+    pieces.value = here ? pieces.value.map((p) => (p.id === piece.id ? { ...p, binned: false } : p)) : [{ ...piece, binned: false }, ...pieces.value];
+    if (bin.value) await look();
   });
   const view = () => html`<div class="shelf"><div class="in">
     ${door}
@@ -110,11 +117,13 @@ export function shelf(element, left) {
         <p class="others">${craft.name === "ink" ? WORDS.map((w) => html`<button class="link" @click=${() => fromText(w)}>${w}</button> `)
           : others.map((/** @type {any} */ e) => html`<button class="link" @click=${() => attempt(() => begin({ craft: craft.name, example: e.name }))}>${e.title}</button> `)}</p></div>`;
     })}</div>
-    ${pieces.value.length ? html`<h2>Yours</h2><div class="cards mine">${pieces.value.map((p) => html`<div class="holder"><a class="cardx" href="#/piece/${p.id}">
+    ${pieces.value.length ? html`<h2>Yours</h2><div class="cards mine">${pieces.value.map((p) => p.binned ? html`<div class="holder gone" role="status"><p><b>${p.title}</b> is in the bin.</p><p><button class="button" @click=${() => back(p)}>Bring it back</button></p></div>` : html`<div class="holder"><a class="cardx" href="#/piece/${p.id}">
         <span class="picture">${p.before ? html`<img src=${p.before} alt="" @load=${seen}>` : ""}<img src=${p.thumb} alt="" loading="lazy" @load=${seen} @error=${pictureless}></span>
         <span class="under"><b>${p.title}</b><span>${CRAFTS[p.craft]} · ${ago(p.changed)}</span></span></a>
         <button class="icon away" aria-label="put ${p.title} into the bin" title="Into the bin" @click=${() => away(p)}>×</button></div>`)}</div>
       ${next.value ? html`<p><br><button class="button" @click=${more}>More of yours</button></p>` : ""}` : ""}
+    <p class="bin">${bin.value ? "" : html`<button class="link quiet" @click=${look}>What is in the bin</button>`}</p>
+    ${bin.value ? html`<h2>In the bin</h2>${bin.value.length ? html`<ul class="facts">${bin.value.map((p) => html`<li><span>${p.title} <span class="quiet">${CRAFTS[p.craft]} · ${ago(p.changed)}</span></span><button class="button" aria-label="bring ${p.title} back" @click=${() => back(p)}>Bring it back</button></li>`)}</ul>` : html`<p class="quiet">Nothing is in the bin.</p>`}` : ""}
   </div></div>`;
   const stop = show(element, view);
   return () => {

@@ -228,8 +228,9 @@ export class Piece {
 
   /** @param {string} title */
   async rename(title) {
-    const { piece } = await ask(`/api/pieces/${this.id}`, { method: "PATCH", body: { title } });
+    const before = this.piece.value?.title, { piece } = await ask(`/api/pieces/${this.id}`, { method: "PATCH", body: { title } });
     this.piece.value = piece;
+    if (before && this.params.value.title === before) await this.change({ params: { title }, said: "title" }); // its pages are headed with it
   }
 
   /** The step that unit ``at`` is in, and its place in the list. @param {number} at */

@@ -17,7 +17,7 @@ const STEPS = 5; // that a button tries: words are in whole rounds, and in stitc
 export class Hand {
   /**
    * @param {Stage} stage @param {Piece} piece
-   * @param {{part: {value: number}, mode: {value: string}, dropped: (part: string, onto: number) => void, asked: (part: string, onto: number) => Promise<string>, leaned: (part: string, tilt: number, towards: number) => void}} how
+   * @param {{part: {value: number}, mode: {value: string}, dropped: (part: string, onto: number) => void, asked: (part: string, onto: number) => Promise<{said: string, why: string, held: boolean}>, leaned: (part: string, tilt: number, towards: number) => void}} how
    * dropped: a part was let go over the stitch ``onto``; asked: what the pattern would say then; leaned: it was leaned by so many degrees, towards so many from up, counter-clockwise
    */
   constructor(stage, piece, { part, mode, dropped, asked, leaned }) {
@@ -178,9 +178,9 @@ export class Hand {
     const onto = this.onto, held = this.held;
     if (this.asking || !held || !this.seats || onto < 0) return;
     this.asking = true;
-    const said = await this.asked(this.called(held.unit), onto);
+    const { said, why } = await this.asked(this.called(held.unit), onto);
     this.asking = false;
-    if (this.held === held && this.onto === onto) this.word.value = `${this.where(onto)}. “${said}”`;
+    if (this.held === held && this.onto === onto) this.word.value = said ? `${this.where(onto)}. “${said}”` : why;
     else if (this.held) this.soon();
   }
 
@@ -190,16 +190,17 @@ export class Hand {
     const seats = this.seatsOf(part), name = pattern(this.pack.facts.parts[part].name), rounds = this.piece.steps.value?.steps ?? [];
     const told = this.piece.report.value?.assembly?.find((/** @type {any} */ a) => a.part === name);
     if (told?.round) seats.said(rounds, told.on, told.round);
-    let onto = seats.from, spare = -1; // where only words that count stitches would put it: better than none
+    let onto = seats.from, spare = -1, no = ""; // where only words that count stitches would put it: better than none
     for (let k = 0; k < STEPS; k++) {
       const next = seats.beside(way, rounds, onto);
       if (next < 0) break;
       onto = next;
       this.stage.move(seats.carried(onto));
       this.word.value = `${name} ${{ higher: "a round higher", lower: "a round lower", nearer: "nearer", farther: "farther" }[way]} …`;
-      const said = await this.asked(name, onto);
+      const { said, why, held } = await this.asked(name, onto);
+      no ||= why;
       if (!said || said.split(". ").every((s) => text.includes(s.replace(/\.$/, "")))) continue;
-      if (exact(said)) {
+      if (exact(said) && !held) {
         if (spare < 0) spare = onto;
         continue;
       }
@@ -210,7 +211,7 @@ export class Hand {
       this.word.value = "";
       return this.dropped(name, spare);
     }
-    this.word.value = `There are no plain words for ${name} ${way === "nearer" || way === "farther" ? way : `a round ${way}`} than this: drag it, or write how many stitches apart`;
+    this.word.value = no || `There are no plain words for ${name} ${way === "nearer" || way === "farther" ? way : `a round ${way}`} than this: drag it, or write how many stitches apart`;
     setTimeout(() => this.held || (this.word.value = ""), 8000);
     return this.stage.move(null);
   }

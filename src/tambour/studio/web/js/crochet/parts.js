@@ -30,9 +30,15 @@ export function facts(piece, { part, go, at, checked, tinted, nudge }) {
       <div class="gauge">${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.group === "Yarn and gauge" })}</div>` : ""}
     <h2 class="head">Checks</h2>
     ${problems.length ? list(problems, { go, at }) : report ? html`<p class="agree">✓ ${counted(report.rounds?.length ?? 0, "round")}: all counts agree</p>` : ""}
-    ${report?.assembly?.some((/** @type {any} */ a) => a.widest_mm > 6) ? html`<p class="quiet">Some parts stand off the body by up to ${Math.max(...report.assembly.map((/** @type {any} */ a) => a.widest_mm)).toFixed(0)} mm.</p>` : ""}
+    ${apart(report?.assembly ?? [])}
     ${craft ? html`<h2 class="head">Words and pages</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.group !== "Yarn and gauge" && f.tier !== "rare" && name !== "check" })}
       <details class="group"><summary>How it is worked out</summary>${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.tier === "rare" })}</details>` : ""}`;
+}
+
+/** Parts whose seam is drawn far: as they are sewn now, cloth would be pulled there. @param {any[]} assembly */
+function apart(assembly) {
+  const off = assembly.filter((a) => a.widest_mm > 6), names = [...new Set(off.map((a) => a.part.replace(/\.\d+$/, "")))];
+  return off.length ? html`<p class="quiet">${names.join(", ")}: at the seam up to ${Math.max(...off.map((a) => a.widest_mm)).toFixed(0)} mm lie between the two, which sewing pulls together. To have it closer, choose the part above and put it a round on.</p>` : "";
 }
 
 /** @param {import("../pack.js").Pack} pack @param {any} p */

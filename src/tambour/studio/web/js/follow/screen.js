@@ -49,8 +49,10 @@ export async function follow(root, { title, craft, pack, steps, place, to }) {
       const { step, unit } = at(), row = Math.floor(step.first / chart.columns), col = unit - step.first;
       Object.assign(chart.how, { night: night.value, worked: row, marked: true });
       chart.scale = Math.max(10, view.clientWidth / (chart.columns + 2) / chart.aspect);
-      const x = step.direction > 0 ? col : chart.columns - 1 - col, fits = chart.columns * chart.scale * chart.aspect <= view.clientWidth;
-      chart.center = [fits ? chart.columns / 2 : x, row + view.clientHeight / chart.scale / 5];
+      const x = step.direction > 0 ? col : chart.columns - 1 - col, half = view.clientWidth / chart.scale / chart.aspect / 2, high = view.clientHeight / chart.scale;
+      // Its edges come no farther in than the view's: at the first rows no empty paper lies below.
+      const within = (/** @type {number} */ at, /** @type {number} */ n, /** @type {number} */ h) => (n <= 2 * h - 2 ? n / 2 : Math.max(h - 1, Math.min(n - h + 1, at)));
+      chart.center = [within(x, chart.columns, half), within(row + high / 5, chart.rows, high / 2)];
       chart.hover = [x, row];
       chart.touch();
     });
@@ -116,9 +118,11 @@ export async function follow(root, { title, craft, pack, steps, place, to }) {
 
   /** The yarns that a round is worked in. @param {any} step @returns {{rgb: ArrayLike<number>, name: string}[]} */
   function yarns(step) {
-    const { color, palette, kind } = pack.arrays;
+    const { color, palette, kind, cells } = pack.arrays;
+    const known = (/** @type {number} */ c) => ({ rgb: palette.subarray(3 * c, 3 * c + 3), name: pack.facts.yarns?.[c] ?? "" });
+    if (cells) return [...new Set(Array.from({ length: step.end - step.first }, (_, i) => cell(step, step.first + i)))].slice(0, 6).map(known);
     if (!color || !kind) return [];
-    return [...new Set(color.subarray(step.first, step.end))].slice(0, 4).map((c) => ({ rgb: palette.subarray(3 * c, 3 * c + 3), name: pack.facts.yarns?.[c] ?? "" }));
+    return [...new Set(color.subarray(step.first, step.end))].slice(0, 4).map(known);
   }
 
   /** @param {any} step @returns {{first: number, end: number, text: string, color?: ArrayLike<number>}[]} */
