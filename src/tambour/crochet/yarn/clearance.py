@@ -15,13 +15,15 @@ ALONG = 1.6
 back on itself as tightly as it can is half a circle, π/2 diameters, away."""
 BENT = 0.9
 """As a share of that, from where on they are pushed apart: what is pushed grows longer."""
-FIRST = 3
-"""Pushes at the first look, which is at all of the yarn."""
-ENOUGH = 0.975
-"""What is as near as this to the aim has its room."""
-STRAYED = 0.06
-"""What has moved so many diameters since it was looked at may be near to something new: pairs are known up to 1.1, so that
-two that were not moved by more are still ENOUGH apart."""
+ENOUGH, NEARLY = 0.975, 0.965
+"""What is as near as the one to the aim has its room, and is not pushed; what is pushed comes to the other, at the least."""
+GENTLE = 0.3
+"""How far two are pushed apart at once, at the most, in diameters: yarn that lies crossed comes free without being stretched."""
+KNOWN = 1.2
+"""Pairs are known up to so many diameters."""
+STRAYED = 0.11
+"""What has moved so many diameters since it was looked at may be near to something new: two that were not moved by more,
+and were not known, are still ENOUGH apart."""
 CELLS = 4e6
 """Cells of the grid that pairs are found in, at the most."""
 AROUND = 2
@@ -124,12 +126,11 @@ def _bins(
     near: F4x2,
     owner: I4x1,
     wanted: B1x1,
-    full: B1x1,
 ) -> None:
     """Segments of live cells by cell: those of cell k are order[head[k]:head[k + 1]].
 
     In that order, near : (8, M) float32, middle from ``low``, half the length, arc length, direction; owner : (M,) strand; wanted : (M,) whether it is
-    among ``only`` (P,); full : (K,) whether any of a cell's is
+    among ``only`` (P,)
     """
     n = len(strand)
     for i in range(n):
@@ -143,8 +144,6 @@ def _bins(
             k = at[where[i]]
             at[where[i]] += 1
             order[k], owner[k], wanted[k] = i, strand[i], only[i]
-            if only[i]:
-                full[where[i]] = True
             for c in range(3):
                 near[c, k] = middle[i, c] - low[c]
                 near[5 + c, k] = (coords[i + 1, c] - coords[i, c]) / max(2.0 * half[i], 1e-9)
@@ -153,24 +152,23 @@ def _bins(
 
 @kernel
 def close_pairs(
-    coords: F8x2,
     shape: I8x1,
     head: I4x1,
     order: I4x1,
     near: F4x2,
     owner: I4x1,
     wanted: B1x1,
-    full: B1x1,
+    every: bool,
     reach: float,
     along: float,
     pairs: I4x2,
 ) -> int:
-    """Pairs (Q, 2) of segments, one or both wanted, nearer than ``reach``, and further apart than ``along`` on a common strand.
+    """Pairs (Q, 2) of segments, one or both wanted, that may be nearer than ``reach``: all that are, and some that are not quite;
+    further apart than ``along`` on a common strand.
 
-    Returns how many there are; those that ``pairs`` has no room for are only counted.
+    every : whether all are wanted. Returns how many there are; those that ``pairs`` has no room for are only counted.
     """
     count = 0
-    found = np.zeros(2)
     # Single precision only leaves out what is clearly too far.
     wide = np.float32(reach * 1.0001)
     within = np.empty(max(64, len(order)), np.int32)
@@ -180,77 +178,81 @@ def close_pairs(
                 here = (p * shape[1] + q) * shape[2] + r
                 if head[here] == head[here + 1]:
                     continue
-                # This cell and half of those around it: every pair once. Cells along r lie one behind the other.
-                for side in range(5):
-                    a, b = p + (1 if side > 1 else 0), q + (1 if side == 1 else side - 3 if side > 1 else 0)
-                    if a >= shape[0] or b < 0 or b >= shape[1]:
+                # Where all are wanted, this cell and half of those around it: every pair once. Where some are, each of them
+                # looks all around, and of two that are the first finds the other. Cells along r lie one behind the other.
+                for side in range(5 if every else 9):
+                    a = p + (0 if side < 2 or side == 5 else 1 if side < 5 else -1)
+                    b = q + (0 if side == 0 else 1 if side == 1 else -1 if side == 5 else side - 3 if side < 5 else side - 7)
+                    if a < 0 or a >= shape[0] or b < 0 or b >= shape[1]:
                         continue
                     row = (a * shape[1] + b) * shape[2]
                     first, last = head[row + max(r - 1, 0)], head[row + min(r + 2, shape[2])]
-                    some = full[row + max(r - 1, 0)] or full[row + r] or full[row + min(r + 1, shape[2] - 1)]
-                    if first == last or (not some and not full[here]):
+                    if first == last:
                         continue
                     for k in range(head[here], head[here + 1]):
-                        if not some and not wanted[k]:
+                        if not wanted[k]:
                             continue
                         x, y, z, size = near[0, k], near[1, k], near[2, k], near[3, k] + wide
+                        far = along + near[3, k]
                         # No branch: what is near enough is kept by counting on.
                         many = 0
-                        for m in range(k + 1 if side == 0 else first, last):
+                        for m in range(k + 1 if side == 0 and every else first, last):
                             dx, dy, dz, most = x - near[0, m], y - near[1, m], z - near[2, m], size + near[3, m]
                             within[many] = m
                             many += 1 if dx * dx + dy * dy + dz * dz < most * most else 0
+                        # Nor by its distance from the line of the one or of the other; again without a branch.
+                        left = 0
                         for number in range(many):
                             m = within[number]
-                            if not (wanted[k] or wanted[m]):
-                                continue
-                            if owner[k] == owner[m]:
-                                most = near[3, k] + near[3, m]
-                                if abs(near[4, k] - near[4, m]) < along + most:
-                                    continue
-                            # Nor by its distance from the line of the one or of the other.
+                            within[left] = m
                             dx, dy, dz = x - near[0, m], y - near[1, m], z - near[2, m]
                             square = dx * dx + dy * dy + dz * dz
                             t = dx * near[5, k] + dy * near[6, k] + dz * near[7, k]
-                            most = wide + near[3, m]
-                            if square - t * t >= most * most:
-                                continue
-                            t = dx * near[5, m] + dy * near[6, m] + dz * near[7, m]
-                            most = wide + near[3, k]
-                            if square - t * t >= most * most:
-                                continue
-                            i, j = order[k], order[m]
-                            if nearest(coords, i, j, found) < reach * reach:
-                                if count < len(pairs):
-                                    pairs[count, 0], pairs[count, 1] = i, j
-                                count += 1
+                            s = dx * near[5, m] + dy * near[6, m] + dz * near[7, m]
+                            other, own = wide + near[3, m], wide + near[3, k]
+                            beside = (square - t * t < other * other) & (square - s * s < own * own)
+                            away = (owner[k] != owner[m]) | (abs(near[4, k] - near[4, m]) >= far + near[3, m])
+                            left += 1 if beside & away & (every | (not wanted[m]) | (m > k)) else 0
+                        for number in range(left):
+                            if count < len(pairs):
+                                pairs[count, 0], pairs[count, 1] = order[k], order[within[number]]
+                            count += 1
     return count
 
 
 @kernel
-def push(coords: F8x2, pairs: I4x2, apart: float, rounds: int, move: F8x2, weight: F8x1) -> None:
-    """Push pairs of segments ``apart``, ``rounds`` times: all pushes at once, each point's shared by what pushes it.
+def push(
+    coords: F8x2, pairs: I4x2, apart: float, enough: float, rounds: int, nearly: float, around: int, marked: B1x1
+) -> None:
+    """Push pairs of segments that are not ``enough`` apart ``apart``, one after the other, ``rounds`` times.
 
-    Pairs that are apart are looked at again after some rounds, the later the further apart they are.
+    Pairs that are enough apart are looked at again after some rounds, the later the further apart they are.
+    marked : (P,) becomes true at the points of pairs that are not even ``nearly`` apart then, and ``around`` to either side of them
     """
     found = np.zeros(2)
+    n = len(coords)
     wait = np.zeros(len(pairs), np.int8)
-    for _ in range(rounds):
-        move[:] = 0.0
-        weight[:] = 0.0
+    for number in range(rounds + 1):
         for k in range(len(pairs)):
             if wait[k] > 0:
                 wait[k] -= 1
                 continue
             i, j = pairs[k, 0], pairs[k, 1]
             gap = nearest(coords, i, j, found)
-            if gap >= apart * apart:
-                wait[k] = min(6, 1 + int((math.sqrt(gap) / apart - 1.0) / 0.015))
+            if number == rounds:
+                if gap < nearly * nearly:
+                    for m in range(max(0, i - around), min(n, i + around + 2)):
+                        marked[m] = True
+                    for m in range(max(0, j - around), min(n, j + around + 2)):
+                        marked[m] = True
+                continue
+            if gap >= enough * enough:
+                wait[k] = min(12, 1 + int((math.sqrt(gap) / enough - 1.0) / 0.015))
                 continue
             gap = max(math.sqrt(gap), 1e-9)
             s, t = found[0], found[1]
             # The four ends move so that the nearest points part by what is missing.
-            share = 0.5 * (apart - gap) / gap
+            share = 0.5 * min(apart - gap, GENTLE * apart) / gap
             own, other = (1 - s) * (1 - s) + s * s, (1 - t) * (1 - t) + t * t
             for c in range(3):
                 d = (
@@ -259,22 +261,14 @@ def push(coords: F8x2, pairs: I4x2, apart: float, rounds: int, move: F8x2, weigh
                     - coords[j, c]
                     - t * (coords[j + 1, c] - coords[j, c])
                 ) * share
-                move[i, c] += (1 - s) * d / own
-                move[i + 1, c] += s * d / own
-                move[j, c] -= (1 - t) * d / other
-                move[j + 1, c] -= t * d / other
-            weight[i] += 1 - s
-            weight[i + 1] += s
-            weight[j] += 1 - t
-            weight[j + 1] += t
-        for i in range(len(coords)):
-            if weight[i] > 0.0:
-                for c in range(3):
-                    coords[i, c] += move[i, c] / max(1.0, weight[i])
+                coords[i, c] += (1 - s) * d / own
+                coords[i + 1, c] += s * d / own
+                coords[j, c] -= (1 - t) * d / other
+                coords[j + 1, c] -= t * d / other
 
 
 def _pairs(coords: Array, ends: Array, reach: float, along: float, only: Array | None = None) -> Array:
-    """Pairs (Q, 2) of segments nearer than ``reach``: of all, or those of which one is marked in ``only`` (P,)."""
+    """Pairs (Q, 2) of segments that may be nearer than ``reach``: of all, or those of which one is marked in ``only`` (P,)."""
     n = len(coords)
     strand, arc, middle, half, box = np.empty(n, np.int32), np.empty(n), np.empty((n, 3)), np.empty(n), np.zeros((3, 3))
     count = int(_segments(coords, ends, strand, arc, middle, half, box))
@@ -295,13 +289,13 @@ def _pairs(coords: Array, ends: Array, reach: float, along: float, only: Array |
         count = int(np.count_nonzero(live[where[where >= 0]]))
     head = np.zeros(len(live) + 1, np.int32)
     order, owner, near = np.empty(count, np.int32), np.empty(count, np.int32), np.empty((8, count), np.float32)
-    wanted, full = np.zeros(count, np.bool_), np.zeros(len(head), np.bool_)
-    _bins(coords, strand, arc, middle, half, low, some, where, live, head, order, near, owner, wanted, full)
-    pairs = np.zeros((max(64, 2 * count), 2), np.int32)
-    found = int(close_pairs(coords, shape, head, order, near, owner, wanted, full, reach, along, pairs))
+    wanted = np.zeros(count, np.bool_)
+    _bins(coords, strand, arc, middle, half, low, some, where, live, head, order, near, owner, wanted)
+    pairs = np.empty((max(64, 4 * count), 2), np.int32)
+    found = int(close_pairs(shape, head, order, near, owner, wanted, only is None, reach, along, pairs))
     if found > len(pairs):
         pairs = np.zeros((found, 2), np.int32)
-        close_pairs(coords, shape, head, order, near, owner, wanted, full, reach, along, pairs)
+        close_pairs(shape, head, order, near, owner, wanted, only is None, reach, along, pairs)
     out = np.empty((found, 2), np.int32)
     _along(pairs[:found], np.zeros(n + 1, np.int32), out)
     return out
@@ -330,10 +324,11 @@ def distances(coords: Array, ends: Array, diameter: float, reach: float) -> tupl
     """
     pairs = _pairs(coords, ends, reach, ALONG * diameter)
     found = np.zeros(2)
-    return pairs, np.array([nearest(coords, i, j, found) for i, j in pairs.tolist()]) ** 0.5
+    far = np.array([nearest(coords, i, j, found) for i, j in pairs.tolist()]) ** 0.5
+    return pairs[far < reach], far[far < reach]
 
 
-def clear(coords: Array, ends: Array, diameter: float, *, looks: int = 3, rounds: int = 12, apart: float = 1.0) -> None:
+def clear(coords: Array, ends: Array, diameter: float, *, looks: int = 3, rounds: int = 8, apart: float = 1.0) -> None:
     """Move the points (P, 3) of strands so that their centre lines come to be a diameter apart, as far as they can.
 
     looks : how often near pairs are searched anew; rounds : pushes in between; apart : the aim, in diameters
@@ -341,17 +336,16 @@ def clear(coords: Array, ends: Array, diameter: float, *, looks: int = 3, rounds
     Yarn that already has its room is looked at once: the later looks are only at what was too near or has moved since, and
     about it.
     """
-    move, weight = np.zeros_like(coords), np.zeros(len(coords))
     only, seen = None, coords.copy()
-    for look in range(looks):
-        pairs = _pairs(coords, ends, 1.1 * diameter, BENT * ALONG * diameter, only)
+    for _ in range(looks):
+        pairs = _pairs(coords, ends, KNOWN * diameter, BENT * ALONG * diameter, only)
         if not len(pairs):
             return
         if only is not None:
             seen[only] = coords[only]
-        push(coords, pairs, apart * diameter, FIRST if look == 0 and looks > 1 else rounds, move, weight)
         only = np.zeros(len(coords), np.bool_)
-        crowded(coords, pairs, ENOUGH * apart * diameter, AROUND, only)
+        aim = apart * diameter
+        push(coords, pairs, aim, ENOUGH * aim, rounds, NEARLY * aim, AROUND, only)
         strayed(coords, seen, STRAYED * diameter, only)
         if not only.any():
             return
@@ -367,17 +361,3 @@ def strayed(coords: F8x2, seen: F8x2, far: float, marked: B1x1) -> None:
             size += step * step
         if size > far * far:
             marked[max(0, i - 1)] = marked[i] = True
-
-
-@kernel
-def crowded(coords: F8x2, pairs: I4x2, apart: float, around: int, near: B1x1) -> None:
-    """Mark in ``near`` (P,) the points of pairs that are nearer than ``apart``, and ``around`` to either side of them."""
-    found = np.zeros(2)
-    n = len(coords)
-    for k in range(len(pairs)):
-        i, j = pairs[k, 0], pairs[k, 1]
-        if nearest(coords, i, j, found) < apart * apart:
-            for m in range(max(0, i - around), min(n, i + around + 2)):
-                near[m] = True
-            for m in range(max(0, j - around), min(n, j + around + 2)):
-                near[m] = True
