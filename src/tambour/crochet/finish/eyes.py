@@ -21,7 +21,7 @@ DARK = 52
 """An eye is one colour where no channel is brighter than this; else it has a pupil."""
 PUPIL = 0.55
 """Where the pupil ends, as a share of the radius seen from above."""
-HELD, PRESS = 0.6, 0.3
+HELD, PRESS = 0.8, 0.15
 """An eye's widest place lies PRESS radii under the height that this share of the fabric beneath it does not reach."""
 BACK = 0.34
 """How far behind its widest place an eye's back lies, in radii."""

@@ -93,7 +93,10 @@ _WOUND = np.array(
 _THIRD = np.array(
     [(0.80, -0.36, -0.32), (0.90, -0.24, -0.42), (0.45, -0.20, -0.46), (0.0, -0.26, -0.42), (0.04, -0.42, -0.32)]
 )
-_SEAM = np.array([(0.0, -0.1, -0.45), (0.0, -0.1, 0.12)])
+# A stitch of a seam, from the top of the stitch that is sewn on: out of the fabric below beside its edge, over its last round
+# where one sees it, in there, and down inside to the next.
+_SEAM = np.array([(0.0, 0.26, 0.16), (0.05, 0.14, 0.46), (0.15, -0.15, 0.58), (0.22, -0.42, 0.40), (0.25, -0.50, -0.20)])
+_UNDER = np.array([(0.0, -0.1, -0.45)])
 
 TIGHT = 0.6
 """As far along the work, in stitches, a head keeps its place that is drawn tight."""
@@ -322,7 +325,7 @@ def _joined(graph: StitchGraph, cell: Array, below: Array, at: Array, drop: Arra
         if number == 0 or (graph.part[seams[number - 1]] != graph.part[[later, earlier]]).any():
             seam = len(pieces.breaks) + 1
             pieces.begin(total, -1 - later, START + seam)
-        for node, rows in ((earlier, _SEAM), (later, _SEAM[::-1])):
+        for node, rows in ((earlier, _UNDER), (later, _SEAM)):
             pieces.put(total, START + seam, node, STANDS, rows, float(graph.height[node]))
     rows = np.array(pieces.rows).reshape(-1, 7)
     order = np.lexsort((np.arange(len(rows)), rows[:, 1], rows[:, 0]))
