@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import Text
-from tambour.core.graph import JOIN, StitchGraph
+from tambour.core.graph import JOIN, SEWN, StitchGraph
 from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.layout import rounds
@@ -21,7 +21,7 @@ from tambour.crochet.plush import make
 from tambour.crochet.specimens import text
 from tambour.crochet.yarn import clearance, course, fabric, loops, surface
 from tambour.examples import folder
-from tambour.geometry.surface import closed
+from tambour.geometry.surface import closed, vertex_normals
 
 STRIPES = """
 color(200, 40, 40)
@@ -229,6 +229,26 @@ def test_a_picture_stays_where_its_nodes_are() -> None:
     host, slip = course.leaning(graph, 0.25)
     white = np.flatnonzero((graph.color == 255).all(1))
     assert abs((host + slip)[white] - white).max() < 1.0
+
+
+def test_a_seam_is_sewn_where_one_sees_it() -> None:
+    """Every stitch of a seam lies once over the edge of what is sewn on: outside of its last round, and not inside only."""
+    source = Text(
+        "== A ==\n: MR(6)\n: 6 inc\n: [sc, inc] x 6\n: [2 sc, inc] x 6\n: 24 sc\n: 24 sc\n: [2 sc, dec] x 6\n: 9 dec\n: 4 dec, sc\nFO\n"
+        "== B ==\n: MR(6)\n: 6 inc\n: 12 sc\n: 12 sc\nplace(B, A, round=5, stitch=6)\n"
+    )
+    made = make(source, CrochetParams(), Progress())
+    graph, yarn = made.built.graph, made.yarn
+    sewn = graph.edges[graph.edge_kind == SEWN]
+    (seam,) = np.flatnonzero(yarn.source < 0)
+    a, b = yarn.paths.offsets[seam : seam + 2]
+    x, of = yarn.paths.coords[a:b], yarn.point_data["stitch"][a:b]
+    out = vertex_normals(made.positions, graph.faces)
+    seen = sum(
+        bool((((x[of == i] - made.positions[i]) @ out[i]) > 0.3 * graph.stitch_width).any())
+        for i in sewn[:, 0].tolist()
+    )
+    assert len(sewn) >= 12 and seen > 0.9 * len(sewn)
 
 
 def test_an_end_that_is_sewn_stays_at_its_nodes() -> None:

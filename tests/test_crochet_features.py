@@ -213,3 +213,14 @@ def test_felt_on_a_ball_is_as_wide_as_in_the_hand() -> None:
     angle = np.arctan2(level[:, 0] - middle[0], level[:, 2] - middle[2])
     radius = np.median(np.linalg.norm(level[:, [0, 2]] - middle[[0, 2]], axis=1))
     assert np.ptp(angle) * radius == pytest.approx(20.0, rel=0.08)
+
+
+def test_hair_falls_over_felt_and_not_through_it() -> None:
+    piece = made(
+        "felt(Head, round=13, stitch=6, width=24, color=white)", "hair(Head, 16:1, 16:12, count=12, length=100)"
+    )
+    felt, hair = meshes(piece.built, piece.positions, piece.yarn)[0]
+    beside, _, high = ground(felt.vertices, felt.faces, piece.yarn, piece.stitch[0]).foot(hair.vertices)
+    away = np.sqrt(((hair.vertices - beside) ** 2).sum(1))
+    assert (away < 1.0).sum() > 100  # it does lie on it
+    assert away[high < 0].max(initial=0.0) < 0.2  # as deep as felt gives way (0.7 before it knew of the felt)

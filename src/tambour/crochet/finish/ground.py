@@ -60,6 +60,13 @@ class Ground:
             _over(np.ascontiguousarray(points), np.ascontiguousarray(normals), near, reach, -0.6 * self.stitch, out)
         return np.where(np.isfinite(out), out, self.lift)
 
+    def covered(self, points: Array, normals: Array) -> Array:
+        """How high over places (P, 3) of the fabric what was laid on it reaches (P,); 0 where nothing lies."""
+        out = np.zeros(len(points))
+        for balls in self.laid:
+            _over(np.ascontiguousarray(points), np.ascontiguousarray(normals), balls, 1.3 * self.stitch, -np.inf, out)
+        return out
+
     def lay(self, points: Array, radius: float | Array) -> None:
         """What is laid later lies on balls about ``points`` (P, 3) too."""
         self.laid.append(np.column_stack([points, np.broadcast_to(radius, len(points))]))

@@ -154,16 +154,17 @@ def _comb(
 
 
 def outside(ground: Ground, points: Array, clearance: float, eyes: Array, thick: float) -> tuple[Array, Array, Array]:
-    """Points (P, 3) moved out of the fabric, to ``clearance`` mm over it, and out of the eyes; the fabric's normals
-    there, and how high over it they are (P,)."""
-    _, normal, high = ground.foot(points)
-    points = points + np.maximum(0.0, clearance - high)[:, None] * normal
+    """Points (P, 3) moved out of the fabric, to ``clearance`` mm over it, out of what was laid on it and of the eyes; the
+    fabric's normals there, and how high over it they are (P,)."""
+    base, normal, high = ground.foot(points)
+    over = np.maximum(clearance, ground.covered(base, normal) + 0.5 * thick) if ground.laid else clearance
+    points = points + np.maximum(0.0, over - high)[:, None] * normal
     for middle, radius in zip(eyes[:, :3], eyes[:, 3]):
         off = points - middle
         far = np.sqrt((off**2).sum(1))
         wanted = radius + 0.5 * thick
         points = np.where((far < wanted)[:, None], middle + off * (wanted / np.maximum(far, 1e-9))[:, None], points)
-    return points, normal, np.maximum(high, clearance)
+    return points, normal, np.maximum(high, over)
 
 
 def _settled(ground: Ground, knots: list[Array], locks: list[Array], thick: float, eyes: Array) -> list[Array]:

@@ -28,6 +28,8 @@ CELLS = 4e6
 """Cells of the grid that pairs are found in, at the most."""
 AROUND = 2
 """Points of the yarn to either side of what is too near that move with it."""
+BESIDE, ABOVE = (0, 0, 1, 1, 1, 0, -1, -1, -1), (0, 1, -1, 0, 1, -1, -1, 0, 1)
+"""The rows of cells about one: its own, the four behind it, and the four before it."""
 
 
 @kernel
@@ -181,8 +183,7 @@ def close_pairs(
                 # Where all are wanted, this cell and half of those around it: every pair once. Where some are, each of them
                 # looks all around, and of two that are the first finds the other. Cells along r lie one behind the other.
                 for side in range(5 if every else 9):
-                    a = p + (0 if side < 2 or side == 5 else 1 if side < 5 else -1)
-                    b = q + (0 if side == 0 else 1 if side == 1 else -1 if side == 5 else side - 3 if side < 5 else side - 7)
+                    a, b = p + BESIDE[side], q + ABOVE[side]
                     if a < 0 or a >= shape[0] or b < 0 or b >= shape[1]:
                         continue
                     row = (a * shape[1] + b) * shape[2]

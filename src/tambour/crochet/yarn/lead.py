@@ -95,7 +95,9 @@ _THIRD = np.array(
 )
 # A stitch of a seam, from the top of the stitch that is sewn on: out of the fabric below beside its edge, over its last round
 # where one sees it, in there, and down inside to the next.
-_SEAM = np.array([(0.0, 0.26, 0.16), (0.05, 0.14, 0.46), (0.15, -0.15, 0.58), (0.22, -0.42, 0.40), (0.25, -0.50, -0.20)])
+_SEAM = np.array(
+    [(0.0, 0.26, 0.16), (0.05, 0.14, 0.46), (0.15, -0.15, 0.58), (0.22, -0.42, 0.40), (0.25, -0.50, -0.20)]
+)
 _UNDER = np.array([(0.0, -0.1, -0.45)])
 
 TIGHT = 0.6
