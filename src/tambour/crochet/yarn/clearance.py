@@ -19,11 +19,13 @@ ENOUGH, NEARLY = 0.975, 0.965
 """What is as near as the one to the aim has its room, and is not pushed; what is pushed comes to the other, at the least."""
 GENTLE = 0.3
 """How far two are pushed apart at once, at the most, in diameters: yarn that lies crossed comes free without being stretched."""
+SOON, NEVER = 12, 100
+"""After so many rounds pairs are looked at again that are enough apart; further ones never."""
 KNOWN = 1.2
 """Pairs are known up to so many diameters."""
-STRAYED = 0.11
-"""What has moved so many diameters since it was looked at may be near to something new: two that were not moved by more,
-and were not known, are still ENOUGH apart."""
+STRAYED, MOVED = 0.11, 0.05
+"""What has moved so many diameters in the first look may be near to something new: two that were not moved by more, and were
+not known, are still ENOUGH apart. Later, what others have moved by the second may be too near to what it just had room from."""
 CELLS = 4e6
 """Cells of the grid that pairs are found in, at the most."""
 AROUND = 2
@@ -227,7 +229,8 @@ def push(
 ) -> None:
     """Push pairs of segments that are not ``enough`` apart ``apart``, one after the other, ``rounds`` times.
 
-    Pairs that are enough apart are looked at again after some rounds, the later the further apart they are.
+    Pairs that are enough apart are looked at again after some rounds, the later the further apart they are, and at the end;
+    but for those so far apart that one of them must stray before they are too near.
     marked : (P,) becomes true at the points of pairs that are not even ``nearly`` apart then, and ``around`` to either side of them
     """
     found = np.zeros(2)
@@ -235,7 +238,7 @@ def push(
     wait = np.zeros(len(pairs), np.int8)
     for number in range(rounds + 1):
         for k in range(len(pairs)):
-            if wait[k] > 0:
+            if wait[k] > 0 and (number < rounds or wait[k] > NEVER - rounds):
                 wait[k] -= 1
                 continue
             i, j = pairs[k, 0], pairs[k, 1]
@@ -248,7 +251,8 @@ def push(
                         marked[m] = True
                 continue
             if gap >= enough * enough:
-                wait[k] = min(12, 1 + int((math.sqrt(gap) / enough - 1.0) / 0.015))
+                later = 1 + int((math.sqrt(gap) / enough - 1.0) / 0.015)
+                wait[k] = later if later <= SOON else NEVER
                 continue
             gap = max(math.sqrt(gap), 1e-9)
             s, t = found[0], found[1]
@@ -338,7 +342,7 @@ def clear(coords: Array, ends: Array, diameter: float, *, looks: int = 3, rounds
     about it.
     """
     only, seen = None, coords.copy()
-    for _ in range(looks):
+    for look in range(looks):
         pairs = _pairs(coords, ends, KNOWN * diameter, BENT * ALONG * diameter, only)
         if not len(pairs):
             return
@@ -347,7 +351,9 @@ def clear(coords: Array, ends: Array, diameter: float, *, looks: int = 3, rounds
         only = np.zeros(len(coords), np.bool_)
         aim = apart * diameter
         push(coords, pairs, aim, ENOUGH * aim, rounds, NEARLY * aim, AROUND, only)
-        strayed(coords, seen, STRAYED * diameter, only)
+        strayed(coords, seen, (MOVED if look else STRAYED) * diameter, only)
+        if look == 0:
+            seen = coords.copy()
         if not only.any():
             return
 

@@ -23,7 +23,7 @@ from tambour.core.kernels import kernel
 RATIO: Final = 0.2
 """Yarn diameter, in stitch widths, for which the course was found: drawn tight, where strands press on each other."""
 
-BLOOM: Final = 2.5
+BLOOM: Final = 2.6
 """Radius drawn, in radii of that: wool is soft outside, and neighbours press into each other."""
 
 THICK: Final = 0.66
