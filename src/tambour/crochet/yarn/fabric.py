@@ -28,6 +28,10 @@ OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
 BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
+ERECT = 1.5
+"""How far stitches' legs are brought upright for what their column does not lean, in times of that: half of it shows."""
+BACKWARDS = 1.6
+"""What is missing of the lean is made good up to so much of it: where columns lean back it is more than all."""
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
 
@@ -60,7 +64,7 @@ def strands(
     radius = graph.stitch_width * RATIO / 2 if yarn_radius is None else yarn_radius
     led = way(graph, hold)
     rows = course(graph, x, LEAN[hold])
-    at = _varied(led)
+    at = _upright(_varied(led), led, graph, rows, LEAN[hold])
     coords, ends = np.zeros((len(led.cell), 3)), led.ends
     place(
         led.cell,
@@ -122,6 +126,21 @@ def _varied(led: Way) -> Array:
     # What is drawn long is drawn from the stitch's own middle; its ends stay where the next stitch takes the yarn.
     inside = np.clip(4.0 * v * (1.0 - v), 0.0, 1.0)
     return np.stack([u + lean * (v - 0.5) * inside, v + high * inside, w * (1.0 + loose * inside)], axis=1)
+
+
+def _upright(at: Array, led: Way, graph: StitchGraph, rows: Course, lean: float) -> Array:
+    """The way's points (P, 3) with the legs of stitches brought upright whose columns lean less to the right than those in
+    which the course was found: where work is joined or turned, and towards ends that are sewn on, where they lean back."""
+    _, number, count = np.unique(graph.round, return_inverse=True, return_counts=True)
+    around = count[number]
+    glided = (rows.host + rows.slip - np.arange(len(graph))) / around  # turns
+    worked = np.flatnonzero(np.diff(graph.anchor_offsets) > 0)
+    on = graph.anchors[graph.anchor_offsets[worked + 1] - 1]
+    missing = np.zeros(len(graph))
+    missing[worked] = np.clip(1.0 + (glided[worked] - glided[on]) * around[worked] / lean, 0.0, BACKWARDS)
+    u, v, w = at.T
+    front = np.clip(w / 0.25, 0.0, 1.0) * np.clip(v / 0.8, 0.0, 1.0) * np.clip((1.2 - v) / 0.3, 0.0, 1.0)
+    return np.stack([u - lean * ERECT * front * missing[led.cell], v, w], axis=1)
 
 
 def _rounder(coords: Array, ends: Array, pieces: int) -> tuple[Array, Array, Array]:

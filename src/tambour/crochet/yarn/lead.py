@@ -96,7 +96,7 @@ _THIRD = np.array(
 # A stitch of a seam, from the top of the stitch that is sewn on: out of the fabric below beside its edge, over its last round
 # where one sees it, in there, and down inside to the next.
 _SEAM = np.array(
-    [(0.0, 0.26, 0.16), (0.05, 0.14, 0.46), (0.15, -0.15, 0.58), (0.22, -0.42, 0.40), (0.25, -0.50, -0.20)]
+    [(-0.16, 0.02, 0.10), (-0.08, -0.02, 0.33), (0.12, -0.22, 0.46), (0.30, -0.42, 0.34), (0.36, -0.48, -0.20)]
 )
 _UNDER = np.array([(0.0, -0.1, -0.45)])
 
