@@ -32,17 +32,29 @@ def _tube(*lines: str, lift: str = "ch") -> str:
     return _FLAT + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\n"
 
 
-def _ball(*middle: str) -> str:
-    """A stuffed ball of 30 stitches, ``middle`` its rounds between the increases and the decreases."""
-    up = ("MR(6)", "6 inc", "[sc, inc] x 6", "[2 sc, inc] x 6", "[3 sc, inc] x 6")
-    down = ("[3 sc, dec] x 6", "[2 sc, dec] x 6", "[sc, dec] x 6", "6 dec")
+def _ball() -> str:
+    """A stuffed ball: as many stitches in each round as a sphere has room for, its increases and decreases not above one another."""
+    up = (
+        "MR(6)",
+        "6 inc",
+        "[sc, inc] x 2, 2 sc, inc, sc, inc, 2 sc, inc",
+        "2 sc, inc, [3 sc, inc] x 2, 4 sc, inc, sc",
+        "[6 sc, inc] x 3",
+    )
+    middle = ("6 sc, inc, 11 sc, inc, 5 sc", "25 sc, inc", "13 sc, dec, 12 sc", "[11 sc, dec] x 2")
+    down = (
+        "3 sc, dec, [6 sc, dec] x 2, 3 sc",
+        "[3 sc, dec] x 3, 4 sc, dec",
+        "[sc, dec] x 2, 2 sc, dec, sc, dec, 2 sc, dec",
+        "6 dec",
+    )
     every = (*up, *middle, *down)
     return _FLAT.replace("none", "firm") + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\nFO\n"
 
 
 TABLE: Final[dict[str, tuple[str, str]]] = {
     "ch": ("chain", _FLAT + "R1: 14 ch\n"),
-    "sc": ("single crochet, in rounds", _ball(*["30 sc"] * 6)),
+    "sc": ("single crochet, in rounds", _ball()),
     "rows": ("single crochet, in rows", _rows("12 sc", "ch", 8)),
     "joined": ("single crochet, joined rounds", _tube(*["24 sc"] * 6)),
     "hdc": ("half double crochet", _rows("12 hdc", "2 ch", 5)),

@@ -18,6 +18,10 @@ from tambour.render.shade import DYED, FINE, HAIRS, REACH
 
 MOST = 0.3
 """Hairs per pixel of a surface at the most: beyond, each stands for several and is as much thicker."""
+WIDEST = 0.9
+"""Pixels that a hair is wide at the most for the others that it stands for: an outline is soft, and no saw."""
+DIM = 0.85
+"""How dark a hair in the shade may be, as a share of the light that comes from the surface where it stands."""
 STEP = 1.3
 """Pixels between the points of a hair."""
 BENDS = 28
@@ -192,10 +196,14 @@ def hairs(
                 for k in range(3):
                     light[k] += stride * gain * weight[q, k]
             tone = 0.82 + 0.36 * uniform(key, np.uint64(at + 11))
+            row, column = i // samples, j // samples
             for k in range(3):
                 albedo = DYED[0] + DYED[1] * color[a, k]
-                light[k] *= tone * albedo
-            thick = 2.0 * radius * table[m, FINE] * pixel * stands
+                # In the shade it takes what the yarn about it throws back.
+                light[k] = max(light[k] * tone * albedo, DIM * out[row, column, k])
+            thick = min(
+                2.0 * radius * table[m, FINE] * pixel * stands, max(WIDEST, 2.0 * radius * table[m, FINE] * pixel)
+            )
             steps = min(BENDS, max(4, int(long * pixel / STEP)))
             part = long / steps
             drawn += 1
