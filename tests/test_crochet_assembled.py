@@ -8,7 +8,7 @@ import pytest
 from tambour.core.errors import Text
 from tambour.core.progress import Progress
 from tambour.crochet.finish.joining import join, prepare
-from tambour.crochet.finish.sewing import end_of, held
+from tambour.crochet.finish.sewing import End, end_of, held
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Hair, Placed
@@ -263,3 +263,31 @@ def test_a_blunt_nose_has_its_eyes_at_its_sides() -> None:
     pattern = read(whale, "Attach the safety eyes.")
     level = {f.spot.round for f in pattern.finish if isinstance(f, Eye)}
     assert pattern.parts[0].up == "side" and level and min(level) >= 4.0
+
+
+def test_of_two_furs_in_one_sentence_each_goes_to_its_own_place() -> None:
+    fur = "{} FUR\nWith B, ch 7.\nRow 1: sc in 2nd ch from hook and in each ch across, turn (6)\nRow 2: ch 1, sc in each sc (6)\nFasten off.\n\n"
+    whole = ONE_PIECE.replace("BODY", "HEAD AND BODY", 1).replace("Continue for Head:\n", "")
+    pattern = read(
+        whole + fur.format("FACIAL") + fur.format("CHEST"),
+        "Sew Facial Fur and Chest Fur to Body and Head as shown in picture. Attach safety eyes as shown.",
+    )
+    at = {f.part: f.spot.round for f in pattern.finish if isinstance(f, Placed)}
+    eyes = [f.spot.round for f in pattern.finish if isinstance(f, Eye)]
+    assert max(eyes) < at["FACIAL FUR"] < 18 <= at["CHEST FUR"]
+
+
+def test_safety_eyes_and_nose_are_both_there() -> None:
+    said = "Attach safety eyes and nose as shown in picture. Sew the head to the body."
+    made = read(BODY + BODY.replace("BODY", "HEAD"), said).finish
+    assert len([f for f in made if isinstance(f, Eye)]) == 2
+    assert {f.motif for f in made if isinstance(f, Embroidery)} == {"nose"}
+
+
+def test_a_limb_whose_end_is_a_slit_along_it_is_held_by_its_length() -> None:
+    x = np.array(
+        [[0.0, k, 0.0] for k in range(12)] + [[0.1, 12.0, 0.0], [0.0, 13.0, 0.0], [0.0, 14.0, 0.0], [0.1, 15.0, 0.0]]
+    )
+    end = End(np.arange(12, 16), False, np.zeros((0, 2), int))
+    how = held(x, np.arange(16), end)
+    assert how.axis == pytest.approx([0.0, -1.0, 0.0], abs=0.05) and abs(how.front @ how.axis) < 1e-6

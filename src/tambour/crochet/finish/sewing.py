@@ -36,6 +36,8 @@ FAN = 3
 """A fan begins with so few stitches, and its last row has so many for every row, or more."""
 STRIP = 3
 """A piece in rows is a strip where its last row has so many stitches to a row, or more."""
+ALONG = 0.9
+"""An end whose line runs so nearly along its part, as a cosine, says nothing of how it is held."""
 ROUND = 0.3
 """An end that encloses less than this share of a circle of as many stitches is no ring."""
 REACH = 5.0
@@ -159,6 +161,11 @@ def held(x: Array, own: Array, end: End) -> Held:
         else:
             line = loop[-1] - loop[0]
         front = _unit(line)
+        if abs(dot(front, away)) > ALONG * length(
+            away
+        ):  # the edge of a slit, along the part: held by its end all the same
+            side = np.cross(away, [0.0, 0.0, 1.0] if abs(away[2]) < 0.9 * length(away) else [1.0, 0.0, 0.0])
+            return Held(middle, _unit(away), _unit(side))
         return Held(middle, _unit(away - dot(away, front) * front), front)
     off = loop - middle
     axis = np.cross(off, np.roll(off, -1, 0)).sum(0)

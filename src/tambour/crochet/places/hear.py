@@ -231,8 +231,9 @@ class Heard:
             )
         ):
             host = self._on(found, low)
-            names = ["safety eyes"] if eyed else [face.styled(f, low) for f in features]
-            pieces = _pieces(low, features) if len(features) > 1 and not eyed else [low] * len(names)
+            both = ["nose"] if re.search(r"\beyes? and (?:the )?(?:safety )?nose\b", low) else []
+            names = ["safety eyes", *both] if eyed else [face.styled(f, low) for f in features]
+            pieces = _pieces(low, features) if len(features) > 1 and not eyed else [low] * max(len(names), 1)
             for name, piece in zip(names, pieces):
                 own = where(piece)
                 place = own if own.says or own.wide else at if piece is low or not at.beside else replace(at, beside=())

@@ -14,7 +14,7 @@ _KINDS: Final[dict[str, str]] = {
     "ear": "ear eartuft ohr oreja oreille oor",
     "face": "face gesicht cara visage gezicht",
     "eye": "eye eyeball pupil iris eyelid eyepatch auge ojo oeil œil oog",
-    "muzzle": "muzzle snout trunk mouth schnauze hocico museau snuit",
+    "muzzle": "muzzle snout trunk mouth facial schnauze hocico museau snuit",
     "nose": "nose nase nariz nez neus proboscis",
     "beak": "beak bill schnabel pico bec snavel",
     "cheek": "cheek eyebrow brow",
