@@ -291,3 +291,15 @@ def test_a_limb_whose_end_is_a_slit_along_it_is_held_by_its_length() -> None:
     end = End(np.arange(12, 16), False, np.zeros((0, 2), int))
     how = held(x, np.arange(16), end)
     assert how.axis == pytest.approx([0.0, -1.0, 0.0], abs=0.05) and abs(how.front @ how.axis) < 1e-6
+
+
+def test_ears_of_what_looks_ahead_are_behind_its_eyes() -> None:
+    """A rat's ears lay on its eyes, whose rounds the text says."""
+    rat = ONE_PIECE.replace("BODY", "HEAD AND BODY (start at the nose)", 1)
+    for heading in ("Continue for Head:\n", "Continue for Body:\n"):
+        rat = rat.replace(heading, "")
+    said = "Attach safety eyes between Rnds 8 and 9, 6 sts apart. Sew the ears to the sides of the head as shown."
+    made = read(rat + LIMBS.format("EARS", 2), said).finish
+    eyes = [f.spot.round for f in made if isinstance(f, Eye)]
+    ears = [f.spot.round for f in made if isinstance(f, Placed)]
+    assert eyes == [8.5, 8.5] and min(ears) >= 11.0

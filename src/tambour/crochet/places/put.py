@@ -42,6 +42,8 @@ _HANGS: Final = re.compile(
     r"(?:rounds?|rnds?|rows?|r|\d+(?:st|nd|rd|th))\b"
 )
 """A piece of which the upper edge is at the round that is said."""
+_BEHIND_EYES: Final = 4.0
+"""So many rounds behind the eyes are the ears of what looks ahead, or more."""
 _BESIDE_BELLY: Final = -0.15
 """How high the arms of a ball with a face are."""
 _RIM, _RIM_OFF = 16, 3
@@ -247,6 +249,11 @@ class Putter(Holder):
         if pole is not None:
             return replace(pole, span=put.span), way
         near = host.near(self._off_the_eyes(put, host, host.towards(direction), k))
+        if put.kind == "ear" and eyes is not None and eyes[0] == host.name and float(host.axis[2]) < -0.7:
+            # Of what looks ahead the ears are behind the eyes, whose rounds may be said.
+            level = min(max(host.near(p).round for p in eyes[1]) + _BEHIND_EYES, float(host.high))
+            if near.round < level:
+                near = Spot(host.name, float(int(level)), host.in_round(level, direction))
         if (
             len(put.copies) == 1
             and near.stitch is not None
