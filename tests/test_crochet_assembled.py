@@ -303,3 +303,12 @@ def test_ears_of_what_looks_ahead_are_behind_its_eyes() -> None:
     eyes = [f.spot.round for f in made if isinstance(f, Eye)]
     ears = [f.spot.round for f in made if isinstance(f, Placed)]
     assert eyes == [8.5, 8.5] and min(ears) >= 11.0
+
+
+def test_a_wattle_hangs_below_the_beak() -> None:
+    wattle = "WATTLE\nWith B, ch 7.\nRow 1: sc in 2nd ch from hook and in each ch across (6)\nFasten off.\n\n"
+    made = read(
+        BODY + LIMBS.format("BEAK", 1) + wattle, "Sew the beak to the body. Sew the wattle around the beak."
+    ).finish
+    at = {f.part: f.spot for f in made if isinstance(f, Placed)}
+    assert at["WATTLE"].part == at["BEAK"].part == "BODY" and at["WATTLE"].round < at["BEAK"].round

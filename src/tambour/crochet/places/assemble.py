@@ -298,6 +298,13 @@ class Assembly(Upright):
             if kind in _LIMBS and p.host[0].kind in _PATCHES:  # beside a patch, on what the patch lies on
                 p.host = (head if head is not None and kind in ("ear", "horn") else main, 1)
                 p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())
+            if kind == "beard" and p.host[0].kind in (
+                "beak",
+                "nose",
+                "muzzle",
+            ):  # a wattle hangs below the beak, and hides it not
+                p.where = replace(p.where, beside=(("below", p.host[0].kind, None),), words=frozenset())
+                p.host = (head if head is not None else main, 1)
             if kind == "wheel":
                 p.host = (main, 1)
                 p.where = replace(p.where, rounds=None, beside=(), words=p.where.words & {"front", "back"})
