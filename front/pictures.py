@@ -22,7 +22,7 @@ def main() -> None:
         source = None if name == "ink" else EXAMPLE_FILES / name / called
         raw = thumb(name, make(what, source, what.params.of(given)).piece)
         small = TO / f"{name}.webp"
-        Image.open(io.BytesIO(raw)).save(small, quality=60, method=6)  # the page is to weigh little
+        Image.open(io.BytesIO(raw)).save(small, quality=50, method=6)  # the page is to weigh little
         print(f"{name}: {small.stat().st_size:,} bytes")
 
 

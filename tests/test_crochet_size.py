@@ -172,3 +172,10 @@ def test_expected_gauges_follow_the_council_and_tighten_with_the_hook() -> None:
         assert expected(name, WEIGHTS[name].amigurumi) < 0.8 * expected(name, WEIGHTS[name].hook)
     widths = [expected(name, kind.amigurumi) for name, kind in WEIGHTS.items()]
     assert widths == sorted(widths)
+
+
+def test_rounds_that_are_joined_and_turned_are_measured_around() -> None:
+    words = "Body\nRnd 1: 6 sc in magic ring. Join. Turn. [6]\nRnd 2: Ch 1. 2 sc in each sc around. Join. Turn. [12]\n"
+    words += "Rnd 3: Ch 1. 1 sc in each sc around. Join. Turn. [12]\nRnd 4: Ch 1. 1 sc in each sc around. Join. Turn. [12]\nFasten off.\n"
+    size = facts(make(Text(words, "b.txt"), CrochetParams(gauge="20x20"), Progress()))["size"]
+    assert size["around"]["mm"] == pytest.approx(12 * 5.0, rel=0.2) and size["around"]["stitches"] >= 12

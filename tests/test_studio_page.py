@@ -376,6 +376,29 @@ def test_knit_painted_by_keys(page, tmp_path):
     assert got.read_bytes() == (tmp_path / "chart.txt").read_bytes()
 
 
+def test_what_is_painted_while_a_colour_is_on_its_way_keeps_the_colour(page):
+    """Edits are sent whole: one that begins while another is on its way begins with that."""
+    rows = "\n".join(",".join("01"[(x // 2 + y) % 2] for x in range(12)) for y in range(10)) + "\n"
+    new(page, {"craft": "knit", "source": kept(page, "chart.csv", rows), "title": "chart"})
+    made(page)
+
+    def slowly(route: Any) -> None:
+        page.wait_for_timeout(600)
+        route.continue_()
+
+    page.route("**/revisions", slowly)
+    page.locator(".yarnrow input").first.fill("#cc3355")
+    page.focus(".view canvas")
+    for key in ("ArrowRight", "x", "Enter"):
+        page.keyboard.press(key)
+    page.wait_for_selector("text=1 stitch held by hand")
+    until(page, "document.querySelector('.saved').textContent === 'saved'")
+    edits = page.evaluate(
+        "async () => (await (await fetch(`/api/pieces/${location.hash.split('/').pop()}`)).json()).revision.edits"
+    )
+    assert {e["edit"] for e in edits} == {"yarn", "run"}
+
+
 def test_knit_painted_over_all_agrees_with_itself(page, tmp_path):
     """Floats too long by hand: what stands there is told apart from what the facts are of; caught, all figures agree."""
     from PIL import Image
@@ -995,9 +1018,18 @@ def whole(page: Any, selector: str) -> None:
 
 
 def test_a_phone_s_page_is_whole_and_what_is_told_lies_above_what_is_open(phone):
-    new(phone, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
+    long = BALL.replace(
+        "Rnd 3: sc around.",
+        "Rnd 3: (sc in the next stitch, and in the one after it) 6 times, with care and good light.",
+    )
+    new(phone, {"craft": "crochet", "source": {"text": long, "name": "ball.txt"}, "title": "ball"})
     made(phone)
     whole(phone, ".over.bottom .seg button")
+    scrub(phone, 0.6)
+    assert phone.evaluate("[innerWidth, document.documentElement.scrollWidth]") == [
+        390,
+        390,
+    ]  # long words widen no page
     phone.tap("text=Take away")
     phone.tap("dialog[open] >> text=Words")
     whole(phone, ".note")

@@ -175,7 +175,11 @@ def _pressed(piece: Plush, nodes: Array, rounds: list[tuple[int, float, int, flo
 
 
 def _in_rows(piece: Plush, nodes: Array) -> bool:
-    return bool((piece.built.graph.direction[nodes] < 0).any())
+    """Whether a part is worked in rows; rounds that are joined and turned are none."""
+    from tambour.crochet.graph.layout import in_rows
+
+    graph = piece.built.graph
+    return bool(len(nodes)) and bool(in_rows(graph)[graph.part[nodes[0]]])
 
 
 def _rows(piece: Plush, nodes: Array) -> tuple[float, float, float]:

@@ -42,7 +42,11 @@ export class Piece {
     /** Units that are worked: the scrub. */
     this.at = signal(0);
     this.saved = computed(() => !this.unsent.value && !this.sending.value);
-    this.params = computed(() => ({ ...this.revision.value?.params, ...this.unsent.value?.params }));
+    /** What is on its way to the server: it counts, though no revision holds it yet. */
+    this.sent = signal(/** @type {Change|null} */ (null));
+    /** Edits as they stand: each change of them begins with these, else it would lose the one before it. */
+    this.edits = computed(() => this.unsent.value?.edits ?? this.sent.value?.edits ?? this.revision.value?.edits ?? []);
+    this.params = computed(() => ({ ...this.revision.value?.params, ...this.sent.value?.params, ...this.unsent.value?.params }));
     /** @type {(told: any) => void} */
     this.onframe = () => {};
     this.wire = new Live();
@@ -141,6 +145,7 @@ export class Piece {
     const what = mine.params ? { ...mine, params: clean({ ...base.params, ...mine.params }) } : mine;
     batch(() => {
       this.sending.value = true;
+      this.sent.value = mine;
       this.unsent.value = null;
     });
     try {
@@ -163,7 +168,10 @@ export class Piece {
         this._trouble(error);
       }
     } finally {
-      this.sending.value = false;
+      batch(() => {
+        this.sent.value = null;
+        this.sending.value = false;
+      });
     }
     if (this.unsent.value && online.value) await this._send();
   }

@@ -19,6 +19,7 @@ export class Timeline {
     this.piece = piece;
     this.typing = signal(false);
     this.asks = asks ?? "round or row";
+    this.missing = signal(""); // what was typed, and is not there
     this.find = find ?? ((n) => {
       const { step } = piece.stepAt(Math.min(piece.at.value, this.units - 1)), whole = piece.at.value >= this.units;
       return numbered(piece.steps.value?.steps ?? [], whole ? undefined : step, n)?.first;
@@ -98,9 +99,10 @@ export class Timeline {
       this.to(Number(/** @type {HTMLInputElement} */ (event.target).value));
     };
     const typed = (/** @type {any} */ event) => {
-      const n = Number(event.target.value), to = event.target.value.trim() && Number.isFinite(n) ? this.find(n) : undefined;
+      const [, m, s] = /^\s*(\d+):(\d\d?)\s*$/.exec(event.target.value) ?? [], n = m ? Number(m) + Number(s) / 60 : Number(event.target.value), to = event.target.value.trim() && Number.isFinite(n) ? this.find(n) : undefined;
       this.typing.value = false;
-      if (to === undefined) return;
+      this.missing.value = to === undefined && event.target.value.trim() ? `no ${this.asks} ${event.target.value.trim()} here` : "";
+      if (to === undefined) return void setTimeout(() => (this.missing.value = ""), 5000);
       this.playing.value = false;
       this.to(to);
     };
@@ -115,8 +117,8 @@ export class Timeline {
           aria-label="how far the work is" aria-valuetext="${told.label}, ${told.more}">
       </div>
       <div class="where">${this.typing.value
-        ? html`<input type="text" class="short" inputmode="decimal" aria-label="go to ${this.asks}" placeholder="number" ${ref((el) => el && queueMicrotask(() => /** @type {any} */ (el).focus()))} @change=${typed} @blur=${() => (this.typing.value = false)}>`
-        : html`<button class="link goto" title="go to another ${this.asks}: type its number" ?disabled=${!units} @click=${() => (this.typing.value = true)}>${told.label}</button>`}<span>${told.more}</span></div>
+        ? html`<input type="text" class="short" inputmode="decimal" aria-label="go to ${this.asks}" placeholder=${this.asks.split(" ")[0]} ${ref((el) => el && queueMicrotask(() => /** @type {any} */ (el).focus()))} @change=${typed} @blur=${() => (this.typing.value = false)}>`
+        : html`<button class="link goto" title="go to another ${this.asks}: type its number" ?disabled=${!units} @click=${() => (this.typing.value = true)}>${told.label}</button>`}<span role="status">${this.missing.value || told.more}</span></div>
       <div class="text" aria-live="polite">${told.words}</div>`;
   }
 

@@ -19,7 +19,7 @@ export function facts(piece, { part, go, at, checked, tinted, nudge }) {
   const set = (/** @type {string} */ name, /** @type {any} */ value) => piece.change({ params: { [name]: value } });
   return html`
     ${report?.size_mm ? html`<h2 class="head">Size</h2><p class="big">${report.size_mm.map(cm).join(" × ")} cm</p>
-      <p class="quiet">${[report.size?.measured, report.size_mm.map(inches).join(" × ") + " in"].filter(Boolean).join(" · ")}</p>` : ""}
+      <p class="quiet">wide × high × deep · ${[report.size?.measured, report.size_mm.map(inches).join(" × ") + " in"].filter(Boolean).join(" · ")}</p>` : ""}
     ${yarns.length ? html`<h2 class="head">Yarn</h2><ul class="facts">${yarns.map((/** @type {any} */ y) => html`<li><span><i class="swatch" ${ref(dyed(y.color))}></i> ${y.name || report.named?.[y.color] || y.color}</span>
       <span class="number">${y.metres.toFixed(1)} m${y.grams ? html` <span class="quiet">${Math.max(1, Math.round(y.grams))} g</span>` : ""}</span></li>`)}</ul>` : ""}
     ${pack ? html`<h2 class="head">Parts</h2><ul>${pack.facts.parts.map((/** @type {any} */ p, /** @type {number} */ k) => html`<li>
@@ -52,11 +52,11 @@ function one(piece, report, p, k, nudge) {
   const size = report?.parts?.[k]?.size_mm, name = p.name.replace(/ (\d+)$/, ".$1");
   const sewn = report?.assembly?.find((/** @type {any} */ a) => a.part === name || a.part === p.name);
   const lean = (/** @type {string} */ angle, /** @type {number} */ degrees) => {
-    const edits = piece.revision.value.edits.filter((/** @type {any} */ e) => !(e.edit === "pose" && e.part === sewn.part && e.angle === angle));
+    const edits = piece.edits.value.filter((/** @type {any} */ e) => !(e.edit === "pose" && e.part === sewn.part && e.angle === angle));
     piece.change({ edits: [...edits, { edit: "pose", part: sewn.part, angle, degrees }], said: `${p.name} ${angle} ${degrees}°` });
   };
-  const posed = piece.revision.value.edits.filter((/** @type {any} */ e) => e.edit === "pose" && sewn && e.part === sewn.part);
-  const asSewn = () => piece.change({ edits: piece.revision.value.edits.filter((/** @type {any} */ e) => !posed.includes(e)), said: `${p.name} as it is sewn` });
+  const posed = piece.edits.value.filter((/** @type {any} */ e) => e.edit === "pose" && sewn && e.part === sewn.part);
+  const asSewn = () => piece.change({ edits: piece.edits.value.filter((/** @type {any} */ e) => !posed.includes(e)), said: `${p.name} as it is sewn` });
   const firm = p.stuffing >= 0.9 ? "firmly stuffed" : p.stuffing > 0 ? "lightly stuffed" : "not stuffed";
   return html`<div class="inside"><p class="quiet">${size ? `${size.map((/** @type {number} */ v) => (v / 10).toFixed(1)).join(" × ")} cm · ` : ""}${firm}${sewn ? html`<br>sewn to ${sewn.on}${sewn.round ? `, at round ${sewn.round}` : ""}; in the view “Parts”, drag it to another place, or` : ""}</p>
     ${sewn ? html`<div class="tools wide" role="group" aria-label="put ${p.name} elsewhere">${WAYS.map(([way, label]) => html`<button class="button" @click=${() => nudge(k, way)}>${label}</button>`)}</div>` : ""}

@@ -3,7 +3,7 @@ import { frame, nearer, withoutGl, working } from "../frame.js";
 import { bring, settings } from "../forms.js";
 import { Stage } from "../gl/stage.js";
 import { offer } from "../keys.js";
-import { attempt } from "../notes.js";
+import { attempt, clear } from "../notes.js";
 import { unpack } from "../pack.js";
 import { list, told } from "../problems.js";
 import { night } from "../theme.js";
@@ -128,7 +128,7 @@ export function screen(root, piece, { over }) {
 
   // The toy.
   const hand = new Hand(stage, piece, { part, mode, leaned: (name, tilt, towards) => {
-    const others = (piece.revision.value.edits ?? []).filter((/** @type {any} */ e) => !(e.edit === "pose" && e.part === name && ["tilt", "towards"].includes(e.angle)));
+    const others = piece.edits.value.filter((/** @type {any} */ e) => !(e.edit === "pose" && e.part === name && ["tilt", "towards"].includes(e.angle)));
     piece.change({ edits: [...others, { edit: "pose", part: name, angle: "tilt", degrees: tilt }, { edit: "pose", part: name, angle: "towards", degrees: towards }], said: `${name} leans` });
   }, asked: async (name, onto) => {
     try {
@@ -140,6 +140,7 @@ export function screen(root, piece, { over }) {
   }, dropped: async (name, onto) => {
     const answer = (await piece.flush()) && await attempt(() => ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto } }));
     if (!answer) return void ((placed.value = ""), stage.move(null));
+    clear(true);
     piece.take(answer);
     held.value = answer.held;
     const found = answer.held ? -1 : editor.text.indexOf(answer.sentence.split(". ")[0].split("; ")[0]);

@@ -22,14 +22,14 @@ export function screen(root, piece) {
   const change = (/** @type {number} */ k, /** @type {string} */ field, /** @type {any} */ value) => {
     const region = called(all(), k), name = field.replaceAll("_", "-");
     const own = (/** @type {any} */ e) => e.edit === "region" && e.region === region;
-    const before = piece.unsent.value?.edits ?? piece.revision.value.edits, edits = before.filter((/** @type {any} */ e) => !(own(e) && e.field === name)), angle = all()[k].params?.angle;
+    const before = piece.edits.value, edits = before.filter((/** @type {any} */ e) => !(own(e) && e.field === name)), angle = all()[k].params?.angle;
     // Another stitch keeps how its rows lie: what was chosen by the shape is held then.
     if (field === "stitch" && typeof angle === "number" && value !== "satin" && !edits.some((/** @type {any} */ e) => own(e) && e.field === "angle")) edits.push({ edit: "region", region, field: "angle", value: String(Math.round(angle * 10) / 10) });
     piece.change({ edits: value === null ? edits : [...edits, { edit: "region", region, field: name, value: String(value) }], said: `${region}: ${field} ${value ?? "as it was"}`.slice(0, 100) });
   };
   const all = () => piece.live.value?.facts.regions ?? [];
   const put = (/** @type {number[]} */ order) => {
-    const edits = (piece.unsent.value?.edits ?? piece.revision.value.edits).filter((/** @type {any} */ e) => e.edit !== "order");
+    const edits = piece.edits.value.filter((/** @type {any} */ e) => e.edit !== "order");
     piece.change({ edits: [...edits, { edit: "order", regions: order.map((k) => called(all(), k)).join(" | ") }], said: "another order" });
   };
   const lay = (/** @type {number} */ k) => {

@@ -56,7 +56,7 @@ void main() {
     float edge = max(e.x, e.y);
     paint.rgb *= 1. - .10 * exp(-edge * .08);
     return; }
-  float near = smoothstep(9., 16., scale), middle = smoothstep(4.5, 8., scale) * grid;
+  float near = grid > .5 ? smoothstep(9., 16., scale) : smoothstep(4., 7., scale), middle = smoothstep(4.5, 8., scale) * grid;
   vec3 flat_ = scale < 1.2 ? away(p, max(0., -log2(scale) + .2)) : yarn(c);
   if (scale >= 1.2 && scale < 3.) flat_ = mix(away(p, 0.), flat_, smoothstep(1.2, 3., scale));
   if (blur > 0.) { paint = vec4(away(p, max(blur, -log2(scale) + .2)) * mix(1., .9, dark), 1.); return; }

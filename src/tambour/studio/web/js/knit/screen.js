@@ -48,7 +48,7 @@ export function screen(root, piece) {
     const p = piece.live.value?.arrays.palette ?? [];
     return Array.from({ length: p.length / 3 }, (_, k) => hex(p.subarray(3 * k, 3 * k + 3)));
   };
-  const edits = () => piece.unsent.value?.edits ?? piece.revision.value?.edits ?? [];
+  const edits = () => piece.edits.value;
   const byHand = () => painted(edits(), columns(), hexes());
   const grid = () => ({ columns: chart.columns, rows: chart.rows, data: /** @type {Uint8Array} */ (chart.data) });
   const inside = (/** @type {number[]} */ [x, y]) => x >= 0 && y >= 0 && x < chart.columns && y < chart.rows;

@@ -24,7 +24,7 @@ export function yarns(piece, yarn) {
   if (!pack) return "";
   const p = pack.arrays.palette, n = p.length / 3;
   const recolor = (/** @type {number} */ k, /** @type {string} */ colour) => {
-    const edits = (piece.unsent.value?.edits ?? piece.revision.value.edits ?? []).filter((/** @type {any} */ e) => e.edit !== "yarn" || e.yarn !== String(k + 1));
+    const edits = piece.edits.value.filter((/** @type {any} */ e) => e.edit !== "yarn" || e.yarn !== String(k + 1));
     piece.change({ edits: [...edits, { edit: "yarn", yarn: String(k + 1), colour }], said: "another colour" });
   };
   return html`<h2 class="head">Yarns</h2><ul>${Array.from({ length: n }, (_, k) => {
@@ -47,16 +47,20 @@ export function usual(piece) {
   const all = /(\d+) a stitch for each pixel/.exec(said.hint ?? "")?.[1], told = piece.report.value, best = told?.suggested, other = best && told.technique && !best.startsWith(told.technique), why = other ? `Perhaps better: ${best}` : (best ?? told?.why);
   const set = (/** @type {number} */ stitches) => piece.change({ params: { stitches }, said: "another width" });
   return html`<div class="said" role="status"><button class="icon plain shut" aria-label="put this away" @click=${() => (seen.value = new Set([...seen.value, piece.id]))}>×</button>${said.message[0].toUpperCase() + said.message.slice(1)}.${why ? html`<br><span class="quiet">${why[0].toUpperCase() + why.slice(1)}.</span>` : ""}
-    <br>${[40, 60, 120].map((n) => html`<button class="link" @click=${() => set(n)}>${n} stitches</button> · `)}${all ? html`<button class="link" @click=${() => set(Number(all))}>a stitch for each pixel (${all})</button>` : "or another width at the right"}</div>`;
+    <br>${[40, 60, 120].map((n) => html`<button class="link" @click=${() => set(n)}>${n} stitches</button> · `)}${all ? html`<button class="link" @click=${() => set(Number(all))}>a stitch for each pixel (${all})</button>` : "or another width at the right"}${squat(piece) ? html`<br>So the picture comes lower than it is: ${lower(piece)}` : ""}</div>`;
 }
 
 /** A picture whose stitches were taken as square is knitted lower than it is: one button keeps its shape. @param {Piece} piece */
 function squat(piece) {
   const gauge = piece.live.value?.facts.gauge, name = piece.revision.value?.source?.name ?? "";
   if (!piece.live.value?.facts.usual || piece.params.value.gauge || !/\.(jpe?g|png|webp|gif|bmp|tiff?|avif|svgz?)$/i.test(name) || gauge[1] / gauge[0] < 1.1) return "";
-  const text = `${gauge[0]}x${gauge[1]}`;
-  return html`<div class="told"><b>Knitted, the picture comes lower than it is</b>A stitch is wider than tall, and here as many rows are taken as if it were square.
-    <button class="button" @click=${() => piece.change({ params: { gauge: text }, said: `gauge ${text}` })}>Keep its shape, at ${gauge[0]} × ${gauge[1]} in 10 cm</button></div>`;
+  return html`<div class="told"><b>Knitted, the picture comes lower than it is</b>A stitch is wider than tall, and here as many rows are taken as if it were square. ${lower(piece)}</div>`;
+}
+
+/** @param {Piece} piece */
+function lower(piece) {
+  const gauge = piece.live.value?.facts.gauge, text = `${gauge[0]}x${gauge[1]}`;
+  return html`<button class="button" @click=${() => piece.change({ params: { gauge: text }, said: `gauge ${text}` })}>Keep its shape, at ${gauge[0]} × ${gauge[1]} in 10 cm</button>`;
 }
 
 /** Facts of a chart. @param {Piece} piece */
@@ -71,7 +75,7 @@ export function facts(piece) {
   return html`${report ? html`<h2 class="head">Size</h2><p class="big">${number(report.width)} × ${number(report.rows)}</p>
       <p class="quiet">stitches and rows${cm ? ` · ${cm[0]} × ${cm[1]} cm at ${gauge[0]} × ${gauge[1]} in 10 cm${pack?.facts.usual ? `, as ${pack.facts.usual} yarn is usually knitted: swatch, and give your gauge` : ""}` : ""}</p>
       ${squat(piece)}
-      ${pack ? html`<h2 class="head">Yarn</h2><ul class="facts">${Array.from({ length: pack.arrays.palette.length / 3 }, (_, k) => html`<li><span><i class="swatch" ${ref(dyed(pack.arrays.palette.subarray(3 * k, 3 * k + 3)))}></i> ${called(piece, k)}</span><span class="number">${metres(piece, k)?.toFixed(1) ?? ""} m</span></li>`)}</ul>` : ""}
+      ${pack ? html`<h2 class="head">Yarn</h2><ul class="facts">${Array.from({ length: pack.arrays.palette.length / 3 }, (_, k) => html`<li><span><i class="swatch" ${ref(dyed(pack.arrays.palette.subarray(3 * k, 3 * k + 3)))}></i> ${called(piece, k)}</span><span class="number">${metres(piece, k)?.toFixed(1) ?? ""} m</span></li>`)}${pack.arrays.palette.length > 3 ? html`<li><span class="quiet">in all</span><span class="number">${Array.from({ length: pack.arrays.palette.length / 3 }, (_, k) => metres(piece, k) ?? 0).reduce((a, b) => a + b, 0).toFixed(1)} m</span></li>` : ""}</ul>` : ""}
       <h2 class="head">Floats</h2><ul class="facts"><li><span>Longest</span><span class="number">${report.longest_float}${held ? "" : most}</span></li>
       ${held ? html`<li><span>Most that lies free, caught</span><span class="number">${report.longest_span}${most}</span></li>` : html`<li><span>Longer than they may be</span><span class="number">${number(report.violations ?? 0)}</span></li>`}
       <li><span>To catch at the back</span><span class="number">${number(report.catches ?? 0)}</span></li>
