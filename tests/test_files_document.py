@@ -54,6 +54,34 @@ def test_word_documents_in_order(tmp_path):
     assert counts(text) == [6, 12, 18]
 
 
+def test_a_table_that_only_lays_out_is_lines_and_keeps_its_photos(tmp_path):
+    made = docx.Document()
+    made.add_heading("Ball", 0)
+    left, right = made.add_table(1, 2).rows[0].cells
+    left.text, right.text = "Materials\nYarn: A = brown\n3.5 mm hook", "Abbreviations\nsc = single crochet"
+    right.paragraphs[-1].add_run().add_picture(io.BytesIO(photo()))
+    for line in ("Body", *(f"☐ {line}" for line in ROUNDS)):
+        made.add_paragraph(line)
+    made.save(tmp_path / "ball.docx")
+    text = files.read(tmp_path / "ball.docx", ["Text"])
+    assert "Materials\nYarn: A = brown\n3.5 mm hook\nAbbreviations\nsc = single crochet\n" in text.text
+    assert len(text.photos) == 1 and counts(text) == [6, 12, 18]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Ball\n\n📌 Body\nRnd 1: 6 sc\u200b in magic ring (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\n",
+        "Ball\n\n\ufeffBody\n✔️ Rnd 1: 6 sc in magic ring (6)\n✔️ Rnd 2: inc\u200d x 6 (12)\n✔️ Rnd 3: (sc, inc) x 6 (18)\n",
+        "Ball\n\nBody\nRnd 1 6 sc in magic ring (6)\nRnd 2 inc x 6 (12)\nRnd 3 (sc, inc) x 6 (18)\n",
+    ],
+)
+def test_pictures_and_signs_of_no_width_in_a_pasted_text(words):
+    pattern = read(Text(words, "ball.txt"))
+    assert not pattern.unread and [r.count for r in build(pattern).rounds] == [6, 12, 18]
+    assert [part.name for part in pattern.parts] == ["Body"]
+
+
 def test_tracked_changes_are_read_as_accepted_and_told(tmp_path):
     from docx.oxml import parse_xml
     from docx.oxml.ns import nsdecls

@@ -59,6 +59,10 @@ class Pages:
 
     def row(self, cells: list[str]) -> None:
         """A row of a table."""
+        if any("\n" in cell.strip() for cell in cells):  # laid out side by side: each cell is a text of its own
+            for cell in cells:
+                self.line(cell.strip())
+            return
         said = [" ".join(cell.split()) for cell in cells]
         if any(said):
             self._add(f"| {' | '.join(said)} |" if len(said) > 1 else said[0])
@@ -101,10 +105,17 @@ def read_docx(path: Path) -> Text:
         raise TambourError(f"this is no Word document: {error}", where=str(path)) from None
     tracked = _accepted(body)
     pages, numbered = Pages(path), 0
+
+    def photos(part: Any) -> None:
+        for blip in part.xpath(".//a:blip/@r:embed"):
+            image = document.part.related_parts.get(str(blip))
+            pages.photo(getattr(image, "blob", b""))
+
     for part in body.iterchildren(qn("w:tbl"), qn("w:p")):
         if part.tag == qn("w:tbl"):
             for row in _rows(part):
                 pages.row(list(dict.fromkeys(row)))
+            photos(part)
             continue
         words = part.text
         style = styles.get(part.style or usual, "")
@@ -116,9 +127,7 @@ def read_docx(path: Path) -> Text:
             pages.line(words, f"{numbered}. " if numbered else "- ")
         else:
             pages.line(words)
-        for blip in part.xpath(".//a:blip/@r:embed"):
-            image = document.part.related_parts.get(str(blip))
-            pages.photo(getattr(image, "blob", b""))
+        photos(part)
     text = pages.text()
     if not tracked:
         return text

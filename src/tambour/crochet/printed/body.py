@@ -170,7 +170,14 @@ class Walk(Trade):
             return True
         if self._of_round(token):
             return True
-        if token.word in _HOW and c.look(-1) is not None:
+        long, chain = c.look(-1), c.look(-2)
+        if (
+            token.word in _HOW
+            and long is not None
+            and chain is not None
+            and long.kind == "number"
+            and chain.value == "ch"
+        ):
             c.at += 1  # "ch 14 loosely"
             return True
         if token.kind == "key" and token.value in ("and", "begin", "make", "times", "for", "more"):

@@ -41,8 +41,11 @@ def founds(p: State, at: int | None = None) -> bool:
     begin = p.row_at if at is None else at
     for row in p.rows[begin : begin + 12]:
         if row.tokens:
-            found = heads(p.vocabulary.read(row.tokens))
-            if any(head.numbers[:1] == (1,) for _, head in found):
+            first = p.firsts.get(row.start)  # lines are looked at more than once
+            if first is None:
+                found = heads(p.vocabulary.read(row.tokens))
+                first = p.firsts[row.start] = any(head.numbers[:1] == (1,) for _, head in found)
+            if first:
                 return True
             seen += 1
             if seen > _NEAR:

@@ -108,6 +108,7 @@ class State:
         self.runs: list[tuple[RGB, int]] | None = None  # of stripes that a list forms, while it is read
         self.formed: Plan | None = None  # the stripes that it formed
         self.pair: Heading | None = None  # a heading of copies over those of parts of its kind
+        self.firsts: dict[int, bool] = {}  # where lines begin → whether a first round stands in them
         self.tally: dict[
             str, int
         ] = {}  # how many of each part are made, where lists of yarns say so: "Motif 1: Make 6 using A …"

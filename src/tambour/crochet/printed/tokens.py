@@ -21,6 +21,7 @@ _TOKEN: Final = re.compile(
 _SPLIT: Final = re.compile(r"/f_([il]) ")  # a ligature that a page lost: "/f_i rst"
 _DASHES: Final = dict.fromkeys("–—−‐‑-", "-") | {"--": "-", "---": "-"}
 _MARKS: Final = {"×": "x", "✕": "x", "✖": "x", "∗": "*", "⁎": "*", "＊": "*", "“": '"', "”": '"', "、": ",", "：": ":"}
+_UNSEEN: Final = frozenset("\u200b\u200c\u200d\u2060\ufeff\u00ad\ufe0f")  # of no width, as pages of the web hold them
 _LONGEST: Final = 9  # digits of a number that is taken for one
 
 
@@ -89,7 +90,7 @@ def rows(text: str) -> list[Row]:
             value = int(re.match(r"\d+", word)[0])  # type: ignore[index]
         else:
             word = _DASHES.get(word, _MARKS.get(word, word))
-        if word == "\\":
+        if word == "\\" or word in _UNSEEN:
             continue
         capital = found[0][0].isupper()
         tokens.append(Token(kind or "mark", word, at, end, value, bool(tokens) and at == last, capital))
@@ -101,7 +102,7 @@ def rows(text: str) -> list[Row]:
 def _row(tokens: list[Token], start: int, end: int) -> Row:
     marked = 0
     at = 0
-    while at < len(tokens) and tokens[at].kind == "mark" and tokens[at].word in _LEADING:
+    while at < len(tokens) and tokens[at].kind == "mark" and (tokens[at].word in _LEADING or _sign(tokens[at].word)):
         word = tokens[at].word
         if word == "#":
             marked = 2
@@ -124,17 +125,24 @@ def _row(tokens: list[Token], start: int, end: int) -> Row:
     return Row(tokens, start, end, marked)
 
 
+def _sign(mark: str) -> bool:
+    """Whether a mark is a picture, as lists and headings begin with: "☐ Rnd 1", "📌 Head"."""
+    return unicodedata.category(mark[0]) == "So" and mark not in "©®"
+
+
 def _kerned(tokens: list[Token]) -> list[Token]:
     """``tokens`` with the digits of a count together that a page set apart: "2 0 sts"."""
     for k in range(len(tokens) - 2):
         one, two, after = tokens[k : k + 3]
         apart = one.kind == two.kind == "number" and len(one.word) == len(two.word) == 1 and two.start == one.end + 1
-        if apart and one.value and after.word in ("sts", "sc", "st", "stitches"):
+        named = k and tokens[k - 1].word in _ROUNDS  # "Rnd 1 6 sc"
+        if apart and one.value and not named and after.word in ("sts", "sc", "st", "stitches"):
             whole = Token("number", one.word + two.word, one.start, two.end, 10 * one.value + two.value, one.glued)
             return [*tokens[:k], whole, *_kerned(tokens[k + 2 :])]
     return tokens
 
 
+_ROUNDS: Final = frozenset("rnd rnds round rounds row rows r rd".split())
 _PAIRED: Final = frozenset(("from", "to", "between"))  # "rep from ** to **": no weight
 _ASIDE: Final = 14
 """So many words may follow a bold name on its line: "**Body** (start with blue, at the nose)", "**Fins** make 2, in blue"."""

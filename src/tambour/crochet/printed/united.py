@@ -18,7 +18,6 @@ from tambour.crochet.printed.tokens import Token
 
 _RANKS: Final = {"first": 1, "second": 2, "third": 3, "left": 1, "right": 2, "other": 0, "last": 2, "one": 1}
 _MOST: Final = 30  # chains between two pieces
-_LEADS: Final = frozenset(("join", "ch", "color", "turn", "flo", "blo", "bl"))
 
 
 @dataclass

@@ -50,6 +50,7 @@ class Vocabulary:
     def __init__(self, code: str) -> None:
         self.code = code
         self._first: dict[str, list[tuple[tuple[str, ...], str, Any]]] = {}
+        self._alone: set[str] = set()  # words that are a stitch by themselves
         self._read: dict[int, tuple[list[Token], list[Token]]] = {}
         table = TERMS[code]
         heard = table.heard
@@ -106,6 +107,8 @@ class Vocabulary:
             # What comes later is the table's own word, and goes before what people write besides.
             phrases[:] = [p for p in phrases if p[0] != words]
             phrases.append((words, kind, value))
+            if kind == "stitch" and len(words) == 1:
+                self._alone.add(words[0])  # so that a point behind it ends a sentence: "1 sc. Inc." is two
 
     def define(self, word: str, stitch: str) -> None:
         """A stitch's name that the pattern itself explains."""
@@ -117,6 +120,7 @@ class Vocabulary:
     def own(self) -> None:
         """Makes the phrases this vocabulary's own; those of another that it was copied from stay as they are."""
         self._first = {word: list(phrases) for word, phrases in self._first.items()}
+        self._alone = set(self._alone)
         self._read = {}
 
     def stitches(self) -> list[str]:
@@ -186,7 +190,7 @@ class Vocabulary:
                 # "sl-st", "sl. st."
                 join = end + 1 < len(tokens) and tokens[end].word in _JOINS and tokens[end].glued
                 join = join and not (tokens[end].word == "." and tokens[end + 1].capital)  # "Turn. Work 4 sc …"
-                if (join and not (tokens[end].word == "." and _stops(meanings))) or (
+                if (join and not (tokens[end].word == "." and tokens[at].word in self._alone)) or (
                     end + 1 < len(tokens)
                     and tokens[end].word in _ARTICLES
                     and word != tokens[end].word
@@ -218,11 +222,6 @@ class Vocabulary:
             number = Token("number", word[len(head) :], middle, token.end, int(word[len(head) :]), True)
             return [Token(kind, head, token.start, middle, value, token.glued), number]
         return [token]
-
-
-def _stops(meanings: Iterable[tuple[tuple[str, ...], str, Any]]) -> bool:
-    """Whether a word is a stitch by itself, so that a point behind it ends a sentence: "1 sc. Inc." is two."""
-    return any(len(words) == 1 and kind == "stitch" for words, kind, _ in meanings)
 
 
 def _of_both(name: str) -> bool:
