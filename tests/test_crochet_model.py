@@ -16,6 +16,7 @@ from tambour.core.check import Array
 from tambour.core.errors import TambourError, Text
 from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
+from tambour.crochet import plush
 from tambour.crochet.finish import shape
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
@@ -284,6 +285,15 @@ def test_a_part_that_spun_while_it_came_to_rest_is_stood_up_again(monkeypatch: p
     monkeypatch.setattr(shape, "simulate", lambda task, f=shape.simulate: replace((g := f(task)), x=g.x @ half))
     turn, _ = fit(settled(part, CrochetParams()).x, straight, np.ones(len(straight)))
     assert np.trace(turn) > 2.9
+
+
+def test_a_plush_is_turned_with_the_ways_that_are_up_on_its_parts() -> None:
+    parts = "".join(f"== {name} ==\nR1: MR(6)\nR2: 6 inc\nR3: 12 sc\n" for name in ("Body", "Arm"))
+    piece = plush.make(Text(parts + "place(Arm, Body, round=2, stitch=3)\n"), CrochetParams(), Progress())
+    lying = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+    laid_down = plush.stood(piece, lying)
+    assert laid_down.positions == pytest.approx(piece.positions @ lying.T)
+    assert laid_down.upright == pytest.approx(piece.upright @ lying.T)
 
 
 def test_a_hand_is_not_moved_for_what_its_arm_is_off() -> None:

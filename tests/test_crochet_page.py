@@ -168,6 +168,15 @@ def test_materials_add_up() -> None:
     assert dict(DENSITY)[1.0] == 30.0
 
 
+def test_threads_through_the_stuffing_are_yarn_that_is_bought() -> None:
+    body = "== Body ==\nR1: MR(6)\nR2: 6 inc\nR3: 12 sc\nR4: 6 dec\nFO\n"
+    found = [
+        materials(make(Text(body + more), CrochetParams(solver="none"), Progress()))["yarn"][0]["metres"]
+        for more in ("", "tie(Body, 2:1, 3:7, apart=450)\n")
+    ]
+    assert found[1] - found[0] == pytest.approx(1.1 * (2 * 0.45 + 0.1), abs=0.1)
+
+
 @pytest.mark.parametrize(
     ("words", "option", "metres"),
     [

@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from PIL import Image
 
 from tambour import files
+from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.mesh import Mesh
 
@@ -249,3 +251,92 @@ def test_a_few_bytes_cannot_claim_any_number_of_nodes_or_points(tmp_path: Path) 
         with pytest.raises(TambourError) as caught:
             files.read(tmp_path / "a.gltf", ("Mesh",))
         assert "not a glTF 2.0 file" in str(caught.value), name
+
+
+def chequered(path: Path, pixels: Array) -> None:
+    Image.fromarray(pixels.astype(np.uint8)).save(path)
+
+
+def square() -> tuple[Array, Array, Array]:
+    """Two triangles, 10 mm wide, and where their corners lie on a picture, from its upper left corner."""
+    x = np.array([[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [10.0, 10.0, 0.0], [0.0, 10.0, 0.0]])
+    uv = np.array([[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]])
+    return x, np.array([[0, 1, 2], [0, 2, 3]]), uv
+
+
+QUARTERS = np.kron(np.array([[[200, 0, 0], [0, 200, 0]], [[0, 0, 200], [240, 240, 240]]]), np.ones((8, 8, 1)))
+"""Red and green above, blue and white below."""
+
+
+def looks(mesh: Mesh) -> list[tuple[int, ...]]:
+    """The colours in the middles of the four quarters: red, green, blue, white."""
+    assert mesh.color is not None
+    near = [
+        ((mesh.vertices[:, :2] - at) ** 2).sum(1).argmin() for at in ([2.5, 7.5], [7.5, 7.5], [2.5, 2.5], [7.5, 2.5])
+    ]
+    return [tuple(mesh.color[k].tolist()) for k in near]
+
+
+SEEN = [(200, 0, 0), (0, 200, 0), (0, 0, 200), (240, 240, 240)]
+
+
+def test_an_obj_has_the_colours_and_the_picture_of_its_materials(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    x, faces, uv = square()
+    lines = [
+        "mtllib a.mtl",
+        *(f"v {a} {b} {c}" for a, b, c in x.tolist()),
+        *(f"vt {u} {1 - v}" for u, v in uv.tolist()),
+    ]
+    lines += ["usemtl skin", *("f " + " ".join(f"{k + 1}/{k + 1}" for k in f) for f in faces.tolist())]
+    (tmp_path / "a.obj").write_text("\n".join(lines))
+    plain = files.read(tmp_path / "a.obj", ("Mesh",))
+    assert plain.color is None and len(plain.faces) == 2  # its materials are not there
+    (tmp_path / "a.mtl").write_text("newmtl skin\nKd 0.5 0.25 0\n")
+    assert {tuple(c) for c in files.read(tmp_path / "a.obj", ("Mesh",)).color.tolist()} == {(128, 64, 0)}
+    (tmp_path / "a.mtl").write_text("newmtl skin\nKd 0.5 0.25 0\nmap_Kd skin.png\n")
+    chequered(tmp_path / "skin.png", QUARTERS)
+    made = files.read(tmp_path / "a.obj", ("Mesh",))
+    assert looks(made) == SEEN
+    assert made.uv is not None and made.uv.min() >= 0 and np.ptp(made.vertices, axis=0).tolist() == [10.0, 10.0, 0.0]
+    monkeypatch.setattr("tambour.files.painted.PIXELS", 100)
+    with pytest.raises(TambourError, match="16 × 16 pixels"):
+        files.read(tmp_path / "a.obj", ("Mesh",))
+    (tmp_path / "skin.png").write_bytes(b"no picture")
+    with pytest.raises(TambourError, match="the picture of its surface cannot be read"):
+        files.read(tmp_path / "a.obj", ("Mesh",))
+
+
+def test_a_material_outside_of_its_folder_is_not_opened(tmp_path: Path) -> None:
+    (tmp_path / "in").mkdir()
+    (tmp_path / "a.mtl").write_text("newmtl skin\nKd 1 0 0\n")
+    (tmp_path / "in" / "a.obj").write_text("mtllib ../a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl skin\nf 1 2 3\n")
+    assert files.read(tmp_path / "in" / "a.obj", ("Mesh",)).color is None
+
+
+def test_a_gltf_has_the_picture_of_its_material(tmp_path: Path) -> None:
+    x, faces, uv = square()
+    chequered(tmp_path / "skin.png", QUARTERS)
+    raw = [(x / 1000).astype("<f4").tobytes(), uv.astype("<f4").tobytes(), faces.astype("<u2").tobytes()]
+    raw += [(tmp_path / "skin.png").read_bytes()]
+    offsets = np.cumsum([0, *map(len, raw)]).tolist()
+    head = {
+        "asset": {"version": "2.0"},
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
+        "textures": [{"source": 0}],
+        "images": [{"bufferView": 3, "mimeType": "image/png"}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+            {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"},
+        ],
+        "bufferViews": [{"buffer": 0, "byteOffset": a, "byteLength": len(r)} for a, r in zip(offsets, raw)],
+        "buffers": [{"byteLength": offsets[-1], "uri": "a.bin"}],
+    }
+    (tmp_path / "a.bin").write_bytes(b"".join(raw))
+    (tmp_path / "a.gltf").write_text(json.dumps(head))
+    assert looks(files.read(tmp_path / "a.gltf", ("Mesh",))) == SEEN

@@ -11,6 +11,7 @@ from tambour.crochet.params import CrochetParams
 from tambour.crochet.piece import Plush
 
 if TYPE_CHECKING:
+    from tambour.core.check import Array
     from tambour.core.drawing import Drawing
     from tambour.core.mesh import Mesh as Model
     from tambour.crochet.finish.joining import Joining
@@ -55,14 +56,29 @@ def make(source: Text | Drawing | Model | None, params: CrochetParams, progress:
 
 def _modelled(mesh: Model, params: CrochetParams, progress: Progress) -> Plush:
     """The plush of the pattern that a model becomes, and how far it lies from the model."""
+    import numpy as np
+
     from tambour.crochet.model.compare import aimed
     from tambour.crochet.model.design import design
+    from tambour.geometry.motion import fit
 
     made = design(mesh, params, progress)
     built, joining, known = _built(made.text, params, progress)
     piece = _shaped(built, joining, params, known, progress)
     with progress.stage("compare"):
+        turn, _ = fit(piece.positions, made.goals, np.ones(len(made.goals)))
+        piece = stood(piece, turn)
         return replace(piece, aim=aimed(made, piece))
+
+
+def stood(piece: Plush, turn: Array) -> Plush:
+    """A plush turned by ``turn`` (3, 3): one that was made for a model stands as the model does, however its fabric bends."""
+    from tambour.geometry.motion import turned
+
+    joined, shape = piece.shape.joined, piece.shape
+    if joined is not None:
+        shape = replace(shape, joined=replace(joined, upright=turned(joined.upright, turn)))
+    return replace(piece, shape=shape, positions=turned(piece.positions, turn), centroids=turned(piece.centroids, turn))
 
 
 def _text(source: Text | Drawing, params: CrochetParams, progress: Progress) -> Text:

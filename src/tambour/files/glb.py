@@ -6,6 +6,7 @@ import base64
 import binascii
 import json
 import struct
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -18,6 +19,7 @@ from tambour.core.errors import LawError, TambourError
 from tambour.core.mesh import Mesh
 from tambour.files import MOVING
 from tambour.files.gltf_motion import with_motion
+from tambour.files.painted import Paint, painted, texture
 from tambour.files.sink import Sink
 from tambour.geometry.surface import closed, vertex_normals
 
@@ -191,8 +193,8 @@ def write_mesh(value: Mesh, sink: Sink) -> None:
 
 
 def read_mesh(path: Path) -> Mesh:
-    """The triangles of a glTF file's scene, in mm, with their colours, uv (of the first set) and materials' names, and
-    the frames of its first animation (nodes, morph targets, skins).
+    """The triangles of a glTF file's scene, in mm, with their colours, those of textures too, uv (of the first set) and
+    materials' names, and the frames of its first animation (nodes, morph targets, skins).
 
     Raises TambourError when the file is broken, holds no triangles, or needs an extension that is not read here.
     """
@@ -314,6 +316,7 @@ def _scene(head: dict[str, Any], buffers: list[bytes], path: Path) -> Mesh:
     roots = scenes[head.get("scene", 0)].get("nodes", []) if scenes else range(len(nodes))
     stack = [(k, np.eye(4), 0) for k in reversed(list(roots))]
     vertices, faces, colors, uvs, groups, names = [], [], [], [], [], []
+    on, paints = list[Array](), dict[int, Paint]()
     total, drawn, visited = 0, 0, 0
     while stack:
         index, above, depth = stack.pop()
@@ -351,6 +354,10 @@ def _scene(head: dict[str, Any], buffers: list[bytes], path: Path) -> Mesh:
             if name not in names:
                 names.append(name)
             groups.append(np.full(len(triangles), names.index(name), np.int32))
+            number = -1 if uv is None else _texture(material)
+            if number not in paints:
+                paints[number] = Paint(picture=None if number < 0 else _picture(head, buffers, number, path))
+            on.append(np.full(len(triangles), list(paints).index(number)))
             total += len(points)
             if total > _MOST_VALUES:
                 raise ValueError("its nodes show more points than fit into memory")
@@ -359,14 +366,37 @@ def _scene(head: dict[str, Any], buffers: list[bytes], path: Path) -> Mesh:
     plain = all(c is None for c in colors)
     white = [np.full((len(v), 3), 255, np.uint8) if c is None else c for v, c in zip(vertices, colors)]
     mapped = all(u is not None for u in uvs)
-    return Mesh(
+    known = [np.zeros((len(v), 2)) if u is None else u for v, u in zip(vertices, uvs)]
+    mesh = Mesh(
         np.concatenate(vertices),
         np.concatenate(faces),
         color=None if plain else np.concatenate(white),
-        uv=np.concatenate([u for u in uvs if u is not None]) if mapped else None,
+        uv=np.concatenate(known),
         face_group=np.concatenate(groups),
         group_names=tuple(names),
     )
+    if any(p.picture is not None for p in paints.values()) and not head.get("animations"):
+        mesh = painted(mesh, np.concatenate(on), list(paints.values()))
+    return mesh if mapped else replace(mesh, uv=None)
+
+
+def _texture(material: dict[str, Any]) -> int:
+    """The number of the texture that gives a material its colour by the first set of uv; -1 for none."""
+    said = material.get("pbrMetallicRoughness", {}).get("baseColorTexture", {"texCoord": 1})
+    return -1 if said.get("texCoord", 0) != 0 else int(said["index"])
+
+
+def _picture(head: dict[str, Any], buffers: list[bytes], number: int, path: Path) -> Array | None:
+    """The picture of a texture; None where another format stands in for it that is not read here."""
+    source = head["textures"][number].get("source")
+    if source is None:
+        return None
+    image = head["images"][source]
+    if "bufferView" not in image:
+        return texture(_buffer(image, b"", path), path)
+    view = head["bufferViews"][image["bufferView"]]
+    begin = view.get("byteOffset", 0)
+    return texture(buffers[view["buffer"]][begin : begin + view["byteLength"]], path)
 
 
 def _triangles(order: Array, mode: int) -> Array:

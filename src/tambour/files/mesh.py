@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import struct
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from tambour.color import linear
 from tambour.core.check import Array
 from tambour.core.errors import LawError, TambourError
 from tambour.core.mesh import Mesh
 from tambour.core.picture import Picture
+from tambour.files import MOVING
+from tambour.files.painted import Paint, painted, texture
 from tambour.files.sink import Sink
 
 _PLY_TYPES = {
@@ -76,7 +80,8 @@ def write_obj(value: Mesh, sink: Sink) -> None:
 
 
 def read_obj(path: Path) -> Mesh:
-    """OBJ: vertices (with colours, if all have them), texture coordinates, faces cut into fans, groups.
+    """OBJ: vertices (with colours, if all have them), texture coordinates, faces cut into fans, groups; and the colours and
+    pictures of its materials, where their ``.mtl`` lies beside it.
 
     Raises TambourError naming the line that is wrong.
     """
@@ -87,6 +92,8 @@ def read_obj(path: Path) -> Mesh:
     groups: list[int] = []
     names = {"": 0}
     group = 0
+    wears, worn, libraries = {"": 0}, list[int](), list[str]()
+    material = 0
     text = path.read_bytes().decode("utf-8", errors="replace").replace("\\\n", " ")
     for number, line in enumerate(text.splitlines(), 1):
         words = line.split("#", 1)[0].split()
@@ -101,6 +108,10 @@ def read_obj(path: Path) -> Mesh:
                 textures.append([float(words[1]), float(words[2]) if len(words) > 2 else 0.0])
             elif words[0] in ("g", "o", "usemtl"):
                 group = names.setdefault(" ".join(words[1:]), len(names))
+                if words[0] == "usemtl":
+                    material = wears.setdefault(" ".join(words[1:]), len(wears))
+            elif words[0] == "mtllib":
+                libraries.append(" ".join(words[1:]))
             elif words[0] == "f":
                 ring = []
                 for word in words[1:]:
@@ -113,6 +124,7 @@ def read_obj(path: Path) -> Mesh:
                     ring.append(corners.setdefault((v, t), len(corners)))
                 faces += [(ring[0], ring[k], ring[k + 1]) for k in range(1, len(ring) - 1)]
                 groups += [group] * max(0, len(ring) - 2)
+                worn += [material] * max(0, len(ring) - 2)
         except (ValueError, IndexError) as error:
             raise _faulty(path, "OBJ", f"line {number}: {error}") from None
     keys = list(corners)
@@ -122,9 +134,48 @@ def read_obj(path: Path) -> Mesh:
         color = np.round(rgb * 255).astype(np.uint8)
     uv = np.array([textures[t] for _, t in keys]).reshape(-1, 2) if keys and all(t >= 0 for _, t in keys) else None
     vertices = np.array([points[v][:3] for v, _ in keys]).reshape(-1, 3)
-    return _mesh(
+    mesh = _mesh(
         path, vertices, np.array(faces).reshape(-1, 3), color, uv=uv, face_group=groups, group_names=tuple(names)
     )
+    known = {name: paint for library in libraries for name, paint in _materials(path, library).items()}
+    if color is not None or not known.keys() & wears.keys():
+        return mesh
+    paints = [known.get(name, Paint()) for name in wears]
+    if mesh.uv is None:
+        paints = [Paint(p.tone) for p in paints]
+        return painted(mesh, np.array(worn), paints)
+    up = painted(replace(mesh, uv=mesh.uv * [1, -1] + [0, 1]), np.array(worn), paints)
+    assert up.uv is not None
+    return replace(up, uv=up.uv * [1, -1] + [0, 1])
+
+
+def _materials(path: Path, library: str) -> dict[str, Paint]:
+    """The materials of the ``.mtl`` file ``library`` beside an OBJ at ``path``; none where it is not there."""
+    beside = path.parent / library
+    if not _beside(path, beside):
+        return {}
+    found: dict[str, Paint] = {}
+    name = ""
+    for line in beside.read_bytes().decode("utf-8", errors="replace").splitlines():
+        words = line.split("#", 1)[0].split()
+        try:
+            if words[:1] == ["newmtl"]:
+                name = " ".join(words[1:])
+                found[name] = Paint()
+            elif words[:1] == ["Kd"] and name:
+                r, g, b = (float(linear(np.clip(float(w), 0.0, 1.0))) for w in words[1:4])
+                found[name] = replace(found[name], tone=(r, g, b))
+            elif words[:1] == ["map_Kd"] and name and _beside(path, picture := path.parent / words[-1]):
+                found[name] = Paint((1.0, 1.0, 1.0), texture(picture.read_bytes(), picture))
+        except (ValueError, IndexError):
+            raise TambourError(f"its material {name} cannot be read: {line.strip()[:60]}", where=str(beside)) from None
+    return found
+
+
+def _beside(path: Path, other: Path) -> bool:
+    """Whether ``other`` is a file in the folder of ``path``, or below it, and none too large."""
+    there = other.resolve()
+    return path.parent.resolve() in there.parents and there.is_file() and there.stat().st_size <= MOVING
 
 
 # PLY -----------------------------------------------------------------------------------------------------------------

@@ -18,6 +18,8 @@ SPARE: Final = 1.1
 
 TAIL: Final = 0.3
 """Metres of yarn left at the end of every piece that is sewn on."""
+KNOT: Final = 100.0
+"""Millimetres of thread that are held and knotted wherever one is pulled through the stuffing."""
 
 DENSITY: Final = ((0.0, 0.0), (0.4, 20.0), (1.0, 30.0), (2.5, 40.0))
 """Amount of stuffing → grams of polyester fibre in a litre. Assumed, between a bed pillow (500 to 650 g in some 28
@@ -33,6 +35,22 @@ def lengths(piece: Plush) -> dict[tuple[int, ...], float]:
     for color, run in zip(graph.color.tolist(), (takes(graph, piece.stitch, piece.params.hold) / 1000.0).tolist()):
         if run > 0.0:
             made[tuple(color)] = made.get(tuple(color), 0.0) + run
+    return made
+
+
+def _threads(piece: Plush) -> list[tuple[tuple[int, ...], float]]:
+    """The colour and the metres of every thread that is pulled through the stuffing: there, back and knotted."""
+    from tambour.crochet.graph.spots import Spots
+    from tambour.crochet.language.finishes import Tie
+
+    ties = [f for f in piece.built.pattern.finish if isinstance(f, Tie)]
+    spots, color = (Spots(piece.built) if ties else None), piece.built.graph.color
+    made = []
+    for tie in ties:
+        assert spots is not None
+        place = spots.place(tie.spots[0])
+        node = max(zip(place.weights, place.nodes))[1]
+        made.append((tuple(color[node].tolist()), (2.0 * tie.apart + KNOT) / 1000.0))
     return made
 
 
@@ -56,6 +74,8 @@ def materials(piece: Plush) -> dict[str, Any]:
     for tuft in made["hair"]:
         of_hair = unhexed(tuft["color"])
         metres[of_hair] = metres.get(of_hair, 0.0) + tuft["metres"]
+    for shade, length in _threads(piece):
+        metres[shade] = metres.get(shade, 0.0) + length
     yarn = []
     for color, worked in metres.items():
         bought = (worked + (ends * worked / whole if whole else 0.0)) * SPARE

@@ -25,8 +25,8 @@ STEP = 0.8
 """How much of what a round is too wide is taken off it at once."""
 GAIN = 0.004
 """An improvement of the mean distance by less than this, in stitches, is none."""
-BATCHES, AGAIN = 4, 4
-"""In how many batches threads are pulled, and how often rounds are corrected after each."""
+BATCHES, SPARE, AGAIN = 4, 2, 4
+"""In how many batches threads are pulled, how many more there are where one brings nothing, and how often rounds are corrected after each."""
 BOUNDS = 0.6, 1.5
 """Shares of a line's length that its round may come to."""
 
@@ -105,14 +105,19 @@ def looped(task: Task, first: Tried | None = None, tries: int = TRIES) -> tuple[
     best, history = _counted(task, tried(task, task.way.girths) if first is None else first, tries)
     stuffed = (best.rounds.stuffing or task.params.stuffing) != "none"
     most = int(sum(best.counts) * (1.5 - task.plain) / threads.EVERY) if stuffed else 0
-    for k in range(BATCHES):
-        holds = threads.chosen(best, most * (k + 1) // BATCHES - len(best.holds))
+    add, tighter = max(1, most // BATCHES), threads.FIRST
+    for _ in range(BATCHES + SPARE):
+        holds = threads.chosen(best, min(add, most - len(best.holds)), tighter)
         if len(holds) == len(best.holds):
             break
         now, more = _counted(task, tried(task, best.wanted, holds), min(AGAIN, tries))
         history += more
-        if now.distance.mean < best.distance.mean - GAIN:  # else more of them at once, in the next batch
+        if now.distance.mean < best.distance.mean - GAIN:
             best = now
+        elif add == 1:
+            break
+        else:  # fewer at once, and no tighter than they belong
+            add, tighter = add // 2, 0.0
     return best, history
 
 

@@ -24,8 +24,9 @@ ACROSS = 0.5
 SHORT = 1.5
 """A thread is not pulled shorter than this, in stitches."""
 
-FIRST, TIGHT = 0.1, 0.35
-"""A thread is pulled tighter than its ends belong by such a share of their way at first, and at the most: fabric bulges on all sides of them."""
+FIRST, TIGHT = 0.4, 0.35
+"""A thread is pulled tighter than its ends belong, as fabric bulges on all sides of them: at first by such a share of what they
+are too far apart, and at the most by such a share of their way."""
 
 Hold = tuple[int, float, int, float, float]
 """A thread: the round, from 0, and the share of the way round it, of either end; and how much tighter than its ends belong, in stitches."""
@@ -59,9 +60,9 @@ def tightened(last: Tried, step: float) -> tuple[Hold, ...]:
     return tuple(made)
 
 
-def chosen(last: Tried, many: int) -> tuple[Hold, ...]:
+def chosen(last: Tried, many: int, tighter: float = FIRST) -> tuple[Hold, ...]:
     """The threads of ``last`` and up to ``many`` more: between stitches that lie outside of the model on either side of it, those
-    first that are too far apart by most."""
+    first that are too far apart by most. ``tighter``: by what share of that they are pulled closer than they belong."""
     counts = last.counts
     first = np.concatenate([[1], 1 + np.cumsum(counts)])
     n = np.arange(1, first[-1])
@@ -87,7 +88,7 @@ def chosen(last: Tried, many: int) -> tuple[Hold, ...]:
             break
         ends = sorted((int(open_[a]), int(open_[b])))
         share = [(int(number[v]), float((n[v] - first[number[v]]) / counts[number[v]])) for v in ends]
-        made.append((*share[0], *share[1], FIRST * float(wanted[a, b])))
+        made.append((*share[0], *share[1], tighter * float(far[a, b] - wanted[a, b])))
         for v in (a, b):
             near = ((g - g[v]) ** 2).sum(1) < APART**2
             price[near] = 0.0
