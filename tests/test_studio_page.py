@@ -1090,6 +1090,11 @@ def test_a_tap_says_which_region_it_is_and_another_stitch_leaves_it_chosen_as_it
         "async () => (await (await fetch(`/api/pieces/${location.hash.split('/').pop()}`)).json()).revision.edits"
     )
     assert [e["field"] for e in edits] == ["angle", "stitch"]
+    phone.tap(".tabs >> text=Thread")
+    phone.keyboard.press("Control+k")
+    phone.wait_for_selector("dialog[open]")
+    phone.touchscreen.tap(195, 830)  # beside it
+    phone.wait_for_selector("dialog[open]", state="detached")
     phone.tap(".tabs >> text=Facts")
     phone.tap("text=Make it fill a 4×4 in hoop")
     phone.wait_for_selector(".big >> text=/6\\d × 9\\d/")

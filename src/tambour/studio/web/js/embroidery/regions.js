@@ -101,13 +101,20 @@ function hooped(piece) {
 
 const TINY = 35; // mm
 
+/** A drawing of no size to sew, and the button that makes it one; nothing where it is large enough, or for a machine's file. @param {Piece} piece */
+export function tiny(piece) {
+  const { report, live: made, revision } = piece, told = report.value, long = told ? Math.max(told.width_mm, told.height_mm) : TINY;
+  if (long >= TINY || made.value?.facts.hoop || piece.params.value.width || !/\.svgz?$/i.test(revision.value?.source?.name ?? "")) return "";
+  const wide = Math.floor((94 * told.width_mm) / long);
+  return html`<b>This is tiny: no larger than a ${told.width_mm < 20 ? "coin" : "stamp"}.</b> An icon's own size says little. <button class="button" @click=${() => piece.change({ params: { width: `${wide}mm`, hoop: "4x4" }, said: `${wide} mm wide, for a 4×4 hoop` })}>Make it fill a 4×4 in hoop: ${wide} mm wide</button>`;
+}
+
 /** A small drawing in a large hoop: one button makes it as large as the hoop takes, a little room about it. @param {Piece} piece @param {any} report */
 function filled(piece, report) {
   const hoop = piece.live.value?.facts.hoop, by = hoop ? 0.94 * Math.min(hoop[0] / report.width_mm, hoop[1] / report.height_mm) : 1;
-  const width = Math.floor(report.width_mm * by), large = Math.floor((94 * report.width_mm) / Math.max(report.width_mm, report.height_mm));
-  if (!hoop && Math.max(report.width_mm, report.height_mm) < TINY && !/\.(pes|dst|jef|vp3|exp|hus|xxx|u01|tbf)$/i.test(piece.revision.value?.source?.name ?? ""))
-    return html`<p class="told"><b>This is tiny: no larger than a ${report.width_mm < 20 ? "coin" : "stamp"}.</b>An icon's own size says little. <button class="button" @click=${() => piece.change({ params: { width: `${large}mm`, hoop: "4x4" }, said: `${large} mm wide, for a 4×4 hoop` })}>Make it fill a 4×4 in hoop: ${large} mm wide</button> or say its width below.</p>`;
-  return hoop && by > 1.1 ? html`<p><button class="button" @click=${() => piece.change({ params: { width: `${width}mm` }, said: `${width} mm wide` })}>Fill the hoop: ${width} mm wide</button></p>` : "";
+  const width = Math.floor(report.width_mm * by), small = tiny(piece);
+  if (small) return html`<p class="told">${small} or say its width below.</p>`;
+  return hoop && by > 1.2 ? html`<p><button class="button" @click=${() => piece.change({ params: { width: `${width}mm` }, said: `${width} mm wide` })}>Fill the hoop: ${width} mm wide</button></p>` : "";
 }
 
 /** Which hoops take it. @param {any} report @param {[number, number]|null|undefined} hoop the one that was asked for, mm */

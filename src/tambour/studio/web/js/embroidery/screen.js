@@ -9,7 +9,7 @@ import { colored, computed, dyed, effect, html, number, ref, show, signal, untra
 import { flies, sheet } from "./cloth.js";
 import { MODES, densest, looks } from "./density.js";
 import { Overlay } from "./overlay.js";
-import { called, facts, minutes, regions, stitched, stitchesAt, titled } from "./regions.js";
+import { called, facts, minutes, regions, stitched, stitchesAt, tiny, titled } from "./regions.js";
 import { alongside, spelt } from "./rails.js";
 
 /** @typedef {import("../piece.js").Piece} Piece */
@@ -135,6 +135,7 @@ export function screen(root, piece) {
   })));
   stop.push(show(at.top, () => html`${working(piece.going.value)}
     ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert"><b>${piece.failed.value[0].message}</b><br>${piece.failed.value[0].hint ?? ""}</div>` : ""}
+    ${!piece.going.value && chosen.value < 0 && tiny(piece) ? html`<div class="said" role="status">${tiny(piece)}</div>` : ""}
     ${chosen.value >= 0 && all()[chosen.value] ? html`<div class="said" role="status"><i class="swatch" ${ref(dyed(all()[chosen.value].color))}></i> <b>${titled(all(), chosen.value)}</b> · ${stitched(all()[chosen.value].stitch)} · ${number(all()[chosen.value].count)} stitches
       <button class="link" @click=${() => (bring(at.left), requestAnimationFrame(() => document.getElementById(`stitch-${chosen.value}`)?.focus()))}>Change its stitch</button></div>` : ""}`));
   stop.push(show(at.bottom, () => {
