@@ -155,3 +155,44 @@ def test_a_part_whose_place_was_guessed_goes_a_round_on(part, up):
 def test_a_place_that_is_not_there_is_told():
     with pytest.raises(TambourError, match="no round 99"):
         worked(Text(FOUR, "four.txt"), PARAMS.model_copy(update={"pose": ("Trunk round=99 stitch=1",)}))
+
+
+SHOWN = """
+Dog
+Gauge: 20 sts = 10 cm
+BODY
+Rnd 1: 6 sc in magic ring. (6)
+Rnd 2: inc around. (12)
+Rnd 3: (sc, inc) x 6. (18)
+Rnds 4-12: sc around. (18)
+Rnd 13: (sc, dec) x 6. (12)
+Rnd 14: dec around. (6)
+Fasten off.
+LEG (make 4)
+Rnd 1: 6 sc in magic ring. (6)
+Rnds 2-5: sc around. (6)
+Fasten off.
+TAIL
+Rnd 1: 4 sc in magic ring. (4)
+Rnds 2-4: sc around. (4)
+Fasten off.
+FINISHING
+Sew the legs and tail to the body as shown in the photo.
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("part", ["LEG.1", "LEG.4", "TAIL"])
+def test_one_of_several_that_one_vague_sentence_sews_is_moved_and_her_words_stay(part):
+    """What is sewn "as shown" holds no number that could be written anew: the move was refused."""
+    before, _ = worked(Text(SHOWN, "dog.txt"), PARAMS)
+    number = int(placed(before)[part].spot.round) - 1
+    made = moved(Text(SHOWN, "dog.txt"), PARAMS, part, stitch(before, "BODY", number, 3))
+    assert made.text.startswith(SHOWN.rstrip()) and made.text.rstrip().endswith(".") and made.sentence in made.text
+    old, new = placed(before), placed(worked(Text(made.text, "dog.txt"), PARAMS)[0])
+    assert new[part].spot.round == number and set(old) == set(new)
+    gone = {n for n in set(old) - {part} if abs(new[n].spot.round - old[n].spot.round) > 0.6}
+    assert len(gone) <= 1 and all(n.startswith("LEG") and part != "TAIL" for n in gone)  # its pair goes along
+    again = moved(Text(made.text, "dog.txt"), PARAMS, part, stitch(before, "BODY", number - 1, 3))
+    last = placed(worked(Text(again.text, "dog.txt"), PARAMS)[0])
+    assert last[part].spot.round == number - 1 and len(last) == len(old)

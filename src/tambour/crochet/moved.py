@@ -234,6 +234,7 @@ def _rewritten(built: Built, params: CrochetParams, wanted: dict[int, Placed]) -
     if not pattern.terms:
         return _put(text.text, [(span, "\n".join(map(_line_of, of))) for span, of in groups])
     old = next(r for r in pattern.finish if isinstance(r, Placed) and known.parts[r.part] in wanted)
+    moved = [r for r in records if isinstance(r, Placed) and known.parts.get(r.part) in wanted]
     ways: list[Callable[[Span, list[Finish], float | None], str | None]] = [
         lambda span, of, apart: _renumbered(
             text.text[span.start : span.end], old, wanted[known.parts[old.part]], apart
@@ -272,7 +273,22 @@ def _rewritten(built: Built, params: CrochetParams, wanted: dict[int, Placed]) -
                 break
             else:
                 apart = max(0.0, apart + wide - heard)
-    raise TambourError("these words, written anew, would say another place", hint="write where it is sewn by hand")
+    # Her words stay, and the last word on the part, to the stitch, stands at the end: and on its like, and on all others,
+    # where its place was theirs too ("sew the legs as shown").
+    placed = [r for r in records if isinstance(r, Placed) and r.part in known.parts]
+    section = {built.parts[k].section for k in wanted}
+    alike = [r for r in placed if built.parts[known.parts[r.part]].section in section]
+    last = ""
+    for told in (moved, alike, placed):
+        sure = ". ".join(_exactly(built, {known.parts[r.part] for r in told})(told))
+        last = last or sure
+        made = Moved(f"{text.text.rstrip()}\n\n{sure}.\n", last)
+        found = _heard(Text(made.text, text.name), params)
+        if found is not None and _agree(found, records):
+            return made
+    raise TambourError(
+        "these words, written anew, would say another place", hint=f"write where it is sewn by hand, such as “{last}.”"
+    )
 
 
 def _renumbered(sentence: str, old: Placed, new: Placed, apart: float | None) -> str | None:

@@ -238,7 +238,9 @@ class Assembly(Upright):
     def _tree(self) -> list[Put]:
         """Every put with what it is put on, those that others stand on first; no copy twice, none on itself."""
         main, head = self.main, self.of_kind("head")
-        seen: set[Copy] = {(main, 1)}
+        exact = {r.part: r.spot.part for r, _ in self.heard.exact if isinstance(r, Placed)}
+        # What is said to the stitch, as a hand that moved a part wrote it, stands for all that is said besides.
+        seen = {(main, 1)} | {(p, k) for p in self.parts for k in range(1, p.copies + 1) if p.copy(k) in exact}
         puts: list[Put] = []
         # What says most of a place comes first, whatever was said before.
         for p in sorted(self.heard.puts, key=_vagueness):
@@ -276,7 +278,6 @@ class Assembly(Upright):
                 continue
             seen.update(free)
             puts.append(replace(p, copies=free))
-        exact = {r.part: r.spot.part for r, _ in self.heard.exact if isinstance(r, Placed)}
         on: dict[str, str] = {}
         hair = [c[0] for p in puts for c in p.copies if c[0].kind == "hat" and {"hair", "wig"} & set(c[0].words)]
         for p in puts:

@@ -8,7 +8,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
-from tambour.crochet.language.finishes import Finish
+from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.places import face
 from tambour.crochet.places.names import SIDED, Made, Mention, kind_of, mentions, one
 from tambour.crochet.places.said import VERB, Where, clauses, where
@@ -181,6 +181,9 @@ class Heard:
     def _hear(self, sentence: Sentence, order: int) -> None:
         """The statements of one sentence."""
         if sentence.exact is not None:
+            if isinstance(sentence.exact, Placed):  # the last word on a part holds
+                part = sentence.exact.part
+                self.exact = [(r, k) for r, k in self.exact if not isinstance(r, Placed) or r.part != part]
             self.exact.append((sentence.exact, order))
             return
         low = sentence.text.lower().replace("\n", " ")

@@ -9,7 +9,7 @@ from typing import Final
 from tambour.core.errors import Span
 from tambour.core.rgb import RGB
 from tambour.crochet.graph.built import Built
-from tambour.crochet.language.finishes import Finish
+from tambour.crochet.language.finishes import Finish, Placed
 from tambour.crochet.language.tree import Pattern
 from tambour.crochet.places.assemble import Assembly
 from tambour.crochet.places.hear import Sentence
@@ -51,6 +51,11 @@ def shades(tokens: list[Token], palette: Palette, start: int) -> tuple[tuple[int
     return tuple(made)
 
 
+def _subject(one: Said, heard: Sentence) -> str:
+    """The part that a sentence is about: of a place to the stitch what it puts there, else the part that it stands in."""
+    return heard.exact.part.partition(".")[0] if isinstance(heard.exact, Placed) else one.part
+
+
 def assembled(built: Built, said: list[Said], phrases: Phrases, palette: Palette, usual: bool) -> Assembled | None:
     """What the sentences of a pattern, as worked, and its parts' names, say of its assembly; None where nothing is said."""
     if not said and (not usual or len(built.pattern.parts) < 2):
@@ -66,7 +71,7 @@ def assembled(built: Built, said: list[Said], phrases: Phrases, palette: Palette
     groups = toys(built, faced(built, [(one.part, heard.text) for one, heard in zip(said, sentences)]))
     own = {name: k for k, names in enumerate(groups) for name in names}
     for k, names in enumerate(groups):
-        mine = [heard for one, heard in zip(said, sentences) if own.get(one.part, k) == k]
+        mine = [heard for one, heard in zip(said, sentences) if own.get(_subject(one, heard), k) == k]
         found = _assembly(built, mine, names).assemble(usual)
         made.finish += found.finish
         made.ups |= found.ups
