@@ -57,6 +57,16 @@ def test_a_cylinder_is_as_round_and_as_high_as_its_stitches(swatch: str) -> None
     assert rows[20] - rows[10] == pytest.approx(10 * height * (1 + stretch(1.0)), rel=0.03)
 
 
+def test_rounds_that_are_joined_and_turned_are_measured_as_rounds() -> None:
+    """They were taken for rows: the girth said was of the largest part that nobody turned."""
+    words = "Ball\nGauge: 20 sts and 20 rows = 10 cm\nRnd 1: ch 2, 6 sc in 2nd ch from hook. Join. Turn. (6)\n"
+    words += "Rnd 2: Ch 1, 2 sc in each sc around. Join. Turn. (12)\nRnd 3: Ch 1, (sc, inc) x 6. Join. Turn. (18)\n"
+    words += "Rnds 4-6: Ch 1, sc around. Join. Turn. (18)\nRnd 7: Ch 1, (sc, dec) x 6. Join. Turn. (12)\nRnd 8: Ch 1, dec 6 times. Join. (6)\nFasten off.\n"
+    size = facts(make(Text(words, "ball.txt"), CrochetParams(), Progress()))["size"]
+    assert size["around"]["stitches"] == 18 and size["measured"] == "stuffed"
+    assert size["around"]["mm"] == pytest.approx(18 * 5.0 * (1 + stretch(1.0)), rel=0.06)
+
+
 def test_an_open_tube_laid_flat() -> None:
     text = (TOYS / "cylinder.acl").read_text().partition("R25")[0]
     size = facts(make(Text("@stuffing = none\n" + text), CrochetParams(gauge="20x21"), Progress()))["size"]

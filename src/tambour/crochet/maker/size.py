@@ -136,6 +136,8 @@ def _extent(points: Array) -> tuple[float, float, float]:
 def _rounds(piece: Plush, number: int) -> list[tuple[int, float, int, float]]:
     """Every round of a part: its number, its length along the stitches (mm), its stitches, and how far along the
     fabric it is from the beginning (mm)."""
+    from tambour.crochet.graph.spots import Spots
+
     graph, x = piece.built.graph, piece.positions
     part = graph.parts[number]
     if _in_rows(piece, np.arange(part.start, part.end)):
@@ -145,16 +147,17 @@ def _rounds(piece: Plush, number: int) -> list[tuple[int, float, int, float]]:
     upper = edges[:, 0]
     made: list[tuple[int, float, int, float]] = []
     far = 0.0
-    for this in piece.built.rounds:
+    known = Spots(piece.built)
+    for k, this in enumerate(piece.built.rounds):
         if this.part != number or this.last < this.first:
             continue
-        ring = x[this.first : this.last + 1]
-        ring = ring[~np.isin(graph.peculiarity[this.first : this.last + 1], (ROOT, TIP))]
+        own = known.stitches(k)
+        ring = x[own[~np.isin(graph.peculiarity[own], (ROOT, TIP))]]
         if len(ring) < 3:
             continue
         length = float(np.sqrt(((ring - np.roll(ring, 1, axis=0)) ** 2).sum(1)).sum())
-        own = (upper >= this.first) & (upper <= this.last)
-        far += float(rise[own].mean()) if own.any() else 0.0
+        of = (upper >= this.first) & (upper <= this.last)
+        far += float(rise[of].mean()) if of.any() else 0.0
         made.append((this.number, length, len(ring), far))
     return made
 
