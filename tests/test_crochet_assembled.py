@@ -312,3 +312,16 @@ def test_a_wattle_hangs_below_the_beak() -> None:
     ).finish
     at = {f.part: f.spot for f in made if isinstance(f, Placed)}
     assert at["WATTLE"].part == at["BEAK"].part == "BODY" and at["WATTLE"].round < at["BEAK"].round
+
+
+def test_a_muzzle_that_bulges_covers_no_eye() -> None:
+    """It is sewn by a narrower end than it is wide: half of both eyes were behind it."""
+    muzzle = "MUZZLE\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: (sc, inc) x 6 (18)\nRnd 4: (2 sc, inc) x 6 (24)\nRnd 5: sc around (24)\nRnd 6: (2 sc, dec) x 6 (18)\nRnd 7: (sc, dec) x 6 (12)\nFasten off.\n\n"
+    pattern = read(
+        BODY + BODY.replace("BODY", "HEAD") + muzzle,
+        "Sew the muzzle to the head. Attach the safety eyes. Sew the head to the body.",
+    )
+    _, spots, x = points(pattern)
+    eyes = [spot(spots, x, f) for f in pattern.finish if isinstance(f, Eye)]
+    snout = spot(spots, x, next(f for f in pattern.finish if isinstance(f, Placed) and f.part == "MUZZLE"))
+    assert len(eyes) == 2 and min(float(np.sqrt(((e - snout) ** 2).sum())) for e in eyes) > 3.2

@@ -42,6 +42,8 @@ _HANGS: Final = re.compile(
     r"(?:rounds?|rnds?|rows?|r|\d+(?:st|nd|rd|th))\b"
 )
 """A piece of which the upper edge is at the round that is said."""
+_BULGES: Final = 0.85
+"""How much of its widest round a snout covers of what is behind it."""
 _BEHIND_EYES: Final = 4.0
 """So many rounds behind the eyes are the ears of what looks ahead, or more."""
 _BESIDE_BELLY: Final = -0.15
@@ -133,7 +135,7 @@ class Putter(Holder):
                     break
         self.room.take(seams)
         if kind in _BELOW_EYES:
-            self.deep[kind] = self._half(put.copies[0])
+            self.deep[kind] = self._bulge(put.copies[0])
         for record in records:
             self.stand.place(record)
         thing = made.kind or made.words[-1] if made.words else ""
@@ -268,7 +270,7 @@ class Putter(Holder):
         eyes = self.known.get("eye")
         if put.kind not in _BELOW_EYES or eyes is None or eyes[0] != host.name or self._lies_name(host):
             return point
-        least = self._half(put.copies[k]) + self.deep.get("eye", 0.5)
+        least = self._bulge(put.copies[k]) + self.deep.get("eye", 0.5)
         x, y = float(point[0]), float(point[1])
         low = float(host.box[0][1] - 0.6 * host.box[1][1])
         while y > low and min(float(np.sqrt(((point - eye) ** 2).sum())) for eye in eyes[1]) < least:
@@ -291,6 +293,12 @@ class Putter(Holder):
         """Half the width of a part's end, in stitches."""
         edge = self.work.open(copy[0].copy(copy[1])) or 6
         return edge / (2.0 * math.pi)
+
+    def _bulge(self, copy: Copy) -> float:
+        """Half the width of a snout, in stitches: it may be wider than the end that it is sewn by."""
+        widest = max(len(ring) for _, ring in self.work.host(copy).levels)
+        rows = bool(self.work.spots.in_rows[self.work.spots.parts[copy[0].copy(copy[1])]])
+        return max(self._half(copy), 0.0 if rows else _BULGES * widest / (2.0 * math.pi))
 
     def _paired(
         self, put: Put, host: Host, both: list[tuple[Copy, tuple[Spot, Way]]]
