@@ -1022,7 +1022,8 @@ def test_a_phone_s_page_is_whole_and_what_is_told_lies_above_what_is_open(phone)
         "Rnd 3: sc around.",
         "Rnd 3: (sc in the next stitch, and in the one after it) 6 times, with care and good light.",
     )
-    new(phone, {"craft": "crochet", "source": {"text": long, "name": "ball.txt"}, "title": "ball"})
+    title = "A ball of a name that is longer than any phone is wide"
+    new(phone, {"craft": "crochet", "source": {"text": long, "name": "ball.txt"}, "title": title})
     made(phone)
     whole(phone, ".over.bottom .seg button")
     scrub(phone, 0.6)
@@ -1038,6 +1039,7 @@ def test_a_phone_s_page_is_whole_and_what_is_told_lies_above_what_is_open(phone)
     until(phone, "document.querySelector('#over > div > .notes')")  # they stay when it is closed
     phone.tap("#bar >> text=Follow")
     phone.wait_for_selector(".hands .on")
+    whole(phone, ".headline .count, .hands button, .menu summary")
     for _ in range(2):
         phone.tap(".hands .on")
     phone.tap(".headline .count button")
