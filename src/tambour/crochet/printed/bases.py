@@ -171,10 +171,10 @@ def elsewhere(
         p.begin(True, span)
         draft = p.parts[-1]
         draft.offset, draft.last = (0, lead) if head.numbers and head.numbers[0] == lead + 1 else (0, 0)
-    return draft, head, based(p, draft, head, read, span, (tokens, times)) or read
+    return draft, head, based(p, draft, head, read, (tokens, times)) or read
 
 
-def based(p: State, draft: Draft, head: Head, read: Body, span: Span, what: tuple[list[Token], int]) -> Body | None:
+def based(p: State, draft: Draft, head: Head, read: Body, what: tuple[list[Token], int]) -> Body | None:
     """A round on an edge that is not known, on a chain of as many stitches, which is told; None where it does not say how many."""
     if is_first(read, p.source.stitches) or draft.chain is not None:
         return None

@@ -47,7 +47,7 @@ def founded(draft: Draft, source: Source, head: Head | None, body: Body, items: 
         return [i for i in items if isinstance(i, Action) and i.name == "color"]
     if not any(works(i) for i in items):
         return [i for i in items if i not in lead or not draft.chain] if items else []
-    return _chained(draft, source, head, body, items, fresh, chain, span)
+    return _chained(draft, source, head, body, items, fresh, chain)
 
 
 def _ringed(source: Source, items: list[Item], hook: int) -> list[Item]:
@@ -88,7 +88,6 @@ def _chained(
     items: list[Item],
     fresh: int,
     chain: Action,
-    span: Span,
 ) -> list[Item]:
     """The first stitches into a foundation chain: a ring, an oval, a row or a tube."""
     assert draft.chain is not None

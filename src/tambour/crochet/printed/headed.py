@@ -112,7 +112,7 @@ class Headed(State):
             and (len(self.parts) > 1 or first.value == "join")
             and (read.both or sum(map(works_some, read.items)) > 1)
         ):
-            read = based(self, draft, head, read, span, (tokens, times)) or read
+            read = based(self, draft, head, read, (tokens, times)) or read
         unread = []
         handed = bool(read.doings)
         for left in read.left:
@@ -154,7 +154,7 @@ class Headed(State):
             if not draft.started(self.source):
                 del draft.lines[before:]
                 draft.edge, draft.last = edge, last
-                read = based(self, draft, head, read, span, (tokens, times)) or read
+                read = based(self, draft, head, read, (tokens, times)) or read
                 if draft.started(self.source):
                     draft.add(self.source, head, read, span, notes)
             if not draft.started(self.source):

@@ -151,7 +151,7 @@ class Draft:
         ):
             items = [Action(self.loops, span), *items, Action("bl", span)]
         if items:
-            self._line(source, head, body, self._begun(source, head, _facing(items), body), span, notes)
+            self._line(source, head, body, self._begun(head, _facing(items), body), span, notes)
 
     def ringed(self) -> bool:
         """Whether all of it is a round without a number: "Work 6 sc in ring." above Round 1."""
@@ -306,7 +306,7 @@ class Draft:
             return written(self.lines, next((n.number for n in rounds if n.number), 1), refers.through)
         return tuple(rounds)
 
-    def _begun(self, source: Source, head: Head | None, items: list[Item], body: Body) -> list[Item]:
+    def _begun(self, head: Head | None, items: list[Item], body: Body) -> list[Item]:
         """``items`` with the chains at a round's beginning understood, and rows turned where nobody says so."""
         at = next(
             (k for k, i in enumerate(items) if not isinstance(i, Action) or i.name not in ("color", "flo", "blo")), 0
