@@ -11,6 +11,11 @@ from tambour.core.check import Array
 from tambour.embroidery.lines.corridor import find, leaves, neighbours, straighten
 from tambour.embroidery.lines.fill import Rings, crossings, inside_pairs, levels, polygon_of
 
+NEAR = 4.0
+"""mm: places that lie no farther apart are joined straight, were they a little outside."""
+PULLED = 0.25
+"""mm that a needle point may stand outside its area: stitches are longer by their pull."""
+
 
 def way(area: Rings, a: Array, b: Array) -> Array:
     """Polyline (n, 2) from ``a`` to ``b`` inside ``area`` (rings at angle 0), both ends included.
@@ -20,10 +25,11 @@ def way(area: Rings, a: Array, b: Array) -> Array:
     or outside: then they are led to it straight.
     """
     straight = np.array([a, b], np.float64)
+    far = float(np.hypot(*(straight[1] - straight[0])))
     if (
         not len(area.points)
-        or np.hypot(*(straight[1] - straight[0])) < 0.1
-        or not leaves(area.points, area.offsets, straight, 0.05)
+        or far < 0.1
+        or not leaves(area.points, area.offsets, straight, PULLED if far < NEAR else 0.05)
     ):
         return straight
     v = area.points[:, 1]
