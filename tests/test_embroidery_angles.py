@@ -68,3 +68,18 @@ def test_a_frame_open_below_is_three_bars(wide):
     area = shapely.box(0, 0, 40, 30) - shapely.box(wide, wide, 40 - wide, 40)
     made, left = limbs(area, 14)
     assert len(made) == 3 and left.is_empty and sum(len(limb.through) for limb in made) == 2
+
+
+N = "525,320 705,320 705,390 780,335 880,310 960,330 1010,390 1030,480 1030,790 898,790 898,480 880,420 840,390 790,385 705,425"
+"""The letter n of a face with serifs, a fortieth of a millimetre to the unit: its last places are ``STEM``."""
+STEM = "705,790 570,790 570,362 525,355"
+
+
+def test_a_stem_goes_through_between_its_serif_and_its_arch():
+    area = shapely.Polygon([tuple(float(v) / 40 for v in p.split(",")) for p in f"{N} {STEM}".split()])
+    made, _ = limbs(area, 14)
+    tall = [limb for limb in made if np.ptp(limb.column.middle[:, 1]) > 6]
+    stem = min(tall, key=lambda limb: limb.column.middle[:, 0].mean())
+    across = stem.column.left - stem.column.right
+    assert np.ptp(np.unwrap(2 * np.arctan2(across[:, 1], across[:, 0])) / 2) < np.radians(12)
+    assert np.ptp(stem.column.middle[:, 1]) > 11.3  # all its 11.75 mm, to the very top

@@ -28,6 +28,8 @@ FLAT = math.radians(8)
 """By how much less than most a limb may turn at a place that counts as the bend."""
 LEG = 1.1
 """Radii beyond the bend that a leg must reach at least."""
+WIDER = 1.4
+"""Times as wide as all others at its fork that a limb must be to go through it alone."""
 ALIKE = 0.12
 """Share by which legs' widths may differ for the longer one, and not the wider, to go through."""
 
@@ -39,7 +41,7 @@ def parted(joined: list[Part], places: Array, radius: Array, area: Any) -> list[
     if not len(inner) or not len(outer):
         return joined
     made: list[Part] = []
-    todo = list(joined)
+    todo = _headed(joined, places, radius)
     while todo:
         part = todo.pop()
         path = part[0]
@@ -49,6 +51,37 @@ def parted(joined: list[Part], places: Array, radius: Array, area: Any) -> list[
         else:
             todo += _two(part, bend, places, radius)
     return made[::-1]
+
+
+def _headed(joined: list[Part], places: Array, radius: Array) -> list[Part]:
+    """The limbs; where three end at a fork that none goes through, the one that is far wider than the others there does."""
+    made = list(joined)
+    ends: dict[int, list[tuple[int, bool]]] = {}
+    for k, (path, free_start, free_end, _) in enumerate(made):
+        if path[0] != path[-1]:
+            for last, free in ((False, free_start), (True, free_end)):
+                if not free:
+                    ends.setdefault(int(path[-1 if last else 0]), []).append((k, last))
+    for fork, here in ends.items():
+        wide = np.array([beside(made[k][0], last, places, radius) for k, last in here])
+        one = int(wide.argmax())
+        if len(here) != 3 or wide[one] < WIDER * np.delete(wide, one).max():
+            continue
+        k, last = here[one]
+        path, free_start, free_end, forks = made[k]
+        inside = np.flatnonzero(np.hypot(*(places[path] - places[fork]).T) > LEG * radius[fork])
+        if len(inside) > 3:
+            cut = path[: int(inside[-1]) + 1] if last else path[int(inside[0]) :]
+            made[k] = (cut, free_start, True, [*forks, fork]) if last else (cut, True, free_end, [fork, *forks])
+    return made
+
+
+def beside(path: Array, last: bool, places: Array, radius: Array) -> float:
+    """Half the width of a limb beside the fork at one of its ends."""
+    path = path[::-1] if last else path
+    away = np.hypot(*(places[path] - places[path[0]]).T)
+    near = (away > 1.3 * radius[path[0]]) & (away < 2.5 * radius[path[0]])
+    return float(np.median(radius[path][near])) if near.any() else float(radius[path[-1]])
 
 
 def _corners(area: Any) -> tuple[Array, Array]:

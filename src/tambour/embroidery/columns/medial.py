@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 
 from tambour.core.check import Array
-from tambour.embroidery.columns.angles import parted
+from tambour.embroidery.columns.angles import WIDER, beside, parted
 from tambour.embroidery.columns.chords import across, passed
 from tambour.embroidery.columns.rails import outlined
 from tambour.embroidery.columns.satin import Column, resample
 
 SAMPLE = 0.35  # mm between the outline's samples (finer in small areas)
 BELOW = 0.4  # mm that a limb which ends at another goes on below it
+STUB = 2.2  # radii of its fork that a limb is long at most to be a serif
 ROUND = 17.0  # length² / area of a dot: 12.6 for a disc, 16 for a square, 18 for a bar twice as long as wide
 TIP = 0.5  # mm that the first and the last stitch of a dot are long at least
 SPUR = 1.46  # a branch that reaches no farther than this many radii beyond its fork is a corner, not a limb
@@ -121,6 +122,25 @@ def branches(places: Array, radius: Array, edges: list[tuple[int, int]]) -> list
     return made
 
 
+def _stemmed(limbs: Any, here: Any, pair: tuple[int, int], places: Array, radius: Array) -> bool:
+    """Whether a far wider limb ends where a stub and a long limb meet, as a stem does between its serif and its arch: it goes
+    through, and they end below it."""
+
+    def size(k: int) -> float:
+        return float(np.hypot(*np.diff(places[limbs[k][0]], axis=0).T).sum())
+
+    if len(here) != 3:
+        return False
+    (third,) = {k for _, k, _ in here} - set(pair) or {-1}
+    if third < 0:
+        return False
+    _, k, last = next(e for e in here if e[1] == third)
+    fork = int(limbs[k][0][-1 if last else 0])
+    stub = [(limbs[k][1] or limbs[k][2]) and size(k) < STUB * radius[fork] for k in pair]
+    half = {k: beside(np.array(limbs[k][0]), bool(last), places, radius) for _, k, last in here}
+    return sum(stub) == 1 and half[third] > WIDER * max(half[k] for k in pair)
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Limb:
     """A column of a branched area.
@@ -160,7 +180,7 @@ def straightened(
     for fork, here in ends.items():
         for i, (_, a, la) in enumerate(here):
             for _, b, lb in here[i + 1 :]:
-                if a != b:
+                if a != b and not _stemmed(limbs, here, (a, b), places, radius):
                     pairs.append(
                         (float(heading[a, bool(la)] @ heading[b, bool(lb)]), fork, (a, bool(la)), (b, bool(lb)))
                     )
