@@ -83,3 +83,14 @@ def test_a_stem_goes_through_between_its_serif_and_its_arch():
     across = stem.column.left - stem.column.right
     assert np.ptp(np.unwrap(2 * np.arctan2(across[:, 1], across[:, 0])) / 2) < np.radians(12)
     assert np.ptp(stem.column.middle[:, 1]) > 11.3  # all its 11.75 mm, to the very top
+
+
+def test_a_tulip_is_not_parted_at_its_crotch():
+    # Two petals that meet at the crotch turn back: what went through one would leave the tip below both.
+    petals = [shapely.Point(0, 0).buffer(1, quad_segs=32)] * 2
+    petals = [
+        shapely.affinity.rotate(shapely.affinity.scale(p, 2.9, 7), t, origin=(0, -7)) for p, t in zip(petals, (24, -24))
+    ]
+    tulip = shapely.union_all(petals).union(shapely.Polygon([(-3, -4), (3, -4), (0, -8)]))
+    made, _ = limbs(tulip, 14)
+    assert not any(limb.through for limb in made)

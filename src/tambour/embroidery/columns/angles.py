@@ -14,6 +14,8 @@ Part = tuple[Array, bool, bool, list[int]]
 
 TURN = math.radians(55)
 """A limb that turns by less bends as a whole."""
+BACK = math.radians(120)
+"""A limb that turns by more turns back: the leg that went through would not reach the tip between both."""
 VERTEX = math.radians(50)
 """An outline that turns by less has no corner there."""
 GRAIN = 0.05
@@ -123,18 +125,20 @@ def _bend(path: Array, places: Array, radius: Array, inner: Array, outer: Array)
             and _faces(outer - line[k], out, OUTER * wide[k])
         ):
             found.append((k, turn))
-    if not found:
-        return None
-    # It turns as much from a little before the bend to a little after it: the bend is the middle.
+    # It turns as much from a little before a bend to a little after it: the bend is the middle.
     turns = dict(found)
-    most = max(turns, key=lambda k: turns[k])
-    ends = []
-    for step in (-1, 1):
-        k = most
-        while turns.get(k + step, 0.0) > turns[most] - FLAT:
-            k += step
-        ends.append(k)
-    return sum(ends) // 2
+    while turns:
+        most = max(turns, key=lambda k: turns[k])
+        top, low, high = turns[most], most, most
+        while turns.get(low - 1, 0.0) > top - FLAT:
+            low -= 1
+        while turns.get(high + 1, 0.0) > top - FLAT:
+            high += 1
+        if top < BACK:
+            return (low + high) // 2
+        reach = 2 * LEG * wide[most]
+        turns = {k: t for k, t in turns.items() if abs(way[k] - way[most]) > reach}
+    return None
 
 
 def _faces(corners: Array, way: Array, near: float) -> bool:

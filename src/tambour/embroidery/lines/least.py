@@ -88,7 +88,7 @@ def merge_short(
     """Needle points, and which of them stay, so that no stitch is shorter than ``least``: ((n, 2), (n,) bool).
 
     Of the two ends of a short stitch the second goes, or the first, or one place between takes both, as long as no stitch of
-    these leaves the rings by more than ``slack`` or is longer than the longest there was (a way, by twice and by once ``SLACK``), and no point that goes lies farther
+    these leaves the rings by more than ``slack`` or is longer than the longest there was (a way, by ``SLACK``), and no point that goes lies farther
     than ``far`` beside what takes its place. Where a row meets a way (``ways``: points between two stitches of travel) the way's point
     goes rather than the row's end, for a row that ends aslant leaves a slit beside it. What nothing helps stays short.
     """
@@ -106,13 +106,9 @@ def merge_short(
             second = off <= far and span <= most + (SLACK if ways[i] else 1e-9)
             first = other <= far and wide <= most + (SLACK if ways[p] else 1e-9)
             if second:
-                second = not strays(
-                    points, offsets, xy[p, 0], xy[p, 1], xy[i + 1, 0], xy[i + 1, 1], 2 * SLACK if ways[i] else slack
-                )
+                second = not strays(points, offsets, xy[p, 0], xy[p, 1], xy[i + 1, 0], xy[i + 1, 1], slack)
             if first:
-                first = not strays(
-                    points, offsets, xy[before, 0], xy[before, 1], xy[i, 0], xy[i, 1], 2 * SLACK if ways[p] else slack
-                )
+                first = not strays(points, offsets, xy[before, 0], xy[before, 1], xy[i, 0], xy[i, 1], slack)
             near = off <= other if ways[p] == ways[i] else ways[i]
             if second and (near or not first):
                 keep[i] = False
@@ -152,8 +148,9 @@ def tidy(stitches: Stitches, least: float, area: Rings | None = None) -> Stitche
     xy, kind, run = stitches.xy[keep], stitches.kind[keep], stitches.run[keep]
     none = (np.zeros((0, 2)), np.zeros(1, np.int64))
     points, offsets = none if area is None else (area.points, area.offsets)
-    for short, far in ((WELCOME * least, WELCOME_FAR), (least, math.inf)):
-        travel = kind == TRAVEL
-        xy, keep = merge_short(xy, travel & np.r_[travel[1:], True], short, far, points, offsets, 0.8 * SLACK)
+    for short, far, heed in ((WELCOME * least, WELCOME_FAR, False), (least, math.inf, True)):
+        travel = (kind == TRAVEL) & heed
+        ways = travel & np.r_[travel[1:], heed]
+        xy, keep = merge_short(xy, ways, short, far, points, offsets, 0.8 * SLACK)
         xy, kind, run = xy[keep], kind[keep], run[keep]
     return Stitches(xy, kind, run, stitches.facts)
