@@ -94,3 +94,11 @@ def test_a_tulip_is_not_parted_at_its_crotch():
     tulip = shapely.union_all(petals).union(shapely.Polygon([(-3, -4), (3, -4), (0, -8)]))
     made, _ = limbs(tulip, 14)
     assert not any(limb.through for limb in made)
+
+
+@pytest.mark.parametrize("radius", [0.02, 0.1, 0.24, 0.26, 0.3, 0.5, 1.0])
+def test_dots_of_any_size_are_sewn_or_left_but_never_break(radius):
+    for dot in (shapely.Point(3, 4).buffer(radius), shapely.box(0, 0, radius, 1.1 * radius)):
+        made, left = limbs(dot, 14)
+        assert all(np.isfinite(limb.column.middle).all() for limb in made)
+        assert made or not left.is_empty

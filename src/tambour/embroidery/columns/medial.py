@@ -213,8 +213,9 @@ def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
     """
     import shapely
 
-    if round_of(area):
-        return [Limb(_dot(area), 0, 1)], shapely.Polygon()
+    dot = _dot(area) if round_of(area) else None
+    if dot is not None:
+        return [Limb(dot, 0, 1)], shapely.Polygon()
     places, radius, edges = skeleton(area)
     made: list[Limb] = []
     same: dict[int, int] = {}  # forks that only a stump lies between are one
@@ -269,8 +270,8 @@ def round_of(area: Any) -> bool:
     return not area.interiors and bool(area.length**2 < ROUND * area.area)
 
 
-def _dot(area: Any) -> Column:
-    """The column of a dot: straight across it, from one end of its longer side to the other."""
+def _dot(area: Any) -> Column | None:
+    """The column of a dot: straight across it, from one end of its longer side to the other; None where it is too small."""
     import shapely
 
     box = shapely.get_coordinates(shapely.minimum_rotated_rectangle(area))
@@ -280,8 +281,9 @@ def _dot(area: Any) -> Column:
     middle = shapely.get_coordinates(area.centroid)[0]
     line = middle + np.linspace(-0.1, 0.1, 5)[:, None] * size.max() * along
     column = across(area, line, np.full(5, float(size.min()) / 2), (True, True), False, ((0.0, 0.0), (0.0, 0.0)))
-    assert column is not None
-    seen = np.flatnonzero(np.hypot(*(column.left - column.right).T) > TIP)
+    seen = np.zeros(0, np.int64) if column is None else np.flatnonzero(np.hypot(*(column.left - column.right).T) > TIP)
+    if column is None or len(seen) < 3:
+        return None
     return Column(column.left[seen[0] : seen[-1] + 1], column.right[seen[0] : seen[-1] + 1])
 
 
