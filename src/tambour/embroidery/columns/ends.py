@@ -18,7 +18,7 @@ TIGHT = 0.8  # half widths: lines that turn round with a smaller radius turn at 
 HAIRPIN = math.radians(150)  # at a corner that turns by more, columns that end at its bisector taper for too long
 TIP = 0.4  # mm: half of the shortest stitch of a round end, as far as three tenths of its width are not less
 LAP = 0.2  # mm that a column goes on beyond the bisector of a corner
-TIP_LAP = 0.6  # mm that it does so at the corner's outside, where both columns taper to nothing and would leave a nick
+TIP_LAP = 0.6  # mm that it does so, at most, at the corner's outside, where both columns taper to nothing and would leave a nick
 
 
 def sharpened(line: Array, half: float) -> tuple[Array, dict[tuple[float, float], float]]:
@@ -145,7 +145,9 @@ def _bisected(
     vertex = vertex - radius * (aside if outside else -aside)  # the middle of the turn lies on the bisector
     along = (leaving - heading) / np.hypot(*(leaving - heading))  # on the bisector, to the corner's inside
     high, low = (
-        (side - vertex) @ normal + LAP + (TIP_LAP - LAP) * np.clip(-((side - vertex) @ along) / half, 0, 1) ** 4
+        (side - vertex) @ normal
+        + LAP
+        + (max(LAP, min(TIP_LAP, 0.05 + 0.25 * half)) - LAP) * np.clip(-((side - vertex) @ along) / half, 0, 1) ** 4
         for side in (outer, inner)
     )
     whole = np.flatnonzero((low >= 0) & (high >= 0))
