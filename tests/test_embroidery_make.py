@@ -86,6 +86,14 @@ def test_the_width_asked_for_is_that_of_all_thread(tmp_path, width):
     assert facts["width_mm"] == pytest.approx(60, rel=0.01)
 
 
+@pytest.mark.parametrize("motif", ["e", "diamond", "star"])
+def test_the_figures_of_a_motif_are_within_the_width_asked_for(tmp_path, motif):
+    """An E-stitch asked for at 60 mm was sewn 63.9 mm wide: its prongs stood out."""
+    told = ("--stitch", "motif", "--motif", motif, "--width", "60mm", "--pull", "0")
+    facts, _ = report(tmp_path, STROKES.format(0.4), *told)
+    assert facts["width_mm"] == pytest.approx(60, rel=0.01)
+
+
 def test_a_hoop_takes_what_it_says_would_fit(tmp_path):
     (tmp_path / "in.svg").write_text(STROKES.format(6))
     command = ["embroidery", str(tmp_path / "in.svg"), "-o", str(tmp_path / "o.json"), "--hoop", "50x40", "--width"]

@@ -17,6 +17,7 @@ from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.embroidery.fabric import FABRICS
 from tambour.embroidery.machines import MACHINES
+from tambour.embroidery.motifs import figures
 from tambour.embroidery.params import EmbroideryParams, hoop_size
 from tambour.embroidery.piece import AUTO, Region
 from tambour.embroidery.regions.inkstitch import flags as inkstitch_flags
@@ -74,6 +75,10 @@ def extent(found: Sequence[Region], sewn: bool = False) -> tuple[Array, Array]:
             wide = shapely.buffer(lines, half, quad_segs=16, cap_style=cap, join_style=join, mitre_limit=1.5)
             box = np.array(shapely.total_bounds(wide))
             low, high = np.fmin(low, box[:2]), np.fmax(high, box[2:])
+        elif r.stitch == "motif":  # its figures stand out beside the line, and do not grow with it
+            turns = [figures(line, r.params.motif, r.params.motif_size) for line in r.paths if len(line) > 1]
+            sewn_at = np.concatenate(turns or [r.paths.coords])
+            low, high = sewn_at.min(0), sewn_at.max(0)
         elif r.role == "area":
             low, high = low - sewn * max(0.0, r.params.pull), high + sewn * max(0.0, r.params.pull)
         boxes.append((low, high))
