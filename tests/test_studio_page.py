@@ -661,13 +661,13 @@ def test_pictures_of_each_step_and_a_film_come_from_the_scrub(page, tmp_path):
     yarn = [sum(abs(v - ground) > 40 for v in p.resize((150, 150)).getdata()) for p in pictures]
     assert yarn[0] < yarn[1] < yarn[2] and yarn[0] > 100  # it grows
     page.keyboard.press("Control+s")
-    page.click("text=Upright film")
+    page.click("button >> text=Upright film")
     page.click(".filming >> text=Cancel")
     page.wait_for_selector(".note >> text=nothing was kept")
     until(page, "!document.querySelector('.filming')")
     page.keyboard.press("Control+s")
     with page.expect_download(timeout=600_000) as waiting:
-        page.click("text=Upright film")
+        page.click("button >> text=Upright film")
         until(page, "document.querySelector('.filming').innerText.includes(' left')")
         scrub(page, 0.5)  # the page is free meanwhile
         until(page, "document.querySelector('.making .where').textContent.includes('Rnd')")
