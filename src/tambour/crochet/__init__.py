@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from tambour.craft import Craft, Lazy
-from tambour.crochet.edits import PLACE, POSE
+from tambour.crochet.edits import POSE
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.views import VIEWS
 
@@ -26,5 +26,5 @@ CRAFT = Craft(
     views=VIEWS,
     facts=Lazy("tambour.crochet.maker.facts:facts"),
     prefer=_prefer,
-    changes={"pose": POSE, "place": PLACE},
+    changes={"pose": POSE},
 )

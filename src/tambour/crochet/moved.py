@@ -10,7 +10,6 @@ import re
 from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
-from typing import Any
 
 from tambour.core.errors import Span, TambourError, Text
 from tambour.crochet.graph.built import Built
@@ -35,12 +34,10 @@ _COMMENT = re.compile(r"#[^\n]*")
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """The pattern's text, and the sentences in it that say where the part is now; where no words would say it, the text
-    as it was, and the edits ("place") that hold the part there."""
+    """The pattern's text, and the sentences in it that say where the part is now."""
 
     text: str
     sentence: str
-    edits: tuple[dict[str, Any], ...] = ()
 
 
 def moved(source: Text, params: CrochetParams, part: str, onto: int) -> Moved:
@@ -79,20 +76,7 @@ def moved(source: Text, params: CrochetParams, part: str, onto: int) -> Moved:
         wanted[twin] = replace(other, spot=across) if other else Placed(_name(known, twin), across)
     if old is None:
         return _resewn(built, wanted, [*seams, *([] if twin is None else _seams(built, twin))])
-    try:
-        return _rewritten(built, params, wanted)
-    except TambourError:
-        if old is None or known.parts[old.spot.part] != there:
-            raise
-        return _held(source, known, wanted)
-
-
-def _held(source: Text, known: Spots, wanted: dict[int, Placed]) -> Moved:
-    """Parts held by hand where words do not put them: what is guessed of the others would change with every sentence."""
-    places = [_counted(known, record) for record in wanted.values()]
-    said = [f"{r.part.replace('.', ' ')} at Rnd {r.spot.round:g}, st {r.spot.stitch or 1:g}" for r in places]
-    edits = [{"edit": "place", "part": r.part, "round": r.spot.round, "stitch": r.spot.stitch or 1.0} for r in places]
-    return Moved(source.text, "; ".join(said), tuple(edits))
+    return _rewritten(built, params, wanted)
 
 
 def _name(known: Spots, k: int) -> str:

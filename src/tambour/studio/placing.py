@@ -46,21 +46,12 @@ async def place_part(studio: Studio, request: Request, body: PlacePart) -> tuple
             "problems": failed.problems,
         }  # a hand still moves: that it is no place is an answer
     if not body.keep:
-        return 200, {"sentence": told["sentence"], "held": bool(told["edits"]), "problems": []}
+        return 200, {"sentence": told["sentence"], "problems": []}
     own = Path(old.content.name)
     called = own.name if own.suffix in (".txt", ".acl", ".md") else f"{own.stem}.txt"
-    # What was held by hand before is let go: the words say it now, or other edits.
-    moved = _stem(body.part)
-    kept = (e for e in old.content.edits if not (e.get("edit") == "place" and _stem(str(e.get("part"))) == moved))
-    content = replace(old.content, name=called, source="", edits=(*kept, *told["edits"]))
+    content = replace(old.content, name=called, source="")
     raw, said = told["text"].encode(), told["sentence"]
     made = await studio.library.do(studio.library.revise, name, body.base, content, raw, said[:120], False)
-    answer = {**await both(studio, made), "sentence": said, "held": bool(told["edits"])}
+    answer = {**await both(studio, made), "sentence": said}
     studio.hub.revised(name, made[1].id)
     return 201, answer
-
-
-def _stem(part: str) -> str:
-    """A part's name without the number of its copy."""
-    base, _, copy = part.rpartition(".")
-    return base if copy.isdecimal() else part

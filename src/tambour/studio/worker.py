@@ -150,7 +150,7 @@ class Desk:
         os.chdir(job["folder"])
         params = craft("crochet").params.of({**job["params"], **job["files"]})
         made = moved(files.read(job["source"], ("Text",)), params, job["part"], job["onto"])
-        return {"text": made.text, "sentence": made.sentence, "edits": list(made.edits)}
+        return {"text": made.text, "sentence": made.sentence}
 
     def play(self, job: dict[str, Any], progress: Progress) -> dict[str, Any]:
         """A toy under the hand: moves by what is heard, shows its states, and ends when nobody asks anything of it."""

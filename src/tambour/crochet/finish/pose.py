@@ -1,4 +1,4 @@
-"""Pose: how placed parts lean and where they are sewn, set by hand in place of what the pattern says."""
+"""Pose: how placed parts lean, set by hand in place of what the pattern says."""
 
 from __future__ import annotations
 
@@ -9,14 +9,10 @@ from typing import Any
 
 from tambour.core.errors import Problem, TambourError, did_you_mean
 from tambour.crochet.graph.built import Built
-from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import KINDS, Placed, Spot
+from tambour.crochet.language.finishes import KINDS, Placed
 
 ANGLES = ("tilt", "towards", "across")
 """What a pose may set, in degrees."""
-
-SPOT = ("round", "stitch")
-"""What a place may set: of the part that it is sewn to."""
 
 _SET = re.compile(r"([a-z]+)\s*=\s*(-?\d{1,4}(?:\.\d+)?)$", re.IGNORECASE)
 _USAGE = "a pose is such as pose:Arm.1.tilt=30"
@@ -53,9 +49,6 @@ def pose(built: Built, poses: Sequence[str]) -> Built:
         for word in angles:
             said = _SET.match(word)
             key = said[1].lower() if said else ""
-            if said is not None and key in SPOT:
-                values[key] = float(said[2])
-                continue
             if said is None or key not in ANGLES:
                 hint = did_you_mean(word.partition("=")[0], ANGLES) or _USAGE
                 problems.append(Problem(f'"{word}" is no angle of a pose', hint, where="{--edit} pose"))
@@ -67,28 +60,13 @@ def pose(built: Built, poses: Sequence[str]) -> Built:
                 )
                 continue
             values[key] = float(said[2])
-        spot = {key: values.pop(key) for key in SPOT if key in values}
         for k in found:
             placed = finish[k]
             assert isinstance(placed, Placed)
-            where = _there(built, replace(placed.spot, **spot), problems) if spot else placed.spot
-            finish[k] = replace(placed, spot=where, **values)
+            finish[k] = replace(placed, **values)
     if problems:
         raise TambourError(problems)
     return replace(built, pattern=replace(pattern, finish=tuple(finish)))
-
-
-def _there(built: Built, spot: Spot, problems: list[Problem]) -> Spot:
-    """The spot, if there is such a round and stitch; else a problem more."""
-    known = Spots(built)
-    part = known.parts.get(spot.part)
-    at = None if part is None else known.round_at(part, int(spot.round))
-    if at is None and spot.round >= 1:
-        problems.append(Problem(f"{spot.part} has no round {spot.round:g}", where="{--edit} place"))
-    elif at is not None and spot.stitch is not None and not -1e4 < spot.stitch < len(known.stitches(at)) + 1:
-        n = len(known.stitches(at))
-        problems.append(Problem(f"round {spot.round:g} of {spot.part} has {n} stitches", where="{--edit} place"))
-    return spot
 
 
 def _same(part: str, name: str, copies: dict[str, int]) -> bool:

@@ -178,6 +178,10 @@ class Assembly(Upright):
         for feature in self.heard.features:
             if feature.what != "safety eyes":
                 self.out += [(feature.order, record) for record in put.feature(feature)]
+        # What is said to the stitch, as a hand that moved a part wrote it, stands for all that is said of it besides; the
+        # others stay where they would be with it.
+        exact = {r.part for r, _ in self.heard.exact if isinstance(r, Placed)}
+        self.out = [pair for pair in self.out if not (isinstance(pair[1], Placed) and pair[1].part in exact)]
         self.out += [(order, record) for record, order in self.heard.exact]
         self.made.finish = [record for _, record in sorted(self.out, key=lambda pair: pair[0])]
         return self.made
@@ -239,8 +243,7 @@ class Assembly(Upright):
         """Every put with what it is put on, those that others stand on first; no copy twice, none on itself."""
         main, head = self.main, self.of_kind("head")
         exact = {r.part: r.spot.part for r, _ in self.heard.exact if isinstance(r, Placed)}
-        # What is said to the stitch, as a hand that moved a part wrote it, stands for all that is said besides.
-        seen = {(main, 1)} | {(p, k) for p in self.parts for k in range(1, p.copies + 1) if p.copy(k) in exact}
+        seen: set[Copy] = {(main, 1)}
         puts: list[Put] = []
         # What says most of a place comes first, whatever was said before.
         for p in sorted(self.heard.puts, key=_vagueness):

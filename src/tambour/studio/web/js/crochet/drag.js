@@ -17,7 +17,7 @@ const STEPS = 5; // that a button tries: words are in whole rounds, and in stitc
 export class Hand {
   /**
    * @param {Stage} stage @param {Piece} piece
-   * @param {{part: {value: number}, mode: {value: string}, dropped: (part: string, onto: number) => void, asked: (part: string, onto: number) => Promise<{said: string, why: string, held: boolean}>, leaned: (part: string, tilt: number, towards: number) => void}} how
+   * @param {{part: {value: number}, mode: {value: string}, dropped: (part: string, onto: number) => void, asked: (part: string, onto: number) => Promise<{said: string, why: string}>, leaned: (part: string, tilt: number, towards: number) => void}} how
    * dropped: a part was let go over the stitch ``onto``; asked: what the pattern would say then; leaned: it was leaned by so many degrees, towards so many from up, counter-clockwise
    */
   constructor(stage, piece, { part, mode, dropped, asked, leaned }) {
@@ -197,10 +197,10 @@ export class Hand {
       onto = next;
       this.stage.move(seats.carried(onto));
       this.word.value = `${name} ${{ higher: "a round higher", lower: "a round lower", nearer: "nearer", farther: "farther" }[way]} …`;
-      const { said, why, held } = await this.asked(name, onto);
+      const { said, why } = await this.asked(name, onto);
       no ||= why;
       if (!said || said.split(". ").every((s) => text.includes(s.replace(/\.$/, "")))) continue;
-      if (exact(said) && !held) {
+      if (exact(said)) {
         if (spare < 0) spare = onto;
         continue;
       }

@@ -27,8 +27,6 @@ export function screen(root, piece, { over }) {
   const checked = signal(/** @type {{problems: any[], steps: any[]}|null} */ (null));
   /** What the pattern says now, of the part that was put elsewhere last. */
   const placed = signal("");
-  /** No words say it: it is held by hand. */
-  const held = signal(false);
   /** It is worked one by one while it moves: how many stitches there are. */
   const building = signal(false), worked = signal(0), running = signal(false);
   const stage = new Stage(at.canvas);
@@ -133,17 +131,16 @@ export function screen(root, piece, { over }) {
   }, asked: async (name, onto) => {
     try {
       const told = await ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto, keep: false } });
-      return { said: told.sentence, held: Boolean(told.held), why: told.problems.map((/** @type {any} */ p) => [p.message, p.hint].filter(Boolean).join(": ")).join("; ") };
+      return { said: told.sentence, why: told.problems.map((/** @type {any} */ p) => [p.message, p.hint].filter(Boolean).join(": ")).join("; ") };
     } catch (error) {
-      return { said: "", held: false, why: error instanceof Trouble ? error.problems.map((p) => p.message).join("; ") : "" };
+      return { said: "", why: error instanceof Trouble ? error.problems.map((p) => p.message).join("; ") : "" };
     }
   }, dropped: async (name, onto) => {
     const answer = (await piece.flush()) && await attempt(() => ask(`/api/pieces/${piece.id}/place-part`, { body: { base: piece.revision.value.id, part: name, onto } }));
     if (!answer) return void ((placed.value = ""), stage.move(null));
     clear(true);
     piece.take(answer);
-    held.value = answer.held;
-    const found = answer.held ? -1 : editor.text.indexOf(answer.sentence.split(". ")[0].split("; ")[0]);
+    const found = editor.text.indexOf(answer.sentence.split(". ")[0].split("; ")[0]);
     if (found >= 0) editor.show(found, answer.sentence.length);
     placed.value = answer.sentence;
   } });
@@ -250,7 +247,7 @@ export function screen(root, piece, { over }) {
       ${piece.failed.value.length && !piece.going.value ? html`<div class="said" role="alert">${pack ? "This is how it was: " : ""}the words cannot be made yet; see ${counted(told(piece.failed.value).length, "place")} in them.</div>` : ""}
       ${pack && step ? html`<div class="said" role="status"><b>${step.label}</b>, stitch ${i - step.first + 1} of ${step.end - step.first}
         · ${pack.facts.kinds[pack.arrays.kind[i]]}${pack.arrays.tension[i] > 0.08 ? html` · stretched ${Math.round(100 * pack.arrays.tension[i])} %` : ""}<br><span class="quiet">${colored(bare(step.words))}</span></div>` : ""}
-      ${hand.word.value ? html`<div class="said" role="status">${hand.word.value}</div>` : placed.value ? html`<div class="said" role="status">${held.value ? "Held there by hand, as no words of this pattern would say it" : "Now the pattern says"}: <b>${placed.value}</b> <button class="link" @click=${() => piece.step("undo")}>Undo</button></div>` : ""}
+      ${hand.word.value ? html`<div class="said" role="status">${hand.word.value}</div>` : placed.value ? html`<div class="said" role="status">Now the pattern says: <b>${placed.value}</b> <button class="link" @click=${() => piece.step("undo")}>Undo</button></div>` : ""}
       ${hand.pinned.value ? html`<div class="said">${counted(hand.pinned.value, "stitch", "stitches")} pinned <button class="link" @click=${() => hand.loose()}>Let go</button></div>` : ""}
       ${building.value && pack ? html`<div class="said" role="group" aria-label="worked one by one"><b>${number(worked.value)}</b> of ${number(pack.arrays.positions.length / 3)} stitches
         <button class="button" @click=${() => build(running.value ? "pause" : "play")}>${running.value ? "Pause" : "Play"}</button> <button class="button" @click=${() => build("step")}>One stitch</button>
