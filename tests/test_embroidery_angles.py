@@ -51,6 +51,12 @@ def test_a_dot_is_one_column_straight_across_it(dot):
     assert dot.difference(column_area(limb.column)).buffer(-0.15).is_empty
 
 
+def test_a_disc_wider_than_satin_may_be_is_no_dot():
+    made, left = limbs(shapely.Point(0, 0).buffer(30), 14)
+    assert not made and left.area > 2800
+    assert limbs(shapely.Point(0, 0).buffer(6.9), 14)[1].is_empty
+
+
 @pytest.mark.parametrize(
     "radius, cut, bar",
     [(6, 0.5, (-30, -0.75, -9, 0.75)), (7, 0.4, (-5.25, -30, -3.75, -4.2)), (8, 0.4, (-6, -30, -4.5, -4.8))],

@@ -213,7 +213,7 @@ def limbs(area: Any, widest: float) -> tuple[list[Limb], Any]:
     """
     import shapely
 
-    dot = _dot(area) if round_of(area) else None
+    dot = _dot(area, widest) if round_of(area) else None
     if dot is not None:
         return [Limb(dot, 0, 1)], shapely.Polygon()
     places, radius, edges = skeleton(area)
@@ -270,13 +270,16 @@ def round_of(area: Any) -> bool:
     return not area.interiors and bool(area.length**2 < ROUND * area.area)
 
 
-def _dot(area: Any) -> Column | None:
-    """The column of a dot: straight across it, from one end of its longer side to the other; None where it is too small."""
+def _dot(area: Any, widest: float) -> Column | None:
+    """The column of a dot: straight across it, from one end of its longer side to the other; None where it is too small, or wider
+    than ``widest``."""
     import shapely
 
     box = shapely.get_coordinates(shapely.minimum_rotated_rectangle(area))
     sides = box[1:3] - box[:2]
     size = np.hypot(*sides.T)
+    if size.min() > widest:
+        return None
     along = sides[int(size.argmax())] / size.max()
     middle = shapely.get_coordinates(area.centroid)[0]
     line = middle + np.linspace(-0.1, 0.1, 5)[:, None] * size.max() * along
