@@ -6,6 +6,7 @@ import base64
 import json
 import struct
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
-from tambour import files
+from tambour import files, run
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.mesh import Mesh
@@ -308,6 +309,63 @@ def test_an_obj_has_the_colours_and_the_picture_of_its_materials(
         files.read(tmp_path / "a.obj", ("Mesh",))
 
 
+def dressed(tmp_path: Path, mtl: str | None, faces: str = "f 1/1 2/2 3/3 4/4", library: str = "a.mtl") -> Mesh:
+    """A square of 10 mm that wears ``skin`` of ``a.mtl``, read from an OBJ."""
+    x = "v 0 0 0", "v 10 0 0", "v 10 10 0", "v 0 10 0", "vt 0 0", "vt 1 0", "vt 1 1", "vt 0 1"
+    (tmp_path / "a.obj").write_text("\n".join([f"mtllib {library}", *x, "usemtl skin", faces]))
+    if mtl is not None:
+        (tmp_path / "a.mtl").write_text(f"newmtl skin\n{mtl}\n")
+    made: Mesh = files.read(tmp_path / "a.obj", ("Mesh",))
+    return made
+
+
+@pytest.mark.parametrize("mtl", ["Kd 0.5 0.25 0\nmap_Kd skin.png", "map_Kd skin.png\nKd 0.5 0.25 0"])
+def test_a_picture_stands_for_the_tone_in_either_order(tmp_path: Path, mtl: str) -> None:
+    chequered(tmp_path / "skin.png", QUARTERS)
+    made = dressed(tmp_path, mtl)
+    assert looks(made) == SEEN and made.doubts == ()
+
+
+@pytest.mark.parametrize(
+    "said, at",
+    [
+        ("my skin.png", "my skin.png"),
+        ("in\\my skin.png", "in/my skin.png"),
+        ("C:\\models\\bear\\my skin.png", "my skin.png"),
+        ("-clamp on -bm 1 my skin.png", "my skin.png"),
+        ("-mm 0 1 in/my skin.png", "in/my skin.png"),
+    ],
+)
+def test_a_picture_is_found_however_its_name_is_spelt(tmp_path: Path, said: str, at: str) -> None:
+    (tmp_path / "in").mkdir()
+    chequered(tmp_path / at, QUARTERS)
+    made = dressed(tmp_path, f"map_Kd {said}")
+    assert looks(made) == SEEN and made.doubts == ()
+
+
+def test_what_of_materials_is_not_seen_is_told(tmp_path: Path) -> None:
+    chequered(tmp_path / "skin.png", QUARTERS)
+    assert "its materials b.mtl are not beside it" in " ".join(dressed(tmp_path, None, library="b.mtl").doubts)
+    gone = dressed(tmp_path, "Kd 0.5 0.25 0\nmap_Kd other skin.png")
+    assert gone.color is not None and {tuple(c) for c in gone.color.tolist()} == {(128, 64, 0)}
+    assert gone.doubts == ("the picture other skin.png of its material skin is not beside it, and is left out",)
+    assert "-s of the picture" in dressed(tmp_path, "map_Kd -s 2 2 1 skin.png").doubts[0]
+    two = "usemtl fur\nf 1/1 2/2 3/3\nusemtl skim\nf 1/1 3/3 4/4"
+    assert dressed(tmp_path, "newmtl fur", two).doubts == ("there is no material skim: what wears it is white",)
+    # The second triangle has no place on the picture; the first keeps it.
+    half = dressed(tmp_path, "Kd 0.5 0.25 0\nmap_Kd skin.png", "f 1/1 2/2 3/3\nf 1 3 4")
+    assert half.doubts == ("1 faces have no place on the picture of their material, and take its plain colour",)
+    assert half.color is not None and half.uv is None
+    seen = {
+        tuple(c) for c in half.color[np.unique(half.faces[half.vertices[half.faces][:, :, 1].mean(1) < 2])].tolist()
+    }
+    assert {SEEN[2], SEEN[3]} <= seen
+    tail = half.vertices[half.faces].mean(1)
+    assert {tuple(c) for c in half.color[half.faces[tail[:, 1] > tail[:, 0] + 0.1]].reshape(-1, 3).tolist()} == {
+        (128, 64, 0)
+    }
+
+
 def test_a_material_outside_of_its_folder_is_not_opened(tmp_path: Path) -> None:
     (tmp_path / "in").mkdir()
     (tmp_path / "a.mtl").write_text("newmtl skin\nKd 1 0 0\n")
@@ -315,7 +373,8 @@ def test_a_material_outside_of_its_folder_is_not_opened(tmp_path: Path) -> None:
     assert files.read(tmp_path / "in" / "a.obj", ("Mesh",)).color is None
 
 
-def test_a_gltf_has_the_picture_of_its_material(tmp_path: Path) -> None:
+def pictured(tmp_path: Path, **more: Any) -> Mesh:
+    """A square whose material has a picture, read from a glTF file."""
     x, faces, uv = square()
     chequered(tmp_path / "skin.png", QUARTERS)
     raw = [(x / 1000).astype("<f4").tobytes(), uv.astype("<f4").tobytes(), faces.astype("<u2").tobytes()]
@@ -338,5 +397,26 @@ def test_a_gltf_has_the_picture_of_its_material(tmp_path: Path) -> None:
         "buffers": [{"byteLength": offsets[-1], "uri": "a.bin"}],
     }
     (tmp_path / "a.bin").write_bytes(b"".join(raw))
-    (tmp_path / "a.gltf").write_text(json.dumps(head))
-    assert looks(files.read(tmp_path / "a.gltf", ("Mesh",))) == SEEN
+    (tmp_path / "a.gltf").write_text(json.dumps(head | more))
+    made: Mesh = files.read(tmp_path / "a.gltf", ("Mesh",))
+    return made
+
+
+def test_a_gltf_has_the_picture_of_its_material(tmp_path: Path) -> None:
+    made = pictured(tmp_path)
+    assert looks(made) == SEEN and made.doubts == ()
+
+
+def test_a_gltf_tells_which_pictures_are_left_out(tmp_path: Path) -> None:
+    assert "for it moves" in pictured(tmp_path, animations=[{"channels": [], "samplers": []}]).doubts[0]
+    second = pictured(
+        tmp_path, materials=[{"name": "fur", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}}}]
+    )
+    assert second.doubts == ("the picture of its material fur is left out: its places are those of a second set",)
+    assert "its format is not read here" in pictured(tmp_path, textures=[{}]).doubts[0]
+
+
+def test_what_a_model_does_not_show_is_told_by_the_run(tmp_path: Path) -> None:
+    dressed(tmp_path, None)
+    made = run.make("embroidery", None, run.craft("embroidery").params(text="I", cloth=str(tmp_path / "a.obj")))
+    assert any("its materials a.mtl are not beside it" in str(w) for w in made.progress.warnings)

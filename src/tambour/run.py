@@ -207,6 +207,9 @@ def make(
         if source is not None:
             origin["sha256"] = digest(source)
         full = load_files(given)
+        for value in (source, *(getattr(full, name) for name in given.files())):
+            for doubt in getattr(value, "doubts", ()):
+                progress.warn(doubt)
     for kind, values in _runs(changed):
         if (before := what.changes[kind].before) is not None:
             source, full = before(source, full, values)

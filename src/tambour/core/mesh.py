@@ -27,6 +27,7 @@ class Mesh:
         that a long sequence never lies in memory whole
     frame_count : number of frames (1 for a still mesh); seconds_per_frame their distance in time
     smooth : the shape is meant to be round between its vertices (shading, glTF normals)
+    doubts : what its file says and this mesh does not show, a line each
 
     >>> one = Mesh(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 2]]))
     >>> one.vertices.dtype.name, one.frame_count
@@ -43,6 +44,7 @@ class Mesh:
     frame_count: int = 1
     seconds_per_frame: float = 1 / 24
     smooth: bool = True
+    doubts: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         vertices = array("Mesh.vertices", self.vertices, np.float64, (None, 3))

@@ -30,6 +30,7 @@ _VERTEX, _INDEX = 34962, 34963
 # Groups whose uv are turns of a twist (see geometry.tube), not places on a texture.
 _TURNS = {"yarn", "cotton", "acrylic", "mohair", "plied", "thread"}
 _SHORT = 65535  # vertices that 16-bit indices reach, 65535 itself being spoken for
+_STILL = "its pictures are left out, for it moves: it has the plain colours of its materials and vertices"
 _ROUGH = {"thread": 0.55, "glass": 0.12, "": 0.8}
 
 
@@ -193,8 +194,9 @@ def write_mesh(value: Mesh, sink: Sink) -> None:
 
 
 def read_mesh(path: Path) -> Mesh:
-    """The triangles of a glTF file's scene, in mm, with their colours, those of textures too, uv (of the first set) and
-    materials' names, and the frames of its first animation (nodes, morph targets, skins).
+    """The triangles of a glTF file's scene, in mm, with their colours, uv (of the first set) and materials' names, and the frames of
+    its first animation (nodes, morph targets, skins). Textures become colours of a still scene; of one that moves they are left
+    out, as ``doubts`` tell.
 
     Raises TambourError when the file is broken, holds no triangles, or needs an extension that is not read here.
     """
@@ -316,7 +318,7 @@ def _scene(head: dict[str, Any], buffers: list[bytes], path: Path) -> Mesh:
     roots = scenes[head.get("scene", 0)].get("nodes", []) if scenes else range(len(nodes))
     stack = [(k, np.eye(4), 0) for k in reversed(list(roots))]
     vertices, faces, colors, uvs, groups, names = [], [], [], [], [], []
-    on, paints = list[Array](), dict[int, Paint]()
+    on, paints, lost = list[Array](), dict[int, Paint](), dict[str, None]()
     total, drawn, visited = 0, 0, 0
     while stack:
         index, above, depth = stack.pop()
@@ -357,6 +359,8 @@ def _scene(head: dict[str, Any], buffers: list[bytes], path: Path) -> Mesh:
             number = -1 if uv is None else _texture(material)
             if number not in paints:
                 paints[number] = Paint(picture=None if number < 0 else _picture(head, buffers, number, path))
+            if paints[number].picture is None and "baseColorTexture" in material.get("pbrMetallicRoughness", {}):
+                lost.setdefault(f"the picture of its material {name} is left out: {_why(uv is None, number)}")
             on.append(np.full(len(triangles), list(paints).index(number)))
             total += len(points)
             if total > _MOST_VALUES:
@@ -374,16 +378,27 @@ def _scene(head: dict[str, Any], buffers: list[bytes], path: Path) -> Mesh:
         uv=np.concatenate(known),
         face_group=np.concatenate(groups),
         group_names=tuple(names),
+        doubts=tuple(lost),
     )
-    if any(p.picture is not None for p in paints.values()) and not head.get("animations"):
-        mesh = painted(mesh, np.concatenate(on), list(paints.values()))
+    if any(p.picture is not None for p in paints.values()):
+        if head.get("animations"):  # its frames are of the vertices that it has; painting cuts it finer
+            mesh = replace(mesh, doubts=(*lost, _STILL))
+        else:
+            mesh = painted(mesh, np.concatenate(on), list(paints.values()))
     return mesh if mapped else replace(mesh, uv=None)
 
 
 def _texture(material: dict[str, Any]) -> int:
     """The number of the texture that gives a material its colour by the first set of uv; -1 for none."""
-    said = material.get("pbrMetallicRoughness", {}).get("baseColorTexture", {"texCoord": 1})
-    return -1 if said.get("texCoord", 0) != 0 else int(said["index"])
+    said = material.get("pbrMetallicRoughness", {}).get("baseColorTexture")
+    return -1 if said is None or said.get("texCoord", 0) != 0 else int(said["index"])
+
+
+def _why(bare: bool, number: int) -> str:
+    """Why a texture cannot be seen."""
+    if bare:
+        return "its points have no place on it"
+    return "its places are those of a second set" if number < 0 else "its format is not read here"
 
 
 def _picture(head: dict[str, Any], buffers: list[bytes], number: int, path: Path) -> Array | None:

@@ -9,13 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from tambour.color import linear
 from tambour.core.check import Array
 from tambour.core.errors import LawError, TambourError
 from tambour.core.mesh import Mesh
 from tambour.core.picture import Picture
-from tambour.files import MOVING
-from tambour.files.painted import Paint, painted, texture
+from tambour.files.mtl import Material, materials
+from tambour.files.painted import painted
 from tambour.files.sink import Sink
 
 _PLY_TYPES = {
@@ -81,7 +80,7 @@ def write_obj(value: Mesh, sink: Sink) -> None:
 
 def read_obj(path: Path) -> Mesh:
     """OBJ: vertices (with colours, if all have them), texture coordinates, faces cut into fans, groups; and the colours and
-    pictures of its materials, where their ``.mtl`` lies beside it.
+    pictures of its materials, where their ``.mtl`` lies beside it; what of these is not seen is told in ``doubts``.
 
     Raises TambourError naming the line that is wrong.
     """
@@ -132,50 +131,39 @@ def read_obj(path: Path) -> Mesh:
     if points and all(len(p) >= 6 for p in points):
         rgb = np.clip(np.array([points[v][3:6] for v, _ in keys]).reshape(-1, 3), 0, 1)
         color = np.round(rgb * 255).astype(np.uint8)
-    uv = np.array([textures[t] for _, t in keys]).reshape(-1, 2) if keys and all(t >= 0 for _, t in keys) else None
+    on = np.array([t for _, t in keys], np.int64)
+    uv = np.array([[0.0, 0.0], *textures])[on + 1]
     vertices = np.array([points[v][:3] for v, _ in keys]).reshape(-1, 3)
-    mesh = _mesh(
-        path, vertices, np.array(faces).reshape(-1, 3), color, uv=uv, face_group=groups, group_names=tuple(names)
-    )
-    known = {name: paint for library in libraries for name, paint in _materials(path, library).items()}
-    if color is not None or not known.keys() & wears.keys():
-        return mesh
-    paints = [known.get(name, Paint()) for name in wears]
-    if mesh.uv is None:
-        paints = [Paint(p.tone) for p in paints]
-        return painted(mesh, np.array(worn), paints)
-    up = painted(replace(mesh, uv=mesh.uv * [1, -1] + [0, 1]), np.array(worn), paints)
+    mesh = _mesh(path, vertices, np.array(faces).reshape(-1, 3), color, face_group=groups, group_names=tuple(names))
+    return _dressed(replace(mesh, uv=uv), on >= 0, np.array(worn), tuple(wears), *materials(path, libraries))
+
+
+def _dressed(
+    mesh: Mesh, mapped: Array, worn: Array, wears: tuple[str, ...], known: dict[str, Material], doubts: list[str]
+) -> Mesh:
+    """``mesh`` in its materials' colours, and what of them is not seen beside ``doubts``; uv only where every vertex is ``mapped`` (V,).
+
+    worn : (F,) what each face wears, of the names ``wears``
+    """
+    own = [known.get(name, Material()) for name in wears]
+    pictured = np.array([m.picture is not None for m in own])
+    keep = mesh if mapped.all() else replace(mesh, uv=None)
+    if mesh.color is not None:
+        if pictured[worn].any():
+            doubts.append("its vertices have colours of their own: the pictures of its materials are left out")
+        return replace(keep, doubts=tuple(doubts))
+    if known and (lost := sorted(set(wears) - known.keys() - {""})):
+        doubts.append(f"there is no material {', '.join(lost[:5])}: what wears it is white")
+    if not known.keys() & set(wears):
+        return replace(keep, doubts=tuple(doubts))
+    bare = ~mapped[mesh.faces].all(axis=1)
+    if count := int((bare & pictured[worn]).sum()):
+        doubts.append(f"{count} faces have no place on the picture of their material, and take its plain colour")
+    paints = [m.paint() for m in own] + [m.paint(mapped=False) for m in own]
+    assert mesh.uv is not None
+    up = painted(replace(mesh, uv=mesh.uv * [1, -1] + [0, 1]), worn + len(own) * bare, paints)
     assert up.uv is not None
-    return replace(up, uv=up.uv * [1, -1] + [0, 1])
-
-
-def _materials(path: Path, library: str) -> dict[str, Paint]:
-    """The materials of the ``.mtl`` file ``library`` beside an OBJ at ``path``; none where it is not there."""
-    beside = path.parent / library
-    if not _beside(path, beside):
-        return {}
-    found: dict[str, Paint] = {}
-    name = ""
-    for line in beside.read_bytes().decode("utf-8", errors="replace").splitlines():
-        words = line.split("#", 1)[0].split()
-        try:
-            if words[:1] == ["newmtl"]:
-                name = " ".join(words[1:])
-                found[name] = Paint()
-            elif words[:1] == ["Kd"] and name:
-                r, g, b = (float(linear(np.clip(float(w), 0.0, 1.0))) for w in words[1:4])
-                found[name] = replace(found[name], tone=(r, g, b))
-            elif words[:1] == ["map_Kd"] and name and _beside(path, picture := path.parent / words[-1]):
-                found[name] = Paint((1.0, 1.0, 1.0), texture(picture.read_bytes(), picture))
-        except (ValueError, IndexError):
-            raise TambourError(f"its material {name} cannot be read: {line.strip()[:60]}", where=str(beside)) from None
-    return found
-
-
-def _beside(path: Path, other: Path) -> bool:
-    """Whether ``other`` is a file in the folder of ``path``, or below it, and none too large."""
-    there = other.resolve()
-    return path.parent.resolve() in there.parents and there.is_file() and there.stat().st_size <= MOVING
+    return replace(up, uv=up.uv * [1, -1] + [0, 1] if mapped.all() else None, doubts=tuple(doubts))
 
 
 # PLY -----------------------------------------------------------------------------------------------------------------

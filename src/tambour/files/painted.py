@@ -48,11 +48,11 @@ def texture(raw: bytes, where: Path) -> Array:
         ) from None
 
 
-def painted(mesh: Mesh, on: Array, paints: Sequence[Paint], fine: bool = True) -> Mesh:
-    """``mesh`` with the colours of its materials, times those that its vertices have.
+def painted(mesh: Mesh, on: Array, paints: Sequence[Paint]) -> Mesh:
+    """``mesh`` with the colours of its materials, times those that its vertices have; cut finer where it has pictures, so that
+    large triangles show what is painted on them.
 
     on : (F,) the paint of every face; mesh.uv : where its vertices lie on the pictures, from the upper left corner
-    fine : it may be cut finer, so that large triangles show what is painted on them
     """
     key = on[:, None] * np.int64(len(mesh.vertices)) + mesh.faces
     used, faces = np.unique(key, return_inverse=True)
@@ -61,7 +61,7 @@ def painted(mesh: Mesh, on: Array, paints: Sequence[Paint], fine: bool = True) -
     x, group = mesh.vertices[vertex], mesh.face_group
     uv = np.zeros((len(vertex), 2)) if mesh.uv is None else mesh.uv[vertex]
     light = np.ones((len(vertex), 3)) if mesh.color is None else linear(mesh.color[vertex] / 255.0)
-    while fine and 4 * len(faces) <= FACES and any(p.picture is not None for p in paints):
+    while 4 * len(faces) <= FACES and any(p.picture is not None for p in paints):
         pairs = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
         edges, at = np.unique(pairs, axis=0, return_inverse=True)
         ab, bc, ca = len(x) + at.reshape(3, -1)
