@@ -57,11 +57,12 @@ HEAD = [
 
 # Where the loop's legs stand in the end, from the column's foot (row of the table, u with the lean taken off): close together
 # in their hole and apart above, a V, as close-ups of amigurumi show it; drawn tight alone they stay parallel.
-LEGS = {7: -0.02, 8: -0.06, 9: -0.12, 10: -0.12, 14: 0.42, 15: 0.37, 16: 0.28, 17: 0.20, 18: 0.17}
+LEGS = {7: -0.01, 8: -0.07, 9: -0.125, 10: -0.165, 13: 0.43, 14: 0.43, 15: 0.37, 16: 0.275, 17: 0.19, 18: 0.16}
 
-# And how far before the fabric (row, w): the legs outside, and behind them, hidden, the yarn that comes through the loop to be the
-# next head; drawn tight alone it lies beside the right leg's top as a curl that no close-up shows.
-DEEP = {8: 0.38, 9: 0.36, 10: 0.28, 14: 0.06, 15: 0.24, 16: 0.32, 24: -0.12, 25: -0.08, 26: -0.06, 27: -0.04, 28: -0.02, 29: 0.02}  # fmt: skip
+# And how far before the fabric (row, w): both legs outside, equally far, all the way up, so that a V is seen from either side;
+# and behind them, hidden, the yarn that comes through the loop to be the next head. Drawn tight alone the left leg sinks in
+# half way up behind the right one, and from the right a row reads as a rope.
+DEEP = {8: 0.36, 9: 0.38, 10: 0.31, 13: 0.14, 14: 0.32, 15: 0.38, 16: 0.36, 24: -0.12, 25: -0.08, 26: -0.06, 27: -0.04, 28: -0.02, 29: 0.02}  # fmt: skip
 
 
 def evenly(course: np.ndarray, count: int) -> np.ndarray:
@@ -202,7 +203,7 @@ def rested(
         before = lattice()
         after = before.copy()
         near = clearance._pairs(after, ends, 1.15, clearance.ALONG)
-        clearance.push(after, near, 1.005, 2, np.zeros_like(after), np.zeros(len(after)))
+        clearance.push(after, near, 1.005, 1.005, 2, 1.0, 0, np.zeros(len(after), np.bool_))
         # What happens to the stitches in the middle happens to all.
         move = RATIO * (after - before).reshape(7, 9, len(line), 3)[2:5, 3:6].mean((0, 1))
         made += np.column_stack([move[:, 0] + lean * move[:, 1] / high, move[:, 1] / high, move[:, 2]])

@@ -211,6 +211,24 @@ def test_a_single_crochet_shows_a_v_and_yarn_under_an_x() -> None:
     assert crossed[0] > 0.1 and crossed[1] < -0.3
 
 
+@pytest.mark.parametrize("aside", [-50.0, 0.0, 50.0])
+def test_both_legs_of_a_v_are_seen_from_either_side(aside: float) -> None:
+    """On a ball or a limb most stitches are seen from a side: a leg that lies deeper than the other hides behind it there,
+    and a row of such stitches reads as a rope."""
+    turn = np.radians(aside)
+    first, last = loops.LOOP
+    u, v, w = loops.SINGLE[first : last + 1].T
+    across = (u - loops.LEAN["over"] * v) * np.cos(turn) - w * np.sin(turn)
+    gaps = []
+    for level in (0.3, 0.5, 0.65):
+        at = np.flatnonzero((np.diff(np.sign(v - level)) != 0) & (w[:-1] > 0.0))
+        up, down = (
+            across[k] + (level - v[k]) / (v[k + 1] - v[k]) * (across[k + 1] - across[k]) for k in (at[0], at[-1])
+        )
+        gaps.append(float(down - up))
+    assert gaps[0] < gaps[1] < gaps[2] and gaps[0] > 0.14 and gaps[2] > 0.3
+
+
 def test_columns_lean_to_the_right_in_spirals_only() -> None:
     graph, _ = spiral(20)
     host, slip = course.leaning(graph, 0.25)

@@ -27,9 +27,9 @@ def curves(piece: Plush) -> Scene:
     coords, offsets = yarn.paths.coords, np.asarray(yarn.paths.offsets)
     step = np.r_[0.0, np.sqrt((np.diff(coords, axis=0) ** 2).sum(axis=1))]
     step[offsets[:-1]] = 0.0
-    along = np.cumsum(step)
-    along -= np.repeat(along[offsets[:-1]], np.diff(offsets))
-    turns = along / (LAY * 2 * yarn.radius)
+    # The twist is the yarn's own: where it is pressed thinner it is not twisted more.
+    turns = np.cumsum(step) / (LAY * 2 * float(yarn.radius.max(initial=0.0) or 1.0))
+    turns -= np.repeat(turns[offsets[:-1]], np.diff(offsets))
     stitch = np.asarray(yarn.point_data["stitch"])
     worked = np.where(stitch >= 0, piece.built.graph.round[np.maximum(stitch, 0)], -1)
     told = {

@@ -162,7 +162,7 @@ def sweep(
 
     strands : N centre lines (P, 3) mm with a radius per point; strands of one point give nothing
     sides : corners of a cross-section, at least 3
-    lay : length of one turn of the twist, in radii of the first point (uv counts turns)
+    lay : length of one turn of the twist, in radii where the strands are thickest (uv counts turns)
     plies : 0 for a round tube, else lobes that wind about it, as plies twisted together; groove, their depth in radii
     wander : how far, in turns, the twist runs ahead and behind of an even one; under 0.2
     material : the name of the faces' group, which tells the renderer what it looks at
@@ -180,7 +180,7 @@ def sweep(
     frames(coords, offsets, tangent, across, np.zeros((0, 3)) if side is None else np.asarray(side, np.float64))
     vertices, uv = np.zeros((int(sizes.sum()), 3)), np.zeros((int(sizes.sum()), 2))
     faces = np.zeros((int((2 * sides * rings[count > 1]).sum()), 3), np.int32)
-    turn = lay * (float(strands.radius[0]) if len(strands.radius) else 1.0)
+    turn = lay * float(strands.radius.max(initial=0.0) or 1.0)
     _rings(coords, offsets, strands.radius, tangent, across, sides, turn, plies, groove, wander, vertices, uv, faces)
     return Mesh(
         vertices,

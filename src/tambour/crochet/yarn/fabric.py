@@ -24,6 +24,8 @@ from tambour.noise import stream
 
 OUT = 0.55
 """What of a loop stitch lies further out than this, in widths, hangs."""
+PRESSED = 0.26
+"""How much thinner yarn is where it goes through the fabric: the strands around it press it together."""
 OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
 BOWED = 1.1
@@ -91,7 +93,8 @@ def strands(
     if hung.any():
         _fall(coords, hung, led.cell, rows)
     coords, ends, of = _dense(coords, ends, 2.4 * radius)
-    stitch, wide = led.cell[of], np.where(hung & np.isin(graph.kind[led.cell], _named(graph, "fur")), OPENED, 1.0)[of]
+    wide = np.where(hung & np.isin(graph.kind[led.cell], _named(graph, "fur")), OPENED, _pressed(led.at))
+    stitch, wide = led.cell[of], wide[of]
     clear(coords, ends, 2 * radius, looks=LOOKS)
     pieces, stray = _DETAIL[detail]
     if pieces > 1:
@@ -126,6 +129,16 @@ def _varied(led: Way) -> Array:
     # What is drawn long is drawn from the stitch's own middle; its ends stay where the next stitch takes the yarn.
     inside = np.clip(4.0 * v * (1.0 - v), 0.0, 1.0)
     return np.stack([u + lean * (v - 0.5) * inside, v + high * inside, w * (1.0 + loose * inside)], axis=1)
+
+
+def _pressed(at: Array) -> Array:
+    """How thick (P,) yarn is along its way, in cells: less where a loop comes out of its hole, and where it goes in above."""
+    _, v, w = at.T
+    passing = np.clip(1.0 - abs(w - 0.08) / 0.25, 0.0, 1.0)
+    through = np.clip((0.35 - v) / 0.2, 0.0, 1.0) + np.clip((v - 0.7) / 0.1, 0.0, 1.0) * np.clip(
+        (1.05 - v) / 0.1, 0.0, 1.0
+    )
+    return np.asarray(1.0 - PRESSED * passing * through)
 
 
 def _upright(at: Array, led: Way, graph: StitchGraph, rows: Course, lean: float) -> Array:
