@@ -21,6 +21,7 @@ from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Placed, spots_of
 from tambour.geometry.motion import dot, length, turned
+from tambour.geometry.near import nearest
 from tambour.geometry.surface import vertex_normals
 
 TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corps|hoofd|lichaam)\b")
@@ -35,6 +36,8 @@ APART = 0.5
 """Two seams that come nearer to each other than this, in stitches, are in each other's way."""
 SAME_SIDE = 0.5
 """One seam can be inside another where the fabric under both looks so nearly the same way, as a cosine."""
+_DEEP = 3
+"""So many rounds before its last tell which way an end looks."""
 BESIDE = 0.8
 """Seams whose middles are so far apart, as a share of half their widths together, are beside each other."""
 
@@ -157,10 +160,20 @@ def shut(spots: Spots, steps: Sequence[tuple[Placed, sewing.End]]) -> list[Array
         for edge in (spots.rim(k), spots.begun(k)):
             free = len(edge) >= GATHER and not any(set(edge.tolist()) & nodes for nodes in used)
             if free and not np.isin(edge, crossing).any():
-                side = int(spots.layout[edge, 0].argmax())
-                ring = np.roll(edge, -side)[1:]
-                found.append(np.column_stack([ring[: len(ring) // 2], ring[::-1][: len(ring) // 2]]))
+                found.append(_level_pairs(edge, spots.layout[edge, 0]))
     return found
+
+
+def _level_pairs(edge: Array, across: Array) -> Array:
+    """Pairs (K, 2) of a round edge (M,) pressed flat from side to side: each stitch with the one above or below it.
+
+    across : (M,) how far to the side each lies
+    """
+    m = len(edge)
+    here = np.arange(m)
+    other = min(((c - here) % m for c in range(m)), key=lambda o: float(((across - across[o]) ** 2).sum()))
+    some = here < other
+    return np.column_stack([edge[here[some]], edge[other[some]]])
 
 
 def flat_parts(joining: Joining) -> frozenset[str]:
@@ -295,6 +308,8 @@ def frame_of(joining: Joining, x: Array, placed: Placed, end: sewing.End, uprigh
     frame = frames(joining.spots, x, [placed.spot], upright)
     if joining.spots.place(placed.spot).opening:
         return frame
+    if (closed := _on_shut(joining, x, placed, upright)) is not None:
+        return closed
     m = len(end.nodes)
     room = max(1.5, m / (2.0 * math.pi) if end.ring else 0.25 * m)
     near = target[((x[target] - frame.points[0]) ** 2).sum(1) < room * room]
@@ -308,6 +323,23 @@ def frame_of(joining: Joining, x: Array, placed: Placed, end: sewing.End, uprigh
     size = float(length(mean))
     normals = frame.normals if size < 1e-9 else (mean / size)[None]
     return Frames(frame.points, normals, *level(normals, upright[[joining.spots.parts[placed.spot.part]]]))
+
+
+def _on_shut(joining: Joining, x: Array, placed: Placed, upright: Array) -> Frames | None:
+    """The frame at a spot on an end that is sewn shut: between its two layers, looking out of it; None for every other spot."""
+    spots, part = joining.spots, joining.spots.parts[placed.spot.part]
+    nodes, rim = np.array(spots.place(placed.spot).nodes), spots.rim(part)
+    pairs = joining.pinched
+    if not len(rim) or not np.isin(nodes, rim).all() or np.isin(rim, pairs).mean() < 0.7:
+        return None
+    here = x[nodes].mean(0)
+    between = 0.5 * (x[pairs[:, 0]] + x[pairs[:, 1]])[np.isin(pairs[:, 0], rim)]
+    point = between[nearest(here[None], between)[1][0, 0]]
+    number = joining.built.graph.round[rim[0]]
+    before = np.flatnonzero((joining.built.graph.part == part) & (joining.built.graph.round == number - _DEEP))
+    out = x[rim].mean(0) - (x[before] if len(before) else x[joining.built.graph.part == part]).mean(0)
+    normal = (out / max(float(length(out)), 1e-9))[None]
+    return Frames(point[None], normal, *level(normal, upright[[part]]))
 
 
 def assembly(joining: Joining, joined: Joined, x: Array) -> list[dict[str, Any]]:

@@ -76,8 +76,8 @@ class Holder(Beside):
         n, along, up = frame.normals[0], frame.along[0], frame.up[0]
         end = bool(len(self.work.spots.rim(host.part))) and spot.round >= host.high - 1
         if put.kind == "fluke" and end and abs(float(host.axis[1])) < 0.5:
-            # The open end of what lies will be sewn shut, flat from side to side.
-            n, along, up = np.array([0.0, 1.0, 0.0]), np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, -1.0])
+            # The open end of what lies will be sewn shut, flat from side to side: it looks backwards.
+            n, along, up = np.array([0.0, 0.0, -1.0]), np.array([-1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
         elif spot.stitch is not None and not self.work.spots.in_rows[host.part]:
             # Before it is stuffed the top of a ball is flat: where it will be round its fabric leans more.
             middle, half = host.box
