@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import Text
+from tambour.core.graph import SEWN
 from tambour.core.progress import Progress
 from tambour.crochet.finish.joining import join, prepare
 from tambour.crochet.finish.sewing import End, end_of, held
@@ -188,8 +189,44 @@ def test_flukes_lie_side_by_side_on_the_flat_end_and_look_back() -> None:
     flukes = [f for f in pattern.finish if isinstance(f, Placed) and "FLUKE" in f.part.upper()]
     assert len(flukes) == 2 and len({f.spot.round for f in flukes}) == 1
     gap = abs(float(flukes[0].spot.stitch or 0) - float(flukes[1].spot.stitch or 0))
-    assert 2.0 <= gap <= 4.0 and all(f.tilt >= 60 for f in flukes)
+    assert 2.0 <= gap <= 4.0 and all(15 <= f.tilt <= 50 for f in flukes)  # off straight back, each to its side
     assert (flukes[0].towards + flukes[1].towards) % 360 == 0
+
+
+@pytest.mark.slow
+def test_a_whale_of_a_shop_has_level_flukes_and_fins_that_point_down() -> None:
+    """On the settled toy, not only in its records: "like a heart from above", "they should point down and a bit back"."""
+    whale = (Path(__file__).parent / "data" / "shop" / "willa.txt").read_text(encoding="utf-8")
+    piece = make(Text(whale, "willa.txt"), CrochetParams(detail="low"), Progress())
+    x, graph = piece.positions, piece.built.graph
+    way = {}
+    for part in graph.parts[1:]:
+        own = x[part.start : part.end]
+        nodes = graph.edges[(graph.edge_kind == SEWN)]
+        mine = np.unique(nodes[(nodes >= part.start) & (nodes < part.end)])
+        off = own.mean(0) - x[mine].mean(0)
+        way[part.name] = off / np.sqrt(off @ off)
+    left, right = way["TAIL FLUKES 1"], way["TAIL FLUKES 2"]
+    assert (
+        left[0] > 0.2 and right[0] < -0.2 and max(left[2], right[2]) < -0.7 and max(abs(left[1]), abs(right[1])) < 0.35
+    )
+    assert (
+        max(way["SIDE FINS 1"][1], way["SIDE FINS 2"][1]) < -0.6
+        and max(way["SIDE FINS 1"][2], way["SIDE FINS 2"][2]) < -0.2
+    )
+
+
+def test_ears_of_which_the_rounds_are_said_run_from_the_one_to_the_other() -> None:
+    """Also about the top, where level and upright are nearly one; as far apart as rounds lie over the crown is at the sides."""
+    cat = (Path(__file__).parent / "data" / "shop" / "pickles.txt").read_text(encoding="utf-8")
+    pattern = read_printed(Text(cat, "pickles.txt"))
+    ears = [f for f in pattern.finish if isinstance(f, Placed) and f.part.startswith("EARS")]
+    assert [abs(f.across) for f in ears] == [90.0, 90.0] and ears[0].spot.round == 5.0
+    stitches = [float(f.spot.stitch or 0) for f in ears]
+    assert stitches[1] - stitches[0] == pytest.approx(15.0)  # half of round 5, which has 30
+    nearer = read_printed(Text(cat.replace("7 sts apart at the top", "12 sts apart"), "pickles.txt"))
+    ears = [f for f in nearer.finish if isinstance(f, Placed) and f.part.startswith("EARS")]
+    assert float(ears[1].spot.stitch or 0) - float(ears[0].spot.stitch or 0) == pytest.approx(12.0)
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,7 @@ SIDE: Final = frozenset(
     ("beside", "next to", "on either side of", "on both sides of", "at sides of", "at the sides of", "at the side of")
 )
 _LEVEL: Final = frozenset(("in line with", "level with", "at the level of"))
+_A_BIT: Final = re.compile(r"\b(?:a bit|a little|slightly)\s+(backwards|forwards|upwards|downwards|outwards|inwards)\b")
 _LIKE: Final = {"snout": "muzzle", "smile": "mouth", "brim": "hat", "cheek": "cheeks"}
 
 
@@ -99,7 +100,7 @@ class Beside:
             ("inwards", (-sign if x else 0.0, 0.0, 0.0)),
         ):
             if word in said and not (word == "forwards" and way.turn == 180.0):
-                base = base + lean * np.array(to)
+                base = base + (0.45 if word in _A_BIT.findall(at.text) else lean) * np.array(to)
                 axis = (float(base[0]), float(base[1]), float(base[2]))
         if re.search(r"\bhang\w*(?: \w+)? straight(?: down)?\b|\bstraight down\b", at.text) and axis is not None:
             axis = (0.0, -1.0, 0.1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from typing import Final
 
@@ -22,6 +23,8 @@ _STEP: Final = 5.0
 """Angles are rounded to so many degrees."""
 _ALONG_OUT: Final = 0.85
 """A seam that would run so nearly out of the fabric, as a cosine, runs level."""
+_MOST: Final = 90.0
+"""What hangs straight down lies along the fabric."""
 _STILL: Final = 10.0
 """A part that leans less than this stands straight out."""
 _WIDE: Final = 1.15
@@ -94,7 +97,7 @@ class Holder(Beside):
             towards = math.degrees(math.atan2(-float(axis @ along), float(axis @ up))) % 360.0
         if at.angle is not None and at.rounds is not None:
             tilt = at.angle
-        tilt = min(80.0, _STEP * round(tilt / _STEP))
+        tilt = min(_MOST if re.search(r"\bstraight(?: down)?\b", at.text) else 80.0, _STEP * round(tilt / _STEP))
         if tilt < _STILL:
             tilt = towards = 0.0
         standing = copy[0].kind in _PINCHED and bool(
@@ -104,7 +107,7 @@ class Holder(Beside):
         if flat or standing or closed:
             line = np.array(way.line)
             if at.rounds is not None and abs(at.rounds[1] - at.rounds[0]) >= 3:
-                line = host.axis
+                line = host.axis - float(host.axis @ n) * n  # from round to round, also where they lie about the top
             if (
                 at.rounds is not None
                 and at.rounds[2]

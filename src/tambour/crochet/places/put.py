@@ -48,6 +48,8 @@ _BEHIND_EYES: Final = 4.0
 """So many rounds behind the eyes are the ears of what looks ahead, or more."""
 _BESIDE_BELLY: Final = -0.15
 """How high the arms of a ball with a face are."""
+_OVER_TOP: Final = 1.5
+"""Ears so many stitches apart as there are rounds over the crown between them, within this, stand at the sides."""
 _RIM, _RIM_OFF = 16, 3
 """Rims of so many stitches or more meet where they differ by no more than this."""
 
@@ -316,6 +318,9 @@ class Putter(Holder):
             flat = self._flat(one, way)
             upright = flat and put.where.rounds is not None and abs(put.where.rounds[1] - put.where.rounds[0]) >= 2
             off = 0.5 * apart + (0.0 if upright else edge / 4 if flat else edge / (2.0 * math.pi))
+            low_end = min(put.where.rounds[:2]) if put.where.rounds is not None else 0.0
+            if put.kind == "ear" and upright and abs(apart - 2.0 * low_end) <= _OVER_TOP and "top" in put.where.words:
+                off = 0.25 * count  # counted over the crown, from the round where the one begins to that of the other
             if put.where.rounds is None and (wider := self._wider(host, a.round, _ROOM * off)) is not None:
                 a, b = replace(a, round=wider), replace(b, round=wider)
                 middle, count = host.middle(wider), host.count(wider)

@@ -21,6 +21,12 @@ from tambour.crochet.printed.tokens import Token
 from tambour.crochet.words.phrases import Phrases
 
 _EYES: Final = re.compile(r"\d+(?:[.,]\d+)?\s*-?mm[^.;\n]{0,25}\beyes?\b|\beyes?\b[^.;\n]{0,12}\d+\s*mm", re.IGNORECASE)
+_POSE: Final = re.compile(
+    r"[.!]?[ \t]+(?P<how>(?:they|it|these|both|each(?: one)?)\s+(?:should\s+|must\s+|will\s+)?(?:point|face|lean|hang|stand|stick)\w*\b[^.!?\n]*)",
+    re.IGNORECASE,
+)
+"""A sentence behind one that puts a part somewhere, which says how that is held: "They should point down and a bit back."."""
+_BACK: Final = re.compile(r"\bback\b(?! of)")
 _STITCH: Final = 5.0  # mm, where no gauge is stated
 UNPLACED: Final = "where this goes is not understood"
 
@@ -66,6 +72,9 @@ def assembled(built: Built, said: list[Said], phrases: Phrases, palette: Palette
         words = built.pattern.text.text[span.start : span.end]
         exact: Finish | None = phrases.finishing(words, span)
         part = "" if one.headed else one.part
+        held = _POSE.match(built.pattern.text.text, span.end)
+        if held is not None and exact is None:
+            words = " ".join((words, _BACK.sub("backwards", held["how"])))
         sentences.append(Sentence(words, span, part, shades(one.tokens, palette, span.start), exact))
     made = Assembled()
     groups = toys(built, faced(built, [(one.part, heard.text) for one, heard in zip(said, sentences)]))
