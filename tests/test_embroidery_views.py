@@ -131,6 +131,22 @@ def test_catalogues_hold_threads_that_can_be_bought(name):
     assert [t.rgb for t in chosen] == [t.rgb for t in held[:5]]
 
 
+def test_codes_are_what_stands_on_a_spool():
+    """They were places in the machines' memory: 1 for Brother's 007."""
+    brother = {t.name: t.code for t in catalogue("brother")}
+    assert brother["Prussian Blue"] == "007" and brother["Black"] == "900" and brother["Fresh Green"] == "027"
+    assert len(set(brother.values())) == len(brother) == 61  # none twice, and none for a step of appliqué
+    assert not any(t.code for t in catalogue("viking"))
+    assert {s["code"] for s in screen((Thread((14, 31, 124)),))} == {"1"}  # the machine's own
+
+
+@pytest.mark.parametrize("fabric, word", [("knit", "cut-away"), ("towel", "water-soluble")])
+def test_the_sheet_names_the_stabiliser_of_the_fabric(fabric, word):
+    assert any(
+        f"for {fabric}" in label.text and word in label.text for label in worksheet(made(fabric=fabric))[0].labels
+    )
+
+
 def test_two_colours_stay_two():
     near = (Thread((200, 30, 40)), Thread((202, 30, 40)))
     a, b = matched(near, "brother")

@@ -23,6 +23,16 @@ FABRICS: dict[str, dict[str, Any]] = {
 }
 """What each fabric sets of the parameters; any of them given by itself holds."""
 
+STABILISER = {
+    "cotton": "tear-away stabiliser below",
+    "denim": "tear-away stabiliser below",
+    "knit": "cut-away stabiliser below, which stays",
+    "towel": "tear-away stabiliser below, water-soluble film on top",
+    "felt": "tear-away stabiliser below",
+    "leather": "cut-away stabiliser below",
+}
+"""What is laid below or on each fabric while it is sewn, as is usual."""
+
 MOST = 1.0
 """mm: more than this is added to no side of a stitch."""
 

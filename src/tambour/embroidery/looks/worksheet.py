@@ -11,6 +11,7 @@ from tambour.core.check import Array
 from tambour.core.drawing import Drawing
 from tambour.core.rgb import hexed
 from tambour.core.thread import COLOR, STITCH, STOP, ThreadPlan
+from tambour.embroidery.fabric import STABILISER
 from tambour.embroidery.looks.preview import stitches
 from tambour.embroidery.looks.scene import extent, preview
 from tambour.embroidery.piece import Piece
@@ -66,6 +67,7 @@ def worksheet(piece: Piece) -> tuple[Drawing, ...]:
         f"{size[0]:.1f} x {size[1]:.1f} mm ({size[0] / 25.4:.2f} x {size[1] / 25.4:.2f} in)",
         f"{sewn:,} stitches, {len(plan.threads)} threads, {len(listed) - 1} changes and stops",
         f"{metres:.1f} m of thread ({metres * 1.0936:.1f} yd), about {minutes:.0f} minutes",
+        *([f"for {piece.params.fabric}: {STABILISER[piece.params.fabric]}"] if piece.drawing else []),
     )
     for k, words in enumerate(facts):
         page.text(words, _EDGE, 30 + 5.5 * k, _TEXT, color=GREY)
@@ -73,11 +75,11 @@ def worksheet(piece: Piece) -> tuple[Drawing, ...]:
     high, wide = shown.rgba.shape[:2]
     fit = min((PAGE[0] - 2 * _EDGE) / wide, 105.0 / high)
     w, h = wide * fit, high * fit
-    page.image(shown, (PAGE[0] - w) / 2, 48, w, h)
-    page.box((PAGE[0] - w) / 2, 48, w, h, stroke=_LINE)
+    page.image(shown, (PAGE[0] - w) / 2, 52, w, h)
+    page.box((PAGE[0] - w) / 2, 52, w, h, stroke=_LINE)
 
     pages = []
-    y = 48 + h + 12
+    y = 52 + h + 12
     seen = screen(plan.threads)
     y = _head(page, y)
     for number, block in enumerate(listed, 1):
