@@ -143,3 +143,10 @@ def test_a_way_stays_inside_through_any_neck():
             a, b = (shape.exterior.interpolate(t, normalized=True).coords[0] for t in draw.random(2))
             line = shapely.LineString(way(area, np.array(a), np.array(b)))
             assert line.difference(shape.buffer(0.06)).length < 1e-9, neck
+
+
+def test_needle_points_outside_by_their_pull_are_joined_straight():
+    """On a towel they stand half a millimetre outside: a way that enters the area there was led along a row of it."""
+    area = rings(Paths.of([np.array([[0.0, 0], [20, 0], [20, 10], [0, 10], [0, 0]])]))
+    a, b = np.array([8.0, -0.5]), np.array([8.3, 2.1])
+    assert len(way(area, a, b, pull=0.5)) == 2 < len(way(area, a, b))

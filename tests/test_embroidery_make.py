@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,12 +13,15 @@ from click.testing import CliRunner
 
 from tambour import files
 from tambour.cli import tambour
+from tambour.core.paths import Paths
 from tambour.core.progress import Progress
 from tambour.core.thread import COLOR, END, JUMP, STITCH, TRIM
 from tambour.embroidery.params import EmbroideryParams
-from tambour.embroidery.plan.facts import steps
+from tambour.embroidery.piece import SATIN, Region
+from tambour.embroidery.plan.facts import outside, steps
 from tambour.embroidery.plan.layers import layers
 from tambour.embroidery.plan.make import make
+from tambour.embroidery.regions.flat import shape
 
 SQUARES = """<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="30mm" viewBox="0 0 60 30">
 <g data-tambour-angle="45"><path id="left" fill="#a22" d="M2 2h20v20h-20z"/></g>
@@ -111,6 +115,102 @@ def test_what_is_sewn_beyond_the_design_must_fit_into_the_hoop_too(tmp_path, mor
     size = re.search(r"--width\}? ([\d.]+mm) would fit", str(told.exception.problems[0].hint))
     facts, _ = report(tmp_path, STROKES.format(6), "--hoop", "50x40", "--width", size[1], *more)
     assert facts["width_mm"] <= 50.1 and facts["height_mm"] <= 40.1 and facts["height_mm"] > 38.5
+
+
+def test_a_hoop_that_takes_no_width_at_all_is_told_to_be_larger(tmp_path):
+    """``--width -0.5mm would fit`` stood there: the basting box alone is wider."""
+    (tmp_path / "in.svg").write_text(STROKES.format(6))
+    command = ["embroidery", str(tmp_path / "in.svg"), "-o", str(tmp_path / "o.json"), "--baste", "--width", "30mm"]
+    told = CliRunner().invoke(tambour, [*command, "--hoop", "10x10"], standalone_mode=False)
+    hint = str(told.exception.problems[0].hint)
+    hoop = re.search(r"larger {--hoop}: (\d+x\d+) would take it", hint)
+    assert "would fit" not in hint
+    assert CliRunner().invoke(tambour, [*command, "--hoop", hoop[1]]).exit_code == 0
+
+
+def test_basting_and_knockdown_are_sewn_in_one_thread(tmp_path):
+    facts, _ = report(tmp_path, SQUARES, "--knockdown", "--baste")
+    apart, _ = report(tmp_path, SQUARES, "--knockdown")
+    assert facts["color_changes"] == apart["color_changes"] == 2
+
+
+LETTERS = """<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="60mm" viewBox="0 0 60 60">
+<text x="5" y="30" font-size="{}">Abc</text></svg>"""
+
+
+@pytest.mark.parametrize(
+    "font, options",
+    [
+        (8, ["--width", "9mm"]),
+        (8, ["--text", "Hallo", "--text-size", "20mm", "--width", "30mm"]),
+        (20, ["--text", "Hallo", "--text-size", "2mm"]),
+        (None, ["--text", "Hallo", "--text-size", "8mm", "--width", "9mm"]),
+        (None, ["--text", "Hallo", "--text-size", "3mm"]),
+    ],
+)
+def test_what_small_letters_are_told_makes_them_large_enough(tmp_path, font, options):
+    (tmp_path / "in.svg").write_text(LETTERS.format(font))
+    source = [str(tmp_path / "in.svg")] if font else []
+    command = ["embroidery", *source, "-o", str(tmp_path / "o.json"), "--report", str(tmp_path / "r.json"), *options]
+
+    def told(*more):
+        assert CliRunner().invoke(tambour, [*command, *more]).exit_code == 0
+        problems = json.loads((tmp_path / "r.json").read_text())["problems"]
+        return [p for p in problems if p["message"].startswith("capitals of")]
+
+    (small,) = told()
+    flag, size = re.fullmatch(r"{?(--[a-z-]+)}? (\d+mm)", small["hint"]).groups()
+    assert not told(flag, size)
+
+
+def test_how_large_an_icon_is_sewn_is_told(tmp_path):
+    (tmp_path / "in.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 48 48"><path d="M2 2h44v44h-44z"/></svg>'
+    )
+    drawing = files.read(tmp_path / "in.svg", ("Drawing",))
+    for width, count in ((None, 1), (11.6, 0)):
+        progress = Progress()
+        make(drawing, EmbroideryParams(width=width), progress)
+        assert (
+            sum(w.message.startswith("sewn 11.6 x 11.6 mm") and "--width" in w.hint for w in progress.warnings) == count
+        )
+
+
+def test_what_is_not_looked_for_among_many_regions_is_told(tmp_path, monkeypatch):
+    for module in ("plan.make", "plan.overlap", "families.decide"):
+        monkeypatch.setattr(f"tambour.embroidery.{module}.MANY", 1)
+    (tmp_path / "in.svg").write_text(SQUARES)
+    drawing = files.read(tmp_path / "in.svg", ("Drawing",))
+
+    def said(**more):
+        progress = Progress()
+        make(drawing, EmbroideryParams(**more), progress)
+        return " ".join(w.message for w in progress.warnings if "2 regions" in w.message)
+
+    assert all(word in said() for word in ("hidden", "touch", "hair lines", "joined", "below their neighbours"))
+    assert "hidden" not in said(keep_hidden=True) and "joined" in said(keep_hidden=True)
+
+
+def test_a_stray_stitch_does_not_allow_itself(tmp_path):
+    """With a pull in per cent the longest stitch said how far one may stand outside: a stray one, any distance."""
+    bar = SQUARES.replace("M2 2h20v20h-20z", "M2 2h3v20h-3z")
+    (tmp_path / "in.svg").write_text(bar)
+    drawing = files.read(tmp_path / "in.svg", ("Drawing",))
+    piece = make(drawing, EmbroideryParams(stitch="satin", pull_percent=8.0), Progress())
+    assert piece.regions[0].role == "area" and not len(outside(piece))
+    at = int(np.flatnonzero((piece.region == 0) & (piece.kind == SATIN))[6])
+    xy = piece.plan.xy.copy()
+    xy[at] += np.sign(xy[at] - xy[at - 1]) * [0.7, 0]
+    assert len(outside(replace(piece, plan=replace(piece.plan, xy=xy))))
+
+
+@pytest.mark.parametrize("cap, beyond", [(0, 3), (1, 0), (2, 3)])
+def test_a_line_covers_what_it_is_sewn_on(cap, beyond):
+    line = Region(
+        "a", Paths.of([np.array([[0.0, 0], [20, 0]])]), "satin", (0, 0, 0), EmbroideryParams(), "line", 6.0, cap=cap
+    )
+    assert shape(line).bounds == pytest.approx((-beyond, -3, 20 + beyond, 3))
+    assert shape(line).area == pytest.approx(120 + (0, 0, 36)[cap] + (np.pi * 9 if cap == 0 else 0), abs=0.1)
 
 
 def test_basting_is_cut_before_the_design(tmp_path):

@@ -21,7 +21,10 @@ MOTIFS: dict[str, list[tuple[float, float]]] = {
 
 
 def figures(line: Array, name: str, size_mm: float) -> Array:
-    """Where the needle turns, (N, 2), for a figure of ``size_mm`` repeated along a line a whole number of times, its middle line bent along."""
+    """Where the needle turns, (N, 2), for a figure of ``size_mm`` repeated along a line a whole number of times.
+
+    Its middle line is bent along with the line.
+    """
     way = np.r_[0, np.cumsum(np.hypot(*np.diff(line, axis=0).T))]
     count = max(1, round(way[-1] / size_mm))
     size = way[-1] / count

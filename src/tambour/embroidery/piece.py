@@ -29,6 +29,7 @@ KINDS: Final = ("fill", "satin", "running", "underlay", "travel", "lock")
 
 
 AUTO: Final = "auto"  # the stitch of a region that nobody has chosen yet
+MANY: Final = 1500  # regions, or lines of them, above which none are compared with each other
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -16,6 +16,7 @@ from tambour.embroidery.lines.least import tidy
 from tambour.embroidery.lines.run import TOLERANCE
 from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import RUNNING, UNDERLAY, Region
+from tambour.embroidery.regions.flat import stroked
 from tambour.embroidery.regions.read import KNOCKED, ROOM
 from tambour.embroidery.stitches import Stitches, line_stitches
 
@@ -55,13 +56,7 @@ def knockdown(regions: tuple[Region, ...], p: EmbroideryParams) -> list[Stitches
     from tambour.geometry.areas import of_shapely, to_shapely
 
     shapes = [a for r in regions if r.role == "area" for a in to_shapely(r.paths)]
-    shapes += [
-        shapely.LineString(line).buffer(max(r.width, p.thread) / 2, cap_style=("round", "flat", "square")[r.cap])
-        for r in regions
-        if r.role != "area"
-        for line in r.paths
-        if len(line) > 1
-    ]
+    shapes += [a for r in regions if r.role != "area" for a in stroked(r, r.paths, max(r.width, p.thread))]
     whole = of_shapely(shapely.union_all(shapes).buffer(KNOCKED))
     made = []
     if whole is not None and whole.parts is not None:

@@ -23,7 +23,9 @@ from tambour.embroidery.lines.least import tidy
 from tambour.embroidery.lines.net import weave
 from tambour.embroidery.lines.run import bean, from_nearest, manual, motif, running
 from tambour.embroidery.lines.ways import nearest_on_outline, way
+from tambour.embroidery.params import EmbroideryParams
 from tambour.embroidery.piece import TRAVEL, UNDERLAY, Region
+from tambour.embroidery.regions.flat import stroked
 from tambour.embroidery.stitches import Stitches, join, line_stitches
 
 Place = tuple[float, float] | None
@@ -90,10 +92,7 @@ def stroke(line: Array, region: Region) -> Any:
     """The shapely area that a line of a region covers when it is sewn as satin."""
     import shapely
 
-    if len(line) < 2 or region.stitch != "satin":
-        return shapely.Polygon()
-    cap = ("round", "flat", "square")[region.cap]
-    return shapely.LineString(line).buffer(region.width / 2, quad_segs=8, cap_style=cap)
+    return shapely.union_all(stroked(region, [line], region.width) if region.stitch == "satin" else [])
 
 
 def union(shapes: list[Any]) -> Any:
@@ -159,12 +158,12 @@ def polygon_stitches(region: Region, polygon: Paths, start: Place, end: Place) -
     if region.stitch == "satin":
         satin, left = branched(polygon_of(area), p, region.id, start)
         rest = _rest(left, region, parts, satin)
-        return tidy(linked([*rest, *satin], area, p.length), p.min_length)
+        return tidy(linked([*rest, *satin], area, p), p.min_length)
     made = fill(region, polygon, area, start)
     if region.end is not None:
         made = _ending(made, region.end, lambda begin: fill(region, polygon, area, begin))
     parts.append(made)
-    return tidy(linked(parts, area, p.length), p.min_length, area)
+    return tidy(linked(parts, area, p), p.min_length, area)
 
 
 def _ending(made: Stitches, end: tuple[float, float], again: Callable[[Place], Stitches]) -> Stitches:
@@ -236,7 +235,7 @@ def rows_of(region: Region, polygon: Paths, area: Rings, start: Place) -> Stitch
     while parts:
         made.append(filled(region, parts.pop(_nearest(parts, here)), here))
         here = _last(made, here)
-    return linked(made, area, region.params.length)
+    return linked(made, area, region.params)
 
 
 def area_underlay(polygon: Paths, region: Region, start: Place) -> list[Stitches]:
@@ -290,7 +289,7 @@ def _place(point: Array) -> Place:
     return float(point[0]), float(point[1])
 
 
-def linked(parts: list[Stitches], area: Rings, length: float) -> Stitches:
+def linked(parts: list[Stitches], area: Rings, p: EmbroideryParams) -> Stitches:
     """Threads of one area as one, with ways between them that stay inside."""
     made: list[Stitches] = []
     for part in parts:
@@ -300,8 +299,8 @@ def linked(parts: list[Stitches], area: Rings, length: float) -> Stitches:
             a, b = made[-1].xy[-1], part.xy[0]
             away = float(np.hypot(*(b - a)))
             if away > 1e-9:
-                line = way(area, a, b)
-                link = line_stitches(line, length, TRAVEL, 0.04)
+                line = way(area, a, b, p.pull)
+                link = line_stitches(line, p.length, TRAVEL, 0.04)
                 mm = float(np.hypot(*np.diff(line, axis=0).T).sum())
                 made.append(Stitches(link.xy[1:], link.kind[1:], link.run[1:], {"connector_mm": mm}))
             part = Stitches(part.xy[1:], part.kind[1:], part.run[1:], part.facts)

@@ -11,7 +11,7 @@ import numpy as np
 
 from tambour.embroidery.columns.medial import branches, round_of, skeleton
 from tambour.embroidery.lines.angle import STEP, angle, spans
-from tambour.embroidery.piece import AUTO, Region
+from tambour.embroidery.piece import AUTO, MANY, Region
 from tambour.embroidery.regions.flat import shape
 from tambour.geometry.areas import of_shapely, to_shapely
 
@@ -29,7 +29,6 @@ LEAN = 0.7  # share of the width of the rest that it may have
 SEAM = 0.1  # mm that the wide part goes beyond what discs of its width reach
 LARGE = 0.25  # share of the largest one's box: areas of a colour whose neighbours its direction heeds
 WORSE = 1.6  # times as many pieces of rows as in its best direction an area may need in that of its colour
-MOST = 1500  # regions above which none are compared
 UNDER = 0.6  # mm that it goes on below the limbs
 BUNCH = 0.3  # share of an area that the widest disc in it must have to count as a middle; a T has 0.16, a star 0.4
 ROWS = ("tatami", "gradient")
@@ -52,7 +51,7 @@ def _alike(found: list[Region], asked: set[int]) -> list[Region]:
     fills = [r for r in found if r.role == "area" and r.stitch == "tatami"]
     wide = [r for r in found if r.role == "area" and r.stitch == "satin" and id(r) not in asked]
     wide = [r for r in wide if any(_wider(p, SATIN) > BODY for p in to_shapely(r.paths))]
-    if not wide or len(found) > MOST:
+    if not wide or len(found) > MANY:
         return found
     import shapely
 

@@ -88,9 +88,10 @@ def merge_short(
     """Needle points, and which of them stay, so that no stitch is shorter than ``least``: ((n, 2), (n,) bool).
 
     Of the two ends of a short stitch the second goes, or the first, or one place between takes both, as long as no stitch of
-    these leaves the rings by more than ``slack`` or is longer than the longest there was (a way, by ``SLACK``), and no point that goes lies farther
-    than ``far`` beside what takes its place. Where a row meets a way (``ways``: points between two stitches of travel) the way's point
-    goes rather than the row's end, for a row that ends aslant leaves a slit beside it. What nothing helps stays short.
+    these leaves the rings by more than ``slack`` or is longer than the longest there was (a way, by ``SLACK``), and no point
+    that goes lies farther than ``far`` beside what takes its place. Where a row meets a way (``ways``: points between two
+    stitches of travel) the way's point goes rather than the row's end, for a row that ends aslant leaves a slit beside it. What
+    nothing helps stays short.
     """
     xy = xy.copy()
     n = len(xy)

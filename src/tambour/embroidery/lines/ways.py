@@ -13,23 +13,23 @@ from tambour.embroidery.lines.fill import Rings, crossings, inside_pairs, levels
 
 NEAR = 4.0
 """mm: places that lie no farther apart are joined straight, were they a little outside."""
-PULLED = 0.25
-"""mm that a needle point may stand outside its area: stitches are longer by their pull."""
+BESIDE = 0.05
+"""mm that a way may lie outside its area, and a needle point beyond what its stitch is longer by for its pull."""
 
 
-def way(area: Rings, a: Array, b: Array) -> Array:
+def way(area: Rings, a: Array, b: Array, pull: float = 0.2) -> Array:
     """Polyline (n, 2) from ``a`` to ``b`` inside ``area`` (rings at angle 0), both ends included.
 
     Straight where that stays inside; else the short way through a net of rows about 1 mm apart (finer in small
     areas); else through the triangles of the area, which lead through any neck. ``a`` and ``b`` may lie on the outline,
-    or outside: then they are led to it straight.
+    or outside, by ``pull`` mm as needle points do: then they are led to it straight.
     """
     straight = np.array([a, b], np.float64)
     far = float(np.hypot(*(straight[1] - straight[0])))
     if (
         not len(area.points)
         or far < 0.1
-        or not leaves(area.points, area.offsets, straight, PULLED if far < NEAR else 0.05)
+        or not leaves(area.points, area.offsets, straight, BESIDE + max(0.0, pull) * (far < NEAR))
     ):
         return straight
     v = area.points[:, 1]
@@ -69,7 +69,7 @@ def _through(area: Rings, a: Array, b: Array, pitch: float) -> Array | None:
         line = straighten(path, row, at, lo, hi, ua, ub, margin)
     line = np.concatenate([a[None], line, b[None]])
     line = _shortened(area, line)
-    return None if leaves(area.points, area.offsets, line, 0.05) else line
+    return None if leaves(area.points, area.offsets, line, BESIDE) else line
 
 
 def nearest_on_outline(area: Rings, p: Array) -> tuple[int, float, Array]:
@@ -137,7 +137,7 @@ def _shortened(area: Rings, line: Array) -> Array:
     """The way without the corners that it does not need to stay inside."""
     k = 0
     while k + 2 < len(line):
-        if leaves(area.points, area.offsets, line[[k, k + 2]], 0.05):
+        if leaves(area.points, area.offsets, line[[k, k + 2]], BESIDE):
             k += 1
         else:
             line = np.delete(line, k + 1, axis=0)

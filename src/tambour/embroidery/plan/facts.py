@@ -56,11 +56,14 @@ def outside(piece: Piece, slack: float = SLACK) -> Array:
         mine = np.flatnonzero((region == k) & (kind <= 4))
         if not len(mine):
             continue
-        wide = float(np.hypot(*(xy[mine, 2:] - xy[mine, :2]).T).max()) if it.stitch == "satin" else 0.0
-        grow = max(0.0, widened(wide, it.params.pull, it.params.pull_percent)) + slack + it.params.min_length / 2
+        parts = to_shapely(it.paths)
+        share = it.params.pull_percent if it.stitch == "satin" else 0.0
+        # As wide as the area, not as its longest stitch: one that leaves it would allow itself.
+        wide = max(2 * shapely.maximum_inscribed_circle(a, 0.05).length for a in parts) if share else 0.0
+        grow = max(0.0, widened(wide, it.params.pull, share)) + slack + it.params.min_length / 2
         if it.params.applique:
             grow += COVER / 2  # the cover lies over the edge
-        area = shapely.union_all(to_shapely(it.paths)).buffer(grow, quad_segs=8)
+        area = shapely.union_all(parts).buffer(grow, quad_segs=8)
         shapely.prepare(area)
         found.append(end[mine[~shapely.contains(area, shapely.linestrings(xy[mine].reshape(-1, 2, 2)))]])
     return np.concatenate(found)

@@ -18,7 +18,7 @@ from tambour.embroidery.families.blend import blended
 from tambour.embroidery.families.choose import Place, region_stitches
 from tambour.embroidery.families.decide import decided
 from tambour.embroidery.params import EmbroideryParams
-from tambour.embroidery.piece import Piece, Region
+from tambour.embroidery.piece import MANY, Piece, Region
 from tambour.embroidery.plan.design import piece_of
 from tambour.embroidery.plan.drawn import drawn
 from tambour.embroidery.plan.facts import outside
@@ -28,7 +28,7 @@ from tambour.embroidery.plan.massed import massed
 from tambour.embroidery.plan.order import order, ranked, upside_down
 from tambour.embroidery.plan.overlap import overlapped
 from tambour.embroidery.plan.sequence import Layout
-from tambour.embroidery.plan.sewable import COLORS, doubts
+from tambour.embroidery.plan.sewable import COLORS, SMALL, doubts
 from tambour.embroidery.regions.blots import blotted
 from tambour.embroidery.regions.card import card
 from tambour.embroidery.regions.catalogue import with_catalogue
@@ -44,7 +44,7 @@ from tambour.embroidery.stitches import Stitches
 
 ASTRAY = 4.0  # mm that a region may begin or end beside where it was asked to without a word
 BARE = 0.3  # mm that thread may lie beside its area without a word
-LOOKED = 1500  # regions, or lines of them, above which none are compared with each other
+ICON = 25.0  # mm: a drawing without a size of its own is often sewn smaller than this, and was hardly meant to be
 MOST = 5000  # regions above which their order is not sought: pairs of them would be counted in millions
 
 
@@ -71,9 +71,15 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
         for line in drawing.about.get("doubts", "").splitlines():
             progress.warn(line, where="the drawing")
         found = blotted(regions(drawing, params, progress))
+        if isinstance(source, Drawing) and params.width is None:
+            _told_size(found, progress)
         if not isinstance(source, Picture):
             found = _flat(drawing, found, params, progress)
         found = overlapped(blended(decided(found), progress))
+        if len(found) > MANY:  # so many come of few where areas are parted, too
+            progress.warn(
+                f"{len(found):,} regions: fills do not reach below their neighbours, whose stitches are not compared"
+            )
     how = params.order
     if len(found) > MOST and how == "auto":
         progress.warn(
@@ -96,13 +102,14 @@ def make(source: Any, params: EmbroideryParams, progress: Progress) -> Piece:
     with progress.stage("fill"):
         below = knockdown(found, params) if params.knockdown else []
         box = basting_box(*extent(found)) if params.baste else None
-    if box is not None:
-        layout.color(Thread(found[sequence[0]].color))
-        layout.stitches(box, -1, tie=False)
     if below:  # in a colour of the design it would be a net over the pile: it shows between the fills and round them
         layout.color(Thread(unhexed(params.ground), "as the cloth"))
-        for thread in below:
-            layout.stitches(thread, -1)
+    elif box is not None:
+        layout.color(Thread(found[sequence[0]].color))
+    if box is not None:
+        layout.stitches(box, -1, tie=False)
+    for thread in below:
+        layout.stitches(thread, -1)
     for done, k in enumerate(sequence):
         region = found[k]
         progress.step(done, len(sequence))
@@ -168,10 +175,16 @@ def _flat(
             f"gradients and translucent shapes have {many} shades; {COLORS} threads take them",
             hint="{--colors} says how many",
         )
-    if max(len(found), sum(len(r.paths) for r in found if r.role == "line")) > LOOKED:
+    lines = sum(len(r.paths) for r in found if r.role == "line")
+    if max(len(found), lines) > MANY:
+        left = "lines are not joined where they meet"
+        if not params.keep_hidden:
+            left = (
+                "what is hidden, which areas touch or are lines, and hair lines of cloth between them are not looked for, and "
+                + left
+            )
         progress.warn(
-            f"{len(found):,} regions: what is hidden, what touches and which areas are lines is not looked for",
-            hint="embroider a picture of it, or a part at a time",
+            f"{len(found):,} regions, {lines:,} lines: {left}", hint="embroider a picture of it, or a part at a time"
         )
         return found
     if params.keep_hidden:
@@ -188,6 +201,13 @@ def _flat(
             f"{gaps} hair line(s) of cloth between areas of one colour are sewn {SHOWN:g} mm wide, or thread would close them"
         )
     return strung(wide)
+
+
+def _told_size(found: Sequence[Region], progress: Progress) -> None:
+    """Say how large a drawing is sewn that is no larger than an icon: few say their size in mm."""
+    wide, high = np.subtract(*extent(found)[::-1]).tolist()
+    if SMALL <= max(wide, high) < ICON:
+        progress.warn(f"sewn {wide:.1f} x {high:.1f} mm, as its file says", hint="{--width} 80mm gives another size")
 
 
 def _ahead(found: tuple[Region, ...], sequence: list[int], done: int) -> Place:

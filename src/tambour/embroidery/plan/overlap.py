@@ -6,27 +6,25 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from tambour.embroidery.piece import Region
-from tambour.embroidery.regions.flat import EDGE
+from tambour.embroidery.piece import MANY, Region
+from tambour.embroidery.regions.flat import EDGE, shape
 
 UNDER = 0.5
 """mm that a fill goes on below its neighbour (what Wilcom lets neighbours overlap by)."""
 NEAR = 0.3
 """mm: what lies no farther apart was meant to meet."""
-MOST = 1500
-"""Regions above which it is not sought; a picture of so many has no edges that a hand would mend."""
 
 
 def overlapped(found: Sequence[Region]) -> tuple[Region, ...]:
     """Regions whose fills reach ``UNDER`` mm below the later regions of another colour that meet them."""
     fills = [k for k, r in enumerate(found) if r.role == "area" and r.stitch != "satin" and not r.params.applique]
-    if not fills or not 1 < len(found) <= MOST:
+    if not fills or not 1 < len(found) <= MANY:
         return tuple(found)
     import shapely
 
     from tambour.geometry.areas import of_shapely, to_shapely
 
-    shapes = [_shape(r) for r in found]
+    shapes = [shape(r) for r in found]
     tree = shapely.STRtree(shapes)
     made = list(found)
     for k in fills:
@@ -49,14 +47,3 @@ def overlapped(found: Sequence[Region]) -> tuple[Region, ...]:
 def _polygons(shape: Any) -> list[Any]:
     parts = getattr(shape, "geoms", [shape])
     return [p for p in parts if p.geom_type == "Polygon" and p.area > 1e-6]
-
-
-def _shape(region: Region) -> Any:
-    import shapely
-
-    from tambour.geometry.areas import to_shapely
-
-    if region.role == "area":
-        return shapely.union_all(to_shapely(region.paths))
-    lines = [shapely.LineString(p) for p in region.paths if len(p) > 1]
-    return shapely.union_all(lines).buffer(region.width / 2, cap_style="flat")

@@ -77,6 +77,7 @@ def _full(line: Any, width: float) -> bool:
 
 
 def _strokes(region: Region, lines: list[Any]) -> list[Any]:
+    """The areas of lines as they are drawn, which sewn they would not quite have (``flat.stroked``)."""
     import shapely
 
     how = {"cap_style": ("round", "flat", "square")[region.cap], "join_style": ("round", "mitre", "bevel")[region.join]}

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from tambour.core.check import Array
 from tambour.core.paths import Paths
 from tambour.embroidery.piece import AUTO, Region
 from tambour.geometry.areas import of_shapely, to_shapely
@@ -26,6 +27,8 @@ EDGE = 0.6
 """mm that what is hidden keeps from the edge of what hides it where cloth begins."""
 HAIR = 0.1
 """mm: half of what holds two parts of an area together."""
+MITRE = 1.5
+"""How far a corner stands out at the most, in half widths: satin leads no farther."""
 CLOTH = (255, 255, 255)
 """What shines through where nothing lies below."""
 DENSE = (AUTO, "tatami", "contour", "spiral", "radial", "guided", "flow", "satin")
@@ -47,8 +50,17 @@ def shape(region: Region) -> Any:
 
     if region.role == "area":
         return shapely.union_all(to_shapely(region.paths))
-    lines = [shapely.LineString(p) for p in region.paths if len(p) > 1]
-    return shapely.union_all(lines).buffer(max(region.width, 0.3) / 2, cap_style="flat" if region.cap == 1 else "round")
+    return shapely.union_all(stroked(region, region.paths, max(region.width, 0.3)))
+
+
+def stroked(region: Region, lines: Iterable[Array], width: float) -> list[Any]:
+    """The shapely areas of ``lines`` of a region, ``width`` mm wide, each ended and turned as the region's are sewn."""
+    import shapely
+
+    how = {"cap_style": ("round", "flat", "square")[region.cap], "join_style": ("round", "mitre", "mitre")[region.join]}
+    return [
+        shapely.LineString(p).buffer(width / 2, quad_segs=16, mitre_limit=MITRE, **how) for p in lines if len(p) > 1
+    ]
 
 
 def mixed(found: Sequence[Region]) -> Flat:

@@ -20,6 +20,7 @@ from tambour.embroidery.machines import MACHINES
 from tambour.embroidery.motifs import figures
 from tambour.embroidery.params import EmbroideryParams, hoop_size
 from tambour.embroidery.piece import AUTO, Region
+from tambour.embroidery.regions.flat import stroked
 from tambour.embroidery.regions.inkstitch import flags as inkstitch_flags
 from tambour.embroidery.regions.inkstitch import is_satin, overrides
 from tambour.embroidery.regions.lettering import how_sewn
@@ -29,6 +30,7 @@ LINES = ("running", "bean", "motif", "manual")
 FINE = 0.01  # mm that an outline may move for having fewer places: some files have hundreds in a millimetre
 BOLD = 0.6  # mm: lines of this width and more that are no satin are sewn thrice
 LARGEST = 4_000_000.0  # mm² of design
+LEAST = 5.0  # mm of width below which nobody is told to make a design that small
 REACH = 100_000.0  # mm from the hoop's centre
 ALONE = re.compile(r"(?:shape |.*/)(\d+)(?: \(\d+\))?")
 """What reports call a shape without an id of its own: by its number in the drawing, after the group's id where it has one."""
@@ -69,11 +71,8 @@ def extent(found: Sequence[Region], sewn: bool = False) -> tuple[Array, Array]:
     for r in found:
         low, high = r.paths.coords.min(0), r.paths.coords.max(0)
         if r.role == "line" and r.stitch == "satin":
-            lines = [shapely.LineString(line) for line in r.paths]
-            half = r.width / 2 + sewn * max(0.0, r.params.pull)
-            cap, join = ("round", "flat", "square")[r.cap], ("round", "mitre", "mitre")[r.join]
-            wide = shapely.buffer(lines, half, quad_segs=16, cap_style=cap, join_style=join, mitre_limit=1.5)
-            box = np.array(shapely.total_bounds(wide))
+            wide = r.width + sewn * 2 * max(0.0, r.params.pull)
+            box = np.array(shapely.total_bounds(stroked(r, r.paths, wide)))
             low, high = np.fmin(low, box[:2]), np.fmax(high, box[2:])
         elif r.stitch == "motif":  # its figures stand out beside the line, and do not grow with it
             turns = [figures(line, r.params.motif, r.params.motif_size) for line in r.paths if len(line) > 1]
@@ -100,7 +99,7 @@ def _fits(design: Array, beyond: float, params: EmbroideryParams) -> None:
             fits = _fitting(design, sorted(field) if design[0] < design[1] else sorted(field)[::-1], beyond, params)
             raise TambourError(
                 f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the field of {params.machine} {field[0]:g} x {field[1]:g} mm ({machine.source})",
-                hint=f"{{--width}} {math.floor(fits * 10) / 10:g}mm would fit",
+                hint=_fits_so(fits, size),
                 where="{--machine}",
             )
     if params.hoop is None:
@@ -116,7 +115,7 @@ def _fits(design: Array, beyond: float, params: EmbroideryParams) -> None:
         fits = _fitting(design, hoop, beyond, params)
         raise TambourError(
             f"the design is {size[0]:.1f} x {size[1]:.1f} mm, the hoop {hoop[0]:g} x {hoop[1]:g} mm",
-            hint=f"{{--width}} {math.floor(fits * 10) / 10:g}mm would fit",
+            hint=_fits_so(fits, size),
             where="{--hoop}",
         )
 
@@ -126,6 +125,13 @@ def _fitting(design: Array, field: Sequence[float], beyond: float, params: Embro
     thread = 2 * max(0.0, params.pull)
     room = np.array(field) - 2 * beyond - thread
     return float((room / (design - thread)).min() * (design[0] - thread))
+
+
+def _fits_so(fits: float, size: Array) -> str:
+    """The remedy for a design that is too large: a width that fits, or where none does the hoop that it needs."""
+    if fits >= LEAST:
+        return f"{{--width}} {math.floor(fits * 10) / 10:g}mm would fit"
+    return f"a larger {{--hoop}}: {math.ceil(size[0])}x{math.ceil(size[1])} would take it"
 
 
 def _points_per_shape(paths: Paths) -> Array:
@@ -157,13 +163,21 @@ def regions(drawing: Drawing, params: EmbroideryParams, progress: Progress) -> t
     if tiny:
         progress.warn(f"{tiny} shape(s) have no area and were left out")
     letters = [float(data["letters"]) for data in drawing.groups.data if "letters" in data]
-    small = min([*letters, *([params.text_size] if params.text is not None else [])], default=math.inf) * scale
-    if small < READ:
+    own = [params.text_size] if params.text is not None else []
+    small = min([*letters, *own], default=math.inf)
+    if small * scale < READ:
         progress.warn(
-            f"capitals of {small:.1f} mm: below {READ:g} mm few letters can be read once they are sewn",
-            hint="{--text-size} 5mm" if params.text is not None else "a larger {--width}, or a larger font-size",
+            f"capitals of {small * scale:.1f} mm: below {READ:g} mm few letters can be read once they are sewn",
+            hint=_legible(small, scale, small in own, params),
         )
     return tuple(found)
+
+
+def _legible(small: float, scale: float, own: bool, params: EmbroideryParams) -> str:
+    """How capitals of ``small``, sewn at a scale, come to ``READ`` mm; ``own`` : they are those of ``--text``."""
+    if params.width is not None:  # letters grow with all the rest
+        return f"{{--width}} {math.ceil(params.width * READ / (small * scale))}mm"
+    return f"{{--text-size}} {math.ceil(READ / scale)}mm" if own else "a {--width}, or a larger font-size"
 
 
 def _found(drawing: Drawing, params: EmbroideryParams, scale: float, shift: Array) -> tuple[list[Region], int]:
