@@ -302,7 +302,7 @@ def test_a_hand_is_not_moved_for_what_its_arm_is_off() -> None:
     none: Any = None
     bases = ((None,), (np.array([0.0, 3.0, 0.0]),), (np.array([0.0, 9.0, 0.0]),))
     onto = (((0, 0),), ((0, 0),), ((1, 0),))
-    pieces = [Piece(none, none, none, 0.0, (g,), b, o) for g, b, o in zip((body, arm, hand), bases, onto)]
+    pieces = [Piece(none, none, none, 0.0, (g,), (g,), b, o) for g, b, o in zip((body, arm, hand), bases, onto)]
     a = 0.4
     turn = np.array([[math.cos(a), -math.sin(a), 0.0], [math.sin(a), math.cos(a), 0.0], [0.0, 0.0, 1.0]])
     found = nudged(pieces, np.concatenate([body, turned(np.concatenate([arm, hand]), turn)]), {}, {})

@@ -24,6 +24,7 @@ from tambour.crochet.piece import Plush
 from tambour.crochet.plush import make
 from tambour.crochet.printed.choose import read
 from tambour.crochet.settle.contact import BESIDE, lie
+from tambour.geometry.motion import fit, turned
 
 BALL = """== Head ==
 R1: MR(6) (6)
@@ -278,6 +279,22 @@ def test_parts_stand_on_parts_that_stand_on_parts() -> None:
     assert ahead == sorted(ahead)
     for name, pairs in seams(piece).items():
         assert np.linalg.norm(x[pairs[:, 0]] - x[pairs[:, 1]], axis=1).max() < 1.0, name
+
+
+@pytest.mark.slow
+def test_a_wide_part_keeps_the_angle_that_it_is_given() -> None:
+    body = BALL.replace("Head", "Body").replace(
+        "R5-R9: 24 sc (24)", "R5: [3 sc, inc] x 6 (30)\nR6-R12: 30 sc (30)\nR13: [3 sc, dec] x 6 (24)"
+    )
+    body = body.replace("R10:", "R14:").replace("R11:", "R15:").replace("R12: 6 dec", "R16: 6 dec")
+    leg = "== Leg ==\nR1: MR(6) (6)\nR2: 6 inc (12)\nR3: [sc, inc] x 6 (18)\nR4-R15: 18 sc (18)\n"
+    piece = toy(f"{body}\n{leg}\nplace(Leg, Body, round=9, stitch=16, tilt=40, towards=180)\n")
+    joined, x = piece.shape.joined, piece.shape.x
+    assert joined is not None and piece.shape.settled
+    own, host = nodes(piece, "Leg"), nodes(piece, "Body")
+    to, _ = fit(x[host], joined.x[host], np.ones(len(x[host])))
+    off, _ = fit(joined.x[own], turned(x[own], to), np.ones(len(x[own])))
+    assert np.degrees(np.arccos((np.trace(off) - 1.0) / 2.0)) < 12.0
 
 
 @pytest.mark.slow

@@ -280,7 +280,7 @@ def join(joining: Joining, x: Array, bodies: list[Array]) -> Joined:
         host = np.isin(fixed, bodies[body[other]])
         x[own] = sewing.clear_of(moved, at_end, x[fixed], outward[fixed], host, frame.normals[0])
         upright[part] = turned(upright[other], sewing.leaning(f, frame))
-        springs, lengths = sewing.stays(x, moved, own, *ways, bodies[body[other]], frame)
+        springs, lengths = sewing.stays(x, moved, own, end, *ways, bodies[body[other]], frame)
         stays.append(springs)
         rest.append(lengths)
         held.append((int(own[0]), int(fixed[0])))

@@ -26,8 +26,8 @@ AGAIN = 0.5
 """What it costs, in square stitches, to sew into a stitch that is sewn into already."""
 OFF = 0.75
 """How far from the middle between its neighbours' a stitch lies off their row, in stitches."""
-STAY = 2.5
-"""How far from a seam's middle stays begin on the fabric, in stitches."""
+STAY, OUTSIDE = 2.5, 1.0
+"""How far from a seam's middle stays begin on the fabric, in stitches; and how far outside a ring's: under a part it is slack."""
 BEND = 1.0
 """Radians that a flat piece reaches around what it is sewn to, at the most, from its middle."""
 DISC, GROWS = 12, 5.0
@@ -342,23 +342,28 @@ def lying(faces: Array, pairs: Array) -> Array:
 
 
 def stays(
-    x: Array, moved: Array, own: Array, axis: Array, front: Array, target: Array, frame: Frames
+    x: Array, moved: Array, own: Array, end: End, axis: Array, front: Array, target: Array, frame: Frames
 ) -> tuple[Array, Array]:
     """Springs that keep a part at the angle that it is given, as a hand and a tight seam do: pairs (K, 2), rest (K,).
 
-    From four stitches about its middle to four about the seam, as long as they are in the pose. moved : (O, 3) where
-    the nodes ``own`` are in it; axis, front : how they are turned; target : nodes of the fabric
+    From stitches about its middle to as many about the seam, of a ring eight, else four, each to four, as long as in the pose.
+    moved : (O, 3) where the nodes ``own`` are in it; axis, front : how they are turned; target : nodes of the fabric
     """
     p, along, up = frame.points[0], frame.along[0], frame.up[0]
-    ground = nearest(p + STAY * np.array([along, up, -along, -up]), x[target])[1]
+    turn = np.linspace(0.0, 2.0 * math.pi, 8 if end.ring else 4, endpoint=False)[:, None]
+    out = max(STAY, len(end.nodes) / (2.0 * math.pi) + OUTSIDE) if end.ring else STAY
+    ground = nearest(p + out * (np.cos(turn) * along + np.sin(turn) * up), x[target])[1]
     off = moved - p
     height = dot(off, axis)
     middle = min(0.6 * float(height.max()), REACH)
     side = np.cross(axis, front)
     ring = np.abs(height - middle) < 1.0
     wide = float(np.sqrt(((off - height[:, None] * axis) ** 2).sum(1))[ring].mean()) if ring.any() else 1.0
-    held_by = nearest(p + middle * axis + wide * np.array([front, side, -front, -side]), moved)[1]
-    a, b = np.repeat(np.unique(held_by), len(np.unique(ground))), np.tile(np.unique(ground), len(np.unique(held_by)))
+    held_by = nearest(p + middle * axis + wide * (np.cos(turn) * front + np.sin(turn) * side), moved)[1]
+    # Every stitch that is held is held from four others: more than that and steps of a fixed length overshoot.
+    k = np.arange(len(turn))
+    one, two = np.nonzero((k[:, None] + k) % (len(k) // 4) == 0)
+    a, b = np.unique(np.column_stack([held_by[one], ground[two]]), axis=0).T
     rest = np.sqrt(((moved[a] - x[target[b]]) ** 2).sum(1))
     return np.column_stack([own[a], target[b]]), rest
 

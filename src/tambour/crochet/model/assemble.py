@@ -23,7 +23,9 @@ from tambour.geometry.motion import dot, fit, length, turned
 from tambour.geometry.surface import vertex_normals
 
 QUARTER = 0.25
-"""Places are said to a quarter of a round and of a stitch, angles to five degrees."""
+"""Places are said to a quarter of a round and of a stitch."""
+STEP = 1
+"""To so many degrees angles are said: five, at the end of a leg of twenty stitches, are nearly two."""
 STEEP = 85.0
 """How far a part leans at the most, in degrees."""
 SIDEWAYS = 0.5
@@ -36,7 +38,8 @@ class Piece:
 
     rounds : the part, with its copies; tried : what the simulation made of one; target : the piece of the model that one is
     faithful : the mean distance of one whose rounds were not made easier to read
-    goals : of every copy (n, 3), where its nodes belong; bases : the middles (3,) of their ends, None for what is sewn to nothing
+    goals : of every copy (n, 3), where its nodes belong; lain : where they come to lie when it lies there, as it is by itself
+    bases : the middles (3,) of their ends, None for what is sewn to nothing
     onto : for every copy the piece, and the copy of it, that it is sewn to
     """
 
@@ -45,6 +48,7 @@ class Piece:
     target: Target
     faithful: float
     goals: tuple[Array, ...]
+    lain: tuple[Array, ...]
     bases: tuple[Array | None, ...]
     onto: tuple[tuple[int, int], ...]
 
@@ -67,7 +71,7 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
     built = build(pattern([p.rounds for p in pieces]))
     spots, graph = Spots(built), built.graph
     alone = np.concatenate([p.tried.worked.x for p in pieces for _ in p.goals])
-    goal = np.concatenate([g for p in pieces for g in p.goals])
+    goal = np.concatenate([g for p in pieces for g in p.lain])
     bodies = parts(graph)
     number = {(k, c): spots.parts[p.name(c)] for k, p in enumerate(pieces) for c in range(len(p.goals))}
     steps: dict[Key, tuple[Placed, End]] = {}
@@ -120,26 +124,26 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
 
 
 def angled(plain: Placed, frame: Frames, axis: Array, front: Array) -> Placed:
-    """``plain`` with the angles at which its axis and its front point as wanted, to five degrees."""
+    """``plain`` with the angles at which its axis and its front point as wanted, in whole degrees."""
     n, along, up = frame.normals[0], frame.along[0], frame.up[0]
-    tilt = _five(min(math.degrees(math.acos(float(np.clip(dot(n, axis), -1.0, 1.0)))), STEEP))
+    tilt = _said(min(math.degrees(math.acos(float(np.clip(dot(n, axis), -1.0, 1.0)))), STEEP))
     flat = axis - dot(n, axis) * n
-    towards = _five(math.degrees(math.atan2(-float(dot(flat, along)), float(dot(flat, up)))))
+    towards = _said(math.degrees(math.atan2(-float(dot(flat, along)), float(dot(flat, up)))))
     said = replace(plain, tilt=tilt, towards=towards if tilt else 0.0)
     back = turned(front, leaning(said, frame).T)
     ahead = up if n[1] < UNDER else -up
     return replace(
-        said, across=_five(math.degrees(math.atan2(float(dot(back, np.cross(n, ahead))), float(dot(back, ahead)))))
+        said, across=_said(math.degrees(math.atan2(float(dot(back, np.cross(n, ahead))), float(dot(back, ahead)))))
     )
 
 
 def mirrored(one: Placed, two: Placed) -> tuple[Placed, Placed]:
     """A pair with the angles of each other's mirror image: what both say on the average, at the same round."""
-    tilt = _five(0.5 * (one.tilt + two.tilt))
+    tilt = _said(0.5 * (one.tilt + two.tilt))
     half = [_between(getattr(one, name), -getattr(two, name)) for name in ("towards", "across")]
     rounds = round(0.5 * (one.spot.round + two.spot.round) / QUARTER) * QUARTER
-    first = replace(one, tilt=tilt, towards=_five(half[0]) if tilt else 0.0, across=_five(half[1]))
-    second = replace(two, tilt=tilt, towards=_five(-half[0]) if tilt else 0.0, across=_five(-half[1]))
+    first = replace(one, tilt=tilt, towards=_said(half[0]) if tilt else 0.0, across=_said(half[1]))
+    second = replace(two, tilt=tilt, towards=_said(-half[0]) if tilt else 0.0, across=_said(-half[1]))
     return replace(first, spot=replace(one.spot, round=rounds)), replace(second, spot=replace(two.spot, round=rounds))
 
 
@@ -155,8 +159,8 @@ def bodies_of(bodies: list[Array], node: int) -> Array:
     return next(nodes for nodes in bodies if node in nodes)
 
 
-def _five(angle: float) -> float:
-    return float(5 * round(angle / 5) % 360)
+def _said(angle: float) -> float:
+    return float(STEP * round(angle / STEP) % 360)
 
 
 def _line(said: Placed) -> str:

@@ -186,7 +186,7 @@ def _pieces(
     tries = max(2, round(TRIES * min(1.0, LARGE / max(count, 1))))
     with progress.stage("loop"):
         best, history[said[0]] = _looped(task, first, tries)
-    made = [Piece(best.rounds, best, task.target, faithful(task, best), (best.goal,), (None,), ((0, 0),))]
+    made = [Piece(best.rounds, best, task.target, faithful(task, best), (best.goal,), (best.lain,), (None,), ((0, 0),))]
     targets = [[task.target]]
     for title, group in zip(said[1:], groups):
         targets.append([Target.of(limb.vertices, limb.faces[limb.own]) for limb in group])
@@ -196,13 +196,13 @@ def _pieces(
             first = tried(task, task.way.girths)
         with progress.stage("loop"):
             best, history[title] = _looped(task, first, tries)
-        goals = [best.goal]
-        for way in ways[1:]:
+        goals, lain = [best.goal], [best.lain]
+        for way, own in zip(ways[1:], targets[-1][1:]):
             goals.append(np.concatenate([way.tip[None], *laid(way, best.counts, _hidden(way))]))
+            lain.append(best.upon(own, goals[-1]))
         copies = replace(best.rounds, copies=len(group))
-        made.append(
-            Piece(copies, best, task.target, faithful(task, best), tuple(goals), tuple(limb.base for limb in group), ())
-        )
+        bases = tuple(limb.base for limb in group)
+        made.append(Piece(copies, best, task.target, faithful(task, best), tuple(goals), tuple(lain), bases, ()))
     for k, group in enumerate(groups):
         onto = tuple(_owner(limb, k + 1, targets, len(known)) for limb in group)
         made[k + 1] = replace(made[k + 1], onto=onto)

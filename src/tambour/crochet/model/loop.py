@@ -48,6 +48,16 @@ class Tried:
     holds: tuple[threads.Hold, ...]
     target: Target
 
+    @property
+    def lain(self) -> Array:
+        """Where its nodes (N, 3) are once it lies upon its target as well as it can."""
+        return turned(self.worked.x, self.distance.turn) + self.distance.shift
+
+    def upon(self, target: Target, goal: Array) -> Array:
+        """The same upon another target, where its nodes belong at ``goal`` (N, 3)."""
+        how = distance(target, self.worked.x, self.worked.graph.faces, fit(self.worked.x, goal, np.ones(len(goal))))
+        return turned(self.worked.x, how.turn) + how.shift
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Task:

@@ -103,11 +103,11 @@ def nudged(pieces: list[Piece], x: Array, nudges: Nudges, seats: dict[Key, Seat]
     lies = {key: x[end - len(pieces[key[0]].goals[key[1]]) : end] for key, end in zip(keys, ends.tolist())}
     made: Nudges = {}
     for k, c in keys:
-        base, goal, on = pieces[k].bases[c], pieces[k].goals[c], pieces[k].onto[c]
+        base, goal, on = pieces[k].bases[c], pieces[k].lain[c], pieces[k].onto[c]
         if base is None:
             continue
         # Against what it is sewn to, which may itself not lie where it belongs yet.
-        host = pieces[on[0]].goals[on[1]]
+        host = pieces[on[0]].lain[on[1]]
         turn, shift = fit(lies[on], host, np.ones(len(host)))
         own = turned(lies[k, c], turn) + shift
         off = float(np.sqrt(((own - goal) ** 2).sum(1)).mean())
