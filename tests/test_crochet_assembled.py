@@ -167,7 +167,38 @@ def test_hair_of_strands_is_on_the_head_in_its_yarn() -> None:
     said = "Using backstitch and D, sew hair into place along sewn line. Sew the head to the body."
     hair = [f for f in read(materials + BODY + head, said).finish if isinstance(f, Hair)]
     assert len(hair) == 1 and {s.part for s in hair[0].spots} == {"HEAD"} and hair[0].color[2] < hair[0].color[0]
-    assert not [f for f in read(BODY + head, "Sew a bow to the hair band.").finish if isinstance(f, Hair)]
+    for no_hair in ("Sew a bow to the hair band.", "Sew the body to the head, in front of the hair."):
+        assert not [f for f in read(BODY + head, no_hair).finish if isinstance(f, Hair)]
+    both = read(BODY + head, "Sew the head to the body. Sew eyes and hair to head.").finish
+    assert {Eye, Hair} <= {type(f) for f in both}
+
+
+def test_hair_is_as_long_and_where_it_is_said_and_else_told_as_a_guess() -> None:
+    head = BODY.replace("BODY", "HEAD")
+    said = read(BODY + head, "Sew the head to the body. Sew hair to the head around round 4, 5 cm long.").finish
+    hair = next(f for f in said if isinstance(f, Hair))
+    assert hair.length == 100.0 and hair.spots[0].round == hair.spots[-1].round == 4.0
+    told = [w.message for w in read(BODY + head, "Sew the head to the body. Sew hair to the head.").warnings]
+    assert any("hair on HEAD" in message for message in told)
+
+
+@pytest.mark.parametrize(
+    "words, eyes",
+    [
+        ("Sew the buttons to the front of the head.", 2),
+        ("Sew the buttons on the body close to the head.", 0),
+        ("Glue beads on the necklace and add it to the head.", 0),
+    ],
+)
+def test_buttons_are_eyes_where_they_are_put_on_the_head(words: str, eyes: int) -> None:
+    pattern = read(BODY + BODY.replace("BODY", "HEAD"), "Sew the head to the body. " + words)
+    assert sum(isinstance(f, Eye) for f in pattern.finish) == eyes
+
+
+def test_what_a_swatch_measures_says_nothing_of_how_a_toy_stands() -> None:
+    text = BODY + LIMBS.format("FEET", 4)
+    gauge = "Toy\n\nThe gauge swatch measures 10 cm long and wide.\n"
+    assert read(text, "Sew the feet to the body.", gauge).parts[0].up != "side"
 
 
 @pytest.mark.parametrize("body, head, sits", [("12", False, True), ("36", True, False)])

@@ -170,3 +170,67 @@ def test_stuffing_that_no_part_under_way_is_meant_by_is_kept() -> None:
     words = f"{TOY}{BODY}Fasten off.\n\nFINISHING\nSew shut. Stuff shoes.\n"
     pattern = read(Text(words, "toy.txt"))
     assert any("Stuff shoes" in words[p.start : p.end] for p in pattern.passed)
+
+
+@pytest.mark.parametrize(
+    "edging",
+    [
+        "Join B with sl st in any st. Ch 3, dc in each sc around.",
+        "Join B in any st, ch 2, dc in each st around.",
+        "With B, ch 3, dc in each sc around. Join.",
+    ],
+)
+def test_an_edging_behind_a_fastening_off_is_worked_on_the_edge(edging: str) -> None:
+    assert made(whole(f"{BODY}Fasten off.\n{edging}\n")) == {"BODY": [6, 12, 12]}
+
+
+def test_a_chain_behind_a_fastening_off_begins_a_piece() -> None:
+    pattern = read(
+        Text(f"{TOY}{BODY}Fasten off.\nCh 12. Sc in 2nd ch from hook and in each ch across. 11 sc.\n", "toy.txt")
+    )
+    assert [part.name for part in pattern.parts] == ["BODY", "part_2"]
+
+
+def test_copies_of_felt_are_no_copies_of_the_head() -> None:
+    heads = "Head (make 1)\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: 2 sc in each sc. (12)\n"
+    felt = read(Text(f"Toy\n\nMake 2 pieces of felt for the eyes.\n\n{heads}", "toy.txt"))
+    assert [part.copies for part in felt.parts] == [1]
+
+
+def test_rounds_without_numbers_begin_behind_a_ring_of_chain() -> None:
+    words = "CAP\nWith C, ch 2.\n6 sc in 2nd ch from hook.\n2 sc in each sc around.\nRep last rnd once more.\n"
+    assert made(whole(words))["CAP"] == [6, 12, 24]
+
+
+@pytest.mark.parametrize("more", ["Fasten off.", "Round 3: Sc in each sc around. 12 sc."])
+def test_a_ring_as_for_another_part_is_that_part_s_rounds(more: str) -> None:
+    known = "HEAD\nRnd 1: With A, 6 sc in magic ring. 6 sc.\nRnd 2: 2 sc in each sc around. 12 sc.\nFasten off.\n\n"
+    words = (
+        f"{known}BODY\nWork magic ring and continue same as Head.\n{more}\n\nARM\nRnd 1: 5 sc in magic ring. 5 sc.\n"
+    )
+    assert made(whole(words))["BODY"] == [6, 12, *([12] if "Round" in more else [])]
+
+
+def test_a_heading_of_copies_says_nothing_of_a_sided_part() -> None:
+    ring = "Rnd 1: 6 sc in magic ring. 6 sc.\n"
+    pattern = read(Text(f"{TOY}Ears (make 2)\nInside Ear:\n{ring}Outside Ear:\n{ring}\nLeft Ear\n{ring}", "toy.txt"))
+    assert [part.copies for part in pattern.parts] == [2, 2, 1]
+
+
+def test_stitches_of_a_round_further_down_are_told() -> None:
+    words = f"{TOY}{BODY}3rd rnd: Sc in each sc around. 12 sc.\n4th rnd: Sc in next 12 sts of Round %d. 12 sc.\n"
+    told = {n: [w.message for w in read(Text(words % n, "toy.txt")).warnings] for n in (2, 3)}
+    assert any("worked into round 3" in m for m in told[2])
+    assert not any("worked into round" in m for m in told[3])
+
+
+@pytest.mark.parametrize("hidden", ["\u00ad", "\u200b", "\u2060"])
+def test_signs_of_no_width_part_no_word_and_no_number(hidden: str) -> None:
+    words = f"Toy\n\nBODY\nRnd 1: 6 sc in magic ring. (6)\nRnd 2: in{hidden}crease in each st. (1{hidden}2)\n"
+    pattern = read(Text(words, "toy.txt"))
+    assert not pattern.unread and made(pattern) == {"BODY": [6, 12]}
+
+
+def test_a_pasted_part_is_called_as_its_first_line_says() -> None:
+    pattern = read(Text("Head\nRnd 1: 6 sc in magic ring. (6)\n\nTail\nRnd 1: 5 sc in magic ring. (5)\n", "toy.txt"))
+    assert [part.name for part in pattern.parts] == ["Head", "Tail"]

@@ -57,8 +57,8 @@ _ROWS = re.compile(_NUMBER + r"(\s*½)?\s*(?:(?:sc|hdc|dc)\s+)?(?:rows?|rounds?|
 _CIRCLE = re.compile(r"\b(?:circle|diameter|across|first)\b|\b(?:rounds?|rnds?)\s*\d", re.IGNORECASE)
 _TALL: Final = 1.3  # height over width that no single crochet has: rows of taller stitches
 _RAVELLED = re.compile(r"\s*(\d+)\s*[^\d]*?" + _NUMBER + r"\s*(mm|cm|m|inches|inch|in|\")\s*$", re.IGNORECASE)
-_GRAMS = r"(?P<grams>\d{2,3}(?:[.,]\d+)?)[ \t]*-?[ \t]*(?:g|gr|grs|gms?|grams?)\b"
-_FAR = r"(?P<far>\d{2,4}(?:[.,]\d+)?)[ \t]*-?[ \t]*(?P<unit>m|mtrs?|metres?|meters?|yds?|yards?)\b"
+_GRAMS = r"(?P<grams>(?<![\d.,])\d{2,4}(?:[.,]\d+)?)[ \t]*-?[ \t]*(?:g|gr|grs|gms?|grams?)\b"
+_FAR = r"(?P<far>(?<![\d.,])\d{2,4}(?:[.,]\d+)?)[ \t]*-?[ \t]*(?P<unit>m|mtrs?|metres?|meters?|yds?|yards?)\b"
 _UP_TO = r"(?:[ \t,;:/=)(|~-]|\b(?:per|each|approx|approximately|about|balls?|skeins?|of|oz|yds?|yards?)\b|\b\d+(?:[.,]\d+)?(?![.,]?\d))*?"
 _BALLS = [re.compile(_GRAMS + _UP_TO + _FAR, re.IGNORECASE), re.compile(_FAR + _UP_TO + _GRAMS, re.IGNORECASE)]
 _LETTER = re.compile(r"\b([B-P])\s*[-/]\s*\d|\b([B-P])\b(?=\s*(?:hook|size|$|,|\())|size\s+([B-P])\b")
@@ -140,7 +140,10 @@ def balls_of(words: str) -> list[Ball]:
     [Ball(grams=300.0, metres=201.168), Ball(grams=50.0, metres=125.0)]
     """
     found = []
-    for said in next(filter(None, (list(order.finditer(words)) for order in _BALLS)), []):
+    orders = [made for order in _BALLS if (made := list(order.finditer(words)))]  # grams before metres, or behind them
+    for said in min(orders, key=lambda made: made[0].start(), default=[]):
+        if not _float(said["grams"]):
+            continue
         ball = Ball(_float(said["grams"]), _float(said["far"]) * (0.9144 if said["unit"][0] in "yY" else 1.0))
         if 20.0 <= ball.metres_100_g <= 2000.0:
             found.append(ball)

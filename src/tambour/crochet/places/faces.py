@@ -14,7 +14,7 @@ from tambour.crochet.language.finishes import Embroidery, Eye, Felt, Finish, Hai
 from tambour.crochet.places import face
 from tambour.crochet.places.hear import Feature
 from tambour.crochet.places.put import Putter
-from tambour.crochet.places.said import size
+from tambour.crochet.places.said import LONG, length, size
 from tambour.crochet.places.stand import Host, numbers_of
 from tambour.crochet.places.usual import Way, usual
 
@@ -236,11 +236,23 @@ class Facer(Putter):
         return [*face.embroidered(host, name, point, wide, False, color, f.span, tall, self.work.stitch)]
 
     def _hair(self, host: Host, f: Feature) -> Hair:
-        """Strands along a parting over the crown, from the brow to the nape, that fall to both sides."""
+        """Strands along a parting over the crown, from the brow to the nape, that fall to both sides: as far as is said, else as is usual, which
+        is told."""
         middle, half = host.box
-        ways = ((0.0, 0.97, 0.3), (0.0, 1.0, -0.1), (0.0, 0.3, -0.95))
-        spots = [replace(host.near(middle + np.array(way) * half), span=f.span) for way in ways]
-        cut = round(2.0 * _HAIR_LONG * float(half[1]) * self.work.stitch)
+        ways = [np.array(way) for way in ((0.0, 0.97, 0.3), (0.0, 1.0, -0.1), (0.0, 0.3, -0.95))]
+        spots = [replace(host.near(middle + way * half), span=f.span) for way in ways]
+        said = f.where.rounds
+        if said is not None and self.stand.there(Spot(host.name, said[0], None)):
+            ends = (np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, -1.0]))
+            front, back = (Spot(host.name, said[0], round(host.in_round(said[0], way), 3), f.span) for way in ends)
+            spots = [front, spots[1], back]
+        else:
+            self.work.made.guessed.append(f"hair on {host.name}")
+        cut = (
+            2.0 * length(long[1], long[2])
+            if (long := LONG.search(f.text))
+            else round(2.0 * _HAIR_LONG * float(half[1]) * self.work.stitch)
+        )
         count = max(16, round(3.5 * float(half[1] + half[2])))
         return Hair(tuple(spots), count, float(cut), f.color or Hair(()).color, f.span)
 

@@ -117,10 +117,14 @@ class Feature:
     guess: bool = False
 
 
-_HAIR: Final = re.compile(r"\b(?:sew|stitch|knot|attach)\w*\b[^.]{0,40}\bhair\b(?!\s*(?:bow|tie|band|clip|ribbon))")
+_HAIR: Final = re.compile(
+    r"\b(?:sew|stitch|knot|attach)\w*\b(?:(?!\b(?:to|on|onto|in|into|at|over|under|behind|near|below|above|between|around)\b)[^.,;]){0,40}"
+    r"(?P<hair>(?:\band\s+(?:the\s+)?)?\bhair\b)(?!\s*(?:bow|tie|band|clip|ribbon|line))"
+)
 """Strands of yarn that are sewn to a head, where no part is hair."""
 _BUTTONS: Final = re.compile(
-    r"\b(?:buttons|beads)\b[^.]{0,60}\b(?:to|on|onto)\s+(?:the\s+)?(?:front of\s+(?:the\s+)?)?(?:head|face)\b"
+    r"\b(?:buttons|beads)\s+(?:and\s+(?:sew|glue|stitch|attach)\s+(?:them\s+)?)?(?:(?:for|as)\s+(?:the\s+)?eyes\s+)?(?:\w+ly\s+)?(?:to|on|onto)\s+"
+    r"(?:(?:each|either)\s+side\s+of\s+)?(?:the\s+)?(?:front\s+of\s+(?:the\s+)?)?(?:head|face)\b"
 )
 """Buttons on a head that nobody calls eyes."""
 _WOUND: Final = re.compile(r"\b(?:loop|wrap|wind)\w* (?:the )?(?:yarn|thread|floss)\b")
@@ -206,10 +210,17 @@ class Heard:
         low = _MEET.sub("at neck of body", low)
         found = mentions(low, self.parts)
         at = where(low)
-        if _HAIR.search(low) and not any({"hair", "wig"} & set(p.words) for p in self.parts):
+        hair = _HAIR.search(low)
+        if hair and not any({"hair", "wig"} & set(p.words) for p in self.parts):
             if not any(f.what == "hair" for f in self.features):
-                self.features.append(Feature("hair", None, "head", at, sentence.span, order, color, low))
-            return True
+                host = self._on([m for m in found if m.start > hair.start()], low)
+                self.features.append(Feature("hair", host, "head", at, sentence.span, order, color, low))
+            rest = low[: hair.start("hair")] + " " * len(hair["hair"]) + low[hair.end() :]
+            if not (
+                _EYES.search(rest, hair.start(), hair.start("hair")) or any(m.end < hair.start("hair") for m in found)
+            ):
+                return True
+            low = rest  # "sew eyes and hair to head" puts eyes too
         glass = re.search(r"\b(?:safety|plastic|toy|bead|button|googly)s? eyes?\b|\bbeads? for eyes\b", low)
         if glass:  # these are no eyelids that were crocheted
             found = [m for m in found if not (glass.start() <= m.start < glass.end())]

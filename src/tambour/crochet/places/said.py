@@ -33,6 +33,7 @@ _APART: Final = re.compile(
     rf"({_N})(?:\s*(?:-|–|to|or)\s*({_N}))?\s*{_ST}\s+(?:apart|from each other|(?:wide )?between|(?:in )?between|"
     rf"visible between|left between)"
 )
+LONG: Final = re.compile(rf"{_LENGTH}[- ]*long\b")
 _APART_MM: Final = re.compile(rf"{_LENGTH}(?:\s*[\[(][^\])]*[\])])?\s+(?:apart|between|from each other)")
 _WIDE: Final = re.compile(
     rf"({_N})\s*{_ST}\s*(?:wide|long|across|in width)|(?:across|over)\s+(?:the\s+)?(?:\w+\s+)?({_N})\s*{_ST}"

@@ -17,8 +17,10 @@ _TOP: Final = re.compile(
 )
 _NECK: Final = 0.7
 """A long neck: the first quarter of a body's rounds stays narrower than this share of the widest."""
-_MEASURED: Final = re.compile(r"\bmeasure(?:s|ments?)\b[^\n]*\n?[^\n]*")
-"""What a toy is said to measure."""
+_MEASURED: Final = re.compile(r"(?:^|\n)(?P<of>[^\n.]*)\bmeasure(?:s|ments?)\b[^\n]*\n?[^\n]*")
+"""What a toy is said to measure, and what is said to."""
+_ELSE: Final = re.compile(r"\b(?:gauge|tension|swatch|sample|square|circle|hook|case|needle|skein|ball|yarn|eyes?)\b")
+"""What is measured too, and is no toy."""
 _SHAPED: Final = re.compile(
     r"(?:^|\n)\s*(?:shap(?:e|ing) (?:the )?)?(head|body|tail)(?: shap\w+)?\s*:\s*(?:\d|rnd|round|next)"
 )
@@ -81,7 +83,7 @@ class Upright(Toy):
             return "start"  # what begins at its neck, and widens at once, may go on four legs
         arms = any(p.kind == "arm" for p in self.parts)
         if sum(p.copies for p in self.parts if p.kind in ("leg", "foot")) == 4 and not arms and head is None:
-            measured = _MEASURED.search(self.text)
+            measured = next((m for m in _MEASURED.finditer(self.text) if not _ELSE.search(m["of"])), None)
             if measured and "long" in measured[0] and not re.search(r"\b(?:tall|high)\b", measured[0]):
                 return "side"
         if not self.spots.in_rows[part] and (said := self._shapes(main)) is not None:

@@ -120,7 +120,7 @@ def more_copies(p: State, tokens: list[Token], more: tuple[int, Span, bool]) -> 
         p.heading is None
         and not p.parts
         and p.mode == ""
-        and any(t.word in ("alike", "pieces", "the same") for t in tokens)
+        and all(t.kind == "mark" or t.word in _ALIKE or t.value in ("make", count, "same", "each") for t in tokens)
     ):
         p.early |= {"copies": count, "copies_span": span}  # "(Make 2 pieces alike). Ch 11."
         return True
@@ -232,5 +232,6 @@ _ANOTHER: Final = re.compile(
     r"(?:,?\s+(?:exactly\s+)?(?:alike|the\s+same|(?:in\s+)?the\s+same\s+(?:way|manner)|like\s+(?:it|this|the\s+first)(?:\s+one)?))?\s*(?:[.!;]|$)",
     re.IGNORECASE | re.MULTILINE,
 )
+_ALIKE: Final = frozenset(("alike", "exactly", "pieces", "of", "the", "these"))
 _OTHER: Final = frozenset(("second", "opposite", "remaining", "rem"))
 _EDGE: Final = frozenset(("armhole", "side", "edge", "end", "corner", "strap", "opening"))

@@ -200,7 +200,8 @@ class Walk(Trade):
         if before is None or token.kind != "key" or not (before.kind == "stitch" or before.value == "stitch"):
             return False
         named = token.value == "round" or token.value == "row"
-        if named and c.whole(1) is not None and token.start - before.end > _NEAR_BY:
+        if named and (number := c.whole(1)) is not None and after is not None and token.start - before.end > _NEAR_BY:
+            self.body.below = number, Span(token.start, after.end)
             c.at += 2
             return True
         if (

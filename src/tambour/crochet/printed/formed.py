@@ -49,12 +49,12 @@ def complete(line: str) -> bool:
     return _DONE.search(line) is not None
 
 
-def worked_in(p: State, begin: int, end: int) -> bool:
-    """Whether words from ``begin`` to ``end`` of the text go on in stripes that a list formed ("Proceed in Stripe Pat"): the next rounds are
-    worked in them. What no list formed is told."""
+def worked_in(p: State, begin: int, end: int) -> None:
+    """Has the next rounds worked in the stripes that a list formed, where words from ``begin`` to ``end`` of the text go on in them ("Proceed
+    in Stripe Pat"). What no list formed is told."""
     found = _WORKED.search(p.source.text.text, begin, end)
     if found is None:
-        return False
+        return
     place = Span(found.start(), found.end())
     draft = p.parts[-1] if p.parts else None
     if p.formed is None:
@@ -63,4 +63,3 @@ def worked_in(p: State, begin: int, end: int) -> bool:
         p.early["plan"] = p.formed, place
     elif draft.plan is None:
         draft.plan = replace(p.formed, begun=phase(p.formed.runs, draft.lines)), place
-    return True

@@ -35,8 +35,8 @@ def founding(tokens: list[Token]) -> bool:
     return chained and not any(t.kind == "stitch" and t.value not in ("ch", "slst") for t in tokens)
 
 
-def founds(p: State, at: int | None = None) -> bool:
-    """Whether rounds begin at 1 in one of the next lines, from the one that is read or from line ``at``."""
+def founds(p: State, at: int | None = None, near: int = _NEAR) -> bool:
+    """Whether rounds begin at 1 in one of the ``near`` next lines, from the one that is read or from line ``at``."""
     seen = 0
     begin = p.row_at if at is None else at
     for row in p.rows[begin : begin + 12]:
@@ -48,7 +48,7 @@ def founds(p: State, at: int | None = None) -> bool:
             if first:
                 return True
             seen += 1
-            if seen > _NEAR:
+            if seen > near:
                 break
     return False
 

@@ -216,6 +216,9 @@ class Draft:
         if said is not None and not alone and said[0] != len(numbers):
             message = f"{said[0]} rounds are said here, {len(numbers)} at the line's start"
             source.doubt(message, "make them agree", said[1], True)
+        if body.below is not None and worked and self.last and body.below[0] not in (self.last, *numbers):
+            message = f"round {body.below[0]} is named here, and this is worked into round {self.last}"
+            source.doubt(message, f"join the yarn there first: join with sl st to Rnd {body.below[0]}", body.below[1])
         at = head.span if head is not None and numbers else said[1] if said is not None else None
         line = Line(tuple(items), span, worked, 1, None, None, body.stated, body.stated_span, None, notes)
         steady = all(b == a + 1 for a, b in pairwise(numbers))

@@ -8,6 +8,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.tree import Action, Line
+from tambour.crochet.places.names import kind_of, one
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.beyond import tallied
 from tambour.crochet.printed.colors import numbered
@@ -128,12 +129,13 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.mode = "" if found.marked or p.mode == "notes" or alone or under else p.mode
         if p.title is None:
             p.title = (text[found.span.start : found.span.end], found.span)
-            p.heading = found if found.strong else None
+            pasted = bool(found.name and kind_of(one(found.name.lower().split()[-1]))) and founds(p, near=1)
+            p.heading = found if found.strong or (pasted and _close(p)) else None  # "Head", and its rounds below
         elif p.heading is None or p.heading.copies_span is None or found.copies_span is not None or _far(p, found):
             p.over = over(p.heading, found) or p.over
             p.heading = found
         else:
-            p.pair = p.heading  # "Ears (make 2)" over "Inside Ear:", which "Outside Ear:" may follow  # "Arms (make 2)." before "Glove: With A, ch 2." stays
+            p.pair = p.heading  # "Ears (make 2)" stays over "Inside Ear:", which "Outside Ear:" may follow
         if found.copies > 1 and found.name == "":
             p.heading = None
         return
@@ -144,6 +146,11 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         p.passed.append(whole)
     for left in lefts:
         left_over(p, left)
+
+
+def _close(p: State) -> bool:
+    """Whether the next line stands right below, as it does below no title."""
+    return p.row_at + 1 < len(p.rows) and bool(p.rows[p.row_at + 1].tokens)
 
 
 def _far(p: State, found: Heading) -> bool:

@@ -45,6 +45,7 @@ class Body:
     later : colours that are changed to at the end of its rounds, or of the one with that number
     pending : a magic ring still wants its stitches
     hues : the yarns of what it refers to, in the order in which they come there
+    below : the round whose stitches it says it is worked into ("sc in next 12 sts of Round 2")
     edge : stitches on the edge after it, where it goes over two pieces
     fit : 2 gives its count and uses up the round below, 1 leaves some of it over, 0 does not fit
     """
@@ -79,6 +80,7 @@ class Body:
     later: list[tuple[Item, int]] = field(default_factory=list)
     hues: list[RGB] = field(default_factory=list)
     edge: int | None = None
+    below: tuple[int, Span] | None = None
     fit: int = 2
 
 

@@ -107,7 +107,7 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     if numbers and head is not None:
         draft._numbered(source, head, True)
     made = redyed(line, origin.lines, body.hues) if body.hues else [line]
-    dyes = {i.numbers for one in origin.lines for i in one.items if isinstance(i, Action) and i.name == "color"}
+    dyes = {i.numbers for one in lines for i in one.items if isinstance(i, Action) and i.name == "color"}
     if body.hues and max(len(body.hues), len(dyes)) > 1:
         message = "these yarns are taken in the order in which colours come there"
         source.doubt(message, "nothing is amiss", refers.span)

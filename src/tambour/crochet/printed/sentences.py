@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.stitches import STUFFING
 from tambour.crochet.language.tree import Action, Item, Line
 from tambour.crochet.places.names import kind_of, one
@@ -218,7 +219,7 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         return True
     said = p.phrases.read(text, (*_PART, "stuff factor", "up start", "up end", "up side"))
     draft = p.parts[-1] if p.parts else None
-    tokens = _founded(tokens)
+    tokens = _founded(tokens) if founds(p, near=1) else tokens
     if said is not None:
         key, fields = said
         amount = STUFFING[_PART[key]] if key in _PART else fields.get("factor")
@@ -289,7 +290,7 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         return False
     if _lifts_alone(body.items) and not body.hook and (draft is None or p.heading is not None):
         return False  # "Strap: Ch 1, sc in each of the 35 ch": what it is worked into stands elsewhere
-    anew = any(
+    anew = not (_lifts(body.items) and not body.hook) and any(
         isinstance(i, Action) and (i.name == "mr" or (i.name == "ch" and i.times > 1) or _ring(i)) for i in body.items
     )
     ended = (
@@ -319,11 +320,20 @@ def _added(p: State, draft: Draft, body: Body, span: Span) -> None:
     before, edge, last = len(draft.lines), draft.edge, draft.last
     draft.add(p.source, None, body, span)
     draft.loose = None
-    if len(draft.lines) == before + 1 and draft.lines[-1].in_round and edge is not None:
+    ring = body.hook and edge is not None and edge <= LIFT  # "6 sc in 2nd ch from hook" leaves no stitches of its chain
+    if len(draft.lines) == before + 1 and draft.lines[-1].in_round and edge is not None and not ring:
         ends = any(isinstance(i, Action) and i.name in ("join", "turn", "fo") for i in body.items)
         done = reckoned(body.items, edge, p.source.stitches)
         if not ends and body.stated is None and done is not None and done[0] and 0 < done[1] < edge:
             draft.loose = draft.lines[-1], edge, last
+
+
+def _lifts(items: list[Item]) -> bool:
+    """Whether the chain of a round is as high as its first stitch, and no foundation: "Join B in any st, ch 3, dc in each st around"."""
+    rest = [i for i in items if not (isinstance(i, Action) and i.name in ("color", "join", "slst"))]
+    first = rest[0] if rest else None
+    lift = isinstance(first, Action) and first.name == "ch" and first.times <= LIFT
+    return lift and any(map(works, rest[1:]))
 
 
 def _lifts_alone(items: list[Item]) -> bool:

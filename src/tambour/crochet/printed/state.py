@@ -10,7 +10,7 @@ from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import GUESSED
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Line
-from tambour.crochet.places.names import one
+from tambour.crochet.places.names import SIDED, one
 from tambour.crochet.printed.assembly import Said
 from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.heads import head
@@ -180,6 +180,8 @@ class State:
                 hint = "say how many: (make 2), or (make 1)"
                 self.source.doubt(f"{GUESSED}: two of {found.name} are made", hint, found.span)
         draft.lines, self.lead = self.lead, []
+        if draft.copies_span is not None:
+            self.early.pop("copies", None)  # what the heading says is meant
         for key, value in self.early.items():
             setattr(draft, key, value)
         self.early = {}
@@ -189,8 +191,9 @@ class State:
         """How many are made of a part whose heading says nothing of it, where one over it or a list of yarns does."""
         if draft.copies > 1 or found.copies_span is not None or guess:
             return
-        noun = one(found.name.lower().split()[-1])
-        if self.pair is not None and noun == one(self.pair.name.lower().split()[-1]):
+        words = found.name.lower().split()
+        noun = one(words[-1])
+        if self.pair is not None and noun == one(self.pair.name.lower().split()[-1]) and not SIDED & set(words):
             draft.copies, draft.copies_span = self.pair.copies, self.pair.copies_span
         elif noun in self.tally:
             draft.copies, draft.copies_span = self.tally[noun], found.span

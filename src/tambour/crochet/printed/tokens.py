@@ -10,18 +10,21 @@ from typing import Any, Final
 
 from tambour.core.errors import Span
 
+_HIDDEN: Final = "\u200b\u200c\u200d\u2060\ufeff\u00ad"
+"""Signs of no width, as pages of the web hold them inside words: "in\\u00adcrease"."""
 # One alternation without nested repeats, so the time is linear whatever the text.
 _TOKEN: Final = re.compile(
     r"(?P<newline>\n)"
     r"|(?P<ordinal>\d{1,9}(?:st|nd|rd|th|er|[ºª°](?!C))(?![^\W\d_]))"
-    r"|(?P<number>\d+(?:\.\d+)?)"
-    r"|(?P<word>[^\W\d_][\w'’]*)"
+    rf"|(?P<number>\d(?:\d|[{_HIDDEN}](?=\d))*(?:\.\d+)?)"
+    rf"|(?P<word>[^\W\d_](?:[\w'’]|[{_HIDDEN}](?=[^\W\d_]))*)"
     r"|(?P<mark>\*\*+|\*|--+|[^\s\w]|_+)"
 )
 _SPLIT: Final = re.compile(r"/f_([il]) ")  # a ligature that a page lost: "/f_i rst"
 _DASHES: Final = dict.fromkeys("–—−‐‑-", "-") | {"--": "-", "---": "-"}
 _MARKS: Final = {"×": "x", "✕": "x", "✖": "x", "∗": "*", "⁎": "*", "＊": "*", "“": '"', "”": '"', "、": ",", "：": ":"}
-_UNSEEN: Final = frozenset("\u200b\u200c\u200d\u2060\ufeff\u00ad\ufe0f")  # of no width, as pages of the web hold them
+_UNSEEN: Final = frozenset(_HIDDEN + "\ufe0f")
+_SHOWN: Final = str.maketrans("", "", _HIDDEN)
 _LONGEST: Final = 9  # digits of a number that is taken for one
 
 
@@ -74,6 +77,7 @@ def rows(text: str) -> list[Row]:
             tokens, start, last = [], at + 1, at + 1
             continue
         word, end = found[0], found.end()
+        word = word if word.isascii() else word.translate(_SHOWN) or word
         value: Any = None
         if kind == "word":
             word = word.lower().replace("’", "'")
