@@ -46,7 +46,8 @@ class Plush:
 
     built : the pattern worked; params : what was asked for; stitch : width and height of a single crochet, mm
     gauge : where that size comes from; stuffing, start : what the options and the pattern together chose
-    shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm
+    shape : how the shape was reached, in stitches; positions (N, 3) and centroids (C, 3) : the same in mm, turned as the
+        model stands where it was made for one
     joining : what was sewn on and where, None where the pattern says nothing of it
     aim : the model that the pattern was made for, None for a pattern that was given
     """
