@@ -104,6 +104,20 @@ def back_to(draft: Draft, place: Moved) -> tuple[Action, int] | None:
     return Action("goto", place.span, labels=(label,)), edge
 
 
+def _looped(draft: Draft, place: Moved, items: list[Item]) -> list[Item]:
+    """The loops that a round which goes back to ``place`` is worked into, where its own words do not say them: those named there, else the
+    ones that the rounds above it left."""
+    if any(isinstance(i, Action) and i.name in ("flo", "blo", "bl") for i in items):
+        return []
+    number = place.number or _left_loops(draft)
+    used = {
+        i.name for line in draft.lines if line.number == number + 1 for i in line.items if isinstance(i, Action)
+    } & {"flo", "blo"}
+    left = {"flo": "blo", "blo": "flo"}[used.pop()] if place.free and len(used) == 1 else ""
+    loops = place.loops or left
+    return [Action(loops, place.span)] if loops else []
+
+
 def _left_loops(draft: Draft) -> int:
     """The last round that one above it leaves loops of."""
     for line in reversed(draft.lines):
@@ -159,7 +173,7 @@ def elsewhere(
                 p.parts.remove(draft)
                 owner.lines += [line for line in draft.lines if not draft.begun()]
             owner.leave(p.source)
-            again.items.insert(0, goto)
+            again.items[:0] = [goto, *_looped(owner, place, again.items)]
             owner.edge, owner.chain, owner.sure = edge, None, True
             if head.numbers and head.numbers[0] <= owner.last and owner is not draft:
                 owner.offset = owner.last

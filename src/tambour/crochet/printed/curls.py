@@ -32,7 +32,7 @@ def curl(r: Reader, found: list[Item], name: str, place: Where) -> bool:
         return False
     whole = place.ordinal >= many > 2
     inside = r.depth > 0 or any(_worked(i) for i in found[:-1])
-    if not inside and not whole:
+    if not inside and not (whole and name == "slst"):
         return False  # the chain that the piece begins with
     left = 0 if whole else max(0, many - place.ordinal)
     left = _further(r, left)

@@ -31,19 +31,26 @@ def founded(draft: Draft, source: Source, head: Head | None, body: Body, items: 
     if chain is None:
         own = next((k for k, i in enumerate(items) if isinstance(i, Action) and i.name == "ch"), None)
         if own is None or any(works(i) for i in items[:own]):
+            if not body.hook and any(isinstance(i, Action) and i.name == "turn" for i in items):
+                return items  # "Row 1: Join B, work 25 sc across bottom of sweater, ch 1, turn."
             return _ringed(source, items, body.hook if head is None or not head.row else 0)
         chain = items[own]  # type: ignore[assignment]
         assert isinstance(chain, Action)
-        rest = [i for i in items[own + 1 :] if not (isinstance(i, Action) and i.name == "join")]
-        draft.looped = len(rest) < len(items) - own - 1 and not any(map(works, rest))
-        draft.lines.append(Line((*items[:own], chain), span, False))
+        begun = next((k for k, i in enumerate(items) if works(i)), len(items))
+        tied = [i for i in items[own + 1 : begun] if isinstance(i, Action) and i.name == "join"][:1]
+        rest = [i for i in items[own + 1 :] if i not in tied]
+        draft.looped = bool(tied)
+        draft.lines.append(Line((*items[:own], chain, *tied), span, False))
         draft.chain, draft.edge = len(draft.lines) - 1, chain.times
         turned = rest[:1] if rest and isinstance(rest[0], Action) and rest[0].name == "turn" else []
         items, fresh = rest, max(0, fresh - own - 1)
         if turned and len(rest) == 1:
             return []
     elif all(isinstance(i, Action) and i.name in ("join", "color") for i in items):
-        draft.looped = draft.looped or any(isinstance(i, Action) and i.name == "join" for i in items)
+        tied = [i for i in items if isinstance(i, Action) and i.name == "join"][: not draft.looped]
+        draft.looped = draft.looped or bool(tied)
+        line = draft.lines[draft.chain or 0]
+        draft.lines[draft.chain or 0] = replace(line, items=(*line.items, *tied))
         return [i for i in items if isinstance(i, Action) and i.name == "color"]
     if not any(works(i) for i in items):
         return [i for i in items if i not in lead or not draft.chain] if items else []
@@ -121,4 +128,6 @@ def _chained(
         more = [Action("ch", chain.span, hook - 2)] if hook > 2 else []
         draft.lines[at] = replace(base, items=(*before, lift, Action("turn", chain.span), *more))
         draft.edge = lift.times - 1
+    if draft.looped and isinstance(draft.lines[at].items[-1], Action) and draft.lines[at].items[-1].name == "join":
+        return items  # "ch 12, join. Round 1: Ch 1, …": the chain lifts the yarn as above any joined round
     return [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "ch")]

@@ -23,8 +23,7 @@ def into_ring(r: Reader, found: list[Item], name: str, number: Token | None, tok
         r.body.ringed = True
     if not isinstance(count, int) or count < 1:
         raise NotUnderstood(number or token, "a ring has at least one stitch", "say how many: 6 sc in magic ring")
-    stands = any(isinstance(i, Action) and i.name in STANDING for i in found)  # "ch 3 (counts as dc), 11 dc in ring"
-    count += stands
+    stands = next((i.name for i in found if isinstance(i, Action) and i.name in STANDING), "")
     chains = [i.times for i in found if isinstance(i, Action) and i.name == "ch"]
     r.body.lift = chains[-1] if chains and not r.body.rings else r.body.lift
     found[:] = [i for i in found if not (isinstance(i, Action) and i.name in ("ch", "join", *STANDING))]
@@ -32,13 +31,15 @@ def into_ring(r: Reader, found: list[Item], name: str, number: Token | None, tok
     r.body.rings += 1
     last = found[-1] if found else None
     stitches = r.stitches[name]
-    if name == "sc" and isinstance(last, Action) and last.name == "mr":
+    if name == "sc" and not stands and isinstance(last, Action) and last.name == "mr":
         found[-1] = replace(last, numbers=(last.numbers[0] + count, 0))
         return
-    if name == "sc" and not (isinstance(last, Action) and r.is_ring(last)):
+    if name == "sc" and not stands and not (isinstance(last, Action) and r.is_ring(last)):
         found.append(Action("mr", number.span if number is not None else token.span, numbers=(count, 0)))
         return
     inner = [(stitches, count)]
+    if stands:
+        inner.insert(0, (r.stitches[stands], 1))  # "ch 3 (counts as dc), 11 dc in ring"
     if isinstance(last, Action) and r.is_ring(last):
         found.pop()
         old = (

@@ -7,7 +7,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import into_one
+from tambour.crochet.language.stitches import STANDING, into_one
 from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.tokens import Token
 
@@ -26,12 +26,13 @@ def begins_ring(source: Source, action: Action) -> bool:
     return action.name == "mr" or (action.name in source.stitches and source.stitches[action.name].where == "ring")
 
 
-def one_more(source: Source, ring: Action) -> Action:
-    """A ring with one stitch more, of its last kind."""
-    if ring.name == "mr":
-        return replace(ring, numbers=(ring.numbers[0] + 1, 0))
-    inner = [(source.stitches[name], n) for name, n in source.stitches[ring.name].inner]
-    made = into_one([*inner[:-1], (inner[-1][0], inner[-1][1] + 1)], "ring")
+def one_more(source: Source, ring: Action, chains: int) -> Action:
+    """A ring whose first stitch is so many chains, or one more of its last kind where no stitch is as high as these."""
+    inner = [(source.stitches[name], n) for name, n in source.stitches[ring.name].inner] if ring.name != "mr" else []
+    inner = inner or [(source.stitches["sc"], ring.numbers[0])]
+    name = next((name for name in STANDING if int(name[2]) == chains), "")
+    more = [(source.stitches[name], 1), *inner] if name else [*inner[:-1], (inner[-1][0], inner[-1][1] + 1)]
+    made = into_one(more, "ring")
     source.stitches.setdefault(made.name, made)
     return replace(ring, name=made.name)
 

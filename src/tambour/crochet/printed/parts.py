@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Span
 from tambour.crochet.graph.hook import LIFT, MOST_AT_TIP
@@ -42,6 +42,10 @@ MOST_ROUNDS = 20_000
 MARKED = 50
 """Rounds that a marked stitch is followed through."""
 _LOOPS = ("flo", "blo", "bl")
+_JOINED: Final = re.compile(
+    r"(?<!not )\bjoin(?: with (?:sl|slip) st\.?)?(?:(?: in| to)[^.;,]{0,40})?[.;,—–-]?[^.;]{0,40}\.?$"
+)
+"""A round that ends with its join, before its count at most."""
 
 
 if TYPE_CHECKING:
@@ -130,7 +134,7 @@ class Draft:
             ringed = items[ring]
             assert isinstance(ringed, Action)
             if after([ringed], None, source.stitches) == body.stated - 1:
-                items[ring] = one_more(source, ringed)
+                items[ring] = one_more(source, ringed, body.lift)
         if body.ringed:
             self.drop_chain()
         if not items:
@@ -163,7 +167,11 @@ class Draft:
 
     def started(self, source: Source) -> bool:
         """Whether the part has what its rounds are worked on."""
-        return any(line.again is not None or any(founds(source, i) for i in line.items) for line in self.lines)
+        return any(
+            line.again is not None
+            or any(founds(source, i) and not any(map(works, line.items[:k])) for k, i in enumerate(line.items))
+            for line in self.lines
+        )
 
     def drop_chain(self) -> None:
         """Takes the foundation chain away that a ring stands for."""
@@ -196,7 +204,10 @@ class Draft:
         turned = (
             head is not None and head.row and re.search(r"\bturn\b", source.text.text[span.start : span.end].lower())
         )
-        body = Body([Action("gap", at, numbers=(count,)), *([Action("turn", at)] if turned else [])])
+        ends = [Action("turn", at)] if turned else []
+        if not turned and _JOINED.search(source.text.text[span.start : span.end].lower()):
+            ends = [Action("join", at)]
+        body = Body([Action("gap", at, numbers=(count,)), *ends])
         if not self.begun() and head is not None and head.row:
             self.lines.append(Line((Action("ch", at, times=count + 1),), at, False))
             self.chain = len(self.lines) - 1  # a first row stands on a chain, though nobody read how long it is

@@ -112,6 +112,7 @@ class Reader(ABC):
         ] = {}  # chains that are a stitch and a space, in the whole text → chains of the space
         self.leaves = 0  # stitches at the end that the repeat just read leaves
         self.edging = False  # the sentence under way goes along an edge
+        self.starred: tuple[Item, ...] = ()  # what stood between two asterisks, and is worked once more further on
         self.begun = 0  # where the sentence under way begins
         self.depth = self.stars = 0  # brackets, and asterisks, that are open
 

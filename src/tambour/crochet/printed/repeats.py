@@ -153,7 +153,34 @@ def star(r: Reader, found: list[Item], token: Token) -> None:
     if not later and c.mark(".") and any(t.kind == "key" and t.value == "around" for t in c.tokens[c.at :]):
         found += inner  # a stray star: what goes around is said further on
         return
+    if again_later(r):
+        r.starred = tuple(inner)
+        found.append(Group(r.starred, 1, token.span))
+        return
     repeated(r, found, inner, token.span, star=True)
+
+
+def again_later(r: Reader) -> bool:
+    """Whether what stands between two asterisks is worked once, and once more behind other stitches: "*…* (2 dc in next st) twice. Rep from
+    * to * once more"; the cursor stands behind the second of them."""
+    c = r.c
+    later = next((k for k in range(c.at, len(c.tokens) - 4) if again_said(c.tokens[k:])), -1)
+    return c.mark("*", "**", ahead=-1) and any(t.kind == "stitch" for t in c.tokens[c.at : max(later, c.at)])
+
+
+def again_said(tokens: list[Token]) -> bool:
+    """Whether words begin with "rep from * to *"."""
+    said = [t.value if t.kind == "key" else t.word for t in tokens[:5]]
+    return said[:3:2] == ["repeat", "*"] and said[1] in ("from", "between") and said[3:] in (["to", "*"], ["and", "*"])
+
+
+def between_stars(r: Reader, found: list[Item]) -> None:
+    """``rep from * to * once more`` behind other stitches, at the word that repeats: what stood between the asterisks."""
+    at = r.c.tokens[r.c.at].span
+    given = times(r, True)
+    many = given[0] if given is not False else 2
+    found.append(Group(r.starred, None if many is None else max(1, many - 1), at))
+    r.starred = ()
 
 
 def _more_stitches(r: Reader) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import pairwise
 from typing import Final
@@ -37,7 +38,7 @@ from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.put import finishing, stuffed
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import worked as reckoned
-from tambour.crochet.printed.remarks import chosen
+from tambour.crochet.printed.remarks import chosen, remark
 from tambour.crochet.printed.reworked import again
 from tambour.crochet.printed.state import State
 from tambour.crochet.printed.stripes import Plan, blocks, lay, planned, without
@@ -50,6 +51,7 @@ CHOICE: Final = "this is said for one case or version: it is kept as written, an
 _PART: Final = {"stuff none": "none", "stuff light": "light", "stuff medium": "medium", "stuff firm": "firm"}
 
 
+_WILL: Final = re.compile(r"\b(?:will|may|might)\b", re.IGNORECASE)
 _GOES_ON: Final = ("repeat", "even", "until", "as", "same")
 
 
@@ -189,6 +191,11 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     edged, p.edged = p.edged, p.edged and tokens[0].value == "fasten off"
     if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value == "notes" and tokens[1].word in (":", "-"):
         tokens = tokens[2:]
+        said = Span(tokens[0].start, tokens[-1].end)
+        foretells = tokens[0].kind == "stitch" and _WILL.search(p.source.text.text[said.start : said.end])
+        if foretells or remark(p.source.text.text, tokens):
+            p.passed.append(said)
+            return True  # "Note: Hdc in rnds below will cause Motif to cup"
     close = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), 0) if tokens[0].word in ("(", "[") else 0
     if 0 < close < len(tokens) - 1 and tokens[1].value == "make":  # "(make 2) With D, work as given for Outer Ear"
         taken = sentence_read(p, tokens[: close + 1])
@@ -246,7 +253,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         p.passed.append(span)
         return True  # "do not fasten off", "do not stuff"
     try:
-        body = decided(p.source, tokens, p.palette, draft.edge if draft else None, p.phrases)
+        fresh = draft is None or (p.heading is not None and tokens[0].value == "ch")
+        body = decided(p.source, tokens, p.palette, None if fresh or draft is None else draft.edge, p.phrases)
     except NotUnderstood:
         return edging(p, tokens)
     tied = [i for i in body.items if makes(i)]

@@ -80,6 +80,28 @@ def may_stand(r: Reader, number: Token | None) -> bool:
     return not (c.mark("(", "[") and any(t.kind == "key" and t.value in ("not", "count") for t in said))
 
 
+def topped(r: Reader, chains: int) -> bool:
+    """Whether the round under way is joined to the top of the ``chains`` that it begins with, which are a stitch then: "join with sl st in
+    top of beginning ch"."""
+    founds = any(t.value in ("join", "slst") for t in r.c.tokens[r.c.at : r.c.at + 3])  # "ch 4, join"
+    return r.edge is not None and not founds and to_top(r, (chains,))
+
+
+def to_top(r: Reader, chains: tuple[int, ...]) -> bool:
+    """Whether what is read is joined to the top of its beginning chains, of so many where their number is said."""
+    tokens = r.c.tokens
+    top = next((k for k in range(r.c.at, len(tokens)) if tokens[k].word == "top"), None)
+    if top is None or not any(t.value in ("join", "slst") for t in tokens[max(r.c.at, top - 8) : top]):
+        return False
+    chain = next(
+        (k for k in range(top + 1, min(top + 5, len(tokens))) if tokens[k].value in ("ch", "foundation")), None
+    )
+    if chain is None:
+        return False
+    said = [t for t in tokens[chain + 1 : chain + 3] if t.word != "-"][:1]  # "ch 3", "ch-3"
+    return not said or said[0].kind != "number" or said[0].value in chains
+
+
 def standing(found: list[Item]) -> None:
     """Chains at the end of ``found`` that count as a stitch become it."""
     last = found[-1] if found else None

@@ -153,6 +153,9 @@ class State:
             if self.heading is not None and not title:
                 self.passed.append(self.heading.span)
                 self.heading = None
+            last.loops = self.early.pop(
+                "loops", last.loops
+            )  # "Body. Work all rounds of body in back loops only. Round 10: …"
             last.lines += self.lead
             self.lead = []
             return

@@ -24,12 +24,15 @@ from tambour.crochet.printed.standing import (
     standing_last,
     stands,
     stood,
+    to_top,
+    topped,
 )
 from tambour.crochet.printed.tokens import Token
 
 _TWO = ("inc", "dec")
 
 
+_ROOT = 5  # chains of which the first is the middle of a ring
 _FEW = 4  # "2 sc in next 3 sts" is two in each; of more, nobody means that
 
 
@@ -74,6 +77,9 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         if not (found and stands(found[-1])):  # chains that stand for a stitch stand there
             found.append(Action("skip", token.span))
         return
+    first = place is not None and place.kind == "first" and place.count == 1 and name != "slst"
+    if place is not None and first and (long := _own_chain(r, found)):
+        place.kind, place.ordinal = "hook", long  # "ch 4, 13 dc in first ch"
     if place is not None and place.kind in ("hook", "same", "joined") and curl(r, found, name, place):
         r.before = None
         return
@@ -83,9 +89,17 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
             said = passed_over(c)
             if said is None:
                 r.ask("passed", place.span)
-            if said or (said is None and "passed" in r.choices):  # the chains that are passed over are the first stitch
-                r.body.hook -= 1
+            last = found[-1] if found else None
+            whole = isinstance(last, Action) and last.name == "ch" and last.times == place.ordinal and not r.depth
+            usual = whole and to_top(r, (place.ordinal - 1, place.ordinal))
+            if said or (
+                said is None and ("passed" in r.choices) != usual
+            ):  # the chains passed over are the first stitch
                 found.append(Action(CHAINS_OF[place.ordinal - 1], place.span))
+                if whole:
+                    place.kind = "same"  # "ch 4, 11 dc in 4th ch from hook": all go into the first chain
+                else:
+                    r.body.hook -= 1
         if r.before is not None:  # "starting in 2nd ch from hook: 5 sc"
             place = None
     r.before = None
@@ -124,6 +138,8 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     if name == "slst" and place is not None and place.kind == "first" and any(map(makes, found)):
         r.to_separator()
         found.append(Action("join", token.span))
+        if place.count > 1:
+            found.append(Action("slst", token.span, place.count - 1, place.span))  # "sl st in each of first 2 sc"
         return
     if place is not None and place.kind == "around" and c.kind("ordinal") and c.key("round", ahead=1):
         nth, named = c.take(), c.take()  # "1 sc in each rem loop of 3rd rnd"
@@ -158,7 +174,8 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
         return
     if name == "ch" and place is None and not any(map(makes, found)) and not r.depth and may_stand(r, number):
         r.ask("stands", token.span)
-        if ("stands" in r.choices) != r.standing.get(number.value, False):  # type: ignore[union-attr]
+        usual = r.standing.get(number.value, False) or topped(r, number.value)  # type: ignore[union-attr]
+        if ("stands" in r.choices) != usual:
             found.append(Action(CHAINS_OF[number.value], token.span))  # type: ignore[union-attr]
             return
     made = _lower(r, found, name, before, after, token, place)
@@ -189,6 +206,15 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
             c.at = begin
             break
         found += _lower(r, found, name, before, after, token, place)
+
+
+def _own_chain(r: Reader, found: list[Item]) -> int:
+    """How long the chain is that a piece begins with, where ``found`` is that alone and the place just read is a chain; 0 where not."""
+    chain = found[-1] if found and r.edge is None and not r.depth and not any(map(makes, found)) else None
+    named = r.c.look(-1)
+    if not isinstance(chain, Action) or chain.name != "ch" or named is None or named.value != "ch":
+        return 0
+    return chain.times if 2 <= chain.times <= _ROOT else 0
 
 
 def _to_marked(r: Reader, found: list[Item], place: Where, token: Token) -> None:

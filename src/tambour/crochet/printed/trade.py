@@ -11,8 +11,8 @@ from tambour.crochet.printed.courses import PIECES
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.dyes import Dyes
 from tambour.crochet.printed.references import refers
-from tambour.crochet.printed.repeats import led, repeated
-from tambour.crochet.printed.standing import standing
+from tambour.crochet.printed.repeats import again_said, between_stars, led, repeated
+from tambour.crochet.printed.standing import standing, stands
 from tambour.crochet.printed.tokens import Token
 
 _LOOPS = {"front loops": "flo", "back loops": "blo", "both loops": "bl"}
@@ -72,7 +72,11 @@ class Trade(Dyes):
                 del c.tokens[c.at + 2], c.tokens[c.at]
             while c.key("with", "in", "and") and (c.kind("number", 1) or c.kind("stitch", 1)):
                 c.at += 1
-        elif word in ("in", "over", "with", "from", "around") and not any(map(makes, found)) and self.elsewhere(found):
+        elif (
+            word in ("in", "over", "with", "from", "around")
+            and not any(makes(i) and not stands(i) for i in found)
+            and self.elsewhere(found)
+        ):
             pass
         elif word in ("in", "over") and (after := c.look()) is not None and after.word in ("these", "those"):
             self.to_separator()  # "Working in these 33 sts only"
@@ -210,6 +214,9 @@ class Trade(Dyes):
                 self.body.more.append(said)
             else:
                 self.body.refers = said
+            return
+        if self.starred and token.value == "repeat" and again_said(c.tokens[c.at :]):
+            between_stars(self, found)
             return
         if token.value == "as" and ((after := c.look(1)) is None or after.kind == "mark" or after.word in _AS):
             self.to_separator()  # "stuffing lightly as you work"

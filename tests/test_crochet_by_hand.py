@@ -1,0 +1,182 @@
+"""Printed patterns, rounds read by hand: stitch by stitch, what is worked, where, into which loops; and what the tree says of the same words."""
+
+from __future__ import annotations
+
+import pytest
+
+from tambour.core.errors import Text
+from tambour.core.graph import BACK, FRONT
+from tambour.crochet.graph.build import build
+from tambour.crochet.graph.built import Built
+from tambour.crochet.page.instructions import instructions
+from tambour.crochet.printed.choose import read
+
+BALL = "Ball\nCh 2.\n1st rnd: 6 sc in 2nd ch from hook. Join with sl st to first sc. 6 sc.\n2nd rnd: Ch 1. 2 sc in each sc around. Join with sl st to first sc. 12 sc.\n"
+LOOPS = {FRONT: "f", BACK: "b"}
+
+
+def told(words: str) -> Built:
+    """The pattern worked; nothing of it is unread, and no count of it is doubted."""
+    pattern = read(Text(words, "toy.txt"))
+    assert not [(p.message, words[p.span.start : p.span.end]) for p in pattern.unread if p.span]
+    built = build(pattern)
+    assert not [p.message for p in built.warnings if "the pattern says" in p.message]
+    return built
+
+
+def stitches(built: Built, number: int) -> str:
+    """The stitches of a round in order, each with those of the round below that it is worked into, counted from 1: ``sc1 sc1 dc2+3``;
+    ``b`` and ``f`` behind a stitch are single loops, ``(12)`` is a stitch of an earlier round; chains that only lift the yarn are left out."""
+    graph, hook = built.graph, built.hook
+    at = next(k for k, r in enumerate(built.rounds) if r.number == number)
+    names: dict[int, str] = {}
+    for k, r in enumerate(built.rounds[: at + 1]):
+        mine = [n for n in range(r.first, r.last + 1) if n not in hook.lifts]
+        names |= {n: str(i) if k == at - 1 else f"({i})" for i, n in enumerate(mine, 1)}
+    one = built.rounds[at]
+    said = []
+    for n in range(one.first, one.last + 1):
+        if n in hook.lifts:
+            continue
+        into = graph.anchors[graph.anchor_offsets[n] : graph.anchor_offsets[n + 1]].tolist()
+        places = [names.get(a, "ring") for a in into]
+        said.append(graph.kinds[graph.kind[n]] + LOOPS.get(int(graph.loop[n]), "") + "+".join(places))
+    return " ".join(said)
+
+
+def lifts(built: Built, number: int) -> int:
+    """How many chains lift the yarn to a round."""
+    one = next(r for r in built.rounds if r.number == number)
+    return sum(n in built.hook.lifts for n in range(one.first, one.last + 1))
+
+
+def each(kind: str, first: int, last: int) -> str:
+    """The same stitch in each of some in a row."""
+    return " ".join(f"{kind}{k}" for k in range(first, last + 1))
+
+
+def twice(kind: str, first: int, last: int) -> str:
+    """Two in each of some in a row."""
+    return " ".join(f"{kind}{k} {kind}{k}" for k in range(first, last + 1))
+
+
+# -- where a piece begins -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "ring",
+    [
+        "Ch 4. Join with sl st to form a ring.\nRound 1: Ch 3 (counts as dc), 11 dc in ring. Join with sl st to top of ch-3. 12 dc.\n",
+        "Round 1: Ch 4, 11 dc in 4th ch from hook, join with sl st to top of ch-3. 12 dc.\n",
+        "Round 1: Ch 4, 11 dc in first ch, join with sl st to top of beginning ch. 12 dc.\n",
+        "Round 1: In an adjustable ring, ch 3 (counts as first dc), work 11 dc in ring; join in top of ch-3—12 dc.\n",
+        "Ch 4, join to form ring.\nRound 1: Ch 3, 11 dc in ring, join with sl st in top of ch-3. (12)\n",
+    ],
+)
+def test_chains_that_count_are_the_first_stitch_of_a_ring(ring):
+    built = told(f"Disc\n{ring}Round 2: Ch 1. 2 sc in each dc around. Join. 24 sc.\n")
+    assert stitches(built, 1) == " ".join(["ch3dcring", *["dcring"] * 11])
+    assert stitches(built, 2) == twice("sc", 1, 12)
+
+
+@pytest.mark.parametrize("first", ["in 2nd ch from hook", "in first ch"])
+def test_a_ring_in_one_chain(first):
+    built = told(f"Disc\nRound 1: Ch 2, 6 sc {first}. 6 sc.\nRound 2: 2 sc in each sc around. 12 sc.\n")
+    assert stitches(built, 1) == " ".join(["scring"] * 6) and stitches(built, 2) == twice("sc", 1, 6)
+
+
+@pytest.mark.parametrize("join", ["Join with sl st to first ch.", "Join with sl st in first ch to form a ring."])
+def test_a_joined_chain_is_joined_and_the_first_round_is_lifted_above_it(join):
+    built = told(
+        f"Hat\nWith A, ch 12. {join}\n1st rnd: Ch 1. 1 sc in each ch around. Join. 12 sc.\n2nd rnd: Ch 1. 1 sc in each sc around. Join.\n"
+    )
+    assert built.hook.joins[0] in ((11, 0), (0, 11))
+    assert [lifts(built, k) for k in (1, 2)] == [1, 1]
+    assert stitches(built, 1) == stitches(built, 2) == each("sc", 1, 12)
+
+
+def test_a_row_along_an_edge_is_no_ring():
+    jumper = "Jumper\nCh 11.\nRow 1: Sc in 2nd ch from hook and in each ch to end. Turn. 10 sc.\nRow 2: Ch 1. 1 sc in each sc across. Turn.\nFasten off.\n"
+    pattern = read(
+        Text(
+            f"{jumper}Lower Trim\nRow 1: Join B, work 12 sc across bottom of jumper, ch 1, turn.\nRow 2: Sc in each sc across.\n",
+            "toy.txt",
+        )
+    )
+    built = build(pattern)
+    assert "ring" not in built.graph.kinds
+    assert [w.made for w in built.worked if w.part == 1 and w.line.in_round] == [12, 12]
+
+
+# -- loops --------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("loops, other", [("front", "b"), ("back", "f")])
+def test_free_loops_are_the_other_ones_of_their_stitches(loops, other):
+    free = "front" if other == "f" else "back"
+    words = f"{BALL}3rd rnd: Ch 1. 1 sc in each sc around. Join. 12 sc.\n4th rnd: Ch 1. Working in {loops} loops only, 1 sc in each sc around. Join. 12 sc.\n"
+    for there in (
+        f"working behind sts of Round 4 and into free {free} loops of Round 3",
+        "working in remaining loops of Round 3",
+    ):
+        built = told(
+            f"{words}5th rnd: Ch 3, {there}, dc in same st as join, 2 dc in each remaining st around; join with sl st in top of beginning ch.\n"
+        )
+        expected = " ".join(
+            f"{kind}{other}({k})" for k in range(1, 13) for kind in (("ch3dc", "dc") if k == 1 else ("dc", "dc"))
+        )
+        assert stitches(built, 5) == expected
+
+
+@pytest.mark.parametrize("heading", ["", "Body\n"])
+def test_loops_that_a_note_says_of_all_rounds_hold_for_those_that_follow(heading):
+    built = told(
+        f"{BALL}{heading}Note: Work all rounds of body in back loop only.\n3rd rnd: Ch 1. 1 sc in each sc around. Join.\n4th rnd: Ch 1. (Sc2tog) 6 times. Join. 6 sts.\n"
+    )
+    assert stitches(built, 3) == each("scb", 1, 12)
+    assert stitches(built, 4) == " ".join(f"scb{k}+{k + 1}" for k in range(1, 13, 2))
+
+
+# -- what is said around the stitches -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "note",
+    [
+        "Note: Hdc in rnds below will cause Motif to cup.",
+        "Note: Sc in rounds below may pull the edge in.",
+        "Note: Stitches of this round will lie over those below.",
+    ],
+)
+def test_a_note_that_foretells_works_nothing(note):
+    assert [w.made for w in told(f"{BALL}{note}\n").worked if w.line.in_round] == [6, 12]
+
+
+def test_slip_stitches_that_end_a_round_stand_in_the_tree():
+    built = told(f"{BALL}3rd rnd: Ch 1. 1 sc in each sc around. Sl st in each of first 2 sc of prev rnd. Fasten off.\n")
+    assert stitches(built, 3) == each("sc", 1, 12)
+    assert [(i.name, i.times) for i in built.pattern.parts[0].lines[2].items[-2:]] == [("join", 1), ("slst", 1)]
+
+
+@pytest.mark.parametrize("again, more", [("once more", 1), ("twice more", 2)])
+def test_what_stands_between_asterisks_comes_again_behind_other_stitches(again, more):
+    star = "(1 sc in next sc. 2 sc in next sc) twice"
+    row = f"3rd rnd: Ch 1. 2 sc in first sc. *[Skip next sc. 3 dc in next sc] twice.* (Sc2tog) once. Rep from * to * {again}. Join.\n"
+    before = "1st rnd: 6 sc in 2nd ch from hook. Join. 6 sc.\n2nd rnd: Ch 1. 3 sc in each sc around. Join. 18 sc.\n"
+    built = told(f"Ball\nCh 2.\n{before}{row}")
+    shells = [[at + 1] * 3 + [at + 3] * 3 for at in (2, *(8 + 4 * k for k in range(more)))]
+    expected = ["sc1", "sc1", *[f"dc{k}" for k in shells[0]], "sc6+7", *[f"dc{k}" for run in shells[1:] for k in run]]
+    assert stitches(built, 3) == " ".join(expected) and star
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Disc\nRound 1: Ch 4, 11 dc in 4th ch from hook, join with sl st to top of ch-3. 12 dc.\nRound 2: Ch 1. 2 sc in each dc around. Join. 24 sc.\n",
+        "Hat\nCh 12. Join with sl st to first ch.\n1st rnd: Ch 1. 1 sc in each ch around. Join. 12 sc.\n",
+    ],
+)
+def test_what_is_printed_again_makes_the_same(words):
+    built = told(words)
+    again = build(read(Text(instructions(read(Text(words, "toy.txt"))).text, "printed.md")))
+    assert stitches(again, 1) == stitches(built, 1) and again.hook.joins == built.hook.joins
