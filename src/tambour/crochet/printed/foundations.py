@@ -128,6 +128,6 @@ def _chained(
         more = [Action("ch", chain.span, hook - 2)] if hook > 2 else []
         draft.lines[at] = replace(base, items=(*before, lift, Action("turn", chain.span), *more))
         draft.edge = lift.times - 1
-    if draft.looped and isinstance(draft.lines[at].items[-1], Action) and draft.lines[at].items[-1].name == "join":
+    if draft.looped and any(isinstance(i, Action) and i.name == "join" for i in draft.lines[at].items):
         return items  # "ch 12, join. Round 1: Ch 1, …": the chain lifts the yarn as above any joined round
     return [i for k, i in enumerate(items) if not (k == 0 and isinstance(i, Action) and i.name == "ch")]

@@ -191,10 +191,10 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     edged, p.edged = p.edged, p.edged and tokens[0].value == "fasten off"
     if len(tokens) > 2 and tokens[0].kind == "key" and tokens[0].value == "notes" and tokens[1].word in (":", "-"):
         tokens = tokens[2:]
-        said = Span(tokens[0].start, tokens[-1].end)
-        foretells = tokens[0].kind == "stitch" and _WILL.search(p.source.text.text[said.start : said.end])
+        note = Span(tokens[0].start, tokens[-1].end)
+        foretells = tokens[0].kind == "stitch" and _WILL.search(p.source.text.text[note.start : note.end])
         if foretells or remark(p.source.text.text, tokens):
-            p.passed.append(said)
+            p.passed.append(note)
             return True  # "Note: Hdc in rnds below will cause Motif to cup"
     close = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), 0) if tokens[0].word in ("(", "[") else 0
     if 0 < close < len(tokens) - 1 and tokens[1].value == "make":  # "(make 2) With D, work as given for Outer Ear"
