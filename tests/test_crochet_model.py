@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from itertools import pairwise
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -30,11 +31,12 @@ from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, beside, fronts, laid
 from tambour.crochet.model.geodesic import distances, girth
 from tambour.crochet.model.limbs import limbs
+from tambour.crochet.model.loop import Tried
 from tambour.crochet.model.readable import cost, easy, kind, rounds, sparing
 from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
-from tambour.crochet.model.seating import nudged
+from tambour.crochet.model.seating import alike, longer, nudged
 from tambour.crochet.model.settled import settled
-from tambour.crochet.model.tips import facing, mirror, stands
+from tambour.crochet.model.tips import Mirror, facing, mirror, stands
 from tambour.crochet.model.whole import bodies, refined, volume
 from tambour.crochet.page import instructions
 from tambour.crochet.page.own import pattern as printed_anew
@@ -302,13 +304,51 @@ def test_a_hand_is_not_moved_for_what_its_arm_is_off() -> None:
     none: Any = None
     bases = ((None,), (np.array([0.0, 3.0, 0.0]),), (np.array([0.0, 9.0, 0.0]),))
     onto = (((0, 0),), ((0, 0),), ((1, 0),))
-    pieces = [Piece(none, none, none, 0.0, (g,), (g,), b, o) for g, b, o in zip((body, arm, hand), bases, onto)]
+    tried: Any = SimpleNamespace(counts=[5])
+    pieces = [Piece(none, tried, none, 0.0, (g,), (g,), b, o) for g, b, o in zip((body, arm, hand), bases, onto)]
     a = 0.4
     turn = np.array([[math.cos(a), -math.sin(a), 0.0], [math.sin(a), math.cos(a), 0.0], [0.0, 0.0, 1.0]])
-    found = nudged(pieces, np.concatenate([body, turned(np.concatenate([arm, hand]), turn)]), {}, {})
+    found, far = nudged(pieces, np.concatenate([body, turned(np.concatenate([arm, hand]), turn)]), {}, {})
     assert found[1, 0][0] == pytest.approx(turn.T, abs=1e-9)
     assert found[2, 0][0] == pytest.approx(np.eye(3), abs=1e-9) and found[2, 0][1] == pytest.approx(
         np.zeros(3), abs=1e-9
+    )
+    assert abs(far[2, 0]) < 1e-9
+    deep = np.concatenate([body, arm, hand - 1.5 * (way := hand[0] - hand[-5:].mean(0)) / np.sqrt((way**2).sum())])
+    assert nudged(pieces, deep, {}, {})[1][2, 0] == pytest.approx(-1.5)
+
+
+def test_a_pair_is_aimed_as_each_others_mirror_image_by_half_of_what_each_wants() -> None:
+    plane = Mirror(np.array([3.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0]))
+    rng = np.random.default_rng(5)
+    x = rng.normal(size=(9, 3))
+    turn, shift = fit(rng.normal(size=(4, 3)), rng.normal(size=(4, 3)), np.ones(4))
+    other, to = plane.moved(turn, shift)
+    flat = replace(plane, point=np.zeros(3))
+    assert turned(flat.image(x), other) + to == pytest.approx(flat.image(turned(x, turn) + shift))
+    none: Any = None
+    pair = Piece(Rounds("Leg", 6, copies=2), none, none, 0.0, (), (), (), ())
+    same = alike([pair], {(0, 0): (turn, shift), (0, 1): (other, to)}, plane)
+    assert same[0, 0][0] == pytest.approx(turn) and same[0, 1][1] == pytest.approx(to)
+    half = alike([pair], {(0, 0): (np.eye(3), shift), (0, 1): (other, to)}, plane)
+    assert turned(half[0, 0][0], half[0, 0][0].T) == pytest.approx(turn)  # twice half the turn
+    assert half[0, 1][0] == pytest.approx(plane.moved(*half[0, 0])[0])
+
+
+def test_a_part_sewn_on_too_deep_has_rounds_more() -> None:
+    part = Rounds("Leg", 6, (Round(("inc",) * 6), *(Round(("sc",) * 12),) * 4), closed=False)
+    worked = settled(part, CrochetParams())
+    none: Any = None
+    tried = Tried(part, part.counts(), worked.x, none, worked, none, (), none)
+    piece = Piece(part, tried, none, 0.0, (worked.x,), (worked.x + 1.0,), (worked.x[-12:].mean(0),), ((0, 0),))
+    made = longer(piece, [-1.9], CrochetParams(), (5.0, 5.0))
+    assert made.rounds.counts() == [6, 12, 12, 12, 12, 12, 12, 12] == made.tried.counts
+    assert len(made.goals[0]) == len(made.lain[0]) == len(made.tried.worked.x) == len(worked.x) + 24
+    assert made.lain[0][: len(worked.x)].mean(0) == pytest.approx(worked.x.mean(0) + 1.0, abs=1e-6)
+    down = [made.goals[0][-12:].mean(0), made.goals[0][-36:-24].mean(0)]
+    assert np.sqrt(((down[0] - down[1]) ** 2).sum()) == pytest.approx(2.0)
+    assert (
+        longer(piece, [-0.4], CrochetParams(), (5.0, 5.0)) is piece is longer(piece, [1.0], CrochetParams(), (5.0, 5.0))
     )
 
 

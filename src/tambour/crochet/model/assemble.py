@@ -138,12 +138,13 @@ def angled(plain: Placed, frame: Frames, axis: Array, front: Array) -> Placed:
 
 
 def mirrored(one: Placed, two: Placed) -> tuple[Placed, Placed]:
-    """A pair with the angles of each other's mirror image: what both say on the average, at the same round."""
+    """A pair that leans as each other's mirror image, by what both say on the average, at the same round. How each is turned
+    about itself stays: both are worked the same way round, and lean the same way as they are."""
     tilt = _said(0.5 * (one.tilt + two.tilt))
-    half = [_between(getattr(one, name), -getattr(two, name)) for name in ("towards", "across")]
+    half = _between(one.towards, -two.towards)
     rounds = round(0.5 * (one.spot.round + two.spot.round) / QUARTER) * QUARTER
-    first = replace(one, tilt=tilt, towards=_said(half[0]) if tilt else 0.0, across=_said(half[1]))
-    second = replace(two, tilt=tilt, towards=_said(-half[0]) if tilt else 0.0, across=_said(-half[1]))
+    first = replace(one, tilt=tilt, towards=_said(half) if tilt else 0.0)
+    second = replace(two, tilt=tilt, towards=_said(-half) if tilt else 0.0)
     return replace(first, spot=replace(one.spot, round=rounds)), replace(second, spot=replace(two.spot, round=rounds))
 
 

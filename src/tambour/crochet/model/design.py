@@ -97,7 +97,7 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
     with progress.stage("assembly"):
         plane = tips.mirror(target.vertices, target.faces)
         even = plane is not None and abs(float(plane.normal[0])) > 0.9
-        lines, way = seated(pieces, target, params, stitch, even)
+        pieces, lines, way = seated(pieces, target, params, stitch, plane if even else None)
         if way:
             history["assembly"] = way
     if mesh.color is not None:

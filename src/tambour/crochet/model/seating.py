@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,16 +12,17 @@ from tambour.core.check import Array
 from tambour.crochet.finish.joining import clashes, prepare
 from tambour.crochet.model.assemble import Key, Nudges, Piece, placed
 from tambour.crochet.model.distance import Target, distance
-from tambour.crochet.model.rounds import pattern
-from tambour.crochet.model.settled import together
+from tambour.crochet.model.rounds import Round, pattern
+from tambour.crochet.model.settled import settled, together
+from tambour.crochet.model.tips import Mirror
 from tambour.geometry.crossed import crossed
-from tambour.geometry.motion import fit, length, turned
+from tambour.geometry.motion import dot, fit, length, turned
 
 if TYPE_CHECKING:
     from tambour.crochet.params import CrochetParams
 
-MIRRORED, LOPSIDED = 4, 7
-"""How often the parts are put together; and after that with what pairs say left to each of the two."""
+LOPSIDED, MIRRORED = 9, 3
+"""How often the parts are put together, and after that with pairs that say the same angles."""
 PAIR = 0.05
 """How much farther off, in stitches, a toy whose pairs say the same angles may be."""
 NUDGE = 0.7
@@ -30,42 +31,55 @@ CLASH = 0.03
 """How much farther off, in stitches, a toy may be for two seams that are not in each other's way."""
 CROSSED = 2.0
 """The same for fabric that does not pass through itself: times the share of it that does."""
+ROOTED, ROWS = 3, 3
+"""After so many times parts are made longer, by so many rounds at the most."""
 AWAY = 0.4
 """By how much two parts whose seams are in each other's way are moved apart at once, each, in stitches."""
 
 
 def seated(
-    pieces: list[Piece], target: Target, params: CrochetParams, stitch: tuple[float, float], even: bool
-) -> tuple[list[str], list[float]]:
-    """The lines that sew the parts on, corrected by how the whole comes to rest, and the mean distances on the way.
+    pieces: list[Piece], target: Target, params: CrochetParams, stitch: tuple[float, float], plane: Mirror | None
+) -> tuple[list[Piece], list[str], list[float]]:
+    """The pieces, made longer where they are sewn on deeper than on the model, the lines that sew them on, corrected by how the
+    whole comes to rest, and the mean distances on the way.
 
-    even : the model is its own mirror image, left and right
+    plane : across which the model is its own mirror image, left and right; None where it is not
     """
     if all(base is None for p in pieces for base in p.bases):
-        return [], []
-    goal = np.concatenate([g for p in pieces for g in p.goals])
+        return pieces, [], []
     names = {p.name(c): (k, c) for k, p in enumerate(pieces) for c in range(len(p.goals))}
-    best: tuple[float, list[str]] | None = None
+    best: tuple[float, list[Piece], list[str]] | None = None
     way: list[float] = []
     nudges: Nudges = {}
+    good: Nudges = {}
+    far: dict[Key, float] = {}
     away: dict[Key, Array] = {}
-    for mirrored, times in ((True, MIRRORED), (False, LOPSIDED)) if even else ((False, LOPSIDED),):
+    for mirrored, times in ((None, LOPSIDED), (plane, MIRRORED)) if plane is not None else ((None, LOPSIDED),):
         seats: dict[Key, Seat] = {}
+        if mirrored is not None:
+            nudges = alike(pieces, good, mirrored)
         for _ in range(times):
-            lines = placed(
-                pieces, {key: (turn, to + away.get(key, 0.0)) for key, (turn, to) in nudges.items()}, mirrored
-            )
+            if len(way) == ROOTED:
+                pieces = [
+                    longer(p, [far[k, c] for c in range(len(p.goals))], params, stitch) for k, p in enumerate(pieces)
+                ]
+                seats = {}
+            aims = {key: (turn, to + away.get(key, 0.0)) for key, (turn, to) in nudges.items()}
+            lines = placed(pieces, aims, mirrored is not None)
             built, x, faces = together(pattern([p.rounds for p in pieces], lines), params, stitch)
+            goal = np.concatenate([g for p in pieces for g in p.goals])
             lain = distance(target, x, faces, fit(x, goal, np.ones(len(x))))
             way.append(round(lain.mean, 4))
             joining = prepare(built)
             assert joining is not None
             crowd = clashes(joining)
             price = lain.mean + CLASH * len(crowd) + CROSSED * len(crossed(x, faces)) / len(faces)
-            price -= PAIR if mirrored else 0.0
+            price -= PAIR if mirrored is not None else 0.0
             if best is None or price < best[0]:
-                best = price, lines
-            nudges = nudged(pieces, x, nudges, seats)
+                best, good = (price, pieces, lines), nudges
+            nudges, far = nudged(pieces, x, nudges, seats)
+            if mirrored is not None:
+                nudges = alike(pieces, nudges, mirrored)
             for one, other in crowd:
                 a, b = names[one.part], names[other.part]
                 here, there = pieces[a[0]].bases[a[1]], pieces[b[0]].bases[b[1]]
@@ -74,7 +88,7 @@ def seated(
                 away[a] = away.get(a, np.zeros(3)) + step
                 away[b] = away.get(b, np.zeros(3)) - step
     assert best is not None
-    return best[1], way
+    return best[1], best[2], way
 
 
 @dataclass(eq=False, slots=True)
@@ -92,8 +106,8 @@ class Seat:
     step: float = 1.0
 
 
-def nudged(pieces: list[Piece], x: Array, nudges: Nudges, seats: dict[Key, Seat]) -> Nudges:
-    """Where parts are to be aimed next, so that they come to rest where they belong.
+def nudged(pieces: list[Piece], x: Array, nudges: Nudges, seats: dict[Key, Seat]) -> tuple[Nudges, dict[Key, float]]:
+    """Where parts are to be aimed next, so that they come to rest where they belong, and how far out along itself each one lies.
 
     x : (N, 3) all parts at rest together; nudges : what they were aimed by
     seats : the best that each came to lie so far, brought up to date; a part that came to lie worse goes half the way from there
@@ -102,6 +116,7 @@ def nudged(pieces: list[Piece], x: Array, nudges: Nudges, seats: dict[Key, Seat]
     ends = np.cumsum([len(pieces[k].goals[c]) for k, c in keys])
     lies = {key: x[end - len(pieces[key[0]].goals[key[1]]) : end] for key, end in zip(keys, ends.tolist())}
     made: Nudges = {}
+    far = dict.fromkeys(keys, 0.0)
     for k, c in keys:
         base, goal, on = pieces[k].bases[c], pieces[k].lain[c], pieces[k].onto[c]
         if base is None:
@@ -111,15 +126,62 @@ def nudged(pieces: list[Piece], x: Array, nudges: Nudges, seats: dict[Key, Seat]
         turn, shift = fit(lies[on], host, np.ones(len(host)))
         own = turned(lies[k, c], turn) + shift
         off = float(np.sqrt(((own - goal) ** 2).sum(1)).mean())
+        rim = len(goal) - pieces[k].tried.counts[-1]
+        out = goal[0] - goal[rim:].mean(0)
+        out = out / max(float(length(out)), 1e-9)
+        far[k, c] = float(dot(own[rim:].mean(0) - goal[rim:].mean(0), out))
         best = seats.get((k, c))
         if best is None or off < best.off:
             turn, shift = fit(own, goal, np.ones(len(goal)))
             aim = nudges.get((k, c), (np.eye(3), np.zeros(3)))
-            best = seats[k, c] = Seat(aim, off, turn, NUDGE * (base - turned(base - shift, turn.T)))
+            step = base - turned(base - shift, turn.T)
+            best = seats[k, c] = Seat(aim, off, turn, NUDGE * (step - dot(step, out) * out))
         else:
             best.step *= 0.5
         made[k, c] = turned(best.aim[0].T, share(best.turn, best.step)).T, best.aim[1] + best.step * best.shift
+    return made, far
+
+
+def alike(pieces: list[Piece], nudges: Nudges, plane: Mirror) -> Nudges:
+    """The nudges with those of every pair as each other's mirror image: half of what one wants and half of what the other does."""
+    made = dict(nudges)
+    for k, piece in enumerate(pieces):
+        if piece.rounds.copies == 2 and (k, 1) in nudges:
+            (turn, shift), (other, to) = nudges[k, 0], plane.moved(*nudges[k, 1])
+            mean = turned(turn.T, share(turned(other, turn), 0.5)).T, 0.5 * (shift + to)
+            made[k, 0], made[k, 1] = mean, plane.moved(*mean)
     return made
+
+
+def longer(piece: Piece, far: list[float], params: CrochetParams, stitch: tuple[float, float]) -> Piece:
+    """A piece with as many more plain rounds at its end as its copies are sewn on too deep (``far``, below 0, in stitches)."""
+    row = stitch[1] / stitch[0]
+    more = min(round(-float(np.mean(far)) / row), ROWS)
+    if more < 1 or piece.bases[0] is None:
+        return piece
+    last = piece.tried.counts[-1]
+    rounds = replace(piece.rounds, rounds=(*piece.rounds.rounds, *(Round(("sc",) * last),) * more))
+    worked = settled(replace(rounds, copies=1), params, stitch)
+
+    def grown(goal: Array) -> Array:
+        ring = goal[-last:]
+        ahead = ring.mean(0) - goal[-last - piece.tried.counts[-2] : -last].mean(0)
+        ahead = ahead / max(float(length(ahead)), 1e-9)
+        return np.concatenate([goal, *(ring + (j + 1) * row * ahead for j in range(more))])
+
+    def lies(old: Array) -> Array:
+        turn, shift = fit(worked.x[: len(old)], old, np.ones(len(old)))
+        return turned(worked.x, turn) + shift
+
+    tried = replace(
+        piece.tried,
+        rounds=rounds,
+        counts=[*piece.tried.counts, *[last] * more],
+        worked=worked,
+        goal=grown(piece.tried.goal),
+    )
+    goals, lain = tuple(map(grown, piece.goals)), tuple(map(lies, piece.lain))
+    return replace(piece, rounds=rounds, tried=tried, goals=goals, lain=lain)
 
 
 def share(turn: Array, part: float) -> Array:

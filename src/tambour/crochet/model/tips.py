@@ -11,7 +11,7 @@ from tambour.core.check import Array
 from tambour.crochet.model.distance import Target, spread
 from tambour.crochet.model.geodesic import about, distances, girth, lines
 from tambour.geometry.closest import nearest, tree
-from tambour.geometry.motion import axes
+from tambour.geometry.motion import axes, turned
 
 SIDES: Final = {
     "top": (0.0, 1.0, 0.0),
@@ -40,6 +40,11 @@ class Mirror:
     def image(self, x: Array) -> Array:
         """Points (…, 3) in the mirror."""
         return np.asarray(x - 2.0 * self.off(x)[..., None] * self.normal)
+
+    def moved(self, turn: Array, shift: Array) -> tuple[Array, Array]:
+        """A turn (3, 3) and a shift (3,) in the mirror."""
+        flip = np.eye(3) - 2.0 * self.normal[:, None] * self.normal
+        return turned(turned(flip, turn.T), flip), turned(shift, flip)
 
     def off(self, x: Array) -> Array:
         """How far (…,) points lie to the side of the plane."""
