@@ -16,7 +16,7 @@ from tambour.crochet.places.said import VERB, Where, clauses, where
 Copy = tuple[Made, int]
 _EYES: Final = re.compile(r"\b(?:safety|plastic|toy|button|googly|bead|doll)?\s*(?:eyes?|beads for eyes)\b")
 _EYED: Final = re.compile(
-    r"\b(?:insert\w*|place[ds]?|attach(?:ed)?|add(?:ed)?|put|position(?:ed)?|secure|fix|sew|glue|install|push|mount|use|pin|make|set)\b"
+    r"\b(?:insert\w*|place[ds]?|attach(?:ed)?|add(?:ed)?|put|position(?:ed)?|secure|fix|sew|glue|install|push|mount|use|pin|make|set|pop(?:ped)?|snap(?:ped)?)\b"
 )
 _DRAWN: Final = re.compile(
     r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|draw|add|french knots?|whiskers|apply)\b"

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 VERB: Final = re.compile(
-    r"\b(?:sew|sewn|sewing|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
+    r"\b(?:sew|sewn|sewing|pop(?:ped)?|snap(?:ped)?|attach(?:ed|ing)?|stitch(?!es)(?:ed|ing)?|pin(?:ned)?|position(?:ed)?|place[ds]?|placing|join|"
     r"fix|glue|fasten(?! off)|secure|insert(?:ed)?|add|put|embroider(?:ed)?|tack|whipstitch|backstitch|center|centre|"
     r"set|hot-?glue|work|tie|mount|push|make|draw|applique|go(?:es)?(?= (?:on|onto|at|to|in|into|over|under|between|behind|above|below|just|right|next)\b)|scatter|arrange|distribute|seam(?= (?:the )?[a-z]+ (?:to|onto))|hand-?sew|slip ?st)\b"
 )

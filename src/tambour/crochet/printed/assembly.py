@@ -57,6 +57,15 @@ def shades(tokens: list[Token], palette: Palette, start: int) -> tuple[tuple[int
     return tuple(made)
 
 
+def _standing(one: Said, pattern: Pattern) -> Said:
+    """A sentence with the part that it stands in, where that came to nothing, or one of its name came later: the last that begins above it."""
+    named = next((p for p in pattern.parts if p.name == one.part), None)
+    if named is not None and named.span.start <= one.span.start:
+        return one
+    above = [p for p in pattern.parts if p.span.start <= one.span.start]
+    return replace(one, part=max(above, key=lambda p: p.span.start).name) if above else one
+
+
 def _subject(one: Said, heard: Sentence) -> str:
     """The part that a sentence is about: of a place to the stitch what it puts there, else the part that it stands in."""
     return heard.exact.part.partition(".")[0] if isinstance(heard.exact, Placed) else one.part
@@ -79,6 +88,7 @@ def assembled(built: Built, said: list[Said], phrases: Phrases, palette: Palette
     made = Assembled()
     groups = toys(built, faced(built, [(one.part, heard.text) for one, heard in zip(said, sentences)]))
     own = {name: k for k, names in enumerate(groups) for name in names}
+    said = [_standing(one, built.pattern) for one in said]
     for k, names in enumerate(groups):
         mine = [heard for one, heard in zip(said, sentences) if own.get(_subject(one, heard), k) == k]
         found = _assembly(built, mine, names).assemble(usual)

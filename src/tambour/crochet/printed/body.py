@@ -13,7 +13,7 @@ from tambour.crochet.printed.doings import BETWEEN, by_hand, doing, drawn_tight
 from tambour.crochet.printed.marked import taken
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.references import even_rounds
-from tambour.crochet.printed.repeats import bracket, star
+from tambour.crochet.printed.repeats import bracket, more_times, star
 from tambour.crochet.printed.stitch import bump, room, spread, stitch
 from tambour.crochet.printed.tokens import Token
 from tambour.crochet.printed.trade import ENDS, Trade
@@ -233,7 +233,7 @@ class Walk(Trade):
             star(self, found, token)
         elif self.body.refers is not None and self.versions():
             return  # "same as papa's legs, using A for shoe and D for legs"
-        elif self.phrase(found, token) or count(self, found) or self.color(found):
+        elif more_times(self, found) or self.phrase(found, token) or count(self, found) or self.color(found):
             return
         elif token.kind == "number" and isinstance(token.value, int):
             self.number(found, token)

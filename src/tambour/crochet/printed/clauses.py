@@ -78,6 +78,8 @@ def where(c: Cursor, inside: bool = False) -> Where | None:
                 kind = kind or ("around" if each else "")
             elif token.value == "thicknesses" and placed:
                 pass  # "of both layers"
+            elif token.value == "foundation" and placed and (c.key("and", ahead=1) or c.mark(",", ahead=1)):
+                pass  # "in next ch of foundation chain and each ch to end"
             elif token.value in ("round", "row") and placed and kind == "first" and c.whole(1) is None:
                 pass  # "sl st in first st of rnd"
             elif token.value == "last" and placed and each and c.whole(1) is not None and not counted:

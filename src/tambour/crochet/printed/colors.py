@@ -10,7 +10,7 @@ from tambour.core.rgb import RGB, css_colors, unhexed
 from tambour.crochet.language.tree import Action, Line
 from tambour.crochet.printed.cursor import Cursor
 from tambour.crochet.printed.items import works
-from tambour.crochet.printed.shades import dyed, listed, said, shade
+from tambour.crochet.printed.shades import dyed, listed, said
 
 _HEADING: Final = 400
 """Letters of a part's heading that may name its yarn."""
@@ -122,7 +122,7 @@ def numbered(palette: Palette, line: str) -> bool:
     says such."""
     found = _NUMBERED.findall(line)
     for name, number in found:
-        hue = palette.given.get(name.lower()) if len(name) <= 2 else shade(name)
+        hue = palette.given.get(name.lower()) if len(name) <= 2 else dyed(name)
         palette.named.setdefault(number, name)
         if hue is not None:
             palette.given.setdefault(number, hue)

@@ -8,9 +8,12 @@ from typing import Final
 from tambour.crochet.language.stitches import PICOTS
 from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.clauses import Where, where
+from tambour.crochet.printed.counts import closing, multiplier
+from tambour.crochet.printed.cursor import OPEN
 from tambour.crochet.printed.reader import Reader
 
 _IDLE: Final = ("color", "flo", "blo", "bl")
+_LINK: Final = 6  # words of a bracket that is worked in one chain
 
 
 def curl(r: Reader, found: list[Item], name: str, place: Where) -> bool:
@@ -31,7 +34,7 @@ def curl(r: Reader, found: list[Item], name: str, place: Where) -> bool:
     if place.kind != "hook":
         return False
     whole = place.ordinal >= many > 2
-    inside = r.depth > 0 or any(_worked(i) for i in found[:-1])
+    inside = r.depth > 0 or r.lying or any(_worked(i) for i in found[:-1])
     if not inside and not (whole and name == "slst"):
         return False  # the chain that the piece begins with
     left = 0 if whole else max(0, many - place.ordinal)
@@ -43,6 +46,32 @@ def curl(r: Reader, found: list[Item], name: str, place: Where) -> bool:
     if left:
         found.append(Action("ch", last.span, left, last.times_span))
     found.append(Action("picot" if size == 3 else f"picot{size}", last.span))
+    r.body.curled = True
+    return True
+
+
+def back_along(r: Reader, found: list[Item], place: Where) -> bool:
+    """Puts a curl in place of the chains just read, where the hook goes back along all of them in whatever stitches, "beginning in 2nd ch from
+    hook, (sc3tog) twice, …, dc in last ch"; whether it does."""
+    c, last = r.c, found[-1] if found else None
+    if not isinstance(last, Action) or last.name != "ch" or last.times not in PICOTS or place.ordinal > 3:
+        return False
+    if not (r.lying or r.depth or any(_worked(i) for i in found[:-1])):
+        return False
+    end = next(
+        (k for k in range(c.at, len(c.tokens)) if c.tokens[k].word == "." or c.tokens[k].value == "ch"), len(c.tokens)
+    )
+    while end < len(c.tokens) and c.tokens[end].value == "ch" and c.tokens[end - 1].value != "last":
+        inside = c.tokens[end - 1].kind == "number" or c.tokens[end - 1].value in ("next", "each", "in")
+        end = next(
+            (k for k in range(end + 1, len(c.tokens)) if c.tokens[k].word == "." or c.tokens[k].value == "ch"),
+            len(c.tokens),
+        )
+        end = end if inside else len(c.tokens)
+    if end >= len(c.tokens) or c.tokens[end].value != "ch":
+        return False
+    c.at = end + 1
+    found[-1] = Action("picot" if last.times == 3 else f"picot{last.times}", last.span)
     r.body.curled = True
     return True
 
@@ -75,6 +104,9 @@ def _further(r: Reader, left: int) -> int:
         begin = c.at
         while c.mark(",", ".") or c.key("and"):
             c.at += 1
+        if c.mark(*OPEN) and (links := _links(r)):
+            left = max(0, left - links)
+            continue
         if c.whole() is not None and c.kind("stitch", 1):
             c.at += 1
         if c.kind("stitch") and c.look().value not in ("ch", "skip"):  # type: ignore[union-attr]
@@ -95,6 +127,21 @@ def _further(r: Reader, left: int) -> int:
             else max(0, left - place.count)
         )
     return left
+
+
+def _links(r: Reader) -> int:
+    """Goes past "[2 dc in next ch] 29 times" and gives how many chains it is worked into; 0, the cursor unmoved, where it is none."""
+    c, begin = r.c, r.c.at
+    end = closing(r)
+    inner = c.tokens[begin + 1 : end]
+    one = [t for t in inner if t.kind == "stitch" and t.value != "ch"]
+    chain = inner[-1:] and inner[-1].kind == "stitch" and inner[-1].value == "ch" and inner[-2].value == "next"
+    c.at = end + 1
+    given = multiplier(r) if len(one) == 1 and chain and len(inner) <= _LINK else False
+    if given is False or not given[0]:
+        c.at = begin
+        return 0
+    return given[0]
 
 
 def rooted(items: list[Item]) -> list[Item]:

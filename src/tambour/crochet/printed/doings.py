@@ -48,6 +48,7 @@ _LEFT: Final = frozenset(
     "tail tails end ends long opening open gap hole inch inches cm sewing stuffing yarn neck bottom top".split()
 )
 _PAINTS: Final = frozenset("crayon crayons pencil pencils blush chalk paint rouge".split())
+_FILLING: Final = frozenset(("fiberfill", "fibrefill", "polyfill", "filling", "batting"))
 _DONE: Final = ("marker", "stuff", "eyes")
 _NOT: Final = ("join", "turn", "stuff", "color", "marker", "begin", "fasten off")
 _YARN: Final = frozenset(("break", "carry", "drop", "cut"))
@@ -69,6 +70,12 @@ def doing(c: Cursor) -> bool:
         return True  # "Do not carry or break C"
     lead = 1 + ((second := c.look(1)) is not None and second.word in _LEAD)  # "Begin firmly stuffing head"
     if c.key("begin", "leave", "close") and c.key("stuff", ahead=lead):
+        return True
+    if (
+        first.word in ("add", "insert", "finish")
+        and second is not None
+        and (c.key("stuff", ahead=1) or second.word in _FILLING)
+    ):
         return True
     if first.kind != "word" or first.word not in _DOING:
         return False

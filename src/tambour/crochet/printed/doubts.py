@@ -57,11 +57,12 @@ def decided(
     phrases: Phrases,
     times: int = 1,
     chain: int | None = None,
+    lying: bool = False,
 ) -> Body:
     """The body of a round in the reading that fits its count and the round below; doubts that the count leaves are told.
 
     edge : stitches below, None where they are not known; times : rounds that are worked so
-    chain : the foundation chain that it is worked into, None for none
+    chain : the foundation chain that it is worked into, None for none; lying : a round lies below, and its part goes round and round
     """
     tokens, slipped = penned(shortened(tokens))
     for token, meant in slipped:
@@ -83,6 +84,7 @@ def decided(
         walk = Walk(list(tokens), source.stitches, palette, choices, phrase)
         walk.spaced = source.spaced
         walk.standing, walk.edge, walk.marked = source.standing, edge, source.marked
+        walk.lying = lying
         body = walk.read()
         if body.sides and (base := _base(body, chain)) is not None:
             along(body, base, source.stitches)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import Cursor, NotUnderstood
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.heads import Head
@@ -19,9 +20,10 @@ _MOST: Final = 100  # rounds
 _SO: Final = frozenset(("established", "manner"))
 
 
-def established(p: State, tokens: list[Token]) -> bool:
+def established(p: State, tokens: list[Token], head: Head | None = None) -> bool:
     """Works rounds that a sentence says as those before: "Cont as established, inc 8 sc every rnd until there are 72 sc", "… dec 8 sc
-    on next and following 6th rnd"; whether it is such. Their increases lie evenly around, which is told."""
+    on next and following 6th rnd", or ``head`` before its words, "9th to 13th rnds: Cont in this manner, inc 6 sc each rnd. 78 sc.";
+    whether it is such. Their increases lie evenly around, which is told."""
     draft = p.parts[-1] if p.parts else None
     if draft is None or not draft.edge or draft.flat or not any(t.word in _SO for t in tokens):
         return False
@@ -34,7 +36,10 @@ def established(p: State, tokens: list[Token]) -> bool:
     count = next((n for k in range(at, len(tokens)) if (n := until(Cursor(tokens, k)))), 0)
     every = 2 if any(c.key("other", ahead=k) and c.key("round", ahead=k + 1) for k in range(len(tokens))) else 1
     ordinal = next((t.value for t in tokens[at:] if t.kind == "ordinal"), 0)
-    if count and (count - draft.edge) % step == 0 and 0 < (count - draft.edge) // step <= _MOST:
+    stated = count_in(tokens, p.source.stitches, p.palette) if head is not None and len(head.numbers) > 1 else None
+    if head is not None and stated is not None and stated.value == draft.edge + step * len(head.numbers):
+        shaped = range(len(head.numbers))
+    elif count and (count - draft.edge) % step == 0 and 0 < (count - draft.edge) // step <= _MOST:
         shaped = range(0, (count - draft.edge) // step * every, every)
     elif isinstance(ordinal, int) and ordinal > 1 and any(c.key("next", ahead=k) for k in range(at, len(tokens))):
         shaped = range(0, ordinal + 1, ordinal)  # "on next and following 6th rnd"

@@ -19,7 +19,7 @@ _ENDED: Final = re.compile(
     re.IGNORECASE,
 )
 _DONE: Final = re.compile(
-    rf"\b(?:rnds?|rounds?|rows?)\s+of\s+(?:the\s+)?{_NAME}\s+(?:is|are)\s+complete", re.IGNORECASE
+    rf"[^.;:]{{0,30}}\b(?:rnds?|rounds?|rows?)\s+of\s+(?:the\s+)?{_NAME}\s+(?:is|are)\s+completed?\W*", re.IGNORECASE
 )
 _WORKED: Final = re.compile(
     rf"\b(?:in|keep(?:ing)?|continu\w+|cont|maintain\w*|follow\w*)\s+(?:(?:continuity|cont|of|the|to|in|with|this|same)\s+)*{_NAME}(?!\s*:)",
@@ -45,8 +45,8 @@ def forms(p: State, line: str, span: Span) -> bool:
 
 
 def complete(line: str) -> bool:
-    """Whether a line only says how far stripes have come: "First 2 rnds of Stripe Pat are complete"."""
-    return _DONE.search(line) is not None
+    """Whether words say no more than how far stripes have come: "First 2 rnds of Stripe Pat are complete"."""
+    return _DONE.fullmatch(line) is not None
 
 
 def worked_in(p: State, begin: int, end: int) -> None:

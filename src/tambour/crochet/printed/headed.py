@@ -17,6 +17,7 @@ from tambour.crochet.printed.counted import count_in
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.doings import works
 from tambour.crochet.printed.doubts import decided
+from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import worked_in
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import works as works_some
@@ -79,8 +80,14 @@ class Headed(State):
         if both is not None and head.numbers and head.numbers[0] <= draft.last:
             draft.offset = draft.last
             head = replace(head, numbers=tuple(n + draft.offset for n in head.numbers))
+        if both is None and established(self, tokens, head):
+            return
         try:
-            read = both or decided(self.source, tokens, self.palette, draft.edge, self.phrases, times, chain)
+            stands = not draft.flat or any(
+                t.value in ("skip", "slst") for t in tokens
+            )  # a row may go on along its chain
+            lying = chain is None and stands and draft.last > 0 and bool(draft.edge)
+            read = both or decided(self.source, tokens, self.palette, draft.edge, self.phrases, times, chain, lying)
         except NotUnderstood as wrong:
             self._gap(draft, head, tokens, span, wrong)
             return

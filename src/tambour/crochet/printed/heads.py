@@ -119,7 +119,22 @@ def _label(tokens: list[Token], at: int) -> int:
 def _labelled(tokens: list[Token], at: int) -> int:
     """Where the word round stands that words at ``at`` only name, "Thumb Opening-Rnd 31:", "Arm Rounds 5-14:"; 0 where they name none."""
     end = at
-    while end < len(tokens) and end - at < _LABEL and tokens[end].kind == "word" and tokens[end].value is None:
+    while (
+        end < len(tokens)
+        and end - at < _LABEL
+        and (
+            (tokens[end].kind == "word" and tokens[end].value is None)
+            or (
+                end == at
+                and tokens[end].word == "joining"
+                and tokens[end + 1 : end + 2]
+                and tokens[end + 1].word == "-"
+            )  # "Joining-Round 31:"
+            or (
+                end > at and tokens[end].value == "row" and tokens[end - 1].word == "short"
+            )  # "End Short Row Shaping-Round 21:"
+        )
+    ):
         end += 1
     if end == at or not tokens[at].capital:
         return 0

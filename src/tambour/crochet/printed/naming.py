@@ -55,6 +55,18 @@ def version(parts: Sequence[tuple[str, str]], name: str, words: str) -> int | No
     return same[-1] if same else there[0] if len(there) == 1 else None
 
 
+def figured(parts: Sequence[tuple[str, str]], words: str) -> int | None:
+    """Which of the parts, each its name and what stands over it, "as for boy's legs" means where "BOY" stands over several; None where nothing
+    that stands over parts is named."""
+    want = _said(words)
+    own = [k for k, (_, above) in enumerate(parts) if (mine := _said(above)) and mine < want]
+    if not own:
+        return None
+    rest = " ".join(w for w in words.lower().split() if _one(w) not in _said(parts[own[0]][1]))
+    meant = named([re.sub(r"_\d+$", "", parts[k][0]) for k in own], rest)
+    return None if meant is None or meant < 0 else own[meant]
+
+
 def _said(words: str) -> set[str]:
     return {_one(w) for w in words.lower().replace("_", " ").split()} - _SMALL
 

@@ -56,6 +56,7 @@ class Heading:
 
 def plain_name(words: str) -> str:
     """A part's name as tambour's own language can write it: words of plain letters, numbers joined to them."""
+    words = words.replace("&", " and ")
     flat = unicodedata.normalize("NFKD", words.replace("ß", "ss").replace("ø", "o").replace("æ", "ae"))
     flat = "".join(c for c in flat if not unicodedata.combining(c))
     made: list[str] = []
@@ -139,11 +140,13 @@ _NAMING: Final = frozenset(("fur", "loopst", "spike", "picot", "cl", "bobble")) 
 
 def _aside(tokens: list[Token]) -> bool:
     """Whether words behind a bracket say no copies: "(see page 3)", "(Make with A for Bear, with B for Puppy)",
-    "(start with blue, at the nose)"."""
-    if tokens[0].word == "see":
+    "(start with blue, at the nose)", "(for headband)", "(optional)"."""
+    if tokens[0].word in ("see", "optional"):
         return True
     end = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), len(tokens))
-    if tokens[0].value in ("begin", "work", "with") and not any(t.kind in ("stitch", "number") for t in tokens[:end]):
+    if tokens[0].value in ("begin", "work", "with", "for") and not any(
+        t.kind in ("stitch", "number") for t in tokens[:end]
+    ):
         return True
     end = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), len(tokens))
     inner = tokens[:end]
@@ -301,7 +304,8 @@ def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
     stitch = any(t.kind == "stitch" or (t.kind == "key" and t.value == "stitch") for t in name)
     kinds = [t.value for t in said if t.kind == "stitch" and t.value in _KINDS]
     named = [t.value for t in name if t.kind == "stitch" and t.value in _KINDS]
-    glued = next((k for k in _KINDS if name[0].word.startswith(k) and len(name) == 1), "")
+    bare = re.sub(r"^[bf]lo?(?=[shdt])", "", name[0].word)  # "blsc"
+    glued = next((k for k in _KINDS if bare.startswith(k) and len(name) == 1), "")
     together = re.fullmatch(r"(sc|hdc|dc|tr)([2-6])tog\w+", name[0].word) if len(name) == 1 else None
     if together is not None:  # "sc2togtbl"
         return [whole], f"{together[1].removeprefix('sc')}dec{together[2] if together[2] != '2' else ''}"

@@ -30,6 +30,10 @@ def shortened(tokens: list[Token]) -> list[Token]:
             at = past
             continue
         made.append(tokens[at])
+        if (key := _hyphened(tokens, at)) is not None:
+            made += [Token("key", "in", key.start, key.start, "in"), key]
+            at += 3 + (at + 3 < len(tokens) and tokens[at + 3].word == "in")
+            continue
         if (looped := _LOOPED.fullmatch(tokens[at].word)) is not None and tokens[at].kind == "stitch":
             end = tokens[at].end
             made += [Token("key", "in", end, end, "in"), Token("key", looped[1], end, end, _LOOPS[looped[1][0]])]
@@ -39,11 +43,20 @@ def shortened(tokens: list[Token]) -> list[Token]:
     return made
 
 
-_LOOPED: Final = re.compile(r"(?:sc|hdc|dc|tr)(?:[2-6]tog)?t?(bl|fl)o?")
-"""A stitch with its loop in its name, which patterns explain in their abbreviations: "1 scbl in each sc"."""
+_LOOPED: Final = re.compile(
+    r"(?:(?:sc|hdc|dc|tr)(?:[2-6]tog)?(?: - )?t?|(?=[bf]lo?(?: - )?[shdt]))(bl|fl)o?(?: - )?(?:sc|hdc|dc|tr)?"
+)
+"""A stitch with its loop in its name, which patterns explain in their abbreviations: "1 scbl in each sc", "blsc", "sc-blo"."""
 _LOOPS: Final = {"b": "back loops", "f": "front loops"}
 _OPENS: Final = frozenset(("(", "[", "draw", "insert"))
 _LONGEST: Final = 45  # tokens of a stitch that is spelled out
+
+
+def _hyphened(tokens: list[Token], at: int) -> Token | None:
+    """The loops that are said of the stitch at ``at`` by a hyphen: "sc-blo"; None where none are."""
+    after = tokens[at + 1 : at + 3]
+    said = tokens[at].kind == "stitch" and len(after) == 2 and after[0].word == "-" and after[0].start == tokens[at].end
+    return after[1] if said and after[1].start == after[0].end and after[1].value in _LOOPS.values() else None
 
 
 def _spelled(tokens: list[Token], at: int) -> int | None:

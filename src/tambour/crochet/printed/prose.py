@@ -41,6 +41,8 @@ _EXPLAINED: Final = re.compile(r"(?:^|[;|,•])[ \t]*[\w./()]{1,10}[ \t]*(?:=|:|
 
 
 _NEAR: Final = 40  # characters between a heading and another under it
+_PLANS: Final = frozenset(("pat", "pattern", "patt", "sequence", "chart", "diagram"))
+_JOININGS: Final = frozenset(("joining", "join", "assembling"))
 _SHAPING: Final = frozenset(("shape", "shaping", "continue", "cont", "proceed", "divide", "dividing", "separate"))
 
 
@@ -124,6 +126,11 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         shaping = found.copies_span is None and p.mode == "" and names[0].word in _SHAPING
         if shaping and p.parts and p.parts[-1].last and p.parts[-1].off is None:
             p.passed.append(whole)  # "Shape Face and Head:" is no part
+            return
+        called = found.name.lower().split()
+        plan = called[-1] in _PLANS or (p.heading is not None and called[0] in _JOININGS)
+        if plan and found.copies_span is None:
+            p.passed.append(whole)  # "Stripe Pattern" and "Joining legs:" under BODY are no parts
             return
         alone = found.strong and p.row_at > 0 and not p.rows[p.row_at - 1].tokens
         p.mode = "" if found.marked or p.mode == "notes" or alone or under else p.mode

@@ -18,6 +18,9 @@ _SEWN: Final = re.compile(
 )
 
 
+_HOW: Final = re.compile(r"\b(?:posts?|shanks?)\b[^.;]*\bbetween\b[^.;]*\bstrands\b", re.IGNORECASE)
+"""How eyes are fastened, wherever they are: "Push posts of eyes between strands of a stitch"."""
+
 _UNSAID: Final = re.compile(r"(?: [^\W\d_]+)+(?=[.;!\n]|$)")
 
 
@@ -36,6 +39,8 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     if tokens[0].value == "repeat" and any(t.value in ("round", "row") for t in tokens[1:4]):
         return False  # "Rep last rnd until Body measures 6 ins from Leg join"
     text = p.source.text.text[tokens[0].start : tokens[-1].end]
+    if _HOW.search(text):
+        return False
     if not assembling(text, [draft.name for draft in p.parts]) and not _SEWN.search(text):
         return False
     whole = p.source.text.text

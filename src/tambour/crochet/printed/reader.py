@@ -105,6 +105,7 @@ class Reader(ABC):
         self.ring: Token | None = None  # a magic ring that still wants its stitches
         self.before: Where | None = None  # "in next st", said before its stitches
         self.edge: int | None = None  # stitches of the round below
+        self.lying = False  # a round lies below, and its part goes round and round
         self.marked: int | None = None  # which of them is marked
         self.standing: dict[int, bool] = {}  # chains that count as a stitch, or do not, in the whole text
         self.spaced: dict[

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final, Literal
 
 from tambour.core.errors import Span
@@ -28,6 +29,7 @@ from tambour.crochet.printed.tokens import Token
 _REMARKED: Final = frozenset(("inc'd", "dec'd", "increased", "decreased", "made", "worked", "group", "groups"))
 
 
+_BRACKETS: Final = frozenset(("brackets", "bracket", "parentheses", "parenthesis"))
 _REMARKS: Final = frozenset(
     ("top", "including", "center", "first", "last", "about", "approx", "see", "for", "longest", "formerly")
 )
@@ -119,6 +121,8 @@ def _instructs(words: list[Token]) -> bool:
     """Whether words in brackets are instructions, and not a remark that names stitches."""
     if words and ((words[-1].kind == "key" and words[-1].value in ("round", "row")) or words[-1].word in _REMARKED):
         return False  # "(Dec rnd)", "(1 sc inc'd)"
+    if words and words[0].value == "same" and any(t.value == "as" for t in words):
+        return False  # "(same sc as joining sl st)"
     if words and words[0].word in _REMARKS and not any(t.kind == "key" and t.value == "repeat" for t in words):
         return False  # "(top of ch-4)", "(first hdc)", "(including joining sc)"
     if things(Cursor(words)):
@@ -286,6 +290,26 @@ def _into(r: Reader, found: list[Item], inner: list[Item], place: Where, span: S
             return []
         r.body.hook, r.body.fresh = place.ordinal, len(found)
     return placed(r, found, inner, place, span)
+
+
+def more_times(r: Reader, found: list[Item]) -> bool:
+    """Works the brackets just read so many times more, where the cursor stands at "work directions in brackets 2 more times"; whether it does."""
+    c, last = r.c, found[-1] if found else None
+    if not c.key("instructions", "repeat") or not isinstance(last, Group) or last.times is None:
+        return False
+    ahead = next((k + 1 for k in range(1, 5) if (t := c.look(k)) is not None and t.word in _BRACKETS), 0)
+    if not ahead:
+        return False
+    begin, c.at = c.at, c.at + ahead
+    number = c.take() if c.whole() is not None and c.key("more", ahead=1) else None
+    given: Times | Literal[False] = (number.value, number.span) if number is not None else multiplier(r)
+    if given is False or given[0] is None:
+        c.at = begin
+        return False
+    c.skip_key("more")
+    c.skip_key("times")
+    found[-1] = replace(last, times=last.times + given[0])
+    return True
 
 
 def times(r: Reader, star: bool) -> Times | Literal[False]:

@@ -10,7 +10,7 @@ from tambour.crochet.language.source import Source
 from tambour.crochet.language.tree import Action, Again, Item, Line, written
 from tambour.crochet.printed.heads import Head
 from tambour.crochet.printed.items import closes, sets_mark, works
-from tambour.crochet.printed.naming import named, version
+from tambour.crochet.printed.naming import figured, named, version
 from tambour.crochet.printed.parts import MARKED, MOST_ROUNDS, Draft
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, rounds_until
@@ -24,7 +24,8 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     refers = body.refers
     assert refers is not None
     names = [one.name for one in parts]
-    meant = named(names, refers.part) if refers.part else None
+    meant = figured([(one.name, one.over) for one in parts], refers.part) if refers.part else None
+    meant = named(names, refers.part) if refers.part and meant is None else meant
     origin = draft if not refers.part or meant == -1 else None if meant is None else parts[meant]
     if origin is None and refers.part:
         meant = version([(one.name, one.over) for one in parts[:-1]], draft.name, refers.part)

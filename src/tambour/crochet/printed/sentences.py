@@ -29,7 +29,7 @@ from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
 from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
-from tambour.crochet.printed.formed import worked_in
+from tambour.crochet.printed.formed import complete, worked_in
 from tambour.crochet.printed.heads import STARS
 from tambour.crochet.printed.items import bare_count, works
 from tambour.crochet.printed.notes import Heading, copies_alone, copies_said
@@ -210,7 +210,7 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     if p.mode not in ("materials", "abbreviations"):
         if twin_made(p, tokens):
             return True
-        if by_hand(tokens) or convention(p, tokens) or (handed and _once_more(tokens)):
+        if by_hand(tokens) or convention(p, tokens) or complete(text) or (handed and _once_more(tokens)):
             p.passed.append(span)
             return True
         if edged_again(p, tokens, edged) or again_made(p, tokens):

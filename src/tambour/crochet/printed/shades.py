@@ -265,10 +265,34 @@ _ALONE: Final = re.compile(
 )
 
 
+_LETTERED: Final = re.compile(r"((?:[A-Za-z][\w’'é-]*[ ]){0,3}[A-Za-z][\w’'é-]*)\s*\((MC|CC|[A-K])\)")
+"""Words that may end with a colour, before its letter: "DK cotton in red (A), cream (B) and a little white (C)"."""
+_BRACKETED: Final = re.compile(r"\b(MC|CC|[A-K])\s*\(([A-Za-z][A-Za-z -]{2,20})\)")
+
+
+def _lettered(line: str) -> dict[str, str]:
+    """The letters that stand in brackets behind colours, whatever else their words say."""
+    found: dict[str, str] = {}
+    for m in _LETTERED.finditer(line):
+        words = m[1].split()
+        at = next((k for k in range(len(words) - 1, -1, -1) if dyed(" ".join(words[k:])) is not None), None)
+        while at and (
+            shade(" ".join(words[at - 1 :])) is not None or (words[at][0].isupper() and words[at - 1][0].isupper())
+        ):
+            at -= 1  # "Navy Blue"
+        if at is not None:
+            found.setdefault(m[2].lower(), " ".join(words[at:]))
+    for m in _BRACKETED.finditer(line):
+        if shade(m[2]) is not None:
+            found.setdefault(m[1].lower(), m[2].strip())
+    return found
+
+
 def listed(line: str) -> dict[str, str]:
     """The letters that a list of materials gives to yarns → the names of their colours; "" for a yarn without a letter."""
     found = {m[1].lower(): m[2].strip() for m in _LED.finditer(line)}
     found = {**{m[2].lower(): m[1].strip() for pattern in (_AS, _ENDED) for m in pattern.finditer(line)}, **found}
+    found = {**_lettered(line), **found} if ")" in line else found
     alone = _ALONE.search(line)
     return found if found or alone is None else {"": (alone[1] or alone[2]).strip()}
 

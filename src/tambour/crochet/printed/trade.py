@@ -8,6 +8,7 @@ from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.clauses import where
 from tambour.crochet.printed.counts import closing, counted_at, ends_with_number, makes
 from tambour.crochet.printed.courses import PIECES
+from tambour.crochet.printed.curls import back_along
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.dyes import Dyes
 from tambour.crochet.printed.references import refers
@@ -119,7 +120,7 @@ class Trade(Dyes):
                 if place.loops:
                     found.append(Action(place.loops, place.span))
                     place.loops = ""
-                self.before = place
+                self.before = None if place.kind == "hook" and back_along(self, found, place) else place
         elif word == "with" and c.key("ring"):
             pass  # "begin using magic ring method"
         elif word == "turn" and self.side_ahead():

@@ -1,0 +1,204 @@
+"""Printed patterns, nothing silent: kinds of wording that were lost, or read as something else, without a word."""
+
+from __future__ import annotations
+
+import pytest
+
+from tambour.core.errors import Text
+from tambour.crochet.language.finishes import Embroidery, Eye
+from tambour.crochet.language.tree import Action, Group, Item, Pattern
+from tambour.crochet.printed.choose import read
+from tambour.crochet.printed.formed import complete
+from tambour.crochet.printed.shades import listed
+
+TOP = "Pup\n\nMATERIALS\nContrast A White\nContrast B Black\nContrast C Red\n\nINSTRUCTIONS\n"
+BODY = "BODY\nWith A, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n"
+LAST = "Rnd 1: 5 sc in 2nd ch from hook.\nRnd 2: 2 sc in each sc around. 10 sc.\nFasten off.\n"
+
+
+def told(words: str) -> Pattern:
+    """The pattern of a text of which nothing is told unread and whose counts are made."""
+    pattern = read(Text(words, "pup.txt"))
+    assert not [(p.message, words[p.span.start : p.span.end]) for p in pattern.unread if p.span]
+    assert pattern.built is not None and not [w.message for w in pattern.built.warnings]
+    return pattern
+
+
+def said(items: tuple[Item, ...]) -> str:
+    """Items in few letters."""
+    made = []
+    for i in items:
+        if isinstance(i, Group):
+            made.append(f"[{said(i.items)}]x{i.times or '*'}")
+        else:
+            made.append(f"{i.times} {i.name}" if i.times > 1 else i.name)
+    return ", ".join(made)
+
+
+def rounds(pattern: Pattern, part: int = 0) -> list[str]:
+    return [said(line.items) for line in pattern.parts[part].lines if line.in_round]
+
+
+def made(pattern: Pattern, part: int = 0) -> list[int]:
+    assert pattern.built is not None
+    first = sum(p.copies for p in pattern.parts[:part])
+    return [w.made for w in pattern.built.worked if w.part == first and w.line.in_round]
+
+
+@pytest.mark.parametrize("name", ["Sc-blo", "scblo", "BLsc", "scbl"])
+@pytest.mark.parametrize("loops", ["bl", "fl"])
+def test_the_loop_in_a_stitchs_name_is_not_lost(name: str, loops: str) -> None:
+    name = name.replace("bl", loops).replace("BL", loops.upper())
+    abbreviation = f"\nABBREVIATIONS\n{name} = single crochet in {'back' if loops == 'bl' else 'front'} loop only\n"
+    words = TOP.replace("\nINSTRUCTIONS", f"{abbreviation}\nINSTRUCTIONS")
+    found = rounds(told(f"{words}{BODY}3rd rnd: {name} in next 8 sts, sc in next 4 sts. 12 sc.\n"))[2]
+    assert found == f"{'blo' if loops == 'bl' else 'flo'}, 8 sc, bl, 4 sc"
+
+
+@pytest.mark.parametrize(
+    "words, want",
+    [
+        ("Ch 5, hdc in 2nd ch from hook and in next 3 ch, slip st in next sc of 2nd rnd.", "picot5, slst"),
+        ("Ch 6, 2 dc in 3rd ch from hook, [2 dc in next ch] 3 times, sc in next 12 sc.", "picot6, 12 sc"),
+        ("*Sc in next sc, ch 9, begin in 2nd ch from hook, [sc3tog] twice, hdc in next ch, dc in last ch, sc in next sc; repeat from * around.",
+         "[sc, picot9, sc]x*"),
+        ("*Sc in next sc, ch 4, working in back bars, sl st in 2nd ch from hook and in next 2 ch; repeat from * around.", "[sc, picot4]x*"),
+    ],
+)  # fmt: skip
+def test_a_curl_may_begin_a_round_and_be_worked_in_any_stitches(words: str, want: str) -> None:
+    assert rounds(told(f"{TOP}{BODY}3rd rnd: {words} Fasten off.\n"))[2] == want
+
+
+def test_a_row_that_goes_on_along_its_chain_is_no_curl() -> None:
+    words = "FLAP\nWith A, ch 5.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn. 4 sc.\nRow 2: Ch 4, sc in 2nd ch from hook and in next 2 ch, sc in each sc across. 7 sc.\n"
+    assert "picot" not in rounds(read(Text(TOP + words, "pup.txt")))[1]
+
+
+@pytest.mark.parametrize("end", ["and each ch to end of chain", "and in each ch to end"])
+def test_and_each_chain_to_the_end_is_worked(end: str) -> None:
+    words = f"FOOT\nWith B, ch 14.\n1st row: 1 sl st in 2nd ch from hook and each of next 2 ch. 1 sc in next ch of foundation chain {end}.\n"
+    assert made(told(TOP + words)) == [10]
+
+
+def test_brackets_are_worked_some_more_times() -> None:
+    words = "3rd rnd: [Sc in next st, 2 hdc in next st] 4 times; add stuffing; work directions in brackets 2 more times – 18 sts.\n"
+    assert rounds(told(TOP + BODY + words))[2] == "[sc, hdcinc]x6"
+
+
+@pytest.mark.parametrize("head", ["Joining-Round 3", "End Short Row Shaping-Round 3", "Ear Opening-Rnd 3"])
+def test_words_before_a_rounds_number_name_it(head: str) -> None:
+    assert made(
+        told(f"{TOP}{BODY}{head}: Sc in each st around – 12 sts.\n4th rnd: 2 sc in each sc around. 24 sc.\n")
+    ) == [6, 12, 12, 24]
+
+
+def test_rounds_as_established_may_have_a_head_and_their_last_count() -> None:
+    words = "3rd to 5th rnds: Cont in this manner, inc 6 sc evenly around next 3 rnds (as established). 30 sc. PM at end of last rnd.\n6th to 7th rnds: Cont in this manner, dec 6 sc each rnd. 18 sts.\n"
+    assert made(told(TOP + BODY + words)) == [6, 12, 18, 24, 30, 24, 18]
+
+
+def test_a_remark_in_brackets_may_say_which_stitch_is_the_same() -> None:
+    words = "4th rnd: Working in back loops only, join B with slip st in first sc of 3rd rnd (same sc as joining slip st), ch 1, sc in same sc and in each remaining sc around—12 sc.\n"
+    pattern = told(f"{TOP}{BODY}3rd rnd: Sc in each sc around; join with slip st in first sc. Fasten off.\n{words}")
+    assert made(pattern) == [6, 12, 12, 12] and "blo" in rounds(pattern)[3]
+
+
+@pytest.mark.parametrize("done", ["First rnd of Stripe Pat is complete.", "First 2 rnds of Stripe Pat are complete."])
+@pytest.mark.parametrize("broken", ["\n", " "])
+def test_how_far_stripes_have_come_hides_no_other_sentence(done: str, broken: str) -> None:
+    pattern = read(
+        Text(
+            f"{TOP}{BODY}{done}\nKeeping cont of Stripe Pat, rep last rnd{broken}2 times more. Fasten off at end of last rnd.\n",
+            "pup.txt",
+        )
+    )
+    assert made(pattern) == [6, 12, 24, 48]
+    assert complete(done) and not complete(f"{done} Keeping cont of Stripe Pat, rep last rnd 2 times more.")
+
+
+@pytest.mark.parametrize(
+    "head, name",
+    [("Flower (for Headband)", "Flower"), ("BOW (for bow and arrow)", "BOW"), ("Front Curl (optional)", "Front Curl"), ("Head & Body", "Head and Body")],
+)  # fmt: skip
+def test_a_remark_behind_a_parts_name_does_not_hide_it(head: str, name: str) -> None:
+    pattern = read(Text(f"{TOP}{BODY}Fasten off.\n\n{head}\nWith B, ch 2.\n{LAST}", "pup.txt"))
+    assert [part.name for part in pattern.parts] == ["BODY", name]
+
+
+@pytest.mark.parametrize("below", ["Stripe Pat", "Stripe Sequence", "Joining legs:"])
+def test_what_names_a_plan_or_a_doing_is_no_part(below: str) -> None:
+    pattern = read(Text(f"{TOP}BODY\n{below}\nWith B, ch 2.\n{LAST}", "pup.txt"))
+    assert [part.name for part in pattern.parts] == ["BODY"]
+
+
+FIGURES = (
+    "PAPA\n\nLegs (make 2)\nWith A, ch 2.\nRound 1: 6 sc in 2nd ch from hook.\nRound 2: 2 sc in each sc around—12 sc.\nFasten off.\n\n"
+    "BOY\n\nLegs (make 2)\nWork same as papa’s legs through Round 2.\nRound 3: Sc in each sc around.\nFasten off.\n\n"
+    "GIRL\n\nLegs (make 2)\nWork same as {}’s legs, using B for shoe.\n"
+)
+
+
+@pytest.mark.parametrize("who, many", [("papa", [6, 12]), ("boy", [6, 12, 12])])
+def test_parts_of_one_name_are_told_by_whom_they_are_of(who: str, many: list[int]) -> None:
+    pattern = read(Text(TOP + FIGURES.format(who), "pup.txt"))
+    assert made(pattern, 2) == many
+
+
+def test_what_is_said_of_one_figure_is_not_put_on_the_next() -> None:
+    head = "Head\nWith A, ch 2.\nRound 1: 6 sc in 2nd ch from hook.\nRound 2: 2 sc in each sc around—12 sc.\nRound 3: Sc in each sc around.\nFasten off.\n\n"
+    one = head + "Hair\nRow 1: With B, [ch 3, wobble in 2nd ch from hook] 18 times.\n\nFINISHING\n"
+    words = f"{TOP}BOY\n\n{one}With C, embroider straight stitch mouth on head.\n\nGIRL\n\n{head}Hair\nWith B, ch 2.\nRound 1: 6 sc in 2nd ch from hook.\n"
+    found = [
+        f
+        for f in read(Text(words, "pup.txt")).finish
+        if isinstance(f, Embroidery) and 0 < f.span.start < words.index("GIRL")
+    ]
+    assert {spot.part for f in found for spot in f.spots} == {"Head"}
+
+
+def test_how_posts_of_eyes_go_through_is_no_embroidery() -> None:
+    words = f"{TOP}{BODY.replace('BODY', 'HEAD')}3rd and 4th rnds: Sc in each sc around.\nAttach safety eyes, between Rounds 2 and 3, 4 sts apart. Note: Push posts of safety eyes between strands of a stitch, not in space between stitches, to avoid allowing the eye to sink back into the head.\n"
+    pattern = told(words)
+    assert len([f for f in pattern.finish if isinstance(f, Eye)]) == 2
+    assert not [f for f in pattern.finish if isinstance(f, Embroidery)]
+
+
+@pytest.mark.parametrize("verb", ["Pop in the", "Snap in the", "Pop the"])
+def test_eyes_are_popped_in_too(verb: str) -> None:
+    words = f"{TOP}{BODY.replace('BODY', 'HEAD')}3rd to 5th rnds: Sc in each sc around.\n{verb} safety eyes between rnds 3 and 4, 4 sts apart.\n"
+    eyes = [f for f in told(words).finish if isinstance(f, Eye)]
+    assert [eye.spot.round for eye in eyes] == [3.5, 3.5]
+
+
+@pytest.mark.parametrize(
+    "line, want",
+    [
+        ("DK cotton in red (A), cream (B) and a little white (C)", {"a": "red", "b": "cream", "c": "white"}),
+        ("Worsted yarn: Navy Blue (MC), off-white (CC)", {"mc": "Navy Blue", "cc": "off-white"}),
+        ("1 ball each in A (brown) and B (pale pink)", {"a": "brown", "b": "pale pink"}),
+        ("US size F (3.75 mm) hook (G), markers (A)", {}),
+    ],
+)
+def test_letters_in_brackets_are_yarns_where_a_colour_stands_before_them(line: str, want: dict[str, str]) -> None:
+    assert listed(line) == want
+
+
+def test_yarn_changes_by_its_letter_alone_and_back() -> None:
+    lists = "Pup\n\nMaterials\nDK cotton in red (A), cream (B) and a little white (C)\n\nPattern\n\nBall\nColor A\n"
+    words = f"{lists}R1: MR 6 [6]\nR2: 6 inc [12]\nR3: C, sc all around [12]\nR4: back to A, sc all around [12]\nR5: back to cream, sc around [12]\n"
+    pattern = told(words)
+    hues = [
+        i.numbers for line in pattern.parts[0].lines for i in line.items if isinstance(i, Action) and i.name == "color"
+    ]
+    assert len(hues) == 4 and hues[0] == hues[2] and len(set(hues)) == 3
+
+
+def test_a_version_may_name_its_yarn_by_more_than_its_colour() -> None:
+    words = "Pup\n\nINSTRUCTIONS\nVersion 1: Grey as Color 1, White Texture as Color 2.\n\nBody\nWith Color 2, ch 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\n"
+    hue = next(
+        i.numbers
+        for line in told(words).parts[0].lines
+        for i in line.items
+        if isinstance(i, Action) and i.name == "color"
+    )
+    assert min(hue) > 240
