@@ -202,3 +202,38 @@ def test_a_version_may_name_its_yarn_by_more_than_its_colour() -> None:
         if isinstance(i, Action) and i.name == "color"
     )
     assert min(hue) > 240
+
+
+@pytest.mark.parametrize("far", ["in each ch to last ch", "in each of next 6 ch"])
+def test_both_sides_of_a_chain_are_a_round_that_the_next_stands_on(far: str) -> None:
+    near = "1 sc in 2nd ch from hook. 1 sc in next ch. 2 sc in each of next 2 ch. 1 sc in each of last 2 sts."
+    words = f"Beak\nWith B, ch 7.\n1st rnd: {near} Working into opposite side of chain, 1 sc {far}. Join. 14 sc.\n2nd and 3rd rnds: Ch 1. 1 sc in each st around. Join.\n"
+    assert made(told(TOP + words)) == [14, 14, 14]
+
+
+def test_the_free_loops_of_a_row_are_those_of_rows_that_began_at_one_again() -> None:
+    words = (
+        "DRESS\nWith A, ch 5.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn—4 sc.\nRow 2: Ch 1, sc in each sc across, turn.\n"
+        "Skirt\nRow 1: Ch 1, 2 sc in each sc across, turn—8 sc.\nRow 2: Ch 1, 2 sc in each sc across, turn—16 sc.\n"
+        "Row 3: Ch 1, working in front loops only, 2 sc in each sc across. Fasten off.\n"
+        "Row 4: Working in free back loops of Row 2, join B with sl st in first sc, ch 1, sc in same sc and in each remaining sc across.\n"
+    )
+    assert made(read(Text(TOP + words, "pup.txt")))[-1] == 16
+
+
+@pytest.mark.parametrize("stitch", ["satin stitch", "straight st"])
+def test_thread_that_draws_no_known_thing_is_told(stitch: str) -> None:
+    beak = "BEAK\nWith C, ch 2.\n1st rnd: 6 sc in 2nd ch from hook.\n2nd rnd: 1 sc in each sc around.\nFasten off.\n"
+    words = f"{TOP}{BODY}Fasten off.\n{beak}With small amount of white yarn, {stitch} over bridge of Beak, as shown.\nSew Beak to Body.\n"
+    at = words.index("With small")
+    found = read(Text(words, "pup.txt"))
+    assert [
+        p
+        for p in (*found.warnings, *found.unread)
+        if p.span is not None and p.span.start >= at - 1 and p.span.start < at + 40
+    ]
+
+
+def test_a_stitch_of_one_letter_is_no_yarn() -> None:
+    words = "Ball\n\nMaterials\nred (A), cream (B)\n\nR1: 6X in magic ring (6)\nR2: V, V, V, V, V, V (12)\nR3: A, X, A, X, A, X, A, X (8)\n"
+    assert made(read(Text(words, "pup.txt"))) == [6, 12, 8]

@@ -21,6 +21,10 @@ _EYED: Final = re.compile(
 _DRAWN: Final = re.compile(
     r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|draw|add|french knots?|whiskers|apply)\b"
 )
+_THREAD: Final = re.compile(
+    r"\b(?:satin|straight|stem|chain|split|running|lazy daisy) (?:st|sts|stitch|stitches)\b|\bback-?stitch\b|\bfrench knots?\b"
+)
+"""Stitches that draw with thread."""
 _NEXT: Final = re.compile(r"\s*(?:at|to|onto|on|between|over|along)\b")
 _MORE: Final = re.compile(r"(?:\band|,)\s+(?:the\s+|\w+ing\s+)?$")
 _ALL: Final = re.compile(
@@ -259,6 +263,8 @@ class Heard:
             host = None if head is None else (head, 1)
             self.features.append(Feature("safety eyes", host, "head", place, sentence.span, order, None, "eyes"))
             return True
+        if _THREAD.search(low) and not re.search(r"\b(?:sew|attach|whipstitch)\b", low):
+            return False  # "satin stitch over the bridge of the beak": no thing that is known is drawn there
         return self._put(low, found, at, sentence, order)
 
     def _put(self, low: str, found: list[Mention], at: Where, sentence: Sentence, order: int) -> bool:

@@ -66,7 +66,10 @@ def back_to(draft: Draft, place: Moved) -> tuple[Action, int] | None:
     that round is not known."""
     if not (place.number or place.before or place.free):
         return None
-    number = place.number or (draft.last + 1 - place.before if place.before else _left_loops(draft))
+    meant = place.number or 0
+    if draft.offset and draft.offset < draft.offset + meant <= draft.last:
+        meant += draft.offset  # "Row 7", of rows that began at 1 again
+    number = meant or (draft.last + 1 - place.before if place.before else _left_loops(draft))
     edge = draft.edges.get(number, 0)
     at = next(
         (

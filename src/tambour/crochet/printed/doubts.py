@@ -252,7 +252,11 @@ def along(body: Body, base: int, stitches: dict[str, Stitch]) -> None:
         for item in items:
             once = sum(map(takes, item.items)) if isinstance(item, Group) else 0
             if isinstance(item, Group) and item.times is None and once:
-                made.append(Group(item.items, max(0, room - taken) // once, item.span))
+                times, alone = max(0, room - taken) // once, item.items[0]
+                if len(item.items) == 1 and isinstance(alone, Action) and times:
+                    made.append(replace(alone, times=alone.times * times))
+                else:
+                    made.append(Group(item.items, times, item.span))
             else:
                 made.append(item)
         return made

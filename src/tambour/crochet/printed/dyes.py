@@ -83,8 +83,8 @@ class Dyes(Courses):
         asked = hooked = False
         if c.tokens[at].word == "back" and c.key("to", "in", ahead=1):
             asked, at = True, at + 2  # "back to B, sc around"
-        elif c.mark(",", ":", ahead=1) and not found and c.tokens[at].capital and len(c.tokens[at].word) <= 2:
-            asked = c.tokens[at].word in self.palette.given  # "C, sc around"
+        elif c.mark(",", ":", ahead=1) and not found and c.kind("word") and c.tokens[at].capital and len(words[0]) <= 2:
+            asked = words[0] in self.palette.given  # "C, sc around"
         while at < len(c.tokens) and at - c.at < 8:
             token = c.tokens[at]
             after = c.look(at - c.at + 1)

@@ -293,7 +293,7 @@ class Printed(Headed):
         if (
             draft.offset
             and head.numbers
-            and head.numbers[0] <= draft.offset
+            and (head.numbers[0] <= draft.offset or head.numbers[0] + draft.offset == draft.last + 1)
             and head.numbers[0] + draft.offset > draft.last
         ):
             return replace(head, numbers=tuple(n + draft.offset for n in head.numbers))

@@ -129,7 +129,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
             return
         called = found.name.lower().split()
         plan = called[-1] in _PLANS or (p.heading is not None and called[0] in _JOININGS)
-        if plan and found.copies_span is None:
+        if plan and found.copies_span is None and p.title is not None:
             p.passed.append(whole)  # "Stripe Pattern" and "Joining legs:" under BODY are no parts
             return
         alone = found.strong and p.row_at > 0 and not p.rows[p.row_at - 1].tokens
