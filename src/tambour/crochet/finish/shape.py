@@ -340,7 +340,10 @@ def _at_rest(task: Task, x: Array, c: Array, joined: Joined, piece: Array) -> tu
     first = np.concatenate([[0], np.cumsum(task.used)])
     for k in np.unique(piece[joined.held[:, 0]]):
         own = piece == k
-        turn, middle = set_down(x[own], TIPS), x[own].mean(0)
+        middle = x[own].mean(0)
+        off = x[own] - middle
+        # With its mirror image a toy tips ahead or back only: what is a little heavier on one side stands all the same.
+        turn = set_down(np.concatenate([off, off * (-1.0, 1.0, 1.0)]), TIPS)
         x[own] = turned(x[own] - middle, turn) + middle
         for p in np.unique(task.graph.part[own]):
             c[first[p] : first[p + 1]] = turned(c[first[p] : first[p + 1]] - middle, turn) + middle

@@ -12,13 +12,18 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.errors import Problem
-from tambour.core.graph import ROOT, TIP, StitchGraph
+from tambour.core.graph import JOIN, ROOT, TIP, StitchGraph
 from tambour.crochet.graph.built import Built
 from tambour.crochet.graph.lids import lids
 from tambour.crochet.language.finishes import Finish, Spot, spots_of
 
 MOSTLY = 0.25
 """The first stretch of a part that has this share of its nodes is the part; what hangs together with nothing of it is not."""
+SLANT = -0.15
+"""How far a joined round of a stuffed part comes to lie from where its stitches stand over those below, in stitches: measured
+on forty parts that were settled, 0.11 to 0.17 in joined rounds, 0.00 to 0.05 in spirals."""
+LEAST = 12
+"""Rounds of fewer stitches turn with those about them."""
 GATHERED = 8
 """An open end of so few stitches is drawn together."""
 
@@ -64,11 +69,41 @@ class Spots:
 
     @cached_property
     def layout(self) -> Array:
-        """Where the rounds were laid out (N, 3), in stitches, before anything settled: every part by itself."""
+        """Where the rounds were laid out (N, 3), in stitches, before anything settled: every part by itself. Of a printed toy
+        as their seams will run: what hands sew is put where it looks right, however a seam has wandered."""
         from tambour.crochet.graph.layout import rounds
 
         graph = self.built.graph
-        return rounds(graph, graph.rest / graph.stitch_width)
+        x = rounds(graph, graph.rest / graph.stitch_width)
+        return self._slanted(x) if self.built.pattern.terms else x
+
+    def _slanted(self, x: Array) -> Array:
+        """``x`` with every joined round of a stuffed part turned as far as seams of joined rounds wander."""
+        graph, x = self.built.graph, x.copy()
+        joins = graph.edges[graph.edge_kind == JOIN, 0]
+        joined = set(zip(graph.part[joins].tolist(), graph.round[joins].tolist()))
+        for part, p in enumerate(graph.parts):
+            if p.stuffing <= 0.0 or self.in_rows[part]:
+                continue
+            turns, weights, rings = [0.0], [0.0], [np.zeros(0, int)]
+            for r in self.built.rounds:
+                nodes = np.arange(r.first, r.last + 1)
+                if r.part != part or len(nodes) < LEAST:
+                    continue
+                off = (x[nodes] - x[nodes].mean(0))[:, [0, 2]]
+                wanders = (part, int(graph.round[r.first])) in joined
+                turns.append(turns[-1] + (SLANT * 2.0 * math.pi / len(nodes) if wanders else 0.0))
+                weights.append(float((off**2).sum()))
+                rings.append(nodes)
+            if turns[-1] == 0.0:
+                continue
+            mean = float(np.average(turns, weights=weights))
+            for turn, nodes in zip(turns[1:], rings[1:]):
+                c, s = math.cos(turn - mean), math.sin(turn - mean)
+                middle = x[nodes].mean(0)
+                a, b = (x[nodes] - middle)[:, [0, 2]].T
+                x[nodes, 0], x[nodes, 2] = middle[0] + c * a - s * b, middle[2] + s * a + c * b
+        return x
 
     @cached_property
     def folded(self) -> Array:
