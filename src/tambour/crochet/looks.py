@@ -159,6 +159,10 @@ def in_sight(piece: Plush) -> list[int] | None:
     aside -= {
         int(graph.part[n]) for a, b in piece.built.sewn.tolist() for n in (a, b) if graph.part[a] != graph.part[b]
     }
+    from tambour.crochet.language.finishes import Eye
+
+    known = piece.joining.spots.parts
+    aside -= {known[r.spot.part] for r in pattern.finish if isinstance(r, Eye)}  # a star with eyes is a toy
     bare = [k for k in filled if not of[k].worn] or filled
     main = at[max(bare, key=lambda k: (of[k].kind in ("head", "body"), graph.parts[k].end - graph.parts[k].start))]
     seated = {k for k in filled if k not in aside or of[k].kind in ("head", "body")}

@@ -309,6 +309,9 @@ class Assembly(Upright):
             ):  # a wattle hangs below the beak, and hides it not
                 p.where = replace(p.where, beside=(("below", p.host[0].kind, None),), words=frozenset())
                 p.host = (head if head is not None else main, 1)
+            if kind == "beard" and p.host[0].kind == "hat":  # on the face under the hat
+                p.host = (head if head is not None else main, 1)
+                p.where = replace(p.where, rounds=None, stitch=None, beside=(), words=frozenset())
             if kind == "wheel":
                 p.host = (main, 1)
                 p.where = replace(p.where, rounds=None, beside=(), words=p.where.words & {"front", "back"})
@@ -384,7 +387,9 @@ class Assembly(Upright):
 
 def _vagueness(put: Put) -> int:
     """How little a sentence says of a place: "leaving a tail to sew it to the body" least of all."""
-    return 0 if put.where.rounds else 1 if put.where.says else 3 if _TAILED.search(put.where.text) else 2
+    if put.where.rounds:
+        return 0
+    return 3 if _TAILED.search(put.where.text) else 1 if put.where.says else 2
 
 
 def _circle(name: str, on: dict[str, str]) -> bool:

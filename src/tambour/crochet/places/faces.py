@@ -35,6 +35,8 @@ _SNOUT, _FULL, _BLUNT = 0.6, (0.6, 0.9), 0.3
 stitches; one that is blunt at the second of them, or behind this part of the rounds."""
 _BROW: Final = np.array([0.6, 0.5, 0.0])
 """Where eyes are about a head that lies, seen from its nose."""
+_ON_MASK: Final = (0.52, 0.22, 0.0)
+"""Where the left eye is on a face that is sewn on, from its middle, in halves of its size."""
 _HAIR_LONG: Final = 2.6
 """How far hair hangs, in halves of a head's height, where nothing says it."""
 _TINY: Final = 0.7
@@ -50,6 +52,8 @@ class Facer(Putter):
 
     def eyes(self, f: Feature) -> list[Finish]:
         """Safety eyes, one or two."""
+        if (pupils := self._pupils(f)) is not None:
+            return pupils
         host = self._faced(f, "eye")
         way = self._told(
             usual("eye", 2, lying=self._lies((self.work.main, 1)) and host.name == self.work.main.name)[0], f.where, 2
@@ -75,6 +79,21 @@ class Facer(Putter):
             self.work.made.guessed.append(f"eyes on {host.name}")
         return [Eye(s, big, color, f.span) for s in spots]
 
+    def _pupils(self, f: Feature) -> list[Finish] | None:
+        """Safety eyes in the middle of the eyes that were crocheted, where they are sewn on and nothing says another place."""
+        placed = {r.part for _, r in self.work.out if isinstance(r, Placed)}
+        whites = [p for p in self.work.parts if p.kind == "eye" and p.copies == 2 and p.copy(1) in placed]
+        if not whites or f.where.rounds is not None or f.where.beside:
+            return None
+        hosts = [self.work.host((whites[0], k)) for k in (1, 2)]
+        spots = [Spot(h.name, float(h.low - 1), None, f.span) for h in hosts]
+        if not all(map(self.stand.there, spots)):
+            return None
+        wide = 2.0 * float(max(hosts[0].box[1][0], hosts[0].box[1][2])) * self.work.stitch
+        big = size(f.text) if size(f.text) and (size(f.text) or 0) < 45 else self.work.eye
+        big = min(big or 0.5 * wide, 0.8 * wide)
+        return [Eye(s, round(2.0 * big) / 2.0, f.color or Eye(s).color, f.span) for s in spots]
+
     def _two(self, f: Feature, host: Host, way: Way) -> list[Spot]:
         """The places of two things, mirrored about the middle of the front, the lower stitch first."""
         if f.where.rounds is not None:
@@ -84,6 +103,8 @@ class Facer(Putter):
             aside = tuple(b for b in f.where.beside if "between" not in b[0])  # two are not in the middle of anything
             point = self._beside(replace(f.where, beside=aside), host, way, 0.5)
             there = host.towards(way.direction) if point is None else point
+            if point is None and host.name == getattr(self.work.of_kind("face"), "name", None):
+                there = host.ahead(*(host.box[0] + np.array(_ON_MASK) * host.box[1])[:2])  # a disc, seen from before it
             there = self._off_the_snout(f, host, there)
             if self.work.spots.in_rows[host.part]:  # its rows may run upwards
                 apart = self._apart(f.where)
@@ -152,12 +173,16 @@ class Facer(Putter):
     def _faced(self, f: Feature, what: str) -> Host:
         """What a face is on: what is named, else a muzzle for noses and mouths, else the head."""
         work = self.work
+        mask = work.of_kind("face")
+        placed = {r.part for _, r in work.out if isinstance(r, Placed)}
+        masked = mask is not None and mask.name in placed and f.where.rounds is None
+        if masked and mask is not None and (f.host is None or f.host[0].kind in ("head", "face")):
+            return work.host((mask, 1))  # in front of the head
         if f.host is not None and not (what == "eye" and self._too_small(f)):
             two = {"head", "body"} <= set(work.main.kinds)
             region = (f.region if two else "head") if f.host[0] == work.main else ""
             return work.host((f.host[0], max(1, f.host[1])), "" if what in ("navel", "claws") and not two else region)
         muzzle = work.of_kind("muzzle")
-        placed = {r.part for _, r in work.out if isinstance(r, Placed)}
         if (
             what in ("nose", "v nose", "y nose", "mouth", "smile")
             and muzzle is not None
@@ -165,9 +190,6 @@ class Facer(Putter):
             and f.where.rounds is None
         ):
             return work.host((muzzle, 1))
-        mask = work.of_kind("face")
-        if mask is not None and mask.name in placed and f.where.rounds is None and f.host is None:
-            return work.host((mask, 1))
         head = work.of_kind("head")
         return work.host((head, 1)) if head is not None and head != work.main else work.host((work.main, 1), "head")
 

@@ -137,6 +137,8 @@ class Made:
             return "arm"
         if found[0] == "spot" and "eye" in found:
             return "eye"  # patches about the eyes
+        if "beard" in found and "hat" in found:
+            return "beard"  # with the hair beside it
         joined = set(found) <= {"head", "body", "neck", "leg"} or re.search(r"\band\b|&", self.name.lower())
         return next((k for k in ("body", "head") if joined and k in found), found[0])
 
@@ -198,7 +200,14 @@ def mentions(text: str, parts: list[Made]) -> list[Mention]:
             continue
         found.append(_mention(words, at, n, hit))
         at += n
-    return found
+    meant = {c for m in found if _named(m) for c in m.copies}
+    return [m for m in found if _named(m) or not meant & set(m.copies)]
+
+
+def _named(m: Mention) -> bool:
+    """Whether a word names a part itself: a curl on a cap is not the cap, where both are spoken of."""
+    kind = kind_of(m.word)
+    return not kind or any(kind in p.kinds or kind == p.likely or m.word in p.words for p, _ in m.copies)
 
 
 def _best(words: list[tuple[int, int, str, str]], at: int, parts: list[Made]) -> tuple[int, list[Made]]:

@@ -13,7 +13,8 @@ from tambour.core.check import Array
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import SIDE
 from tambour.crochet.places.hear import Copy, Put
-from tambour.crochet.places.held import BESIDE, SPREAD, Holder
+from tambour.crochet.places.held import BESIDE, SPREAD
+from tambour.crochet.places.jointed import Jointer
 from tambour.crochet.places.names import one
 from tambour.crochet.places.room import aside
 from tambour.crochet.places.stand import Host, neck
@@ -29,8 +30,6 @@ _BELOW_EYES: Final = {"muzzle": 0.75, "nose": 0.4, "beak": 0.3}
 """How far below the eyes the middle of a thing is, in halves of its width, where nothing says it."""
 _DOWN: Final = 0.4
 """By how many stitches at a time a snout is moved down that would cover an eye."""
-_UNDER: Final = np.array([0.0, -0.9, -0.45])
-"""Where the body is on a head that lies: under it, behind its middle."""
 _ROOM: Final = 3.6
 """Two things that are so far from the middle as a round has stitches divided by this stand left and right of it, not behind it."""
 _STANDS: Final = re.compile(
@@ -50,11 +49,9 @@ _BESIDE_BELLY: Final = -0.15
 """How high the arms of a ball with a face are."""
 _OVER_TOP: Final = 1.5
 """Ears so many stitches apart as there are rounds over the crown between them, within this, stand at the sides."""
-_RIM, _RIM_OFF = 16, 3
-"""Rims of so many stitches or more meet where they differ by no more than this."""
 
 
-class Putter(Holder):
+class Putter(Jointer):
     """Puts parts on a toy's parts, one after the other."""
 
     # -- parts ------------------------------------------------------------------------------------------------------
@@ -64,13 +61,12 @@ class Putter(Holder):
         assert put.host is not None
         work, made = self.work, put.copies[0][0]
         kind = put.kind
+        if kind in ("head", "neck") and self._lies((work.main, 1)) and "neck" in (kind, put.host[0].kind):
+            # What is said of rounds is said of the head, or of the body's opening.
+            put = replace(put, where=replace(put.where, rounds=None, stitch=None, beside=(), words=frozenset()))
+        assert put.host is not None
         if kind == "head" and put.host[0].kind == "neck" and self._lies((work.main, 1)):
-            ways = [Way((0.0, 0.9, 0.4), (0.0, -0.35, 1.0), flat=False)]
-            host = work.host(put.host)
-            spot, way = self._spotted(put, host, ways[0], 0)
-            record = self._placed(put, put.copies[0], spot, way, host)
-            self.stand.place(record)
-            return [record]
+            return [self._ahead_on_neck(put, put.host)]
         if kind in ("head", "body") and put.host[0].kind in ("head", "body", "neck", "") and not put.where.rounds:
             joined = self._joint(put)
             if joined is not None:
@@ -127,7 +123,8 @@ class Putter(Holder):
         if not all(self.stand.there(r.spot) for r in records):
             return [Placed(r.part, r.spot, span=put.span) for r in records]
         seams = self.room.seams(records, kind)
-        if not self.room.free(seams) and not self._exactly(put) and kind != "fluke":
+        end = len(records) == 1 and records[0].spot.stitch is None  # what is on an end stays there
+        if not self.room.free(seams) and not self._exactly(put) and kind != "fluke" and not end:
             for others in aside(told):
                 found_ = self._sewn(put, host, others)
                 if all(self.stand.there(r.spot) for r in found_) and self.room.free(
@@ -249,7 +246,8 @@ class Putter(Holder):
             pole = self._far_end(host)
             if pole is not None:
                 return replace(pole, span=put.span), way
-        pole = host.pole(direction, _ROUGHLY if put.kind in _ON_TOP else 0.9) if len(put.copies) == 1 else None
+        roughly = put.kind in _ON_TOP and not (put.kind == "neck" and self._lies_name(host))
+        pole = host.pole(direction, _ROUGHLY if roughly else 0.9) if len(put.copies) == 1 else None
         if pole is not None:
             return replace(pole, span=put.span), way
         near = host.near(self._off_the_eyes(put, host, host.towards(direction), k))
@@ -324,6 +322,10 @@ class Putter(Holder):
             if put.where.rounds is None and (wider := self._wider(host, a.round, _ROOM * off)) is not None:
                 a, b = replace(a, round=wider), replace(b, round=wider)
                 middle, count = host.middle(wider), host.count(wider)
+        elif put.kind == "eye" and put.where.rounds is None and not put.where.beside:
+            level, off = self._side_by_side(host, a.round, off, self._half(one))
+            a, b = replace(a, round=level), replace(b, round=level)
+            middle, count = host.middle(level), host.count(level)
         elif put.kind == "fluke" and self._lies_name(host) and a.round >= host.high - 1:
             off = (self.work.open(one[0].copy(1)) or 6) / 4  # side by side on the edge of a flat end
         elif "tip" in put.where.words:
@@ -338,6 +340,23 @@ class Putter(Holder):
         ways = (way, mirror) if (x >= 0.0) == (way.at[0] >= 0.0) else (mirror, way)
         return [(one, (low, ways[0])), (other, (high, ways[1]))]
 
+    def _side_by_side(self, host: Host, level: float, off: float, half: float) -> tuple[float, float]:
+        """The round nearest to ``level``, and the stitches from its middle there, where two things ``half`` wide do not overlap."""
+        share = min(off / max(host.count(level), 1), 0.25)
+        tried: list[tuple[float, float, float]] = []
+        for number in sorted((float(n) for n, _ in host.levels), key=lambda n: abs(n - level)):
+            middle, aside = host.middle(number), share * host.count(number)
+            one, other = (
+                self.stand.frame(host.within(Spot(host.name, number, middle + s * aside))).points[0]
+                for s in (-1.0, 1.0)
+            )
+            apart = float(np.sqrt(((one - other) ** 2).sum()))
+            if apart >= 2.0 * half:
+                return number, off if number == level else aside
+            tried.append((apart, number, aside))
+        _, number, aside = max(tried)
+        return number, aside
+
     @staticmethod
     def _wider(host: Host, level: float, least: float) -> float | None:
         """The nearest round of at least so many stitches, or as many as it has, where the one at ``level`` is narrower; else None."""
@@ -345,63 +364,6 @@ class Putter(Holder):
         if host.count(level) >= least:
             return None
         return min((float(n) for n, ring in host.levels if len(ring) >= least), key=lambda n: abs(n - level))
-
-    def _rims(self, put: Put) -> list[Placed] | None:
-        """A part whose open end is as wide as the other's, sewn to it rim to rim, where nothing else is said."""
-        assert put.host is not None
-        part, host = put.copies[0][0].copy(put.copies[0][1]), put.host[0].copy(max(1, put.host[1]))
-        own, other = self.work.open(part), self.work.open(host)
-        if len(put.copies) > 1 or put.where.rounds or min(own, other) < _RIM or abs(own - other) > _RIM_OFF:
-            return None
-        h = self.work.host((put.host[0], max(1, put.host[1])))
-        number = h.high + 1 if len(self.work.spots.rim(h.part)) else h.low - 1
-        record = Placed(part, Spot(host, float(number), None, put.span), span=put.span)
-        self.stand.place(record)
-        return [record]
-
-    def _joint(self, put: Put) -> list[Placed] | None:
-        """A head on a body, whichever of the two is open."""
-        assert put.host is not None
-        part, host = put.copies[0][0].copy(1), put.host[0].copy(1)
-        if len(put.copies) > 1 or self._lies(put.host):
-            return None
-        if put.host[0] == self.work.main and self.work.nose_first(put.copies[0][0]):
-            return self._hung(put, part, host)
-        own, other = self.work.open(part), self.work.open(host)
-        h = self.work.host(put.host)
-        span = put.span
-        if not own and other and put.host[0] == self.work.main:
-            # Only the body is open: it hangs on the head, which then stands on its end.
-            top = float(self.work.host(put.copies[0]).high + 1)
-            record = Placed(host, Spot(part, top, None, span), span=span)
-            self.work.made.ups.pop(put.host[0].name, None)
-            self.work.made.ups[put.copies[0][0].name] = "start"
-            self.stand.set_up(self.work.spots.parts[part], "start")
-            self.stand.place(record)
-            return [record]
-        pole = h.pole(np.array([0.0, 1.0, 0.0]))
-        if pole is None:
-            return None
-        record = Placed(part, replace(pole, span=span), span=span)
-        self.stand.place(record)
-        return [record]
-
-    def _hung(self, put: Put, part: str, host: str) -> list[Placed] | None:
-        """A head that was worked from its nose lies on the body: the body's end is sewn to its underside."""
-        assert put.host is not None
-        work, index = self.work, self.work.spots.parts[part]
-        if not work.open(host) and self.work.host(put.host).pole(np.array([0.0, 1.0, 0.0])) is None:
-            return None
-        self.stand.set_up(index, "side")
-        head = work.host((put.copies[0][0], 1))
-        spot = replace(head.near(head.towards(_UNDER)), span=put.span)
-        record = Placed(host, spot, span=put.span)
-        if not self.stand.there(spot):
-            return None
-        work.made.ups.pop(put.host[0].name, None)
-        work.made.ups[put.copies[0][0].name] = "side"
-        self.stand.place(record)
-        return [record]
 
 
 def _mirrored(one: Placed, other: Placed) -> Placed:

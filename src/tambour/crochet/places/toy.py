@@ -14,7 +14,9 @@ from tambour.crochet.places.hear import Copy
 from tambour.crochet.places.names import SIDED, Made, kind_of
 from tambour.crochet.places.stand import Host, Stand, neck, numbers_of
 
-_EYES_ON: Final = re.compile(r"\b(?:safety|plastic|toy) eyes?\b|\bembroider\w* (?:the |two )?eyes?\b")
+_EYES_ON: Final = re.compile(
+    r"\b(?:safety|plastic|toy) eyes?\b|\b(?:embroider|attach|add|insert|secure|place)\w* (?:the |two )?eyes?\b"
+)
 _PLACES: Final = frozenset(
     "front back hind fore rear upper lower top bottom inner outer under side large small big little".split()
 )
@@ -165,7 +167,11 @@ def faced(built: Built, sentences: list[tuple[str, str]]) -> set[str]:
     """
     eyed = {part for part, words in sentences if _EYES_ON.search(words.lower())}
     made = {p.name: Made(p.name, p.copies) for p in built.pattern.parts}
-    found = {name for name in eyed if name in made and made[name].kind == "" and made[name].copies == 1}
+    single = {name: made[name] for name in eyed if name in made and made[name].copies == 1}
+    found = {name for name, part in single.items() if part.kind == ""}
+    stars = {name for name, part in single.items() if part.kind == "bow"}
+    if stars and (whole := {name for name, part in single.items() if {"head", "body"} <= set(part.kinds)}):
+        found |= stars | whole  # beside an octopus that is head and body in one
     return found if len(found) > 1 else set()
 
 

@@ -108,7 +108,10 @@ class Upright(Toy):
         if len(counts) > 4 and counts[-1] >= 2 * counts[-2] > 20:
             return "start"  # a ruffle hangs
         wide = self.open(f"{main.name}.1")
-        lids = [p for p in mine if p.kind == "hat" and not main.kind]
+        single = [p for p in self.heard.puts if not main.kind and len(p.copies) == 1 and p.copies[0][0] != main]
+        lids = [
+            p for p in single if (p in mine and p.kind == "hat") or (p.host is None and not p.kind and not p.where.says)
+        ]
         if any(abs(self.open(p.copies[0][0].copy(1)) - wide) <= _RIM_OFF for p in lids):
             return "end"  # a roof that closes it
         hung = any(p.host and p.host[0] == main and "top" in p.where.words for p in self.heard.puts)

@@ -1,0 +1,113 @@
+"""Jointed: heads, bodies and necks, and what is sewn rim to rim: how the trunk of a toy is put together."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from tambour.crochet.language.finishes import Placed, Spot
+from tambour.crochet.places.hear import Copy, Put
+from tambour.crochet.places.held import Holder
+from tambour.crochet.places.stand import Host
+from tambour.crochet.places.usual import Way
+
+_UNDER: Final = np.array([0.0, -0.9, -0.45])
+"""Where the body is on a head that lies: under it, behind its middle."""
+_ROLL: Final = 5.0
+"""By how many degrees at a time a head is turned about its nose until its face is above."""
+_RIM, _RIM_OFF = 16, 3
+"""Rims of so many stitches or more meet where they differ by no more than this."""
+_ON_NECK: Final = Way((0.0, 0.9, 0.4), (0.0, -0.35, 1.0), flat=False)
+"""A head on the neck of what lies: its back on the neck, its nose ahead."""
+
+
+class Jointer(Holder):
+    """Puts a toy's trunk together."""
+
+    def _spotted(self, put: Put, host: Host, way: Way, k: int) -> tuple[Spot, Way]:
+        """Where one copy goes."""
+        raise NotImplementedError
+
+    def _ahead_on_neck(self, put: Put, neck: Copy) -> Placed:
+        """A head on the neck of what lies: ahead, its face above."""
+        host, copy, way = self.work.host(neck), put.copies[0], _ON_NECK
+        far = host.pole(way.direction, 0.3)
+        spot, way = (replace(far, span=put.span), way) if far is not None else self._spotted(put, host, way, 0)
+        record = self._face_up(self._placed(put, copy, spot, way, host), copy)
+        self.stand.place(record)
+        return record
+
+    def _face_up(self, record: Placed, copy: Copy) -> Placed:
+        """A head that looks ahead, turned about its nose so that the front of its rounds, where its face is, is above."""
+
+        def rises(across: float) -> float:
+            self.stand.place(replace(record, across=across))
+            host = self.work.host(copy)
+            number, ring = host.levels[len(host.levels) // 2]
+            k, share = divmod(host.middle(number) - 1.0, 1.0)
+            one, other = ring[int(k) % len(ring)], ring[(int(k) + 1) % len(ring)]
+            front = (1.0 - share) * one + share * other - ring.mean(0)
+            return float(front[1] / max(float(np.sqrt(front @ front)), 1e-9))
+
+        about = max(np.arange(-180.0, 180.0, 6.0 * _ROLL).tolist(), key=rises)
+        turns = [about + k * _ROLL for k in range(-9, 10)]
+        return replace(record, across=(max(turns, key=rises) + 180.0) % 360.0 - 180.0)
+
+    def _rims(self, put: Put) -> list[Placed] | None:
+        """A part whose open end is as wide as the other's, sewn to it rim to rim, where nothing else is said."""
+        assert put.host is not None
+        part, host = put.copies[0][0].copy(put.copies[0][1]), put.host[0].copy(max(1, put.host[1]))
+        own, other = self.work.open(part), self.work.open(host)
+        if len(put.copies) > 1 or put.where.rounds or min(own, other) < _RIM or abs(own - other) > _RIM_OFF:
+            return None
+        h = self.work.host((put.host[0], max(1, put.host[1])))
+        number = h.high + 1 if len(self.work.spots.rim(h.part)) else h.low - 1
+        record = Placed(part, Spot(host, float(number), None, put.span), span=put.span)
+        self.stand.place(record)
+        return [record]
+
+    def _joint(self, put: Put) -> list[Placed] | None:
+        """A head on a body, whichever of the two is open."""
+        assert put.host is not None
+        part, host = put.copies[0][0].copy(1), put.host[0].copy(1)
+        if len(put.copies) > 1 or self._lies(put.host):
+            return None
+        if put.host[0] == self.work.main and self.work.nose_first(put.copies[0][0]):
+            return self._hung(put, part, host)
+        own, other = self.work.open(part), self.work.open(host)
+        h = self.work.host(put.host)
+        span = put.span
+        if not own and other and put.host[0] == self.work.main:
+            # Only the body is open: it hangs on the head, which then stands on its end.
+            top = float(self.work.host(put.copies[0]).high + 1)
+            record = Placed(host, Spot(part, top, None, span), span=span)
+            self.work.made.ups.pop(put.host[0].name, None)
+            self.work.made.ups[put.copies[0][0].name] = "start"
+            self.stand.set_up(self.work.spots.parts[part], "start")
+            self.stand.place(record)
+            return [record]
+        pole = h.pole(np.array([0.0, 1.0, 0.0]))
+        if pole is None:
+            return None
+        record = Placed(part, replace(pole, span=span), span=span)
+        self.stand.place(record)
+        return [record]
+
+    def _hung(self, put: Put, part: str, host: str) -> list[Placed] | None:
+        """A head that was worked from its nose lies on the body: the body's end is sewn to its underside."""
+        assert put.host is not None
+        work, index = self.work, self.work.spots.parts[part]
+        if not work.open(host) and self.work.host(put.host).pole(np.array([0.0, 1.0, 0.0])) is None:
+            return None
+        self.stand.set_up(index, "side")
+        head = work.host((put.copies[0][0], 1))
+        spot = replace(head.near(head.towards(_UNDER)), span=put.span)
+        record = Placed(host, spot, span=put.span)
+        if not self.stand.there(spot):
+            return None
+        work.made.ups.pop(put.host[0].name, None)
+        work.made.ups[put.copies[0][0].name] = "side"
+        self.stand.place(record)
+        return [record]
