@@ -10,7 +10,6 @@ import numpy as np
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.held import Holder
-from tambour.crochet.places.stand import Host
 from tambour.crochet.places.usual import Way
 
 _UNDER: Final = np.array([0.0, -0.9, -0.45])
@@ -26,15 +25,11 @@ _ON_NECK: Final = Way((0.0, 0.9, 0.4), (0.0, -0.35, 1.0), flat=False)
 class Jointer(Holder):
     """Puts a toy's trunk together."""
 
-    def _spotted(self, put: Put, host: Host, way: Way, k: int) -> tuple[Spot, Way]:
-        """Where one copy goes."""
-        raise NotImplementedError
-
     def _ahead_on_neck(self, put: Put, neck: Copy) -> Placed:
         """A head on the neck of what lies: ahead, its face above."""
         host, copy, way = self.work.host(neck), put.copies[0], _ON_NECK
-        far = host.pole(way.direction, 0.3)
-        spot, way = (replace(far, span=put.span), way) if far is not None else self._spotted(put, host, way, 0)
+        far = host.pole(way.direction, 0.3) or host.near(host.towards(way.direction))
+        spot = replace(far, span=put.span)
         record = self._face_up(self._placed(put, copy, spot, way, host), copy)
         self.stand.place(record)
         return record
