@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tambour.core.errors import TambourError, Text
-from tambour.core.graph import BACK
+from tambour.core.graph import BACK, FRONT
 from tambour.core.progress import Progress
 from tambour.crochet.graph.build import build
 from tambour.crochet.language.parse import parse
@@ -59,6 +59,28 @@ def test_popcorns_are_no_bobbles() -> None:
     far = [float(np.abs(way.at[:, 2]).max()) for way in led]
     assert far[1] > 1.15 * far[0]
     assert len(led[1].cell) > len(led[0].cell)
+
+
+@pytest.mark.parametrize("name, times", [("rows", 0), ("hdc", 0), ("dc", 1), ("tr", 2)])
+def test_a_tall_stitch_shows_its_yarn_overs_across_its_post(name: str, times: int) -> None:
+    """A double is told from a treble by them: so often the yarn comes out furthest in front of the post, above its foot."""
+    graph = build(parse(Text(text(name)))).graph
+    led = lead.way(graph)
+    kind = "sc" if name == "rows" else name
+    for i in np.flatnonzero(graph.kind == graph.kinds.index(kind))[:8].tolist():
+        w = led.at[led.cell == i, 2]
+        assert int(((w[1:-1] > 0.45) & (w[1:-1] > w[:-2]) & (w[1:-1] > w[2:])).sum()) == times
+
+
+def test_the_loop_that_front_loops_leave_free_stands_out_inside() -> None:
+    graph = build(parse(Text(text("flo")))).graph
+    led = lead.way(graph)
+    free = np.zeros(len(graph), np.bool_)
+    free[graph.parent[graph.loop == FRONT]] = True
+    worked = np.flatnonzero(graph.kind == graph.kinds.index("sc"))
+    deepest = np.array([led.at[(led.cell == i) & (led.at[:, 1] > 0.8), 2].min() for i in worked.tolist()])
+    assert free[worked].sum() >= 50
+    assert deepest[free[worked]].max() < -0.45 and np.median(deepest[~free[worked]]) > -0.4
 
 
 def test_the_left_hand_makes_the_mirror_image() -> None:

@@ -20,7 +20,7 @@ def _rows(tall: str, lift: str, times: int, *, back: str = "") -> str:
 
 
 def _rounds(*lines: str) -> str:
-    """A disc of three rounds, then ``lines``."""
+    """A disc of three rounds, then ``lines``, in a spiral."""
     every = ("MR(6)", "6 inc", "[sc, inc] x 6", *lines)
     return _FLAT + "\n".join(f"R{k + 1}: {line}" for k, line in enumerate(every)) + "\n"
 
@@ -68,7 +68,7 @@ TABLE: Final[dict[str, tuple[str, str]]] = {
     "blo": ("back loops only, in rounds", _tube("24 sc", "BLO, 24 sc", "24 sc", "24 sc", "BLO, 24 sc", "24 sc")),
     "flo": (
         "front loops only, in rounds: the ridge is inside",
-        _tube("24 sc", "FLO, 24 sc", "24 sc", "FLO, 24 sc", "24 sc"),
+        _rounds("[2 sc, inc] x 6", "[3 sc, inc] x 6", "30 sc", "FLO, 30 sc", "30 sc", "FLO, 30 sc, slst"),
     ),
     "ribs": ("back loops only, in rows", _rows("BLO, 12 sc", "ch", 8)),
     "fpdc": ("front post double crochet", _tube("24 dc", *["[fpdc, dc] x 12"] * 3, lift="2 ch")),

@@ -22,6 +22,8 @@ FLAT: Final = 0.3
 LIGHTS: Final = 30
 INSIDE: Final = ("flo",)
 """Specimens that one looks into."""
+SEAMS: Final = ("joined",)
+"""Specimens that show where their rounds are joined."""
 
 
 def sheet(piece: Plush) -> Drawing:
@@ -57,13 +59,27 @@ def near(piece: Plush, width: int) -> Picture:
     flat = deep < FLAT * wide
     azimuth, elevation = (0.0, radians(70.0)) if lies(piece) else (pi, radians(4.0)) if flat else (0.3, radians(14.0))
     if piece.params.specimen in INSIDE:
-        azimuth, elevation = azimuth + pi, radians(36.0)
+        elevation = radians(43.0)
+    if piece.params.specimen in SEAMS:
+        azimuth = seam(piece)
     shown = toy(piece)
     if flat and not lies(piece):
         shown = level(shown, piece)
     if face_down(piece):
         shown = turned(shown)
     return picture(shown, width=width, height=width, azimuth=azimuth, elevation=elevation, lights=LIGHTS)
+
+
+def seam(piece: Plush) -> float:
+    """Radians to where rounds are joined."""
+    from math import atan2
+
+    from tambour.core.graph import JOIN
+
+    graph = piece.built.graph
+    where = piece.positions[graph.edges[graph.edge_kind == JOIN].ravel()] - piece.positions.mean(0)
+    x, _, z = where.mean(0).tolist()
+    return atan2(x, z)
 
 
 def level(mesh: Mesh, piece: Plush) -> Mesh:

@@ -15,7 +15,7 @@ from tambour.crochet.yarn.clearance import clear
 from tambour.crochet.yarn.course import Course, course, place
 from tambour.crochet.yarn.fibres import KINDS
 from tambour.crochet.yarn.lead import Way, way
-from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO
+from tambour.crochet.yarn.loops import BLOOM, LEAN, RATIO, TALL
 from tambour.crochet.yarn.spline import smooth, thin
 from tambour.crochet.yarn.surface import lining
 from tambour.geometry.motion import length
@@ -152,7 +152,10 @@ def _upright(at: Array, led: Way, graph: StitchGraph, rows: Course, lean: float)
     missing = np.zeros(len(graph))
     missing[worked] = np.clip(1.0 + (glided[worked] - glided[on]) * around[worked] / lean, 0.0, BACKWARDS)
     u, v, w = at.T
-    front = np.clip(w / 0.25, 0.0, 1.0) * np.clip(v / 0.8, 0.0, 1.0) * np.clip((1.2 - v) / 0.3, 0.0, 1.0)
+    # Posts of tall stitches are led upright.
+    high = graph.height[led.cell]
+    high = np.where(high < TALL, np.maximum(high, 1.0), np.inf)
+    front = np.clip(w / 0.25, 0.0, 1.0) * np.clip(v / high / 0.8, 0.0, 1.0) * np.clip((0.2 + high - v) / 0.3, 0.0, 1.0)
     return np.stack([u - lean * ERECT * front * missing[led.cell], v, w], axis=1)
 
 

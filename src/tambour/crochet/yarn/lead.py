@@ -32,6 +32,7 @@ from tambour.crochet.yarn.loops import (
     HEAD,
     LEAN,
     SINGLE,
+    TALL,
     TOP,
     UNDER,
     count_points,
@@ -93,11 +94,16 @@ _WOUND = np.array(
 _THIRD = np.array(
     [(0.80, -0.36, -0.32), (0.90, -0.24, -0.42), (0.45, -0.20, -0.46), (0.0, -0.26, -0.42), (0.04, -0.42, -0.32)]
 )
-# A stitch of a seam, from the top of the stitch that is sewn on: out of the fabric below beside its edge, over its last round
-# where one sees it, in there, and down inside to the next.
-_SEAM = np.array(
-    [(-0.16, 0.02, 0.10), (-0.08, -0.02, 0.33), (0.12, -0.22, 0.46), (0.30, -0.42, 0.34), (0.36, -0.48, -0.20)]
-)
+# A yarn over of a tall stitch is wound once about its post: up across the front, and around behind; v from its middle.
+_WRAP = np.array(
+    [
+        (-0.12, -0.10, -0.24), (-0.16, -0.30, 0.0), (-0.07, -0.26, 0.28), (0.14, -0.04, 0.48), (0.34, 0.18, 0.38),
+        (0.43, 0.30, 0.08), (0.36, 0.24, -0.24), (0.18, -0.02, -0.42), (-0.02, -0.30, -0.42),
+    ]
+)  # fmt: skip
+# A stitch of a seam, from the top of the stitch that is sewn on: out of its last round under its edge, down over that round, where
+# one sees it, in there, and inside to the next. Over the edge itself it would stand up as a tooth.
+_SEAM = np.array([(-0.06, -0.16, -0.1), (0.02, -0.2, 0.3), (0.12, -0.3, 0.48), (0.22, -0.44, 0.38), (0.26, -0.5, -0.2)])
 _UNDER = np.array([(0.0, -0.1, -0.45)])
 
 TIGHT = 0.6
@@ -160,6 +166,7 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         np.stack([single, with_rows(single, FRONT_ONLY), with_rows(single, BACK_ONLY)]),
         CHAIN,
         *_shapes(graph),
+        LEAN[hold],
         cell,
         below,
         at,
@@ -205,6 +212,8 @@ def way(graph: StitchGraph, hold: str = "over") -> Way:
         pieces.put(int(start[i]) + 5 + 14 * loops, AFTER, i, int(on[i]), crown, float(graph.height[i]) - 1)
     for i, before, rows, rise in _overs(graph, role):
         pieces.put(int(start[i]) + before, AFTER, i, int(on[i]), rows, rise)
+    for i, before, rows in _wraps(graph, role):
+        pieces.put(int(start[i]) + before, AFTER, i, int(on[i]), rows)
     _tight(graph, role, follows, start, at)
     drop = np.zeros(total, np.bool_)
     for i in worked[~follows[worked]].tolist():
@@ -289,12 +298,24 @@ def _hanging(i: int, k: int, loops: int) -> Array:
 
 def _overs(graph: StitchGraph, role: Array) -> list[tuple[int, int, Array, float]]:
     """The third loops of half doubles: the stitch, before which of its points, where, and how high up."""
-    half = (role == STITCH) & (graph.height > 1.3) & (graph.height < 1.75)
+    half = (role == STITCH) & (graph.height > 1.3) & (graph.height < TALL)
     made = []
     for i in np.flatnonzero(half).tolist():
         own = graph.anchors[graph.anchor_offsets[i] : graph.anchor_offsets[i + 1]]
         if len(own) == 1 or own[0] != own[-1]:  # many loops in one place hide them
             made.append((i, 5 + 14 * len(own), _THIRD, float(graph.height[i])))
+    return made
+
+
+def _wraps(graph: StitchGraph, role: Array) -> list[tuple[int, int, Array]]:
+    """The yarn overs about the posts of tall stitches, from the top down: the stitch, before which of its points, and where."""
+    made = []
+    for i in np.flatnonzero((role == STITCH) & (graph.height >= TALL)).tolist():
+        own = graph.anchors[graph.anchor_offsets[i] : graph.anchor_offsets[i + 1]]
+        high = float(graph.height[i])
+        stories = int(high + 0.5)
+        if len(own) == 1:
+            made += [(i, 2, _WRAP + np.array([0.0, high * k / stories, 0.0])) for k in range(stories - 1, 0, -1)]
     return made
 
 

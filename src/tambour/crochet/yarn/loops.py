@@ -102,6 +102,12 @@ CHAIN: Final[Array] = np.array([(-0.234, 0.535, -0.313), (0.04, 0.52, -0.33), (0
 SUNK: Final = (0.1, 0.1)
 """How far down and in the front strand of a head is drawn that lies before a decrease: no loop covers it."""
 
+POST, NARROW = 0.13, 0.5
+"""Where a tall stitch's post stands, and how far apart the legs of a tall stitch stand, as a share of a single crochet's."""
+
+TALL: Final = 1.75
+"""Stitches of this height, in single crochets, and higher have a post of several loops, one above the other."""
+
 SHEAR: Final = 0.5
 """A tall stitch's next loop comes through the arch of the last, which lies this far from a hole's place."""
 
@@ -109,7 +115,7 @@ SHEAR: Final = 0.5
 @kernel
 def _stories(height: float) -> int:
     """Loops one above the other in a post: one up to a half double crochet, then one per stitch height."""
-    return 1 if height < 1.75 else int(height + 0.5)
+    return 1 if height < TALL else int(height + 0.5)
 
 
 @kernel
@@ -150,6 +156,7 @@ def lead(
     deep: F8x1,
     relief: F8x1,
     bump: F8x1,
+    lean: float,
     cell: I4x1,
     below: I4x1,
     at: F8x2,
@@ -160,7 +167,7 @@ def lead(
     ridge : (N,) whether a stitch above leaves this one's front strand (1) or its back one (-1) free; sunk : (N,) whether its head is drawn in, since
     the loops of a decrease lean away from it; chain : (4, 3), before a chain's loop
     deep : (N,) how far below its row a stitch is worked (around a post, in the row below); relief : (N,) how far it stands
-    out; bump : (N,) how far the loops of one that are all in one anchor bulge, negative to the other side
+    out; bump : (N,) how far the loops of one that are all in one anchor bulge, negative to the other side; lean : of the tables
     """
     for i in range(len(role)):
         p = start[i]
@@ -189,9 +196,12 @@ def lead(
             beside = 0.0 if last - first == 1 else (number + 0.5) / (last - first) - 0.5
             for k in range(5, 19):
                 u, v, w = use[k, 0], use[k, 1], use[k, 2]
-                if story > 0:
+                if stories > 1 and not bulging:
+                    # A tall stitch stands upright, its legs side by side: a post, and air beside it.
+                    u = POST + NARROW * (u - lean * v - POST)
+                elif story > 0:
                     u += SHEAR * min(1.0, max(0.0, 0.6 - v))
-                if v > 0.3 and story < stories - 1:
+                if bulging and v > 0.3 and story < stories - 1:
                     # An arch that a loop comes through, not the top loop: narrower.
                     u = 0.1 + 0.7 * (u - 0.1)
                 if bulging and story == 0:
@@ -220,8 +230,8 @@ def lead(
                 at[p, 2] += 0.12
             elif ridge[i] == -1 and 36 <= k <= 40:
                 # What is left free inside lies there as a bar, below the row that passes it by.
-                at[p, 1] -= 0.20
-                at[p, 2] -= 0.28
+                at[p, 1] -= 0.22
+                at[p, 2] -= 0.40
             if sunk[i] and k >= 25 and k <= 36:
                 at[p, 1] -= SUNK[0]
                 at[p, 2] -= SUNK[1]
