@@ -180,3 +180,58 @@ def test_what_is_printed_again_makes_the_same(words):
     built = told(words)
     again = build(read(Text(instructions(read(Text(words, "toy.txt"))).text, "printed.md")))
     assert stitches(again, 1) == stitches(built, 1) and again.hook.joins == built.hook.joins
+
+
+# -- spaces, rows, joins ------------------------------------------------------------------------------------------------
+
+
+def test_a_space_of_several_chains_is_one_space_in_rows_too():
+    lace = (
+        "Lace\nCh 10.\nRow 1: Sc in 2nd ch from hook, *ch {n}, skip next ch, sc in next ch; rep from * across. Turn.\n"
+    )
+    for n in (2, 3, 5):
+        built = told(
+            lace.format(n=n)
+            + f"Row 2: Ch 1, sc in first sc, *4 dc in next ch-{n} sp, sc in next sc; rep from * across. Turn.\n"
+        )
+        kinds = [word[:2] for word in stitches(built, 2).split()]
+        assert kinds == ["sc", *["dc", "dc", "dc", "dc", "sc"] * 4]
+
+
+@pytest.mark.parametrize("end", ["Join.", ""])
+def test_what_lies_behind_the_last_space_of_a_round_is_passed(end):
+    rounds = f"2nd rnd: *(1 hdc. Ch 1. 1 hdc) in next sc. Rep from * around. {end} 12 hdc.\n3rd rnd: *3 hdc in next ch-1 sp. Rep from * around. {end} 18 hdc.\n"
+    more = "".join(f"{k}th rnd: 1 sc in each st around. {end} 18 sc.\n" for k in (4, 5))
+    built = told(f"Pot\nCh 2.\n1st rnd: 6 sc in 2nd ch from hook. 6 sc.\n{rounds}{more}")
+    assert stitches(built, 4) == stitches(built, 5) == each("sc", 1, 18)
+
+
+def test_a_row_that_stands_on_one_whose_turn_nobody_says_can_be_repeated():
+    back = "Back\nCh 6. Sc in 2nd ch from hook and in each ch across.\nRow 2: ch 1, sc in each sc across; turn.\nRepeat row 2 until there are 4 rows.\n"
+    built = told(f"{back}Next row: ch 1, sc in first 2 sts, ch 2, skip next st, sc in last 2 sts; turn.\n")
+    for number in (2, 3, 4):
+        assert stitches(built, number) == " ".join(f"sc{k}" for k in range(5, 0, -1))
+    assert stitches(built, 5) == "sc5 sc4 ch ch sc2 sc1"
+
+
+def test_a_joined_round_that_ends_with_another_yarn_is_joined_with_it():
+    built = told(
+        f"{BALL}3rd rnd: Ch 1. 1 sc in each sc around. Break A. Join with B.\n4th rnd: With B, ch 1. 2 sc in each sc around. Join. 24 sc.\n"
+    )
+    assert [lifts(built, k) for k in (2, 3, 4)] == [1, 1, 1]
+    assert len(built.hook.joins) == 2 * 4 - 1  # a ring's first stitch has no chain beside it
+
+
+def test_the_first_chain_of_the_other_side_is_the_one_at_the_turn():
+    body = "Body\nCh 6.\nRound 1: Sc in 2nd ch from hook and in next 3 ch, 3 sc in last ch; working in opposite side of foundation ch, {skip}sc in next 3 ch, 2 sc in last ch—12 sc.\n"
+    plain, skipped = (told(body.format(skip=s) + "Round 2: Sc in each sc around.\n") for s in ("", "skip first ch, "))
+    assert stitches(skipped, 1) == stitches(plain, 1) and stitches(skipped, 2) == each("sc", 1, 12)
+
+
+def test_what_a_count_says_of_chains_holds_for_rounds_that_state_none():
+    pail = "Pail\nRnd 1: Ch 4, 15 dc in 4th ch from hook, join - 16 dc.\nRnd 2: Ch 3, dc in same st as joining, [2 dc in next st] 15 times; join - 32 dc.\n"
+    built = told(
+        f"{pail}Rnd 3: Ch 3, dc in each dc around; join.\nRnd 4: Ch 3, dc in each dc around inc 4 sts evenly spaced; join - 36 dc.\n"
+    )
+    assert stitches(built, 3) == "ch3dc1 " + each("dc", 2, 32)
+    assert stitches(built, 4).startswith("ch3dc1 dc2") and len(stitches(built, 4).split()) == 36

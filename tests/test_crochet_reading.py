@@ -146,7 +146,8 @@ def test_doubtful_wording_is_asked_about(round_two, made, asked):
 def test_chains_that_begin_a_round_stand_for_a_stitch_when_the_count_says_so():
     body = "Rnd 1: 12 dc in MR, join (12)\nRnd 2: Ch 3, dc in next 11 sts, join (12)\nRnd 3: ch 3, dc in each st around, join (12)"
     second, third = read_printed(Text(body)).parts[0].lines[1:3]
-    assert [i.name for i in second.items] == ["ch3dc", "dc", "join"] and third.items[0].name == "ch"
+    assert [i.name for i in second.items] == ["ch3dc", "dc", "join"]
+    assert third.items[0].name == "ch3dc"  # either makes its count; what Round 2's count says of such chains holds
 
 
 @pytest.mark.parametrize(

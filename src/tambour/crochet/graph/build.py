@@ -14,7 +14,7 @@ from tambour.crochet.graph.attach import attach
 from tambour.crochet.graph.built import Built, Done, PartFacts, Worked
 from tambour.crochet.graph.hook import Hook, HookError
 from tambour.crochet.graph.layers import fold, through_both
-from tambour.crochet.graph.spaces import into_space, spaces_ahead
+from tambour.crochet.graph.spaces import into_space, pass_rest, spaces_ahead
 from tambour.crochet.graph.starts import foundation_row, leave_spare, oval, ring
 from tambour.crochet.language.stitches import MOST, RULES, STITCHES, Stitch
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern, Section
@@ -216,6 +216,8 @@ class _Worker:
             self._item(item)
         if hook.now.spare >= 0:
             leave_spare(hook)
+        if line.in_round and self._spaces(_around_last(line.items)):
+            pass_rest(hook)
         edge = hook.now.count + hook.joined
         for note in line.notes:
             self.log.append(Done("note", 1, (), (self.pattern.text.text[note.start : note.end],)))
@@ -456,6 +458,13 @@ class _Worker:
             self.log[-1] = Done(last.what, last.times + action.times, (), (), last.span)
         else:
             self.log.append(Done(action.name, action.times, action.numbers, action.labels, action.span))
+
+
+def _around_last(items: tuple[Item, ...]) -> tuple[Item, ...]:
+    """What goes around at the end of a round, none where it ends otherwise."""
+    rest = [i for i in items if not isinstance(i, Action) or i.name not in ("color", "flo", "blo", "bl")]
+    last = rest[-1] if rest else None
+    return last.items if isinstance(last, Group) and last.times is None and not last.leaves else ()
 
 
 def _names(items: tuple[Item, ...]) -> Iterator[str]:

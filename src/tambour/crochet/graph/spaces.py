@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from tambour.crochet.graph.hook import Hook
-from tambour.crochet.language.stitches import KNOT, OVER, THROUGH, Stitch
+from tambour.crochet.language.stitches import KNOT, OVER, STITCHES, THROUGH, Stitch
 
 BETWEEN = 0.92
 """Width of a chain between stitches, in stitches: those on either side draw it together."""
@@ -13,6 +13,17 @@ BETWEEN = 0.92
 
 def _is_chain(hook: Hook, n: int) -> bool:
     return n >= 0 and hook.ends[n + 1] == hook.ends[n] and hook.styles[hook.style[n]][0] == "ch"
+
+
+def _linked(hook: Hook, one: int, other: int) -> bool:
+    """Whether two chains follow one another; rows meet those of the row below from their other end."""
+    return hook.previous[other] == one or hook.previous[one] == other
+
+
+def pass_rest(hook: Hook) -> None:
+    """Goes past the stitches behind the last space of a round that was worked into its spaces all around."""
+    if hook.now.ring and 0 < hook.now.left < hook.now.count and not spaces_ahead(hook):
+        hook.stitch(STITCHES["skip"], hook.now.left)
 
 
 def spaces_ahead(hook: Hook) -> int:
@@ -23,7 +34,7 @@ def spaces_ahead(hook: Hook) -> int:
             break
         if n >= 0:
             left -= 1
-            found += _is_chain(hook, n) and not (before >= 0 and hook.previous[n] == before)
+            found += _is_chain(hook, n) and not (before >= 0 and _linked(hook, before, n))
             before = n if _is_chain(hook, n) else -2
     return found
 
@@ -62,7 +73,7 @@ def _one(hook: Hook, stitch: Stitch) -> None:
         )
     space = [front[0]]
     while len(space) < min(len(front), now.left) and _is_chain(hook, front[len(space)]):
-        if hook.previous[front[len(space)]] != space[-1]:
+        if not _linked(hook, space[-1], front[len(space)]):
             break
         space.append(front[len(space)])
     runs: list[list[int]] = [[]]  # stitches side by side on one chain

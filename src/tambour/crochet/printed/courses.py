@@ -159,6 +159,9 @@ class Courses(Reader):
             return
         if c.whole() is not None and (strands := c.look(1)) is not None and strands.word in ("strands", "strand"):
             c.at += 2  # "Join 2 strands of MC"
+        goes_on = (
+            c.key("with") and bool(found) and _lifts(found)
+        )  # "Break A. Join with B": joined as all its rounds are
         c.skip_key("with", "color", "yarn")
         if c.key("next") and c.look(1) is not None and c.look(1).word in ("color", "colour"):  # type: ignore[union-attr]
             c.at += 2
@@ -175,7 +178,7 @@ class Courses(Reader):
             tied = any(t.kind == "stitch" and t.value in ("slst", "sc") for t in c.tokens[begin : c.at])
             if not worked:
                 self.body.moved = self.body.moved or moved(c.tokens[begin : c.at])
-            if worked and tied:
+            if worked and (tied or goes_on):
                 found.append(Action("join", token.span))
             found.append(Action("color", span, numbers=shade[0]))
             found += [] if worked else _joining_stitch(c.tokens[begin : c.at])
@@ -194,6 +197,12 @@ class Courses(Reader):
             self.body.both = True
             return
         found.append(Action("join", token.span))
+
+
+def _lifts(found: list[Item]) -> bool:
+    """Whether a round begins with a chain that lifts the yarn, as joined rounds do."""
+    first = next((i for i in found if not isinstance(i, Action) or i.name not in ("color", "flo", "blo")), None)
+    return isinstance(first, Action) and first.name == "ch"
 
 
 def _joining_stitch(clause: list[Token]) -> list[Item]:

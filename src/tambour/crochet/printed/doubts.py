@@ -10,7 +10,7 @@ from typing import Final
 
 from tambour.core.errors import Span
 from tambour.crochet.language.source import Source
-from tambour.crochet.language.stitches import Stitch, into_one
+from tambour.crochet.language.stitches import STANDING, Stitch, into_one
 from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.asides import penned
 from tambour.crochet.printed.body import Walk
@@ -38,6 +38,7 @@ READINGS: Final = {
 """Wording → its first reading, which is taken unless the count speaks for the second."""
 
 
+_BEFORE: Final = ("color", "flo", "blo", "bl", "turn", "goto")
 _COUNTED: Final = frozenset(("open", "more", "stands", "passed", "pair", "one", "one glued"))
 
 
@@ -152,6 +153,9 @@ def decided(
         body.fit = fit(body)
     if body is not first and "places" in body.asked and body.stated is not None and body.fit:
         source.each = not source.each
+    if body is not first and "stands" in body.asked and body.stated is not None and body.fit == 2:
+        for n in _standing(body.items):
+            source.standing.setdefault(n, True)  # what a count says of such chains holds for the rounds that state none
     for what, span in first.asked.items():
         first_way, second_way = READINGS[what]
         if body is not first and what in body.asked and what not in ("pair", "stands", "passed"):
@@ -164,6 +168,12 @@ def decided(
                 span,
             )
     return body
+
+
+def _standing(items: list[Item]) -> list[int]:
+    """How many chains the first stitch of a round is, where chains stand for it: ``ch3dc``, ``{ch3dc, dc}``."""
+    named = next((i.name.removeprefix("{") for i in items if isinstance(i, Action) and i.name not in _BEFORE), "")
+    return [int(name[2]) for name in STANDING if named.split(",")[0].rstrip("}") == name]
 
 
 def _told_rest(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> bool:
@@ -262,6 +272,9 @@ def along(body: Body, base: int, stitches: dict[str, Stitch]) -> None:
         return made
 
     one, whole = bounded(body.items[: body.turned], base), body.items[body.turned :]
+    passed = whole[0] if whole else None
+    if isinstance(passed, Action) and passed.name == "skip" and sum(map(takes, bounded(whole, base))) == base:
+        whole = [replace(passed, times=passed.times - 1), *whole[1:]][passed.times == 1 :]  # the chain at the turn
     other = bounded(whole, base - 1)
     # The chain at the turn is worked into again on the other side where the count says so.
     both_sides = bounded(whole, base)

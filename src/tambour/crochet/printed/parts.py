@@ -339,7 +339,13 @@ class Draft:
             lifted = False  # "3rd to 5th rnds: Ch 1. 1 sc in each sc around. Do not join."
         worked = any(works(line_item) for line in self.lines for line_item in line.items)
         if self.flat and worked and not turns and not lifted and (head is None or head.row) and any(map(works, items)):
-            return [*items[:at], Action("turn", span_of(items[at])), *items[at:]]
+            turn = Action("turn", span_of(items[at]))
+            if head is not None and not several and self.lines[-1] is before and before.in_round and before.times == 1:
+                self.lines[-1] = replace(
+                    before, items=(*before.items, turn)
+                )  # a row ends with its turn, so that it can be repeated
+                return items
+            return [*items[:at], turn, *items[at:]]
         if (
             isinstance(lead, Action)
             and lead.name == "ch"

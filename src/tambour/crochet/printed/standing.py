@@ -77,6 +77,8 @@ def may_stand(r: Reader, number: Token | None) -> bool:
     if number is None or number.value not in CHAINS_OF or c.look() is None:
         return False
     said = c.tokens[c.at : c.at + 8]
+    if r.edge is None and any(t.value == "hook" for t in c.tokens[c.at : c.at + 14]):
+        return False  # "ch 4, 15 dc in 4th ch from hook": what the piece begins with
     return not (c.mark("(", "[") and any(t.kind == "key" and t.value in ("not", "count") for t in said))
 
 

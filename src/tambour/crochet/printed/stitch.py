@@ -360,9 +360,12 @@ def spread(r: Reader, found: list[Item]) -> bool:
     fewest = 1 if token.value == "inc" else 2
     if group.times != 1 or f"{kind}{token.value}" not in r.stitches or number * fewest > r.edge:
         return False
+    room = r.edge - taken(found[:-1], r.edge, r.stitches)  # chains that stand for the first stitch stand in one of them
+    if room < number * fewest:
+        return False
     made: list[Item] = []
     for k in range(number):
-        size = (k + 1) * r.edge // number - k * r.edge // number
+        size = (k + 1) * room // number - k * room // number
         made += [Action(group.name, last.span, size - fewest)] if size > fewest else []  # type: ignore[union-attr]
         made.append(Action(f"{kind}{token.value}", token.span))
     found[-1:] = made
