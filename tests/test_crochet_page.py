@@ -108,8 +108,8 @@ def test_nothing_leaves_the_paper_or_lies_over_other_words(
 ) -> None:
     nothing = Picture(np.full((2, 3, 4), 255, np.uint8))
     monkeypatch.setattr("tambour.crochet.page.booklet.whole", lambda *_: nothing)
-    for name in ("of_parts", "of_step", "from_side"):
-        monkeypatch.setattr(f"tambour.crochet.page.parts.{name}", lambda *_: nothing)
+    for name in ("parts.of_parts", "assembly.of_step", "assembly.from_side"):
+        monkeypatch.setattr(f"tambour.crochet.page.{name}", lambda *_: nothing)
     for drawing in booklet(page=page, title="A title that is so long that it hardly fits " * 3):
         assert tuple(drawing.size) == size
         boxes = []
@@ -421,8 +421,8 @@ sew(al.1, bl)
 
 
 def test_what_is_sewn_by_marks_is_a_sentence_for_every_part() -> None:
+    from tambour.crochet.page.assembly import _sentences
     from tambour.crochet.page.book import Book
-    from tambour.crochet.page.parts import _sentences
 
     piece = make(Text(MARKED, "toy.acl"), CrochetParams(solver="none"), Progress())
     found = steps(piece)

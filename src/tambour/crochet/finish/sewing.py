@@ -94,7 +94,12 @@ def end_of(built: Built, spots: Spots, placed: Placed) -> End:
     m = len(nodes)
     if shut(spots, nodes):
         return End(nodes, False, none)
-    if not placed.flat and not rows and graph.parts[part].stuffing == 0.0 and _disc(built, part, 1):
+    if (
+        not placed.flat
+        and not rows
+        and (graph.parts[part].stuffing == 0.0 or _one_round(built, part))
+        and _disc(built, part, 1)
+    ):
         return End(nodes, True, none, laid=True, disc=True)
     pinch = placed.flat and not rows
     pairs = np.column_stack([nodes[: m // 2], nodes[::-1][: m // 2]]) if pinch else none
@@ -110,6 +115,11 @@ def _disc(built: Built, part: int, least: int = 4) -> bool:
     """Whether a part is a flat circle of ``least`` rounds or more: about six stitches more in every round."""
     counts = [r.count for r in built.rounds if r.part == part]
     return len(counts) >= least and counts[-1] == max(counts) and counts[-1] >= GROWS * len(counts)
+
+
+def _one_round(built: Built, part: int) -> bool:
+    """Whether a part is a single round: there is nothing to be stuffed, whatever is said of stuffing."""
+    return sum(r.part == part and r.count > 0 for r in built.rounds) == 1
 
 
 def _oval(built: Built, part: int) -> bool:

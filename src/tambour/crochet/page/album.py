@@ -76,7 +76,9 @@ class Album:
         keep = np.flatnonzero(holds(wanted) & ~holds(known))
         lines = [np.arange(ends[k], ends[k + 1]) for k in keep.tolist()]
         points = np.concatenate(lines) if lines else np.zeros(0, int)
-        color = _pale(yarn.color[keep], quiet[graph.part[stitch[ends[keep]]]])
+        # A seam is as new as the newer of what it joins.
+        still = np.minimum.reduceat(quiet[graph.part[stitch]], ends[:-1])[keep] if len(stitch) else np.zeros(0, bool)
+        color = _pale(yarn.color[keep], still)
         made = replace(
             yarn,
             paths=Paths.of([yarn.paths.coords[line] for line in lines], 3),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from tambour.core.check import Array
+from tambour.core.graph import SEWN
 from tambour.crochet.maker.size import skin
 
 if TYPE_CHECKING:
@@ -19,9 +20,13 @@ VIEW: Final = (radians(24.0), radians(14.0))
 """Azimuth and elevation from which a piece is shown unless something hides there."""
 _BACK: Final = (pi + VIEW[0], radians(20.0))
 _LEFT, _RIGHT = (radians(75.0), VIEW[1]), (radians(-75.0), VIEW[1])
-_OVER, _UNDER = (pi - VIEW[0], radians(62.0)), (VIEW[0], radians(-20.0))
+_OVER, _UNDER = (pi - VIEW[0], radians(62.0)), (0.0, radians(-62.0))
 _OTHERS: Final = {_BACK: "back", _LEFT: "side", _RIGHT: "side", _UNDER: "below", _OVER: "above"}
 """Other views, and how they are called."""
+_STEEP: Final = 0.75
+"""What views from above and below count: there one does not know the toy again."""
+_SEAM: Final = 2.5
+"""How much more a stitch of a seam tells than another of a part that is sewn on."""
 _ENOUGH: Final = 0.6
 """The usual view is kept where it shows so much of what the best one shows."""
 
@@ -31,13 +36,17 @@ def angle(piece: Plush, there: Sequence[int], fresh: Sequence[int], words: str =
     the back, a side, below or above where much more of them is in sight; from above where ``words`` say so."""
     if fresh and "from above" in words.lower():
         return _OVER
-    part = piece.built.graph.part
+    graph = piece.built.graph
+    part = graph.part
     nodes = np.flatnonzero(np.isin(part, list(there)))
-    new = np.tile(np.isin(part[nodes], list(fresh)), 2)
+    new = np.tile(np.isin(part[nodes], list(fresh)), 2).astype(float)
     if not new.any() or new.all():
         return VIEW
+    # Where it is sewn on is what a step is about.
+    new[np.tile(np.isin(nodes, graph.edges[graph.edge_kind == SEWN]), 2) & (new > 0.0)] = _SEAM
     points = skin(piece, nodes)
     seen = [_seen(points, new, 0.7 * piece.stitch[0], view) for view in (VIEW, *_OTHERS)]
+    seen = [much * (_STEEP if view in (_OVER, _UNDER) else 1.0) for much, view in zip(seen, (VIEW, *_OTHERS))]
     return VIEW if seen[0] >= _ENOUGH * max(seen) else list(_OTHERS)[int(np.argmax(seen[1:]))]
 
 
@@ -46,8 +55,9 @@ def called(view: tuple[float, float]) -> str:
     return _OTHERS.get(view, "")
 
 
-def _seen(points: Array, new: Array, cell: float, view: tuple[float, float]) -> int:
-    """How many cells of a picture without perspective show ``new`` points (P,) of ``points`` (P, 3), the nearest in each."""
+def _seen(points: Array, new: Array, cell: float, view: tuple[float, float]) -> float:
+    """How much of what is ``new`` (P,), by its weight, the cells of a picture without perspective show: of ``points`` (P, 3) the nearest
+    in each."""
     a, e = view
     right = np.array([cos(a), 0.0, -sin(a)])
     back = np.array([cos(e) * sin(a), sin(e), cos(e) * cos(a)])
@@ -57,4 +67,4 @@ def _seen(points: Array, new: Array, cell: float, view: tuple[float, float]) -> 
     cells = (flat[:, None] + spread).reshape(-1, 2)
     near = np.argsort(-np.repeat(points @ back, len(spread)), kind="stable")
     _, first = np.unique(cells[near], axis=0, return_index=True)
-    return int(np.repeat(new, len(spread))[near][first].sum())
+    return float(np.repeat(new, len(spread))[near][first].sum())

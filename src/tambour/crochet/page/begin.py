@@ -12,6 +12,7 @@ from tambour.crochet.maker.size import whole_size
 from tambour.crochet.page.book import Book, short, size_lines, weight_name, yarn_name
 from tambour.crochet.page.flow import Atom, Chunk, flow, together
 from tambour.crochet.page.type import BODY, HAIR, HEAD, LEADING, SMALL, SOFT, width_of, wrap
+from tambour.crochet.page.written import sections
 from tambour.render.page import Page
 
 _USUAL: Final = {
@@ -30,6 +31,15 @@ _USUAL: Final = {
     "w/": "with",
 }
 """What designers write in English sentences without explaining it."""
+_LISTED: Final = {
+    "needle": re.compile(r"\bneedle"),
+    "ends": re.compile(r"\bneedle"),
+    "marker": re.compile(r"\bmarker"),
+    "scissors": re.compile(r"\bscissors"),
+}
+"""What of the small things a designer's own list holds."""
+_INVISIBLE: Final = re.compile(r"\binv(?:isible|is|\.)?[ -]?dec(?:rease)?", re.IGNORECASE)
+_HOWS: Final = ("french knot", "satin stitch", "backstitch", "whipstitch")
 LEFTOVER = 5.0
 """Grams of yarn for which nobody buys a skein."""
 
@@ -96,22 +106,67 @@ def begin(book: Book) -> None:
         rows += paragraph(own[size.how], width, SMALL, SOFT, 1.0)
     chunks.append(Chunk([*heading(book, word("finished size"), width), *rows], word("finished size")))
     chunks.append(Chunk([*heading(book, word("gauge"), width), *_gauge(book, width)], word("gauge")))
-    said = [pair(word_, meaning, width, 0.26) for word_, meaning in (*book.said.abbreviations, *_of_hers(book))]
+    said = [pair(word_, meaning, width, 0.26) for word_, meaning in _merged(book)]
     if said:
         name = word("abbreviations")
         chunks += together(heading(book, name, width, book.said.named), said, name)
-    special = [pair(said, meaning, width, 0.3) for said, meaning in book.said.special]
+    special = [pair(said, meaning, width, 0.3) for said, meaning in (*book.said.special, *_hows(book))]
     if special:
         chunks += together(heading(book, word("special stitches"), width), special, word("special stitches"))
     notes = paragraph(own["notes text"], width)
     pattern = book.piece.built.pattern
+    for key in _ways(book):
+        notes += paragraph(own[key], width, space=1.4)
     if pattern.finish:
         lying = any(part.up == "side" for part in pattern.parts)
         notes += paragraph(own["below text" if lying else "front text"], width, space=1.4)
     if any(isinstance(record, Placed) for record in pattern.finish):
         notes += paragraph(own["tail text"], width, space=1.4)
+        if book.hers is not None:
+            notes += paragraph(own["ours text"], width, BODY, SOFT, 1.4)
     chunks.append(Chunk([*heading(book, own["notes"], width), *notes], own["notes"]))
     flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
+
+
+def _ways(book: Book) -> list[str]:
+    """What is to be known of how this pattern is worked: in a spiral, in rows, in several colours."""
+    spirals, turning = False, False
+    for _, _, written in sections(book.piece.built):
+        done = [[d.what for unit, _ in line.pieces for d in unit] for line in written if line.number]
+        if any("turn" in line for line in done):
+            turning = turning or any(line[0] == "ch" for line in done)
+        elif sum(line.times for line in written if line.number) > 2:
+            spirals = spirals or not any("join" in line for line in done)
+    changed = False
+    for block in book.said.blocks:
+        begun = [k for k, row in enumerate(block.lines) if row.label]
+        changed = changed or any(row.colors for row in block.lines[begun[0] + 1 :]) if begun else changed
+    return ["spiral"] * spirals + ["turning text"] * turning + ["change text"] * changed
+
+
+def _merged(book: Book) -> list[tuple[str, str]]:
+    """Abbreviations with their meanings, ours and then hers; what means the same stands together."""
+    made: dict[str, list[str]] = {}
+    invisible = _INVISIBLE.search(book.piece.built.pattern.text.text) is not None and book.code in ("us", "uk")
+    for said, meaning in (*book.said.abbreviations, *_of_hers(book)):
+        if invisible and said.lower() in ("dec", "inv dec", "invdec"):
+            meaning = book.own["invisible decrease"]
+        plain = next((known for known in made if known.lower() == meaning.lower()), meaning)
+        own = made.setdefault(plain, [])
+        own += [said] if said.lower() not in (other.lower() for other in own) else []
+    return [(", ".join(said), meaning) for meaning, said in made.items()]
+
+
+def _hows(book: Book) -> list[tuple[str, str]]:
+    """How the stitches are made that her sentences name, and nobody explains."""
+    if book.hers is None or book.code not in ("us", "uk"):
+        return []
+    text = book.piece.built.pattern.text.text
+    found = [
+        (word, re.search(rf"\b{word.replace(' ', ' ?')}(?:es|s)?\b(?!\s*[=:(–-])", text, re.IGNORECASE))
+        for word in _HOWS
+    ]
+    return [(word.capitalize(), book.own[f"how {word}"]) for word, there in found if there]
 
 
 def _of_hers(book: Book) -> list[tuple[str, str]]:
@@ -120,7 +175,8 @@ def _of_hers(book: Book) -> list[tuple[str, str]]:
         return []
     ours = {word.lower() for word, _ in book.said.abbreviations}
     steps = [words for record in book.piece.built.pattern.finish if (words := book.words_of(record))]
-    whole = " ".join([*book.hers.sentences, *steps, *book.hers.intro])
+    lists = [*book.hers.materials, book.said.size, book.said.gauge]
+    whole = " ".join([*book.hers.sentences, *steps, *book.hers.intro, *lists])
     known = (
         {said: said for said in book.hers.terms} | {said: said for said in _USUAL} if book.code in ("us", "uk") else {}
     )
@@ -129,6 +185,8 @@ def _of_hers(book: Book) -> list[tuple[str, str]]:
         if said.startswith(("(", "[", "*")):
             continue  # how she brackets repeats; ours are explained with the notes
         plain = said.split("(")[0]
+        if said.endswith("s") and f"{said[:-1]}(s)" in book.hers.terms:
+            continue
         if plain.lower() not in ours and re.search(rf"(?<![\w]){re.escape(plain)}(?![A-Za-z_])", whole):
             made.append((said, book.hers.terms.get(said) or _USUAL[said]))
             ours.add(plain.lower())
@@ -143,17 +201,20 @@ def _materials(book: Book, width: float) -> list[Atom]:
     hers = book.hers.materials if book.hers is not None else []
     listed = hers or list(book.said.materials)
     for line in listed:
-        made += paragraph(line, width)
+        made += paragraph(f"• {line}" if hers else line, width)
     said = hers and "yarn" in book.piece.built.pattern.stated  # her own line names its class, in her words
     if not said and not any(yarn_name(book).lower() in line.lower() for line in listed):
         fibre = own.get(f"of {book.piece.params.material}", "")
         named = f"{book.said.terms.word('yarn')}: {weight_name(book)}" + (f", {fibre}" if fibre else "")
         made += paragraph(named, width, BODY, None, 1.0 if made else 0.0, True)
+    if said:
+        made += paragraph(own["used"], width, SMALL, SOFT, 1.6)
     for yarn in found["yarn"]:
         color = unhexed(yarn["color"])
         letter, name = book.said.color(color)
         key = "leftover" if yarn["grams"] < LEFTOVER else "skein" if yarn["skeins"] == 1 else "skeins"
         skein = own[key].format(n=yarn["skeins"], grams=number(found["weight"]["skein_g"], 0))
+        skein = "" if said else skein  # what is bought she says herself
         metres = max(1.0, float(round(yarn["metres"])))
         much = f"{number(metres, 0)} m"
         if book.imperial:
@@ -177,7 +238,8 @@ def _materials(book: Book, width: float) -> list[Atom]:
     other: list[tuple[str, str]] = []
     if "hook" not in book.piece.built.pattern.stated:
         other.append((own["hook"], f"{number(book.piece.gauge.hook, 2)} mm"))
-    for eye in found["eyes"]:
+    listed_ = " ".join(hers).lower() if book.code in ("us", "uk") else ""
+    for eye in found["eyes"] if "eye" not in listed_ else ():
         word = own["eye" if eye["count"] == 1 else "eyes"]
         name = book.said.color(unhexed(eye["color"]))[1]
         other.append(
@@ -197,7 +259,9 @@ def _materials(book: Book, width: float) -> list[Atom]:
                 own["fill"].format(grams=number(max(1.0, filling["grams"]), 0), litres=number(filling["litres"], 2)),
             )
         )
-    other.append((own["notions"], "; ".join(own[n] for n in found["notions"])))
+    lacking = [n for n in found["notions"] if not _LISTED[n].search(listed_)]
+    if lacking:
+        other.append((own["notions"], "; ".join(own[n] for n in lacking)))
     for k, (what, much) in enumerate(other):
         row = pair(what[:1].upper() + what[1:], much, width, 0.3)
         made.append(Atom(row.height, row.draw, 2.0 if k == 0 else 0.0))

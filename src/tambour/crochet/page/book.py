@@ -19,6 +19,7 @@ from tambour.crochet.page.flow import Frame
 from tambour.crochet.page.hers import hers
 from tambour.crochet.page.instructions import words
 from tambour.crochet.page.placed import Spoken
+from tambour.crochet.page.taken import Taken
 from tambour.crochet.page.type import BACKDROP, HAIR, INK, LEAD, wrap
 from tambour.crochet.page.wording import Words
 from tambour.crochet.yarns import WEIGHTS
@@ -72,6 +73,7 @@ class Book:
 
     piece, said : the plush and its words; album : what its small pictures share; own : the page's own words
     hers : the designer's own sentences, None where they are ours; spoken : says where parts go; code : of the terms
+    taken : says what the pictures have where she leaves something open
     accent : a colour for headings, the main yarn's, dark enough to read
     photos : the designer's own, (where in her text, picture), the first for the cover; low : little ink is used
     scale : how much larger than they are set its pages are printed
@@ -85,6 +87,7 @@ class Book:
         self.hers = hers(piece.built.pattern, self.code)
         self.spoken = Spoken(piece.built, self.said.terms)
         self.own = self.said.terms.page
+        self.taken = Taken(piece, self.own)
         stated = piece.built.pattern.stated
         stem = PurePath(piece.built.pattern.text.name).stem.replace("_", " ").strip("<> ")
         title = params.title or stated.get("title", ("",))[0] or self.said.title or stem

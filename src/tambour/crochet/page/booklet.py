@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import re
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -10,16 +11,21 @@ from tambour.core.drawing import Drawing
 from tambour.core.picture import Picture
 from tambour.crochet.language.finishes import Eye
 from tambour.crochet.maker.size import skin, whole_size
+from tambour.crochet.page.assembly import assembly, finished
 from tambour.crochet.page.begin import begin, heading, paragraph
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, WHITE, Book, along, cropped, cut, short, weight_name
+from tambour.crochet.page.charted import charts
 from tambour.crochet.page.flow import flow, together
-from tambour.crochet.page.parts import assembly, charts, rounds, sides
+from tambour.crochet.page.parts import rounds
 from tambour.crochet.page.pictures import whole
 from tambour.crochet.page.type import BODY, COVER, HAIR, INK, LEAD, PAPER, SMALL, SOFT, wrap
 from tambour.render.page import Page
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
+
+_ASIDE: Final = re.compile(r",?\s+(?:with|w/|using|when|in the yarn|depending|if)(?=\s|$).*$", re.IGNORECASE)
+"""Of what her size depends, which the page after the cover says."""
 
 
 def pages(piece: Plush) -> tuple[Drawing, ...]:
@@ -30,7 +36,6 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     book = Book(piece)
     _cover(book)
     begin(book)
-    before = book.pages[-1]
     again = book.own["continued"]
     worked = short(book, book.said.terms.word("instructions"))
     flow(rounds(book), book.frame, lambda: book.page(worked), again, book.below)
@@ -40,16 +45,20 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     name = book.said.terms.word("assembly") if steps else book.own["last words"]
     if closing:
         width = book.frame.width
-        told = [atom for k, words in enumerate(closing) for atom in paragraph(words, width, space=1.2 if k else 6.0)]
+        told = [
+            atom
+            for k, words in enumerate(closing)
+            for atom in paragraph(words, width, space=1.2 if k or steps else 6.0)
+        ]
         heads = heading(book, book.own["last words"], width) if steps else []
         steps += together(heads, told, book.own["last words"])
     if steps:
         head = heading(book, name, book.size[0] - 2 * MARGIN)[0]
         flow(steps, book.frame, lambda: book.page(short(book, name)), again, book.below, head)
+    if not book.low:
+        finished(book)
     charts(book)
     _care(book, since)
-    if not book.low:
-        sides(book, [before, *book.pages[since:]])
     total = len(book.pages)
     foot = book.title if not book.designer else f"{book.title} · {book.designer}"
     for k, sheet in enumerate(book.pages):
@@ -105,8 +114,12 @@ def _cover(book: Book) -> None:
         f"{book.said.terms.word('finished size')}, {book.own['length' if long else 'height' if upright else 'width']}"
     )
     of = whole_.extent[2] if long else whole_.extent[1] if upright else max(whole_.extent[0], whole_.extent[2])
-    facts = [
-        (size_of, book.length(of)),
+    hers = _ASIDE.sub("", " ".join(book.said.size.split()))
+    if hers and len(wrap(hers, LEAD, room / 3 - 4.0, True)) <= 2:
+        facts = [(book.said.terms.word("finished size"), hers)]  # what she says is what a buyer will hold her to
+    else:
+        facts = [(size_of, book.length(of))]
+    facts += [
         (book.said.terms.word("yarn"), weight_name(book)),
         (book.own["hook"][:1].upper() + book.own["hook"][1:], f"{book.number(book.piece.gauge.hook, 2)} mm"),
     ]

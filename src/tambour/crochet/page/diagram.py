@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from tambour.core.check import Array
 from tambour.core.drawing import Drawing
 from tambour.core.graph import BACK, FRONT, JOIN, ROOT
 from tambour.core.rgb import RGB
@@ -78,10 +79,13 @@ def plates(built: Built, *, left: bool = False) -> list[tuple[int, bool, Drawing
     return made
 
 
-def symbols(built: Built) -> list[tuple[str, Drawing]]:
-    """The symbols that occur, each by itself, with the stitch's standard name, "front loops" or "back loops"; mm."""
+def symbols(built: Built, parts: frozenset[int] | None = None) -> list[tuple[str, Drawing]]:
+    """The symbols that occur, each by itself, with the stitch's standard name, "front loops" or "back loops"; mm.
+
+    parts : only those in the charts of these parts
+    """
     made = []
-    for kind, _ in _entries(built):
+    for kind, _ in _entries(built, parts):
         height = _TALL.get(kind, 1.0)
         sheet = Page(CELL, height * CELL, ink=_INK)
         _symbol(sheet, kind, 0.5 * CELL, CELL * height)
@@ -285,7 +289,7 @@ def _numbers(sheet: Page | _Mirror, chart: Chart, x: float, y: float) -> None:
                 (px - half, py + 0.2),
             ]
             sheet.shape([*box, box[0]], (255, 255, 255, 230), None)
-        sheet.text(str(this.number), px, py, 0.72 * _TEXT, anchor="middle")
+        sheet.text(str(this.number), px, py, _TEXT * (1.3 if chart.rows else 1.0), anchor="middle")
 
 
 def _title(sheet: Page, built: Built, found: list[Chart], k: int, x: float, y: float) -> float:
@@ -318,27 +322,34 @@ _TALL = {
 }
 
 
-def _entries(built: Built) -> list[tuple[str, str]]:
+def _entries(built: Built, parts: frozenset[int] | None = None) -> list[tuple[str, str]]:
     """The kinds of symbols that occur, with their names."""
     graph = built.graph
-    used = [graph.kinds[k] for k in sorted(set(graph.kind.tolist()))]
+    shown = [chart for chart in charts(built) if parts is None or chart.part in parts]
+    there = np.zeros(len(graph), bool)
+    for chart in shown:
+        there[[n for n in chart.cells if n not in chart.base]] = True
+        there[[n for n in (chart.root, chart.tip) if n >= 0]] = True
+    used = [graph.kinds[k] for k in sorted(set(graph.kind[there].tolist()))]
     kinds = [k for k in used if k not in ("ring", "tip")]
     entries: list[tuple[str, str]] = [(kind, NAMES.get(kind, kind)) for kind in kinds]
-    entries += [(name, what) for name, _, what in _several(built)]
-    entries += [("slst", "slip stitch")] * bool((graph.edge_kind == JOIN).any())
-    entries += [("mr", "magic ring")] * ("ring" in used)
-    loops = set(graph.loop[graph.parent >= 0].tolist())
+    entries += [(name, what) for name, _, what in _several(built, there)]
+    joins = graph.edges[graph.edge_kind == JOIN].tolist()
+    joined = any({later, earlier} <= set(chart.cells) - set(chart.base) for later, earlier in joins for chart in shown)
+    entries += [("slst", "slip stitch")] * (joined and "slst" not in kinds)
+    entries += [("mr", "magic ring")] * any(chart.root >= 0 for chart in shown)
+    loops = set(graph.loop[there & (graph.parent >= 0)].tolist())
     entries += [("FLO", "in the front loop only")] * (FRONT in loops)
     return entries + [("BLO", "in the back loop only")] * (BACK in loops)
 
 
-def _several(built: Built) -> list[tuple[str, str, str]]:
-    """The increases and decreases to two and from two that occur: (standard name, kind, what it is)."""
+def _several(built: Built, there: Array) -> list[tuple[str, str, str]]:
+    """The increases and decreases to two and from two among the nodes that are ``there`` (N,): (standard name, kind, what it is)."""
     graph = built.graph
     anchors, cuts = graph.anchors.tolist(), graph.anchor_offsets.tolist()
     rounds, double = graph.round.tolist(), ovals.layers(graph)
     kinds = [graph.kinds[k] for k in graph.kind.tolist()]
-    plain = [n for n, kind in enumerate(kinds) if (kind == "sc" or kind in BARS) and not double[n]]
+    plain = [n for n, kind in enumerate(kinds) if there[n] and (kind == "sc" or kind in BARS) and not double[n]]
     peculiar = graph.peculiarity.tolist()
     into = {n: {a for a in anchors[cuts[n] : cuts[n + 1]] if peculiar[a] != ROOT} for n in plain}
     shared = Counter((rounds[n], a) for n, own in into.items() for a in own if len(own) == 1)

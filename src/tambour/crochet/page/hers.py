@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from tambour.core.errors import Span
+from tambour.crochet.language.finishes import Eye
 from tambour.crochet.language.tree import Action, Line, Pattern
 from tambour.crochet.page.instructions import by_people
 from tambour.crochet.words.table import TERMS, Terms
@@ -58,7 +59,11 @@ _ASSEMBLY: Final = frozenset(
         "final assembly",
     ]
 )
+_TOGETHER: Final = re.compile(r"(?:putting|sewing|stitching|piecing|joining)(?: \w+){0,3} (?:together|up)")
+"""How an assembly is headed besides: "Putting Pip together"."""
 _BULLET: Final = re.compile(r"^[\s#>*•–-]+(?=\S)")
+_STARRED: Final = re.compile(r"(?<!\w)\*(?=\S)([^*]+?)(?<=\S)\*(?!\w)")
+"""What stands between asterisks is printed in italics elsewhere."""
 _SENTENCE: Final = re.compile(r"(?<=[.!?])\s+(?=[A-ZÀ-Þ\"“(])")
 _LETTER: Final = re.compile(r"[^\W\d_]{2}")
 _BY: Final = re.compile(
@@ -75,6 +80,8 @@ _MORE_OF: Final = re.compile(
 )
 """How a sentence begins that says more of the one before it."""
 _NOTES: Final = ("notes", "note", "pattern notes", "tips")
+_MOSTLY: Final = 0.8
+"""A sentence of which a step says this share is not said twice."""
 _WORDS: Final = 5
 """A line of so many words that ends as a sentence does is one, also below a list."""
 
@@ -118,21 +125,26 @@ def hers(pattern: Pattern, code: str) -> Hers | None:
     heads = {text.rfind("\n", 0, a) + 1 for a, _ in starts}
     first = starts[0][0] if starts else 0
     last = starts[-1][0] if starts else len(text)
-    after = next((a for a, _, line in lines if a > last and _plain(line) in assembly), len(text))
+    assembles = [a for a, _, line in lines if _plain(line) in assembly or _TOGETHER.fullmatch(_plain(line))]
+    after = next((a for a in assembles if a > last), len(text))
     named = [part.span for part in pattern.parts]
     covered = [line.span for part in pattern.parts for line in part.lines if not _ends(line)]
-    loose = [s for s in pattern.passed if any(c.start < s.start and s.end <= c.end for c in covered)]
+    unread = [u.span for u in pattern.unread if u.span is not None]
+    loose = [s for s in (*pattern.passed, *unread) if any(c.start < s.start and s.end <= c.end for c in covered)]
     finishing = {_span(record) for record in pattern.finish}
+    stepped = [record.span for record in pattern.finish if not isinstance(record, Eye)]
     _before(made, pattern, terms, [one for one in lines if one[0] < first and one[0] not in heads])
-    for a, b, line in lines:
+    for a, b, _ in lines:
         if a < first and a not in heads:
             continue
         if a >= after:
-            if _plain(line) not in assembly:
+            if a not in assembles:
                 _closing(made, text, a, b, finishing)
             continue
         part = max(((start, k) for start, k in starts if start <= a), default=(0, 0))[1]
         for words, span in _sentences(text, a, b):
+            if any(_told(span, step) for step in stepped):
+                continue  # a step of the assembly says it
             if not any(c.start < span.end and span.start < c.end for c in named if a in heads) and not any(
                 c.start < span.end and span.start < c.end for c in covered
             ):
@@ -152,7 +164,7 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
     text = pattern.text.text
     spoken = {key: {s.lower() for s in (terms.word(key), key)} for key in _LISTED}
     title = " ".join(pattern.stated["title"][0].split()).lower() if "title" in pattern.stated else ""
-    mode = ""
+    mode, unended = "", False
     end = -1
     for a, b, line in lines:
         plain, gap, end = _plain(line), "\n" in text[end + 1 : a] if end >= 0 else True, b
@@ -174,9 +186,18 @@ def _before(made: Hers, pattern: Pattern, terms: Terms, lines: list[tuple[int, i
                 made.materials.append(" ".join(_BULLET.sub("", line).split()))
         elif not _stated(pattern, a, b):
             mode = ""
-            made.intro.append(_clean(line))
+            if not gap and made.intro and unended and not _BULLET.match(line):
+                made.intro[-1] = _clean(f"{made.intro[-1].rstrip('.')} {line}")  # a line that she broke herself
+            else:
+                made.intro.append(_clean(line))
+            unended = not line.rstrip().endswith((".", "!", "?", ":", ")"))
         if mode == "terms":
             made.terms |= {m["said"]: m["meaning"].strip() for m in _TERM.finditer(_BULLET.sub("", line))}
+
+
+def _told(span: Span, step: Span) -> bool:
+    """Whether a sentence is that of a step, nearly to its last letter."""
+    return min(span.end, step.end) - max(span.start, step.start) >= _MOSTLY * (span.end - span.start)
 
 
 def _closing(made: Hers, text: str, a: int, b: int, finishing: set[tuple[int, int]]) -> None:
@@ -203,7 +224,7 @@ def _plain(line: str) -> str:
 
 
 def _clean(words: str) -> str:
-    words = " ".join(_BULLET.sub("", words).replace("**", "").split())
+    words = _STARRED.sub(r"\1", " ".join(_BULLET.sub("", words).replace("**", "").split()))
     return words if not words or words[-1] in ".!?:)" else f"{words}."
 
 

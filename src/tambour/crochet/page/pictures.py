@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import radians
-from typing import TYPE_CHECKING, Final
+from math import asin, atan2, cos, pi, radians, sin
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -18,16 +18,23 @@ from tambour.crochet.language.finishes import Finish, Placed, spots_of
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.album import FEW, MANY, Album
 from tambour.crochet.page.angle import VIEW
+from tambour.crochet.page.portrait import turned
 from tambour.crochet.page.type import BACKDROP
+from tambour.geometry.motion import axes, dot
 from tambour.render.raster import film
 
 if TYPE_CHECKING:
+    from tambour.core.mesh import Mesh
     from tambour.crochet.piece import Plush
 
 _ABOVE: Final = radians(52.0)
 _UNDER: Final = 0.3
 """What is so far below a piece's middle, as a share of its height, is seen from below."""
 _NEAR: Final = (radians(10.0), radians(6.0))
+_THIN, _LONGISH, _STEEP = 0.5, 1.15, radians(88.0)
+"""How much thinner than wide what is flat is; how much longer than wide what is long is, as spreads; nearly straight above."""
+_LOW: Final = radians(-30.0)
+"""Lower views are from below."""
 AIR: Final = 1.1
 """The cover shows so much more than the piece."""
 
@@ -152,31 +159,78 @@ def _on_paper(album: Album, seen: Picture) -> Picture:
 
 
 def of_parts(album: Album, parts: Sequence[int], width: int, height: int) -> Picture:
-    """Some parts by themselves."""
+    """Some parts by themselves, their broad side ahead."""
     from tambour.render.raster import picture
 
-    return _on_paper(
-        album,
-        picture(
-            album.partial(parts),
-            width=width,
-            height=height,
-            azimuth=VIEW[0],
-            elevation=VIEW[1],
-            ground=False,
-            background=album.backdrop,
-            lights=sum(FEW),
-        ),
+    azimuth, elevation = _broad(album.piece, parts)
+    mesh = album.partial(parts)
+    if elevation < _LOW:
+        mesh, azimuth, elevation = turned(mesh), pi - azimuth, -elevation
+    seen = picture(
+        mesh,
+        width=width,
+        height=height,
+        azimuth=azimuth,
+        elevation=elevation,
+        ground=False,
+        background=album.backdrop,
+        lights=sum(FEW),
     )
+    return _on_paper(album, seen)
+
+
+def _shown(
+    album: Album,
+    mesh: Mesh,
+    frame: Array,
+    view: tuple[float, float],
+    there: tuple[Sequence[int], Sequence[Finish]],
+    width: int,
+    height: int,
+) -> Picture:
+    """What is ``there`` (parts, face) of a piece, seen so; what is seen from below is turned over, for light comes from above."""
+    from tambour.render.raster import picture
+
+    azimuth, elevation = view
+    over = elevation < _LOW
+    if over:
+        mesh, frame, azimuth, elevation = turned(mesh), frame * (1.0, -1.0, -1.0), pi - azimuth, -elevation
+    light: dict[str, Any] = {"lights": sum(FEW)} if over else {"lit": album.light(*there, azimuth)}
+    seen = picture(
+        mesh,
+        width=width,
+        height=height,
+        azimuth=azimuth,
+        elevation=elevation,
+        ground=False,
+        background=album.backdrop,
+        frame=frame,
+        **light,
+    )
+    return _on_paper(album, seen)
+
+
+def _broad(piece: Plush, parts: Sequence[int]) -> tuple[float, float]:
+    """From where parts show what they are: the usual view; what is flat straight ahead, what lies along the view from its side."""
+    graph, x = piece.built.graph, piece.positions
+    nodes = np.flatnonzero(np.isin(graph.part, list(parts)))
+    spread, ways = axes(x[nodes])
+    if len(nodes) > 3 and spread[2] < _THIN * spread[1]:
+        way = ways[2] * (1.0 if dot(x[nodes].mean(0) - x.mean(0), ways[2]) >= 0.0 else -1.0)
+        if len(graph.parts) == len(list(parts)):
+            way = ways[2] * (1.0 if ways[2][2] >= 0.0 else -1.0)
+        return atan2(way[0], way[2]), max(-_STEEP, min(_STEEP, asin(max(-1.0, min(1.0, float(way[1]))))))
+    ahead = np.array([sin(VIEW[0]), 0.0, cos(VIEW[0])])
+    if spread[0] > _LONGISH * spread[1] and abs(float(ways[0] @ ahead)) > 0.6:
+        return VIEW[0] + 0.35 * pi, VIEW[1]
+    return VIEW
 
 
 def from_side(album: Album, side: str, width: int, height: int) -> Picture:
     """The finished piece from a side of :data:`tambour.crochet.page.portrait.SIDES`, as small pictures have it."""
     from tambour.crochet.page.portrait import SIDES
-    from tambour.render.raster import picture
 
     piece = album.piece
-    azimuth, elevation = SIDES[side]
     # One scale for all sides: what fills each picture is the drum that the piece could turn in.
     points = skin(piece, np.arange(len(piece.positions)))
     middle = 0.5 * (points.min(0) + points.max(0))
@@ -186,27 +240,13 @@ def from_side(album: Album, side: str, width: int, height: int) -> Picture:
         np.column_stack([middle[0] + reach * np.cos(turn), np.full(25, y), middle[2] + reach * np.sin(turn)])
         for y in (points[:, 1].min(), points[:, 1].max())
     ]
-    return _on_paper(
-        album,
-        picture(
-            album.partial(album.all, album.face),
-            width=width,
-            height=height,
-            azimuth=azimuth,
-            elevation=elevation,
-            ground=False,
-            background=album.backdrop,
-            frame=np.concatenate(drum),
-            lit=album.light(album.all, album.face, azimuth),
-        ),
-    )
+    there = (album.all, album.face)
+    return _shown(album, album.partial(*there), np.concatenate(drum), SIDES[side], there, width, height)
 
 
 def of_step(album: Album, step: Step, frame: Array, view: tuple[float, float], width: int, height: int) -> Picture:
     """The piece after a step, what is new in full colour; ``frame`` (P, 3) is what fills every step's picture; ``view`` : of
     :func:`tambour.crochet.page.angle.angle`."""
-    from tambour.render.raster import picture
-
     piece = album.piece
     known = Spots(piece.built)
     fresh = step.fresh or step.parts
@@ -221,17 +261,5 @@ def of_step(album: Album, step: Step, frame: Array, view: tuple[float, float], w
         middle = 0.5 * (frame.min(0) + frame.max(0))
         if (frame[-2 * len(points) :, 1] < middle[1] - _UNDER * np.ptp(frame[:, 1])).mean() > 0.5:
             view = (_NEAR[0], -_NEAR[1] * 3.0)  # embroidered underneath
-    return _on_paper(
-        album,
-        picture(
-            album.partial(step.parts, step.finishes, fresh),
-            width=width,
-            height=height,
-            azimuth=view[0],
-            elevation=view[1],
-            ground=False,
-            background=album.backdrop,
-            frame=frame,
-            lit=album.light(step.parts, step.finishes, view[0]),
-        ),
-    )
+    mesh = album.partial(step.parts, step.finishes, fresh)
+    return _shown(album, mesh, frame, view, (step.parts, step.finishes), width, height)

@@ -38,15 +38,17 @@ _BRITISH: Final = {"gray": "grey", "color": "colour", "center": "centre", "fiber
 
 def spelled(terms: Terms, text: str) -> Terms:
     """English words as the designer spells: British ones where ``text`` has some and no American ones (US stitches are often
-    written so), that a booklet does not mix the two; every other language as it is."""
+    written so), else each of them that it has, that a booklet does not mix the two; every other language as it is."""
     if terms.base not in ("", terms.code) or terms.colors["blue"][0] != "blue":
         return terms
     low = text.lower()
-    if any(word in low for word in _BRITISH) or not any(word in low for word in _BRITISH.values()):
+    british = {a: b for a, b in _BRITISH.items() if b in low and a not in low}
+    if not british:
         return terms
+    british = _BRITISH if all(a not in low for a in _BRITISH) else british
 
     def said(words: str) -> str:
-        return re.sub("|".join(_BRITISH), lambda found: _BRITISH[found[0]], words)
+        return re.sub("|".join(british), lambda found: british[found[0]], words)
 
     return replace(
         terms,

@@ -18,6 +18,7 @@ SIDES: Final[dict[str, tuple[float, float]]] = {
     "left": (-pi / 2, radians(8.0)),
     "right": (pi / 2, radians(8.0)),
     "top": (0.0, radians(80.0)),
+    "below": (0.0, radians(-75.0)),
 }
 """Side → azimuth and elevation of the camera; left and right are those of one who looks at the front."""
 AHEAD, QUARTER, ASIDE, ABOVE = (
@@ -228,7 +229,7 @@ def facing(piece: Plush) -> float | None:
     return float(atan2(mean[0], mean[1])) if np.sqrt((mean**2).sum()) > 0.4 * far else None
 
 
-front, back, left, right, top = (partial(portrait, side=side) for side in SIDES)
+front, back, left, right, top = (partial(portrait, side=side) for side in ("front", "back", "left", "right", "top"))
 
 
 def seen(mesh: Mesh, side: str, *, width: int = 1200, height: int | None = None, ground: bool = True) -> Picture:

@@ -16,6 +16,7 @@ class Row:
     """A line of a part: its round ("Rnd 3", "" for none), what is done, the count of stitches at its end (0: unsaid).
 
     number : of its last round, 0 for none; colors : those it changes to
+    ours : it is not the designer's, among her own
     """
 
     label: str
@@ -23,6 +24,7 @@ class Row:
     count: int = 0
     number: int = 0
     colors: tuple[RGB, ...] = ()
+    ours: bool = False
 
     def __str__(self) -> str:
         head = f"{self.label}: {self.words}" if self.label else self.words

@@ -99,7 +99,7 @@ def strokes(name: str, wide: float) -> list[Stroke]:
     if name == "brows":
         return [[(-0.5 * w, -0.08 * w), (0.5 * w, 0.16 * w)]]
     if name == "whiskers":
-        return [[(0.0, 0.2 * k * w), (w, 0.42 * k * w)] for k in (1, 0, -1)]
+        return [[(0.0, 0.27 * k * w), (w, 0.6 * k * w)] for k in (1, 0, -1)]
     if name == "lashes":
         return [[(0.25 * w * k, 0.0), (0.45 * w * k, 0.4 * w)] for k in (-1, 0, 1)]
     if name == "lashes down":

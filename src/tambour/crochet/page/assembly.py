@@ -1,0 +1,195 @@
+"""The assembly of the booklet: its steps, a picture each, with the designer's sentences, and the finished toy from its sides."""
+
+from __future__ import annotations
+
+import re
+
+from tambour.core.check import Array
+from tambour.core.picture import Picture
+from tambour.crochet.finish.sewing import end_of, shut
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Eye, Placed
+from tambour.crochet.page.angle import angle, called
+from tambour.crochet.page.begin import paragraph
+from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
+from tambour.crochet.page.flow import Atom, Chunk
+from tambour.crochet.page.pictures import Step, from_side, lies, of_step, steps
+from tambour.crochet.page.type import BODY, LEAD, SMALL, SOFT
+from tambour.render.page import Page
+
+DOTS = 7.6
+"""Pixels a mm of the small pictures."""
+_CLOSED = re.compile(
+    r"\bboth (?:layers|thicknesses|sides)\b|\b(?:sew|stitch|sc|whip\w*)\b[^.]{0,25}\b(?:closed|shut)\b|\bto close\b",
+    re.IGNORECASE,
+)
+"""How she says that an end is closed."""
+_LOWEST = 0.8
+"""How high pictures of the finished toy are for their width, at the least."""
+_GAP = 4.0
+"""Between pictures, mm."""
+
+
+def assembly(book: Book, frame: Array) -> list[Chunk]:
+    """The steps: a picture each, what is new in full colour, and the sentences."""
+    piece, width = book.piece, book.frame.width
+    # Eyes that are put in while the piece is open stand with the rounds.
+    found = [step for step in steps(piece) if not _eyes_only(book, step)]
+    if not found:
+        return []
+    high = width * (0.66 if len(found) <= 4 else 0.55)
+    sentences = _sentences(book, found)
+    chunks = []
+    for k, (step, said) in enumerate(zip(found, sentences)):
+        view = angle(piece, step.parts, step.fresh, " ".join(said))
+        picture = of_step(book.album, step, frame, view, round(width * DOTS), round(high * DOTS))
+        names = _names(book, step)
+        if step.fresh and (where := called(view)):
+            names += f" ({book.own[where]})"
+        head = f"{book.own['step'].format(n=k + 1)}: {names}"
+
+        def draw(sheet: Page, x: float, y: float, picture: Picture = picture, head: str = head) -> None:
+            sheet.image(picture, x, y, width, high, photo=True)
+            sheet.text(head, x, y + high + LEAD + 1.8, LEAD, True, book.accent)
+
+        # Long lists of points are set smaller.
+        size = BODY if max(map(len, said), default=0) < 160 else SMALL
+        lines = [
+            atom
+            for k, sentence in enumerate(said)
+            for atom in paragraph(sentence, width, size, None, 0.9 if k else 0.0)
+        ]
+        for note in _held(book, step):
+            lines += paragraph(note, width, SMALL, SOFT, 0.9)
+        chunks.append(Chunk([Atom(high + LEAD * 1.6 + 2.4, draw, 7.0), *lines], head))
+    if any(step.fresh for step in found):
+        chunks[0].atoms += paragraph(book.own["new"], width, SMALL, SOFT, 1.0)
+    return chunks
+
+
+def _held(book: Book, step: Step) -> list[str]:
+    """How the ends of a designer's parts are sewn on, which her sentence seldom says, and what else the pictures had to choose."""
+    built = book.piece.built
+    if book.hers is None:
+        return []
+    spots, made = Spots(built), dict[str, None]()
+    records = [built.pattern.finish[n] for n in step.records]
+    for record in records:
+        if not isinstance(record, Placed) or spots.in_rows[spots.parts[record.part]]:
+            continue
+        end = end_of(built, spots, record)
+        open_ = len(spots.sewn_rim(spots.parts[record.part])) > 0
+        if end.laid:
+            made[book.own["sewn edge"]] = None
+        elif shut(spots, end.nodes) or _closed(book, record):
+            made[book.own["sewn shut"]] = None
+        elif open_ and end.ring and record.spot.stitch is not None:
+            made[book.own["sewn ring"]] = None
+        elif open_ and len(end.pinched):
+            key = "sewn odd" if len(end.nodes) % 2 else "sewn flat"
+            made[book.own[key].format(n=len(end.pinched))] = None
+    return [*made, *book.taken(records)]
+
+
+def _closed(book: Book, record: Placed) -> bool:
+    """Whether her sentences have an end closed before it is sewn on, by stitches that are no round."""
+    assert book.hers is not None
+    section = book.piece.built.parts[Spots(book.piece.built).parts[record.part]].section
+    return any(_CLOSED.search(words) for _, words, _ in book.hers.inside.get(section, []))
+
+
+def _eyes_only(book: Book, step: Step) -> bool:
+    finish = book.piece.built.pattern.finish
+    return bool(step.records) and all(isinstance(finish[n], Eye) for n in step.records)
+
+
+def _names(book: Book, step: Step) -> str:
+    built = book.piece.built
+    if not step.fresh:
+        kinds = dict.fromkeys(type(built.pattern.finish[n]).__name__.lower() for n in step.records)
+        return ", ".join(book.own[f"a {kind}"] for kind in kinds)
+    found = dict.fromkeys(built.pattern.parts[built.parts[k].section].name for k in step.fresh)
+    return ", ".join(name for name in found if name)
+
+
+def _by_marks(book: Book, found: list[Step]) -> list[list[str]] | None:
+    """Seams from marker to marker, a sentence for every part that is sewn on, by steps; None where stitches have no marks."""
+    built = book.piece.built
+    label = {node: name for name, node in built.marks.items()}
+    if not len(built.sewn) or not all(int(n) in label for pair in built.sewn for n in pair):
+        return None
+    part, names = built.graph.part, [p.name for p in built.graph.parts]
+    made: list[list[str]] = []
+    for step in found:
+        sewn: dict[tuple[int, int], list[str]] = {}
+        for a, b in built.sewn.tolist():
+            one, other = (a, b) if int(part[a]) in step.fresh else (b, a)
+            if step.seams and int(part[one]) in step.fresh:
+                said = (label[n].rsplit(".", 1)[0] for n in (one, other))
+                pair = book.own["mark to"].format(**dict(zip(("one", "other"), said)))
+                sewn.setdefault((int(part[one]), int(part[other])), []).append(pair)
+        lines = [
+            book.own["sewn by marks"].format(part=names[one], host=names[other], pairs=", ".join(pairs))
+            for (one, other), pairs in sewn.items()
+        ]
+        made.append(lines)
+    return made
+
+
+def _sentences(book: Book, found: list[Step]) -> list[list[str]]:
+    """The assembly's sentences, each with the step that it belongs to: the designer's own where there are, else ours."""
+    built, seams = book.piece.built, book.said.seams
+    finish = built.pattern.finish
+    made: list[list[str]] = [[] for _ in found]
+    part = built.graph.part
+    marked = _by_marks(book, found)
+    for k, line in enumerate(seams if marked is None else ()):
+        at = 0
+        if len(seams) == len(built.sewn):
+            ends = set(part[built.sewn[k]].tolist())
+            at = next((i for i, step in enumerate(found) if ends & set(step.fresh) and step.seams), 0)
+        made[at].append(line)
+    made = marked if marked is not None else [[" ".join(lines)] if lines else [] for lines in made]
+    told: set[str] = set()
+    for i, step in enumerate(found):
+        records = [finish[n] for n in step.records]
+        own = [r for r in records if book.words_of(r)]
+        for record in own:
+            words = book.words_of(record).rstrip(".") + "."
+            if words not in told:
+                told.add(words)
+                more = book.hers.beside.get((record.span.start, record.span.end), []) if book.hers is not None else []
+                made[i].append(" ".join([words, *more]))
+        ours = [r for r in records if r not in own]
+        made[i] += book.spoken(ours)
+        if ours and book.hers is not None:
+            made[i].append(book.own["guess"])
+        if not made[i]:
+            made[i] = book.spoken(records)
+    return made
+
+
+def finished(book: Book) -> None:
+    """The finished toy from its sides, below the last step or on a page of its own: left and right are the toy's."""
+    if lies(book.piece):
+        return
+    bottom, wide = book.size[1] - FOOT, book.size[0] - 2 * MARGIN
+    long = any(part.up == "side" for part in book.piece.built.pattern.parts)
+    views = ("front", "right", "top", "below") if long else ("front", "right", "back", "below")
+    width = (wide - _GAP * (len(views) - 1)) / len(views)
+    high = 1.2 * width
+    sheet, y = book.below
+    room = bottom - y - 1.6 * LEAD - 2.0 * SMALL
+    if room >= _LOWEST * width:
+        high = min(high, room)
+    if room < high:
+        sheet, y = book.page(short(book, book.own["finished"])), TOP
+    else:
+        sheet.text(book.own["finished"], MARGIN, y + LEAD, LEAD, True, book.accent)
+        y += LEAD * 1.6
+    for k, side in enumerate(views):
+        x = MARGIN + k * (width + _GAP)
+        picture = from_side(book.album, side, round(width * DOTS), round(high * DOTS))
+        sheet.image(picture, x, y, width, high, photo=True)
+        name = book.own[{"top": "above", "right": "its left"}.get(side, side)]
+        sheet.text(name, x, y + high + SMALL + 1.6, SMALL, color=SOFT)

@@ -1,0 +1,148 @@
+"""The diagrams of the booklet: of the parts that words alone tell badly, and the symbols that these hold."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from tambour.crochet.graph.built import Built, Done
+from tambour.crochet.language.stitches import RULES
+from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
+from tambour.crochet.page.diagram import plates, symbols
+from tambour.crochet.page.type import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, width_of, wrap
+from tambour.crochet.page.written import sections
+from tambour.render.page import Page
+
+_LARGEST: Final = 0.75
+"""Scale at which a chart is large enough: a stitch is 5.2 mm wide."""
+_LEAST: Final = 0.55
+"""Smaller ones are not read."""
+_READ: Final = {"chart rounds": False, "chart rows": True, "chart patch": None}
+"""How charts are read → whether that is said of those in rows."""
+_LEFT: Final = {"chart rounds": "chart rounds left"}
+_PLAIN: Final = frozenset(
+    (
+        "sc",
+        "inc",
+        "dec",
+        "mr",
+        "slst",
+        "again",
+        "color",
+        "blo",
+        "flo",
+        "bl",
+        "join",
+        "mark",
+        "fo",
+        "gap",
+        "sc inc",
+        "sc dec",
+    )
+)
+"""What a chart shows no better than words do, where it is the same all round."""
+_ROWS: Final = _PLAIN | {"turn", "ch"}
+_CHAIN: Final = frozenset(("ch", "turn", "color", "fo"))
+_FEW: Final = 4
+"""The same of rows, that are of no more than so many things."""
+
+
+def helps(built: Built) -> frozenset[int]:
+    """The parts that a chart tells better than words: of other stitches than the plain ones, or shaped unevenly."""
+    found = set[int]()
+    for _, part, lines in sections(built):
+        done = [d for line in lines for unit, _ in line.pieces for d in unit]
+        rows = any(d.what == "turn" for d in done)
+        odd = any(d.what not in (_ROWS if rows else _PLAIN) for d in done)
+        uneven = any(line.number and _units(line.pieces) > (_FEW if rows else 1) for line in lines)
+        chain = {d.what for d in done} <= _CHAIN
+        if (odd or uneven) and not chain:
+            found.add(part)
+    return frozenset(found)
+
+
+def _units(pieces: tuple[tuple[tuple[Done, ...], int], ...]) -> int:
+    """Of how many different things, one after the other, a round is made."""
+    return sum(any(d.what not in RULES or d.what == "mr" for d in unit) for unit, _ in pieces)
+
+
+def charts(book: Book) -> None:
+    """The diagrams, as large as they may be, several on a page where they fit; the symbols on the first page."""
+    mirrored = book.piece.params.hand == "left"
+    wanted = helps(book.piece.built)
+    found = [plate for plate in plates(book.piece.built, left=mirrored) if plate[0] in wanted]
+    if not found:
+        return
+    wide = book.size[0] - 2 * MARGIN
+    bottom = book.size[1] - FOOT
+    title = short(book, book.own["charts"])
+    scales = [min(_LARGEST, wide / d.size[0], (bottom - TOP - 12.0) / d.size[1]) for *_, d in found]
+    sheet, y = book.below
+    if y + 20.0 + float(found[0][2].size[1]) * scales[0] + LEAD > bottom:
+        sheet, y = book.page(title), TOP
+    else:
+        sheet.text(book.own["charts"], MARGIN, y + HEAD * 0.8, HEAD, True, book.accent)
+        sheet.line(MARGIN, y + HEAD * 1.2 + 0.6, MARGIN + wide, y + HEAD * 1.2 + 0.6, HAIR)
+        y += HEAD * 1.2 + 3.0
+    ways = {rows for _, rows, _ in found}
+    note = " ".join(
+        book.own[_LEFT.get(key, key) if mirrored else key]
+        for key, there in _READ.items()
+        if there in ways or there is None
+    )
+    y = sheet.paragraph(wrap(note, BODY, wide), MARGIN, y + BODY, BODY, color=SOFT) + 0.5
+    y = _symbols(book, sheet, wanted, MARGIN, y, wide)
+    names = {block.part: block.title if len(book.said.blocks) > 1 else "" for block in book.said.blocks}
+    row: list[tuple[str, float, float, int]] = []
+
+    def placed(row: list[tuple[str, float, float, int]], y: float) -> float:
+        x, tall = MARGIN, 0.0
+        for name, scale, _, k in row:
+            drawing = found[k][2]
+            w, h = (drawing.size * scale).tolist()
+            sheet.text(name, x, y + LEAD, LEAD, True)
+            sheet.place(drawing, x, y + LEAD + 2.0, scale)
+            x, tall = x + max(w, width_of(name, LEAD, True)) + 6.0, max(tall, h + LEAD + 6.0)
+        return y + tall
+
+    room = 0.0
+    for k, (part, _, drawing) in enumerate(found):
+        w, h = drawing.size.tolist()
+        name = names.get(part, "")
+        scale = scales[k]
+        least = max(w * scale, width_of(name, LEAD, True))
+        if row and room + 6.0 + least > wide:
+            y = placed(row, y)
+            row, room = [], 0.0
+        tall = h * scale + LEAD + 6.0
+        highest = max([found[j][2].size[1] * s + LEAD + 6.0 for _, s, _, j in row], default=0.0)
+        if y + max(tall, highest) > bottom + 1.0:
+            # Somewhat smaller on this page rather than a page of its own.
+            left = bottom - y - LEAD - 6.0
+            if not row and left > 0.72 * h * scale:
+                scale = left / h
+            else:
+                y = placed(row, y) if row else y
+                row, room = [], 0.0
+                sheet, y = book.page(title), TOP
+        row.append((name, scale, w * scale, k))
+        room += (6.0 if len(row) > 1 else 0.0) + max(w * scale, width_of(name, LEAD, True))
+    placed(row, y)
+
+
+def _symbols(book: Book, sheet: Page, wanted: frozenset[int], x: float, y: float, wide: float) -> float:
+    """The symbols that occur and what they mean; the height they end at."""
+    left = x
+    tall = 0.0
+    terms = book.said.terms
+    for name, drawing in symbols(book.piece.built, wanted):
+        meaning = terms.meaning.get(name) or (terms.stitches.get(name) or terms.words.get(name) or (name,))[0]
+        lines = wrap(meaning, SMALL, 40.0)
+        w = 8.0 + max(width_of(line, SMALL) for line in lines) + 5.0
+        if left + w > x + wide + 5.0 and left > x:
+            left, y, tall = x, y + tall, 0.0
+        scale = 0.85
+        high = float(drawing.size[1]) * scale
+        sheet.place(drawing, left, y + (0.0 if high > 5 else 1.0), scale)
+        sheet.paragraph(lines, left + 7.6, y + 4.2, SMALL, color=INK)
+        left, tall = left + w, max(tall, high + 2.0, len(lines) * SMALL * LEADING + 4.0)
+    return y + tall + 3.0

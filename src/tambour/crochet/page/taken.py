@@ -1,0 +1,271 @@
+"""Taken: what the pictures have where a designer's sentence leaves something open, told next to it as ours."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from tambour.core.check import Array
+from tambour.core.graph import SEWN
+from tambour.crochet.finish.placing import frames
+from tambour.crochet.finish.sewing import end_of
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Embroidery, Eye, Placed, Spot
+
+if TYPE_CHECKING:
+    from tambour.crochet.piece import Plush
+
+_SIDE: Final = 0.04
+"""What is so near a quarter of its round from the middle, as a share of the round, is at the side."""
+_POINTS: Final = 0.42
+"""A part points where this much of its way goes, as a cosine."""
+_FLAT: Final = 0.25
+"""An end is sewn flat where for so many of its stitches a pair is sewn to one another; the outermost are neighbours anyway."""
+_LEVEL: Final = 2
+"""An edge over no more rounds than this runs along a round."""
+_FACES: Final = (
+    "smile",
+    "mouth",
+    "nose",
+    "v nose",
+    "y nose",
+    "brows",
+    "cheeks",
+    "lashes",
+    "navel",
+    "closed eyes",
+    "eyes",
+    "claws",
+)
+
+
+class Taken:
+    """Says of finishing records how the pictures have them, in rounds, stitches and millimetres; ``own``: the page's words."""
+
+    def __init__(self, piece: Plush, own: Mapping[str, str]) -> None:
+        self.piece, self.own = piece, own
+        self.built = piece.built
+        self.spots = Spots(self.built)
+        graph = self.built.graph
+        self.sewn = graph.edges[graph.edge_kind == SEWN]
+        self._placed = {self.spots.parts.get(f.part) for f in self.built.pattern.finish if isinstance(f, Placed)}
+
+    def __call__(self, records: Sequence[object]) -> list[str]:
+        """A sentence for each kind of thing among ``records``: parts sewn on, faces; nothing where nothing is open."""
+        made: dict[str, None] = {}
+        placed = [r for r in records if isinstance(r, Placed)]
+        for base in dict.fromkeys(self._base(r) for r in placed):
+            made |= dict.fromkeys(self._said(self._part([r for r in placed if self._base(r) == base])))
+        drawn = [r for r in records if isinstance(r, Embroidery)]
+        for motif in dict.fromkeys((r.motif, r.spots[0].part) for r in drawn):
+            said = self._drawn([r for r in drawn if (r.motif, r.spots[0].part) == motif])
+            made |= dict.fromkeys(self._said(said, self._called(motif[0]) if len({m.motif for m in drawn}) > 1 else ""))
+        return list(made)
+
+    def eyes(self, eyes: Sequence[Eye]) -> str:
+        """How many stitches from the middle each of two eyes is; "" where they are not two."""
+        if len(eyes) != 2:
+            return ""
+        off = [float(int(np.mean([abs(self._off(e.spot)[0]) for e in eyes]) + 0.01))]
+        count = self._off(eyes[0].spot)[1]
+        return "".join(self._said([self.own["each"].format(what=self._from_middle(eyes[0].spot.part, off, count))]))
+
+    def end(self, part: int) -> str:
+        """How the end of a stuffed part lies that is sewn shut; "" where it stays open, or something is sewn to it."""
+        if part in self._placed:
+            return ""
+        graph = self.built.graph
+        rim = self.spots.rim(part)
+        pairs = int((np.isin(self.sewn, rim).all(1) & (graph.part[self.sewn[:, 0]] == part)).sum()) if len(rim) else 0
+        return (
+            "".join(self._said([self.own["took flat end"].format(n=len(rim) // 2)]))
+            if pairs >= _FLAT * len(rim) > 0
+            else ""
+        )
+
+    def _said(self, words: list[str], of: str = "") -> list[str]:
+        words = [w for w in words if w]
+        what = ", ".join(words)
+        return [self.own["took"].format(what=f"{of}: {what}" if of else what)] if what else []
+
+    def _called(self, motif: str) -> str:
+        key = {"eyes": "embroidered eyes"}.get(motif, motif)
+        return self.own.get(key, "")
+
+    def _base(self, record: Placed) -> int:
+        return self.built.parts[self.spots.parts[record.part]].section
+
+    # -- parts ------------------------------------------------------------------------------------------------------
+
+    def _part(self, alike: list[Placed]) -> list[str]:
+        """The pieces of the sentence of a part, of all its copies."""
+        first, own = alike[0], self.own
+        part, host = self.spots.parts[first.part], self.spots.parts[first.spot.part]
+        if self.spots.in_rows[host]:
+            return []
+        if self.spots.place(first.spot).opening:
+            rims = len(self.spots.sewn_rim(part)), len(self.spots.opening(host, first.spot.round))
+            return [own["took rim"].format(n=rims[0])] if rims[0] == rims[1] and rims[0] else []
+        rim = self.spots.rim(host)
+        if len(rim) and self._lies(first.spot.part) and np.isin(self.spots.place(first.spot).nodes, rim).all():
+            each = len(rim) // 2 // len(alike)
+            return [*([own["took halves"].format(n=each)] if len(alike) == 2 else []), *self._points(alike)]
+        if len(alike) > 2:
+            at = sorted(round(r.spot.round) for r in alike)
+            return [own["took middles"].format(rounds=", ".join(map(str, at)))]
+        end = end_of(self.built, self.spots, first)
+        seams = [s for r in alike if len(s := self._seam(r))]
+        if len(seams) < len(alike):
+            return []
+        low = round(float(np.mean([s[:, 0].min() for s in seams])))
+        high = round(float(np.mean([s[:, 0].max() for s in seams])))
+        rounds = {"a": low, "b": high, "n": round((low + high) / 2)}
+        line = not end.ring and not end.laid
+        turn = round(first.across) % 180
+        if line and high - low <= _LEVEL and turn < 60:
+            count = self._count(host, rounds["n"])
+            offs = [np.sort(abs(s[:, 1]) if s[:, 1].min() * s[:, 1].max() > 0 else s[:, 1]) for s in seams]
+            ends = [float(np.mean([o[k] for o in offs])) for k in (0, -1)]
+            where = (
+                self._from_middle(first.spot.part, ends, count) if min(ends) >= 0.0 else self._middle(first, 0.0, count)
+            )
+            return [own["took edge"].format(**rounds), where, *self._points(alike)]
+        key = "took run" if line else "took laid" if end.laid else "took ring"
+        offs_ = [abs(self._off(r.spot)[0]) for r in alike]
+        count = self._count(host, round(first.spot.round))
+        said = [own[key].format(**rounds), self._middle(first, float(np.mean(offs_)), count)]
+        if len(alike) == 2 and not line and not end.laid:
+            near = [abs(s[abs(s[:, 0] - first.spot.round) < 0.6, 1]).min(initial=np.inf) for s in seams]
+            if np.isfinite(near).all():
+                said.append(own["took gap"].format(n=round(float(sum(near)))))
+        if self.spots.in_rows[part]:
+            said.append(self._row_one(part))
+        return [*said, *([] if end.laid else self._points(alike))]
+
+    def _seam(self, record: Placed) -> Array:
+        """Where a part is sewn on, (K, 2): round, and stitches from the middle of the front, left of it negative."""
+        graph, part = self.built.graph, self.built.graph.part
+        a, b = self.spots.parts[record.part], self.spots.parts[record.spot.part]
+        one, other = part[self.sewn[:, 0]], part[self.sewn[:, 1]]
+        nodes = np.concatenate([self.sewn[(one == a) & (other == b), 1], self.sewn[(one == b) & (other == a), 0]])
+        made = []
+        for node in nodes.tolist():
+            k = int(graph.round[node])
+            ring = self.spots.stitches(k)
+            at = np.flatnonzero(ring == node)
+            if len(at):
+                n = len(ring)
+                off = (float(at[0]) - self.spots.front(k) + n / 2) % n - n / 2
+                made.append((float(self.built.rounds[k].number), off))
+        return np.array(made).reshape(-1, 2)
+
+    def _row_one(self, part: int) -> str:
+        """Which way up a piece in rows is sewn."""
+        mine = [k for k, r in enumerate(self.built.rounds) if r.part == part and len(self.spots.stitches(k))]
+        heights = [float(self.piece.positions[self.spots.stitches(k), 1].mean()) for k in (mine[0], mine[-1])]
+        wide = float(np.ptp(self.piece.positions[:, 1]))
+        if abs(heights[1] - heights[0]) < 0.05 * wide:
+            return ""
+        return self.own["took row below" if heights[0] < heights[1] else "took row above"]
+
+    def _points(self, alike: list[Placed]) -> list[str]:
+        """Where parts point, as they are held at last."""
+        piece, graph = self.piece, self.built.graph
+        ways = []
+        for record in alike:
+            p = graph.parts[self.spots.parts[record.part]]
+            own = np.arange(p.start, p.end)
+            ends = np.unique(self.sewn[(self.sewn >= p.start) & (self.sewn < p.end)])
+            if not len(ends):
+                return []
+            middle = piece.positions[ends].mean(0)
+            way = piece.positions[own].mean(0) - middle
+            way = way / max(float(np.sqrt(way @ way)), 1e-9)
+            ways.append(way * (1.0 if middle[0] >= 0.0 else -1.0, 1.0, 1.0))
+        x, y, z = np.mean(ways, axis=0).tolist()
+        if len(alike) == 1:
+            x = 0.0
+        found = [("outwards", x), ("upwards", y), ("downwards", -y), ("forwards", z), ("backwards", -z)]
+        return [self.own[key] for key, share in sorted(found, key=lambda f: -f[1]) if share >= _POINTS]
+
+    # -- places on a round ------------------------------------------------------------------------------------------
+
+    def _off(self, spot: Spot) -> tuple[float, int]:
+        """How many stitches a spot is from the middle of the front, and how many its round has."""
+        part = self.spots.parts[spot.part]
+        k = self.spots.round_at(part, int(spot.round))
+        if k is None:
+            return 0.0, 0
+        n = len(self.spots.stitches(k))
+        if spot.stitch is None:
+            return 0.0, n
+        return (spot.stitch - 1.0 - self.spots.front(k) + n / 2) % n - n / 2, n
+
+    def _count(self, part: int, number: int) -> int:
+        k = self.spots.round_at(part, number)
+        return 0 if k is None else len(self.spots.stitches(k))
+
+    def _lies(self, part: str) -> bool:
+        section = self.built.parts[self.spots.parts[part]].section
+        return self.built.pattern.parts[section].up == "side"
+
+    def _middle(self, record: Placed, off: float, count: int) -> str:
+        """Where the middle of a part is on its round of ``count``."""
+        lies = self._lies(record.spot.part)
+        if off <= 1.0:
+            return self.own["on top" if lies else "in front"]
+        if off >= count / 2 - 1.0:
+            return self.own["took under" if lies else "behind"]
+        if abs(off - count / 4) <= _SIDE * count:
+            return self.own["at side"]
+        return self._from_middle(record.spot.part, [off], count)
+
+    def _from_middle(self, part: str, offs: Sequence[float], count: int) -> str:
+        """So many stitches, or from so many to so many, from the nearer middle: of front or back, of top or underside."""
+        far = float(np.mean(offs)) > count / 4 + 0.5
+        found = sorted(round(count / 2 - o if far else o) for o in offs)
+        n = str(found[0]) if found[0] == found[-1] else f"{found[0]}–{found[-1]}"
+        return self.own[
+            ("off under" if far else "off top") if self._lies(part) else ("off back" if far else "off front")
+        ].format(n=n)
+
+    # -- faces ------------------------------------------------------------------------------------------------------
+
+    def _drawn(self, alike: list[Embroidery]) -> list[str]:
+        """The pieces of the sentence of what is embroidered of one kind on one part."""
+        own, first = self.own, alike[0]
+        part = self.spots.parts[first.spots[0].part]
+        rows = bool(self.spots.in_rows[part])
+        known = [(r, s) for r in alike for s in r.spots]
+        points = frames(self.spots, self.piece.positions, [s for _, s in known]).points
+        rounds = [s.round for _, s in known]
+        a, b = max(1, int(np.floor(min(rounds) + 0.25))), max(1, int(np.ceil(max(rounds) - 0.25)))
+        if len(known) == 1:
+            stitch = first.spots[0].stitch
+            if stitch is None:
+                return []
+            return [own["took knot row" if rows else "took knot"].format(a=round(rounds[0]), b=round(stitch))]
+        if max(rounds) - min(rounds) < 1.0:
+            a = b = max(1, round(float(np.mean(rounds)) - 0.01))
+        over = own["took rounds"].format(a=a, b=b) if a < b else own["took round"].format(n=a)
+        if len(self.built.graph.parts) > 1:
+            over += f" ({self.built.pattern.parts[self.built.parts[part].section].name})"
+        long = [float(np.sqrt(((p[-1] - p[0]) ** 2).sum())) for p in self._each(alike, points)]
+        if first.motif == "whiskers":
+            begins = [abs(self._off(r.spots[0])[0]) for r in alike]
+            from_ = self._from_middle(first.spots[0].part, [float(np.mean(begins))], self._off(first.spots[0])[1])
+            return [own["took lines"].format(n=len(alike) // 2 or 1, mm=round(float(np.mean(long)))), over, from_]
+        if first.motif not in _FACES or len(alike) > 1:
+            return [over]
+        wide, high = (max(1, round(float(v))) for v in np.ptp(points, axis=0)[:2])
+        return [own["took size" if high > 2 else "took wide"].format(w=wide, h=high), over]
+
+    @staticmethod
+    def _each(alike: list[Embroidery], points: Array) -> list[Array]:
+        made, at = [], 0
+        for record in alike:
+            made.append(points[at : at + len(record.spots)])
+            at += len(record.spots)
+        return made

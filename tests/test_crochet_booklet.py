@@ -1,0 +1,188 @@
+"""The booklet as a buyer reads it: nothing is left to guess, and what the designer leaves open is said next to her words, as ours."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tambour.core.errors import Text
+from tambour.core.progress import Progress
+from tambour.crochet.page.angle import VIEW
+from tambour.crochet.page.assembly import _held
+from tambour.crochet.page.begin import _hows, _merged, _ways
+from tambour.crochet.page.book import Book
+from tambour.crochet.page.charted import helps
+from tambour.crochet.page.diagram import symbols
+from tambour.crochet.page.parts import _explained, with_hers
+from tambour.crochet.page.pictures import _broad, steps
+from tambour.crochet.page.plain import spelled
+from tambour.crochet.params import CrochetParams
+from tambour.crochet.plush import make
+from tambour.crochet.words.table import TERMS
+
+SHOP = Path(__file__).parent / "data" / "shop"
+
+
+@cache
+def shop(name: str) -> Book:
+    text = (SHOP / f"{name}.txt").read_text(encoding="utf-8")
+    return Book(make(Text(text, f"{name}.txt"), CrochetParams(detail="low", solver="none"), Progress()))
+
+
+def book(text: str) -> Book:
+    return Book(make(Text(text, "toy.txt"), CrochetParams(detail="low", solver="none"), Progress()))
+
+
+def rows(of: Book, name: str) -> list[tuple[str, bool]]:
+    """The lines of a part: their words, and whether they are ours."""
+    block = next((b for b in of.said.blocks if b.name == name), of.said.blocks[0])
+    return [(f"{r.label} {r.words}".strip(), r.ours) for r in _explained(of, block, with_hers(of, block))]
+
+
+def notes(of: Book, part: str) -> str:
+    """What stands under the step that sews a part on."""
+    built = of.piece.built
+    step = next(s for s in steps(of.piece) if part in {built.graph.parts[k].name.rstrip(" 123456") for k in s.fresh})
+    return " ".join(_held(of, step))
+
+
+def test_how_ends_are_sewn_on_is_said_by_kind() -> None:
+    assert "lies flat and is sewn on along its edge" in notes(shop("willa"), "BELLY")
+    assert "along its closed edge" in notes(shop("willa"), "SIDE FINS")  # closed by stitches that are no round
+    assert "lies flat" in notes(shop("toadstool"), "SPOTS") and "open end" not in notes(shop("toadstool"), "SPOTS")
+    assert "sewn on as a ring" in notes(shop("pickles"), "SNOUT")
+    odd = notes(shop("pickles"), "FRONT LEGS")  # nine stitches
+    assert "4 stitches through both layers and the odd one at the fold" in odd
+    assert "6 stitches wide" in notes(shop("pickles"), "EARS")
+
+
+def test_what_the_pictures_took_is_said_in_rounds_and_stitches() -> None:
+    ears = notes(shop("pickles"), "EARS")
+    assert "the edge from round 3 to round" in ears and "at the side" in ears and "pointing up" in ears
+    assert "18 stitches to 18" in notes(shop("pickles"), "HEAD") and "24 stitches to 24" in notes(
+        shop("toadstool"), "ROOF"
+    )
+    assert "Row 1 at the bottom" in notes(shop("toadstool"), "DOOR")
+    assert "side by side on the flat end, 3 stitches each" in notes(shop("willa"), "TAIL FLUKES")
+    assert "underneath, where the rounds begin" in notes(shop("willa"), "BELLY")
+    assert "6 stitches between the two" in notes(shop("pickles"), "BACK LEGS")  # as she says
+    knot = " ".join(
+        shop("toadstool").taken([r for r in shop("toadstool").piece.built.pattern.finish if hasattr(r, "motif")])
+    )
+    assert knot == "We took: row 4, stitch 3."
+
+
+def test_ours_stand_next_to_her_sentence_and_are_known_as_ours() -> None:
+    body = rows(shop("willa"), "BODY")
+    words = [said for said, _ in body]
+    eyes = next(k for k, said in enumerate(words) if "safety eyes" in said)
+    assert body[eyes + 1] == ("We took: each 6 stitches from the middle of the top.", True) and not body[eyes][1]
+    assert body[-1] == ("We took: pressed flat from side to side, top on underside, 6 stitches wide.", True)
+    assert rows(shop("pickles"), "HEAD")[0] == ("Worked from the top down.", True)
+    assert rows(shop("pickles"), "BODY")[0] == ("Worked from the bottom up.", True)
+    said = [said for said, ours in rows(shop("pickles"), "HEAD") if ours]
+    assert any("4 stitches from the middle of the front" in one for one in said)
+
+
+def test_hands_are_told_what_they_must_know() -> None:
+    door = [said for said, _ in rows(shop("toadstool"), "DOOR")]
+    assert "Row 1 from the 2nd ch from the hook: 5 sc, turn" in door
+    legs = [said for said, _ in rows(shop("pickles"), "FRONT LEGS")]
+    assert "Change to grey, in the last loop of the stitch before." in legs and "Use cream." in legs
+    assert _ways(shop("toadstool")) == [
+        "spiral",
+        "turning text",
+    ]  # rings that end in a slip stitch are no joined rounds
+    assert "change text" in _ways(shop("pickles")) and "turning text" not in _ways(shop("pickles"))
+    assert "change text" not in _ways(shop("willa"))  # parts of one colour each
+    joined = book(
+        "BALL\nRnd 1: 6 sc in MR, join (6)\n"
+        + "".join(f"Rnd {k}: inc, 5 sc, join (7)\n" for k in (2,))
+        + "Rnd 3: sc around, join (7)\n"
+    )
+    assert "spiral" not in _ways(joined)
+    assert dict(_hows(shop("toadstool")))["French knot"] and not _hows(shop("willa"))
+
+
+def test_a_scarf_is_begun_in_the_chain_that_she_says() -> None:
+    scarf = book(
+        "SCARF\nWith red, ch 12.\nRow 1: sc in 2nd ch from hook and in each ch across (11)\nRow 2: ch 1, turn, sc across (11)\n"
+    )
+    assert any("Row 1 from the 2nd ch from the hook: 11 sc" in said for said, _ in rows(scarf, "SCARF"))
+
+
+def test_abbreviations_mean_what_the_designer_means_and_stand_once() -> None:
+    for name in ("willa", "pickles"):
+        assert next(m for said, m in _merged(shop(name)) if "dec" in said.split(", ")).startswith("invisible decrease")
+    said = [word for words, _ in _merged(shop("pickles")) for word in words.split(", ")]
+    assert len(said) == len(set(said)) and ("Rnd, R", "round") in _merged(shop("pickles"))
+    assert ("dec", "decrease: 2 sc worked together") in _merged(shop("toadstool"))
+    assert [m for words, m in _merged(shop("toadstool")) if "st" in words.replace("(s)", "").split(", ")] == [
+        "stitch(es)"
+    ]
+
+
+def test_charts_stand_where_they_tell_more_than_words() -> None:
+    assert not helps(shop("willa").piece.built) and not helps(shop("pickles").piece.built)
+    shell = book(
+        "LEAF\nCh 6.\nRow 1: sc in 2nd ch from hook, hdc, dc, hdc, sc (5)\n\nBALL\nRnd 1: 6 sc in MR (6)\nRnd 2: inc around (12)\n"
+    )
+    leaf = helps(shell.piece.built)
+    assert leaf == {0}
+    names = {name for name, _ in symbols(shell.piece.built, leaf)}
+    assert {"sc", "hdc", "dc", "ch"} <= names and not names & {"inc", "ring", "slst"}
+    assert "inc" in {name for name, _ in symbols(shell.piece.built)}
+
+
+def test_her_spelling_is_kept_word_by_word() -> None:
+    assert spelled(TERMS["us"], "Grey yarn, fiberfill").colors["gray"][0] == "grey"
+    assert "color" in spelled(TERMS["us"], "Grey yarn, fiberfill and color").page["new"]
+
+
+@pytest.mark.slow
+def test_a_part_is_shown_by_its_broad_side() -> None:
+    piece = make(
+        Text((SHOP / "willa.txt").read_text(encoding="utf-8"), "willa.txt"), CrochetParams(detail="low"), Progress()
+    )
+    body, belly = _broad(piece, [0]), _broad(piece, [1])
+    assert belly[1] < -1.2  # a tummy is seen straight ahead, from below
+    assert abs(body[0] - VIEW[0]) > 0.7  # a body that lies along the view is seen from its side
+    x = piece.positions[piece.built.graph.part == 0]
+    ahead = np.array([np.sin(body[0]), np.cos(body[0])])
+    long = x[:, [0, 2]] - x[:, [0, 2]].mean(0)
+    assert np.ptp(long @ ahead) < 0.9 * np.ptp(long @ np.array([ahead[1], -ahead[0]]))
+
+
+TWICE = """Toy
+
+BODY
+Rnd 1: 6 sc in MR (6)
+Rnd 2: inc x 6 (12)
+Rnds 3-6: sc in each st (12)
+Rnd 7: *2 sc, dec* 3 times (9)
+Begin stuffing the body, nice and firm
+
+Rnd 8: *sc, dec* 3 times (6)
+Fasten off and close.
+
+TAIL
+Rnd 1: 6 sc in MR (6)
+Rnds 2-4: sc around (6)
+Fasten off, leave a long tail.
+
+Putting Pip together
+Sew the tail to the back of the body at rnd 4.
+Well done!
+"""
+
+
+def test_a_step_is_not_said_twice_nor_an_assembly_taken_for_rounds() -> None:
+    of = book(TWICE)
+    tail = " ".join(said for said, _ in rows(of, "TAIL"))
+    assert "Sew the tail" not in tail and "Putting" not in tail and "Well done" not in tail
+    assert of.hers is not None and of.hers.closing == ["Well done!"]
+    body = [said for said, _ in rows(of, "BODY")]
+    assert "Begin stuffing the body, nice and firm." in body and not any("*" in said for said in body)
