@@ -40,13 +40,17 @@ class Album:
     """The parts of a piece as small pictures show them, any of them at a time.
 
     ``parts`` and ``face`` everywhere: numbers of the parts that are there, and the pattern's lines of the face that are.
+    ``all`` : those that pictures of the whole show, without clothes that nothing places
     ``backdrop``: what stands behind them, white where ink is dear.
     """
 
     def __init__(self, piece: Plush) -> None:
+        from tambour.crochet.looks import in_sight
+
         self.piece = piece
         self.backdrop: RGB = BACKDROP
-        self.all = [k for k, part in enumerate(piece.built.graph.parts) if part.end > part.start]
+        filled = [k for k, part in enumerate(piece.built.graph.parts) if part.end > part.start]
+        self.all = in_sight(piece) or filled
         self.face = tuple(f for f in piece.built.pattern.finish if not isinstance(f, Placed))
         self._yarn = _thinned(piece.yarn, 0.3 * RATIO * piece.built.graph.stitch_width)
         self._dressed: dict[tuple[Finish, ...], tuple[list[Mesh], Strands]] = {}
@@ -110,7 +114,7 @@ class Album:
         before, worn, lights = self._lit.get((azimuth, many), (set(), (), None))
         # Yarn gives way to eyes: with other ones it lies elsewhere.
         if lights is None or not before <= set(parts) or not set(worn) <= set(face) or _eyes(worn) != _eyes(face):
-            points = [skin(self.piece, np.arange(len(self.piece.positions)))]
+            points = [skin(self.piece, np.arange(len(self.piece.positions)))]  # also of what only its own picture shows
             points += [each.vertices for each in self._with(self.face)[0]]
             direction, weight, key = studio(azimuth or 0.0, *many)
             own = ~key if azimuth is None else key

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from tambour.core.check import Array
 from tambour.core.picture import Picture
@@ -35,6 +36,9 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     piece, width = book.piece, book.frame.width
     # Eyes that are put in while the piece is open stand with the rounds.
     found = [step for step in steps(piece) if not _eyes_only(book, step)]
+    placed = {k for step in found for k in step.fresh}
+    beside = {k for k in range(len(piece.built.graph.parts)) if k not in book.album.all} - placed
+    found = [replace(step, parts=tuple(k for k in step.parts if k not in beside)) for step in found]
     if not found:
         return []
     high = width * (0.66 if len(found) <= 4 else 0.55)

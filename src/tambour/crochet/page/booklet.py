@@ -40,7 +40,7 @@ def pages(piece: Plush) -> tuple[Drawing, ...]:
     worked = short(book, book.said.terms.word("instructions"))
     flow(rounds(book), book.frame, lambda: book.page(worked), again, book.below)
     since = len(book.pages) - 1
-    steps = assembly(book, skin(piece, np.arange(len(piece.positions))))
+    steps = assembly(book, skin(piece, np.flatnonzero(np.isin(piece.built.graph.part, book.album.all))))
     closing = book.hers.closing if book.hers is not None else []
     name = book.said.terms.word("assembly") if steps else book.own["last words"]
     if closing:

@@ -39,11 +39,11 @@ _PLAIN: Final = frozenset(
         "sc dec",
     )
 )
-"""What a chart shows no better than words do, where it is the same all round."""
+"""What a chart shows no better than words do, in rounds; in rows chains turn them as well."""
 _ROWS: Final = _PLAIN | {"turn", "ch"}
 _CHAIN: Final = frozenset(("ch", "turn", "color", "fo"))
 _FEW: Final = 4
-"""The same of rows, that are of no more than so many things."""
+"""A round or row of no more than so many different things is told by words."""
 
 
 def helps(built: Built) -> frozenset[int]:
@@ -53,7 +53,7 @@ def helps(built: Built) -> frozenset[int]:
         done = [d for line in lines for unit, _ in line.pieces for d in unit]
         rows = any(d.what == "turn" for d in done)
         odd = any(d.what not in (_ROWS if rows else _PLAIN) for d in done)
-        uneven = any(line.number and _units(line.pieces) > (_FEW if rows else 1) for line in lines)
+        uneven = any(line.number and _units(line.pieces) > _FEW for line in lines)
         chain = {d.what for d in done} <= _CHAIN
         if (odd or uneven) and not chain:
             found.add(part)

@@ -181,8 +181,14 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
             )
         ]
         rows = [row for row in rows if row not in drop]
-    if said and said[0][0] == 0 and rows and rows[0].colors and not rows[0].label and _WITH.match(said[0][1]):
-        rows[0], said = replace(rows[0], words=said[0][1]), said[1:]  # the colour in her words
+    # The colour, and which way it is worked, in her words.
+    dyed = next((k for k, row in enumerate(rows) if row.label or row.colors), 0)
+    mine = next((k for k, one in enumerate(said) if one[0] == 0 and _WITH.match(one[1])), -1)
+    if mine >= 0 and rows and rows[dyed].colors and not rows[dyed].label and _colour_alone(book, rows[dyed]):
+        rows[dyed], said = replace(rows[dyed], words=said[mine][1]), [*said[:mine], *said[mine + 1 :]]
+    if any("worked from" in words.lower() for _, words, _ in said):
+        ways = {f"{book.said.terms.sentences[key]}.".lower() for key in ("up end", "up start", "up side")}
+        rows = [row for row in rows if row.label or row.words.lower() not in ways]
     eyes = _eyes_here(book, block)
     for after, words, span in reversed(said):
         begun = 1 if _begun(book, block, rows, span) else 0
@@ -205,6 +211,12 @@ def with_hers(book: Book, block: PartText) -> list[Row]:
         at = (max(open_) if open_ else max((k for k, row in enumerate(rows) if row.label), default=-1)) + 1
         rows.insert(at, Row("", eyes_now(book.own, book.spoken(eyes))))
     return rows
+
+
+def _colour_alone(book: Book, row: Row) -> bool:
+    """Whether a row says a colour and no stitches."""
+    chain = book.said.terms.word("ch")
+    return re.search(rf"\b{re.escape(chain)}\b", row.words) is None
 
 
 def _begun(book: Book, block: PartText, rows: list[Row], span: Span) -> bool:

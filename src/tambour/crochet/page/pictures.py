@@ -115,7 +115,7 @@ def lies(piece: Plush) -> bool:
 
 def whole(album: Album, width: int, height: int) -> Picture:
     """The cover's picture: the piece on a floor that becomes the page's paper at the picture's edges."""
-    from tambour.crochet.looks import in_sight, toy
+    from tambour.crochet.looks import toy
     from tambour.crochet.page.portrait import stand
     from tambour.render.raster import picture, shown
 
@@ -134,7 +134,7 @@ def whole(album: Album, width: int, height: int) -> Picture:
         elevation=elevation,
         background=album.backdrop,
         frame=room,
-        lit=album.light(in_sight(album.piece) or album.all, album.face, azimuth, MANY),
+        lit=album.light(album.all, album.face, azimuth, MANY),
     )
     paper = np.round(coded(film(linear(np.array(album.backdrop) / 255.0))) * 255).astype(np.float32)
     y = np.linspace(0.0, 1.0, height, dtype=np.float32)
@@ -232,7 +232,7 @@ def from_side(album: Album, side: str, width: int, height: int) -> Picture:
 
     piece = album.piece
     # One scale for all sides: what fills each picture is the drum that the piece could turn in.
-    points = skin(piece, np.arange(len(piece.positions)))
+    points = skin(piece, np.flatnonzero(np.isin(piece.built.graph.part, album.all)))
     middle = 0.5 * (points.min(0) + points.max(0))
     reach = float(np.hypot(*(points - middle)[:, [0, 2]].T).max())
     turn = np.linspace(0.0, 2.0 * np.pi, 25)

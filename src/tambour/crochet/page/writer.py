@@ -7,7 +7,7 @@ from pathlib import PurePath
 from typing import Final
 
 from tambour.color import families, family
-from tambour.core.errors import TambourError
+from tambour.core.errors import Span, TambourError
 from tambour.core.graph import TIP
 from tambour.core.rgb import RGB, hexed
 from tambour.crochet.graph.built import Built, Done
@@ -230,12 +230,16 @@ class Writer:
                 lines, stuffing = [*lines, *said, *(Row("", words) for words in stuffing)], []
                 said = []
             lines += [*said, *(Row("", f"*{' '.join(note.split()).strip('*')}*") for note in line.notes)]
-        name = self._heading(section.name) if section.name else self.terms.word("instructions")
+        name = self._heading(section.name, section.span) if section.name else self.terms.word("instructions")
         copies = self.phrases.say("copies", count=section.copies) if section.copies > 1 else ""
         return PartText(name, copies, (*lines, *(Row("", words) for words in stuffing)), tuple(settings), part, index)
 
-    def _heading(self, name: str) -> str:
-        """A part's name; with the word for a part before it, where it could be taken for another heading."""
+    def _heading(self, name: str, span: Span) -> str:
+        """A part's name, as she heads it; with the word for a part before it, where it could be taken for another heading."""
+        if not self.exact:  # "Head & Body" is called Head Body by those that look for it
+            words = r"\s*(?:&|\+|/|-|and|\s)\s*".join(map(re.escape, name.split()))
+            hers = re.search(words, self.pattern.text.text[span.start : span.end], re.IGNORECASE)
+            name = hers[0] if hers is not None else name
         taken = {s.lower() for spellings in self.terms.words.values() for s in spellings}
         part = self.terms.word("part")
         if name.lower() in taken or name.lower().startswith(part.lower()):

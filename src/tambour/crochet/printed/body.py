@@ -9,7 +9,7 @@ from tambour.crochet.language.tree import Action, Group, Item
 from tambour.crochet.printed.asides import aside, things
 from tambour.crochet.printed.counts import count, ends_with_number, makes, slips
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
-from tambour.crochet.printed.doings import BETWEEN, by_hand, doing, drawn_tight
+from tambour.crochet.printed.doings import BETWEEN, by_hand, closed_flat, doing, drawn_tight
 from tambour.crochet.printed.marked import taken
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.references import even_rounds
@@ -114,7 +114,8 @@ class Walk(Trade):
             return False
         self.c.at = end
         self.body.doings.append(self.c.tokens[at:end])
-        self.body.ends = "close" if drawn_tight(self.body.doings[-1]) else self.body.ends
+        said = self.body.doings[-1]
+        self.body.ends = "open" if closed_flat(said) else "close" if drawn_tight(said) else self.body.ends
         return True
 
     # -- clauses ----------------------------------------------------------------------------------------------------

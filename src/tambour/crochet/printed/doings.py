@@ -194,10 +194,20 @@ def _sts(token: Token | None) -> bool:
     return token is not None and token.word in ("st", "stitch", "stitches", "sts")
 
 
+def closed_flat(tokens: list[Token]) -> bool:
+    """Whether a doing closes an edge flat, layer on layer: "flatten, and close with 4 sc through both layers"."""
+    words = {t.word for t in tokens}
+    return bool(words & {"layers", "thicknesses"} and words & {"both", "two"}) or bool(
+        words & {"flatten", "flattened"} and words & {"sew", "close", "closed", "shut"}
+    )
+
+
 def drawn_tight(tokens: list[Token]) -> bool:
     """Whether a doing draws the last round together."""
     words = {t.word for t in tokens}
-    return bool(words & _TIGHT and words & {"pull", "draw", "close", "thread", "cinch", "weave"})
+    return not closed_flat(tokens) and bool(
+        words & _TIGHT and words & {"pull", "draw", "close", "thread", "cinch", "weave"}
+    )
 
 
 def _and_stitches(c: Cursor) -> bool:

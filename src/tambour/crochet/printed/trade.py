@@ -10,6 +10,7 @@ from tambour.crochet.printed.counts import closing, counted_at, ends_with_number
 from tambour.crochet.printed.courses import PIECES
 from tambour.crochet.printed.curls import back_along
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
+from tambour.crochet.printed.doings import closed_flat
 from tambour.crochet.printed.dyes import Dyes
 from tambour.crochet.printed.references import refers
 from tambour.crochet.printed.repeats import again_said, between_stars, led, repeated
@@ -247,7 +248,8 @@ class Trade(Dyes):
                     break
                 c.at = end
             if c.key("close"):
-                self.body.ends = "close"
+                flat = closed_flat(c.tokens[max(0, c.at - 3) : self.end_of_sentence()])
+                self.body.ends = "open" if flat else "close"
             elif (c.key("open") or (left and c.tokens[c.at].word == "tail")) and self.body.ends != "close":
                 self.body.ends = "open"
             left = left or (c.key("leave") and c.tokens[c.at].word.startswith("leav"))
