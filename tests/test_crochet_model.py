@@ -19,12 +19,15 @@ from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
 from tambour.crochet import plush
 from tambour.crochet.finish import shape
+from tambour.crochet.finish.placing import frames
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.check import tech_edit
-from tambour.crochet.language.finishes import Tie
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Embroidery, Eye, Tie
 from tambour.crochet.language.parse import parse
 from tambour.crochet.maker.facts import facts
 from tambour.crochet.model.assemble import Piece
+from tambour.crochet.model.bumps import taken_off, uncoloured
 from tambour.crochet.model.couple import couple
 from tambour.crochet.model.distance import Target, distance
 from tambour.crochet.model.dyed import dye, dyed
@@ -234,6 +237,56 @@ def horned(radius: float = 40.0, long: float = 1.5, wide: float = 0.3) -> tuple[
         to = np.array([side * 0.8, 0.6, 0.0])
         x = x + (x * long) * np.exp(-((np.arccos(np.clip((way * to).sum(1), -1, 1)) / wide) ** 4))[:, None]
     return x, faces
+
+
+def faced(radius: float = 8.0) -> tuple[Array, Array]:
+    """A ball with two eyes and a nose that stand out of it, and a wart behind."""
+    x, faces = globe(radius, 80)
+    way = x / np.sqrt((x**2).sum(1))[:, None]
+    for to, high in (
+        ((0.35, 0.3, 0.89), 1.3),
+        ((-0.35, 0.3, 0.89), 1.3),
+        ((0.0, 0.05, 1.0), 1.2),
+        ((0.0, 0.3, -0.95), 1.2),
+    ):
+        bump = np.array(to) / math.sqrt(sum(v * v for v in to))
+        far = radius * np.arccos(np.clip((way * bump).sum(1), -1.0, 1.0))
+        x = x + high * way * np.sqrt(np.maximum(1.0 - (far / 0.9) ** 2, 0.0))[:, None]
+    return x, faces
+
+
+def test_small_bumps_of_a_face_are_taken_off_and_the_wart_is_told() -> None:
+    x, faces, _ = bodies(Mesh(*faced()), [])[0]
+    tell: list[str] = []
+    found, rest, own = taken_off(x, faces, mirror(x, faces), tell)
+    assert [np.round(b.at[0]) for b in found] == [3.0, -3.0, 0.0]
+    assert all(1.4 < b.wide < 2.4 and b.out[2] > 0.8 for b in found)
+    assert tell == [
+        "rounds go over a bump or corner of the model, smaller than 8 stitches: sew on beads or knots for what it is"
+    ]
+    assert np.sqrt((rest[np.unique(own)] ** 2).sum(1))[rest[:, 2] > 0.0].max() < 8.7
+    pairs = np.sort(np.concatenate([own[:, :2], own[:, 1:], own[:, ::2]]), axis=1)
+    assert (np.unique(pairs, axis=0, return_counts=True)[1] == 2).all()
+    told: list[str] = []
+    assert taken_off(*bodies(Mesh(*horned(12.0)), [])[0][:2], None, told)[0] == () and not told
+    assert taken_off(x, faces, None, told)[0] == () and "4 bumps" in told[0]
+    shade = np.where((np.sqrt((x**2).sum(1)) > 8.2)[:, None], [10, 10, 10], [200, 90, 60]).astype(np.uint8)
+    assert (uncoloured(x, shade, found)[x[:, 2] > 0.0] == [200, 90, 60]).all()
+
+
+@pytest.mark.slow
+def test_eyes_and_a_nose_of_a_model_are_safety_eyes_and_embroidery() -> None:
+    piece, told = made(Mesh(*faced(40.0 / 5.0)), stitches=800)
+    eyes = [f for f in piece.built.pattern.finish if isinstance(f, Eye)]
+    nose = [f for f in piece.built.pattern.finish if isinstance(f, Embroidery)]
+    assert len(eyes) == 2 and len(nose) == 1 and eyes[0].size == eyes[1].size
+    assert "two bumps too small to be worked are safety eyes" in " ".join(w.message for w in told.warnings)
+    places = frames(Spots(piece.built), piece.positions, [f.spot for f in eyes]).points / piece.stitch[0]
+    assert (
+        abs(places[0, 0] + places[1, 0]) < 1.5 and places[:, 2].min() > 5.0 and abs(places[0, 1] - places[1, 1]) < 1.5
+    )
+    again = read(instructions.plain(piece))
+    assert [f.spot for f in again.finish if isinstance(f, Eye)] == [f.spot for f in eyes]
 
 
 @pytest.mark.slow

@@ -93,7 +93,7 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
             point = turned(base + to, turn) + shift
             other = pieces[piece.onto[c][0]].name(piece.onto[c][1])
             ahead = turned(turned(goal[here.start] - base, aim), turn)
-            spot = _spot(
+            spot = spot_of(
                 spots,
                 joined.x,
                 number[piece.onto[c]],
@@ -118,7 +118,7 @@ def placed(pieces: list[Piece], nudges: Nudges, even: bool) -> list[str]:
                     pair = mirrored(steps[k, 0][0], steps[k, 1][0])
                     for n, one in enumerate(pair):
                         on = number[pieces[k].onto[n]]
-                        spot = _spot(spots, joined.x, on, one.spot.part, points[k, n], one.spot.round)
+                        spot = spot_of(spots, joined.x, on, one.spot.part, points[k, n], one.spot.round)
                         steps[k, n] = replace(one, spot=spot), steps[k, n][1]
     return [_line(said) for said, _ in steps.values()]
 
@@ -171,7 +171,7 @@ def _line(said: Placed) -> str:
     return f"place({said.part}, {spot.part}, round={spot.round:g}{stitch}{more})"
 
 
-def _spot(
+def spot_of(
     spots: Spots,
     x: Array,
     part: int,

@@ -14,6 +14,7 @@ from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
 from tambour.crochet.model import tips
 from tambour.crochet.model.assemble import Piece
+from tambour.crochet.model.bumps import Bump, faces_of, taken_off, uncoloured
 from tambour.crochet.model.distance import Target
 from tambour.crochet.model.dyed import dye, dyed
 from tambour.crochet.model.fronts import Fronts, fronts, laid
@@ -90,9 +91,9 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
             )
     pieces: list[Piece] = []
     history: dict[str, list[float]] = {}
+    bumps: list[tuple[Bump, ...]] = []
     for x, faces in whole:
-        made = _pieces(x, faces, params, stitch, progress, tell, pieces, history)
-        pieces += made
+        pieces += _pieces(x, faces, params, stitch, progress, tell, pieces, history, bumps)
     target = Target.of(np.concatenate([x for x, _ in whole]), _one([f for _, f in whole], [len(x) for x, _ in whole]))
     with progress.stage("assembly"):
         plane = tips.mirror(target.vertices, target.faces)
@@ -100,9 +101,14 @@ def design(mesh: Mesh, params: CrochetParams, progress: Progress, name: str = "m
         pieces, lines, way = seated(pieces, target, params, stitch, plane if even else None)
         if way:
             history["assembly"] = way
-    if mesh.color is not None:
-        first = np.concatenate([origin for _, _, origin in found])
-        how = dye(target.tree, target.faces, mesh.color[first], target.points, params.colors)
+        shades = None
+        if mesh.color is not None:
+            first = np.concatenate([origin for _, _, origin in found])
+            shades = target.vertices, mesh.color[first]
+        lines += [line for face in bumps for line in faces_of(face, pieces, stitch, shades, tell)]
+    if shades is not None:
+        plain = uncoloured(*shades, tuple(b for face in bumps for b in face))
+        how = dye(target.tree, target.faces, plain, target.points, params.colors)
         if how is not None:
             pieces = [
                 replace(p, rounds=dyed(p.rounds, p.goals[0], how, p.tried.worked.graph, params.hold)) for p in pieces
@@ -168,14 +174,17 @@ def _pieces(
     tell: list[str],
     known: list[Piece],
     history: dict[str, list[float]],
+    bumps: list[tuple[Bump, ...]],
 ) -> list[Piece]:
     """The parts of one body of the model, the one that the others stand on first.
 
-    known : those that there are already
+    known : those that there are already; bumps : room for those of its face
     """
     with progress.stage("model"):
         y, fine, _ = refined(x, faces, FINE)
         plane = tips.mirror(x, faces)
+        face, y, fine = taken_off(y, fine, plane, tell)
+        bumps.append(face)
         body, rest, groups = limbs(y, fine, plane, tell)
         said = names((body, rest), groups, {p.rounds.name for p in known})
     with progress.stage("rounds"):
