@@ -139,3 +139,10 @@ def test_a_target_is_in_the_report_and_scores_a_sweep(tmp_path: Path) -> None:
     list(sweep("crochet", [tmp_path / "ball.acl"], axes, tmp_path / "out", [".acl"], jobs=1, sheet=False))
     rows = list(csv.DictReader((tmp_path / "out" / "index.csv").read_text().splitlines()))
     assert float(rows[0]["score"]) == told["distance"]["mean"] < float(rows[1]["score"])
+
+
+@pytest.mark.parametrize("text", ["", ": ch(12)\n"])
+def test_what_has_no_surface_is_compared_with_nothing_and_that_is_told(text: str) -> None:
+    told = Progress()
+    piece = make(Text(text), CrochetParams(target=Mesh(*swept(EGG))), told)
+    assert piece.aim is None and any("surface" in w.message for w in told.warnings)

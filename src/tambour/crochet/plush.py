@@ -48,6 +48,9 @@ def make(source: Text | Drawing | Model | None, params: CrochetParams, progress:
         piece = mirrored(piece)
     if params.target is None:
         return piece
+    if not len(piece.built.graph.faces[piece.built.shell]):
+        progress.warn("has no effect: nothing of this pattern is a surface", where="{--target}")
+        return piece
     from tambour.crochet.model.aim import sought
 
     with progress.stage("compare"):
