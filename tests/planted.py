@@ -33,7 +33,7 @@ class Fault(NamedTuple):
 P = "promises"
 FAULTS = [
     # -- found alive by hand, once
-    Fault("embroidery/columns/stroke.py", "* half, turn)\n", "* half, -turn)\n", P),
+    Fault("embroidery/columns/stroke.py", "width / 2, -float(turns[bounds[k]])", "width / 2, float(turns[bounds[k]])", P),
     Fault("embroidery/columns/stroke.py", "np.minimum(half, 1 / np", "np.minimum(half, 2 / np", P),
     Fault("embroidery/plan/order.py", "keep[pairs] = [", "keep[:] = [False] * len(keep); keep[pairs] = [", P),
     Fault("embroidery/plan/facts.py", "SLACK = 0.05", "SLACK = 0.5", P),
@@ -73,7 +73,7 @@ FAULTS = [
     Fault("core/errors.py", 'return "holds bytes that are no text"', 'return ""', "params run -k bad_values or names_that"),
     Fault("files/text.py", "lines = [escape(line", "lines = [str(line", "errors -k html"),
     Fault("sweep/folder.py", "if text[:1] in FORMULA", "if False", "sweep -k formula"),
-    Fault("core/params.py", "if unmet and getattr(self, name)", "if False and getattr(self, name)", "params -k no_effect"),
+    Fault("core/params.py", "if unmet and self.said((name,))", "if False and self.said((name,))", "params -k no_effect"),
     # -- the house
     Fault("color.py", "srgb <= 0.04045, srgb / 12.92", "srgb <= 0.04045, srgb / 12.0", "color"),
     Fault("color.py", "(1 / 2.4) - 0.055", "(1 / 2.2) - 0.055", "color"),
@@ -99,8 +99,8 @@ FAULTS = [
     Fault("files/headers.py", "_last(pattern, [x, y]) and _last(pattern, [x, -y])", "False", "files_machine -k changed_byte"),
     Fault("files/headers.py", 'if raw[at + 15 : at + 18] != b"\\x0a\\xf6\\0":', "if False:", "files_machine -k spoilt"),
     Fault("files/headers.py", "if any(raw[_SEW - 8 : _SEW]):", "if False:", "files_machine -k sew"),
-    Fault("crochet/printed/parts.py", "if number + total > MOST_ROUNDS:", "if number < 0:", "crochet_bounds -k double"),
-    Fault("crochet/printed/parts.py", "((line,) if line.again is None else line.rounds())", "(line,)", "crochet_bounds -k however_many"),
+    Fault("crochet/printed/reworked.py", "if number + total > MOST_ROUNDS:", "if number < 0:", "crochet_bounds -k double"),
+    Fault("crochet/printed/reworked.py", "((line,) if line.again is None else line.rounds())", "(line,)", "crochet_bounds -k however_many"),
     Fault("crochet/language/finishes.py", "int(number) <= copies", "int(number) < copies", "crochet_places crochet_placing crochet_bounds"),
     Fault("core/errors.py", "cutoff=0.65", "cutoff=0.99", "errors cli"),
     Fault("core/chart.py", "return 100.0 / self.stitches", "return 10.0 / self.stitches", "values knit_yarns knit_craft"),
@@ -138,7 +138,7 @@ FAULTS = [
           "crochet_size -k yarn or hook or expected or gauge"),
     Fault("crochet/yarns.py", '"E": 3.5', '"E": 3.25', "crochet_size -k hook"),
     Fault("crochet/yarns.py", '"8-ply": "dk"', '"8-ply": "sport"', "promises crochet_size -k class or yarn or weight"),
-    Fault("crochet/maker/materials.py", "grams = bought / kind.metres * 100.0", "grams = bought / kind.metres * 50.0",
+    Fault("crochet/maker/materials.py", "grams = bought / metres_100_g * 100.0", "grams = bought / metres_100_g * 50.0",
           P),
     Fault("crochet/maker/materials.py", "max(1, ceil(grams / skein))", "max(1, int(grams / skein))",
           P),
