@@ -29,8 +29,8 @@ NUDGE = 0.7
 """How much of what a part is off it is moved at once."""
 CLASH = 0.03
 """How much farther off, in stitches, a toy may be for two seams that are not in each other's way."""
-CROSSED = 2.0
-"""The same for fabric that does not pass through itself: times the share of it that does."""
+CROSSED, RESTLESS = 8.0, 0.05
+"""The same for fabric that does not pass through itself, times the share of it that does; and for a toy that comes to rest."""
 ROOTED, ROWS = 3, 3
 """After so many times parts are made longer, by so many rounds at the most."""
 AWAY = 0.4
@@ -66,7 +66,7 @@ def seated(
                 seats = {}
             aims = {key: (turn, to + away.get(key, 0.0)) for key, (turn, to) in nudges.items()}
             lines = placed(pieces, aims, mirrored is not None)
-            built, x, faces = together(pattern([p.rounds for p in pieces], lines), params, stitch)
+            built, x, faces, rests = together(pattern([p.rounds for p in pieces], lines), params, stitch)
             goal = np.concatenate([g for p in pieces for g in p.goals])
             lain = distance(target, x, faces, fit(x, goal, np.ones(len(x))))
             way.append(round(lain.mean, 4))
@@ -74,7 +74,7 @@ def seated(
             assert joining is not None
             crowd = clashes(joining)
             price = lain.mean + CLASH * len(crowd) + CROSSED * len(crossed(x, faces)) / len(faces)
-            price -= PAIR if mirrored is not None else 0.0
+            price += (0.0 if rests else RESTLESS) - (PAIR if mirrored is not None else 0.0)
             if best is None or price < best[0]:
                 best, good = (price, pieces, lines), nudges
             nudges, far = nudged(pieces, x, nudges, seats)

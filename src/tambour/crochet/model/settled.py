@@ -47,8 +47,9 @@ def settled(part: Rounds, params: CrochetParams, stitch: tuple[float, float] = (
     return Settled(task.graph, risen(shape.x, first_positions(task)[0], [np.arange(len(graph))]), shape.settled)
 
 
-def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float]) -> tuple[Built, Array, Array]:
-    """A pattern worked, its parts sewn on and brought to rest together: positions (N, 3) in stitches, and the faces that are seen."""
+def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float]) -> tuple[Built, Array, Array, bool]:
+    """A pattern worked, its parts sewn on and brought to rest together: positions (N, 3) in stitches, the faces that are seen, and
+    whether it rests."""
     import numpy as np
 
     from tambour.crochet.finish.covered import seen
@@ -71,4 +72,4 @@ def together(pattern: Pattern, params: CrochetParams, stitch: tuple[float, float
         prepare(built),
     )
     shape = simulate(task)
-    return built, shape.x, seen(graph, shape.x, shape.joined, task.graph.faces)
+    return built, shape.x, seen(graph, shape.x, shape.joined, task.graph.faces), shape.settled

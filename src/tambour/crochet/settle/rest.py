@@ -27,6 +27,8 @@ SOFT = 1e-3
 """Stiffness of the ground in the preconditioner, which makes it invertible."""
 HELD = 1e9
 """The same below a node that is held."""
+SEWN = 2
+"""How many times as long a piece with seams may take: they lie on now this triangle of the fabric, now that."""
 SURE = 1e-3
 """The rms length of the quasi-Newton move, in stitches, below which the shape is taken to be at rest."""
 
@@ -173,7 +175,7 @@ def settle(
     """Bring ``state`` to rest; a generator, so that whoever runs it can look at ``state.x`` after every move.
 
     goal : largest residual force in stitches; None takes :func:`tolerance` and asks for a short last move as well
-    most : evaluations at the most; None takes :func:`budget`, and four times it for a goal that was set
+    most : evaluations at the most; None takes :func:`budget`, SEWN times it where parts are sewn on, and four times it for a goal that was set
     held : (N,) bool, nodes that stay where they are; solve : the :func:`laplacian` of the same edges, if there is one
 
     Yields the evaluations so far and the most there will be, after every accepted move; returns how it ended.
@@ -183,7 +185,7 @@ def settle(
         return Rest(0.0, 0.0, 0, True)
     wanted, limit = (tolerance(n) if goal is None else goal), most
     if limit is None:
-        limit = budget(n) * (1 if goal is None else 4)
+        limit = budget(n) * (4 if goal is not None else SEWN if len(body.lying) else 1)
     fixed = np.zeros(n, bool) if held is None else held
     _, label = np.unique(body.root, return_inverse=True)
     loose = np.bincount(label, fixed) == 0.0
