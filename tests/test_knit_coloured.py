@@ -66,7 +66,7 @@ def test_a_row_is_the_best_of_all_whose_areas_are_wide_enough(least):
         cost = rng.random((1, n, 3)).astype(np.float32)
         gate = (rng.random((1, n)) / 2).astype(np.float32)
         cells = np.zeros((1, n), np.uint8)
-        areas.sweep(cost, gate, gate, least, NONE, cells, 0, 1, 0)
+        areas.sweep(cost, gate, gate, least, NONE, cells, 0)
         rows = [r for r in product(range(3), repeat=n) if min(widths(r)) >= min(least, n)]
         best = min(cost_of(r, cost[0], gate[0]) for r in rows)
         assert tuple(cells[0]) in rows and cost_of(cells[0], cost[0], gate[0]) == pytest.approx(best, rel=1e-5)
@@ -77,7 +77,7 @@ def test_sweeps_never_raise_the_energy():
     cost = rng.random((14, 15, 4)).astype(np.float32)
     across, up = (rng.random((14, 15)).astype(np.float32) / 3 for _ in range(2))
     cells = np.ascontiguousarray(cost.argmin(2), np.uint8)
-    areas.sweep(cost, across, up, 3, NONE, cells, 0, 14, 0)  # lawful from here on
+    areas.sweep(cost, across, up, 3, NONE, cells, 0)  # lawful from here on
 
     def energy():
         rows = sum(cost_of(cells[y], cost[y], across[y]) for y in range(14))
@@ -85,7 +85,7 @@ def test_sweeps_never_raise_the_energy():
 
     before = energy()
     for turn in range(1, 6):
-        areas.sweep(cost, across, up, 3, NONE, cells, 0, 14, turn)
+        areas.sweep(cost, across, up, 3, NONE, cells, turn)
         assert energy() <= before + 1e-4
         before = energy()
     assert all(min(widths(row)) >= 3 for row in cells.tolist())

@@ -1,5 +1,5 @@
-"""What can be changed by hand in a chart: stitches take another yarn, and the rows that see them are solved again; a yarn
-takes another colour; rows and columns come in, or go; the limit of floats does not hold in an area, or the picture matters more there."""
+"""What can be changed by hand in a chart: stitches take another yarn, and in stranded knitting the rows that see them are solved
+again; a yarn takes another colour; rows and columns come in, or go; the limit of floats does not hold in an area, or the picture matters more there."""
 
 from __future__ import annotations
 
@@ -198,12 +198,17 @@ def _yarn(piece: Piece, edit: Stitch) -> int | None:
 
 
 STITCH = Change(
-    "a stitch takes another yarn, and what sees it is solved again", Stitch, "{row},{stitch}={yarn}", after=_set
+    "a stitch takes another yarn; in stranded knitting what sees it is solved again",
+    Stitch,
+    "{row},{stitch}={yarn}",
+    after=_set,
 )
 RUN = Change(
-    "neighbouring stitches take another yarn, and what sees them is solved again", Run, "{row},{stitch},{count}={yarn}",
+    "neighbouring stitches take another yarn; in stranded knitting what sees them is solved again",
+    Run,
+    "{row},{stitch},{count}={yarn}",
     after=_set,
-)  # fmt: skip
+)
 ROWS = Change("rows come in, like the one that they come before, or go", Rows, "{at}={count}", after=_reshaped)
 COLUMNS = Change("columns come in, like their neighbour, or go", Columns, "{at}={count}", after=_reshaped)
 YARN = Change("a yarn takes another colour", Recolour, "{yarn}={colour}", after=_recoloured)

@@ -28,10 +28,10 @@ def solve(cost: Array, across: Array, up: Array, least: int, knit: Array, fewest
         fewest : stitches below which a whole area is given to its neighbours
     """
     cells = np.ascontiguousarray(cost.argmin(2), np.uint8)
-    sweep(cost, across, np.zeros_like(up), least, knit, cells, 0, len(cells), 0)
+    sweep(cost, across, np.zeros_like(up), least, knit, cells, 0)
     for _ in range(ROUNDS):
         for turn in range(SWEEPS):
-            if not sweep(cost, across, up, least, knit, cells, 0, len(cells), turn):
+            if not sweep(cost, across, up, least, knit, cells, turn):
                 break
         small = too_small(cells, fewest)
         if not small.any():
@@ -55,18 +55,16 @@ def too_small(cells: Array, fewest: int) -> Array:
 
 
 @kernel
-def sweep(
-    cost: F4x3, across: F4x2, up: F4x2, least: int, knit: B1x2, cells: U1x2, low: int, high: int, turn: int
-) -> bool:
-    """Solve the rows ``low`` to ``high`` of ``cells`` once, upwards or (odd turns) downwards; whether any changed."""
+def sweep(cost: F4x3, across: F4x2, up: F4x2, least: int, knit: B1x2, cells: U1x2, turn: int) -> bool:
+    """Solve the rows of ``cells`` once, upwards or (odd turns) downwards; whether any changed."""
     rows, stitches, yarns = cost.shape
     columns = np.zeros(stitches, np.int64)
     one = np.zeros((stitches, yarns), np.float32)
     gate = np.zeros(stitches, np.float32)
     found = np.zeros(stitches, np.int64)
     changed = False
-    for k in range(high - low):
-        y = low + k if turn % 2 == 0 else high - 1 - k
+    for k in range(rows):
+        y = k if turn % 2 == 0 else rows - 1 - k
         n = sequence(y, stitches, knit, columns)
         if n == 0:
             continue
