@@ -5,6 +5,7 @@ Pieces are small (software GL is slow) and pictures are waited for by frames dra
 
 from __future__ import annotations
 
+import io
 import os
 import shutil
 import struct
@@ -16,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PIL import Image
 
 from tambour import run
 
@@ -38,6 +40,7 @@ FLAGS = [
     "--ignore-gpu-blocklist",
 ]
 BALL = "Rnd 1: 6 sc in magic ring. [6]\nRnd 2: inc around. [12]\nRnd 3: sc around. [12]\nRnd 4: dec x 6. [6]\nFasten off.\n"
+ROWS = "\n".join(",".join("01"[(x // 2 + y) % 2] for x in range(12)) for y in range(10)) + "\n"
 HEART = (
     '<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="30mm" viewBox="0 0 30 30">'
     '<path id="square" d="M5 5h16v16h-16z" fill="#b03030"/><script>alert(1)</script>'
@@ -167,6 +170,18 @@ def picture(page: Any) -> bytes:
         "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done))))"
     )
     return bytes(page.locator(".view canvas, .scroll canvas").first.screenshot())
+
+
+def picture_of(page: Any, layer: str) -> bytes:
+    """The canvas, seen so."""
+    page.click(f".seg >> text={layer}")
+    return unpointed(page)
+
+
+def unpointed(page: Any) -> bytes:
+    """The canvas, but for where buttons lie over it."""
+    page.mouse.move(2, 2)
+    return Image.open(io.BytesIO(picture(page))).crop((0, 0, 200, 150)).tobytes()
 
 
 def taken(page: Any, tmp_path: Path, name: str) -> Path:
@@ -987,6 +1002,117 @@ def test_a_round_is_gone_to_by_its_number_and_plain_words_find_what_to_do(page):
     page.keyboard.type("Round one")
     page.keyboard.press("Tab")
     until(page, "document.title.startsWith('Round one')")
+
+
+def test_words_chosen_in_a_dialog_and_let_go_of_outside_close_nothing(page):
+    """A pattern that had been typed was lost: the hand let go beside the dialog, and that closed it."""
+    page.click("#bar nav >> text=Crochet")
+    page.wait_for_selector("dialog[open] textarea")
+    page.fill("dialog[open] textarea", BALL)
+    box = page.locator("dialog[open]").bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(5, 400)
+    page.mouse.up()
+    assert page.input_value("dialog[open] textarea") == BALL
+    page.mouse.click(5, 400)  # a press beside it closes it
+    until(page, "!document.querySelector('dialog[open]')")
+
+
+def test_the_bin_holds_more_than_one_page(page):
+    page.evaluate("""async () => {
+        const send = (to, method, body) => fetch(to, {method, body: body && JSON.stringify(body), headers: {'Content-Type': 'application/json'}});
+        for (let k = 0; k < 52; k++) {
+            const made = await (await send('/api/pieces', 'POST', {craft: 'ink', seed: `gone ${k}`, title: `gone ${k}`})).json();
+            await send(`/api/pieces/${made.piece.id}`, 'DELETE');
+        }
+    }""")
+    page.click("text=What is in the bin")
+    page.wait_for_selector("text=gone 51")
+    assert page.locator("text='gone 0'").count() == 0
+    page.click("text=More of the bin")
+    page.wait_for_selector("text='gone 0'")
+
+
+def test_a_share_of_a_painting_is_gone_to_by_its_number(page):
+    new(page, {"craft": "ink", "seed": "plum", "title": "plum"})
+    made(page)
+    page.click(".goto")
+    page.keyboard.type("40 %")
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".goto >> text=40 %")
+
+
+def test_a_hat_is_knitted_round_and_its_form_says_so(page):
+    new(page, {"craft": "knit", "source": kept(page, "chart.csv", ROWS), "title": "hat", "params": {"shape": "hat"}})
+    until(page, "document.querySelector('#field-round')?.checked")
+    page.evaluate("document.querySelector('#field-round').click()")
+    until(
+        page,
+        "document.querySelector('.saved').textContent === 'saved' && !document.querySelector('#field-round').checked",
+    )
+    asked = page.evaluate(
+        "async () => (await (await fetch(`/api/pieces/${location.hash.split('/').pop()}`)).json()).revision.params"
+    )
+    assert asked["round"] is False
+
+
+def test_from_afar_all_is_seen_and_near_is_gone_back_to(page):
+    new(page, {"craft": "knit", "source": kept(page, "chart.csv", ROWS), "title": "chart"})
+    made(page)
+    afar, whole_ = picture_of(page, "Afar"), picture_of(page, "Front")
+    page.click("[aria-label=nearer]")
+    page.click("[aria-label=nearer]")
+    near = unpointed(page)
+    assert near != whole_ and picture_of(page, "Afar") == afar and picture_of(page, "Front") == near
+    # A yarn is called one way: where one paints, in the list, in the facts.
+    names = page.evaluate("[...document.querySelectorAll('.dot')].map(b => b.ariaLabel.replace('paint with ', ''))")
+    for rows in (".yarnrow .rowbutton", ".side.right .facts li:has(.swatch)"):
+        listed = page.evaluate(f"[...document.querySelectorAll('{rows}')].map(b => b.textContent.trim())")
+        assert len(listed) == 2 and all(row.startswith(f"{name}") for row, name in zip(listed, names))
+    assert all(name.split()[0] in ("MC", "CC") for name in names) and len(names) == 2
+
+
+def test_a_table_is_not_black_while_a_chart_is_made(page):
+    page.route("**/live.pack", lambda route: None)
+    new(page, {"craft": "knit", "source": kept(page, "chart.csv", ROWS), "title": "chart"})
+    page.wait_for_selector(".view canvas")
+    picture(page)
+    assert min(Image.open(io.BytesIO(picture(page))).convert("RGB").getpixel((40, 150))) > 200
+
+
+def test_a_region_s_end_is_let_go_while_an_edit_is_on_its_way(page):
+    """It began with the edits of the revision, and lost what was on its way."""
+    new(
+        page,
+        {
+            "craft": "embroidery",
+            "source": kept(page, "in.svg", HEART),
+            "title": "heart",
+            "params": {"width": "40mm"},
+            "edits": [],
+        },
+    )
+    made(page)
+    until(page, "document.querySelector('.regions .rowbutton')")
+    page.evaluate("""async () => { const id = location.hash.split('/').pop(), at = await (await fetch(`/api/pieces/${id}`)).json();
+        await fetch(`/api/pieces/${id}/revisions`, {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify({base: at.revision.id,
+            edits: [{edit: 'region', region: 'square', field: 'start', value: '5,5'}]})}); }""")
+    page.reload()
+    made(page)
+    page.click(".regions .rowbutton")
+    page.wait_for_selector("text=Let it lie where it sews best")
+    page.evaluate("""() => {
+        const stitch = document.querySelector('.inside select');
+        stitch.value = 'contour';
+        stitch.dispatchEvent(new Event('change'));
+        [...document.querySelectorAll('.inside .link')].find(b => b.textContent.startsWith('Let it lie')).click();
+    }""")
+    until(page, "document.querySelector('.saved').textContent === 'saved'")
+    edits = page.evaluate(
+        "async () => (await (await fetch(`/api/pieces/${location.hash.split('/').pop()}`)).json()).revision.edits"
+    )
+    assert {e["field"] for e in edits} == {"angle", "stitch"}
 
 
 @pytest.fixture

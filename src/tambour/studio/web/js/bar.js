@@ -50,8 +50,9 @@ export function bar(element, over, piece) {
       { name: "Put this piece into the bin", do: () => attempt(async () => {
         const gone = piece.piece.value;
         await ask(`/api/pieces/${piece.id}`, { method: "DELETE" });
+        // The page that is left takes its notes along.
+        addEventListener("hashchange", () => tell(html`<b>${gone.title}</b> is in the bin, at the foot of the shelf.`, { calm: true }), { once: true });
         location.hash = "";
-        setTimeout(() => tell(html`<b>${gone.title}</b> is in the bin, at the foot of the shelf.`, { calm: true }), 300); // the page that is left takes its notes along
       }) },
     ] : []),
   ];

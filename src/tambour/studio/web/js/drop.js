@@ -60,7 +60,7 @@ function chosen(name, crafts) {
   const box = document.createElement("dialog"), here = document.querySelector(".drop");
   box.className = "choice";
   box.setAttribute("aria-label", "what shall become of it");
-  (here ?? document.body).append(box);
+  (here ?? document.getElementById("over") ?? document.body).append(box);
   return new Promise((done) => {
     const end = (/** @type {string|undefined} */ craft) => (box.remove(), done(craft));
     box.addEventListener("close", () => end(undefined));

@@ -44,7 +44,8 @@ function matters(field, values) {
  * now: what holds of those that were left as usual
  */
 export function fields(form, params, { set, file, problems = [], only = () => true, open = false, now = {} }) {
-  const values = { ...Object.fromEntries(Object.entries(form).map(([name, f]) => [name, f.default])), ...params };
+  const ticked = Object.fromEntries(Object.entries(now).filter(([, v]) => typeof v === "boolean")); // a tick shows what holds, given or not
+  const values = { ...Object.fromEntries(Object.entries(form).map(([name, f]) => [name, f.default])), ...ticked, ...params };
   const spell = speller(form);
   /** @type {Map<string, [string, Field][]>} */
   const groups = new Map();
@@ -78,7 +79,7 @@ function input(name, field, value, given, { set, file, spell, now, wrong }) {
   const kind = `field ${wrong.length ? "wrong" : ""}`;
   if (field.widget === "switch")
     return html`<div class="${kind} tick"><input type="checkbox" id=${id} .checked=${live(Boolean(value))} aria-describedby=${described}
-      @change=${(/** @type {any} */ e) => put(e.target.checked === field.default ? null : e.target.checked)}>
+      @change=${(/** @type {any} */ e) => put(e.target.checked === field.default && now === undefined ? null : e.target.checked)}>
       <label for=${id}>${field.label}</label><span></span><span>${below}</span></div>`;
   if (field.widget === "choice")
     return html`<div class=${kind}>${label}<select id=${id} aria-describedby=${described} .value=${live(plain(value))} @change=${(/** @type {any} */ e) => put(e.target.value || null)}>

@@ -22,9 +22,9 @@ export function offer(table, key) {
 const ALIKE = [
   "print pdf paper booklet take", "download save export file files share send png jpg svg dst pes machine take", "picture photo image png take", "film video gif shop take",
   "undo back revert", "redo again forward", "name rename title call", "bin delete remove trash throw", "phone mobile qr follow", "mirror flip reflect copy move repeat select", "paint draw pencil",
-  "size resize width wide larger bigger smaller scale enlarge shrink stitches height hoop", "colour color yarn yarns wool thread dye palette ground", "zoom nearer farther closer in out see all fit",
-  "help keys shortcuts how", "dark light night theme", "home start shelf library", "new begin create open import", "gauge tension swatch hook needle", "check checks wrong mistake problem errors doubt",
-  "play animate work one by one", "words text pattern edit", "density crowded", "season autumn winter spring summer", "seed start", "colours look view layer", "float floats catch",
+  "size resize width wide larger bigger smaller scale enlarge shrink stitches height hoop", "colour color yarn yarns wool thread dye palette ground", "zoom nearer farther closer see fit",
+  "help keys shortcuts how", "dark light night theme", "home start shelf library", "new begin create open import", "gauge tension swatch hook needle", "check checks wrong mistake problem errors doubt doubts",
+  "play animate work", "words text pattern edit", "density crowded", "season autumn winter spring summer", "seed start", "colours look view layer", "float floats catch",
 ].map((row) => row.split(" "));
 
 /** Whether a command is meant by a word: its name has it, or a word that people have for the same. @param {string} name @param {string} word */

@@ -92,8 +92,12 @@ export function shelf(element, left) {
     return title ? html`<b class="title">${title}</b>: ` : "";
   };
   /** What is in the bin, where one looks into it. */
-  const bin = signal(/** @type {any[]|null} */ (null));
-  const look = () => attempt(async () => (bin.value = (await ask("/api/pieces?limit=50&binned=1")).pieces));
+  const bin = signal(/** @type {any[]|null} */ (null)), below = signal(/** @type {string|null} */ (null));
+  const look = (/** @type {boolean} */ on = false) => attempt(async () => {
+    const told = await ask(`/api/pieces?limit=50&binned=1${on && below.value ? `&after=${encodeURIComponent(below.value)}` : ""}`);
+    bin.value = [...((on && bin.value) || []), ...told.pieces];
+    below.value = told.next;
+  });
   // A card keeps its place when its piece goes: nothing slides under the finger, and it comes back from there.
   const away = (/** @type {any} */ piece) => attempt(async () => {
     await ask(`/api/pieces/${piece.id}`, { method: "DELETE" });
@@ -122,8 +126,8 @@ export function shelf(element, left) {
         <span class="under"><b>${p.title}</b><span>${CRAFTS[p.craft]} · ${ago(p.changed)}</span></span></a>
         <button class="icon away" aria-label="put ${p.title} into the bin" title="Into the bin" @click=${() => away(p)}>×</button></div>`)}</div>
       ${next.value ? html`<p><br><button class="button" @click=${more}>More of yours</button></p>` : ""}` : ""}
-    <p class="bin">${bin.value ? "" : html`<button class="link quiet" @click=${look}>What is in the bin</button>`}</p>
-    ${bin.value ? html`<h2>In the bin</h2>${bin.value.length ? html`<ul class="facts">${bin.value.map((p) => html`<li><span>${p.title} <span class="quiet">${CRAFTS[p.craft]} · ${ago(p.changed)}</span></span><button class="button" aria-label="bring ${p.title} back" @click=${() => back(p)}>Bring it back</button></li>`)}</ul>` : html`<p class="quiet">Nothing is in the bin.</p>`}` : ""}
+    <p class="bin">${bin.value ? "" : html`<button class="link quiet" @click=${() => look()}>What is in the bin</button>`}</p>
+    ${bin.value ? html`<h2>In the bin</h2>${bin.value.length ? html`<ul class="facts">${bin.value.map((p) => html`<li><span>${p.title} <span class="quiet">${CRAFTS[p.craft]} · ${ago(p.changed)}</span></span><button class="button" aria-label="bring ${p.title} back" @click=${() => back(p)}>Bring it back</button></li>`)}</ul>${below.value ? html`<p><br><button class="button" @click=${() => look(true)}>More of the bin</button></p>` : ""}` : html`<p class="quiet">Nothing is in the bin.</p>`}` : ""}
   </div></div>`;
   const stop = show(element, view);
   return () => {

@@ -1,5 +1,6 @@
 // Which screen, which piece: the address after # says it.
 import { bar } from "./bar.js";
+import { closing } from "./dialogs.js";
 import { scrollOf } from "./ink/address.js";
 import { shelf } from "./library.js";
 import { attempt, clear, stand, view as notes } from "./notes.js";
@@ -20,6 +21,7 @@ const over = document.createElement("div");
 at("over").append(over);
 const noted = document.createElement("div");
 stand(noted, at("over"));
+closing(at("over"));
 show(noted, notes);
 at("bar").replaceChildren(); // what stood there before this was loaded
 

@@ -38,10 +38,6 @@ export async function attempt(act) {
 export function stand(host, over) {
   const home = () => [...over.querySelectorAll("dialog")].filter((d) => d.matches(":modal")).at(-1) ?? over;
   over.append(host);
-  over.addEventListener("click", (event) => { // a press beside a dialog closes it
-    const box = /** @type {HTMLDialogElement} */ (event.target), r = box.getBoundingClientRect();
-    if (box.matches("dialog:modal") && (event.clientX < r.left || event.clientX > r.right || event.clientY < r.top || event.clientY > r.bottom)) box.close();
-  });
   new MutationObserver(() => host.parentElement === home() || home().append(host)).observe(over, { childList: true, subtree: true, attributeFilter: ["open"] });
 }
 

@@ -20,9 +20,10 @@ export class Piece {
     this.piece = signal(/** @type {any} */ (null));
     this.revision = signal(/** @type {any} */ (null));
     this.craft = signal(/** @type {any} */ (null));
-    /** What is still to be sent, and what is on its way. */
+    /** What is still to be sent. */
     this.unsent = signal(/** @type {Change|null} */ (null));
-    this.sending = signal(false);
+    /** What is on its way to the server: it counts, though no revision holds it yet. */
+    this.sent = signal(/** @type {Change|null} */ (null));
     /** The last change was not taken: what is wrong stands in ``failed``. */
     this.refused = signal(false);
     /** Done before files are taken away: a scroll says which window. */
@@ -41,9 +42,7 @@ export class Piece {
     this.going = signal(/** @type {{stage: string, done: number, total: number}|null} */ (null));
     /** Units that are worked: the scrub. */
     this.at = signal(0);
-    this.saved = computed(() => !this.unsent.value && !this.sending.value);
-    /** What is on its way to the server: it counts, though no revision holds it yet. */
-    this.sent = signal(/** @type {Change|null} */ (null));
+    this.saved = computed(() => !this.unsent.value && !this.sent.value);
     /** Edits as they stand: each change of them begins with these, else it would lose the one before it. */
     this.edits = computed(() => this.unsent.value?.edits ?? this.sent.value?.edits ?? this.revision.value?.edits ?? []);
     this.params = computed(() => ({ ...this.revision.value?.params, ...this.sent.value?.params, ...this.unsent.value?.params }));
@@ -140,11 +139,10 @@ export class Piece {
 
   async _send() {
     clearTimeout(this.due);
-    if (this.sending.value || !this.unsent.value) return;
+    if (this.sent.value || !this.unsent.value) return;
     const mine = this.unsent.value, base = this.revision.value;
     const what = mine.params ? { ...mine, params: clean({ ...base.params, ...mine.params }) } : mine;
     batch(() => {
-      this.sending.value = true;
       this.sent.value = mine;
       this.unsent.value = null;
     });
@@ -168,10 +166,7 @@ export class Piece {
         this._trouble(error);
       }
     } finally {
-      batch(() => {
-        this.sent.value = null;
-        this.sending.value = false;
-      });
+      this.sent.value = null;
     }
     if (this.unsent.value && online.value) await this._send();
   }
@@ -213,14 +208,14 @@ export class Piece {
   /** There is one row of changes, whether keys, a hand or a button made them. @param {"undo"|"redo"} way */
   async step(way) {
     if (this.unsent.value) await this._send();
-    if (this.unsent.value && !this.sending.value && way === "undo") { // the server is away: what it has not yet is undone here
+    if (this.unsent.value && !this.sent.value && way === "undo") { // the server is away: what it has not yet is undone here
       clearTimeout(this.due);
       this.unsent.value = null;
       keep(this.id, null);
       this.revision.value = { ...this.revision.value };
       return;
     }
-    if (this.unsent.value || this.sending.value || !this.piece.value?.[way]) return;
+    if (this.unsent.value || this.sent.value || !this.piece.value?.[way]) return;
     clear();
     try {
       const before = this.revision.value, { piece, revision } = await ask(`/api/pieces/${this.id}/${way}`, { body: {} });
@@ -254,7 +249,7 @@ export class Piece {
     if (this.unsent.value) this._send();
     clearTimeout(this.due);
     return new Promise((done) => {
-      const look = () => (this.sending.value && Date.now() < ends ? void setTimeout(look, 30) : done());
+      const look = () => (this.sent.value && Date.now() < ends ? void setTimeout(look, 30) : done());
       look();
     });
   }

@@ -4,7 +4,10 @@ import { colored, counted, html, number, ref, show, signal, svg } from "./view.j
 /** @typedef {import("./piece.js").Piece} Piece */
 /** @typedef {{label: string, more: string, words: unknown}} Told */
 
-/** A round or row by its number: of the part that one is in, else of the first that has one. @param {import("./piece.js").Step[]} steps @param {import("./piece.js").Step|undefined} here @param {number} n */
+/**
+ * A round or row by its number: of the part that one is in, else of the first that has one.
+ * @template {{label: string, part: string}} S @param {S[]} steps @param {S|undefined} here @param {number} n
+ */
 export function numbered(steps, here, n) {
   const fits = steps.filter((s) => Number(/\d+/.exec(s.label)?.[0]) === n);
   return fits.find((s) => s.part === here?.part) ?? fits[0];
@@ -99,9 +102,10 @@ export class Timeline {
       this.to(Number(/** @type {HTMLInputElement} */ (event.target).value));
     };
     const typed = (/** @type {any} */ event) => {
-      const [, m, s] = /^\s*(\d+):(\d\d?)\s*$/.exec(event.target.value) ?? [], n = m ? Number(m) + Number(s) / 60 : Number(event.target.value), to = event.target.value.trim() && Number.isFinite(n) ? this.find(n) : undefined;
+      const text = event.target.value.trim(), [, m, s] = /^(\d+):(\d\d?)$/.exec(text) ?? [], n = m ? Number(m) + Number(s) / 60 : Number(text.replace(/\s*%$/, ""));
+      const to = text && Number.isFinite(n) ? this.find(n) : undefined;
       this.typing.value = false;
-      this.missing.value = to === undefined && event.target.value.trim() ? `no ${this.asks} ${event.target.value.trim()} here` : "";
+      this.missing.value = to === undefined && text ? `no ${this.asks} ${text} here` : "";
       if (to === undefined) return void setTimeout(() => (this.missing.value = ""), 5000);
       this.playing.value = false;
       this.to(to);

@@ -1,5 +1,6 @@
 // Seats: where a sewn part stands on the fabric of another, and how it would stand elsewhere: the ghost that a hand moves.
 // A seat is a stitch: what is seen under the hand while it moves, what the words say, and where it is sewn are one stitch.
+import { numbered } from "../timeline.js";
 
 /** @typedef {import("../pack.js").Pack} Pack */
 /** @typedef {import("../gl/camera.js").Camera} Camera */
@@ -135,7 +136,7 @@ export class Seats {
   /** From here on the part stands in the round that the words say: the middle of a seam may lie in another.
    * @param {{label: string, part: string, first: number, end: number}[]} rounds @param {string} on @param {number} round as the words say it, perhaps and a half */
   said(rounds, on, round) {
-    const step = rounds.find((r) => r.part.replace(/ (\d+)$/, ".$1") === on && Number(/\d+/.exec(r.label)?.[0]) === Math.floor(round));
+    const step = numbered(rounds.filter((r) => r.part.replace(/ (\d+)$/, ".$1") === on), undefined, Math.floor(round));
     const within = (/** @type {number} */ from) => {
       if (!step || (step.first <= from && from < step.end)) return from;
       let best = from, least = Infinity;

@@ -55,7 +55,7 @@ const HELD = { start: "its beginning", end: "its end" };
 
 /** @param {Piece} piece @param {any} r @param {number} k @param {any} form @param {Hands} hands */
 function one(piece, r, k, form, { change, lay }) {
-  const edits = piece.revision.value.edits, name = called(piece.live.value?.facts.regions, k);
+  const edits = piece.edits.value, name = called(piece.live.value?.facts.regions, k);
   const byHand = edits.filter((/** @type {any} */ e) => e.edit === "region" && e.region === name && HELD[e.field]), ends = byHand.map((/** @type {any} */ e) => e.field);
   const free = () => piece.change({ edits: edits.filter((/** @type {any} */ e) => !byHand.includes(e)), said: `${name}: ends as they were`.slice(0, 100) });
   const stitches = form.stitch.choices ?? [], spell = speller(form);
@@ -76,7 +76,7 @@ const shown = (/** @type {any} */ v) => (v === null || v === undefined ? "" : ty
 /** @param {Piece} piece */
 function threads(piece) {
   const all = piece.report.value?.threads ?? [];
-  return all.length ? html`<h2 class="head">Threads</h2><ul class="facts">${all.map((/** @type {any} */ t) => html`<li><span><i class="swatch" ${ref(dyed(t.rgb))}></i> ${t.name || piece.report.value?.named?.[hex(t.rgb)] || t.pes?.name || ""} <span class="quiet">${t.code || t.pes?.code || ""}</span></span>
+  return all.length ? html`<h2 class="head">Threads</h2><ul class="facts">${all.map((/** @type {any} */ t) => html`<li><span><i class="swatch" ${ref(dyed(t.rgb))}></i> ${t.name || piece.report.value?.named?.[hex(t.rgb)] || t.pes?.name || ""} <span class="quiet">${t.code || (t.pes ? `PES 1: ${t.pes.code}` : "")}</span></span>
     <span class="number">${t.metres.toFixed(1)} m</span></li>`)}</ul>` : "";
 }
 
@@ -86,12 +86,19 @@ const INCHES = { "100x100": "4×4 in", "130x180": "5×7 in", "160x260": "6×10 i
 /** Hoops to choose from, as they are sold: what is asked for, and what it is called. */
 const HOOPS = [["4x4", "4 × 4 in (100 × 100 mm)"], ["5x7", "5 × 7 in (130 × 180 mm)"], ["6x10", "6 × 10 in (160 × 260 mm)"], ["8x8", "8 × 8 in (200 × 200 mm)"], ["200x300", "8 × 12 in (200 × 300 mm)"], ["360x200", "14 × 8 in (360 × 200 mm)"]];
 
-/** A size of her own is asked for. */
-const own = signal(false);
+/** Pieces that are asked for a size of their own. @type {WeakMap<Piece, {value: boolean}>} */
+const asked = new WeakMap();
+
+/** @param {Piece} piece */
+function asking(piece) {
+  const own = asked.get(piece) ?? signal(false);
+  asked.set(piece, own);
+  return own;
+}
 
 /** The hoop: one of those that are sold, or another by its size. @param {Piece} piece */
 function hooped(piece) {
-  const now = piece.params.value.hoop ?? "", known = HOOPS.some(([size]) => size === now), set = (/** @type {string} */ hoop) => piece.change({ params: { hoop: hoop || null }, said: `hoop ${hoop || "none"}` });
+  const own = asking(piece), now = piece.params.value.hoop ?? "", known = HOOPS.some(([size]) => size === now), set = (/** @type {string} */ hoop) => piece.change({ params: { hoop: hoop || null }, said: `hoop ${hoop || "none"}` });
   const wrong = piece.failed.value.filter((p) => p.fields?.includes("hoop"));
   return html`<div class="field ${wrong.length ? "wrong" : ""}"><label class="name" for="hoop-sold">Hoop</label><span class="pair"><select id="hoop-sold" .value=${live(!own.value && (known || !now) ? now : "own")} @change=${(/** @type {any} */ e) => { own.value = e.target.value === "own"; if (own.value) requestAnimationFrame(() => document.getElementById("field-hoop")?.focus()); else set(e.target.value); }}>
       <option value="" ?selected=${!now}>any that takes it</option>${HOOPS.map(([size, label]) => html`<option value=${size} ?selected=${now === size}>${label}</option>`)}<option value="own" ?selected=${now && !known}>another size</option></select>

@@ -280,14 +280,18 @@ export class Chart {
   _frame() {
     this._asked = 0;
     const gl = this.gl;
-    if (!gl || !this.program || !this.pack || gl.isContextLost()) return;
-    const { width, height } = this.canvas, ratio = width / Math.max(1, this.canvas.clientWidth), h = this.how;
+    if (!gl || !this.program || gl.isContextLost()) return;
+    const { width, height } = this.canvas, ratio = width / Math.max(1, this.canvas.clientWidth), h = this.how, ground = h.night ? [0.115, 0.107, 0.098] : [0.965, 0.953, 0.925];
     gl.viewport(0, 0, width, height);
+    if (!this.pack) { // the table is bare while the chart is made
+      gl.clearColor(ground[0], ground[1], ground[2], 1);
+      return gl.clear(gl.COLOR_BUFFER_BIT);
+    }
     this.program.use({
       cells: this.cells, marks: this.marks, palette: this.palette, far: this.far, size: [width, height], count: [this.columns, this.rows],
       center: this.center, scale: this.scale * ratio, aspect: this.aspect, dark: h.night ? 1 : 0, back: h.back ? 1 : 0, flip: h.flip ? 1 : 0,
       grid: h.grid ? 1 : 0, blur: h.blur, worked: h.worked, row_: h.marked ? 1 : 0, hover: this.hover, select: this.select,
-      ground: h.night ? [0.115, 0.107, 0.098] : [0.965, 0.953, 0.925], thread: h.night ? [0.94, 0.5, 0.37] : [0.68, 0.21, 0.15], amber: [0.95, 0.65, 0.1],
+      ground, thread: h.night ? [0.94, 0.5, 0.37] : [0.68, 0.21, 0.15], amber: [0.95, 0.65, 0.1],
     });
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     this.frames++;

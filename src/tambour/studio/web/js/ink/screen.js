@@ -131,7 +131,7 @@ export function screen(root, piece, { over, extra }) {
   }));
   const timeline = new Timeline(one(".making"), /** @type {any} */ ({
     at: share, live: { value: { facts: { units: 1000, unit: "part" } } }, steps: { value: { steps: [] } }, stepAt: () => ({ index: 0, step: undefined }),
-  }), { where: (at) => ({ label: at >= 1000 ? "Painted" : `${Math.round(at / 10)} %`, more: at >= 1000 ? "" : "of the marks in sight", words: "" }) });
+  }), { find: (n) => (n >= 0 && n <= 100 ? Math.round(10 * n) : undefined), asks: "percentage", where: (at) => ({ label: at >= 1000 ? "Painted" : `${Math.round(at / 10)} %`, more: at >= 1000 ? "" : "of the marks in sight", words: "" }) });
   stop.push(timeline.stop);
 
   // The hand.

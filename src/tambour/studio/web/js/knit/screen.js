@@ -57,12 +57,15 @@ export function screen(root, piece) {
     if (pack && chart.data) chart.mark(marks(pack, chart.data, layer.value, { locked, changed, rows }));
   };
 
+  /** Where one looked from before one went afar. @type {{scale: number, center: [number, number]}|null} */
+  let near = null;
   let first = true, fading = /** @type {any} */ (0), fitting = 0;
   stop.push(effect(() => {
     const pack = piece.live.value;
     if (!pack || pack === chart.pack) return;
     const before = chart.data, same = !first && pack.arrays.cells.length === before?.length && pack.shapes.cells[1] === chart.columns;
     chart.set(pack, !same);
+    if (!same) near = null; // it is another chart, seen whole
     untracked(() => drawn.value++);
     if (!same) fitting = requestAnimationFrame(() => chart.fit()); // once more, when what is said of it stands over it
     locked.clear();
@@ -81,6 +84,13 @@ export function screen(root, piece) {
   stop.push(() => (clearTimeout(fading), cancelAnimationFrame(fitting)));
   stop.push(effect(() => {
     const l = layer.value;
+    if (l === "afar" && !near) {
+      near = { scale: chart.scale, center: chart.center };
+      chart.fit();
+    } else if (l !== "afar" && near) {
+      Object.assign(chart, near);
+      near = null;
+    }
     Object.assign(chart.how, { night: night.value, grid: l === "chart" || l === "floats", back: l === "back", flip: l === "back", blur: l === "afar" ? Math.max(1.2, Math.log2(Math.max(2, chart.columns / 40))) : 0 });
     untracked(() => mark());
     chart.touch();

@@ -5,18 +5,14 @@ import { counted, dyed, hex, html, live, number, ref, signal } from "../view.js"
 
 /** @typedef {import("../piece.js").Piece} Piece */
 
-/** What a yarn is called: by its own name, else by its colour. @param {Piece} piece @param {number} k */
-export function called(piece, k) {
-  const p = piece.live.value?.arrays.palette, color = p ? hex(p.subarray(3 * k, 3 * k + 3)) : "";
-  return piece.live.value?.facts.names[k] || piece.report.value?.named?.[color] || color;
-}
+/** What a yarn is called, on every page: its part in the work (MC, CC …), and its own name or its colour's. @param {Piece} piece @param {number} k @returns {string} */
+export const called = (piece, k) => piece.live.value?.facts.yarns[k] ?? "";
 
-/** The metres of a yarn. @param {Piece} piece @param {number} k @returns {number|undefined} */
-function metres(piece, k) {
-  const { facts, arrays } = /** @type {any} */ (piece.live.value), used = piece.report.value?.yarn ?? [], own = [facts.codes[k], facts.names[k]].filter(Boolean).join(" ");
-  // A yarn without a name of its own is called by its colour.
-  return used.find((/** @type {any} */ y) => (own && !own.startsWith("#") ? y.name === own : y.name.endsWith(hex(arrays.palette.subarray(3 * k, 3 * k + 3)))))?.metres;
-}
+/** The metres of a yarn; none where it is not knitted. @param {Piece} piece @param {number} k @returns {number} */
+const metres = (piece, k) => (piece.report.value?.yarn ?? []).find((/** @type {any} */ y) => called(piece, k).startsWith(`${y.role} `))?.metres ?? 0;
+
+/** @param {number} m */
+const long = (m) => (m ? `${m.toFixed(1)} m` : "");
 
 /** The yarns to knit and to paint with. @param {Piece} piece @param {{value: number}} yarn the one in hand */
 export function yarns(piece, yarn) {
@@ -28,9 +24,9 @@ export function yarns(piece, yarn) {
     piece.change({ edits: [...edits, { edit: "yarn", yarn: String(k + 1), colour }], said: "another colour" });
   };
   return html`<h2 class="head">Yarns</h2><ul>${Array.from({ length: n }, (_, k) => {
-    const color = hex(p.subarray(3 * k, 3 * k + 3)), name = called(piece, k), long = metres(piece, k);
+    const color = hex(p.subarray(3 * k, 3 * k + 3)), name = called(piece, k);
     return html`<li class="yarnrow"><button class="rowbutton" aria-pressed=${yarn.value === k} @click=${() => (yarn.value = k)}><i class="swatch" ${ref(dyed(color))}></i> ${name}
-      <span class="number">${long === undefined ? "" : `${long.toFixed(1)} m`}</span></button>
+      <span class="number">${long(metres(piece, k))}</span></button>
       <input type="color" aria-label="colour of ${name}" .value=${live(color)} @change=${(/** @type {any} */ e) => recolor(k, e.target.value)}></li>`;
   })}</ul>`;
 }
@@ -75,7 +71,7 @@ export function facts(piece) {
   return html`${report ? html`<h2 class="head">Size</h2><p class="big">${number(report.width)} × ${number(report.rows)}</p>
       <p class="quiet">stitches and rows${cm ? ` · ${cm[0]} × ${cm[1]} cm at ${gauge[0]} × ${gauge[1]} in 10 cm${pack?.facts.usual ? `, as ${pack.facts.usual} yarn is usually knitted: swatch, and give your gauge` : ""}` : ""}</p>
       ${squat(piece)}
-      ${pack ? html`<h2 class="head">Yarn</h2><ul class="facts">${Array.from({ length: pack.arrays.palette.length / 3 }, (_, k) => html`<li><span><i class="swatch" ${ref(dyed(pack.arrays.palette.subarray(3 * k, 3 * k + 3)))}></i> ${called(piece, k)}</span><span class="number">${metres(piece, k)?.toFixed(1) ?? ""} m</span></li>`)}${pack.arrays.palette.length > 3 ? html`<li><span class="quiet">in all</span><span class="number">${Array.from({ length: pack.arrays.palette.length / 3 }, (_, k) => metres(piece, k) ?? 0).reduce((a, b) => a + b, 0).toFixed(1)} m</span></li>` : ""}</ul>` : ""}
+      ${pack ? html`<h2 class="head">Yarn</h2><ul class="facts">${Array.from({ length: pack.arrays.palette.length / 3 }, (_, k) => html`<li><span><i class="swatch" ${ref(dyed(pack.arrays.palette.subarray(3 * k, 3 * k + 3)))}></i> ${called(piece, k)}</span><span class="number">${long(metres(piece, k))}</span></li>`)}${pack.arrays.palette.length > 3 ? html`<li><span class="quiet">in all</span><span class="number">${Array.from({ length: pack.arrays.palette.length / 3 }, (_, k) => metres(piece, k)).reduce((a, b) => a + b, 0).toFixed(1)} m</span></li>` : ""}</ul>` : ""}
       <h2 class="head">Floats</h2><ul class="facts"><li><span>Longest</span><span class="number">${report.longest_float}${held ? "" : most}</span></li>
       ${held ? html`<li><span>Most that lies free, caught</span><span class="number">${report.longest_span}${most}</span></li>` : html`<li><span>Longer than they may be</span><span class="number">${number(report.violations ?? 0)}</span></li>`}
       <li><span>To catch at the back</span><span class="number">${number(report.catches ?? 0)}</span></li>
@@ -83,5 +79,5 @@ export function facts(piece) {
       ${like === undefined ? "" : html`<li><span>Like the picture</span><span class="number">${Math.round(100 * like)} %</span></li>`}</ul>
       <p class="quiet">${report.why ?? ""}</p>` : ""}
     <h2 class="head">Checks</h2>${problems.length ? list(problems, { spell: craft ? speller(craft.form) : undefined }) : report ? html`<p class="agree">✓ ${held ? `caught at ${counted(report.catches, "place")}, ` : ""}nothing to catch your fingers in</p>` : ""}
-    ${craft ? html`<h2 class="head">How it is worked out</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name) => name !== "colors", now: { max_float: report?.max_float } })}` : ""}`;
+    ${craft ? html`<h2 class="head">How it is worked out</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name) => name !== "colors", now: { max_float: report?.max_float, round: report?.params?.round } })}` : ""}`;
 }
