@@ -26,6 +26,8 @@ from tambour.geometry.surface import vertex_normals
 
 TRUNK = re.compile(r"\b(?:head|body|kopf|k(?:ö|oe)rper|cabeza|cuerpo|tête|corps|hoofd|lichaam)\b")
 """Names of parts that are filled, and closed if nothing is sewn to their end."""
+BODY = re.compile(r"\b(?:body|k(?:ö|oe)rper|cuerpo|corps|lichaam)\b")
+"""Of these a free end is closed though the other hangs on a head."""
 UPRIGHT = 0.95
 """The cosine of the angle up to which the fabric of an end leans by chance."""
 GATHER = 8
@@ -152,10 +154,13 @@ def shut(spots: Spots, steps: Sequence[tuple[Placed, sewing.End]]) -> list[Array
         return found
     taken = {spots.parts[f.part] for f, _ in steps}
     used = [set(place.nodes) for f, _ in steps if (place := spots.place(f.spot)).opening]
+    used += [set(end.nodes.tolist()) for _, end in steps]
     crossing = graph.edges[graph.part[graph.edges[:, 0]] != graph.part[graph.edges[:, 1]]]
     for k, fact in enumerate(built.parts):
         section = pattern.parts[fact.section]
-        if k in taken or section.stuffing == 0.0 or spots.in_rows[k] or not TRUNK.search(section.name.lower()):
+        if section.stuffing == 0.0 or spots.in_rows[k] or not TRUNK.search(section.name.lower()):
+            continue
+        if k in taken and not BODY.search(section.name.lower()):
             continue
         for edge in (spots.rim(k), spots.begun(k)):
             free = len(edge) >= GATHER and not any(set(edge.tolist()) & nodes for nodes in used)
@@ -328,18 +333,22 @@ def frame_of(joining: Joining, x: Array, placed: Placed, end: sewing.End, uprigh
 def _on_shut(joining: Joining, x: Array, placed: Placed, upright: Array) -> Frames | None:
     """The frame at a spot on an end that is sewn shut: between its two layers, looking out of it; None for every other spot."""
     spots, part = joining.spots, joining.spots.parts[placed.spot.part]
-    nodes, rim = np.array(spots.place(placed.spot).nodes), spots.rim(part)
-    pairs = joining.pinched
-    if not len(rim) or not np.isin(nodes, rim).all() or np.isin(rim, pairs).mean() < 0.7:
-        return None
-    here = x[nodes].mean(0)
-    between = 0.5 * (x[pairs[:, 0]] + x[pairs[:, 1]])[np.isin(pairs[:, 0], rim)]
-    point = between[nearest(here[None], between)[1][0, 0]]
-    number = joining.built.graph.round[rim[0]]
-    before = np.flatnonzero((joining.built.graph.part == part) & (joining.built.graph.round == number - _DEEP))
-    out = x[rim].mean(0) - (x[before] if len(before) else x[joining.built.graph.part == part]).mean(0)
-    normal = (out / max(float(length(out)), 1e-9))[None]
-    return Frames(point[None], normal, *level(normal, upright[[part]]))
+    graph, nodes, pairs = joining.built.graph, np.array(spots.place(placed.spot).nodes), joining.pinched
+    for rim, inwards in ((spots.rim(part), -1), (spots.begun(part), 1)):
+        if not len(rim) or np.isin(rim, pairs).mean() < 0.7:
+            continue
+        # A foundation chain is an edge: what is sewn to the round on it is sewn to that.
+        near = np.abs(graph.round[nodes].astype(int) - int(graph.round[rim[0]])) <= (1 if inwards > 0 else 0)
+        if not near.all() or not (inwards > 0 or np.isin(nodes, rim).all()):
+            continue
+        here = x[nodes].mean(0)
+        between = 0.5 * (x[pairs[:, 0]] + x[pairs[:, 1]])[np.isin(pairs[:, 0], rim)]
+        point = between[nearest(here[None], between)[1][0, 0]]
+        before = np.flatnonzero((graph.part == part) & (graph.round == graph.round[rim[0]] + inwards * _DEEP))
+        out = x[rim].mean(0) - (x[before] if len(before) else x[graph.part == part]).mean(0)
+        normal = (out / max(float(length(out)), 1e-9))[None]
+        return Frames(point[None], normal, *level(normal, upright[[part]]))
+    return None
 
 
 def assembly(joining: Joining, joined: Joined, x: Array) -> list[dict[str, Any]]:

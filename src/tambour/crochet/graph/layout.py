@@ -24,6 +24,8 @@ NEARLY = 0.85
 """A square whose sides grow by this share of its rows' height lies flat."""
 WAVE = 0.1
 """How far rows lie off their plane at first, in stitches: what wants to leave it could not begin to otherwise."""
+WITHIN = 0.25
+"""Rings of two branches whose middles are so near, in stitches, are about each other, and not side by side."""
 CLEAR = 1.0
 """Stitches that rings of different branches of one part keep between them."""
 _KEPT, _LARGE = 64, 4000
@@ -251,6 +253,8 @@ class Forks:
                         continue
                     off = (place - at) * [1.0, 0.0, 1.0]
                     far = float(np.sqrt((off**2).sum()))
+                    if far < WITHIN:
+                        continue  # a frill round what goes on: both were worked into the whole round below
                     if far - size - radius - CLEAR < least:
                         least = far - size - radius - CLEAR
                         away = place - least * (off / far if far > 1e-9 else np.array([1.0, 0.0, 0.0]))

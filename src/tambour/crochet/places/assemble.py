@@ -15,17 +15,15 @@ from tambour.crochet.places.faces import Facer
 from tambour.crochet.places.halves import halves
 from tambour.crochet.places.hear import Copy, Feature, Heard, Put, Sentence
 from tambour.crochet.places.layers import layers
+from tambour.crochet.places.likely import NAMELESS, Likely
 from tambour.crochet.places.names import Made
 from tambour.crochet.places.onward import onward
 from tambour.crochet.places.said import Where
 from tambour.crochet.places.toy import Assembled, versions
-from tambour.crochet.places.upright import Upright
 
 _CAPPED: Final = re.compile(r"\b(?:mushroom|toadstool|fungi|fungus|acorn)s?\b")
 """Toys, by their titles, whose caps are full."""
 _TAILED: Final = re.compile(r"\b(?:leav\w*|with)\b[^.]{0,30}\b(?:tail|end)\b")
-_NAMELESS: Final = re.compile(r"(?:part|piece)_\d+$")
-"""What parts are called that no heading names."""
 _NO_GUESS: Final = Where(shown=True)
 FLAT: Final = frozenset(
     "ear wing fin fluke leaf hat spot cheek eye tuft collar bow spike inner door tooth face beard worn".split()
@@ -44,7 +42,7 @@ DOMED: Final = frozenset(("muzzle", "nose"))
 """Kinds of parts that bulge, however flat they are worked: stuffing is put under them while they are sewn on."""
 
 
-class Assembly(Upright):
+class Assembly(Likely):
     """Puts a pattern together.
 
     built : the pattern worked; sentences : of its finishing, in order; stitch : a stitch's width, mm
@@ -61,6 +59,7 @@ class Assembly(Upright):
         self.parts = [p for p in self.parts if p not in later and p not in behind]
         self.made.apart += [p.name for p in later]
         self.made.behind += [p.name for p in (*behind, *self.layered)]
+        self._undressed()
         half = {k for pair in halves(built) for k in pair}
         both = {p.name for p in self.parts if p.copies == 2 and {self.spots.parts[p.copy(k)] for k in (1, 2)} <= half}
         self.parts = [replace(p, halved=p.name in both) for p in self.parts]
@@ -104,53 +103,6 @@ class Assembly(Upright):
             stem if stem is not None and largest.kind == "hat" and 6 * self.size(stem) > self.size(largest) else largest
         )
 
-    def _shaped(self) -> None:
-        """Parts whose names do not say what they are: a leg that goes on into the body; a large one beside the body."""
-        bare = [p for p in self.parts if p.single and not p.worn]
-        if not bare:
-            return
-        legs = sorted((p for p in bare if p.kind == "leg"), key=self.size)
-        if self.of_kind("body") is None and len(legs) > 1 and 2 * self.size(legs[-1]) > 3 * self.size(legs[-2]):
-            self._likely(legs[-1], "body")  # the leg that goes on into the body
-            return
-        body = self.of_kind("body")
-        if body is None and self.of_kind("head") is not None and (clad := self._clad()) is not None:
-            self._likely(clad, "body")
-            return
-        if body is None or self.of_kind("head") is not None or "head" in body.kinds:
-            return
-        nose = self.of_kind("muzzle", "nose")
-        if nose is not None and 4 * self.size(nose) > self.size(body) and re.search(r"\bhead\b", self.text):
-            self._likely(nose, "head")  # worked from its nose, and called so
-            return
-        neck = self.of_kind("neck")
-        if neck is not None and re.search(
-            r"\b(?:ears?|eyes?|face)\b[^.\n]{0,30}\b(?:to|on) (?:the )?head\b", self.text
-        ):
-            self._likely(neck, "head")  # neck and head in one
-            return
-        others = [p for p in bare if not p.kind and not self.spots.in_rows[self.spots.parts[p.copy(1)]]]
-        large = max(others, key=self.size, default=None)
-        if large is not None and 3 * self.size(large) > self.size(body):
-            self._likely(large, "head")
-
-    def _clad(self) -> Made | None:
-        """The clothes that are a doll's body, of one that has no other: the head is sewn to the tunic, or limbs to a "body"."""
-        worn = [p for p in self.parts if p.single and p.worn]
-        for p in reversed(worn):
-            to = rf"\bhead\s+to\s+(?:the\s+)?(?:(?:top|neck)\s+of\s+)?(?:the\s+)?(?:\w+\s+)?{re.escape(p.words[-1])}\b"
-            if re.search(rf"{to}|\b{re.escape(p.words[-1])}\s+to\s+(?:the\s+)?head\b", self.text):
-                return p
-        if not re.search(r"\b(?:head|arms|legs|tail)\b[^.]{0,30}\b(?:of|to) (?:the )?body\b", self.text):
-            return None
-        bare = [p for p in self.parts if p.single and p.kind == "" and not _NAMELESS.match(p.name)]
-        large = max([*worn, *bare], key=self.size, default=None)
-        head = self.of_kind("head")
-        return large if large is not None and head is not None and 3 * self.size(large) > self.size(head) else None
-
-    def _likely(self, part: Made, kind: str) -> None:
-        self.parts[self.parts.index(part)] = replace(part, likely=kind)
-
     # -- the whole --------------------------------------------------------------------------------------------------
 
     def assemble(self, usual: bool = True) -> Assembled:
@@ -164,7 +116,7 @@ class Assembly(Upright):
         put = Facer(self)
         self._fill()
         waiting = self._tree()
-        trunk = [p for p in waiting if p.kind in ("head", "body", "neck")]
+        trunk = [p for p in waiting if p.kind in ("head", "body", "neck", "stem")]
         for p in trunk:
             self.out += [(p.order, record) for record in put.part(p)]
         # Eyes whose rounds are known come before a muzzle, which is below them.
@@ -222,6 +174,10 @@ class Assembly(Upright):
             free = [c for c in free if self.spots.parts[c[0].copy(c[1])] not in self.sewn]
             if not free or part == main:
                 continue
+            if (other := self._other_half(part)) is not None:
+                self.heard.puts.append(Put(free, (other, 1), "", _NO_GUESS, Span(0, 0), order, True))
+                order += 1
+                continue
             if not part.kind or part.worn or (part.kind in _SMALL and 2 * self.size(part) > self.size(main)):
                 self.made.apart.append(part.name)  # a star half as large as the toy is another toy
                 continue
@@ -268,13 +224,7 @@ class Assembly(Upright):
                 seen.update(free)
                 self.made.apart.append(free[0][0].name)
                 free = []
-            if (
-                free
-                and p.host is None
-                and not p.where.says
-                and not free[0][0].kind
-                and _NAMELESS.match(free[0][0].name)
-            ):
+            if free and p.host is None and not p.where.says and not free[0][0].kind and NAMELESS.match(free[0][0].name):
                 self.made.apart.append(free[0][0].name)
                 free = []
             if not free:
@@ -294,6 +244,9 @@ class Assembly(Upright):
                     else main
                 )
                 p.host = (host, 1)
+            if p.host[0] == main and (onto := self._end_of(p.copies[0][0])) is not None:
+                p.host = (onto, 1)
+                p.where = replace(p.where, words=p.where.words | {"tip"})
             mask = next((c[0] for q in puts for c in q.copies if c[0].kind == "face" and c[0].single), None)
             if kind in _ON_FACES and mask is not None and p.where.rounds is None and p.copies[0][0] != mask:
                 p.host = (mask, 1)  # on the face that is sewn on, and not behind it

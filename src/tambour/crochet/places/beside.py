@@ -55,7 +55,8 @@ class Beside:
             hangs = axis is not None and axis[1] < -0.5 and "upwards" not in said  # arms, also from the shoulders' top
             axis = axis if hangs or (axis is not None and axis[1] > 0.3) else (x * 0.6, 1.0, 0.0)
         elif "bottom" in said and copies <= 2:
-            x, y, z = (sign * 0.45 if x else 0.0), -0.9, (0.12 if x else z * 0.3)
+            hoof = axis is not None and axis[1] < -0.9 and abs(z) > 0.5  # of what goes on four legs: before, or behind
+            x, y, z = (sign * 0.45 if x else 0.0), -0.9, (z if hoof else 0.12 if x else z * 0.3)
             axis = (sign * 0.08 if x else 0.0, -1.0, 0.08)
             if "sitting" in said:
                 axis, z = (sign * 0.25, -0.1, 1.0), 0.6
@@ -85,6 +86,8 @@ class Beside:
             y = -0.55
         if "neck" in said and abs(y) < 0.9:
             y = 0.85
+        if re.search(r"\boff[- ]?cent(?:er|re)\b", at.text) and copies == 1:
+            x, axis = 0.3, None if axis is None else (0.3, axis[1], axis[2])
         if "middle" in said and not said & {"upper", "lower", "top", "bottom", "neck"} and copies == 1:
             x, y = 0.0, (0.0 if abs(y) < 0.95 else y)
         line = way.line

@@ -37,6 +37,8 @@ _BROW: Final = np.array([0.6, 0.5, 0.0])
 """Where eyes are about a head that lies, seen from its nose."""
 _ON_MASK: Final = (0.52, 0.22, 0.0)
 """Where the left eye is on a face that is sewn on, from its middle, in halves of its size."""
+_OBLONG: Final = 1.3
+"""A piece so much wider than high has its eyes in its middle line."""
 _HAIR_LONG: Final = 2.6
 """How far hair hangs, in halves of a head's height, where nothing says it."""
 _TINY: Final = 0.7
@@ -103,8 +105,15 @@ class Facer(Putter):
             aside = tuple(b for b in f.where.beside if "between" not in b[0])  # two are not in the middle of anything
             point = self._beside(replace(f.where, beside=aside), host, way, 0.5)
             there = host.towards(way.direction) if point is None else point
-            if point is None and host.name == getattr(self.work.of_kind("face"), "name", None):
-                there = host.ahead(*(host.box[0] + np.array(_ON_MASK) * host.box[1])[:2])  # a disc, seen from before it
+            if point is None and host.name in {
+                m.name for m in self.work.parts if m.single and m.kind in ("face", "eye")
+            }:
+                centre, half = host.box  # a disc, seen from before it, however it was turned
+                up = _ON_MASK[1] if half[0] < _OBLONG * half[1] else 0.0
+                x, y = _ON_MASK[0] * float(half[0]), float(centre[1] + up * half[1])
+                apart = self._apart(f.where)
+                x = x if apart is None else 0.5 * apart
+                return [replace(host.near(host.ahead(float(centre[0]) + s * x, y)), span=f.span) for s in (-1.0, 1.0)]
             there = self._off_the_snout(f, host, there)
             if self.work.spots.in_rows[host.part]:  # its rows may run upwards
                 apart = self._apart(f.where)
@@ -173,7 +182,7 @@ class Facer(Putter):
     def _faced(self, f: Feature, what: str) -> Host:
         """What a face is on: what is named, else a muzzle for noses and mouths, else the head."""
         work = self.work
-        mask = work.of_kind("face")
+        mask = work.of_kind("face") or work.of_kind("eye")
         placed = {r.part for _, r in work.out if isinstance(r, Placed)}
         masked = mask is not None and mask.name in placed and f.where.rounds is None
         if masked and mask is not None and (f.host is None or f.host[0].kind in ("head", "face")):
@@ -328,7 +337,7 @@ class Facer(Putter):
                 return np.asarray(
                     self.stand.frame(Spot(host.name, level, host.in_round(level, np.array([0.0, 0.0, -1.0])))).points[0]
                 )
-            lies = host.name == self.work.main.copy(1) and self._lies((self.work.main, 1))
+            lies = (host.name == self.work.main.copy(1) and self._lies((self.work.main, 1))) or host.axis[2] < -0.7
             if lies and name.split()[-1] in ("mouth", "smile"):  # its front is on top: a mouth is below
                 below = host.in_round(level, np.array([0.0, -1.0, 0.3]))
                 return np.asarray(self.stand.frame(Spot(host.name, level, below)).points[0])

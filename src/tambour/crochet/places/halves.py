@@ -19,6 +19,8 @@ _TOGETHER: Final = re.compile(
     r"|\b(?:ws|rs|wrong sides?|right sides?)\s+(?:tog|together|facing)\b"
     r"|\bmatching pieces\b"
 )
+_TWO: Final = re.compile(r"\b(?:2|two|both) (?:matching )?(?:pieces|halves|sides)\b[^.\n]{0,20}\b(?:tog|together)\b")
+"""Two of several pieces make one thing."""
 _LEAST: Final = 60
 """A half has so many stitches or more; smaller ones are ears and leaves in two layers."""
 _FACES: Final = ({"front", "back"},)
@@ -36,6 +38,9 @@ def halves(built: Built) -> list[tuple[int, int]]:
         one, other = (spots.parts.get(f"{section.name}.{k}") for k in (1, 2))
         if section.copies == 2 and one is not None and other is not None and section.kind in _LARGE:
             found.append((one, other))
+        if section.copies > 2 and section.copies % 2 == 0 and not section.kind and _TWO.search(text):
+            every = [spots.parts[f"{section.name}.{k}"] for k in range(1, section.copies + 1)]
+            found += list(zip(every[::2], every[1::2]))  # fish, of which each is two pieces
     single = [m for m in made if m.copies == 1 and f"{m.name}.1" in spots.parts and not m.worn]
     for front in single:
         for back in single:

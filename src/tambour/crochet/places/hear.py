@@ -16,7 +16,8 @@ from tambour.crochet.places.said import VERB, Where, clauses, where
 Copy = tuple[Made, int]
 _EYES: Final = re.compile(r"\b(?:safety|plastic|toy|button|googly|bead|doll)?\s*(?:eyes?|beads for eyes)\b")
 _EYED: Final = re.compile(
-    r"\b(?:insert\w*|place[ds]?|attach(?:ed)?|add(?:ed)?|put|position(?:ed)?|secure|fix|sew|glue|install|push|mount|use|pin|make|set|pop(?:ped)?|snap(?:ped)?)\b"
+    r"\b(?:insert\w*|place[ds]?|placing|attach(?:ed)?|add(?:ed)?|put|position(?:ed|ing)?|secure|fix|sew|glue|install|push|mount|use|pin|make|set|"
+    r"pop(?:ped)?|snap(?:ped)?)\b"
 )
 _DRAWN: Final = re.compile(
     r"\b(?:embroider\w*|stitch(?:ed)?|sew|backstitch|satin|straight st\w*|make|draw|add|french knots?|whiskers|apply)\b"
@@ -121,6 +122,10 @@ class Feature:
     guess: bool = False
 
 
+_ONE_OTHER: Final = re.compile(
+    r"\bone ((?:\w+ ){0,2}?\w+?)s? ((?:at|on|in|between|over|to|near|above|below)\b[^,;:.]*?),? (?:and )?the other (?:one )?([^,;:.]*)"
+)
+"""Two of a kind, each with a place of its own: "one big spot at the top, the other between R7 and R11"."""
 _HAIR: Final = re.compile(
     r"\b(?:sew|stitch|knot|attach)\w*\b(?:(?!\b(?:to|on|onto|in|into|at|over|under|behind|near|below|above|between|around)\b)[^.,;]){0,40}"
     r"(?P<hair>(?:\band\s+(?:the\s+)?)?\bhair\b)(?!\s*(?:bow|tie|band|clip|ribbon|line))"
@@ -239,6 +244,15 @@ class Heard:
         eyed = bool(
             eyes and _EYED.search(low) and "embroider" not in low and not named_eyes and _put_eyes(low, eyes.start())
         )
+        if (two := _ONE_OTHER.search(low)) and (which := mentions(two[1], self.parts)):
+            part = which[0].copies[0][0]
+            if part.copies == 2 and VERB.search(low[: two.start()] + " "):
+                host = next((m.copies[0] for m in found if m.end <= two.start() and m.copies[0][0] != part), None)
+                for k, words in ((1, two[2]), (2, two[3])):
+                    place = where(words)
+                    self.puts.append(Put([(part, k)], host, self._region(low), place, sentence.span, order))
+                rest = low[: two.start()] + low[two.end() :]
+                return self._clause(rest, sentence, order, color) or True
         if eyed or (
             features
             and (
@@ -248,7 +262,7 @@ class Heard:
                 or ((drawn_at := face.found(features[0], low)) is not None and drawn_at[0] < found[0].start)
             )
         ):
-            host = self._on(found, low)
+            host = self._on(found, low) or self._stem(sentence)
             both = ["nose"] if re.search(r"\beyes? and (?:the )?(?:safety )?nose\b", low) else []
             names = ["safety eyes", *both] if eyed else [face.styled(f, low) for f in features]
             pieces = _pieces(low, features) if len(features) > 1 and not eyed else [low] * max(len(names), 1)
@@ -347,6 +361,12 @@ class Heard:
         kind = after.copies[0][0].kind
         limb = set(Made(sentence.part, 1).kinds) & {"leg", "arm", "tail", "foot", "body"}
         return on.end() if kind not in ("head", "body") or (kind == "head" and limb) else verb.end()
+
+    def _stem(self, sentence: Sentence) -> Copy | None:
+        """The stem of a toadstool, where a face is spoken of while it is worked: that is on it, and not on its cap."""
+        here = next((p for p in self.parts if p.name == sentence.part and p.single and p.kind == "stem"), None)
+        trunk = any(p.single and p.kind in ("head", "body") for p in self.parts)
+        return None if here is None or trunk else (here, 1)
 
     def _on(self, found: list[Mention], low: str) -> Copy | None:
         """The part that a face is on: one that is named after "on", "of", "to", and made once."""

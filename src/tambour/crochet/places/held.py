@@ -12,6 +12,7 @@ import numpy as np
 from tambour.core.check import Array
 from tambour.core.graph import BLO, FLO
 from tambour.crochet.finish import sewing
+from tambour.crochet.finish.joining import BODY, GATHER
 from tambour.crochet.finish.placing import level
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.beside import Beside
@@ -29,6 +30,8 @@ _STILL: Final = 10.0
 """A part that leans less than this stands straight out."""
 _WIDE: Final = 1.15
 """An open end wider than this, as a share of what it is put over, is sewn by a narrower round."""
+_LOWEST: Final = 0.7
+"""An end is below that lies so far under the middle, in halves of the height."""
 _ROUND: Final = 1.5
 """How much more the way out of an ellipsoid counts than that of the fabric before it is stuffed."""
 _LAID: Final = frozenset(
@@ -54,8 +57,8 @@ class Holder(Beside):
         """Whether an end is pinched."""
         name = copy[0].copy(copy[1])
         edge = self.work.open(name)
-        if "inner" in copy[0].words:
-            return False  # it lies on what it is the inner side of
+        if "inner" in copy[0].words:  # it lies on what it is the inner side of
+            return bool(self.work.spots.in_rows[self.work.spots.parts[name]])
         if self.work.spots.in_rows[self.work.spots.parts[name]]:
             return copy[0].kind in _LAID or (not copy[0].kind and copy[0].name in self.work.made.unstuffed)
         if copy[0].name in self.work.made.unstuffed and copy[0].kind in _PINCHED:
@@ -81,6 +84,9 @@ class Holder(Beside):
         if put.kind == "fluke" and end and abs(float(host.axis[1])) < 0.5:
             # The open end of what lies will be sewn shut, flat from side to side: it looks backwards.
             n, along, up = np.array([0.0, 0.0, -1.0]), np.array([-1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
+        elif put.kind in ("leg", "foot") and spot.round == self._shut_below(host):
+            n, along, up = np.array([0.0, -1.0, 0.0]), np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
+            way = replace(way, axis=(0.0, -1.0, 0.0))
         elif spot.stitch is not None and not self.work.spots.in_rows[host.part]:
             # Before it is stuffed the top of a ball is flat: where it will be round its fabric leans more.
             middle, half = host.box
@@ -126,13 +132,26 @@ class Holder(Beside):
                 across += -180.0 if across > 0.0 else 180.0  # toes look ahead, or up
         else:
             across = way.turn if abs(way.turn) == 180.0 and tilt else 0.0
-            if put.kind in _WIDE_ONES and self._lengthwise(copy):
+            wide = put.kind in _WIDE_ONES or (put.kind == "eye" and copy[0].single)
+            if wide and self._lengthwise(copy):
                 across = 90.0
         name = copy[0].copy(copy[1])
         record = Placed(name, spot, flat, across, tilt, _STEP * round(towards / _STEP) % 360.0, None, put.span)
         if put.kind == "wing" and self.butterfly and (narrow := self._narrow(copy)):
             return replace(record, flat=False, across=90.0, by=narrow)  # two alike are mirrored
         return replace(record, by=self._by(record, host, n)) if not flat else record
+
+    def _shut_below(self, host: Host) -> float | None:
+        """The round of a stuffed body's lower end, where that stays open and is sewn shut from side to side; None else."""
+        spots, part = self.work.spots, host.part
+        section = self.work.built.pattern.parts[self.work.built.parts[part].section]
+        if spots.in_rows[part] or section.stuffing == 0.0 or not BODY.search(section.name.lower()):
+            return None
+        for edge, number in ((spots.begun(part), host.low), (spots.rim(part), host.high)):
+            low = float(host.box[0][1] - _LOWEST * host.box[1][1])
+            if len(edge) >= 2 * GATHER and float(self.stand.x[edge][:, 1].mean()) < low:
+                return float(number)
+        return None
 
     def _shut(self, copy: Copy) -> int:
         """Whether a part's end is a line, closed through both layers: 1, or -1 where that runs to the part's right; else 0."""
@@ -194,3 +213,56 @@ class Holder(Beside):
             if np.isin(graph.peculiarity[spots.stitches(k)], (BLO, FLO)).all():
                 return float(number - 1)
         return None
+
+    def _right_side_ahead(self, copy: Copy, record: Placed) -> Placed:
+        """An ear worked in rows, turned so that its right side, which bears an inner ear, looks ahead."""
+        host = self.work.host(copy)
+        if not self.work.spots.in_rows[host.part]:
+            return record
+        turned = replace(record, across=(record.across + 360.0) % 360.0 - 180.0)
+
+        def looks(one: Placed) -> float:
+            self.stand.place(one)
+            placed = self.work.host(copy)
+            level = float(placed.levels[len(placed.levels) // 2][0])
+            return float(self.stand.frame(Spot(placed.name, level, placed.middle(level))).normals[0][2])
+
+        return max((record, turned), key=looks)
+
+    def _strip(self, copy: Copy) -> bool:
+        """Whether a piece is worked in a few long rows."""
+        levels = self.work.host(copy).levels
+        return bool(self.work.spots.in_rows[self.work.spots.parts[copy[0].copy(copy[1])]]) and len(
+            levels[0][1]
+        ) > 3 * len(levels)
+
+    @staticmethod
+    def _at_end(put: Put) -> bool:
+        """Whether no more is told of legs than that they are at the bottom."""
+        at = put.where
+        return at.words <= {"bottom", "flat"} and at.rounds is None and not at.beside
+
+    def _side_by_side(self, host: Host, level: float, off: float, half: float) -> tuple[float, float]:
+        """The round nearest to ``level``, and the stitches from its middle there, where two things ``half`` wide do not overlap."""
+        share = min(off / max(host.count(level), 1), 0.25)
+        tried: list[tuple[float, float, float]] = []
+        for number in sorted((float(n) for n, _ in host.levels), key=lambda n: abs(n - level)):
+            middle, aside = host.middle(number), share * host.count(number)
+            one, other = (
+                self.stand.frame(host.within(Spot(host.name, number, middle + s * aside))).points[0]
+                for s in (-1.0, 1.0)
+            )
+            apart = float(np.sqrt(((one - other) ** 2).sum()))
+            if apart >= 2.0 * half:
+                return number, off if number == level else aside
+            tried.append((apart, number, aside))
+        _, number, aside = max(tried)
+        return number, aside
+
+    @staticmethod
+    def _wider(host: Host, level: float, least: float) -> float | None:
+        """The nearest round of at least so many stitches, or as many as it has, where the one at ``level`` is narrower; else None."""
+        least = min(least, max(len(ring) for _, ring in host.levels))
+        if host.count(level) >= least:
+            return None
+        return min((float(n) for n, ring in host.levels if len(ring) >= least), key=lambda n: abs(n - level))

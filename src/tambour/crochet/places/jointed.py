@@ -10,10 +10,13 @@ import numpy as np
 from tambour.crochet.language.finishes import Placed, Spot
 from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.held import Holder
+from tambour.crochet.places.stand import Host
 from tambour.crochet.places.usual import Way
 
 _UNDER: Final = np.array([0.0, -0.9, -0.45])
 """Where the body is on a head that lies: under it, behind its middle."""
+_DOWN: Final = 0.85
+"""Fabric looks down so far, as a cosine."""
 _ROLL: Final = 5.0
 """By how many degrees at a time a head is turned about its nose until its face is above."""
 _RIM, _RIM_OFF = 16, 3
@@ -98,11 +101,21 @@ class Jointer(Holder):
             return None
         self.stand.set_up(index, "side")
         head = work.host((put.copies[0][0], 1))
-        spot = replace(head.near(head.towards(_UNDER)), span=put.span)
-        record = Placed(host, spot, span=put.span)
+        spot = replace(self._beneath(head), span=put.span)
         if not self.stand.there(spot):
             return None
+        record = Placed(host, spot, span=put.span)
         work.made.ups.pop(put.host[0].name, None)
         work.made.ups[put.copies[0][0].name] = "side"
         self.stand.place(record)
         return [record]
+
+    def _beneath(self, head: Host) -> Spot:
+        """Where a head that lies sits on what is under it: as far back on its underside as its fabric still looks down."""
+        wanted = head.near(head.towards(_UNDER))
+        level, _ = min(head.levels, key=lambda pair: abs(pair[0] - wanted.round))
+        for number in [n for n, _ in reversed(head.levels) if n <= level]:
+            spot = head.within(Spot(head.name, float(number), head.in_round(number, np.array([0.0, -1.0, 0.0]))))
+            if float(self.stand.frame(spot).normals[0][1]) < -_DOWN:
+                return spot
+        return wanted

@@ -45,6 +45,8 @@ _BULGES: Final = 0.85
 """How much of its widest round a snout covers of what is behind it."""
 _BEHIND_EYES: Final = 4.0
 """So many rounds behind the eyes are the ears of what looks ahead, or more."""
+_NEAR_END: Final = 4
+"""A head that is sewn to one of the last so many rounds of a body is on its end."""
 _BESIDE_BELLY: Final = -0.15
 """How high the arms of a ball with a face are."""
 _OVER_TOP: Final = 1.5
@@ -67,7 +69,10 @@ class Putter(Jointer):
         assert put.host is not None
         if kind == "head" and put.host[0].kind == "neck" and self._lies((work.main, 1)):
             return [self._ahead_on_neck(put, put.host)]
-        if kind in ("head", "body") and put.host[0].kind in ("head", "body", "neck", "") and not put.where.rounds:
+        at_end = put.where.rounds is None or (
+            work.nose_first(made) and put.where.rounds[0] > work.host(put.host).high - _NEAR_END
+        )
+        if kind in ("head", "body") and put.host[0].kind in ("head", "body", "neck", "") and at_end:
             joined = self._joint(put)
             if joined is not None:
                 return joined
@@ -107,6 +112,10 @@ class Putter(Jointer):
             and re.search(r"(?:legs|feet|pants|trousers)$", made.name.lower())
         ):
             ways = [Way((0.0, -1.0, 0.0), (0.0, -1.0, 0.0), flat=False)]  # both in one piece: the lower end of the body
+        if "inner" in made.words and onto[0].kind == "ear" and put.where.rounds is None:
+            ways = [Way((0.0, -0.1, 1.0), None)] * len(ways)
+        if kind == "tuft" and "mane" in made.words and len(put.copies) == 1 and self._strip(put.copies[0]):
+            ways = usual("spike", 1, lying=lies)  # along the nape, by its long edge
         if self._all_in_one(onto, lies) and kind in ("arm", "foot", "wing", "") and put.where.rounds is None:
             ways = [self._below_face(way) for way in ways]
         # Only of what is head and body in one a sentence says which of the two it means.
@@ -132,6 +141,15 @@ class Putter(Jointer):
                 ):
                     records, seams = found_, there
                     break
+        if (
+            kind == "ear"
+            and "inner" not in made.words
+            and any(
+                p.kind == "ear" and "inner" in p.words and self.work.spots.in_rows[self.work.spots.parts[p.copy(1)]]
+                for p in work.parts
+            )
+        ):
+            records = [self._right_side_ahead(c, r) for c, r in zip(put.copies, records)]
         self.room.take(seams)
         if kind in _BELOW_EYES:
             self.deep[kind] = self._bulge(put.copies[0])
@@ -326,6 +344,10 @@ class Putter(Jointer):
             level, off = self._side_by_side(host, a.round, off, self._half(one))
             a, b = replace(a, round=level), replace(b, round=level)
             middle, count = host.middle(level), host.count(level)
+        elif put.kind in ("leg", "foot") and self._at_end(put) and (low := self._shut_below(host)) is not None:
+            a, b = replace(a, round=low), replace(b, round=low)
+            middle, count = host.middle(low), host.count(low)
+            off = count / 8.0  # side by side on the line of the closed end
         elif put.kind == "fluke" and self._lies_name(host) and a.round >= host.high - 1:
             off = (self.work.open(one[0].copy(1)) or 6) / 4  # side by side on the edge of a flat end
         elif "tip" in put.where.words:
@@ -333,37 +355,12 @@ class Putter(Jointer):
         if apart is not None and self._lies_name(host) and way.at[1] < -0.3:
             middle += 0.5 * count  # legs of what lies: from the middle of its underside
         off = round(off, 3)
-        low = replace(a, stitch=round(middle - off, 3))
-        high = replace(a, stitch=round(middle + off, 3))
+        first = replace(a, stitch=round(middle - off, 3))
+        last = replace(a, stitch=round(middle + off, 3))
         # Which of the two ways is on the side of the lower stitch?
-        x = self.stand.frame(low).points[0][0] - host.box[0][0]
+        x = self.stand.frame(first).points[0][0] - host.box[0][0]
         ways = (way, mirror) if (x >= 0.0) == (way.at[0] >= 0.0) else (mirror, way)
-        return [(one, (low, ways[0])), (other, (high, ways[1]))]
-
-    def _side_by_side(self, host: Host, level: float, off: float, half: float) -> tuple[float, float]:
-        """The round nearest to ``level``, and the stitches from its middle there, where two things ``half`` wide do not overlap."""
-        share = min(off / max(host.count(level), 1), 0.25)
-        tried: list[tuple[float, float, float]] = []
-        for number in sorted((float(n) for n, _ in host.levels), key=lambda n: abs(n - level)):
-            middle, aside = host.middle(number), share * host.count(number)
-            one, other = (
-                self.stand.frame(host.within(Spot(host.name, number, middle + s * aside))).points[0]
-                for s in (-1.0, 1.0)
-            )
-            apart = float(np.sqrt(((one - other) ** 2).sum()))
-            if apart >= 2.0 * half:
-                return number, off if number == level else aside
-            tried.append((apart, number, aside))
-        _, number, aside = max(tried)
-        return number, aside
-
-    @staticmethod
-    def _wider(host: Host, level: float, least: float) -> float | None:
-        """The nearest round of at least so many stitches, or as many as it has, where the one at ``level`` is narrower; else None."""
-        least = min(least, max(len(ring) for _, ring in host.levels))
-        if host.count(level) >= least:
-            return None
-        return min((float(n) for n, ring in host.levels if len(ring) >= least), key=lambda n: abs(n - level))
+        return [(one, (first, ways[0])), (other, (last, ways[1]))]
 
 
 def _mirrored(one: Placed, other: Placed) -> Placed:

@@ -23,7 +23,7 @@ _PLACES: Final = frozenset(
 """Words of parts' names that say which of several on one toy is meant."""
 _AHEAD: Final = re.compile(
     r"\b(?:beg(?:in(?:ning)?)?|start(?:ing)?|work(?:ed|ing)?)\.?\s+(?:at|from|with)\s+(?:the\s+)?(?:tip of\s+(?:the\s+)?)?"
-    r"(?:nose|snout|muzzle|front|bow|head end|face end)\b(?! (?:leg|paw|loop))"
+    r"(?:nose|snout|muzzle|front|bow|head end|face end|(?:cent(?:er|re) of (?:the )?)?face)\b(?! (?:leg|paw|loop))"
 )
 _FIRST: Final = re.compile(r"\b(?:1st (?:rnd|round|row)|(?:round|rnd|row)s? 1\b)")
 _WITHIN: Final = re.compile(

@@ -27,6 +27,8 @@ _SHAPED: Final = re.compile(
 """Where in one piece another end of the toy begins."""
 _RIM_OFF: Final = 3
 """Rims that differ by so many stitches or fewer fit on each other."""
+_MUZZLE, _BEHIND, _NARROWER = (0.2, 0.6), 5, 0.85
+"""A muzzle is so much of a head's rounds; eyes are in the first so many rounds behind it, which have so much of its stitches."""
 _LOW: Final = 0.45
 """A face in this first part of a piece's rounds says that the piece is worked from its top."""
 _HIND: Final = 0.75
@@ -40,6 +42,38 @@ class Upright(Toy):
     """
 
     heard: Heard
+
+    def ahead(self, made: Made) -> bool:
+        """Whether a part is worked from its nose, by its words, or by a muzzle of another colour with the eyes behind it."""
+        return super().ahead(made) or self._muzzled(made)
+
+    def _muzzled(self, made: Made) -> bool:
+        """Whether a head begins with a muzzle: its first rounds have a colour of their own and are its widest, and its eyes are
+        close behind them, where it is narrower; a cap or hair is no wider than what is under it."""
+        part = self.spots.parts.get(made.copy(1))
+        head = made.kind == "head" and made.single and "body" not in made.kinds and part is not None
+        heard = getattr(self, "heard", None)
+        if not head or part is None or heard is None or self.spots.in_rows[part] or self.of_kind("muzzle", "nose"):
+            return False
+        low, high = numbers_of(self.spots, part)
+        rounds = [k for n in range(low, high + 1) if (k := self.spots.round_at(part, n)) is not None]
+        counts = [len(self.spots.stitches(k)) for k in rounds]
+        colors = [
+            self.built.graph.color[self.spots.stitches(k)[0]].tolist() for k in rounds if self.spots.stitches(k).size
+        ]
+        eyes = [0.5 * (f.where.rounds[0] + f.where.rounds[1]) - low for f in heard.features
+                if f.where.rounds and f.what.endswith("eyes") and self._is_on(f, made)]  # fmt: skip
+        if len(colors) != len(counts) or not eyes:
+            return False
+        band = next((k for k, c in enumerate(colors) if c != colors[0]), 0)
+        at = round(float(np.mean(eyes)))
+        widest = max(counts)
+        return (
+            _MUZZLE[0] * len(counts) <= band <= _MUZZLE[1] * len(counts)
+            and max(counts[:band]) == widest
+            and band <= at <= band + _BEHIND
+            and counts[min(at, len(counts) - 1)] <= _NARROWER * widest
+        )
 
     def _stand_up(self) -> None:
         """Which way parts stand that others stand on."""
