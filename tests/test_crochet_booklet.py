@@ -61,7 +61,9 @@ def test_how_ends_are_sewn_on_is_said_by_kind() -> None:
 
 def test_what_the_pictures_took_is_said_in_rounds_and_stitches() -> None:
     ears = notes(shop("pickles"), "EARS")
-    assert "the edge from round 3 to round" in ears and "at the side" in ears and "pointing up" in ears
+    assert (
+        "the edge from round 3 to round" in ears and "at the side" in ears and "7 stitches counted over the top" in ears
+    )
     assert "18 stitches to 18" in notes(shop("pickles"), "HEAD") and "24 stitches to 24" in notes(
         shop("toadstool"), "ROOF"
     )
@@ -69,6 +71,11 @@ def test_what_the_pictures_took_is_said_in_rounds_and_stitches() -> None:
     assert "side by side on the flat end, 3 stitches each" in notes(shop("willa"), "TAIL FLUKES")
     assert "underneath, where the rounds begin" in notes(shop("willa"), "BELLY")
     assert "6 stitches between the two" in notes(shop("pickles"), "BACK LEGS")  # as she says
+    legs = notes(shop("pickles"), "FRONT LEGS")
+    assert "along round 12, on stitches 2 to" in legs and "2 stitches between the two" in legs
+    assert "from round 6 to round 13, Row 1 at the bottom" in notes(shop("toadstool"), "DOOR")  # eight rows
+    assert "its middle at round 12, 5 stitches from the middle of the front" in notes(shop("toadstool"), "WINDOWS")
+    assert "lengthwise, its middle between rounds 9 and 10" in notes(shop("willa"), "SIDE FINS")
     knot = " ".join(
         shop("toadstool").taken([r for r in shop("toadstool").piece.built.pattern.finish if hasattr(r, "motif")])
     )
@@ -80,7 +87,10 @@ def test_ours_stand_next_to_her_sentence_and_are_known_as_ours() -> None:
     words = [said for said, _ in body]
     eyes = next(k for k, said in enumerate(words) if "safety eyes" in said)
     assert body[eyes + 1] == ("We took: each 6 stitches from the middle of the top.", True) and not body[eyes][1]
-    assert body[-1] == ("We took: pressed flat from side to side, top on underside, 6 stitches wide.", True)
+    assert body[-1] == (
+        "We took: the top pressed onto the underside, so that the end lies level, 6 stitches wide.",
+        True,
+    )
     assert rows(shop("pickles"), "HEAD")[0] == ("Worked from the top down.", True)
     assert rows(shop("pickles"), "BODY")[0] == ("Worked from the bottom up.", True)
     said = [said for said, ours in rows(shop("pickles"), "HEAD") if ours]
@@ -147,13 +157,22 @@ def test_a_part_is_shown_by_its_broad_side() -> None:
     piece = make(
         Text((SHOP / "willa.txt").read_text(encoding="utf-8"), "willa.txt"), CrochetParams(detail="low"), Progress()
     )
-    body, belly = _broad(piece, [0]), _broad(piece, [1])
-    assert belly[1] < -1.2  # a tummy is seen straight ahead, from below
+    _, body = _broad(piece, [0])
     assert abs(body[0] - VIEW[0]) > 0.7  # a body that lies along the view is seen from its side
     x = piece.positions[piece.built.graph.part == 0]
     ahead = np.array([np.sin(body[0]), np.cos(body[0])])
     long = x[:, [0, 2]] - x[:, [0, 2]].mean(0)
     assert np.ptp(long @ ahead) < 0.9 * np.ptp(long @ np.array([ahead[1], -ahead[0]]))
+    turn, view = _broad(piece, [1])
+    assert turn is not None and view == (0.0, 0.0)
+    np.testing.assert_allclose(turn @ turn.T, np.eye(3), atol=1e-9)
+    assert (
+        np.linalg.det(turn) > 0.0 and turn[2] @ np.array([0.0, -1.0, 0.0]) > 0.9
+    )  # a tummy that lies below looks ahead
+    fluke, _ = _broad(piece, [2])
+    part = piece.built.graph.parts[2]
+    first = piece.positions[part.start : part.start + 4] - piece.positions[part.start : part.end].mean(0)
+    assert fluke is not None and (first @ fluke[1]).mean() > 0.0  # its tip is up
 
 
 TWICE = """Toy

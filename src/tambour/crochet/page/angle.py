@@ -20,7 +20,7 @@ VIEW: Final = (radians(24.0), radians(14.0))
 """Azimuth and elevation from which a piece is shown unless something hides there."""
 _BACK: Final = (pi + VIEW[0], radians(20.0))
 _LEFT, _RIGHT = (radians(75.0), VIEW[1]), (radians(-75.0), VIEW[1])
-_OVER, _UNDER = (pi - VIEW[0], radians(62.0)), (0.0, radians(-62.0))
+_OVER, _UNDER = (pi - VIEW[0], radians(62.0)), (0.0, radians(-78.0))
 _OTHERS: Final = {_BACK: "back", _LEFT: "side", _RIGHT: "side", _UNDER: "below", _OVER: "above"}
 """Other views, and how they are called."""
 _STEEP: Final = 0.75
@@ -48,6 +48,11 @@ def angle(piece: Plush, there: Sequence[int], fresh: Sequence[int], words: str =
     seen = [_seen(points, new, 0.7 * piece.stitch[0], view) for view in (VIEW, *_OTHERS)]
     seen = [much * (_STEEP if view in (_OVER, _UNDER) else 1.0) for much, view in zip(seen, (VIEW, *_OTHERS))]
     return VIEW if seen[0] >= _ENOUGH * max(seen) else list(_OTHERS)[int(np.argmax(seen[1:]))]
+
+
+def steep(view: tuple[float, float]) -> bool:
+    """Whether a view is from above or from below."""
+    return view in (_OVER, _UNDER)
 
 
 def called(view: tuple[float, float]) -> str:

@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+import numpy as np
+
 from tambour.core.check import Array
 from tambour.core.picture import Picture
 from tambour.crochet.finish.sewing import end_of, shut
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Eye, Placed
-from tambour.crochet.page.angle import angle, called
+from tambour.crochet.maker.size import skin
+from tambour.crochet.page.angle import angle, called, steep
 from tambour.crochet.page.begin import paragraph
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
 from tambour.crochet.page.flow import Atom, Chunk
@@ -46,7 +49,8 @@ def assembly(book: Book, frame: Array) -> list[Chunk]:
     chunks = []
     for k, (step, said) in enumerate(zip(found, sentences)):
         view = angle(piece, step.parts, step.fresh, " ".join(said))
-        picture = of_step(book.album, step, frame, view, round(width * DOTS), round(high * DOTS))
+        near = frame if not steep(view) else skin(piece, np.flatnonzero(np.isin(piece.built.graph.part, step.parts)))
+        picture = of_step(book.album, step, near, view, round(width * DOTS), round(high * DOTS))
         names = _names(book, step)
         if step.fresh and (where := called(view)):
             names += f" ({book.own[where]})"
@@ -92,7 +96,7 @@ def _held(book: Book, step: Step) -> list[str]:
         elif open_ and len(end.pinched):
             key = "sewn odd" if len(end.nodes) % 2 else "sewn flat"
             made[book.own[key].format(n=len(end.pinched))] = None
-    return [*made, *book.taken(records)]
+    return [*made, *book.taken([r for r in records if book.words_of(r)])]  # of what is ours all is said already
 
 
 def _closed(book: Book, record: Placed) -> bool:

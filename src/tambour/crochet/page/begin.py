@@ -38,6 +38,8 @@ _LISTED: Final = {
     "scissors": re.compile(r"\bscissors"),
 }
 """What of the small things a designer's own list holds."""
+_SPIRAL: Final = re.compile(r"\bspiral|\bcontinuous rounds|\b(?:do not|don.t) join", re.IGNORECASE)
+_CHANGING: Final = re.compile(r"\bto chang(?:e|ing) colou?r|\bwhen changing colou?r", re.IGNORECASE)
 _INVISIBLE: Final = re.compile(r"\binv(?:isible|is|\.)?[ -]?dec(?:rease)?", re.IGNORECASE)
 _HOWS: Final = ("french knot", "satin stitch", "backstitch", "whipstitch")
 LEFTOVER = 5.0
@@ -124,7 +126,7 @@ def begin(book: Book) -> None:
         notes += paragraph(own["tail text"], width, space=1.4)
         if book.hers is not None:
             notes += paragraph(own["ours text"], width, BODY, SOFT, 1.4)
-    chunks.append(Chunk([*heading(book, own["notes"], width), *notes], own["notes"]))
+    chunks += together(heading(book, own["notes"], width), notes, own["notes"])
     flow(chunks, book.frame, lambda: book.page(short(book, own["before"])), own["continued"])
 
 
@@ -141,6 +143,9 @@ def _ways(book: Book) -> list[str]:
     for block in book.said.blocks:
         begun = [k for k, row in enumerate(block.lines) if row.label]
         changed = changed or any(row.colors for row in block.lines[begun[0] + 1 :]) if begun else changed
+    intro = " ".join(book.hers.intro) if book.hers is not None else ""
+    spirals = spirals and not _SPIRAL.search(intro)  # she says it herself
+    changed = changed and not _CHANGING.search(intro)
     return ["spiral"] * spirals + ["turning text"] * turning + ["change text"] * changed
 
 

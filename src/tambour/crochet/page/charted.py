@@ -2,45 +2,27 @@
 
 from __future__ import annotations
 
+import re
 from typing import Final
 
-from tambour.crochet.graph.built import Built, Done
+from tambour.crochet.graph.built import Built
 from tambour.crochet.language.stitches import RULES
 from tambour.crochet.page.book import FOOT, MARGIN, TOP, Book, short
 from tambour.crochet.page.diagram import plates, symbols
 from tambour.crochet.page.type import BODY, HAIR, HEAD, INK, LEAD, LEADING, SMALL, SOFT, width_of, wrap
-from tambour.crochet.page.written import sections
+from tambour.crochet.page.written import Written, sections
 from tambour.render.page import Page
 
 _LARGEST: Final = 0.75
 """Scale at which a chart is large enough: a stitch is 5.2 mm wide."""
-_LEAST: Final = 0.55
-"""Smaller ones are not read."""
 _READ: Final = {"chart rounds": False, "chart rows": True, "chart patch": None}
 """How charts are read → whether that is said of those in rows."""
 _LEFT: Final = {"chart rounds": "chart rounds left"}
 _PLAIN: Final = frozenset(
-    (
-        "sc",
-        "inc",
-        "dec",
-        "mr",
-        "slst",
-        "again",
-        "color",
-        "blo",
-        "flo",
-        "bl",
-        "join",
-        "mark",
-        "fo",
-        "gap",
-        "sc inc",
-        "sc dec",
-    )
+    ("sc", "inc", "dec", "mr", "ch", "slst", "again", "color", "blo", "flo", "bl", "join", "turn", "mark", "fo", "gap")
 )
-"""What a chart shows no better than words do, in rounds; in rows chains turn them as well."""
-_ROWS: Final = _PLAIN | {"turn", "ch"}
+"""What a chart shows no better than words do."""
+_INTO: Final = re.compile(r"(?:inc|dec)\d*")
 _CHAIN: Final = frozenset(("ch", "turn", "color", "fo"))
 _FEW: Final = 4
 """A round or row of no more than so many different things is told by words."""
@@ -50,19 +32,31 @@ def helps(built: Built) -> frozenset[int]:
     """The parts that a chart tells better than words: of other stitches than the plain ones, or shaped unevenly."""
     found = set[int]()
     for _, part, lines in sections(built):
-        done = [d for line in lines for unit, _ in line.pieces for d in unit]
-        rows = any(d.what == "turn" for d in done)
-        odd = any(d.what not in (_ROWS if rows else _PLAIN) for d in done)
-        uneven = any(line.number and _units(line.pieces) > _FEW for line in lines)
-        chain = {d.what for d in done} <= _CHAIN
-        if (odd or uneven) and not chain:
+        done = [d.what for line in lines for unit, _ in line.pieces for d in unit]
+        spaces = any(_spaces(line) for line in lines if line.number)
+        odd = any(what not in _PLAIN and not _INTO.fullmatch(what) for what in done)
+        uneven = any(_units(line) > _FEW for line in lines if line.number)
+        if (odd or spaces or uneven) and not set(done) <= _CHAIN:
             found.add(part)
     return frozenset(found)
 
 
-def _units(pieces: tuple[tuple[tuple[Done, ...], int], ...]) -> int:
+def _worked(line: Written) -> list[list[str]]:
+    """What works stitches in a round, in its order, thing by thing."""
+    made = [[d.what for d in unit if d.what not in RULES or d.what in ("mr", "ch")] for unit, _ in line.pieces]
+    return [one for one in made if one]
+
+
+def _units(line: Written) -> int:
     """Of how many different things, one after the other, a round is made."""
-    return sum(any(d.what not in RULES or d.what == "mr" for d in unit) for unit, _ in pieces)
+    return len(_worked(line))
+
+
+def _spaces(line: Written) -> bool:
+    """Whether chains stand among the stitches of a round, and do not only lift the hook at its beginning or its end."""
+    done = _worked(line)
+    inner = done[1:-1] if len(done) > 1 and done[-1] == ["ch"] else done[1:]
+    return any("ch" in one for one in inner) or bool(done and len(done[0]) > 1 and "ch" in done[0])
 
 
 def charts(book: Book) -> None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from math import asin, atan2, cos, pi, radians, sin
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from math import cos, pi, radians, sin
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -18,9 +18,8 @@ from tambour.crochet.language.finishes import Finish, Placed, spots_of
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.album import FEW, MANY, Album
 from tambour.crochet.page.angle import VIEW
-from tambour.crochet.page.portrait import turned
 from tambour.crochet.page.type import BACKDROP
-from tambour.geometry.motion import axes, dot
+from tambour.geometry.motion import axes, dot, turned
 from tambour.render.raster import film
 
 if TYPE_CHECKING:
@@ -31,8 +30,8 @@ _ABOVE: Final = radians(52.0)
 _UNDER: Final = 0.3
 """What is so far below a piece's middle, as a share of its height, is seen from below."""
 _NEAR: Final = (radians(10.0), radians(6.0))
-_THIN, _LONGISH, _STEEP = 0.5, 1.15, radians(88.0)
-"""How much thinner than wide what is flat is; how much longer than wide what is long is, as spreads; nearly straight above."""
+_THIN, _SOFT, _LONGISH = 0.5, 0.85, 1.15
+"""How much thinner than wide what is flat is, and what nobody stuffs; how much longer than wide what is long is, as spreads."""
 _LOW: Final = radians(-30.0)
 """Lower views are from below."""
 AIR: Final = 1.1
@@ -94,13 +93,30 @@ def steps(piece: Plush) -> list[Step]:
     first = [k for k in loose if k == main or k not in sewn]
     there, made = list(first), []
     face: list[Finish] = []
-    for parts, records in [*seams, *groups]:
+    for parts, records in _in_order([*seams, *groups], first, lambda n: _on(built.pattern.finish[n], names)):
         there += parts
         face += [built.pattern.finish[n] for n in records if not isinstance(built.pattern.finish[n], Placed)]
         # A face is only shown on parts that are there.
         shown = tuple(f for f in face if _on(f, names) in there)
         made.append(Step(tuple(there), tuple(parts), shown, tuple(records), not records))
     return made
+
+
+def _in_order(
+    groups: list[tuple[list[int], list[int]]], first: list[int], on: Callable[[int], int]
+) -> list[tuple[list[int], list[int]]]:
+    """Steps (parts, records) with faces that wait until the part they are on is there; ``on`` : the part of a record."""
+    there, made, waiting = set(first), [], []
+    for parts, records in groups:
+        if not parts and not {on(n) for n in records} <= there:
+            waiting.append((parts, records))
+            continue
+        there |= set(parts)
+        made.append((parts, records))
+        ready = [g for g in waiting if {on(n) for n in g[1]} <= there]
+        waiting = [g for g in waiting if g not in ready]
+        made += ready
+    return made + waiting
 
 
 def _on(record: Finish, names: dict[str, int]) -> int:
@@ -162,10 +178,10 @@ def of_parts(album: Album, parts: Sequence[int], width: int, height: int) -> Pic
     """Some parts by themselves, their broad side ahead."""
     from tambour.render.raster import picture
 
-    azimuth, elevation = _broad(album.piece, parts)
+    turn, (azimuth, elevation) = _broad(album.piece, parts)
     mesh = album.partial(parts)
-    if elevation < _LOW:
-        mesh, azimuth, elevation = turned(mesh), pi - azimuth, -elevation
+    if turn is not None:
+        mesh = replace(mesh, vertices=np.ascontiguousarray(turned(mesh.vertices, turn)))
     seen = picture(
         mesh,
         width=width,
@@ -189,12 +205,13 @@ def _shown(
     height: int,
 ) -> Picture:
     """What is ``there`` (parts, face) of a piece, seen so; what is seen from below is turned over, for light comes from above."""
+    from tambour.crochet.page.portrait import turned as over_turned
     from tambour.render.raster import picture
 
     azimuth, elevation = view
     over = elevation < _LOW
     if over:
-        mesh, frame, azimuth, elevation = turned(mesh), frame * (1.0, -1.0, -1.0), pi - azimuth, -elevation
+        mesh, frame, azimuth, elevation = over_turned(mesh), frame * (1.0, -1.0, -1.0), pi - azimuth, -elevation
     light: dict[str, Any] = {"lights": sum(FEW)} if over else {"lit": album.light(*there, azimuth)}
     seen = picture(
         mesh,
@@ -210,20 +227,27 @@ def _shown(
     return _on_paper(album, seen)
 
 
-def _broad(piece: Plush, parts: Sequence[int]) -> tuple[float, float]:
-    """From where parts show what they are: the usual view; what is flat straight ahead, what lies along the view from its side."""
+def _broad(piece: Plush, parts: Sequence[int]) -> tuple[Array | None, tuple[float, float]]:
+    """How parts are turned (3, 3), and from where they then show what they are: what is flat stands straight ahead, a piece in rows
+    with its first row below, another with its first round above; what lies along the usual view is seen from its side."""
     graph, x = piece.built.graph, piece.positions
     nodes = np.flatnonzero(np.isin(graph.part, list(parts)))
     spread, ways = axes(x[nodes])
-    if len(nodes) > 3 and spread[2] < _THIN * spread[1]:
-        way = ways[2] * (1.0 if dot(x[nodes].mean(0) - x.mean(0), ways[2]) >= 0.0 else -1.0)
-        if len(graph.parts) == len(list(parts)):
-            way = ways[2] * (1.0 if ways[2][2] >= 0.0 else -1.0)
-        return atan2(way[0], way[2]), max(-_STEEP, min(_STEEP, asin(max(-1.0, min(1.0, float(way[1]))))))
+    soft = all(graph.parts[k].stuffing == 0.0 for k in parts) and spread[1] > 0.4 * spread[0]
+    if len(nodes) > 3 and spread[2] < (_SOFT if soft else _THIN) * spread[1]:
+        out = ways[2] * (1.0 if dot(x[nodes].mean(0) - x.mean(0), ways[2]) >= 0.0 else -1.0)
+        mine = [r for r in piece.built.rounds if r.part == parts[0] and r.last >= r.first]
+        way = x[mine[0].first : mine[0].last + 1].mean(0) - x[mine[-1].first : mine[-1].last + 1].mean(0)
+        if Spots(piece.built).in_rows[parts[0]]:
+            way = -way
+        up = way - dot(way, out) * out
+        up = up if float(up @ up) > spread[1] ** 2 / len(nodes) else ways[0] * (1.0 if ways[0][1] >= 0.0 else -1.0)
+        up = up / max(float(np.sqrt(up @ up)), 1e-9)
+        return np.stack([np.cross(up, out), up, out]), (0.0, 0.0)
     ahead = np.array([sin(VIEW[0]), 0.0, cos(VIEW[0])])
     if spread[0] > _LONGISH * spread[1] and abs(float(ways[0] @ ahead)) > 0.6:
-        return VIEW[0] + 0.35 * pi, VIEW[1]
-    return VIEW
+        return None, (VIEW[0] + 0.35 * pi, VIEW[1])
+    return None, VIEW
 
 
 def from_side(album: Album, side: str, width: int, height: int) -> Picture:
@@ -241,7 +265,10 @@ def from_side(album: Album, side: str, width: int, height: int) -> Picture:
         for y in (points[:, 1].min(), points[:, 1].max())
     ]
     there = (album.all, album.face)
-    return _shown(album, album.partial(*there), np.concatenate(drum), SIDES[side], there, width, height)
+    azimuth, elevation = SIDES[side]
+    if side == "front" and any(part.up == "side" for part in piece.built.pattern.parts):
+        elevation = -elevation  # its mouth is below
+    return _shown(album, album.partial(*there), np.concatenate(drum), (azimuth, elevation), there, width, height)
 
 
 def of_step(album: Album, step: Step, frame: Array, view: tuple[float, float], width: int, height: int) -> Picture:
@@ -250,7 +277,7 @@ def of_step(album: Album, step: Step, frame: Array, view: tuple[float, float], w
     piece = album.piece
     known = Spots(piece.built)
     fresh = step.fresh or step.parts
-    if not step.fresh:
+    if not step.fresh and step.finishes:
         # A face is seen from near and in front: the parts that it is on fill the picture.
         hosts = {known.place(s).nodes[0] for r in step.finishes for s in spots_of(r)}
         part, x = piece.built.graph.part, piece.positions

@@ -157,7 +157,8 @@ class Spoken:
 
     def _held(self, placed: list[Placed]) -> list[str]:
         """How the parts' ends are, and where they point, as one sees it at the toy."""
-        said = [self.page["pinched"]] if placed[0].flat else []
+        rows = bool(self.spots.in_rows[self.spots.parts[placed[0].part]])  # laid on the fabric
+        said = [self.page["pinched"]] if placed[0].flat and not rows else []
         if placed[0].tilt < _LEANS:
             return said
         w = placed[0].towards % 360.0

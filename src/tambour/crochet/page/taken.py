@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
@@ -13,6 +14,7 @@ from tambour.crochet.finish.placing import frames
 from tambour.crochet.finish.sewing import end_of
 from tambour.crochet.graph.spots import Spots
 from tambour.crochet.language.finishes import Embroidery, Eye, Placed, Spot
+from tambour.geometry.near import nearest
 
 if TYPE_CHECKING:
     from tambour.crochet.piece import Plush
@@ -21,8 +23,11 @@ _SIDE: Final = 0.04
 """What is so near a quarter of its round from the middle, as a share of the round, is at the side."""
 _POINTS: Final = 0.42
 """A part points where this much of its way goes, as a cosine."""
+_APART: Final = re.compile(r"(\d+)\s+st(?:itche)?s?\s+apart")
 _FLAT: Final = 0.25
 """An end is sewn flat where for so many of its stitches a pair is sewn to one another; the outermost are neighbours anyway."""
+_TOUCHES: Final = 1.2
+"""Parts that come so near to one another touch, in stitches."""
 _LEVEL: Final = 2
 """An edge over no more rounds than this runs along a round."""
 _FACES: Final = (
@@ -119,30 +124,107 @@ class Taken:
         seams = [s for r in alike if len(s := self._seam(r))]
         if len(seams) < len(alike):
             return []
+        if end.laid:
+            return [
+                *self._laid(first, part),
+                self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round)), True),
+            ]
         low = round(float(np.mean([s[:, 0].min() for s in seams])))
         high = round(float(np.mean([s[:, 0].max() for s in seams])))
-        rounds = {"a": low, "b": high, "n": round((low + high) / 2)}
-        line = not end.ring and not end.laid
-        turn = round(first.across) % 180
-        if line and high - low <= _LEVEL and turn < 60:
-            count = self._count(host, rounds["n"])
-            offs = [np.sort(abs(s[:, 1]) if s[:, 1].min() * s[:, 1].max() > 0 else s[:, 1]) for s in seams]
-            ends = [float(np.mean([o[k] for o in offs])) for k in (0, -1)]
-            where = (
-                self._from_middle(first.spot.part, ends, count) if min(ends) >= 0.0 else self._middle(first, 0.0, count)
-            )
-            return [own["took edge"].format(**rounds), where, *self._points(alike)]
-        key = "took run" if line else "took laid" if end.laid else "took ring"
-        offs_ = [abs(self._off(r.spot)[0]) for r in alike]
-        count = self._count(host, round(first.spot.round))
-        said = [own[key].format(**rounds), self._middle(first, float(np.mean(offs_)), count)]
-        if len(alike) == 2 and not line and not end.laid:
+        turn = min(first.across % 180.0, -first.across % 180.0)
+        if end.ring:
+            said = [
+                own["took ring"].format(a=low, b=high),
+                self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round))),
+            ]
             near = [abs(s[abs(s[:, 0] - first.spot.round) < 0.6, 1]).min(initial=np.inf) for s in seams]
-            if np.isfinite(near).all():
+            if len(alike) == 2 and np.isfinite(near).all():
                 said.append(own["took gap"].format(n=round(float(sum(near)))))
+        elif high - low <= _LEVEL and turn < 60.0:
+            said = self._along(first, seams, round((low + high) / 2), len(alike))
+        else:
+            said = self._across(alike, low, high, len(end.nodes) - len(end.pinched))
+        return [*said, *self._points(alike), *self._rests(alike, host)]
+
+    def _rests(self, alike: list[Placed], host: int) -> list[str]:
+        """What parts that hang down lie on at last, other than what they are sewn to."""
+        piece, graph = self.piece, self.built.graph
+        names = dict[str, None]()
+        for record in alike:
+            mine = graph.parts[self.spots.parts[record.part]]
+            own = piece.positions[mine.start : mine.end]
+            for k, other in enumerate(graph.parts):
+                section = self.built.parts[k].section
+                if (
+                    k == host
+                    or other.end <= other.start
+                    or section == self.built.parts[self.spots.parts[record.part]].section
+                ):
+                    continue
+                far, at = nearest(own, piece.positions[other.start : other.end])
+                near = far[:, 0] < _TOUCHES * piece.stitch[0]
+                below = own[near, 1] > piece.positions[other.start + at[near, 0], 1]
+                if near.sum() >= 3 and below.mean() > 0.5:
+                    names[self.built.pattern.parts[section].name] = None
+        return [self.own["took rests"].format(part=name) for name in names]
+
+    def _mean_off(self, alike: list[Placed]) -> float:
+        return float(np.mean([abs(self._off(r.spot)[0]) for r in alike]))
+
+    def _laid(self, record: Placed, part: int) -> list[str]:
+        """How far a flat piece reaches: of one in rows from its first to its last, of a disc its middle."""
+        level = record.spot.round
         if self.spots.in_rows[part]:
-            said.append(self._row_one(part))
-        return [*said, *([] if end.laid else self._points(alike))]
+            rows = sum(r.part == part and r.number > 0 for r in self.built.rounds)
+            low = round(level - 0.5 * rows)
+            return [self.own["took from row"].format(a=low, b=low + rows - 1), self._row_one(part)]
+        return [self._at(level)]
+
+    def _at(self, level: float) -> str:
+        """The middle of something on its round, or between two."""
+        if abs(level - round(level)) < 0.3:
+            return self.own["took at middle"].format(n=round(level))
+        between = self.own["took between"].format(a=int(level), b=int(level) + 1)
+        return self.own["its middle"].format(what=between)
+
+    def _along(self, first: Placed, seams: list[Array], level: int, copies: int) -> list[str]:
+        """Of an edge along a round the stitches from the middle, the first of them beside it; how many are between two."""
+        count = self._count(self.spots.parts[first.spot.part], level)
+        lone = any(s[:, 1].min() * s[:, 1].max() < 0.0 and abs(s[:, 1]).max() < count / 4 for s in seams)
+        if lone or not count:
+            return [self.own["took round"].format(n=level), self._middle(first, abs(self._off(first.spot)[0]), count)]
+        far = float(np.mean([abs(s[:, 1]).mean() for s in seams])) > count / 4
+        offs = [count / 2 - abs(s[:, 1]) if far else abs(s[:, 1]) for s in seams]
+        a, b = (max(1, round(float(np.mean([end(o) for o in offs])) + 0.49)) for end in (np.min, np.max))
+        key = (
+            ("side under" if far else "side top")
+            if self._lies(first.spot.part)
+            else ("side back" if far else "side front")
+        )
+        said = [self.own["took edge"].format(n=level, a=a, b=b, side=self.own[key])]
+        return [*said, *([self.own["took gap"].format(n=2 * (a - 1))] if copies == 2 and a > 1 else [])]
+
+    def _across(self, alike: list[Placed], low: int, high: int, stitches: int) -> list[str]:
+        """Of an edge across rounds those that it runs over, where on them, and how it is eased onto them."""
+        first, own = alike[0], self.own
+        count = self._count(self.spots.parts[first.spot.part], round(first.spot.round))
+        where = self._middle(first, self._mean_off(alike), count)
+        if self._lies(first.spot.part):
+            level = first.spot.round
+            at = own["took round"].format(n=round(level))
+            if abs(level - round(level)) >= 0.3:
+                at = own["took between"].format(a=int(level), b=int(level) + 1)
+            return [own["took lengthwise"].format(where=at), where]
+        said = [own["took run"].format(a=low, b=high), where]
+        if stitches > high - low + 1:
+            said.append(own["took eased"].format(m=stitches, n=high - low + 1))
+        apart = _APART.search(self._words(first).lower())
+        if len(alike) == 2 and apart is not None and abs(int(apart[1]) - 2 * low) <= 1.5:
+            said.append(own["took crown"].format(n=apart[1]))
+        return said
+
+    def _words(self, record: Placed) -> str:
+        return self.built.pattern.text.text[record.span.start : record.span.end]
 
     def _seam(self, record: Placed) -> Array:
         """Where a part is sewn on, (K, 2): round, and stitches from the middle of the front, left of it negative."""
@@ -188,7 +270,12 @@ class Taken:
         if len(alike) == 1:
             x = 0.0
         found = [("outwards", x), ("upwards", y), ("downwards", -y), ("forwards", z), ("backwards", -z)]
-        return [self.own[key] for key, share in sorted(found, key=lambda f: -f[1]) if share >= _POINTS]
+        strong = sorted((f for f in found if f[1] >= _POINTS), key=lambda f: -f[1])
+        said = [self.own[f"way {key}"] for key, _ in strong[:1]]
+        for key, share in strong[1:]:
+            way = self.own[f"way {key}"]
+            said.append(way if share > 0.85 * strong[0][1] else self.own["slightly"].format(way=way))
+        return [self.own["points"].format(ways=", ".join(said))] if said else []
 
     # -- places on a round ------------------------------------------------------------------------------------------
 
@@ -211,8 +298,8 @@ class Taken:
         section = self.built.parts[self.spots.parts[part]].section
         return self.built.pattern.parts[section].up == "side"
 
-    def _middle(self, record: Placed, off: float, count: int) -> str:
-        """Where the middle of a part is on its round of ``count``."""
+    def _middle(self, record: Placed, off: float, count: int, plain: bool = False) -> str:
+        """Where the middle of a part is on its round of ``count``; ``plain``: of which its middle was spoken before."""
         lies = self._lies(record.spot.part)
         if off <= 1.0:
             return self.own["on top" if lies else "in front"]
@@ -220,7 +307,8 @@ class Taken:
             return self.own["took under" if lies else "behind"]
         if abs(off - count / 4) <= _SIDE * count:
             return self.own["at side"]
-        return self._from_middle(record.spot.part, [off], count)
+        said = self._from_middle(record.spot.part, [off], count)
+        return said if plain else self.own["its middle"].format(what=said)
 
     def _from_middle(self, part: str, offs: Sequence[float], count: int) -> str:
         """So many stitches, or from so many to so many, from the nearer middle: of front or back, of top or underside."""

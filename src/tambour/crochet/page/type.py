@@ -22,6 +22,10 @@ LEADING = 1.45
 _GLUED = re.compile(r"(?<=\d) (?=(?:mm|cm|m|g|l|in|yd)\b)|(?<=\w) (?=[;:!?»])|(?<=«) ")
 
 
+_LIGATURES = str.maketrans({"ﬀ": "ff", "ﬁ": "fi", "ﬂ": "fl", "ﬃ": "ffi", "ﬄ": "ffl", "ﬅ": "st", "ﬆ": "st"})
+"""Letters that files of others join to one sign, which few fonts have."""
+
+
 @lru_cache(maxsize=20_000)
 def width_of(text: str, size: float, bold: bool = False) -> float:
     """Width of a line of text, mm."""
@@ -33,7 +37,7 @@ def wrap(text: str, size: float, room: float, bold: bool = False) -> list[str]:
     lines: list[str] = []
     line = ""
     # A number stays with its unit, a mark with the word before it.
-    glued = _GLUED.sub("\u00a0", " ".join(text.split()))
+    glued = _GLUED.sub("\u00a0", " ".join(text.translate(_LIGATURES).split()))
     for word in glued.split(" ") if glued else []:
         trial = f"{line} {word}" if line else word
         if width_of(trial, size, bold) <= room:

@@ -242,7 +242,7 @@ class Writer:
             name = hers[0] if hers is not None else name
         taken = {s.lower() for spellings in self.terms.words.values() for s in spellings}
         part = self.terms.word("part")
-        if name.lower() in taken or name.lower().startswith(part.lower()):
+        if self.exact and (name.lower() in taken or name.lower().startswith(part.lower())):
             return f"{part}: {name}"
         return name
 

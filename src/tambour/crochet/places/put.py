@@ -11,7 +11,7 @@ import numpy as np
 
 from tambour.core.check import Array
 from tambour.crochet.language.finishes import Placed, Spot
-from tambour.crochet.places.beside import SIDE
+from tambour.crochet.places.beside import ABOVE, SIDE
 from tambour.crochet.places.hear import Copy, Put
 from tambour.crochet.places.held import BESIDE, SPREAD
 from tambour.crochet.places.jointed import Jointer
@@ -245,7 +245,8 @@ class Putter(Jointer):
             if at.aside is not None and len(put.copies) == 1:
                 return Spot(host.name, level, host.aside(level, at.aside), put.span), way
             stitch = host.in_round(level, direction)
-            if beside is not None and len(put.copies) == 2 and any(b[0] in SIDE for b in at.beside):
+            side_by = any(b[0] in SIDE or (b[0] in ABOVE and b[2] is None) for b in at.beside)
+            if beside is not None and len(put.copies) == 2 and side_by and self._apart(at) is None:
                 return Spot(host.name, level, host.in_round(level, beside - host.box[0]), put.span), way
             if len(put.copies) == 1 and (abs(way.at[0]) > 0.2 or way.at[2] < 0.2):
                 stitch = round(2.0 * stitch) / 2.0

@@ -32,6 +32,13 @@ _PARTLY: Final = frozenset("last remaining rem rest top end over overstuff weigh
 """Words of sentences that say how, or how far, a part is not stuffed."""
 
 
+_ONLY: Final = re.compile(r"\b(?:just|only)\s+the\b", re.IGNORECASE)
+_TIPS: Final = frozenset(
+    ("tip", "tips", "end", "ends", "bottom", "toe", "toes", "paw", "paws", "hoof", "hooves", "hand", "hands")
+)
+"""Words of sentences that have a part's end stuffed, and no more."""
+
+
 def finishing(p: State, tokens: list[Token]) -> bool:
     """Whether a sentence puts a part or a face somewhere; it is kept until all parts are known."""
     if not p.parts or p.mode in ("materials", "abbreviations"):
@@ -52,10 +59,10 @@ def finishing(p: State, tokens: list[Token]) -> bool:
     return True
 
 
-def stuffed(tokens: list[Token], part: str = "") -> float | None:
+def stuffed(tokens: list[Token], part: str = "", said: str = "") -> float | None:
     """How much a sentence wants the part stuffed; -1 when it says only that it is.
 
-    part : the name of the part that it stands in. "Do not stuff ears", in a note under the legs, is not said of them; "do not
+    part : the name of the part that it stands in; said : its words as they stand in the text. "Do not stuff ears", in a note under the legs, is not said of them; "do not
     overstuff", "do not stuff the last rounds", "do not use pellets to stuff" leave no part empty.
     """
     if not any(t.kind == "key" and t.value == "stuff" for t in tokens) or len(tokens) > 14:
@@ -67,6 +74,8 @@ def stuffed(tokens: list[Token], part: str = "") -> float | None:
         _PARTLY & set(words) or any(kind_of(one(w)) not in ("", *Made(part, 1).kinds) for w in words)
     ):
         return -1.0
+    if _ONLY.search(said) and any(kind_of(one(w)) or w in _TIPS for w in words):
+        return STUFFING["light"]  # "stuff just the paw": the rest stays soft
     for word, amount in (("not", "none"), ("light", "light"), ("medium", "medium"), ("firm", "firm")):
         if any(t.kind == "key" and t.value == word for t in tokens):
             return STUFFING[amount]

@@ -236,7 +236,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         else:
             setattr(draft, name, value)
         return True
-    stuffing = stuffed(tokens, draft.name if draft is not None else "")
+    stands = p.source.text.text[tokens[0].start : tokens[-1].end]
+    stuffing = stuffed(tokens, draft.name if draft is not None else "", stands)
     if stuffing is not None and draft is not None:
         if stuffing >= 0:
             draft.stuffing = stuffing
