@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from itertools import pairwise
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -13,6 +14,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tambour import files
+from tambour.cli.craft import pictured
 from tambour.core.check import Array
 from tambour.core.errors import TambourError, Text
 from tambour.core.mesh import Mesh
@@ -40,7 +43,7 @@ from tambour.crochet.model.rounds import Round, Rounds, even, pattern, printed
 from tambour.crochet.model.seating import alike, longer, nudged
 from tambour.crochet.model.settled import settled
 from tambour.crochet.model.tips import Mirror, facing, mirror, stands
-from tambour.crochet.model.whole import bodies, refined, volume
+from tambour.crochet.model.whole import bodies, refined, volume, where
 from tambour.crochet.page import instructions
 from tambour.crochet.page.own import pattern as printed_anew
 from tambour.crochet.params import CrochetParams
@@ -218,15 +221,25 @@ def test_a_box_inside_out_is_turned() -> None:
     assert volume(*found[0][:2]) == pytest.approx(1.0)
 
 
-def test_handles_are_told_with_where_they_are() -> None:
+def test_handles_are_told_with_where_they_are_and_shown(tmp_path: Path) -> None:
     a, b = np.meshgrid(2 * np.pi * np.arange(24) / 24, 2 * np.pi * np.arange(12) / 12, indexing="ij")
     x = np.stack([(3 + np.cos(b)) * np.cos(a), np.sin(b), (3 + np.cos(b)) * np.sin(a)], -1).reshape(-1, 3)
     k = np.arange(24 * 12).reshape(24, 12)
     right, up = np.roll(k, -1, 0), np.roll(k, -1, 1)
     corner = np.roll(right, -1, 1)
     faces = np.concatenate([np.stack([k, corner, right], -1), np.stack([k, up, corner], -1)]).reshape(-1, 3)
-    with pytest.raises(TambourError, match=r"a handle .*near \d+ % of its width"):
+    with pytest.raises(TambourError, match=r"a handle .*near \d+ % of its width") as told:
         made(Mesh(x, faces))
+    loop = where(x, faces)
+    assert (
+        6.0 < girth(loop) < 10.0 and np.sqrt((loop.mean(0)[[0, 2]] ** 2).sum()) > 2.0
+    )  # about the tube, not about the hole
+    again = pictured(told.value, (str(tmp_path / "ring.txt"), "-o"))
+    assert "ring.handles.png shows where" in again.problems[0].hint
+    assert [p.name for p in tmp_path.iterdir()] == ["ring.handles.png"]
+    shown = files.read(tmp_path / "ring.handles.png", ("Picture",)).rgba[..., :3].astype(int)
+    assert ((shown[..., 0] - shown[..., 1]) > 60).sum() > 500
+    assert pictured(told.value, ()) is told.value
 
 
 def horned(radius: float = 40.0, long: float = 1.5, wide: float = 0.3) -> tuple[Array, Array]:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any, Literal, get_args, get_origin
 
 import click
 
 from tambour.cli.process import BEGAN, streams
+from tambour.core.errors import TambourError, shown, spelt
 from tambour.core.errors import option as spelling
-from tambour.core.errors import shown, spelt
 
 
 class _Option(click.Option):
@@ -146,12 +147,31 @@ def made_and_told(
     from tambour.run import run
 
     with _bar(quiet) as progress, streams(what.reads, source, out) as (given, places):
-        made = run(what, given, params, places, progress, BEGAN, report, edits)
+        try:
+            made = run(what, given, params, places, progress, BEGAN, report, edits)
+        except TambourError as error:
+            raise pictured(error, places if places == out else ()) from None
     for problem in progress.warnings:
         click.echo(str(problem), err=True)
     if not quiet and places == out:  # else standard output is the piece
         summary(made)
     return made
+
+
+def pictured(error: TambourError, out: tuple[str, ...]) -> TambourError:
+    """An error that a picture shows best, with that picture beside the first file that was asked for, and its name in the hint."""
+    from pathlib import Path
+
+    from tambour.files import write
+
+    if error.seen is None or not out or out[0].startswith("."):
+        return error
+    name, draw = error.seen
+    path = Path(out[0])
+    path = path.with_name(f"{path.name.split('.')[0]}.{name}.png")
+    write(draw(), path, "Picture")
+    first = replace(error.problems[0], hint=f"{error.problems[0].hint}; {path} shows where")
+    return TambourError([first, *error.problems[1:]])
 
 
 def summary(report: dict[str, Any]) -> None:

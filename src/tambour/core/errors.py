@@ -186,6 +186,9 @@ class TambourError(Exception):
       at least --width 5mm
     """
 
+    seen: tuple[str, Callable[[], Any]] | None = None
+    """Where a picture shows it best: what that is called, and what draws it."""
+
     def __init__(
         self,
         problems: str | Problem | Iterable[Problem],

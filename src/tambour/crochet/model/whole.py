@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from tambour.core.check import Array
 from tambour.core.errors import TambourError
 from tambour.core.mesh import Mesh
+
+if TYPE_CHECKING:
+    from tambour.core.picture import Picture
 
 WELD = 1e-5
 """Corners nearer to each other than this share of the size are one."""
@@ -138,7 +143,8 @@ class Handles(TambourError):
 
     def __init__(self, vertices: Array, faces: Array, count: int) -> None:
         self.vertices, self.faces, self.count = vertices, faces, count
-        at = where(vertices, faces)
+        loop = where(vertices, faces)
+        at = loop.mean(0)
         low, high = vertices.min(0), vertices.max(0)
         share = np.round(100 * (at - low) / np.maximum(high - low, 1e-12)).astype(int)
         words = "a handle" if count == 1 else f"{count} handles"
@@ -147,23 +153,49 @@ class Handles(TambourError):
             f"height and {share[2]} % of its depth: rounds cannot be worked through it",
             hint="fill the hole, or cut the handle off and model it as a body of its own",
         )
+        self.seen = "handles", lambda: marked(vertices, faces, loop)
 
 
 def where(vertices: Array, faces: Array) -> Array:
-    """The middle (3,) of a short loop through a handle of a closed surface of genus 1 or more: where two fronts meet."""
+    """A short loop (K, 3) around a handle of a closed surface of genus 1 or more: where two fronts meet."""
     from tambour.crochet.model.geodesic import distances, girth, lines
 
     d = distances(vertices, faces, np.array([int(vertices[:, 1].argmin())]))
-    best, middle = np.inf, vertices.mean(0)
+    best, found = np.inf, vertices
     past = 1
     for value in np.linspace(0.02, 0.98, 49) * float(d[np.isfinite(d)].max()):
         loops = lines(vertices, faces, d, float(value))
         if len(loops) != past and len(loops) > 1:
             short = min(loops, key=girth)
             if girth(short) < best:
-                best, middle = girth(short), short.mean(0)
+                best, found = girth(short), short
         past = len(loops)
-    return middle
+    return found
+
+
+RED, GREY = (196, 54, 40), (206, 202, 194)
+"""A handle's tightest place in a picture, and the rest of the model."""
+
+
+def marked(vertices: Array, faces: Array, loop: Array) -> Picture:
+    """A picture of a surface with what lies about a loop (K, 3) of it in red: from where the loop is nearest, and from its side."""
+    from math import atan2, radians
+
+    from tambour.core.picture import Picture
+    from tambour.geometry.near import nearest
+    from tambour.render.raster import picture
+
+    size = float(np.ptp(vertices, axis=0).max())
+    x, f, _ = refined(vertices, faces, 0.03 * size)
+    near = nearest(x, loop)[0][:, 0] < 0.03 * size
+    mesh = Mesh(x, f, color=np.where(near[:, None], RED, GREY).astype(np.uint8))
+    off = loop.mean(0) - x.mean(0)
+    ahead = atan2(float(off[0]), float(off[2]))
+    sides = [
+        picture(mesh, width=600, height=600, azimuth=ahead + turn, elevation=radians(20.0), ground=False).rgba
+        for turn in (radians(20.0), radians(110.0))
+    ]
+    return Picture(np.concatenate(sides, axis=1))
 
 
 def closed_up(x: Array, faces: Array, origin: Array, tell: list[str]) -> tuple[Array, Array, Array]:
