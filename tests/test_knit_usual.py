@@ -128,3 +128,30 @@ def test_colours_are_those_that_a_person_sees():
     technique, colours, piece = made(np.kron(pixels, np.ones((9, 9, 1), np.uint8)))
     assert technique == "intarsia" and (piece.chart.palette.rgb[piece.chart.cells[::-1]] == pixels).all()
     assert piece.figures["violations"] == 0 and piece.figures["embroidered"] > 0
+
+
+@pytest.mark.parametrize(
+    "more, words",
+    [
+        ({"rows": 30, "gauge": "24x32"}, ("44% lower", "{--rows} 53 ")),
+        ({"rows": 80, "gauge": "24x32"}, ("50% taller", "{--rows} 53 ")),
+        ({"rows": 30}, ("25% lower", "{--rows} 40 ")),
+        ({"rows": 53, "gauge": "24x32"}, None),
+        ({"rows": 53}, None),  # by a gauge in the knitter's head
+        ({"rows": 40}, None),
+        ({"gauge": "24x32"}, None),
+    ],
+)
+def test_rows_that_squash_the_picture_are_told(more, words):
+    told = Progress()
+    lay(picture(photo(200, 200)), KnitParams(stitches=40, **more), told)
+    said = [w for w in told.warnings if "than it is" in w.message]
+    assert len(said) == (words is not None)
+    if words:
+        assert words[0] in said[0].message and words[1] in said[0].hint + " "
+        rows = int(said[0].hint.split()[1])
+        assert (
+            lay(picture(photo(200, 200)), KnitParams(stitches=40, **more | {"rows": rows}), told).picture.shape[0]
+            == rows
+        )
+        assert len([w for w in told.warnings if "than it is" in w.message]) == 1

@@ -6,6 +6,7 @@ from itertools import combinations, pairwise, product
 
 import numpy as np
 import pytest
+from scipy.ndimage import zoom
 
 from tambour.core.errors import TambourError, Text
 from tambour.core.picture import Picture
@@ -172,3 +173,16 @@ def test_flat_art_keeps_its_pairs_over_blocks_of_rows():
     assert (shown == rgb).all()  # before lice, every stitch has its own colour
     lice = piece.chart.cells != piece.start
     assert 0 < lice.mean() < 0.2
+
+
+def test_a_photograph_that_more_than_two_yarns_cut_into_bands_is_told():
+    rgb = np.asarray(zoom(np.random.default_rng(4).integers(0, 256, (6, 5, 3)), (14, 14, 1), order=1), np.uint8)
+    rgb = np.clip(rgb + np.random.default_rng(5).normal(0, 4, rgb.shape), 0, 255).astype(np.uint8)
+    source = Picture(np.dstack([rgb, np.full(rgb.shape[:2], 255, np.uint8)]))
+    for count in (2, 3):
+        told = Progress()
+        piece = make(source, KnitParams(stitches=60, yarns=count), told)
+        said = [w for w in told.warnings if "across the photograph" in w.message]
+        assert piece.figures["style"] == "graphic" and len(said) == (count == 3 and piece.figures["switches"] > 0)
+    assert piece.figures["switches"] > 0 and "{--yarns} 2" in said[0].hint
+    assert not [w for w in made(yarns=3)[1].warnings if "across the photograph" in w.message]  # flat art

@@ -15,8 +15,10 @@ from tambour.knit.params import KnitParams
 from tambour.knit.picture import resample, shapes, usual
 from tambour.knit.picture.areas import Areas
 from tambour.knit.task import NONE, PLAIN
+from tambour.weights import WEIGHTS
 
 HEAVY = 9.0  # the dearest flips cost 1 + HEAVY
+OFF = 0.05  # share of its height that a picture may come lower or taller without a word
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -106,6 +108,13 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
         rows, stitches = resample.size(params.model_copy(update=within), width, height)
     else:
         rows, stitches = resample.size(params, width, height)
+    if (
+        params.rows is not None
+        and params.stitches is not None
+        and not params.repeat
+        and not isinstance(params.shape, str)
+    ):
+        _told_height(rows, stitches, (height, width), params, progress)
     picture = resample.resample(whole, rows, stitches)[::-1]
     if twice == 2:
         picture, stitches = shapes.arranged(picture, params.arrange), 2 * stitches
@@ -161,6 +170,23 @@ def lay(source: Picture, params: KnitParams, progress: Progress) -> Layout:
         repeat,
         copies,
         params.stitches is None and params.rows is None,
+    )
+
+
+def _told_height(rows: int, stitches: int, shape: tuple[int, int], params: KnitParams, progress: Progress) -> None:
+    """Say how much lower or taller than it is a picture of ``shape`` (H, W) is knitted, where its rows were asked for. Without a gauge
+    stitches may have been counted as square, or as the yarn is usually knitted."""
+    gauge = resample.gauge_of(params)
+    wide, high = WEIGHTS[params.yarn_weight].knit
+    even = stitches * shape[0] / shape[1]
+    least, most = [even * gauge.rows / gauge.stitches] * 2 if gauge else (even, even * high / wide)
+    if least * (1 - OFF) <= rows <= most * (1 + OFF):
+        return
+    near = least if rows < least else most
+    how = f"{(1 - rows / near):.0%} lower" if rows < near else f"{(rows / near - 1):.0%} taller"
+    kept = max(1, (params.rows or rows) + round(near) - rows)
+    progress.warn(
+        f"the picture is knitted {how} than it is", hint=f"{{--rows}} {kept} keeps its shape", where="{--rows}"
     )
 
 

@@ -83,6 +83,12 @@ def make(layout: Layout, style: Style, params: KnitParams, limit: int, progress:
             cells = stages.solved(whole, params, progress)
     switches = int((chosen[1:] != chosen[:-1]).sum())
     piece = assemble(State(whole, cells, layout, pairs), palette, kind, how, params, before, progress)
+    if kind == "photograph" and areas and switches:
+        other = "jacquard" if params.machine else "intarsia"
+        progress.warn(
+            f"two of the {len(palette)} yarns in a row: {switches} change(s) of them go right across the photograph",
+            hint=f"{{--yarns}} 2 keeps its shapes whole; {{--technique}} {other} has all yarns in a row",
+        )
     told = {"style": style.name, "why": style.why, "technique": "stranded", "seen_from": style.metres}
     more = {"yarns": len(palette), "switches": switches, **colour_error(piece, aim, space)}
     figures = {**told, **piece.figures, **more}
