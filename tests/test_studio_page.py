@@ -929,6 +929,23 @@ def test_follow(page, server):
     until(page, "document.querySelector('.words .row')?.textContent === 'Rnd 2'")
 
 
+def test_what_a_toy_takes_besides_yarn_and_how_it_is_closed_are_said_in_words(page):
+    """Facts had no eyes, and the last stitch of a toy was a “tip6tog” in Follow."""
+    text = BALL.replace(
+        "Fasten off.",
+        "Insert 9 mm safety eyes between rounds 2 and 3, 3 stitches apart. Stuff firmly.\nFasten off, close the hole.",
+    )
+    pid = new(page, {"craft": "crochet", "source": {"text": text, "name": "ball.txt"}, "title": "ball"})
+    made(page)
+    page.wait_for_selector(".side.right >> text=2 eyes, black")
+    page.wait_for_selector(".side.right >> text=stuffing")
+    page.goto(f"{page.url.split('/#')[0]}/follow/{pid}")
+    page.wait_for_selector(".hands .on")
+    for _ in range(3):
+        page.click(".hands .on")
+    page.wait_for_selector(".tokens >> text=draw 6 together")
+
+
 def test_a_phone_is_let_in_from_the_page_and_let_go(page, browser):
     new(page, {"craft": "crochet", "source": {"text": BALL, "name": "ball.txt"}, "title": "ball"})
     made(page)

@@ -21,7 +21,7 @@ export function facts(piece, { part, go, at, checked, tinted, nudge }) {
     ${report?.size_mm ? html`<h2 class="head">Size</h2><p class="big">${report.size_mm.map(cm).join(" × ")} cm</p>
       <p class="quiet">wide × high × deep · ${[report.size?.measured, report.size_mm.map(inches).join(" × ") + " in"].filter(Boolean).join(" · ")}</p>` : ""}
     ${yarns.length ? html`<h2 class="head">Yarn</h2><ul class="facts">${yarns.map((/** @type {any} */ y) => html`<li><span><i class="swatch" ${ref(dyed(y.color))}></i> ${y.name || report.named?.[y.color] || y.color}</span>
-      <span class="number">${y.metres.toFixed(1)} m${y.grams ? html` <span class="quiet">${Math.max(1, Math.round(y.grams))} g</span>` : ""}</span></li>`)}</ul>` : ""}
+      <span class="number">${y.metres.toFixed(1)} m${y.grams ? html` <span class="quiet">${Math.max(1, Math.round(y.grams))} g</span>` : ""}</span></li>`)}</ul>` : ""}${beside(report)}
     ${pack ? html`<h2 class="head">Parts</h2><ul>${pack.facts.parts.map((/** @type {any} */ p, /** @type {number} */ k) => html`<li>
       <button class="rowbutton" aria-pressed=${part.value === k} @click=${() => (part.value = part.value === k ? -1 : k)}>
         <i class="swatch" ${ref(dyed(tinted ? partly(k) : hue(pack, p)))}></i> ${p.name}<span class="number">${number(p.end - p.start)}</span></button>
@@ -33,6 +33,22 @@ export function facts(piece, { part, go, at, checked, tinted, nudge }) {
     ${apart(report?.assembly ?? [])}
     ${craft ? html`<h2 class="head">Words and pages</h2>${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.group !== "Yarn and gauge" && f.tier !== "rare" && name !== "check" })}
       <details class="group"><summary>How it is worked out</summary>${fields(craft.form, piece.params.value, { set, problems, only: (name, f) => f.tier === "rare" })}</details>` : ""}`;
+}
+
+/** What it takes beside yarn to crochet with: eyes, thread to embroider, felt, hair, stuffing. @param {any} report */
+function beside(report) {
+  const m = report?.materials;
+  if (!m) return "";
+  const of = (/** @type {string} */ color, /** @type {string} */ what, /** @type {string} */ much) => html`<li><span><i class="swatch" ${ref(dyed(color))}></i> ${what}, ${report.named?.[color] ?? color}</span><span class="number">${much}</span></li>`;
+  const size = (/** @type {number[]} */ ...mm) => `${mm.map((v) => Math.round(10 * v) / 10).join(" × ")} mm`;
+  const all = [
+    ...m.eyes.map((/** @type {any} */ e) => of(e.color, counted(e.count, "eye"), size(e.size_mm))),
+    ...m.embroidery.map((/** @type {any} */ e) => of(e.color, "to embroider", `${number(Math.round(e.cm))} cm`)),
+    ...m.felt.map((/** @type {any} */ f) => of(f.color, `${f.count} × felt`, size(f.width_mm, f.height_mm))),
+    ...m.hair.map((/** @type {any} */ h) => of(h.color, `hair, ${counted(h.strands, "strand")}`, `${size(h.cut_mm)} each`)),
+    ...(m.stuffing.grams ? [html`<li><span>stuffing</span><span class="number">${Math.max(1, Math.round(m.stuffing.grams))} g</span></li>`] : []),
+  ];
+  return all.length ? html`<h2 class="head">Besides</h2><ul class="facts">${all}</ul>` : "";
 }
 
 /** Parts whose seam is drawn far: as they are sewn now, cloth would be pulled there. @param {any[]} assembly */

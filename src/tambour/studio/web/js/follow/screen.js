@@ -169,6 +169,7 @@ export async function follow(root, { title, craft, pack, steps, place, to }) {
   /** A stitch's name as patterns have it; ``n`` of them are worked into one. @param {number} i @param {number} n */
   function name(i, n) {
     const { kind, over } = pack.arrays, plain = pack.facts.kinds[kind[i]];
+    if (plain === "tip") return `draw ${over?.[i] ?? ""} together`;
     if (over?.[i] > 1) return plain === "sc" && over[i] === 2 ? "dec" : `${plain}${over[i]}tog`;
     return n === 1 ? plain : n === 2 && plain === "sc" ? "inc" : `${n} ${plain} in one`;
   }
