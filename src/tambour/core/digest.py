@@ -9,7 +9,8 @@ from typing import Any
 
 
 def digest(value: Any) -> str:
-    """SHA-256 (hex) over a value's content: records, arrays, texts, numbers, sequences and mappings thereof."""
+    """SHA-256 (hex) over a value's content: records, arrays, texts, numbers, sequences and mappings thereof, and functions that
+    give one, as a moving mesh's frames."""
     h = hashlib.sha256()
     _feed(h, value)
     return h.hexdigest()
@@ -37,5 +38,8 @@ def _feed(h: Any, value: Any) -> None:
         h.update(value)
     elif value is None or isinstance(value, (str, int, float, bool)):
         h.update(f"{type(value).__name__}:{value!r};".encode())
+    elif callable(value):
+        for item in value():
+            _feed(h, item)
     else:
         raise TypeError(f"no digest for a {type(value).__name__}")
