@@ -489,3 +489,28 @@ def test_legs_of_what_lies_that_are_told_to_be_at_its_bottom_are_before_and_behi
     _, spots, x = laid(pattern)
     front, back = centre(spots, x, "FRONT LEGS.1"), centre(spots, x, "BACK LEGS.1")
     assert front[2] - back[2] > 2.5
+
+
+def test_of_clothes_that_nothing_sews_together_the_scraps_are_not_shown() -> None:
+    from tambour.crochet.looks import in_sight
+
+    edging = "SKIRT EDGING\nCh 6.\nRow 1: sc in 2nd ch from hook and in each ch across (5)\nFasten off.\n\n"
+    skirt = BALL.format("SKIRT", "Fasten off.\n").replace(
+        "Rnd 11: (2 sc, dec) x 6 (18)\nRnd 12: (sc, dec) x 6 (12)\n", ""
+    )
+    pattern = text(skirt + edging + skirt.replace("SKIRT", "PURSE"), "Weave in ends.", "Outfit")
+    piece = make(pattern, CrochetParams(tolerance=0.3), Progress())
+    seen = in_sight(piece)
+    assert seen is not None and {piece.built.graph.parts[k].name for k in seen} == {"SKIRT", "PURSE"}
+
+
+def test_cheeks_beside_each_other_do_not_run_into_one() -> None:
+    pattern = read(
+        BALL.format("BODY", CLOSED),
+        "Attach the safety eyes between Rnds 7 and 8, 2 sts apart. With pink, embroider cheeks below the eyes.",
+    )
+    _, spots, x = laid(pattern)
+    cheeks = [r for r in pattern.finish if isinstance(r, Embroidery) and r.motif == "cheeks"]
+    wide = [np.ptp(frames(spots, x, list(r.spots)).points[:, 0]) for r in cheeks]
+    middles = [frames(spots, x, list(r.spots)).points[:, 0].mean() for r in cheeks]
+    assert len(cheeks) == 2 and abs(middles[0] - middles[1]) > 0.5 * (wide[0] + wide[1])

@@ -137,6 +137,25 @@ def _thing(part: Made) -> bool:
     return named and not part.worn and part.kind in ("", "bow")
 
 
+def _without_rests(piece: Plush, filled: list[int]) -> list[int] | None:
+    """The parts of a pattern that sews nothing together, as a doll's clothes, without edgings and scraps; None for all."""
+    import re
+
+    from tambour.crochet.places.names import Made
+
+    parts, sections = piece.built.graph.parts, piece.built.pattern.parts
+    made = {k: Made(sections[piece.built.parts[k].section].name, 1) for k in filled}
+    size = {k: parts[k].end - parts[k].start for k in filled}
+    kept = [
+        k
+        for k in filled
+        if not (_REST & set(made[k].words) and size[k] < max(size.values()))
+        and not re.fullmatch(r"(?:part|piece)_\w+", made[k].name)
+        and size[k] > BESIDE * max(size.values())
+    ]
+    return kept if 0 < len(kept) < len(filled) else None
+
+
 def in_sight(piece: Plush) -> list[int] | None:
     """The parts that pictures of a printed pattern's toy show; None for all of them.
 
@@ -148,10 +167,12 @@ def in_sight(piece: Plush) -> list[int] | None:
     from tambour.crochet.settle.arrange import clusters
 
     graph, pattern = piece.built.graph, piece.built.pattern
-    if not pattern.terms or not (piece.joining is not None and piece.joining.joins):
-        return None
-    label = clusters(graph)
     filled = [k for k, part in enumerate(graph.parts) if part.end > part.start]
+    if not pattern.terms:
+        return None
+    if piece.joining is None or not piece.joining.joins:
+        return _without_rests(piece, filled)
+    label = clusters(graph)
     at = {k: int(label[graph.parts[k].start]) for k in filled}
     name = {k: pattern.parts[piece.built.parts[k].section].name for k in filled}
     of = [Made(name[k], 1) if k in name else Made("", 1) for k in range(len(graph.parts))]

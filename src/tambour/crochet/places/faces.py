@@ -37,6 +37,8 @@ _BROW: Final = np.array([0.6, 0.5, 0.0])
 """Where eyes are about a head that lies, seen from its nose."""
 _ON_MASK: Final = (0.52, 0.22, 0.0)
 """Where the left eye is on a face that is sewn on, from its middle, in halves of its size."""
+_BESIDE_EACH: Final = 0.8
+"""Two cheeks are no wider than this share of the way from the one to the other."""
 _OBLONG: Final = 1.3
 """A piece so much wider than high has its eyes in its middle line."""
 _HAIR_LONG: Final = 2.6
@@ -250,6 +252,8 @@ class Facer(Putter):
                 big = size(f.text) or 12.0
                 return [Felt(s, "circle", big, big, 0.0, color, f.span) for s in spots]
             points = [self.stand.frame(s).points[0] for s in spots]
+            if name in ("cheeks", "eyes", "closed eyes") and len(points) == 2 and not f.where.wide:
+                wide = min(wide, _BESIDE_EACH * float(np.sqrt(((points[0] - points[1]) ** 2).sum())))
             if name == "whiskers":
                 points = self._beside_snout(host, f) or points
             if name in ("eyes", "closed eyes"):

@@ -60,6 +60,8 @@ class Holder(Beside):
         if "inner" in copy[0].words:  # it lies on what it is the inner side of
             return bool(self.work.spots.in_rows[self.work.spots.parts[name]])
         if self.work.spots.in_rows[self.work.spots.parts[name]]:
+            if copy[0].kind == "tuft" and "mane" in copy[0].words and self._strip(copy):
+                return True  # a band along the nape
             return copy[0].kind in _LAID or (not copy[0].kind and copy[0].name in self.work.made.unstuffed)
         if copy[0].name in self.work.made.unstuffed and copy[0].kind in _PINCHED:
             return edge >= 4

@@ -97,7 +97,7 @@ _SINGLE: Final[dict[str, Way]] = {
     "fluke": Way((0.0, 0.1, -1.0), (0.0, 0.2, -1.0), _ACROSS, True),
     "wing": Way((0.0, 0.3, -1.0), None, _ACROSS, True),
     "fin": Way((0.0, 1.0, -0.1), (0.0, 1.0, -0.25), _ALONG, True),
-    "spike": Way((0.0, 0.75, -0.65), (0.0, 0.8, -0.6), (0.0, 0.6, -0.8), True),
+    "spike": Way((0.0, 0.75, -0.65), (0.0, 0.8, -0.6), (0.0, 0.6, 0.8), True),
     "belly": Way((0.0, -0.12, 1.0), None),
     "spot": Way((0.5, 0.3, 0.8), None),
     "collar": Way(_UP, _UP, flat=False),

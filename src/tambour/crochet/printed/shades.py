@@ -26,6 +26,7 @@ YARNS: Final[dict[str, RGB]] = {
     "bluebell": (118, 136, 200),
     "blush": (238, 190, 184),
     "bone": (228, 220, 204),
+    "black currant": (70, 40, 78),
     "bone gray": (206, 200, 190),
     "bone grey": (206, 200, 190),
     "brick": (150, 62, 48),
