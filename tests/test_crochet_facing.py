@@ -514,3 +514,13 @@ def test_cheeks_beside_each_other_do_not_run_into_one() -> None:
     wide = [np.ptp(frames(spots, x, list(r.spots)).points[:, 0]) for r in cheeks]
     middles = [frames(spots, x, list(r.spots)).points[:, 0].mean() for r in cheeks]
     assert len(cheeks) == 2 and abs(middles[0] - middles[1]) > 0.5 * (wide[0] + wide[1])
+
+
+@pytest.mark.parametrize("language", ["us", "de", "es", "fr", "nl"])
+def test_one_stitch_apart_is_said_in_the_singular(language: str) -> None:
+    import tomllib
+    from importlib.resources import files
+
+    page = tomllib.loads((files("tambour.crochet.words") / f"{language}.toml").read_text())["page"]
+    assert page["apart one"] != page["apart"].format(n=1)
+    assert "1" in page["apart one"]

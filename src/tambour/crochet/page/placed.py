@@ -130,7 +130,7 @@ class Spoken:
                 return (
                     [*said, page["each side"]]
                     if abs(abs(offs[0]) - n / 4) <= (0.06 * n if breadth else 0.5)
-                    else [*said, *([page["apart"].format(n=apart)] if apart else [])]
+                    else [*said, *([page["apart one" if apart == 1 else "apart"].format(n=apart)] if apart else [])]
                 )
             return said
         if len(offs) > 2:
