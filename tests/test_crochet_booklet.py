@@ -205,3 +205,44 @@ def test_a_step_is_not_said_twice_nor_an_assembly_taken_for_rounds() -> None:
     assert of.hers is not None and of.hers.closing == ["Well done!"]
     body = [said for said, _ in rows(of, "BODY")]
     assert "Begin stuffing the body, nice and firm." in body and not any("*" in said for said in body)
+
+
+def test_the_report_tells_a_designer_what_she_leaves_open() -> None:
+    from tambour.crochet.maker.facts import facts
+
+    of = shop("pickles").piece
+    said = facts(of)
+    lines = of.built.pattern.text.text.split("\n")
+    ears = next(one for one in said["taken"] if "sew the ears" in lines[one["line"] - 1].lower())
+    assert "7 stitches counted over the top" in ears["took"]
+    assert said["left_open"].startswith(f"{len(said['taken'])} things (lines ")
+    assert "left_open" not in facts(book("BALL\nRnd 1: 6 sc in MR (6)\nRnd 2: inc around (12)\n").piece)
+
+
+def test_yarns_keep_the_letters_that_the_designer_gives_them() -> None:
+    text = """Pig
+
+Materials
+Bernat Velvet Main Color (MC) Potpourri
+Contrast A Misty Gray
+
+BODY
+With MC, make a magic ring.
+Rnd 1: 6 sc in ring (6)
+Rnd 2: inc x 6 (12)
+
+HOOF
+With A, make a magic ring.
+Rnd 1: 6 sc in ring (6)
+Rnd 2: sc around (6)
+
+Sew the hoof to the body.
+"""
+    of = book(text)
+    assert {letter: name for letter, name, *_ in of.said.colors} == {"MC": "pink", "A": "gray"}
+
+
+def test_letters_that_files_join_are_printed_apart() -> None:
+    from tambour.crochet.page.type import wrap
+
+    assert wrap("Stuﬃng, ﬁrst", 3.0, 80.0) == ["Stuffing, first"]

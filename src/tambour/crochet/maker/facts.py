@@ -17,6 +17,7 @@ def facts(piece: Plush) -> dict[str, Any]:
     from tambour.crochet.finish.features import materials
     from tambour.crochet.finish.joining import assembly
     from tambour.crochet.maker import size
+    from tambour.crochet.maker.taken import left_open
     from tambour.crochet.printed.choose import account
     from tambour.crochet.settle.forces import lengths
 
@@ -43,6 +44,7 @@ def facts(piece: Plush) -> dict[str, Any]:
     return {
         **({"check": checked} if checked else {}),
         **account(built.pattern),
+        **left_open(piece),
         "nodes": len(g),
         "edges": len(g.edges),
         "stitches": {g.kinds[k]: int(n) for k, n in zip(kinds, counts)},

@@ -14,12 +14,12 @@ from tambour.core.picture import Picture
 from tambour.core.rgb import RGB
 from tambour.crochet.language.finishes import Finish
 from tambour.crochet.maker.size import Size
+from tambour.crochet.maker.taken import Taken
 from tambour.crochet.page.album import Album
 from tambour.crochet.page.flow import Frame
 from tambour.crochet.page.hers import hers
 from tambour.crochet.page.instructions import words
 from tambour.crochet.page.placed import Spoken
-from tambour.crochet.page.taken import Taken
 from tambour.crochet.page.type import BACKDROP, HAIR, INK, LEAD, wrap
 from tambour.crochet.page.wording import Words
 from tambour.crochet.yarns import WEIGHTS

@@ -17,6 +17,7 @@ from tambour.crochet.language.tree import Section
 from tambour.crochet.page.plain import fills, reach
 from tambour.crochet.page.wording import PartText, Row, Words
 from tambour.crochet.page.written import Written, sections
+from tambour.crochet.printed.colors import yarns_named
 from tambour.crochet.printed.shades import spoken
 from tambour.crochet.words.phrases import Phrases
 from tambour.crochet.words.special import told
@@ -51,6 +52,12 @@ def _takes_color(written: list[Written]) -> bool:
         if done.what not in RULES or done.what in ("mr", "oval", "fsc"):
             return False
     return True  # it makes nothing
+
+
+def _lettered(text: str) -> dict[RGB, str]:
+    """The letters that a designer's list gives her yarns, by their colours."""
+    found = ((hue, re.search(r"\((\w{1,3})\)$", name)) for hue, name in yarns_named(text).items())
+    return {hue: letter[1] for hue, letter in found if letter is not None}
 
 
 class Writer:
@@ -92,12 +99,15 @@ class Writer:
                 and record.color != type(record).__dataclass_fields__["color"].default
             ):
                 hues[record.color] = None
+        letters = {} if self.exact else _lettered(self.pattern.text.text)
+        free = (x for n in range(len(hues) + 1) for x in (f"{c}{n + 1 if n else ''}" for c in _LETTERS))
         made: dict[str, RGB] = {}
         for hue in hues:
             red, green, blue = hue
             if plain.shade(hue).startswith("#"):
-                n = len(made)
-                made[_LETTERS[n % 26] + (str(n // 26 + 1) if n >= 26 else "")] = (red, green, blue)
+                hers = letters.get((red, green, blue), "")
+                letter = hers if hers and hers not in made else next(x for x in free if x not in letters.values())
+                made[letter] = (red, green, blue)
         return made
 
     def words(self) -> Words:
@@ -240,6 +250,8 @@ class Writer:
             words = r"\s*(?:&|\+|/|-|and|\s)\s*".join(map(re.escape, name.split()))
             hers = re.search(words, self.pattern.text.text[span.start : span.end], re.IGNORECASE)
             name = hers[0] if hers is not None else name
+            number = re.fullmatch(r"part_(\d+)", name)
+            name = f"{self.terms.word('part').capitalize()} {number[1]}" if number is not None else name
         taken = {s.lower() for spellings in self.terms.words.values() for s in spellings}
         part = self.terms.word("part")
         if self.exact and (name.lower() in taken or name.lower().startswith(part.lower())):
