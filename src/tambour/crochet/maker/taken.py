@@ -158,7 +158,7 @@ class Taken:
         turn = min(first.across % 180.0, -first.across % 180.0)
         if end.ring:
             said = [
-                own["took ring"].format(a=low, b=high),
+                own["took ring"].format(a=low, b=high) if low < high else own["took round"].format(n=low),
                 self._middle(first, self._mean_off(alike), self._count(host, round(first.spot.round))),
             ]
             near = [abs(s[abs(s[:, 0] - first.spot.round) < 0.6, 1]).min(initial=np.inf) for s in seams]

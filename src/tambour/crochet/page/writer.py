@@ -282,6 +282,8 @@ class Writer:
         number = f"{first}" if line.times == 1 else f"{first}-{last}"
         head = word + number if len(word) == 1 else f"{word} {number}"
         words, count = self._items(line, closing), line.count
+        if kind == "row" and not self.exact and line.pieces[-1][0][0].what == "again":
+            words = re.sub(rf"\b{re.escape(self.terms.word('round'))}\b", word, words)
         if line.said and not self.exact:  # her count stays hers, with the doubt beside it
             words, count = f"{words} [{self.terms.page['makes'].format(n=count)}]", line.said
         return Row(head, words, count, last, _hues(_all(line)))
