@@ -12,14 +12,16 @@ import pytest
 
 from tambour.core.errors import Text
 from tambour.core.graph import JOIN, SEWN, StitchGraph
+from tambour.core.mesh import Mesh
 from tambour.core.progress import Progress
+from tambour.core.strands import Strands
 from tambour.crochet.graph.build import build
 from tambour.crochet.graph.layout import rounds
 from tambour.crochet.language.parse import parse
 from tambour.crochet.params import CrochetParams
 from tambour.crochet.plush import make
 from tambour.crochet.specimens import text
-from tambour.crochet.yarn import clearance, course, fabric, loops, surface
+from tambour.crochet.yarn import clearance, course, fabric, loops, spline, surface
 from tambour.examples import folder
 from tambour.geometry.surface import closed, vertex_normals
 
@@ -176,17 +178,38 @@ def test_what_comes_near_while_others_are_pushed_apart_is_seen() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["frog", "mushroom", "octopus", "bear"])
 def test_no_two_strands_of_a_toy_are_nearer_than_nine_tenths(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    seen = {}
-
-    def clear(coords: np.ndarray, ends: np.ndarray, diameter: float, **asked: int) -> None:
-        clearance.clear(coords, ends, diameter, **asked)
-        seen["near"] = clearance.distances(coords, ends, diameter, 0.9 * diameter)[1]
-
-    monkeypatch.setattr(fabric, "clear", clear)
+    """As they are drawn: with the points that a file holds, and as a photo rounds them."""
     file = folder() / "crochet" / f"{name}.acl"
     made = make(Text(file.read_text(), str(file)), CrochetParams(), Progress())
-    fabric.strands(made.built.graph, made.positions)
-    assert not len(seen["near"])
+    graph, seen = made.built.graph, []
+
+    def sweep(drawn: Strands, **asked: object) -> Mesh:
+        seen.append(drawn)
+        raise StopIteration
+
+    monkeypatch.setattr(fabric, "sweep", sweep)
+    for detail in ("medium", "photo"):
+        with pytest.raises(StopIteration):
+            fabric.mesh(graph, made.positions, made=fabric.strands(graph, made.positions), detail=detail)
+    diameter = graph.stitch_width * loops.RATIO
+    assert len(seen[1].paths.coords) > 1.5 * len(seen[0].paths.coords)
+    for drawn in seen:
+        lines = drawn.paths
+        assert not len(clearance.distances(lines.coords, np.asarray(lines.offsets), diameter, 0.9 * diameter)[1])
+
+
+def test_a_spline_through_uneven_points_does_not_overshoot() -> None:
+    """Close by a long segment the usual splines turn back on themselves; these stay within a tenth of it."""
+    line = np.array([[0.0, 0.0, 0.0], [5.0, 0.0, 0.0], [5.2, 0.2, 0.0], [5.2, 5.0, 0.0]])
+    fine = np.zeros((3 * 8 + 1, 3))
+    spline.smooth(line, np.array([0, 4]), 8, fine)
+    assert fine[::8] == pytest.approx(line)
+    assert fine.min() > -0.5 and fine.max() < 5.7
+    assert (np.diff(fine[:, 0] + fine[:, 1]) > 0).all()
+    even = np.column_stack([np.arange(5.0), np.zeros(5), np.zeros(5)])
+    fine = np.zeros((4 * 2 + 1, 3))
+    spline.smooth(even, np.array([0, 5]), 2, fine)
+    assert fine[:, 0] == pytest.approx(np.arange(9) / 2)
 
 
 def spiral(rounds: int) -> tuple[StitchGraph, np.ndarray]:

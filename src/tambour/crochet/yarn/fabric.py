@@ -30,12 +30,15 @@ OPENED = 0.62
 """Radius of the ends that hang out of fur, as a share of the yarn's: cut, it opens."""
 BOWED = 1.1
 """How much of its length what hangs falls where the fabric slopes away under it."""
-ERECT = 1.5
-"""How far stitches' legs are brought upright for what their column does not lean, in times of that: half of it shows."""
+ERECT = 1.1
+"""How far stitches' legs are brought upright for what their column does not lean, in times of that: not quite all of it shows."""
 BACKWARDS = 1.6
 """What is missing of the lean is made good up to so much of it: where columns lean back it is more than all."""
 LOOKS = 16
 """How often strands that are too near to each other are looked for."""
+
+LONGEST = 5.0
+"""Segments are shorter than this, in radii, where strands are pushed apart: one long one makes pairs dear to find."""
 
 _DETAIL = {"low": (1, 1.0), "medium": (2, 0.3), "high": (3, 0.03)}
 """Detail → pieces that a segment is split into, and how far points may stray, in radii."""
@@ -92,25 +95,31 @@ def strands(
     hung = hanging(graph, led)
     if hung.any():
         _fall(coords, hung, led.cell, rows)
-    coords, ends, of = _dense(coords, ends, 2.4 * radius)
     wide = np.where(hung & np.isin(graph.kind[led.cell], _named(graph, "fur")), OPENED, _pressed(led.at))
-    stitch, wide = led.cell[of], wide[of]
-    clear(coords, ends, 2 * radius, looks=LOOKS)
     pieces, stray = _DETAIL[detail]
-    if pieces > 1:
-        coords, ends, of = _rounder(coords, ends, pieces)
-        stitch, wide = stitch[of], wide[of]
-    keep = np.zeros(len(coords), np.bool_)
-    thin(coords, ends, stray * radius, keep)
-    ends = np.concatenate([[0], np.cumsum(keep)])[ends]
-    coords = coords[keep]
+    coords, ends, of = _rounder(coords, ends, max(2, pieces))
+    coords, ends, of = _thinner(coords, ends, of, min(stray, 0.3) * radius)
+    coords, ends, again = _dense(coords, ends, LONGEST * radius)
+    of = of[again]
+    # What is drawn is what has its room: nothing is rounded or left out after this, but in low detail.
+    clear(coords, ends, 2 * radius, looks=LOOKS)
+    if stray > 0.3:
+        coords, ends, of = _thinner(coords, ends, of, stray * radius)
+    stitch, wide = led.cell[of], wide[of]
     return Strands(
         Paths(coords, ends),
-        radius * bloom * wide[keep],
+        radius * bloom * wide,
         led.color,
         source=led.first,
-        point_data={"stitch": stitch[keep]},
+        point_data={"stitch": stitch},
     )
+
+
+def _thinner(coords: Array, ends: Array, of: Array, stray: float) -> tuple[Array, Array, Array]:
+    """Polylines without the points that they do not need: none strays by more than ``stray``; and what each point is ``of``."""
+    keep = np.zeros(len(coords), np.bool_)
+    thin(coords, ends, stray, keep)
+    return coords[keep], np.concatenate([[0], np.cumsum(keep)])[ends], of[keep]
 
 
 def _uneven(n: int) -> Array:
@@ -252,6 +261,7 @@ def mesh(
     made = strands(graph, positions, detail=detail, bloom=BLOOM * kind.full) if made is None else made
     if detail in ("near", "photo"):
         coords, ends, of = _rounder(made.paths.coords, np.asarray(made.paths.offsets), 2)
+        clear(coords, ends, graph.stitch_width * RATIO, looks=LOOKS)
         data = {name: values[of] for name, values in made.point_data.items()}
         # Only here: elsewhere some of the strands may be asked for, and must be what they are among all.
         made = _spun(replace(made, paths=Paths(coords, ends), radius=made.radius[of], point_data=data))

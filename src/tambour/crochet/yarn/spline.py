@@ -2,27 +2,48 @@
 
 from __future__ import annotations
 
+import math
+
 from tambour.core.arrays import B1x1, F8x2, I8x1
 from tambour.core.kernels import kernel
 
 
 @kernel
 def smooth(coords: F8x2, offsets: I8x1, times: int, out: F8x2) -> None:
-    """Catmull-Rom splines through polylines: every segment in ``times`` pieces; out (sum of (n - 1) times + 1, 3)."""
+    """Splines through polylines: every segment in ``times`` pieces; out (sum of (n - 1) times + 1, 3).
+
+    Catmull-Rom's, with knots as far apart as the roots of the distances: where points lie unevenly the others overshoot.
+    P. J. Barry, R. N. Goldman (1988); C. Yuksel, S. Schaefer, J. Keyser, "Parameterization and applications of
+    Catmull-Rom curves" (2011).
+    """
     at = 0
     for s in range(len(offsets) - 1):
         first, last = offsets[s], offsets[s + 1] - 1
+        before = 0.0
         for i in range(first, last):
-            for k in range(times):
-                t = k / times
-                for c in range(3):
-                    b, d = coords[i, c], coords[i + 1, c]
-                    a = coords[i - 1, c] if i > first else 2 * b - d
-                    e = coords[i + 2, c] if i + 1 < last else 2 * d - b
-                    out[at, c] = 0.5 * (
-                        2 * b + (d - a) * t + (2 * a - 5 * b + 4 * d - e) * t * t + (3 * b - a - 3 * d + e) * t * t * t
-                    )
-                at += 1
+            size = after = 0.0
+            for c in range(3):
+                step = coords[i + 1, c] - coords[i, c]
+                size += step * step
+                if i + 2 <= last:
+                    step = coords[i + 2, c] - coords[i + 1, c]
+                after += step * step
+            size, after = max(math.sqrt(math.sqrt(size)), 1e-9), max(math.sqrt(math.sqrt(after)), 1e-9)
+            if i == first:
+                before = size
+            for c in range(3):
+                b, d = coords[i, c], coords[i + 1, c]
+                a = coords[i - 1, c] if i > first else 2 * b - d
+                e = coords[i + 2, c] if i + 1 < last else 2 * d - b
+                p = d - b + size * ((b - a) / before - (d - a) / (before + size))
+                q = d - b + size * ((e - d) / after - (e - b) / (size + after))
+                for k in range(times):
+                    t = k / times
+                    r = t * t
+                    u = r * (3.0 - 2.0 * t)
+                    out[at + k, c] = b + (d - b) * u + (t - r) * ((1.0 - t) * p - t * q)
+            at += times
+            before = size
         if last >= first:
             out[at] = coords[last]
             at += 1
