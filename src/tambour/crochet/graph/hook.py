@@ -8,6 +8,7 @@ from itertools import pairwise
 from tambour.core.errors import Problem, Span, Text
 from tambour.core.graph import BACK, BLO, BOTH, FLO, FRONT, PLAIN, ROOT, TIP
 from tambour.crochet.graph.moment import Moment, Round, Stretches
+from tambour.crochet.graph.plainly import plainly
 from tambour.crochet.language.stitches import JOIN, KNOT, NEXT, OVER, THROUGH, UNDYED, Stitch
 
 LIFT = 5
@@ -219,6 +220,9 @@ class Hook:
         if looks is None:
             looks = [self.look(m.kind, m.height, self.single()) if m.what == OVER else -1 for m in stitch.moves]
             self._looks[key] = looks
+        if stitch.takes == stitch.makes == 1 and len(looks) == 2:
+            plainly(self, looks[1], times)
+            return
         for _ in range(times):
             spine = now.spine
             path = spine[::-1]
@@ -231,10 +235,7 @@ class Hook:
                     if pulled:
                         parent = pulled[-1]
                         if now.loop != BOTH and self.parent[parent] < 0:
-                            raise self.fail(
-                                "a single loop needs two rounds below it",
-                                "work the first round after a ring into both loops",
-                            )
+                            raise self.single_too_low()
                         self.node(look, pulled, path[0], parent)
                         if now.starting:
                             self.rise(c, path)
@@ -319,6 +320,10 @@ class Hook:
             self.round.append(len(self.rounds) - 1)
             self._first = node + 1
             self._picots, now.left = 0, now.left + anchor
+
+    def single_too_low(self) -> HookError:
+        """The error of a single loop where there is no fabric below to leave the other in."""
+        return self.fail("a single loop needs two rounds below it", "work the first round after a ring into both loops")
 
     def used_up(self) -> HookError:
         """The error of an edge without anchors."""

@@ -184,7 +184,10 @@ class Vocabulary:
 
     def _longest(self, tokens: list[Token], at: int) -> tuple[int, str, Any] | None:
         meanings = self._first.get(tokens[at].word, ())
+        near = [token.word for token in tokens[at + 1 : at + 3]]  # one sign may stand between two words
         for words, kind, value in meanings:
+            if len(words) > 1 and words[1] not in near:
+                continue
             end = at + 1
             for word in words[1:]:
                 # "sl-st", "sl. st."

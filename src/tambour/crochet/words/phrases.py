@@ -60,6 +60,13 @@ def _pieces(template: str) -> tuple[tuple[str, str], ...]:
     return tuple(made)
 
 
+@lru_cache(maxsize=512)
+def _fixed(template: str) -> tuple[str, ...]:
+    """The words that every sentence of a template has, the longest first."""
+    words = [w.lower() for what, text in _pieces(template) if what == "words" for w in text.split()]
+    return tuple(sorted(words, key=len, reverse=True))
+
+
 def number(value: float) -> str:
     """A number as it is read back, without an exponent."""
     return str(int(value)) if value == int(value) else format(Decimal(repr(float(value))), "f")
@@ -212,7 +219,10 @@ class Phrases:
     def read(self, text: str, keys: Iterable[str] = tuple(SENTENCES)) -> tuple[str, dict[str, Any]] | None:
         """Which sentence ``text`` is, whole, and its fields (those left out are not there); None for none of ``keys``."""
         said = text.strip().rstrip(".").rstrip()
+        small = said.lower()
         for key in keys:
+            if not all(word in small for word in _fixed(self.terms.sentences[key])):
+                continue  # most sentences are none of these
             found = self._compiled(key).fullmatch(said)
             if not found:
                 continue
