@@ -46,7 +46,7 @@ def frames(known: Spots, positions: Array, spots: Sequence[Spot], upright: Array
     upright : (P, 3) which way is up on every part; None: +y on all. Up on a part that leans leans with it
     """
     built, x = known.built, np.ascontiguousarray(positions, np.float64)
-    outward = vertex_normals(x, built.graph.faces[built.shell])
+    outward = _outward(known, x, spots)
     points, normals, tops = np.zeros((len(spots), 3)), np.zeros((len(spots), 3)), np.zeros((len(spots), 3))
     for k, spot in enumerate(spots):
         place = known.place(spot)
@@ -57,6 +57,17 @@ def frames(known: Spots, positions: Array, spots: Sequence[Spot], upright: Array
         tops[k] = (0.0, 1.0, 0.0) if upright is None else upright[known.parts[spot.part]]
     normals = _unit(normals)
     return Frames(points, normals, *level(normals, tops))
+
+
+def _outward(known: Spots, x: Array, spots: Sequence[Spot]) -> Array:
+    """The normals (N, 3) of the fabric of the parts that ``spots`` are on; up (0, 1, 0) on others."""
+    made = np.tile([0.0, 1.0, 0.0], (len(x), 1))
+    for part in {known.parts[spot.part] for spot in spots}:
+        faces = known.faces(part)
+        if len(faces):
+            first, end = int(faces.min()), int(faces.max()) + 1
+            made[first:end] = vertex_normals(x[first:end], faces - first)
+    return made
 
 
 def _out_of(x: Array, rim: list[int], part: Part) -> Array:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from tambour.core.errors import Problem, Span, Text
 from tambour.core.graph import BACK, BLO, BOTH, FLO, FRONT, PLAIN, ROOT, TIP
 from tambour.crochet.graph.moment import Moment, Round, Stretches
-from tambour.crochet.graph.plainly import plainly
+from tambour.crochet.graph.plainly import TOO_LOW, plainly
 from tambour.crochet.language.stitches import JOIN, KNOT, NEXT, OVER, THROUGH, UNDYED, Stitch
 
 LIFT = 5
@@ -235,7 +235,7 @@ class Hook:
                     if pulled:
                         parent = pulled[-1]
                         if now.loop != BOTH and self.parent[parent] < 0:
-                            raise self.single_too_low()
+                            raise self.fail(*TOO_LOW)
                         self.node(look, pulled, path[0], parent)
                         if now.starting:
                             self.rise(c, path)
@@ -320,10 +320,6 @@ class Hook:
             self.round.append(len(self.rounds) - 1)
             self._first = node + 1
             self._picots, now.left = 0, now.left + anchor
-
-    def single_too_low(self) -> HookError:
-        """The error of a single loop where there is no fabric below to leave the other in."""
-        return self.fail("a single loop needs two rounds below it", "work the first round after a ring into both loops")
 
     def used_up(self) -> HookError:
         """The error of an edge without anchors."""

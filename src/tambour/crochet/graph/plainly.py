@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from tambour.core.graph import BOTH
 
 if TYPE_CHECKING:
     from tambour.crochet.graph.hook import Hook
+
+TOO_LOW: Final = (
+    "a single loop needs two rounds below it",
+    "work the first round after a ring into both loops",
+)
+"""What a single loop lacks right above a ring or a chain, and what helps."""
 
 
 def plainly(hook: Hook, look: int, times: int) -> None:
@@ -25,7 +31,7 @@ def plainly(hook: Hook, look: int, times: int) -> None:
         if path[-1] != anchor:
             path.append(anchor)
         if now.loop != BOTH and parent[anchor] < 0:
-            raise hook.single_too_low()
+            raise hook.fail(*TOO_LOW)
         node = len(parent)
         parent.append(anchor)
         previous.append(path[0])

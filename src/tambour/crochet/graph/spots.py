@@ -45,6 +45,8 @@ class Spots:
         self.numbers = [r.number for r in built.rounds]
         self._at: dict[tuple[int, int], list[int]] = {}
         self._open: dict[int, list[Array]] = {}
+        self._faces: list[Array] = []
+        self._rims: dict[int, Array] = {}
         self._ends: dict[int, int] = {}
         self._numbers: dict[int, list[int]] = {}
         self._standing: dict[tuple[int, int], tuple[Array, Array]] = {}
@@ -125,7 +127,7 @@ class Spots:
         nodes = np.arange(r.first, r.last + 1)
         spare = len(nodes) - r.count
         if spare > 0:
-            chains = np.flatnonzero(np.diff(graph.anchor_offsets)[nodes] == 0)[:spare]
+            chains = np.flatnonzero(np.diff(graph.anchor_offsets[r.first : r.last + 2]) == 0)[:spare]
             nodes = np.delete(nodes, chains)
         return nodes
 
@@ -262,21 +264,37 @@ class Spots:
     def _loops(self, part: int) -> list[Array]:
         """The edges of a part's shell, each all round: nodes in order."""
         if part not in self._open:
-            graph = self.built.graph
-            faces = graph.faces[self.built.shell]
-            faces = faces[graph.part[faces[:, 0]] == part]
-            found = []
+            faces, found = self.faces(part), []
             if len(faces):
-                _, _, offsets, nodes = lids(faces, np.zeros(len(faces), np.int32), len(graph))
-                found = [nodes[a:b] for a, b in pairwise(offsets)]
+                first = int(faces.min())
+                _, _, offsets, nodes = lids(faces - first, np.zeros(len(faces), np.int32), int(faces.max()) - first + 1)
+                found = [nodes[a:b] + first for a, b in pairwise(offsets)]
             self._open[part] = found
         return self._open[part]
+
+    def faces(self, part: int) -> Array:
+        """The faces (F, 3) of a part's shell."""
+        if not self._faces:
+            faces = self.built.graph.faces[self.built.shell]
+            of = self.built.graph.part[faces[:, 0]]
+            order = np.argsort(of, kind="stable")
+            ends = np.searchsorted(of[order], np.arange(len(self.built.graph.parts) + 1))
+            self._faces = [faces[order[a:b]] for a, b in pairwise(ends)]
+        return self._faces[part]
 
     def _end(self, part: int) -> int:
         """The last node of a part; of one that hangs together with nothing of the rest, a stray ring, that of the rest."""
         if part not in self._ends:
             self._ends[part] = whole(self.built.graph, part)[1] - 1
         return self._ends[part]
+
+    @cached_property
+    def _worked_into(self) -> Array:
+        """Which nodes (N,) stitches are worked into."""
+        graph = self.built.graph
+        made = np.zeros(len(graph), bool)
+        made[graph.anchors] = True
+        return made
 
     def edge(self, part: int, at: int | None = None) -> Array:
         """The edge of a part that its last stitch (or node ``at``) is on, all round: nodes in order; empty where none is."""
@@ -305,7 +323,12 @@ class Spots:
 
     def rim(self, part: int) -> Array:
         """The edge of a part that was worked last, where it is open: nodes in the order of work; empty where it is closed."""
-        graph, loop = self.built.graph, self.edge(part)
+        if part not in self._rims:
+            self._rims[part] = self._rim(part)
+        return self._rims[part].copy()
+
+    def _rim(self, part: int) -> Array:
+        loop = self.edge(part)
         if not len(loop):
             return loop
         end = self._end(part)
@@ -314,7 +337,7 @@ class Spots:
         if len(loop) > 2 and loop[0] == end - 1:
             loop = np.append(loop[:-1][::-1], loop[-1])
         # Where a spiral ends the edge steps down by a stitch that is worked into already: no needle goes there.
-        free = loop[~np.isin(loop, graph.anchors)]
+        free = loop[~self._worked_into[loop]]
         return np.asarray(free if len(free) > 2 else loop, int)
 
     # -- what is wrong ----------------------------------------------------------------------------------------------
@@ -356,11 +379,13 @@ def whole(graph: StitchGraph, part: int) -> tuple[int, int]:
     """The nodes of a part, from the first to the one behind the last, without those that hang together with nothing of the
     rest: stray rings, which the reader took for rounds of it."""
     p = graph.parts[part]
-    inside = graph.edges[(graph.edges >= p.start).all(1) & (graph.edges < p.end).all(1)] - p.start
-    over = np.zeros(p.end - p.start + 1, int)  # how many edges lead over the gap before each node
-    if len(inside):
-        np.add.at(over, inside.min(1) + 1, 1)
-        np.add.at(over, inside.max(1) + 1, -1)
+    later, earlier = graph.edges[:, 0], graph.edges[:, 1]
+    inside = (earlier >= p.start) & (later < p.end)
+    n = p.end - p.start + 1
+    # How many edges lead over the gap before each node.
+    over = np.bincount(earlier[inside] - p.start + 1, minlength=n) - np.bincount(
+        later[inside] - p.start + 1, minlength=n
+    )
     cuts = [0, *(np.flatnonzero(np.cumsum(over)[1:-1] == 0) + 1).tolist(), p.end - p.start]
     pieces = list(pairwise(cuts))
     least = MOSTLY * (p.end - p.start)
