@@ -243,6 +243,17 @@ def test_mist_lies_over_hills() -> None:
     assert (marks.fill[veils, 1] < 255).all()
 
 
+def test_much_mist_is_much_more_than_usual() -> None:
+    """At 1 it hardly showed: three times the usual paper over the hills, in veils of which each hides a little."""
+
+    def paper_laid(mist: float) -> float:
+        marks = scroll.make(None, Ink(seed="2", span=1000.0, mist=mist), Progress()).marks()
+        return float(marks.fill[marks.kind == 1, 1].astype(float).sum())
+
+    laid = [paper_laid(mist) for mist in (0.1, 0.35, 0.6, 1.0)]
+    assert laid == sorted(laid) and laid[3] > 6 * laid[1] and laid[2] > 2 * laid[1]
+
+
 def test_the_far_scroll_is_painted_as_finely_as_the_near() -> None:
     made = scroll.make(None, Ink(seed="far", from_=-9.87654321e11, span=800.0, pixels=400), Progress())
     assert made.polygons > 0

@@ -69,6 +69,10 @@ class Scroll:
         return join(list(self.batches()))
 
 
+THICK = 1.6
+"""How much faster mist thickens above what is usual: veils over veils hide little, and at 1 the far hills shall go."""
+
+
 def rules(params: Ink) -> Rules:
     """What of the params the plan depends on."""
     return Rules(
@@ -76,7 +80,7 @@ def rules(params: Ink) -> Rules:
         params.edition,
         params.density,
         params.height,
-        params.mist,
+        params.mist + THICK * max(0.0, params.mist - Ink.model_fields["mist"].default),
         params.boats,
         params.birds,
         SKIES[params.time],
