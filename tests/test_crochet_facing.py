@@ -524,3 +524,17 @@ def test_one_stitch_apart_is_said_in_the_singular(language: str) -> None:
     page = tomllib.loads((files("tambour.crochet.words") / f"{language}.toml").read_text())["page"]
     assert page["apart one"] != page["apart"].format(n=1)
     assert "1" in page["apart one"]
+
+
+def test_a_slender_doll_with_a_face_is_no_sheet_to_be_laid_down() -> None:
+    from dataclasses import replace
+
+    from tambour.crochet.page.portrait import sheet
+
+    source = text(
+        BALL.format("HEAD", OPEN) + BALL.format("BODY", CLOSED), "Attach the safety eyes to the head. Sew head to body."
+    )
+    piece = make(source, CrochetParams(tolerance=0.3), Progress())
+    thin = replace(piece, positions=piece.positions * (1.0, 1.0, 0.1))
+    faceless = replace(piece.built, pattern=replace(piece.built.pattern, finish=piece.built.pattern.finish[:0]))
+    assert not sheet(thin) and sheet(replace(thin, built=faceless))

@@ -93,9 +93,13 @@ def table(piece: Plush) -> str:
 
 
 def sheet(piece: Plush) -> bool:
-    """Whether the piece is a flat one that was worked upright: it stands on no table."""
+    """Whether the piece is a flat one that was worked upright: it stands on no table. A slender doll with a face stands."""
     import numpy as np
 
+    from tambour.crochet.finish.features import present
+
+    if piece.joining is not None and piece.joining.joins and present(piece.built):
+        return False
     wide, high, deep = np.ptp(piece.positions, axis=0).tolist() if len(piece.positions) else (0.0, 0.0, 0.0)
     return bool(deep < FLAT * min(wide, high))
 
