@@ -237,3 +237,79 @@ def test_thread_that_draws_no_known_thing_is_told(stitch: str) -> None:
 def test_a_stitch_of_one_letter_is_no_yarn() -> None:
     words = "Ball\n\nMaterials\nred (A), cream (B)\n\nR1: 6X in magic ring (6)\nR2: V, V, V, V, V, V (12)\nR3: A, X, A, X, A, X, A, X (8)\n"
     assert made(read(Text(words, "pup.txt"))) == [6, 12, 8]
+
+
+def test_a_stitch_of_the_patterns_own_that_ends_in_2tog_is_a_decrease() -> None:
+    lists = "\nABBREVIATIONS\nloop-st: Wrap yarn around finger, insert hook in stitch, draw through.\nlong-loop-st2tog = [Insert hook in next st, yo and draw up a loop] twice, sc.\n"
+    words = TOP.replace("\nINSTRUCTIONS", f"{lists}\nINSTRUCTIONS") + BODY
+    assert made(told(f"{words}3rd rnd: [Sc in next 4 sc, long-loop-st2tog] 2 times. 10 sts.\n")) == [6, 12, 10]
+
+
+def test_a_stitch_that_is_several_in_one_place_is_none_of_them() -> None:
+    lists = "\nSPECIAL ABBREVIATIONS\nV-st = (dc, ch 1, dc) in same space.\n"
+    words = f"{TOP.replace('INSTRUCTIONS', 'LEAF HAT')}{lists}Ch 3; join with a slip st to form a ring.\nRound 1: Ch 3, 11 dc in ring; join—12 dc.\nRound 2: *V-st in next st, skip next st; repeat from * around; join.\n"
+    pattern = read(Text(words, "pup.txt"))
+    assert [part.name for part in pattern.parts] == ["LEAF HAT"]
+    assert any(words[p.span.start : p.span.end] == "V" for p in pattern.unread if p.span)
+
+
+@pytest.mark.parametrize(
+    "note", ["Note: Do not stuff ears.", "Do not stuff.", "Note: Ears are not stuffed with polyfill."]
+)
+def test_what_is_said_of_stuffing_before_a_part_begins_is_said_of_that_part(note: str) -> None:
+    legs = f"LEG (make 2)\nWith A, ch 2.\n{LAST}"
+    pattern = read(Text(f"{TOP}{BODY}{legs}\nEAR (make 2)\n{note}\nWith B, ch 2.\n{LAST}", "pup.txt"))
+    assert [part.stuffing == 0.0 and not part.guessed for part in pattern.parts] == [False, False, True]
+
+
+def test_rounds_named_behind_between_begin_none() -> None:
+    head = BODY.replace("BODY", "HEAD")
+    ears = f"Fasten off.\nEar (make 2)\nWith B, ch 2.\n{LAST}\nFINISHING\nWith yarn tail, sew ears to top of head between\nRows 2 and 3, spaced 4 stitches apart.\n"
+    pattern = told(f"{TOP}{head}3rd to 8th rnds: 1 sc in each sc around.\n{ears}")
+    assert [line.number for line in pattern.parts[1].lines if line.in_round] == [1, 2]
+
+
+def test_eyes_with_a_colon_among_the_finishing_are_embroidered() -> None:
+    head = BODY.replace("BODY", "HEAD")
+    words = f"{TOP}{head}3rd to 8th rnds: 1 sc in each sc around.\nFasten off.\n\nFINISHING\nEyes: Working over 2 stitches each, embroider eyes with satin stitches on head between Rounds 5 and 6.\n"
+    pattern = told(words)
+    assert "eyes" not in pattern.stated and [f for f in pattern.finish if isinstance(f, Embroidery)]
+
+
+@pytest.mark.parametrize("end", [", ending with 18 sc", ", ending with 18 sc.", ""])
+def test_a_repeat_of_rows_may_say_the_count_that_it_ends_with(end: str) -> None:
+    words = f"BODY\nWith A, ch 11.\n1st row: 1 sc in 2nd ch from hook. 1 sc in each ch to end of ch. Turn. 10 sc.\n2nd row: Ch 1. 2 sc in first sc. 1 sc in each sc to last sc. 2 sc in last sc. Turn. Rep last row 3 times more{end}\nNext row: Ch 1. 1 sc in each sc to end of row. Turn.\n"
+    assert made(told(TOP + words)) == [10, 12, 14, 16, 18, 18]
+
+
+@pytest.mark.parametrize(
+    "begin",
+    [
+        "Sl st in first 2 sc. Ch 1. 1 sc in each of next 7 sc.",
+        "Sl st in each of next 3 sts. Ch 1. 1 sc in same sp as last sl st. 1 sc in each of next 6 sc.",
+    ],
+)
+def test_slip_stitches_that_move_the_yarn_in_are_no_stitches_of_their_row(begin: str) -> None:
+    words = f"TOP\nWith B, ch 12.\n1st row: 1 sc in 2nd ch from hook. 1 sc in each ch to end of chain. Turn. 11 sc.\n2nd row: {begin} Turn. Leave rem sts unworked. 7 sts.\n3rd row: Ch 1. Sc2tog. 1 sc in each of next 3 sc. Sc2tog. Turn. 5 sts.\n4th row: Ch 1. 1 sc in each st to end of row. Turn.\n"
+    assert made(told(TOP + words)) == [11, 7, 5, 5]
+
+
+def test_stitches_are_left_unworked_by_a_sentence_of_its_own() -> None:
+    words = "3rd rnd: Ch 1. 1 sc in each of next 8 sc. Turn.\nLeave rem sts unworked.\nNext row: Ch 1. 1 sc in each sc to end of row. Turn.\nRep last row twice more.\n"
+    assert made(told(TOP + BODY + words)) == [6, 12, 8, 8, 8, 8]
+
+
+def test_a_piece_among_the_finishing_may_be_worked_as_another() -> None:
+    words = f"{TOP}{BODY.replace('2nd rnd: ', '**2nd rnd: ').rstrip()}**\nFasten off.\nFinishing\nhair\nWith smaller hook and C, ch 2.\nWork as given for Body.\nnext 2 rnds: Ch 1. 1 sc in each sc around. Join with sl st to first sc.\n"
+    pattern = read(Text(words, "pup.txt"))
+    assert [part.name for part in pattern.parts] == ["BODY", "hair"] and made(pattern, 1)[:2] == [6, 12]
+
+
+@pytest.mark.parametrize("how", ["Join with B.", "Join with B. Break A.", "Join B with sl st to first sc."])
+def test_yarn_that_a_round_is_joined_with_joins_it(how: str) -> None:
+    found = rounds(
+        told(
+            f"{TOP}{BODY}3rd rnd: Ch 1. 1 sc in each sc around. {how}\n4th rnd: With B, ch 1. 1 sc in each sc around. Join.\n"
+        )
+    )
+    assert found[2].startswith("[sc]x*, join, color")

@@ -272,6 +272,14 @@ class Walk(Trade):
         """``rep from * around, end sc``: stitches that the repeat before them leaves room for."""
         c = self.c
         c.at += 1
+        if (
+            (self.body.refers is not None or self.body.more)
+            and c.key("with")
+            and c.whole(1) is not None
+            and (c.look(3) is None or c.mark(".", ";", "(", ahead=3))
+        ):
+            c.at += 3  # "Rep last row 3 times more, ending with 18 sc": the count of the last of them
+            return
         whole = not (c.key("last") and c.key("repeat", ahead=1))
         c.at += 0 if whole else 2  # "ending last rep with 1 sc in last 8 sc": in place of the end of that repeat
         c.skip_key("with", "in")

@@ -91,7 +91,7 @@ def decided(
             along(body, base, source.stitches)
         if edge and unworked:
             whole = body.stated is not None and after(body.items, edge, source.stitches) == body.stated
-            body.items = _rest_left(body.items if whole else _leaving(body.items, tokens), edge, source.stitches)
+            body.items = rest_left(body.items if whole else _leaving(body.items, tokens), edge, source.stitches)
         return body
 
     def fit(body: Body) -> int:
@@ -131,7 +131,7 @@ def decided(
     if isinstance(last, Action) and last.name == "turn" and edge and chain is None and fit(body) < 2:
         done = worked(body.items, edge, source.stitches)
         if done is not None and done[0] == body.stated:  # the row is turned there, and the rest is for another piece
-            body.items = _rest_left(body.items, edge, source.stitches)
+            body.items = rest_left(body.items, edge, source.stitches)
     if body.refers is None and body.stated is not None and edge and chain is None and fit(body) < 2:
         run = _run_on(body.items, edge, source.stitches)
         if run is not None and after(run, edge, source.stitches) == body.stated:
@@ -194,7 +194,7 @@ def _leaving(items: list[Item], tokens: list[Token]) -> list[Item]:
     return [*items[:around], replace(group, leaves=many), *items[around + 1 :]]
 
 
-def _rest_left(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:
+def rest_left(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:
     """``items`` with the stitches that they leave of the round below skipped at their end, so that the next row has only these."""
     done = worked(items, edge, stitches)
     if done is None or not 0 < done[1] < edge:

@@ -18,6 +18,8 @@ def wrapped(p: State, row: Row, after: Row) -> bool:
     """Whether a sentence of a long line goes on in the next."""
     if not after.tokens or row.marked or row.tokens[-1].word in (".", ":", "!", "?"):
         return False
+    if row.tokens[-1].word == "between":
+        return True  # "between | Rows 8 and 9" begins no round
     if row.tokens[-1].word in ("and", "the", "to", "of", "in", "with", "for", "as", "from"):
         return not heads(p.vocabulary.read(after.tokens))
     if row.end - row.start < p.long:

@@ -311,10 +311,23 @@ def own_stitch(tokens: list[Token]) -> tuple[list[str], str] | None:
         return [whole], f"{together[1].removeprefix('sc')}dec{together[2] if together[2] != '2' else ''}"
     if not (stitch or glued) or not (kinds or named):
         return None
+    if said[0].word in ("(", "{") and sum(t.kind == "stitch" for t in said[: _close(said)]) > 1:
+        return None  # "V-st = (dc, ch 1, dc) in same space": no usual stitch is near to it
+    drawn = _TOGETHER.fullmatch(name[-1].word)
+    if drawn is not None:  # "loop-st2tog"
+        return [whole], f"dec{drawn[1] if drawn[1] != '2' else ''}"
+    if len(name) > 1 and name[-1].value == "stitch" and name[-2 - (name[-2].word == "-")].value == "loop":
+        return [whole, f"{whole}s"], "loopst"
     kind = (named[-1:] or [glued] if named or glued else kinds[:1])[0]
     return [whole, f"{whole}s", whole.replace("-st", "-sts")], kind
 
 
+def _close(tokens: list[Token]) -> int:
+    """Where the bracket that tokens begin with closes."""
+    return next((k for k, t in enumerate(tokens) if t.word in (")", "}")), len(tokens))
+
+
+_TOGETHER: Final = re.compile(r"(?:sts?|loops?|lps?)([2-6])tog")
 _KINDS: Final = ("sc", "hdc", "dc", "tr")
 
 

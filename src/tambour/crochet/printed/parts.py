@@ -29,7 +29,7 @@ from tambour.crochet.printed.items import (
 )
 from tambour.crochet.printed.marked import middle
 from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.reckoned import after, chainless, fixed, reached
+from tambour.crochet.printed.reckoned import after, chainless, fixed, moved_in, reached
 from tambour.crochet.printed.redyed import colored
 from tambour.crochet.printed.slips import lowered
 from tambour.crochet.printed.tokens import Token
@@ -250,6 +250,7 @@ class Draft:
         for _ in range(min(times, MARKED) if worked else 0):
             self.marked = middle(items, self.edge or 0, self.ahead(), source.stitches)
         edge = body.edge or reached(items, self.edge, source.stitches, times)
+        edge = edge - moved_in(items) if edge is not None and self.flat else edge
         spaced = fixed(items, source.stitches) if edge is None and times == 1 else None  # worked into spaces
         if spaced is not None and spaced[1] and body.stated == spaced[0] - spaced[1]:
             edge = spaced[0]

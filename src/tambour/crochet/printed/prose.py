@@ -87,6 +87,8 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     if p.mode == "materials":
         p.palette.listed(line)
     said = stated(text, row, tokens) or below(p, row, tokens)
+    if p.parts and p.mode != "materials":
+        said = [one for one in said if one[0] != "eyes"]  # "Eyes: embroider …" instructs
     for key, words, span in said:
         p.stated.setdefault(key, (words, span))
     if said or shade:

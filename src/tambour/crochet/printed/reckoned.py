@@ -61,6 +61,21 @@ def _turned(items: list[Item] | tuple[Item, ...], at: int) -> bool:
     return at < len(items) and getattr(items[at], "name", "") == "turn"
 
 
+def moved_in(items: list[Item]) -> int:
+    """How many slip stitches and chains only move the yarn in before the first stitch of a row, which the next row leaves: "Sl st in first 2 sc. Ch 1. …"."""
+    many = 0
+    for item in items:
+        if isinstance(item, Group):
+            return 0
+        if item.name == "slst":
+            many += item.times or 0
+        elif item.name == "ch" and many:
+            return many + (item.times or 0)  # and the chains that lift it there
+        elif item.name not in ("turn", "ch", "color", "flo", "blo", "bl"):
+            return 0
+    return 0
+
+
 def after(items: list[Item] | tuple[Item, ...], edge: int | None, stitches: dict[str, Stitch]) -> int | None:
     """Stitches on the edge after ``items``, None when it is not known."""
     done = worked(items, edge or 0, stitches)

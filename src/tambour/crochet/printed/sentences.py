@@ -27,7 +27,7 @@ from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
-from tambour.crochet.printed.doubts import decided
+from tambour.crochet.printed.doubts import decided, rest_left
 from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import complete, worked_in
 from tambour.crochet.printed.heads import STARS
@@ -37,6 +37,7 @@ from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.put import finishing, stuffed
 from tambour.crochet.printed.reader import Body
+from tambour.crochet.printed.reckoned import after
 from tambour.crochet.printed.reckoned import worked as reckoned
 from tambour.crochet.printed.remarks import chosen, remark
 from tambour.crochet.printed.reworked import again
@@ -193,7 +194,8 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         tokens = tokens[2:]
         note = Span(tokens[0].start, tokens[-1].end)
         foretells = tokens[0].kind == "stitch" and _WILL.search(p.source.text.text[note.start : note.end])
-        if foretells or remark(p.source.text.text, tokens):
+        stuffs = any(t.value == "stuff" for t in tokens)
+        if foretells or (not stuffs and remark(p.source.text.text, tokens)):
             p.passed.append(note)
             return True  # "Note: Hdc in rnds below will cause Motif to cup"
     close = next((k for k, t in enumerate(tokens) if t.word in (")", "]")), 0) if tokens[0].word in ("(", "[") else 0
@@ -213,7 +215,7 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         if by_hand(tokens) or convention(p, tokens) or complete(text) or (handed and _once_more(tokens)):
             p.passed.append(span)
             return True
-        if edged_again(p, tokens, edged) or again_made(p, tokens):
+        if edged_again(p, tokens, edged) or again_made(p, tokens) or _left_unworked(p, tokens):
             return True
         if chosen(tokens) and instructs(p, tokens):
             p.source.doubt(CHOICE, "say what is made, without an if", span)
@@ -237,9 +239,12 @@ def plainly(p: State, tokens: list[Token]) -> bool:
             setattr(draft, name, value)
         return True
     stands = p.source.text.text[tokens[0].start : tokens[-1].end]
-    stuffing = stuffed(tokens, draft.name if draft is not None else "", stands)
-    if stuffing is not None and draft is not None:
-        if stuffing >= 0:
+    called = p.heading.name if p.heading is not None else draft.name if draft is not None else ""
+    stuffing = stuffed(tokens, called, stands)
+    if stuffing is not None and called:
+        if stuffing >= 0 and p.heading is not None:
+            p.early["stuffing"] = stuffing  # of the part that the heading begins
+        elif stuffing >= 0 and draft is not None:
             draft.stuffing = stuffing
         else:
             p.passed.append(span)
@@ -247,7 +252,7 @@ def plainly(p: State, tokens: list[Token]) -> bool:
     if draft is not None and draft.chain is not None and [t.value for t in tokens] == ["turn"]:
         return True  # "ch 6; turn"
     if p.mode in ("materials", "abbreviations", "notes", "assembly"):
-        if not (founding(tokens) and founds(p)):
+        if not (founding(tokens) and (founds(p) or _refers_below(p))):
             return p.mode == "assembly" and edging(p, tokens)
         p.mode = ""  # the list ends where a piece begins
     if any(t.kind == "key" and t.value == "not" for t in tokens[:2]):
@@ -315,6 +320,30 @@ def plainly(p: State, tokens: list[Token]) -> bool:
         body.items = [Action("join", span)]  # one slip stitch at the end evens the edge, and is no round
     _added(p, draft, body, span)
     p.understood += any(t.kind == "stitch" for t in tokens) and len(tokens) > 1
+    return True
+
+
+def _refers_below(p: State) -> bool:
+    """Whether the next line with words works rounds as those of another part: "Work from ** to ** as given for Head"."""
+    below = next((row for row in p.rows[p.row_at + 1 : p.row_at + 4] if row.tokens), None)
+    tokens = p.vocabulary.read(below.tokens[:8]) if below is not None else []
+    return (
+        bool(tokens)
+        and tokens[0].value in ("from", "as", "same")
+        and any(t.value in ("as", "same", "to") for t in tokens)
+    )
+
+
+def _left_unworked(p: State, tokens: list[Token]) -> bool:
+    """Takes "Leave rem sts unworked", a sentence of its own, for the row before it; whether it is such."""
+    draft = p.parts[-1] if p.parts else None
+    if draft is None or tokens[0].value != "leave" or tokens[-1].word != "unworked" or not draft.lines:
+        return False
+    line, below = draft.lines[-1], draft.edges.get(draft.last - 1)
+    if not line.in_round or line.again is not None or line.times > 1 or not below:
+        return False
+    draft.lines[-1] = replace(line, items=tuple(rest_left(list(line.items), below, p.source.stitches)))
+    draft.edge = draft.edges[draft.last] = after(draft.lines[-1].items, below, p.source.stitches) or draft.edge or 0
     return True
 
 
