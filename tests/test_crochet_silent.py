@@ -313,3 +313,51 @@ def test_yarn_that_a_round_is_joined_with_joins_it(how: str) -> None:
         )
     )
     assert found[2].startswith("[sc]x*, join, color")
+
+
+def test_a_sentence_that_begins_with_first_round_of_is_no_round() -> None:
+    wide = "3rd rnd: Ch 1. 1 sc in each sc around. Join B\nwith sl st to first sc.\n4th rnd: With B, as 3rd rnd.\n"
+    done = "First rnd of Stripe Pat is complete.\nKeeping cont of Stripe Pat, rep last rnd\n3 times more. Fasten off at end of last rnd.\n"
+    assert made(read(Text(TOP + BODY + wide + done, "pup.txt"))) == [6, 12, 12, 12, 12, 12, 12]
+
+
+def test_a_round_worked_as_another_may_fasten_off() -> None:
+    words = f"{TOP}{BODY}3rd rnd: 1 sc in each sc around.\n4th rnd: As 3rd rnd. Fasten off.\nNeck\n1st rnd: 5 sc in 2nd ch from hook.\n"
+    pattern = read(Text(words, "pup.txt"))
+    assert [part.name for part in pattern.parts] == ["BODY", "Neck"]
+
+
+@pytest.mark.parametrize("last", ["1 sc in next st. Sl st in next st. Fasten off.", "Sl st in next st. Fasten off."])
+def test_a_step_at_the_end_of_a_piece_is_no_round_of_it(last: str) -> None:
+    cap = (
+        f"With A, ch 2.\n1st rnd: 8 sc in 2nd ch from hook.\n2nd rnd: 2 sc in each sc around. 16 sc.\n3rd rnd: {last}\n"
+    )
+    joined = "1st joining rnd: With B, join Top and Stem by working a sc through each st of last round of both layers. Join rnd with a sl st.\n2nd joining rnd: Ch 1. 1 sc in each st around. Join with sl st to first sc and fasten off.\n"
+    assert made(told(f"{TOP}TOP\n{cap}STEM\n{cap}{joined}"), 1) == [8, 16, 16, 16]
+
+
+@pytest.mark.parametrize(
+    "side", ["back loops of foundation ch", "opposite side of foundation ch", "rem loops of foundation ch"]
+)
+def test_both_sides_of_a_chain_however_the_other_is_called(side: str) -> None:
+    words = f"BOOTS\nWith B, ch 6.\nRound 1: 2 sc in 2nd ch from hook, sc in each of next 3 ch, 3 sc in next ch, working in {side}, sc in each of next 4 ch; join with slip st in first sc – 12 sc.\nRound 2: Ch 1, [sc in next sc, 2 sc in next sc] 6 times; join with slip st in first sc – 18 sc.\nRound 3: Ch 1, sc in back loop only of each sc around; join with slip st in first sc.\n"
+    assert made(told(TOP + words)) == [12, 18, 18]
+    row = "SOLE\nWith B, ch 6.\nRow 1: Working in back loops of foundation ch, sc in 2nd ch from hook and in each ch across, turn – 5 sc.\nRow 2: Ch 1, sc in each sc across.\n"
+    assert made(told(TOP + row)) == [5, 5]
+
+
+def test_versions_of_yarns_are_no_parts_and_diagrams_hide_no_name() -> None:
+    words = "Pup\n\nINSTRUCTIONS\nVersion 1: Red as Color 1, Blue as Color 2.\nVersion 2: Blue as Color 1, Red as Color 2.\nNote: Head and Body are worked in continuous rnds.\nHead/Neck Flange (see diagram on page 3).\nWith Color 1 and larger hook, beg using magic loop method demonstrated here.\n1st rnd: Ch 1. 6 sc in ring. PM on last sc.\n2nd rnd: 2 sc in each sc around. 12 sc.\nFasten off.\nBody (see diagram on page 3)\nWith Color 2, ch 2.\n1st rnd: 5 sc in 2nd ch from hook.\n"
+    assert [part.name for part in read(Text(words, "pup.txt")).parts] == ["Head Neck Flange", "Body"]
+
+
+def test_so_many_stitches_left_unworked_are_those_that_are_left() -> None:
+    row = "3rd rnd: 1 sc in each of next 8 sc. Turn.\n"
+    assert made(told(f"{TOP}{BODY}{row}Leave 4 sts unworked.\nNext row: Ch 1. 1 sc in each sc to end of row.\n")) == [
+        6,
+        12,
+        8,
+        8,
+    ]
+    wrong = read(Text(f"{TOP}{BODY}{row}Leave 5 sts unworked.\n4th row: 1 sc in each sc.\n", "pup.txt"))
+    assert any("unworked" in wrong.text.text[p.span.start : p.span.end] for p in wrong.unread if p.span)

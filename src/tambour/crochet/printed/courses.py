@@ -146,6 +146,10 @@ class Courses(Reader):
 
     def other_side(self, found: list[Item]) -> None:
         """The work goes on along the other side of the foundation chain."""
+        first = self.c.look()
+        if first is not None and first.word.startswith("back") and not any(map(makes, found)):
+            self.to_separator()  # "Working in back loops of foundation ch, sc in 2nd ch from hook"
+            return
         self.body.sides, self.body.turned = True, len(found)
         self.to_separator()
 

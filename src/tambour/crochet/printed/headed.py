@@ -20,6 +20,7 @@ from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import worked_in
 from tambour.crochet.printed.heads import Head
+from tambour.crochet.printed.items import evens
 from tambour.crochet.printed.items import works as works_some
 from tambour.crochet.printed.mend import is_start
 from tambour.crochet.printed.moved import Moved
@@ -35,6 +36,8 @@ from tambour.crochet.printed.tokens import Token
 from tambour.crochet.printed.united import united
 from tambour.crochet.printed.unread import NOT_UNDERSTOOD, instructs
 
+_EVENED: Final = 8
+"""Stitches of an edge that "1 sc in next st. Sl st in next st. Fasten off." only makes even, at least."""
 _HINTED: Final = 20  # errors that suggestions are looked for
 
 
@@ -155,6 +158,11 @@ class Headed(State):
             )
             return
         else:
+            if (draft.edge or 0) > _EVENED and evens(read.items):
+                read.items = [
+                    Action("join", span),
+                    *(i for i in read.items if isinstance(i, Action) and i.name == "fo"),
+                ]
             before, edge, last = len(draft.lines), draft.edge, draft.last
             draft.spoken[span.start] = tokens
             draft.add(self.source, head, read, span, notes)

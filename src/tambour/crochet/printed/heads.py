@@ -280,6 +280,8 @@ def heads(tokens: list[Token], text: str = "") -> list[tuple[int, Head]]:
     while at < len(tokens) and tokens[at].word in _STARRED:
         at += 1
     first = head(tokens, at) or _further(tokens, at)
+    if first is not None and not first.parted and text[first.span.end : first.span.end + 4] == " of ":
+        first = None  # "First rnd of Stripe Pat is complete"
     if first is not None:
         found.append((0, first))
     at = first.end if first is not None else 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -90,3 +91,10 @@ def bare_count(tokens: list[Token]) -> Token | None:
     named = bool(rest) and (rest[0].kind == "stitch" or (rest[0].kind == "key" and rest[0].value == "stitch"))
     plain = all(t.kind == "stitch" or (t.kind == "key" and t.value in _AFTER) or t.word in ("end", "rem") for t in rest)
     return first if named and plain else None
+
+
+def evens(items: Sequence[Item]) -> bool:
+    """Whether the last round of a piece is only a step down to the one before it: "1 sc in next st. Sl st in next st. Fasten off."."""
+    names = [(i.name, i.times) for i in items if isinstance(i, Action) and i.name not in ("fo", "color")]
+    ends = any(isinstance(i, Action) and i.name == "fo" for i in items)
+    return ends and all(isinstance(i, Action) for i in items) and names in ([("sc", 1), ("slst", 1)], [("slst", 1)])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from tambour.core.errors import Span
@@ -73,7 +73,8 @@ _RANKS: Final = re.compile(r"(\d+)(?:st|nd|rd|th)\s*(?:to|through|-|–)\s*(\d+)
 
 def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     """The heading that a line is, None when it cannot be one."""
-    tokens = _unseen(tokens)
+    shown, tokens = tokens, _unseen(tokens)
+    diagram = len(tokens) < len(shown) and any(t.word == "see" for t in shown[1:])
     c = Cursor(tokens)
     name: list[Token] = []
     copies, at = 1, None
@@ -112,7 +113,7 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     if not any(ch.isalpha() for ch in words) or any(isinstance(t.value, float) for t in name):
         return None
     capitals = words.isupper()
-    strong = bool(row.marked) or at is not None or colon or capitals
+    strong = bool(row.marked) or at is not None or colon or capitals or diagram
     if not strong and (len(name) > 4 or not words[0].isupper() or any(t.kind == "number" for t in name[:-1])):
         return None
     stitches = any(t.kind == "stitch" and not (t.capital and t.value in _NAMING and t is not name[0]) for t in name)
@@ -121,7 +122,8 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     clean = plain_name(words)
     if not clean:
         return None
-    return Heading(clean, Span(row.tokens[0].start, end), copies, at, strong, bool(row.marked) or at is not None)
+    marked = bool(row.marked) or at is not None or diagram  # "Body (see diagram on page 3)"
+    return Heading(clean, Span(row.tokens[0].start, end), copies, at, strong, marked)
 
 
 def _unseen(tokens: list[Token]) -> list[Token]:
@@ -132,7 +134,7 @@ def _unseen(tokens: list[Token]) -> list[Token]:
     if begin is None:
         return tokens
     end = next((k for k in range(begin, len(tokens)) if tokens[k].word in (")", "]")), len(tokens) - 1)
-    return [*tokens[:begin], *tokens[end + 1 :]]
+    return [*tokens[:begin], *(replace(t, glued=False) for t in tokens[end + 1 : end + 2]), *tokens[end + 2 :]]
 
 
 _NAMING: Final = frozenset(("fur", "loopst", "spike", "picot", "cl", "bobble"))  # words of names too: "Facial Fur"

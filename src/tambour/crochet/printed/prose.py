@@ -61,6 +61,9 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
     title = p.title is not None and p.heading is not None and p.heading.span == p.title[1]
     if title and p.heading is not None and p.heading.copies_span is None and tokens[0].word not in OPEN:
         p.heading = None  # what stands over the whole pattern names no part
+    if " as " in line and numbered(p.palette, line) and not any(t.kind == "stitch" for t in tokens):
+        p.passed.append(whole)  # "Version 3: C as Color 1, B as Color 2"
+        return
     if p.mode not in ("materials", "abbreviations") and (at := headed(text, row, tokens) or trailing(p, row, tokens)):
         cut = tokens[at].end
         for part, some in ((tokens[: at + 1], True), (tokens[at + 1 :], False)):

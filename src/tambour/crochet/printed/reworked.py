@@ -115,6 +115,8 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     if marked and not body.hues:
         made = list(line.rounds())  # written out, so that they hold marks of their own
     draft.lines += [*made, *([Line(later, span, False)] if later else [])]
+    ended = next((i for i in body.items if isinstance(i, Action) and i.name == "fo"), None)
+    draft.off = ended.span if ended is not None else draft.off  # "As 4th rnd. Fasten off."
     draft.last, before = number + total - 1, draft.edge
     kept: dict[str, int | None] = {}
     for one in line.rounds():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, zip_longest
 from typing import Final
 
 from tambour.core.errors import Span
@@ -342,7 +342,12 @@ def _left_unworked(p: State, tokens: list[Token]) -> bool:
     line, below = draft.lines[-1], draft.edges.get(draft.last - 1)
     if not line.in_round or line.again is not None or line.times > 1 or not below:
         return False
-    draft.lines[-1] = replace(line, items=tuple(rest_left(list(line.items), below, p.source.stitches)))
+    items = rest_left(list(line.items), below, p.source.stitches)
+    rest = next((i.times for i, j in zip_longest(items, line.items) if i is not j and isinstance(i, Action)), 0)
+    said = next((t.value for t in tokens if t.kind == "number"), rest)
+    if not rest or said != rest:
+        return False
+    draft.lines[-1] = replace(line, items=tuple(items))
     draft.edge = draft.edges[draft.last] = after(draft.lines[-1].items, below, p.source.stitches) or draft.edge or 0
     return True
 
