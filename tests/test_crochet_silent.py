@@ -361,3 +361,36 @@ def test_so_many_stitches_left_unworked_are_those_that_are_left() -> None:
     ]
     wrong = read(Text(f"{TOP}{BODY}{row}Leave 5 sts unworked.\n4th row: 1 sc in each sc.\n", "pup.txt"))
     assert any("unworked" in wrong.text.text[p.span.start : p.span.end] for p in wrong.unread if p.span)
+
+
+@pytest.mark.parametrize(
+    "round_",
+    [
+        "4th rnd: Flatten ear to work through 2 layers; ch 1, sc through both layers of 6 sc.",
+        "4th rnd: Sc through both layers of 6 sc.",
+    ],
+)
+def test_so_many_stitches_through_both_layers_are_all_worked(round_: str) -> None:
+    assert made(told(f"{TOP}{BODY}3rd rnd: 1 sc in each sc around.\n{round_} Fasten off.\n")) == [6, 12, 12, 6]
+
+
+def test_a_repeat_that_begins_in_chains_said_before_it_is_told() -> None:
+    words = "CROWN\nWith C, ch 26.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn—25 sc.\nRow 2: Ch 6, *slip st in 2nd ch from hook, sc in next 4 ch, skip next 3 sc, slip st in next sc, ch 6; repeat from * 4 times, slip st in 2nd ch from hook, sc in next 4 ch, skip next 3 sc, slip st in last sc. Fasten off.\n"
+    assert any("which chains" in p.message for p in read(Text(TOP + words, "pup.txt")).unread)
+
+
+def test_what_is_embroidered_and_is_no_known_thing_is_told() -> None:
+    head = BODY.replace("BODY", "HEAD")
+    star = "Use contrasting color yarn to embroider a star stitch through the center of flower and to top of head."
+    words = f"{TOP}{head}3rd to 6th rnds: 1 sc in each sc around.\nFasten off.\nFLOWER\nWith B, ch 2.\n{LAST}FINISHING\nSew flower to top of head. {star}\n"
+    found = read(Text(words, "pup.txt"))
+    assert [
+        p
+        for p in (*found.warnings, *found.unread)
+        if p.span is not None and p.span.start >= words.index("Use contrasting")
+    ]
+
+
+def test_a_body_that_goes_on_from_its_head_under_a_heading_with_a_diagram_is_one_with_it() -> None:
+    words = f"{TOP}{BODY.replace('BODY', 'HEAD')}Do not fasten off.\nBODY: (See Diagram on page 5)\n1st rnd: 1 sc in each sc around. 12 sts.\n2nd rnd: 2 sc in each sc around. 24 sc.\n"
+    assert made(told(words)) == [6, 12, 12, 24]

@@ -277,7 +277,7 @@ class Heard:
             host = None if head is None else (head, 1)
             self.features.append(Feature("safety eyes", host, "head", place, sentence.span, order, None, "eyes"))
             return True
-        if _THREAD.search(low) and not re.search(r"\b(?:sew|attach|whipstitch)\b", low):
+        if (_THREAD.search(low) or "embroider" in low) and not re.search(r"\b(?:sew|attach|whipstitch)\b", low):
             return False  # "satin stitch over the bridge of the beak": no thing that is known is drawn there
         return self._put(low, found, at, sentence, order)
 

@@ -122,8 +122,7 @@ def heading(text: str, row: Row, tokens: list[Token]) -> Heading | None:
     clean = plain_name(words)
     if not clean:
         return None
-    marked = bool(row.marked) or at is not None or diagram  # "Body (see diagram on page 3)"
-    return Heading(clean, Span(row.tokens[0].start, end), copies, at, strong, marked)
+    return Heading(clean, Span(row.tokens[0].start, end), copies, at, strong, bool(row.marked) or at is not None)
 
 
 def _unseen(tokens: list[Token]) -> list[Token]:

@@ -40,6 +40,8 @@ _EXPLAINED: Final = re.compile(r"(?:^|[;|,•])[ \t]*[\w./()]{1,10}[ \t]*(?:=|:|
 """One abbreviation of a list that stands in a line: "ch - chain; sc - single crochet"."""
 
 
+_SHOWN: Final = re.compile(r"[(\[]\s*see\b[^()\[\]]*[)\]]\W*$", re.IGNORECASE)
+"""What stands behind a name that a picture shows: "Neck Flange (see diagram on page 3)."."""
 _NEAR: Final = 40  # characters between a heading and another under it
 _PLANS: Final = frozenset(("pat", "pattern", "patt", "sequence", "chart", "diagram"))
 _JOININGS: Final = frozenset(("joining", "join", "assembling"))
@@ -118,7 +120,8 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         or small(p, row, line)
     )
     lefts: list[list[Token]] = []
-    if (found is None or not found.marked) and sentences(p, tokens, lefts):
+    shown = found is not None and found.strong and _SHOWN.search(line) is not None
+    if (found is None or not (found.marked or shown)) and sentences(p, tokens, lefts):
         found = None
         for left in lefts:
             left_over(p, left)

@@ -48,6 +48,11 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     if (name == "slst" and _joins(r)) or (name == "sc" and _forms(r, found)):
         found.append(Action("join", token.span))
         return
+    if c.key("in") and c.key("thicknesses", ahead=1) and c.whole(2) and c.kind("stitch", 3) and not c.kind("stitch", 4):
+        many = c.tokens[c.at + 2]  # "sc through both layers of 6 sc"
+        found += [Action("fold", c.tokens[c.at + 1].span), Action(name, token.span, many.value, many.span)]
+        c.at += 4
+        return
     place = r.before or where(c, name == "skip")
     if (
         name == "skip"
@@ -83,6 +88,12 @@ def stitch(r: Reader, found: list[Item], before: Token | None) -> None:
     if place is not None and place.kind in ("hook", "same", "joined") and curl(r, found, name, place):
         r.before = None
         return
+    if place is not None and place.kind == "hook" and r.lying and (r.depth or r.stars):
+        raise NotUnderstood(
+            token,
+            "which chains this is worked into is not said here",
+            "say them in the same repeat: ch 6, sl st in 2nd ch",
+        )
     if place is not None and place.kind == "hook":
         r.body.hook, r.body.fresh = place.ordinal, len(found)
         if place.ordinal - 1 in CHAINS_OF:
