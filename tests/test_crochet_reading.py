@@ -98,7 +98,7 @@ def test_stitches_apart_are_printed_as_they_were_said(apart: int, ends: str) -> 
     ears = "EAR (make 2)\nRnd 1: 5 sc in MR (5)\nRnd 2: inc x 5 (10)\nRnds 3-4: sc around (10)\nFasten off.\n"
     said = f"{ends}Sew the ears to the head between Rnds 5 and 6, {apart} sts apart."
     text = instructions(build(read(Text(f"Toy\n\n{head}\n{ears}\nASSEMBLY\n{said}\n"))), exact=False).text
-    assert f"{apart} stitches apart" in text
+    assert f"{apart} {'stitch' if apart == 1 else 'stitches'} apart" in text
 
 
 @pytest.mark.parametrize(

@@ -394,3 +394,8 @@ def test_what_is_embroidered_and_is_no_known_thing_is_told() -> None:
 def test_a_body_that_goes_on_from_its_head_under_a_heading_with_a_diagram_is_one_with_it() -> None:
     words = f"{TOP}{BODY.replace('BODY', 'HEAD')}Do not fasten off.\nBODY: (See Diagram on page 5)\n1st rnd: 1 sc in each sc around. 12 sts.\n2nd rnd: 2 sc in each sc around. 24 sc.\n"
     assert made(told(words)) == [6, 12, 12, 24]
+
+
+def test_a_row_in_these_stitches_only_leaves_the_others() -> None:
+    words = "PIE\nWith A, ch 21.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn – 20 sc.\nRow 2: Ch 1, sc in 1st 12 sts; TURN.\nRow 3: Working in these 12 sts only, ch 1, sc in each st across; turn.\nRows 4-5: Repeat Row 3. Fasten off.\n"
+    assert made(told(TOP + words)) == [20, 12, 12, 12, 12]

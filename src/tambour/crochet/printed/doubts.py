@@ -18,7 +18,7 @@ from tambour.crochet.printed.colors import Palette
 from tambour.crochet.printed.cursor import NotUnderstood
 from tambour.crochet.printed.phrasing import shortened
 from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.reckoned import after, after_all, chainless, reached, worked
+from tambour.crochet.printed.reckoned import after, after_all, chainless, reached, rest_left, worked
 from tambour.crochet.printed.repeats import led
 from tambour.crochet.printed.tokens import Token
 from tambour.crochet.words.phrases import Phrases
@@ -192,17 +192,6 @@ def _leaving(items: list[Item], tokens: list[Token]) -> list[Item]:
         return items
     many = next((t.value for t in tokens[last:at] if t.kind == "number" and isinstance(t.value, int)), 1)
     return [*items[:around], replace(group, leaves=many), *items[around + 1 :]]
-
-
-def rest_left(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:
-    """``items`` with the stitches that they leave of the round below skipped at their end, so that the next row has only these."""
-    done = worked(items, edge, stitches)
-    if done is None or not 0 < done[1] < edge:
-        return items
-    at = len(items)
-    while at and isinstance(items[at - 1], Action) and items[at - 1].name in ("turn", "join", "color", "fo"):  # type: ignore[union-attr]
-        at -= 1
-    return [*items[:at], Action("skip", items[at - 1].span, edge - done[1]), *items[at:]]
 
 
 def _run_on(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item] | None:

@@ -83,6 +83,13 @@ class Headed(State):
         if both is not None and head.numbers and head.numbers[0] <= draft.last:
             draft.offset = draft.last
             head = replace(head, numbers=tuple(n + draft.offset for n in head.numbers))
+        if (
+            draft.last
+            and draft.lines
+            and any(t.word in ("these", "those") for t in tokens[:3])
+            and tokens[0].value == "in"
+        ):
+            draft.leaves_rest(self.source)  # "Working in these 33 sts only"
         if both is None and established(self, tokens, head):
             return
         try:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from itertools import pairwise, zip_longest
 from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Span
@@ -29,7 +29,7 @@ from tambour.crochet.printed.items import (
 )
 from tambour.crochet.printed.marked import middle
 from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.reckoned import after, chainless, fixed, moved_in, reached
+from tambour.crochet.printed.reckoned import after, chainless, fixed, moved_in, reached, rest_left
 from tambour.crochet.printed.redyed import colored
 from tambour.crochet.printed.slips import lowered
 from tambour.crochet.printed.tokens import Token
@@ -182,6 +182,20 @@ class Draft:
         self.lines[self.chain : self.chain + 1] = [replace(chain, items=hues)] if hues else []
         self.marks = [(stars, at - (at > self.chain and not hues)) for stars, at in self.marks]
         self.chain = None
+
+    def leaves_rest(self, source: Source, said: object = None) -> bool:
+        """Has its last round leave what it does not work of the one below, which later words say; whether it leaves any, and so many as are
+        ``said``."""
+        line, below = self.lines[-1], self.edges.get(self.last - 1)
+        if not line.in_round or line.again is not None or line.times > 1 or not below:
+            return False
+        items = rest_left(list(line.items), below, source.stitches)
+        rest = next((i.times for i, j in zip_longest(items, line.items) if i is not j and isinstance(i, Action)), 0)
+        if not rest or said not in (None, rest):
+            return False
+        self.lines[-1] = replace(line, items=tuple(items))
+        self.edge = self.edges[self.last] = after(items, below, source.stitches) or self.edge or 0
+        return True
 
     def counted(self, tokens: list[Token]) -> bool:
         """Takes a sentence that is only a count ("36 sc.") for that of the round before it; whether it is one."""

@@ -6,7 +6,7 @@ from typing import Final
 
 from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.stitches import Stitch
-from tambour.crochet.language.tree import Group, Item, Line
+from tambour.crochet.language.tree import Action, Group, Item, Line
 from tambour.crochet.printed.repeats import led
 
 _MOST: Final = 200  # rounds that are counted through
@@ -151,3 +151,14 @@ def rounds_until(lines: tuple[Line, ...], edge: int | None, count: int, stitches
         if edge is None or edge == count:
             return 0 if edge is None else k + 1
     return 0
+
+
+def rest_left(items: list[Item], edge: int, stitches: dict[str, Stitch]) -> list[Item]:
+    """``items`` with the stitches that they leave of the round below skipped at their end, so that the next row has only these."""
+    done = worked(items, edge, stitches)
+    if done is None or not 0 < done[1] < edge:
+        return items
+    at = len(items)
+    while at and isinstance(items[at - 1], Action) and items[at - 1].name in ("turn", "join", "color", "fo"):  # type: ignore[union-attr]
+        at -= 1
+    return [*items[:at], Action("skip", items[at - 1].span, edge - done[1]), *items[at:]]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from itertools import pairwise, zip_longest
+from itertools import pairwise
 from typing import Final
 
 from tambour.core.errors import Span
@@ -27,7 +27,7 @@ from tambour.crochet.printed.conventions import convention
 from tambour.crochet.printed.counts import makes
 from tambour.crochet.printed.cursor import OPEN, NotUnderstood
 from tambour.crochet.printed.doings import by_hand
-from tambour.crochet.printed.doubts import decided, rest_left
+from tambour.crochet.printed.doubts import decided
 from tambour.crochet.printed.established import established
 from tambour.crochet.printed.formed import complete, worked_in
 from tambour.crochet.printed.heads import STARS
@@ -37,7 +37,6 @@ from tambour.crochet.printed.opening import founding, founds, opening
 from tambour.crochet.printed.parts import Draft
 from tambour.crochet.printed.put import finishing, stuffed
 from tambour.crochet.printed.reader import Body
-from tambour.crochet.printed.reckoned import after
 from tambour.crochet.printed.reckoned import worked as reckoned
 from tambour.crochet.printed.remarks import chosen, remark
 from tambour.crochet.printed.reworked import again
@@ -339,17 +338,8 @@ def _left_unworked(p: State, tokens: list[Token]) -> bool:
     draft = p.parts[-1] if p.parts else None
     if draft is None or tokens[0].value != "leave" or tokens[-1].word != "unworked" or not draft.lines:
         return False
-    line, below = draft.lines[-1], draft.edges.get(draft.last - 1)
-    if not line.in_round or line.again is not None or line.times > 1 or not below:
-        return False
-    items = rest_left(list(line.items), below, p.source.stitches)
-    rest = next((i.times for i, j in zip_longest(items, line.items) if i is not j and isinstance(i, Action)), 0)
-    said = next((t.value for t in tokens if t.kind == "number"), rest)
-    if not rest or said != rest:
-        return False
-    draft.lines[-1] = replace(line, items=tuple(items))
-    draft.edge = draft.edges[draft.last] = after(draft.lines[-1].items, below, p.source.stitches) or draft.edge or 0
-    return True
+    said = next((t.value for t in tokens if t.kind == "number"), None)
+    return draft.leaves_rest(p.source, said)
 
 
 def _added(p: State, draft: Draft, body: Body, span: Span) -> None:
