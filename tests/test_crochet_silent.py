@@ -399,3 +399,10 @@ def test_a_body_that_goes_on_from_its_head_under_a_heading_with_a_diagram_is_one
 def test_a_row_in_these_stitches_only_leaves_the_others() -> None:
     words = "PIE\nWith A, ch 21.\nRow 1: Sc in 2nd ch from hook and in each ch across, turn – 20 sc.\nRow 2: Ch 1, sc in 1st 12 sts; TURN.\nRow 3: Working in these 12 sts only, ch 1, sc in each st across; turn.\nRows 4-5: Repeat Row 3. Fasten off.\n"
     assert made(told(TOP + words)) == [20, 12, 12, 12, 12]
+
+
+def test_eyes_that_a_head_has_no_room_for_are_embroidered_none_the_less() -> None:
+    body = "Body\nWith A, ch 11.\n1st row: 1 sc in 2nd ch from hook. 1 sc in each ch to end of ch. Turn. 10 sc.\n2nd row: Ch 1. 1 sc in each sc to end of row. Turn.\n"
+    head = "Head: With WS of work facing, join yarn with sl st to first st. Ch 1. 1 sc in same sp as sl st. 1 sc in each of next 8 sc. Sc2tog over next 2 sc. Turn.\n"
+    words = f"{TOP}{body}{head}Next row: Ch 1. Sc2tog over first 2 sts. 1 sc in each of next 5 sc. Turn. 7 sc.\nFasten off.\nWith blue thread, embroider eye as shown in picture.\n"
+    assert read(Text(words, "pup.txt")).built is not None

@@ -37,6 +37,8 @@ _BROW: Final = np.array([0.6, 0.5, 0.0])
 """Where eyes are about a head that lies, seen from its nose."""
 _ON_MASK: Final = (0.52, 0.22, 0.0)
 """Where the left eye is on a face that is sewn on, from its middle, in halves of its size."""
+_ONE: Final = 0.5
+"""A pair that is nearer to each other, in stitches, lies in one place, and its distance says nothing of its size."""
 _BESIDE_EACH: Final = 0.8
 """Two cheeks are no wider than this share of the way from the one to the other."""
 _OBLONG: Final = 1.3
@@ -253,7 +255,8 @@ class Facer(Putter):
                 return [Felt(s, "circle", big, big, 0.0, color, f.span) for s in spots]
             points = [self.stand.frame(s).points[0] for s in spots]
             if name in ("cheeks", "eyes", "closed eyes") and len(points) == 2 and not f.where.wide:
-                wide = min(wide, _BESIDE_EACH * float(np.sqrt(((points[0] - points[1]) ** 2).sum())))
+                between = float(np.sqrt(((points[0] - points[1]) ** 2).sum()))
+                wide = min(wide, _BESIDE_EACH * between) if between > _ONE else wide
             if name == "whiskers":
                 points = self._beside_snout(host, f) or points
             if name in ("eyes", "closed eyes"):
