@@ -124,6 +124,13 @@ def test_a_scarf_is_begun_in_the_chain_that_she_says() -> None:
     assert any("Row 1 from the 2nd ch from the hook: 11 sc" in said for said, _ in rows(scarf, "SCARF"))
 
 
+def test_rows_that_are_worked_again_are_rows() -> None:
+    scarf = book(
+        "SCARF\nWith red, ch 5.\nRow 1: sc in 2nd ch from hook, sc across, turn (4)\nRow 2: ch 1, sc across, turn (4)\nRows 3-9: as Row 2 (4)\n"
+    )
+    assert "Row 3-9 as Row 2" in [said for said, _ in rows(scarf, "SCARF")]
+
+
 def test_abbreviations_mean_what_the_designer_means_and_stand_once() -> None:
     for name in ("willa", "pickles"):
         assert next(m for said, m in _merged(shop(name)) if "dec" in said.split(", ")).startswith("invisible decrease")

@@ -28,6 +28,8 @@ _CLOSED = re.compile(
     re.IGNORECASE,
 )
 """How she says that an end is closed."""
+_CARE = 44.0
+"""Room that the words of care take below them, mm."""
 _LOWEST = 0.8
 """How high pictures of the finished toy are for their width, at the least."""
 _GAP = 4.0
@@ -189,7 +191,7 @@ def finished(book: Book) -> None:
     sheet, y = book.below
     room = bottom - y - 1.6 * LEAD - 2.0 * SMALL
     if room >= _LOWEST * width:
-        high = min(high, room)
+        high = min(high, room - _CARE if room - _CARE >= _LOWEST * width else room)
     if room < high:
         sheet, y = book.page(short(book, book.own["finished"])), TOP
     else:
