@@ -54,6 +54,7 @@ def test_how_ends_are_sewn_on_is_said_by_kind() -> None:
     assert "along its closed edge" in notes(shop("willa"), "SIDE FINS")  # closed by stitches that are no round
     assert "lies flat" in notes(shop("toadstool"), "SPOTS") and "open end" not in notes(shop("toadstool"), "SPOTS")
     assert "sewn on as a ring" in notes(shop("pickles"), "SNOUT")
+    assert "lies flat and is sewn on along its edge" in notes(shop("toadstool"), "DOOR")
     odd = notes(shop("pickles"), "FRONT LEGS")  # nine stitches
     assert "4 stitches through both layers and the odd one at the fold" in odd
     assert "6 stitches wide" in notes(shop("pickles"), "EARS")
@@ -129,6 +130,16 @@ def test_rows_that_are_worked_again_are_rows() -> None:
         "SCARF\nWith red, ch 5.\nRow 1: sc in 2nd ch from hook, sc across, turn (4)\nRow 2: ch 1, sc across, turn (4)\nRows 3-9: as Row 2 (4)\n"
     )
     assert "Row 3-9 as Row 2" in [said for said, _ in rows(scarf, "SCARF")]
+
+
+def test_a_head_that_is_sewn_on_has_its_eyes() -> None:
+    """They are put in while it is open: a picture without them would have a buyer leave them for later."""
+    from tambour.crochet.language.finishes import Eye
+
+    piece = shop("pickles").piece
+    head = next(s for s in steps(piece) if any(piece.built.graph.parts[k].name == "HEAD" for k in s.fresh))
+    assert sum(isinstance(f, Eye) for f in head.finishes) == 2
+    assert all(sum(isinstance(f, Eye) for f in s.finishes) == 2 for s in steps(piece))
 
 
 def test_abbreviations_mean_what_the_designer_means_and_stand_once() -> None:

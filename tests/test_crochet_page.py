@@ -144,7 +144,7 @@ def test_every_language_has_every_word_and_fills_it(code: str) -> None:
 def test_steps_add_part_after_part() -> None:
     found = steps(toy())
     assert [(step.parts, step.fresh, len(step.finishes)) for step in found] == [
-        ((1, 2, 3), (2, 3), 0),
+        ((1, 2, 3), (2, 3), 1),  # its eye was put in while the body was open
         ((1, 2, 3), (), 1),
     ]
     seams = "".join(f"== p{k} ==\n: MR(6)\n: 6 inc, mark(m{k})\n" for k in range(3))

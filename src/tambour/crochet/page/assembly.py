@@ -85,9 +85,11 @@ def _held(book: Book, step: Step) -> list[str]:
     spots, made = Spots(built), dict[str, None]()
     records = [built.pattern.finish[n] for n in step.records]
     for record in records:
-        if not isinstance(record, Placed) or spots.in_rows[spots.parts[record.part]]:
+        if not isinstance(record, Placed):
             continue
         end = end_of(built, spots, record)
+        if spots.in_rows[spots.parts[record.part]] and not end.laid:
+            continue
         open_ = len(spots.sewn_rim(spots.parts[record.part])) > 0
         if end.laid:
             made[book.own["sewn edge"]] = None

@@ -14,7 +14,7 @@ from tambour.core.check import Array
 from tambour.core.graph import SEWN
 from tambour.core.picture import Picture
 from tambour.crochet.graph.spots import Spots
-from tambour.crochet.language.finishes import Finish, Placed, spots_of
+from tambour.crochet.language.finishes import Eye, Finish, Placed, spots_of
 from tambour.crochet.maker.size import skin
 from tambour.crochet.page.album import FEW, MANY, Album
 from tambour.crochet.page.angle import VIEW
@@ -92,10 +92,10 @@ def steps(piece: Plush) -> list[Step]:
                 seams.append(([k], []))
     first = [k for k in loose if k == main or k not in sewn]
     there, made = list(first), []
-    face: list[Finish] = []
+    face: list[Finish] = [f for f in built.pattern.finish if isinstance(f, Eye)]  # put in while their part is open
     for parts, records in _in_order([*seams, *groups], first, lambda n: _on(built.pattern.finish[n], names)):
         there += parts
-        face += [built.pattern.finish[n] for n in records if not isinstance(built.pattern.finish[n], Placed)]
+        face += [built.pattern.finish[n] for n in records if not isinstance(built.pattern.finish[n], (Placed, Eye))]
         # A face is only shown on parts that are there.
         shown = tuple(f for f in face if _on(f, names) in there)
         made.append(Step(tuple(there), tuple(parts), shown, tuple(records), not records))
