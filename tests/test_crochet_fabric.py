@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import signal
 import subprocess
 import sys
@@ -319,6 +320,20 @@ def test_in_the_lattice_that_it_was_found_in_the_course_has_its_room(hold: str) 
     ends = np.arange(5) * 5 * len(table)
     _, found = clearance.distances(np.concatenate(rows) / loops.RATIO, ends, 1.0, 0.99)
     assert found.size == 0
+
+
+def test_the_program_that_found_the_course_leaves_it_as_it_is() -> None:
+    """It calls the kernels that clear strands: when those took other arguments it no longer ran, and nobody saw it."""
+    file = Path(__file__).parent.parent / "bench" / "single_crochet.py"
+    spec = importlib.util.spec_from_file_location("single_crochet", file)
+    assert spec is not None and spec.loader is not None
+    program = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(program)
+    lean = loops.LEAN["over"]
+    rested = program.rested(loops.SINGLE, 1.0, lean, program.LEGS, program.DEEP, 0.002, rounds=2)
+    assert abs(rested - loops.SINGLE).max() < 0.03
+    length, nearest = program.measured(loops.SINGLE, 1.0, lean)
+    assert length == pytest.approx(program.LENGTH, abs=0.05) and nearest > 0.99
 
 
 def around_plainly(graph: StitchGraph, x: np.ndarray, i: int, following: dict[int, int]) -> int:
