@@ -538,3 +538,15 @@ def test_a_slender_doll_with_a_face_is_no_sheet_to_be_laid_down() -> None:
     thin = replace(piece, positions=piece.positions * (1.0, 1.0, 0.1))
     faceless = replace(piece.built, pattern=replace(piece.built.pattern, finish=piece.built.pattern.finish[:0]))
     assert not sheet(thin) and sheet(replace(thin, built=faceless))
+
+
+def test_eyes_on_a_head_that_is_a_point_are_drawn_all_the_same() -> None:
+    """A head of which one stitch was read: both eyes were at one place, and an oval of no width divided by it."""
+    head = "HEAD\nCh 3.\nRow 1: sc in 2nd ch from hook, turn (1)\nRows 2-5: ch 1, sc, turn (1)\nFasten off.\n\n"
+    pattern = read(
+        BALL.format("BODY", OPEN) + head,
+        "With black, embroider eyes on head using satin stitch. Sew head to body.",
+        "Duck",
+    )
+    eyes = [r for r in pattern.finish if isinstance(r, Embroidery) and r.motif == "eyes"]
+    assert eyes and all(r.spots[0].part == "HEAD" for r in eyes)
