@@ -235,3 +235,16 @@ def test_what_a_count_says_of_chains_holds_for_rounds_that_state_none():
     )
     assert stitches(built, 3) == "ch3dc1 " + each("dc", 2, 32)
     assert stitches(built, 4).startswith("ch3dc1 dc2") and len(stitches(built, 4).split()) == 36
+
+
+def test_a_stitch_in_the_place_of_the_slip_stitch_before_it_leaves_none_out():
+    band = "Band\nCh 9.\n1st row: 1 hdc in 3rd ch from hook. 1 hdc in each ch to end. Turn. 7 hdc.\n"
+    built = told(
+        f"{band}2nd row: Ch 5. Sl st in first hdc. Ch 2. 1 hdc in same st as last sl st. 1 hdc in each hdc across.\n"
+    )
+    assert stitches(built, 2) == " ".join(f"hdc{k}" for k in range(7, 0, -1))
+    ring = "Ball\nCh 2.\n1st rnd: 8 sc in 2nd ch from hook. Join. 8 sc.\n"
+    built = told(
+        f"{ring}2nd rnd: Sl st in next sc. Ch 1. 1 sc in same sp as last sl st. 2 sc in next sc. 1 sc in each sc to end of rnd. Join. 9 sc.\n"
+    )
+    assert len(stitches(built, 2).split()) == 9

@@ -65,9 +65,9 @@ def slipped_back(found: list[Item]) -> bool:
     while at >= 0 and isinstance(found[at], Action) and found[at].name in ("ch", "flo", "blo", "color"):  # type: ignore[union-attr]
         at -= 1
     last = found[at] if 0 <= at < len(found) - 1 else None
-    if not isinstance(last, Action) or last.name != "slst" or last.times < 2 or any(map(makes, found)):
+    if not isinstance(last, Action) or last.name != "slst" or any(map(makes, found)):
         return False
-    found[at] = replace(last, times=last.times - 1)
+    found[at : at + 1] = [replace(last, times=last.times - 1)] if last.times > 1 else []
     return True
 
 
