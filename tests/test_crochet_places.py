@@ -1070,3 +1070,12 @@ def test_eyes_are_on_a_face_that_is_sewn_on_and_not_behind_it() -> None:
     assert placed(pattern, "EYES").spot.part == "FACE" and placed(pattern, "FACE").spot.part == "HEAD"
     smile = next(r for r in pattern.finish if isinstance(r, Embroidery))
     assert smile.spots[0].part == "FACE"
+
+
+@pytest.mark.parametrize(
+    "said",
+    ["Embroider cheeks.", "Embroider French knot eyes.", "With blue thread, embroider eyes as shown in picture."],
+)
+def test_a_face_on_a_part_of_one_stitch_a_row_is_put_there(said):
+    head = "Duck\n\nHEAD\nRow 1: Ch 2. 1 sc in 2nd ch from hook. Turn.\nRow 2: Ch 1. 1 sc in sc. Turn.\n"
+    assert len(read_printed(Text(f"{head}\nFINISHING\n{said}\n", "duck.txt")).parts) == 1
