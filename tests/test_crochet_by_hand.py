@@ -248,3 +248,12 @@ def test_a_stitch_in_the_place_of_the_slip_stitch_before_it_leaves_none_out():
         f"{ring}2nd rnd: Sl st in next sc. Ch 1. 1 sc in same sp as last sl st. 2 sc in next sc. 1 sc in each sc to end of rnd. Join. 9 sc.\n"
     )
     assert len(stitches(built, 2).split()) == 9
+
+
+@pytest.mark.parametrize("turn", ["; turn. 5 sc.", ". 5 sc."])
+def test_rows_of_which_nobody_says_the_turn_go_back_and_forth(turn):
+    rows = f"Back\nCh 6.\nRow 1: Sc in 2nd ch from hook and in each ch across{turn}\nRows 2-4: Ch 1, sc in each sc across.\n"
+    built = told(f"{rows}Row 5: Ch 1, sc2tog, sc in each sc across. 4 sc.\n")
+    for number in (2, 3, 4):
+        assert stitches(built, number) == " ".join(f"sc{k}" for k in range(5, 0, -1))
+    assert stitches(built, 5) == "sc5+4 sc3 sc2 sc1"

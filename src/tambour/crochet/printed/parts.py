@@ -349,12 +349,15 @@ class Draft:
             before = before.again.lines[-1]
         last = next((i for i in reversed(before.items) if goes(i)), None) if before is not None else None
         lifted = isinstance(last, Action) and last.name in ("join", "turn")
+        turned = isinstance(last, Action) and last.name == "turn"
         several = body.rounds is not None or (head is not None and (len(head.numbers) > 1 or head.many > 1))
         if several and not any(isinstance(i, Action) and i.name in ("join", "turn") for i in items):
             lifted = False  # "3rd to 5th rnds: Ch 1. 1 sc in each sc around. Do not join."
         worked = any(works(line_item) for line in self.lines for line_item in line.items)
         if self.flat and worked and not turns and not lifted and (head is None or head.row) and any(map(works, items)):
             turn = Action("turn", span_of(items[at]))
+            if turned:
+                return [*items, turn]  # rows of which the first is turned already: each ends with its turn
             if head is not None and not several and self.lines[-1] is before and before.in_round and before.times == 1:
                 self.lines[-1] = replace(
                     before, items=(*before.items, turn)
