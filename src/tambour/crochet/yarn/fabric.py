@@ -95,7 +95,10 @@ def strands(
     hung = hanging(graph, led)
     if hung.any():
         _fall(coords, hung, led.cell, rows)
-    wide = np.where(hung & np.isin(graph.kind[led.cell], _named(graph, "fur")), OPENED, _pressed(led.at))
+    # A magic ring is drawn tight: no yarn presses it thin, or a hole would show.
+    ring = (led.below >= 0) & (graph.peculiarity[np.maximum(led.below, 0)] == ROOT)
+    wide = np.where(ring, 1.0, _pressed(led.at))
+    wide[hung & np.isin(graph.kind[led.cell], _named(graph, "fur"))] = OPENED
     pieces, stray = _DETAIL[detail]
     coords, ends, of = _rounder(coords, ends, max(2, pieces))
     coords, ends, of = _thinner(coords, ends, of, min(stray, 0.3) * radius)
