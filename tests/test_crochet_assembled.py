@@ -201,6 +201,16 @@ def test_what_a_swatch_measures_says_nothing_of_how_a_toy_stands() -> None:
     assert read(text, "Sew the feet to the body.", gauge).parts[0].up != "side"
 
 
+def test_buns_on_a_wig_are_on_the_wig() -> None:
+    head, wig = BODY.replace("BODY", "HEAD"), BODY.split("Rnd 13")[0].replace("BODY", "WIG") + "Fasten off.\n\n"
+    bun = "BUNS (make 2)\nRnd 1: 6 sc in MR (6)\nRnd 2: inc x 6 (12)\nRnd 3: sc around (12)\nFasten off.\n\n"
+    said = "Sew the head to the body. Sew the wig to the top of the head. Sew a bun on each side of the wig, between rounds 6 and 9."
+    placed = [
+        f for f in read(BODY + head + wig + bun, said).finish if isinstance(f, Placed) and f.part.startswith("BUNS")
+    ]
+    assert [f.spot.part for f in placed] == ["WIG", "WIG"]
+
+
 @pytest.mark.parametrize("body, head, sits", [("12", False, True), ("36", True, False)])
 def test_a_long_neck_begun_at_its_top_stands(body: str, head: bool, sits: bool) -> None:
     """A giraffe sits with four legs and a head on its neck; what widens at once behind its neck goes on them."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tambour.core.errors import Text
+from tambour.crochet.graph.spots import Spots
+from tambour.crochet.language.finishes import Eye
 from tambour.crochet.language.tree import Action, Group, Item, Line, Pattern
 from tambour.crochet.printed.choose import read
 
@@ -234,3 +236,59 @@ def test_signs_of_no_width_part_no_word_and_no_number(hidden: str) -> None:
 def test_a_pasted_part_is_called_as_its_first_line_says() -> None:
     pattern = read(Text("Head\nRnd 1: 6 sc in magic ring. (6)\n\nTail\nRnd 1: 5 sc in magic ring. (5)\n", "toy.txt"))
     assert [part.name for part in pattern.parts] == ["Head", "Tail"]
+
+
+LEG = "First leg\nWith B:\nRnd 1: mr 6 sc [6]\nRnd 2: inc in all 6 sts [12]\nChange to A\nRnd 3: sc in all 12 sts [12]\nRnd 4: sc in all 12 sts [12]\n"
+
+
+def dyes(pattern: Pattern, part: str) -> list[tuple[int, ...]]:
+    """The colours of a part's rounds, by their first stitches."""
+    assert pattern.built is not None
+    graph = pattern.built.graph
+    of = next(k for k, p in enumerate(graph.parts) if p.name.startswith(part))
+    return [tuple(int(c) for c in graph.color[r.first]) for r in pattern.built.rounds if r.part == of]
+
+
+@pytest.mark.parametrize(
+    "words", ["Work the same as first leg.", "Rnds 1-4: as first leg.", "Work as for first leg, Rnds 1-4."]
+)
+def test_colours_that_change_between_rounds_change_where_these_are_worked_again(words: str) -> None:
+    pattern = read(Text(f"{TOY}{LEG}Fasten off.\n\nSecond leg\n{words}\nRnd 5: sc around [12]\n", "toy.txt"))
+    assert dyes(pattern, "Second leg") == [BLACK, BLACK, WHITE, WHITE, WHITE]
+
+
+def test_stripes_between_rounds_are_repeated_with_them() -> None:
+    words = "BAND\nWith A,\nRnd 1: 6 sc in magic ring [6]\nRnd 2: sc around [6]\nChange to B\nRnd 3: sc around [6]\nChange to A\nRnd 4: sc around [6]\nRep Rnds 3 and 4 twice more.\n"
+    assert dyes(read(Text(TOY + words, "toy.txt")), "BAND") == [WHITE, WHITE, *[BLACK, WHITE] * 3]
+
+
+@pytest.mark.parametrize("begun", ["", "with the second leg still on your hook, "])
+def test_legs_are_joined_and_their_body_goes_on_in_her_numbers(begun: str) -> None:
+    body = f"Second leg\nWork the same as first leg, but do not fasten off.\n\nBody\nNow join the legs:\nRnd 5: {begun}ch 3, sc in all 12 sts of first leg, sc in next 3 ch, sc in all 12 sts of second leg, sc in other side of 3 ch [30]\nRnd 6: sc around [30]\nRnd 7: (sc 3, dec) x 6 [24]\nFasten off.\n"
+    eyes = "Place the eyes between rounds 6 and 7 with an interspace of 7 stitches.\n"
+    pattern = read(Text(f"{TOY}{LEG}Fasten off.\n\n{body}{eyes}", "toy.txt"))
+    assert pattern.built is not None and [part.name for part in pattern.parts] == ["Legs and body"]
+    known = Spots(pattern.built)
+    counts = [pattern.built.rounds[known.round_at(0, n) or 0].count for n in range(1, 8)]
+    assert counts == [6, 12, 12, 12, 30, 30, 24]
+    spots = sorted(f.spot.stitch or 0 for f in pattern.finish if isinstance(f, Eye))
+    assert min(spots[1] - spots[0], 30 - spots[1] + spots[0]) == pytest.approx(8.0)
+
+
+@pytest.mark.parametrize(
+    "said", ["Pot\nIn Copper.", "POT (light grey)", "POT\nWith light grey yarn", "Pot\nWith grey:"]
+)
+def test_a_heading_and_its_colour_end_the_lists_before_them(said: str) -> None:
+    lists = "Cactus\n\nMaterials:\nYarn: DK (100 g / 295 m) in Green, Brown, Light Grey.\n3.5mm hook\n\n"
+    words = f"{lists}{said}\nRound 1. 6 sc in magic ring. (6)\nRound 2. Inc in each st. (12)\n\nSoil\nIn brown.\nRounds 1 to 2 as for Pot. (12)\n"
+    pattern = read(Text(words, "toy.txt"))
+    assert [part.name.lower() for part in pattern.parts] == ["pot", "soil"]
+    assert len(set(dyes(pattern, pattern.parts[0].name)) & set(dyes(pattern, "Soil"))) == 0
+
+
+def test_what_names_no_colour_is_in_the_first_of_a_yarn_s_colours() -> None:
+    lists = (
+        "Ella\n\nMATERIALS\n- Catona (cotton, 50 g / 125 m): Light Grey (1 ball), Pink, White\n- polyester stuffing\n\n"
+    )
+    pattern = read(Text(f"{lists}HEAD\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\n", "toy.txt"))
+    assert set(dyes(pattern, "HEAD")) == {(211, 211, 211)}

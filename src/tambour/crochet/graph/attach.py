@@ -33,6 +33,7 @@ def attach(hook: Hook, label: str, size: int) -> None:
         raise hook.fail(f'the mark "{label}" is on no edge any more', "it was worked over: set the mark later")
     chain, end = _chain(hook, size, target)
     hook.end_round(False)
+    hook.bridged()
     if places:
         _split(hook, places[0], target, chain, end)
     elif size == 0:

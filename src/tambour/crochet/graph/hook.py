@@ -72,6 +72,7 @@ class Hook:
         self._picots = 0  # chains of picots, which are no stitches of the round
         self._number = 0
         self.written = 0  # the number of the line under way, 0 for none
+        self._beside = False  # a chain begins another piece beside what the part holds
         self._chained: Round | None = None  # the last round, when it is a foundation chain
 
     def fail(self, message: str, hint: str = "", span: Span | None = None) -> HookError:
@@ -89,7 +90,7 @@ class Hook:
         self.begun = False
         self.now = Moment(stretch=self.stretches.begin())
         self._first, self._picots, self._number, self._chained = len(self), 0, 0, None
-        self.written = 0
+        self.written, self._beside = 0, False
 
     def begin_line(self) -> None:
         """A line that is a round begins: what was skipped at the end of the last one stays skipped."""
@@ -111,7 +112,7 @@ class Hook:
             while top >= first and self.styles[self.style[top]][6] == TIP:
                 top -= 1
             if first <= top:
-                self._count_round(first, top)
+                self._count_round(first, top, first > self._first)
                 at = self.ends[first]
                 under = self.anchors[at] if self.ends[first + 1] > at else self.previous[first]
                 below = self.round[under] if 0 <= under < len(self.round) else -1
@@ -139,10 +140,15 @@ class Hook:
         self.end_round(True)
         self.trailing = True
 
-    def _count_round(self, first: int, last: int) -> None:
-        """The number of a round: the one written on its line, where that is larger than the last; else one more. A chain
-        that the round stands on is round 0, or the number before."""
-        if self.written > self._number:
+    def bridged(self) -> None:
+        """The chain just made to another edge bears no number of its own where a round follows on its line."""
+        self._chained = self.rounds[-1] if self.rounds else None
+
+    def _count_round(self, first: int, last: int, ringed: bool) -> None:
+        """The number of a round: the one written on its line, where that is larger than the last, or a ring or a chain begins beside
+        what is there: the second of two legs. Else one more. A chain that the round stands on is round 0, or the number before."""
+        beside, self._beside = ringed or self._beside, self.ends[last + 1] == self.ends[first]
+        if self.written > self._number or (beside and 0 < self.written < self._number):
             self._number = self.written
         elif self._chained is not None and 0 < self.written == self._number:
             self._chained.number -= 1

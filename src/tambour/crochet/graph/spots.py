@@ -51,9 +51,12 @@ class Spots:
         self._numbers: dict[int, list[int]] = {}
         self._standing: dict[tuple[int, int], tuple[Array, Array]] = {}
         made: dict[int, int] = {}  # part → its last round with stitches
+        into = np.diff(built.graph.anchor_offsets)
         for k, (round_, number) in enumerate(zip(built.rounds, self.numbers)):
             if round_.count > 0 or len(self.stitches(k)):
                 made[round_.part] = k
+            if (round_.part, number) in self._at and not into[round_.first : round_.last].any():
+                continue  # chains over to another edge bear no number of their own
             if round_.part in made:
                 # A round of no stitch, chains that lift and a turn, is a place all the same: it lies on the one below.
                 self._at.setdefault((round_.part, number), []).append(made[round_.part])

@@ -299,11 +299,10 @@ class Heard:
             low = low[: more[0].start]
             at, found = where(low), [m for m in found if m.end <= more[0].start]
         objects = [m for m in found if m.start >= verb.end() and (not to or m.start < to.start())]
-        hosts = [
-            m
-            for m in found
-            if to and m.start >= to.end() and not m.copies[0][0].worn and not _NEAR.search(low[: m.start])
-        ]
+        hosts = [m for m in found if to and m.start >= to.end() and not _NEAR.search(low[: m.start])]
+        hosts = [m for m in hosts if not m.copies[0][0].worn] or hosts
+        if not hosts and to:  # "on each side of the wig"
+            hosts = [m for m in found if m.start >= to.end() and m.copies[0][0].kind in ("hat", "head", "body")]
         if to is not None and at.rounds is not None:
             # "the last round of the tail to the body": rounds of what is sewn say nothing of where.
             there = where(low[to.start() :])

@@ -33,6 +33,7 @@ _APART: Final = re.compile(
     rf"({_N})(?:\s*(?:-|–|to|or)\s*({_N}))?\s*{_ST}\s+(?:apart|from each other|(?:wide )?between|(?:in )?between|"
     rf"visible between|left between)"
 )
+_SPACE: Final = re.compile(rf"\b(?:interspace|space|gap)\s+of\s+(?:about\s+|approx\w*\.?\s+)?({_N})\s*{_ST}\b")
 LONG: Final = re.compile(rf"{_LENGTH}[- ]*long\b")
 _APART_MM: Final = re.compile(rf"{_LENGTH}(?:\s*[\[(][^\])]*[\])])?\s+(?:apart|between|from each other)")
 _WIDE: Final = re.compile(
@@ -132,6 +133,8 @@ def where(text: str) -> Where:
     apart = _APART.search(text)
     between = apart is not None and "between" in apart[0]
     steps = None if apart is None else max(number(apart[1]), number(apart[2] or apart[1])) + between
+    if steps is None and (space := _SPACE.search(text)) is not None:
+        steps = number(space[1]) + 1
     mm = _APART_MM.search(text)
     aside = _ASIDE.search(text)
     text = _ASIDE.sub("", text)

@@ -64,6 +64,8 @@ _THINGS: Final = frozenset(
 def aside(c: Cursor) -> bool:
     """Whether the clause at the cursor only says how hands go ("pushing chains to the front"): it names no number of stitches."""
     first = c.look()
+    if first is not None and first.value == "with":
+        return _on_hook(c)
     if first is None or first.kind != "word":
         return False
     if first.word in _HANDS:
@@ -78,6 +80,15 @@ def aside(c: Cursor) -> bool:
             return False
         ahead += 1
     return True
+
+
+def _on_hook(c: Cursor) -> bool:
+    """Whether a clause only says what the hook holds: "with the second leg still on your hook"."""
+    ahead = 1
+    while (token := c.look(ahead)) is not None and token.kind in ("word", "key", "ordinal") and ahead < 10:
+        ahead += 1
+    last = c.look(ahead - 1)
+    return last is not None and last.value == "hook" and any(c.look(k).word == "on" for k in range(1, ahead))  # type: ignore[union-attr]
 
 
 def things(c: Cursor) -> int:

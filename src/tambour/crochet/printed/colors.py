@@ -81,7 +81,7 @@ class Palette:
             if at + length > len(tokens):
                 continue
             words = [t.word for t in tokens[at : at + length] if t.word != "-"]
-            if not words or any(t.kind not in ("word",) and t.word != "-" for t in tokens[at : at + length]):
+            if not words or any(t.kind != "word" and t.word not in ("-", "light") for t in tokens[at : at + length]):
                 continue
             shade = self.name(" ".join(words))
             if shade is not None:

@@ -127,8 +127,10 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
             left_over(p, left)
         return
     under = found is not None and over(p.heading, found) != "" and p.heading is not None and p.heading.strong
+    apart = p.row_at > 0 and not p.rows[p.row_at - 1].tokens
+    heads = apart and p.title is not None and founds(p, near=2)  # "Pot", "In Copper." and its rounds end a list
     if found is not None and (
-        found.marked or found.strong or under or p.mode not in ("materials", "abbreviations", "notes")
+        found.marked or found.strong or under or heads or p.mode not in ("materials", "abbreviations", "notes")
     ):
         # A marked heading ends the list that stands before it, and notes end where a part is headed.
         shaping = found.copies_span is None and p.mode == "" and names[0].word in _SHAPING
@@ -140,7 +142,7 @@ def text_line(p: State, row: Row, tokens: list[Token]) -> None:
         if plan and found.copies_span is None and p.title is not None:
             p.passed.append(whole)  # "Stripe Pattern" and "Joining legs:" under BODY are no parts
             return
-        alone = found.strong and p.row_at > 0 and not p.rows[p.row_at - 1].tokens
+        alone = (found.strong and apart) or heads
         p.mode = "" if found.marked or p.mode == "notes" or alone or under else p.mode
         if p.title is None:
             p.title = (text[found.span.start : found.span.end], found.span)

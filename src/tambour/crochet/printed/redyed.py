@@ -31,6 +31,27 @@ def colored(lines: list[Line], later: list[tuple[Item, int]]) -> list[Line]:
     return lines
 
 
+def dressed(lines: tuple[Line, ...], every: list[Line], anew: bool) -> tuple[Line, ...]:
+    """``lines``, rounds of the part whose lines are ``every``, with the changes of colour that stand between them there: "Change to B".
+
+    anew : they are worked again in the same part, so that the first of them goes back to its own colour
+    """
+    before: dict[int, tuple[Item, ...]] = {}  # where a round begins → the change above it
+    colors: dict[int, tuple[Item, ...]] = {}  # … and the colour that it is begun in
+    above: tuple[Item, ...] = ()
+    now: tuple[Item, ...] = ()
+    for line in every:
+        hues = tuple(i for i in line.items if isinstance(i, Action) and i.name == "color")[-1:]
+        if line.in_round:
+            before[line.span.start], colors[line.span.start] = above, above or now
+        now = hues or now
+        above = () if line.in_round else hues or above
+    rest = tuple(replace(one, items=(*before.get(one.span.start, ()), *one.items)) for one in lines[1:])
+    changed = anew and any(before.get(one.span.start) for one in lines[1:])
+    first = colors.get(lines[0].span.start, ()) if changed else ()
+    return (replace(lines[0], items=(*first, *lines[0].items)), *rest)
+
+
 def redyed(line: Line, lines: list[Line], hues: list[RGB]) -> list[Line]:
     """The rounds of ``line``, which are some of ``lines``, in other yarns: these take the place of the colours there in their order."""
     seen = [i.numbers for one in lines for i in one.items if isinstance(i, Action) and i.name == "color"]

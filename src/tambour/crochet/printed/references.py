@@ -74,6 +74,14 @@ def refers(r: Reader) -> Refers | None:
     through, to_count, mirrored, upto, vague = 0, 0, False, 0, False
     while (token := c.look()) is not None:
         if token.kind == "mark" and token.word in _ENDS:
+            if (
+                token.word == ","
+                and words
+                and not (numbers or found.latest or found.marks)
+                and _named_behind(c, numbers)
+            ):
+                found = replace(found, numbers=tuple(numbers))  # "as for First Leg, Rnds 1-5"
+                continue
             if not (past := _meanwhile(c)):
                 break
             r.body.doings.append(c.tokens[c.at + 1 : past])
@@ -160,6 +168,17 @@ def _named(c: Cursor, numbers: list[int]) -> bool:
         c.at += 1
         return list_of_numbers(c, numbers, several)
     return c.kind("ordinal") and list_of_ordinals(c, numbers)
+
+
+def _named_behind(c: Cursor, numbers: list[int]) -> bool:
+    """The same behind a comma, where nothing else is said of them."""
+    begin = c.at
+    c.at += 1
+    if _named(c, numbers) and ((after := c.look()) is None or after.word in (".", ";")):
+        return True
+    c.at = begin
+    numbers.clear()
+    return False
 
 
 def _meanwhile(c: Cursor) -> int:

@@ -14,7 +14,7 @@ from tambour.crochet.printed.naming import figured, named, version
 from tambour.crochet.printed.parts import MARKED, MOST_ROUNDS, Draft
 from tambour.crochet.printed.reader import Body
 from tambour.crochet.printed.reckoned import after, rounds_until
-from tambour.crochet.printed.redyed import redyed
+from tambour.crochet.printed.redyed import dressed, redyed
 from tambour.crochet.printed.state import State
 
 
@@ -96,6 +96,7 @@ def again(p: State, draft: Draft, head: Head | None, body: Body, span: Span) -> 
     if number + total > MOST_ROUNDS:
         source.error(f"more than {MOST_ROUNDS:,} rounds in one part", "a lower number", at)
         return True
+    lines = dressed(lines, origin.lines, origin is draft and total > 1)
     moves, lines = _lifted(draft, lines)
     # Lines that work others again, as those others: round upon round said so would lead too deep.
     lines = tuple(one for line in lines for one in ((line,) if line.again is None else line.rounds()))

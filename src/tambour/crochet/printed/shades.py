@@ -289,13 +289,34 @@ def _lettered(line: str) -> dict[str, str]:
     return found
 
 
+_YARN: Final = re.compile(r"\b(?:yarn|cotton|wool|acrylic|dk|worsted|aran|balls?|skeins?|\d+\s?g)\b", re.IGNORECASE)
+_NO_YARN: Final = re.compile(
+    r"\b(?:stuffing|fib(?:er|re)fill|eyes?|felt|floss|thread|buttons?|hook|needle)\b", re.IGNORECASE
+)
+_SEVERAL: Final = re.compile(
+    r"(?::|\bin|\bcolou?rs?)[ \t]+([A-Za-z][A-Za-z’' -]{2,30}?)[ \t]*(?:\([^)\n]*\)[ \t]*)?(?=,|;|\band\b|&)"
+)
+
+
 def listed(line: str) -> dict[str, str]:
     """The letters that a list of materials gives to yarns → the names of their colours; "" for a yarn without a letter."""
     found = {m[1].lower(): m[2].strip() for m in _LED.finditer(line)}
     found = {**{m[2].lower(): m[1].strip() for pattern in (_AS, _ENDED) for m in pattern.finditer(line)}, **found}
     found = {**_lettered(line), **found} if ")" in line else found
     alone = _ALONE.search(line)
+    if not found and alone is None and (first := _first(line)) is not None:
+        return {"": first}
     return found if found or alone is None else {"": (alone[1] or alone[2]).strip()}
+
+
+def _first(line: str) -> str | None:
+    """The first of several colours that a line names of one yarn: "Catona (cotton, 50 g): Light Grey (1 ball), Pink, White"."""
+    for item in line.split("\n"):
+        if _YARN.search(item) and not _NO_YARN.search(item):
+            names = (m[1].strip() for m in _SEVERAL.finditer(item))
+            if found := next((name for name in names if len(name.split()[0]) > 1 and dyed(name) is not None), None):
+                return found
+    return None
 
 
 def dyed(name: str) -> RGB | None:

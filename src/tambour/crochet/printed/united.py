@@ -147,6 +147,8 @@ def _runs(tokens: list[Token], noun: str, which: Callable[[int], int]) -> tuple[
                 return None
             continue  # "Hold first leg and second leg together"
         rest = [t for k, t in enumerate(clause) if k not in at and k - 1 not in at]
+        if not stitches and rest and rest[0].value == "with" and rest[-1].value == "hook":
+            continue  # "with the second leg still on your hook"
         if stitches and all(t.value == "ch" for t in stitches) and not pieces:
             many = next((t.value for t in rest if isinstance(t.value, int)), 0)
             if len(rest) <= 3 and rest[0].value == "ch" and (many > 1 or runs):
