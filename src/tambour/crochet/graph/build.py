@@ -12,6 +12,7 @@ from tambour.core.graph import BACK, BOTH, FRONT, ROOT, TIP, Part
 from tambour.crochet.graph.assemble import assemble
 from tambour.crochet.graph.attach import attach
 from tambour.crochet.graph.built import Built, Done, PartFacts, Worked
+from tambour.crochet.graph.ends import fasten_off, join_round, turn
 from tambour.crochet.graph.hook import Hook, HookError
 from tambour.crochet.graph.layers import fold, through_both
 from tambour.crochet.graph.spaces import into_space, pass_rest, spaces_ahead
@@ -370,9 +371,9 @@ class _Worker:
             case "sew":
                 self.seams.setdefault(labels, action.span)
             case "fo":
-                hook.fasten_off(self.tip)
+                fasten_off(hook, self.tip)
             case "turn":
-                hook.turn()
+                turn(hook)
                 if not self.stitched:
                     self.fresh = len(hook)  # what was worked before it belongs to the row below
             case "oval":
@@ -383,7 +384,7 @@ class _Worker:
                 fold(hook, labels[0] if labels else None)
             case "join":
                 self.left = hook.ahead  # the next round begins with it
-                hook.join_round()
+                join_round(hook)
             case "gap":
                 self._gap(action.numbers[0])
         if action.name != "mark":

@@ -13,7 +13,6 @@ from tambour.crochet.language.stitches import JOIN, KNOT, NEXT, OVER, THROUGH, U
 
 LIFT = 5
 """Chains that only lift the yarn for a row or round, at most: a longer chain at a row's end is worked into."""
-MOST_AT_TIP = 12
 
 
 class HookError(Exception):
@@ -68,7 +67,7 @@ class Hook:
         self.last_mark: str | None = None
         self.span = Span(0, 0)
         self.trailing = False  # the last round has just been worked whole, in the line under way
-        self._first = 0
+        self.first = 0
         self._picots = 0  # chains of picots, which are no stitches of the round
         self._number = 0
         self.written = 0  # the number of the line under way, 0 for none
@@ -89,12 +88,12 @@ class Hook:
         self.part += 1
         self.begun = False
         self.now = Moment(stretch=self.stretches.begin())
-        self._first, self._picots, self._number, self._chained = len(self), 0, 0, None
+        self.first, self._picots, self._number, self._chained = len(self), 0, 0, None
         self.written, self._beside = 0, False
 
     def begin_line(self) -> None:
         """A line that is a round begins: what was skipped at the end of the last one stays skipped."""
-        if self.now.left <= 0 < self.now.count and len(self) > self._first and not self.now.chain:
+        if self.now.left <= 0 < self.now.count and len(self) > self.first and not self.now.chain:
             self.end_round(True)
         self.ahead, self.joined, self.trailing = self.now.count, 0, False
 
@@ -104,7 +103,7 @@ class Hook:
 
     def end_round(self, whole: bool) -> None:
         """The nodes since the last round's end become a round; anchors that lie ahead are the next round's."""
-        first, last = self._first, len(self) - 1
+        first, last = self.first, len(self) - 1
         if first <= last:
             while first <= last and self.styles[self.style[first]][6] == ROOT:
                 first += 1
@@ -112,7 +111,7 @@ class Hook:
             while top >= first and self.styles[self.style[top]][6] == TIP:
                 top -= 1
             if first <= top:
-                self._count_round(first, top, first > self._first)
+                self._count_round(first, top, first > self.first)
                 at = self.ends[first]
                 under = self.anchors[at] if self.ends[first + 1] > at else self.previous[first]
                 below = self.round[under] if 0 <= under < len(self.round) else -1
@@ -131,7 +130,7 @@ class Hook:
                 if self.ends[top + 1] == self.ends[first]:
                     self._chained = self.rounds[-1]
             self.round += [len(self.rounds) - 1] * (len(self) - len(self.round))
-        self._first, self._picots = len(self), 0
+        self.first, self._picots = len(self), 0
         self.now.left = self.now.count
         self.trailing = False
 
@@ -320,11 +319,11 @@ class Hook:
         now.front.append(node if anchor else ~node)
         now.count += anchor
         self._picots += not anchor
-        if self.trailing and self._first == node:
+        if self.trailing and self.first == node:
             this = self.rounds[-1]
             this.last, this.count = node, this.count + anchor
             self.round.append(len(self.rounds) - 1)
-            self._first = node + 1
+            self.first = node + 1
             self._picots, now.left = 0, now.left + anchor
 
     def used_up(self) -> HookError:
@@ -368,104 +367,13 @@ class Hook:
             self.now.chain = False
             self.now.spine = self.now.spine[-1:]
             self.end_round(False)
-        elif self.now.left <= 0 < self.now.count and len(self) > self._first:
+        elif self.now.left <= 0 < self.now.count and len(self) > self.first:
             self.end_round(True)  # its last stitches were skipped
         stretch = self.stretches.all[self.now.stretch]
         if not stretch.begun:
             stretch.begun, stretch.back = True, self.now.loop == BACK
 
     # -- the edge ---------------------------------------------------------------------------------------------------
-
-    def fasten_off(self, closing: bool) -> None:
-        """Draws the edge together in a tip node; in rows, or where ``closing`` is off, only ends the yarn."""
-        self.need_start()
-        now = self.now
-        if not closing:
-            return
-        if now.ring:
-            if now.count < 2:
-                raise self.fail("FO needs at least two stitches to draw together", "the edge is used up already")
-            if now.count > MOST_AT_TIP:
-                raise self.fail(
-                    f"FO draws at most {MOST_AT_TIP} stitches together, here are {now.count}",
-                    "decrease further, or leave FO out: the end stays open",
-                )
-            self.begin_stretch()
-            front, spine = now.front, now.spine
-            while len(spine) > 1 and front[-1] == ~spine[-1] and front[-2] in (spine[-2], ~spine[-2]):
-                front.pop()  # chains just made stand off the edge
-                spine.pop()
-            edge = [n if n >= 0 else ~n for n in now.front]
-            anchors = [n for n in now.front if n >= 0]
-            self.fill([*now.spine[::-1], edge[0]])
-            tip = self.node(self.look("tip", 1.0, TIP), anchors, -1, -1)
-            if len(edge) > 2:  # two stitches lie against each other: nothing is open between them
-                for a, b in zip(edge, edge[1:] + edge[:1]):
-                    self.face(b, a, tip)
-            self.stretches.all[now.stretch].shut = True
-        self.end_round(False)
-        self.now = Moment(stretch=now.stretch)
-
-    def turn(self) -> None:
-        """Work goes back along the edge, on the fabric's other side; chains just made are not worked into."""
-        self.need_start()
-        now = self.now
-        self.need_edge("turn")
-        self.end_round(False)
-        made = list(now.front)
-        spine = now.spine
-        # A chain at the hook only lifts the yarn; when there is nothing else, or it is longer than any stitch is high, its last stitch does.
-        chains = 0
-        while made and chains < len(made) and self._is_chain(made[-1 - chains]):
-            chains += 1
-        lifted = 1 if chains == len(made) or chains > LIFT else chains
-        if lifted:
-            base = made[-1 - lifted] if lifted < len(made) else made[0]
-            spine = [base if base >= 0 else ~base, *[n for n in made[-lifted:] if n >= 0]]
-            made = made[:-lifted]
-            now.count -= lifted
-        else:
-            spine = spine[-1:]
-        if now.chain:
-            now.chain = now.ring = False
-        back = made[::-1]
-        if now.ring:
-            # The edge runs on past the round's start, up the side of this row, to the hook.
-            back += [~n for n in (now.spine[:1] if len(now.spine) > 1 else [])] + [~n for n in spine]
-        now.front, now.spine = deque(back), spine
-        now.direction, now.starting = -now.direction, True
-        self.end_round(False)
-        self.ahead = now.count
-
-    def _is_chain(self, n: int) -> bool:
-        return n >= 0 and self.ends[n + 1] == self.ends[n] and self.styles[self.style[n]][6] == PLAIN
-
-    def join_round(self) -> None:
-        """A slip stitch into the first stitch of the round just made, which stays to be worked into."""
-        self.need_edge("join")
-        now = self.now
-        if now.chain:
-            self.begin_stretch()
-        path = now.spine[::-1]
-        left = now.left if len(self) > self._first else 0  # anchors that the round leaves out
-        while now.front[0] < 0 or left > 0:
-            n = now.front.popleft()
-            if n >= 0:
-                left -= 1
-                self.used(1)
-            if path[-1] != (n if n >= 0 else ~n):
-                path.append(n if n >= 0 else ~n)
-            if not now.count:
-                raise self.fail("the round has no stitch to join to", "work some stitches into it first")
-        first = now.front[0]
-        now.ring = True
-        if first != path[0]:
-            path.append(first)
-            self.tie(path)
-        now.front.append(~first)
-        now.spine, now.starting = [first], True
-        self.end_round(True)
-        self.ahead = now.count
 
     def loops(self, loop: int) -> None:
         """The loops that stitches go into from here on."""

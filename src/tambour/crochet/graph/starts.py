@@ -6,6 +6,7 @@ from collections import deque
 from itertools import pairwise
 
 from tambour.core.graph import ROOT
+from tambour.crochet.graph.ends import turn
 from tambour.crochet.graph.hook import Hook
 from tambour.crochet.graph.moment import Moment
 from tambour.crochet.language.stitches import OVER, THROUGH, Stitch
@@ -98,5 +99,5 @@ def foundation_row(hook: Hook, size: int, stitch: Stitch) -> None:
     now = hook.now
     now.front, now.count = deque(range(start, start + size + 1)), size + 1
     now.spine, now.chain = list(range(start, start + size + 1)), True
-    hook.turn()
+    turn(hook)
     hook.stitch(stitch, size)

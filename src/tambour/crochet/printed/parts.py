@@ -8,7 +8,8 @@ from itertools import pairwise, zip_longest
 from typing import TYPE_CHECKING, Final
 
 from tambour.core.errors import Span
-from tambour.crochet.graph.hook import LIFT, MOST_AT_TIP
+from tambour.crochet.graph.ends import MOST_AT_TIP
+from tambour.crochet.graph.hook import LIFT
 from tambour.crochet.language.source import Source
 from tambour.crochet.language.stitches import STANDING
 from tambour.crochet.language.tree import Action, Group, Item, Line, Section, written
