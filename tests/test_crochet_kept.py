@@ -292,3 +292,20 @@ def test_what_names_no_colour_is_in_the_first_of_a_yarn_s_colours() -> None:
     )
     pattern = read(Text(f"{lists}HEAD\nRnd 1: 6 sc in magic ring (6)\nRnd 2: inc x 6 (12)\n", "toy.txt"))
     assert set(dyes(pattern, "HEAD")) == {(211, 211, 211)}
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Press the opening flat and crochet 6 sc through both sides to close.",
+        "Flatten the opening and crochet 6 sc through both layers.",
+        "Fold flat and sc 6 through both sides.",
+    ],
+)
+def test_an_opening_pressed_flat_is_closed_through_both_its_sides(words: str) -> None:
+    assert made(whole(f"{BODY}{words} Fasten off.\n")) == {"BODY": [6, 12, 0]}  # the edge is used up
+
+
+@pytest.mark.parametrize("words", ["sc in all 8 ch (8)", "sc in each ch across (8)", "sc 8 (8)"])
+def test_a_row_that_says_first_where_it_begins(words: str) -> None:
+    assert made(whole(f"TAIL\nWith A, ch 9. Starting in the 2nd ch from hook, {words}. Fasten off.\n"))["TAIL"] == [8]

@@ -147,6 +147,17 @@ class Trade(Dyes):
             if c.key("to", "in", "from") and not c.kind("ordinal", 1):  # "beginning at top of head with A"
                 while c.look() is not None and not c.mark(",", ".", ";") and not c.key("with"):
                     c.at += 1
+            hook = next((k for k in range(2, 7) if c.key("hook", ahead=k)), 0)
+            first = c.look(1)
+            if (
+                hook
+                and first is not None
+                and first.kind == "ordinal"
+                and c.kind("stitch", 2)
+                and c.mark(",", ":", ahead=hook + 1)
+            ):
+                self.body.hook = int(first.value)  # "Starting in 2nd ch from hook, sc in each ch across"
+                c.at += hook + 2
         elif word == "even":
             self.even(found, token)
         elif word == "thicknesses":

@@ -143,6 +143,16 @@ class Vocabulary:
                 made.append(token)
                 at += 1
                 continue
+            if (
+                token.word == "both"
+                and made
+                and made[-1].word in ("through", "thru")
+                and tokens[min(at + 1, n - 1)].word == "sides"
+            ):
+                # "through both sides" of an opening that is pressed flat
+                made.append(Token("key", "both sides", token.start, tokens[at + 1].end, "thicknesses", token.glued))
+                at += 2
+                continue
             found = self._longest(tokens, at)
             if token.word == "x" and (
                 token.kind == "mark" or found is None or (made and made[-1].word in (")", "]", "}", "*"))
